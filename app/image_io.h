@@ -1,0 +1,21 @@
+// Pictures and deferred images to files, written beside and renamed when complete (OpenImageIO).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/frame.h"
+
+namespace isolux::app {
+
+// 8-bit sRGB PNG with the session text in a text chunk ("isolux_session"); empty text: none.
+void writePng(const render::ColorImage& image, const std::filesystem::path& file, const std::string& session);
+// float32 EXR: channels R G B (linear) of `color` unless null, and each AOV as "name" or "name.channel".
+void writeExr(const render::ColorImage* color, const std::vector<render::AovImage>& aovs,
+              const std::filesystem::path& file, const std::string& session);
+// The session text of a PNG; empty when there is none.
+std::string readSessionText(const std::filesystem::path& file);
+render::ColorImage readPng(const std::filesystem::path& file);
+
+}  // namespace isolux::app

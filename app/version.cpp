@@ -1,0 +1,7 @@
+#include "app/version.h"
+
+namespace isolux::app {
+
+std::string_view version() { return ISOLUX_VERSION; }
+
+}  // namespace isolux::app

@@ -1,0 +1,10 @@
+// The program's name and version, as `isolux --version` and --stats print them.
+#pragma once
+
+#include <string_view>
+
+namespace isolux::app {
+
+std::string_view version();  // "0.1.0"
+
+}  // namespace isolux::app

@@ -1,0 +1,11 @@
+# Writes OUTPUT: a C++ table of the shader files in INPUTS (name, text).
+set(text "// Made from resources/shaders at build; do not edit.\n#include \"render/shader_library.h\"\n\nnamespace isolux::render {\n\nconst EmbeddedShader embeddedShaders[] = {\n")
+set(count 0)
+foreach(input IN LISTS INPUTS)
+  get_filename_component(name ${input} NAME)
+  file(READ ${input} content)
+  string(APPEND text "    {\"${name}\", R\"GLSL(${content})GLSL\"},\n")
+  math(EXPR count "${count} + 1")
+endforeach()
+string(APPEND text "};\nconst int embeddedShaderCount = ${count};\n\n}  // namespace isolux::render\n")
+file(WRITE ${OUTPUT} "${text}")

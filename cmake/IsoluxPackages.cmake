@@ -1,0 +1,21 @@
+# Every third-party library, found once. docs/dependencies.md says why each is here.
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(TBB REQUIRED)
+pkg_check_modules(glm REQUIRED IMPORTED_TARGET glm)
+# OpenImageIO's CMake package wants OpenCV's headers; its pkg-config file does not.
+pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOLegacy IOXML)
+find_package(DICOM REQUIRED)  # vtk-dicom
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+
+# Third-party headers are not ours to warn about.
+add_library(isolux_glm INTERFACE)
+target_link_libraries(isolux_glm INTERFACE PkgConfig::glm)
+target_compile_definitions(isolux_glm INTERFACE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)

@@ -1,0 +1,58 @@
+# How every Isolux library, test and benchmark is compiled.
+
+add_library(isolux_warnings INTERFACE)
+target_compile_options(isolux_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
+  -Woverloaded-virtual -Wnull-dereference -Wimplicit-fallthrough -Wformat=2
+  $<$<BOOL:${ISOLUX_WERROR}>:-Werror>)
+
+add_library(isolux_options INTERFACE)
+# No contraction of a*b+c: results must not depend on the compiler's choice of fused operations.
+target_compile_options(isolux_options INTERFACE -ffp-contract=off)
+target_include_directories(isolux_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+target_link_libraries(isolux_options INTERFACE isolux_warnings)
+if(ISOLUX_SANITIZE)
+  target_compile_options(isolux_options INTERFACE -fsanitize=${ISOLUX_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(isolux_options INTERFACE -fsanitize=${ISOLUX_SANITIZE})
+endif()
+if(ISOLUX_FUZZ)
+  target_compile_options(isolux_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# isolux_library(NAME SOURCES ... LINK ...): one directory = one library = one namespace.
+function(isolux_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(isolux_${name} STATIC ${ARG_SOURCES})
+  add_library(isolux::${name} ALIAS isolux_${name})
+  target_link_libraries(isolux_${name} PUBLIC isolux_options ${ARG_LINK})
+endfunction()
+
+# isolux_layer(NAME LINK ...): the library of this directory from all its .cpp files (subfolders included).
+function(isolux_layer name)
+  cmake_parse_arguments(ARG "" "" "LINK;EXCLUDE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  foreach(excluded IN LISTS ARG_EXCLUDE)
+    list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${excluded})
+  endforeach()
+  if(sources)
+    isolux_library(${name} SOURCES ${sources} LINK ${ARG_LINK})
+  else()  # headers only
+    add_library(isolux_${name} INTERFACE)
+    add_library(isolux::${name} ALIAS isolux_${name})
+    target_link_libraries(isolux_${name} INTERFACE isolux_options ${ARG_LINK})
+  endif()
+endfunction()
+
+# isolux_tests(LAYER LINK ... LABELS ... ENVIRONMENT ...): one GoogleTest program from tests/LAYER/*_test.cpp, found by CTest
+# test by test. Tests read the shared data folder from ISOLUX_DATA (tests/support/test_data.h).
+function(isolux_tests layer)
+  cmake_parse_arguments(ARG "" "" "LINK;LABELS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${layer}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${layer}_tests ${sources})
+  target_link_libraries(${layer}_tests PRIVATE ${ARG_LINK} isolux_test_support GTest::gtest_main GTest::gmock)
+  gtest_discover_tests(${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${layer}" TIMEOUT 300)
+endfunction()

@@ -1,0 +1,67 @@
+// What a picture is asked for and what comes back: plain values, no GL.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace isolux::render {
+
+// Deferred images (arbitrary output variables). float32; NaN where there is no hit (hit: 0).
+enum class Aov { position, voxel, depth, value_error, normal, gradient, hit };
+struct AovInfo {
+  Aov aov;
+  const char* name;                   // as on the command line
+  const char* unit;
+  std::vector<const char*> channels;  // suffixes: {"x","y","z"}, {""}
+};
+const std::vector<AovInfo>& aovs();
+// Throws scene::Error{usage} naming the unknown name and the known ones. "position,normal" -> list.
+std::vector<Aov> parseAovList(const std::string& text);
+
+struct FrameRequest {
+  glm::ivec2 size{512, 512};  // pixels
+  bool color = true;          // the shaded picture
+  std::vector<Aov> aovs;      // deferred images; then supersampling must be 1
+  int supersampling = 1;      // rays per pixel and axis, 1..4
+};
+
+enum class PassState { ran, cached, skipped };
+struct PassReport {
+  std::string name;
+  PassState state = PassState::skipped;
+  std::string reason;            // why it ran, or why not
+  double milliseconds = 0.0;     // GPU timer where there is one, else wall time; 0 unless ran
+  std::size_t bytes = 0;         // of the images it writes
+};
+
+struct FrameReport {
+  std::vector<PassReport> passes;
+  double milliseconds = 0.0;     // wall time of the frame, GL finished
+  std::size_t blocksActive = 0, blocksTotal = 0;
+  std::size_t gpuBytes = 0;      // textures and buffers held by the renderer
+};
+
+// Row 0 is the top row.
+struct ColorImage {
+  glm::ivec2 size{0};
+  std::vector<std::uint8_t> rgba;  // sRGB, opaque
+};
+struct AovImage {
+  Aov aov{};
+  glm::ivec2 size{0};
+  int channels = 0;
+  std::vector<float> values;  // channels interleaved
+};
+
+// The surface point under a pixel.
+struct Pick {
+  glm::dvec3 worldMm{0.0}, voxel{0.0};
+  double value = 0.0;  // data units
+};
+
+}  // namespace isolux::render

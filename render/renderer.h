@@ -1,0 +1,46 @@
+// Draws a Scene: the one renderer behind the window, `isolux render` and replay.
+//
+// The renderer owns its GL objects and knows no window. It keeps no GL state between frames, never touches a
+// framebuffer it does not own except in present(), and is thrown away and made anew when the context is lost.
+// All members need the context current on the calling thread. Errors: scene::Error{graphics, memory}.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "render/frame.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::render {
+
+struct Gl;
+
+class Renderer {
+ public:
+  explicit Renderer(std::shared_ptr<const Gl> gl);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  // Uploads at the next render(). Null: the background only.
+  void setVolume(std::shared_ptr<const volume::PreparedVolume> volume);
+
+  // `scene` must be resolved (scene::resolve). Only what `request` needs is computed; what has not changed
+  // since the last call is not computed again.
+  const FrameReport& render(const scene::Scene& scene, const FrameRequest& request);
+
+  // Draws the last picture into `framebuffer` (0 or Qt's), scaled to `size` pixels if it differs.
+  void present(unsigned framebuffer, glm::ivec2 size);
+
+  ColorImage readColor();
+  AovImage readAov(Aov aov);
+  // pixel: (0,0) is the top left of the last picture's request.size. Empty where there is no surface.
+  std::optional<Pick> pick(glm::ivec2 pixel);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace isolux::render

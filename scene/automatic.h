@@ -1,0 +1,22 @@
+// Fills in what a Scene leaves automatic: isovalue and camera, from facts about the volume.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace isolux::scene {
+
+// What automatic settings may depend on.
+struct VolumeFacts {
+  glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // axis-aligned world box of the voxel domain
+  double suggestedIsovalue = 0.0;                  // data units, volume::suggestIsovalue()
+};
+
+// Every optional of the result has a value. An explicit setting is never changed. An automatic camera looks
+// from the front and slightly above (eye on -y: a patient faces the viewer, patient left at the right),
+// and the whole box fits the picture of any aspect ratio >= 1.
+Scene resolve(Scene scene, const VolumeFacts& facts);
+
+}  // namespace isolux::scene

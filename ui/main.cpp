@@ -1,0 +1,2 @@
+namespace isolux::ui {}
+int main() { return 0; }

@@ -1,0 +1,91 @@
+// A scalar volume: voxels in their smallest exact type, and where they lie in the world.
+//
+// Voxel space: sample i sits at integer coordinate i; the domain is [0, n-1] per axis; x varies fastest in
+// memory. World: millimetres, DICOM/LPS, by worldFromVoxel, which may be oblique, anisotropic, left-handed.
+// Value (what the user sees, data units) = slope * stored + intercept. A Grid is immutable once shared.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace isolux::volume {
+
+// Types of files. Grids store only int8, uint8, int16, uint16 and float32.
+enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+std::string_view nameOf(VoxelType type);      // "int16", ...
+std::size_t bytesOf(VoxelType type);          // of one voxel
+
+struct GridGeometry {
+  glm::ivec3 dims{0};
+  glm::dmat4 worldFromVoxel{1.0};  // affine, invertible
+
+  std::size_t voxelCount() const {
+    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
+  }
+  glm::dmat4 voxelFromWorld() const;
+  glm::dvec3 spacingMm() const;     // lengths of the columns
+  glm::dmat3 directions() const;    // unit columns: world direction of each voxel axis
+  glm::dvec3 originMm() const;      // world position of voxel (0,0,0)
+  bool leftHanded() const;          // negative determinant
+  void worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const;  // of the domain [0, n-1]^3
+
+  static GridGeometry make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm = glm::dvec3(0.0),
+                           glm::dmat3 directions = glm::dmat3(1.0));
+};
+
+// Voxels as read, in one of the five stored types.
+using VoxelArray = std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
+                                std::vector<std::uint16_t>, std::vector<float>>;
+
+class Grid {
+ public:
+  // Counts missing voxels (NaN; +-Inf become NaN), finds the range and the hash. `voxels` must hold
+  // geometry.voxelCount() entries; slope must be finite and not 0.
+  Grid(GridGeometry geometry, VoxelArray voxels, double slope = 1.0, double intercept = 0.0);
+
+  const GridGeometry& geometry() const { return geometry_; }
+  glm::ivec3 dims() const { return geometry_.dims; }
+  VoxelType storedType() const;
+  const VoxelArray& voxels() const { return voxels_; }
+
+  double slope() const { return slope_; }
+  double intercept() const { return intercept_; }
+  double valueOfStored(double stored) const { return slope_ * stored + intercept_; }
+  double storedOfValue(double value) const { return (value - intercept_) / slope_; }
+
+  std::size_t index(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(geometry_.dims.y) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(geometry_.dims.x) + static_cast<std::size_t>(x);
+  }
+  double stored(int x, int y, int z) const;  // NaN where missing
+  double value(int x, int y, int z) const { return valueOfStored(stored(x, y, z)); }
+
+  // Range of the values of voxels that are not missing; {0, 0} when all are missing.
+  double minimum() const { return minimum_; }
+  double maximum() const { return maximum_; }
+  std::size_t missingCount() const { return missing_; }
+  std::size_t bytes() const;
+  // 64-bit hash (FNV-1a over 8-byte words) of dims, worldFromVoxel, slope, intercept, type and voxels.
+  std::uint64_t hash() const { return hash_; }
+
+ private:
+  GridGeometry geometry_;
+  VoxelArray voxels_;
+  double slope_, intercept_;
+  double minimum_ = 0.0, maximum_ = 0.0;
+  std::size_t missing_ = 0;
+  std::uint64_t hash_ = 0;
+};
+
+}  // namespace isolux::volume

@@ -1,0 +1,27 @@
+// A volume with everything derived from it that every picture needs: made once, on the loading thread.
+#pragma once
+
+#include <memory>
+
+#include "scene/automatic.h"
+#include "volume/histogram.h"
+#include "volume/min_max_blocks.h"
+#include "volume/reader.h"
+
+namespace isolux::volume {
+
+struct PreparedVolume {
+  Volume volume;
+  std::shared_ptr<const MinMaxBlocks> blocks;
+  Histogram histogram;
+  scene::VolumeFacts facts;
+  double readSeconds = 0.0, prepareSeconds = 0.0;
+
+  const Grid& grid() const { return *volume.grid; }
+};
+
+// readVolume() and the derived structures. Throws scene::Error.
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, scene::Progress& progress);
+std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, scene::Progress& progress);
+
+}  // namespace isolux::volume
