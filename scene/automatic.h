@@ -11,7 +11,7 @@ namespace isolux::scene {
 // What automatic settings may depend on.
 struct VolumeFacts {
   glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // axis-aligned world box of the voxel domain
-  double suggestedIsovalue = 0.0;                  // data units, volume::suggestIsovalue()
+  double suggestedIsovalue = 0.0;                 // data units, volume::suggestIsovalue()
 };
 
 // Every optional of the result has a value. An explicit setting is never changed. An automatic camera looks

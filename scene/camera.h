@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include <glm/vec2.hpp>
@@ -11,7 +12,7 @@
 
 namespace isolux::scene {
 
-// Orthonormal, right-handed: right x up = back.
+// Orthonormal, right-handed: right x up = back. The viewer looks along -back.
 struct CameraFrame {
   glm::dvec3 eye, right, up, back;
   double distance;    // eye to target, mm
@@ -21,29 +22,34 @@ struct CameraFrame {
 // Never NaN: a degenerate up or a target on the eye is replaced by the nearest sensible frame.
 CameraFrame frameOf(const Camera& camera);
 
-// A ray through a point of the picture; ndc in [-1, 1], y up; aspect = width / height.
+// A ray through a point of the picture; ndc in [-1, 1], y up; aspect = width / height. The rays of an
+// orthographic camera start on the plane through the eye.
 struct Ray {
   glm::dvec3 origin, direction;  // mm; unit direction
 };
 Ray rayThrough(const CameraFrame& frame, glm::dvec2 ndc, double aspect);
 
 // Mouse gestures. Angles in radians; fractions are of the viewport's height.
-Camera orbited(const Camera& camera, double yaw, double pitch);      // about the target, in camera axes
-Camera rolled(const Camera& camera, double angle);                   // about the view direction
-Camera panned(const Camera& camera, glm::dvec2 fractionOfHeight);    // the picture follows the pointer
-Camera zoomed(const Camera& camera, double factor);                  // > 1: nearer (smaller distance)
+// A gesture that is not finite changes nothing; results stay within the ranges of the camera's settings.
+Camera orbited(const Camera& camera, double yaw, double pitch);  // eye about the target: yaw right, pitch up
+Camera rolled(const Camera& camera, double angle);               // > 0: the picture turns clockwise
+Camera panned(const Camera& camera, glm::dvec2 fractionOfHeight);  // the picture moves by this; x right, y up
+Camera zoomed(const Camera& camera, double factor);                // > 1: nearer (smaller distance)
 
 // Anatomical standard views, named by the side the viewer stands on.
 enum class StandardView { anterior, posterior, left, right, superior, inferior };
 constexpr std::array<std::string_view, 6> standardViewNames{"Anterior", "Posterior", "Left",
                                                             "Right",    "Superior",  "Inferior"};
-// Radiological habit: patient left at the viewer's right in the anterior, superior and inferior views;
-// superior up, except anterior up in the superior and inferior views. Fits the box, keeps fov and projection.
+// Superior is up, except that anterior is up in the superior and inferior views. So the patient's left is at
+// the viewer's right in the anterior and the inferior view (the habit of axial slices), and at the viewer's
+// left in the posterior and the superior view (looking down on the head). Fits the box, keeps fov and
+// projection.
 Camera standardView(const Camera& camera, StandardView view, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm);
-// Same direction and up, moved so that the box fits.
+// Same direction and up, moved so that the box fits any picture at least as wide as high.
 Camera fitted(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm);
 
-// The anatomical letters (L R A P S I, up to two: "LA") at the picture's left, right, top and bottom edge.
+// The anatomical letters (L R A P S I, up to two, the nearer side first: "LA") at the picture's left, right,
+// top and bottom edge.
 struct EdgeLetters {
   std::string left, right, top, bottom;
 };

@@ -16,18 +16,18 @@
 
 namespace isolux::scene {
 
-enum class Inside { above, below };               // inside is f >= isovalue, or f <= isovalue
-enum class HitMethod { sampled, exact };          // Hadwiger et al. 2005 sec. 3.2, or every cell's first root
+enum class Inside { above, below };       // inside is f >= isovalue, or f <= isovalue
+enum class HitMethod { sampled, exact };  // Hadwiger et al. 2005 sec. 3.2, or every cell's first root
 enum class DerivativeField { trilinear, cubic, cubic_interpolating };
 enum class LookMode { blinn_phong, lambert, normal, depth };
 enum class Projection { perspective, orthographic };
 
 struct Source {
   std::string path = "phantom:head";  // file, folder, or "phantom:NAME[:SIZE]"
-  std::string raw;                    // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
-  std::string series;                 // DICOM SeriesInstanceUID, empty: the series with most slices
-  int component = 0;                  // of a file with several components per voxel; -1: their magnitude
-  int timeStep = 0;                   // of a file with several time steps
+  std::string raw;     // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
+  std::string series;  // DICOM SeriesInstanceUID, empty: the series with most slices
+  int component = 0;   // of a file with several components per voxel; -1: their magnitude
+  int timeStep = 0;    // of a file with several time steps
   bool operator==(const Source&) const = default;
 };
 
@@ -40,8 +40,8 @@ struct Isosurface {
 
 struct Hit {
   HitMethod method = HitMethod::exact;
-  double rate = 2.0;     // samples per voxel along the ray (method sampled)
-  int refinements = 4;   // regula falsi steps after a sampled hit, Hadwiger et al. 2005 eq. (1)
+  double rate = 2.0;    // samples per voxel along the ray (method sampled)
+  int refinements = 4;  // regula falsi steps after a sampled hit, Hadwiger et al. 2005 eq. (1)
   bool operator==(const Hit&) const = default;
 };
 
@@ -71,7 +71,7 @@ struct Camera {
   std::optional<glm::dvec3> eye;     // mm
   std::optional<glm::dvec3> target;  // mm
   std::optional<glm::dvec3> up;      // any length, not along the view direction
-  double fov = 30.0;                 // vertical, degrees; the orthographic height is that of the target's distance
+  double fov = 30.0;  // vertical, degrees; the orthographic height is that of the target's distance
   Projection projection = Projection::perspective;
   bool operator==(const Camera&) const = default;
 };

@@ -21,12 +21,12 @@ enum class SettingType { number, integer, text, choice, vector };  // vector: th
 struct Setting {
   std::string path;
   SettingType type;
-  std::string unit;                  // "mm", "degrees", "data units", "" where none
-  std::string meaning;               // one sentence
-  double minimum, maximum;           // of numbers, integers and vector components, inclusive
-  bool mayBeAutomatic = false;       // accepts "auto" (an empty optional)
-  std::vector<std::string> choices;  // of a choice
-  std::function<nlohmann::json(const Scene&)> get;         // "auto" for an empty optional
+  std::string unit;                                 // "mm", "degrees", "data units", "" where none
+  std::string meaning;                              // one sentence
+  double minimum, maximum;                          // of numbers, integers and vector components, inclusive
+  bool mayBeAutomatic = false;                      // accepts "auto" (an empty optional)
+  std::vector<std::string> choices;                 // of a choice
+  std::function<nlohmann::json(const Scene&)> get;  // "auto" for an empty optional
   std::function<void(Scene&, const nlohmann::json&)> set;  // throws Error when type, range or choice is wrong
 
   nlohmann::json defaultValue() const { return get(Scene{}); }
@@ -38,7 +38,8 @@ const Setting& setting(std::string_view path);  // throws Error, with the neares
 // "a.b=VALUE" as on the command line: numbers, "x,y,z", words; VALUE may be "auto" where allowed.
 void applyAssignment(Scene& scene, std::string_view assignment);
 
-// Whole scenes as nested JSON objects. A missing key takes its default; an unknown key throws, naming its path.
+// Whole scenes as nested JSON objects. A missing key takes its default; an unknown key throws, naming its
+// path.
 nlohmann::json toJson(const Scene& scene);
 Scene fromJson(const nlohmann::json& json);
 

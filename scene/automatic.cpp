@@ -1,0 +1,50 @@
+#include "scene/automatic.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "scene/camera.h"
+
+namespace isolux::scene {
+
+namespace {
+
+constexpr double elevation = 0.21;  // radians (12 degrees): "slightly above"
+
+}  // namespace
+
+Scene resolve(Scene scene, const VolumeFacts& facts) {
+  if (!scene.isosurface.value)
+    scene.isosurface.value = std::isfinite(facts.suggestedIsovalue) ? facts.suggestedIsovalue : 0.0;
+
+  Camera& camera = scene.camera;
+  if (camera.eye && camera.target && camera.up) return scene;
+
+  // The camera that fits the box: around its centre, along the chosen or else the default direction.
+  Camera wanted = camera;
+  if (!camera.eye) {
+    const glm::dvec3 toward(0.0, -std::cos(elevation), std::sin(elevation));
+    wanted.target = glm::dvec3(0.0);
+    wanted.eye = toward;
+  }
+  const Camera fit = fitted(wanted, facts.boundsMinMm, facts.boundsMaxMm);
+
+  if (!camera.eye && camera.target)
+    camera.eye = *fit.eye + (*camera.target - *fit.target);  // the same view, of another point
+  if (!camera.eye) camera.eye = fit.eye;
+  if (!camera.target) {
+    camera.target = fit.target;
+    // An eye that stands on the centre looks to the back, not nowhere.
+    if (glm::length(*camera.eye - *camera.target) < 1e-9)
+      camera.target = *camera.eye + glm::dvec3(0.0, 1.0, 0.0);
+  }
+  if (!camera.up) {
+    const glm::dvec3 view = *camera.target - *camera.eye;
+    const bool alongBody = std::hypot(view.x, view.y) < 1e-3 * std::abs(view.z);
+    camera.up = alongBody ? glm::dvec3(0.0, -1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+  }
+  return scene;
+}
+
+}  // namespace isolux::scene

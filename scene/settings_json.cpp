@@ -1,0 +1,131 @@
+// Scenes as JSON, assignments from the command line, and named changes: all made from settings().
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "scene/error.h"
+#include "scene/settings.h"
+#include "scene/suggestion.h"
+
+namespace isolux::scene {
+
+namespace {
+
+using nlohmann::json;
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+// A whole word as a finite number; empty when it is none.
+std::optional<double> numberOf(std::string_view word) {
+  word = trimmed(word);
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+json numberOrWord(std::string_view word) {
+  const std::optional<double> number = numberOf(word);
+  return number ? json(*number) : json(std::string(word));
+}
+
+// What the words of an assignment mean for this setting; a word that makes no sense stays a word, which
+// Setting::set then refuses with the reason.
+json valueOf(const Setting& target, std::string_view text) {
+  if (target.type == SettingType::text) return std::string(text);
+  const std::string_view word = trimmed(text);
+  if (target.type == SettingType::choice || (target.mayBeAutomatic && word == "auto"))
+    return std::string(word);
+  if (target.type != SettingType::vector) return numberOrWord(word);
+  json list = json::array();
+  std::size_t begin = 0;
+  while (begin <= word.size() && list.size() <= 3) {
+    const std::size_t comma = std::min(word.find(',', begin), word.size());
+    const std::optional<double> number = numberOf(word.substr(begin, comma - begin));
+    if (!number) return std::string(word);
+    list.push_back(*number);
+    begin = comma + 1;
+  }
+  return list.size() == 3 ? list : json(std::string(word));
+}
+
+// The groups of the list ("camera"), for telling an unknown key from a group.
+void checkGroup(const std::string& name) {
+  static const std::vector<std::string> groups = [] {
+    std::vector<std::string> names;
+    for (const Setting& s : settings()) {
+      const std::string group = s.path.substr(0, s.path.find('.'));
+      if (names.empty() || names.back() != group) names.push_back(group);
+    }
+    return names;
+  }();
+  if (std::find(groups.begin(), groups.end(), name) != groups.end()) return;
+  const std::string suggestion = nearest(name, groups);
+  throw Error(ErrorKind::usage, "", name.substr(0, 200),
+              suggestion.empty() ? "unknown group of settings"
+                                 : "unknown group of settings, did you mean " + suggestion + "?");
+}
+
+}  // namespace
+
+void applyAssignment(Scene& scene, std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    throw Error(ErrorKind::usage, "", std::string(assignment), "expected PATH=VALUE");
+  const Setting& target = setting(trimmed(assignment.substr(0, equals)));
+  target.set(scene, valueOf(target, assignment.substr(equals + 1)));
+}
+
+nlohmann::json toJson(const Scene& scene) {
+  json result = json::object();
+  for (const Setting& s : settings()) {
+    const auto dot = s.path.find('.');
+    result[s.path.substr(0, dot)][s.path.substr(dot + 1)] = s.get(scene);
+  }
+  return result;
+}
+
+Scene fromJson(const nlohmann::json& json) {
+  Scene scene;
+  if (!json.is_object()) throw Error(ErrorKind::usage, "", "", "the scene must be a JSON object");
+  for (const auto& [group, members] : json.items()) {
+    checkGroup(group);
+    if (!members.is_object()) throw Error(ErrorKind::usage, "", group, "must be a JSON object");
+    for (const auto& [name, value] : members.items()) setting(group + '.' + name).set(scene, value);
+  }
+  return scene;
+}
+
+SceneDiff difference(const Scene& from, const Scene& to, std::string name) {
+  SceneDiff diff{std::move(name), {}};
+  for (const Setting& s : settings()) {
+    nlohmann::json value = s.get(to);
+    if (value != s.get(from)) diff.changes.push_back({s.path, std::move(value)});
+  }
+  return diff;
+}
+
+Scene applied(Scene scene, const SceneDiff& diff) {
+  for (const SceneChange& change : diff.changes) setting(change.path).set(scene, change.value);
+  return scene;
+}
+
+std::string describeChange(const Scene& from, const Scene& to) {
+  const SceneDiff diff = difference(from, to, "");
+  if (diff.changes.empty()) return {};
+  const std::string& first = diff.changes.front().path;
+  if (diff.changes.size() == 1) return "Change " + first;
+  const std::string group = first.substr(0, first.find('.') + 1);
+  const bool sameGroup = std::all_of(diff.changes.begin(), diff.changes.end(),
+                                     [&](const SceneChange& c) { return c.path.starts_with(group); });
+  if (sameGroup) return "Change " + group.substr(0, group.size() - 1);
+  return "Change " + std::to_string(diff.changes.size()) + " settings";
+}
+
+}  // namespace isolux::scene
