@@ -1,0 +1,41 @@
+#include "render/frame.h"
+
+#include <sstream>
+
+#include "scene/error.h"
+
+namespace isolux::render {
+
+const std::vector<AovInfo>& aovs() {
+  static const std::vector<AovInfo> list = {
+      {Aov::position, "position", "mm, world", {"x", "y", "z"}},
+      {Aov::voxel, "voxel", "voxel coordinates", {"x", "y", "z"}},
+      {Aov::depth, "depth", "mm along the ray", {""}},
+      {Aov::value_error, "value_error", "data units", {""}},
+      {Aov::normal, "normal", "unit vector, world", {"x", "y", "z"}},
+      {Aov::gradient, "gradient", "data units per mm, world", {"x", "y", "z"}},
+      {Aov::hit, "hit", "1 or 0", {""}},
+  };
+  return list;
+}
+
+std::vector<Aov> parseAovList(const std::string& text) {
+  std::vector<Aov> list;
+  std::istringstream words(text);
+  std::string word, known;
+  for (const AovInfo& info : aovs()) known += (known.empty() ? "" : ", ") + std::string(info.name);
+  while (std::getline(words, word, ',')) {
+    bool found = false;
+    for (const AovInfo& info : aovs())
+      if (word == info.name) {
+        list.push_back(info.aov);
+        found = true;
+      }
+    if (!found)
+      throw scene::Error(scene::ErrorKind::usage, "", "--aov", "unknown image '" + word + "'; known: " + known);
+  }
+  if (list.empty()) throw scene::Error(scene::ErrorKind::usage, "", "--aov", "no image named; known: " + known);
+  return list;
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,171 @@
+#include "render/gl_objects.h"
+
+#include <stdexcept>
+
+#include "render/shader_library.h"
+#include "scene/error.h"
+
+namespace isolux::render {
+
+void deleteTexture(const Gl& gl, GLuint id) { gl.DeleteTextures(1, &id); }
+void deleteBuffer(const Gl& gl, GLuint id) { gl.DeleteBuffers(1, &id); }
+void deleteFramebuffer(const Gl& gl, GLuint id) { gl.DeleteFramebuffers(1, &id); }
+void deleteVertexArray(const Gl& gl, GLuint id) { gl.DeleteVertexArrays(1, &id); }
+void deleteProgram(const Gl& gl, GLuint id) { gl.DeleteProgram(id); }
+void deleteQuery(const Gl& gl, GLuint id) { gl.DeleteQueries(1, &id); }
+
+namespace {
+
+template <class Create>
+GLuint created(Create create) {
+  GLuint id = 0;
+  create(&id);
+  return id;
+}
+
+std::size_t texelBytes(GLenum internalFormat) {
+  switch (internalFormat) {
+    case GL_R8: return 1;
+    case GL_R16: return 2;
+    case GL_R32F:
+    case GL_RGBA8: return 4;
+    case GL_RG32F:
+    case GL_RGBA16F: return 8;
+    case GL_RGBA32F: return 16;
+    default: throw std::logic_error("texelBytes: unknown internal format");
+  }
+}
+
+void checkMemory(const Gl& gl, const char* what, std::size_t bytes) {
+  if (gl.GetError() == GL_OUT_OF_MEMORY)
+    throw scene::Error(scene::ErrorKind::memory, "", "graphics memory",
+                       "no room for " + std::string(what) + " of " + std::to_string(bytes >> 20) + " MiB");
+}
+
+}  // namespace
+
+Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size) {
+  const std::size_t bytes =
+      static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * texelBytes(internalFormat);
+  Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_2D, 1, id); }), {size, 1}, bytes);
+  gl->TextureStorage2D(texture.id(), 1, internalFormat, size.x, size.y);
+  checkMemory(*gl, "an image", bytes);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl->TextureParameteri(texture.id(), filter, GL_NEAREST);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl->TextureParameteri(texture.id(), wrap, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear) {
+  const std::size_t bytes = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                            static_cast<std::size_t>(size.z) * texelBytes(internalFormat);
+  Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_3D, 1, id); }), size, bytes);
+  gl->TextureStorage3D(texture.id(), 1, internalFormat, size.x, size.y, size.z);
+  checkMemory(*gl, "a volume", bytes);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl->TextureParameteri(texture.id(), filter, linear ? GL_LINEAR : GL_NEAREST);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    gl->TextureParameteri(texture.id(), wrap, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+std::vector<float> Texture::readFloats(int channels) const {
+  constexpr GLenum formats[] = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                            static_cast<std::size_t>(channels));
+  gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl().GetTextureImage(id(), 0, formats[channels], GL_FLOAT, static_cast<GLsizei>(values.size() * sizeof(float)),
+                       values.data());
+  return values;
+}
+
+Buffer::Buffer(const GlPtr& gl) : GlObject(gl, created([&](GLuint* id) { gl->CreateBuffers(1, id); })) {}
+
+void Buffer::setData(const void* data, std::size_t bytes) {
+  gl().NamedBufferData(id(), static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  checkMemory(gl(), "a buffer", bytes);
+  bytes_ = bytes;
+}
+
+VertexArray::VertexArray(const GlPtr& gl)
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateVertexArrays(1, id); })) {}
+
+Framebuffer::Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& colors)
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateFramebuffers(1, id); })) {
+  std::vector<GLenum> attachments;
+  for (const Texture* color : colors) {
+    attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
+    gl->NamedFramebufferTexture(id(), attachments.back(), color->id(), 0);
+  }
+  gl->NamedFramebufferDrawBuffers(id(), static_cast<GLsizei>(attachments.size()), attachments.data());
+  if (gl->CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw scene::Error(scene::ErrorKind::graphics, "", "OpenGL", "the driver cannot draw into float images");
+}
+
+Query::Query(const GlPtr& gl) : GlObject(gl, created([&](GLuint* id) { gl->CreateQueries(GL_TIMESTAMP, 1, id); })) {}
+
+namespace {
+
+GLuint compiled(const Gl& gl, GLenum stage, const std::string& name, const std::string& defines) {
+  const std::string source = shaderSource(name, defines);
+  const char* text = source.c_str();
+  const GLuint shader = gl.CreateShader(stage);
+  gl.ShaderSource(shader, 1, &text, nullptr);
+  gl.CompileShader(shader);
+  GLint good = 0;
+  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if (!good) {
+    char log[4096] = "";
+    gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
+    gl.DeleteShader(shader);
+    throw std::logic_error("shader " + name + " does not compile: " + log);
+  }
+  return shader;
+}
+
+}  // namespace
+
+Program::Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment, const std::string& defines)
+    : GlObject(gl, gl->CreateProgram()) {
+  const GLuint vertexShader = compiled(*gl, GL_VERTEX_SHADER, vertex, defines);
+  const GLuint fragmentShader = compiled(*gl, GL_FRAGMENT_SHADER, fragment, defines);
+  gl->AttachShader(id(), vertexShader);
+  gl->AttachShader(id(), fragmentShader);
+  gl->LinkProgram(id());
+  gl->DeleteShader(vertexShader);
+  gl->DeleteShader(fragmentShader);
+  GLint good = 0;
+  gl->GetProgramiv(id(), GL_LINK_STATUS, &good);
+  if (!good) {
+    char log[4096] = "";
+    gl->GetProgramInfoLog(id(), sizeof log, nullptr, log);
+    throw std::logic_error("program " + vertex + " + " + fragment + " does not link: " + log);
+  }
+}
+
+GLint Program::location(const char* name) {
+  const auto found = locations_.find(name);
+  if (found != locations_.end()) return found->second;
+  return locations_[name] = gl().GetUniformLocation(id(), name);
+}
+
+void Program::set(const char* name, float value) { gl().ProgramUniform1f(id(), location(name), value); }
+void Program::set(const char* name, int value) { gl().ProgramUniform1i(id(), location(name), value); }
+void Program::set(const char* name, glm::vec2 v) { gl().ProgramUniform2f(id(), location(name), v.x, v.y); }
+void Program::set(const char* name, glm::ivec2 v) { gl().ProgramUniform2i(id(), location(name), v.x, v.y); }
+void Program::set(const char* name, glm::vec3 v) { gl().ProgramUniform3f(id(), location(name), v.x, v.y, v.z); }
+void Program::set(const char* name, glm::ivec3 v) { gl().ProgramUniform3i(id(), location(name), v.x, v.y, v.z); }
+void Program::set(const char* name, const glm::mat3& v) {
+  gl().ProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
+}
+void Program::set(const char* name, const glm::mat4& v) {
+  gl().ProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
+}
+
+void Program::setTexture(const char* name, int unit, const Texture& texture) {
+  gl().BindTextureUnit(static_cast<GLuint>(unit), texture.id());
+  set(name, unit);
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,39 @@
+// The volume and its exact trilinear field. Fetches, not hardware filtering: many GPUs round filter
+// weights to 8 bits. Values are texels (render/volume_texture.h); the isovalue is given in the same unit.
+
+uniform sampler3D uVolume;
+uniform ivec3 uDims;
+uniform float uIsovalue;
+
+const float missingTexel = 1e30;  // stands for a missing voxel; render/constants.h holds the same number
+bool isMissing(float v) { return v > 1e20; }
+
+// Corner values of the cell whose lowest corner is `cell`: low.xyzw = (0,0,0) (1,0,0) (0,1,0) (1,1,0), high: z + 1.
+void cellCorners(ivec3 cell, out vec4 low, out vec4 high) {
+  ivec3 far = min(cell + 1, uDims - 1);
+  low = vec4(texelFetch(uVolume, cell, 0).r, texelFetch(uVolume, ivec3(far.x, cell.y, cell.z), 0).r,
+             texelFetch(uVolume, ivec3(cell.x, far.y, cell.z), 0).r, texelFetch(uVolume, ivec3(far.xy, cell.z), 0).r);
+  high = vec4(texelFetch(uVolume, ivec3(cell.xy, far.z), 0).r, texelFetch(uVolume, ivec3(far.x, cell.y, far.z), 0).r,
+              texelFetch(uVolume, ivec3(cell.x, far.yz), 0).r, texelFetch(uVolume, far, 0).r);
+}
+
+bool anyMissing(vec4 low, vec4 high) {
+  vec4 most = max(low, high);
+  return isMissing(max(max(most.x, most.y), max(most.z, most.w)));
+}
+
+ivec3 cellOf(vec3 p) { return clamp(ivec3(floor(p)), ivec3(0), max(uDims - 2, ivec3(0))); }
+
+float bilinear(vec4 corners, float x, float y) {
+  return mix(mix(corners.x, corners.y, x), mix(corners.z, corners.w, x), y);
+}
+
+// f - isovalue at p (voxel coordinates, clamped to the domain); huge where a corner is missing.
+float trilinearMinusIsovalue(vec3 p) {
+  ivec3 cell = cellOf(p);
+  vec3 f = clamp(p - vec3(cell), 0.0, 1.0);
+  vec4 low, high;
+  cellCorners(cell, low, high);
+  if (anyMissing(low, high)) return missingTexel;
+  return bilinear(mix(low - uIsovalue, high - uIsovalue, f.z), f.x, f.y);
+}

@@ -1,0 +1,27 @@
+// Supersamples averaged in linear light, encoded as sRGB, with a dither of one step against banding.
+uniform sampler2D uColor;
+uniform int uSupersampling;
+layout(location = 0) out vec4 oPicture;
+
+vec3 encoded(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+// A hash of the pixel in [0, 1): the same picture every time.
+float noise(uvec2 p) {
+  uint h = p.x * 0x9E3779B1u ^ p.y * 0x85EBCA77u;
+  h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+  h = (h ^ (h >> 12)) * 0x297A2D39u;
+  return float((h ^ (h >> 15)) >> 8) / 16777216.0;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec3 sum = vec3(0.0);
+  for (int y = 0; y < uSupersampling; ++y)
+    for (int x = 0; x < uSupersampling; ++x)
+      sum += min(texelFetch(uColor, pixel * uSupersampling + ivec2(x, y), 0).rgb, vec3(1.0));
+  float dither = (noise(uvec2(pixel)) - 0.5) / 255.0;
+  oPicture = vec4(encoded(sum / float(uSupersampling * uSupersampling)) + dither, 1.0);
+}
