@@ -1,4 +1,5 @@
-// The program: parses the command line, runs a subcommand, turns every failure into one line and an exit code.
+// The program: parses the command line, runs a subcommand, turns every failure into one line and an exit
+// code.
 #pragma once
 
 #include <functional>
@@ -12,9 +13,9 @@ namespace isolux::app {
 
 // What to open the window on.
 struct WindowRequest {
-  scene::Scene scene;          // source.path set from PATH; overrides not yet applied to automatic values
+  scene::Scene scene;  // source.path set from PATH; overrides not yet applied to automatic values
   std::vector<std::string> assignments;  // --set and its short forms, in order; apply after loading
-  std::string recordFile;      // --record FILE
+  std::string recordFile;                // --record FILE
 };
 using OpenWindow = std::function<int(const WindowRequest&)>;
 

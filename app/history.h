@@ -13,8 +13,9 @@ class History {
   explicit History(scene::Scene scene = {}) : scene_(std::move(scene)) {}
 
   const scene::Scene& scene() const { return scene_; }
-  // Makes `next` current as one step named `name`. With the same non-empty `mergeKey` as the last edit, and no
-  // seal() between, it replaces that step's result instead of adding a step. Returns the diff (empty: nothing changed).
+  // Makes `next` current as one step named `name`. With the same non-empty `mergeKey` as the last edit, and
+  // no seal() between, it replaces that step's result instead of adding a step. Returns the diff (empty:
+  // nothing changed).
   scene::SceneDiff edit(scene::Scene next, const std::string& name, const std::string& mergeKey = "");
   void seal() { mergeKey_.clear(); }  // end of a gesture
   void reset(scene::Scene scene);     // a new document: history empty
@@ -23,7 +24,7 @@ class History {
   bool canRedo() const { return position_ < steps_.size(); }
   std::string undoName() const;  // "" when there is nothing
   std::string redoName() const;
-  scene::SceneDiff undo();       // the diff that was applied to scene(), for recordings
+  scene::SceneDiff undo();  // the diff that was applied to scene(), for recordings
   scene::SceneDiff redo();
 
  private:

@@ -1,7 +1,8 @@
 // Recordings: JSON Lines of Scene diffs with times.
 //
 // Line 1: {"isolux_recording": 1, "program": "...", "scene": {...}} - the scene at time 0. Each further line:
-// {"time": seconds, "name": "Rotate", "set": {"camera.eye": [...], ...}}, times not decreasing.
+// {"time": seconds, "name": "Rotate", "set": {"camera.eye": [...], ...}}, times not decreasing. source.path
+// is stored as in sessions (app/stored_scene.h).
 #pragma once
 
 #include <chrono>
@@ -22,6 +23,7 @@ class Recorder {
 
  private:
   std::ofstream stream_;
+  std::filesystem::path folder_;  // of the file: source.path is stored relative to it
   std::chrono::steady_clock::time_point begin_;
 };
 

@@ -16,7 +16,8 @@ constexpr int sessionVersion = 2;
 
 std::string sessionText(const scene::Scene& scene, const std::filesystem::path& folder);
 // `file` is for error messages. Throws scene::Error{input} with the JSON path or byte of the fault.
-scene::Scene parseSession(const std::string& text, const std::string& file, const std::filesystem::path& folder);
+scene::Scene parseSession(const std::string& text, const std::string& file,
+                          const std::filesystem::path& folder);
 
 void saveSession(const scene::Scene& scene, const std::filesystem::path& file);  // beside, then renamed
 scene::Scene loadSession(const std::filesystem::path& file);                     // .isolux, .json or .png

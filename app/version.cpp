@@ -2,6 +2,8 @@
 
 namespace isolux::app {
 
-std::string_view version() { return ISOLUX_VERSION; }
+std::string_view version() {
+  return ISOLUX_VERSION;
+}
 
 }  // namespace isolux::app

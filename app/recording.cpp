@@ -1,0 +1,140 @@
+#include "app/recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files.h"
+#include "app/stored_scene.h"
+#include "app/version.h"
+#include "scene/error.h"
+
+namespace isolux::app {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using scene::throwInput;
+
+namespace {
+
+constexpr int recordingVersion = 1;
+constexpr double longestSeconds = 1e6;
+constexpr std::size_t longestFile = std::size_t{1} << 30;  // bytes
+
+std::string line(const json& json) {
+  return json.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
+}
+
+scene::Scene startOf(const json& header, const std::string& file, const fs::path& folder) {
+  const std::string place = "line 1";
+  checkKeys(header, {"isolux_recording", "program", "scene"}, file, place);
+  const auto found = header.find("isolux_recording");
+  if (found == header.end()) throwInput(file, place, "is not a recording: \"isolux_recording\" is missing");
+  if (!found->is_number_integer() || *found != recordingVersion)
+    throwInput(file, place, "this Isolux reads recordings of version 1 only");
+  const auto scene = header.find("scene");
+  return scene == header.end() ? scene::Scene{} : sceneFromStored(*scene, file, place + ", scene", folder);
+}
+
+Recording::Step stepOf(const json& entry, const std::string& file, const std::string& place,
+                       const fs::path& folder) {
+  checkKeys(entry, {"time", "name", "set"}, file, place);
+  Recording::Step step{};
+  const auto time = entry.find("time");
+  if (time == entry.end() || !time->is_number())
+    throwInput(file, place, "\"time\" must be a number of seconds");
+  step.seconds = time->get<double>();
+  if (!(step.seconds >= 0.0) || step.seconds > longestSeconds)
+    throwInput(file, place, "\"time\" must be from 0 to 1000000 seconds");
+  if (const auto name = entry.find("name"); name != entry.end()) {
+    if (!name->is_string()) throwInput(file, place, "\"name\" must be a text");
+    step.diff.name = name->get<std::string>();
+  }
+  const auto set = entry.find("set");
+  if (set == entry.end() || !set->is_object())
+    throwInput(file, place, "\"set\" must be an object of settings");
+  scene::Scene trial;  // checks each value before it is kept
+  for (const auto& [path, value] : set->items()) {
+    try {
+      const scene::Setting& setting = scene::setting(path);
+      setting.set(trial, value);
+      step.diff.changes.push_back({path, setting.get(trial)});
+    } catch (const scene::Error& error) {
+      throwInput(file, place + ", " + error.place(), error.reason());
+    }
+    if (path == "source.path") {
+      json& stored = step.diff.changes.back().value;
+      stored = sourcePathFromStored(stored.get<std::string>(), folder);
+    }
+  }
+  return step;
+}
+
+}  // namespace
+
+Recorder::Recorder(const fs::path& file, const scene::Scene& start)
+    : stream_(file, std::ios::binary), folder_(file.parent_path()), begin_(std::chrono::steady_clock::now()) {
+  if (!stream_) throwInput(file.string(), "", "cannot be written");
+  json header;
+  header["isolux_recording"] = recordingVersion;
+  header["program"] = version();
+  header["scene"] = storedScene(start, folder_);
+  stream_ << line(header) << std::flush;
+  if (!stream_) throwInput(file.string(), "", "cannot be written");
+}
+
+void Recorder::add(const scene::SceneDiff& diff) {
+  add(diff, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count());
+}
+
+void Recorder::add(const scene::SceneDiff& diff, double seconds) {
+  if (diff.changes.empty()) return;
+  json entry;
+  // To the millisecond: nobody acts faster, and the lines stay readable.
+  entry["time"] = std::round(std::max(seconds, 0.0) * 1000.0) / 1000.0;
+  entry["name"] = diff.name;
+  json& set = entry["set"] = json::object();
+  for (const scene::SceneChange& change : diff.changes) {
+    const bool path = change.path == "source.path" && change.value.is_string();
+    set[change.path] = path ? json(storedSourcePath(change.value.get<std::string>(), folder_)) : change.value;
+  }
+  stream_ << line(entry) << std::flush;
+}
+
+scene::Scene Recording::sceneAt(double seconds) const {
+  scene::Scene scene = start;
+  for (const Step& step : steps) {
+    if (step.seconds > seconds) break;
+    scene = scene::applied(std::move(scene), step.diff);
+  }
+  return scene;
+}
+
+Recording loadRecording(const fs::path& file) {
+  const std::string name = file.string();
+  const std::string text = readTextFile(file, longestFile);
+  Recording recording;
+  std::size_t number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string lineText = text.substr(begin, end - begin);
+    begin = end + 1;
+    const std::string place = "line " + std::to_string(++number);
+    if (number > 1 && lineText.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const json entry = parseJson(lineText, name, place);
+    if (number == 1) {
+      recording.start = startOf(entry, name, file.parent_path());
+      continue;
+    }
+    recording.steps.push_back(stepOf(entry, name, place, file.parent_path()));
+    const auto& steps = recording.steps;
+    if (steps.size() > 1 && steps.back().seconds < steps[steps.size() - 2].seconds)
+      throwInput(name, place, "\"time\" is before that of the line above");
+  }
+  if (number == 0) throwInput(name, "line 1", "the file is empty");
+  return recording;
+}
+
+}  // namespace isolux::app
