@@ -33,6 +33,9 @@ class Renderer {
   // Draws the last picture into `framebuffer` (0 or Qt's), scaled to `size` pixels if it differs.
   void present(unsigned framebuffer, glm::ivec2 size);
 
+  // Forgets what earlier frames computed, so that the next render() runs every pass it needs (benchmarks).
+  void invalidate();
+
   ColorImage readColor();
   AovImage readAov(Aov aov);
   // pixel: (0,0) is the top left of the last picture's request.size. Empty where there is no surface.

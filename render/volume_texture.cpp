@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/constants.h"
 #include "scene/error.h"
 
 namespace isolux::render {
@@ -49,7 +50,7 @@ VolumeTexture uploadFloats(const GlPtr& gl, const std::vector<float>& values, gl
   VolumeTexture result{allocated(gl, GL_R32F, dims, values.size() * 4, budgetBytes), std::ldexp(1.0, exponent), 0.0};
   const int shift = -exponent;
   uploadSlabs<float, float>(*gl, result.texture, GL_FLOAT, values.data(),
-                            [shift](float v) { return std::ldexp(v, shift); });
+                            [shift](float v) { return std::isnan(v) ? missingTexel : std::ldexp(v, shift); });
   return result;
 }
 

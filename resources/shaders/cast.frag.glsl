@@ -8,7 +8,7 @@
 uniform sampler2D uSegments;
 uniform sampler3D uActiveBlocks;
 uniform int uBlockShift;   // log2 of the cells per block and axis
-uniform float uStep;       // mm between samples per unit of |direction| (sampled)
+uniform float uStep;       // voxels between samples (sampled)
 uniform int uMaxSteps;
 layout(location = 0) out vec2 oBracket;
 
@@ -100,9 +100,8 @@ void main() {
       float tOut = exitOf(vec3(mix(low, high, bvec3(forward))), origin, inverseDirection, moves, axis);
       if (tOut >= tEnd) return;
       t = max(t, tOut);
-      cell = clamp(ivec3(floor(origin + t * direction)), low, high - 1);
+      cell = clamp(ivec3(floor(origin + t * direction)), low, min(high - 1, lastCell));
       cell[axis] = forward[axis] != 0 ? high[axis] : low[axis] - 1;
-      cell = min(cell, mix(lastCell, cell, greaterThan(cell, lastCell)));
       if (any(lessThan(cell, ivec3(0))) || any(greaterThan(cell, lastCell))) return;
       continue;
     }

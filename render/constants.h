@@ -1,0 +1,10 @@
+// Numbers that C++ and the shaders must agree on; tests/render/constants_test.cpp compares them with the GLSL.
+#pragma once
+
+namespace isolux::render {
+
+// Stands for a missing voxel in a float32 volume texture, whose real values are at most 1 in magnitude
+// (field.glsl). A number, not NaN: GLSL compilers may assume that NaN does not occur.
+inline constexpr float missingTexel = 1e30f;
+
+}  // namespace isolux::render

@@ -1,0 +1,37 @@
+#include "render/view_uniforms.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace isolux::render {
+
+ViewUniforms::ViewUniforms(const scene::Camera& camera, double aspect, const volume::GridGeometry& geometry) {
+  const scene::CameraFrame frame = scene::frameOf(camera);
+  rightWorld = frame.right;
+  upWorld = frame.up;
+  forwardWorld = -frame.back;
+  orthographic = frame.projection == scene::Projection::orthographic;
+  halfExtent = {frame.halfHeight * aspect, frame.halfHeight};
+
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 last = geometry.dims - 1;
+    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0, 1.0);
+    const double depth = glm::dot(glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye, forwardWorld);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  rayStartMm = orthographic ? std::min(0.0, nearest - 0.01 * (farthest - nearest)) : 0.0;
+  depthRangeMm = glm::dvec2(std::max(nearest, rayStartMm), farthest) - rayStartMm;
+
+  const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
+  const glm::dmat3 linear(voxelFromWorld);
+  eyeVoxel = glm::dvec3(voxelFromWorld * glm::dvec4(frame.eye + rayStartMm * forwardWorld, 1.0));
+  rightVoxel = linear * rightWorld;
+  upVoxel = linear * upWorld;
+  forwardVoxel = linear * forwardWorld;
+}
+
+}  // namespace isolux::render
