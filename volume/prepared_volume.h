@@ -10,6 +10,9 @@
 
 namespace isolux::volume {
 
+// Cells per axis of the blocks that are built; docs/architecture.md has the measurements behind it.
+inline constexpr int kBlockCells = 8;
+
 struct PreparedVolume {
   Volume volume;
   std::shared_ptr<const MinMaxBlocks> blocks;

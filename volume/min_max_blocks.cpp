@@ -1,0 +1,77 @@
+#include "volume/min_max_blocks.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace isolux::volume {
+
+namespace {
+
+// Minimum and maximum of the voxels [low, high] (inclusive); comparisons with NaN are false, so missing
+// voxels do not count.
+template <class T>
+void blockRange(const std::vector<T>& voxels, const Grid& grid, glm::ivec3 low, glm::ivec3 high,
+                float& minimum, float& maximum) {
+  T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
+  const int width = high.x - low.x + 1;
+  for (int z = low.z; z <= high.z; ++z) {
+    for (int y = low.y; y <= high.y; ++y) {
+      const T* row = voxels.data() + grid.index(low.x, y, z);
+      for (int x = 0; x < width; ++x) {
+        least = row[x] < least ? row[x] : least;
+        most = row[x] > most ? row[x] : most;
+      }
+    }
+  }
+  minimum = static_cast<float>(least);
+  maximum = static_cast<float>(most);
+}
+
+}  // namespace
+
+MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, scene::Progress& progress)
+    : blockCells_(blockCells) {
+  assert(blockCells == 4 || blockCells == 8);
+  const glm::ivec3 cells = glm::max(grid.dims() - 1, glm::ivec3(0));
+  dims_ = (cells + blockCells - 1) / blockCells;
+  const std::size_t total = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
+                            static_cast<std::size_t>(dims_.z);
+  minimum_.resize(total);
+  maximum_.resize(total);
+  if (total == 0) return;
+
+  std::visit(
+      [&](const auto& voxels) {
+        const int rows = dims_.y * dims_.z;
+        tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
+          for (int row = range.begin(); row != range.end(); ++row) {
+            if (progress.stopRequested()) return;
+            for (int x = 0; x < dims_.x; ++x) {
+              const glm::ivec3 block(x, row % dims_.y, row / dims_.y);
+              const glm::ivec3 low = block * blockCells_;
+              const glm::ivec3 high = glm::min(low + blockCells_, grid.dims() - 1);
+              const std::size_t i = index(block);
+              blockRange(voxels, grid, low, high, minimum_[i], maximum_[i]);
+            }
+          }
+        });
+      },
+      grid.voxels());
+  progress.throwIfStopped();
+}
+
+std::size_t MinMaxBlocks::activeBlocks(float storedIsovalue, std::vector<std::uint8_t>& flags) const {
+  flags.resize(count());
+  std::size_t found = 0;
+  for (std::size_t block = 0; block < count(); ++block) {
+    flags[block] = active(block, storedIsovalue) ? 1 : 0;
+    found += flags[block];
+  }
+  return found;
+}
+
+}  // namespace isolux::volume
