@@ -1,0 +1,195 @@
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <utility>
+
+#include "app/commands/command.h"
+#include "app/interrupt.h"
+#include "app/version.h"
+#include "scene/error.h"
+#include "scene/suggestion.h"
+
+namespace isolux::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using scene::Error;
+using scene::ErrorKind;
+
+struct WindowOptions {
+  std::string path, record;
+  std::shared_ptr<SceneOptions> scene;
+};
+
+// Everything the parser knows. Made and used within one runCommandLine().
+struct Program {
+  CLI::App parser{"Isolux explores scans and simulations as isosurfaces.", "isolux"};
+  WindowOptions window;
+  std::vector<Command> commands;
+};
+
+void declare(Program& program) {
+  CLI::App& parser = program.parser;
+  parser.get_formatter()->column_width(34);
+  parser.set_version_flag("--version", "isolux " + std::string(version()), "Print the version and exit");
+  parser.require_subcommand(0, 1);
+  parser.add_option(
+      "PATH", program.window.path,
+      "Open the window on this: a volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a "
+      ".png that carries one; default: the head phantom, or the session's volume");
+  parser
+      .add_option("--record", program.window.record,
+                  "Record every change in the window to this file, for replay")
+      ->type_name("FILE");
+  program.window.scene = addSceneOptions(parser);
+  addThreadsOption(parser);
+  parser.footer(
+      "A file with the name of a subcommand is opened as ./NAME. `isolux SUBCOMMAND --help` explains each.\n"
+      "Exit codes: 0 success, 2 wrong command line, 3 unreadable input, 4 no graphics context, 5 out of "
+      "memory,\n"
+      "130 interrupted.\n\n"
+      "Example:\n  isolux ct.nii.gz --isovalue 300");
+  for (const auto make : {makeInfo, makeRender, makeReplay, makePhantom, makeSettings, makeDoctor})
+    program.commands.push_back(make(parser));
+}
+
+std::vector<std::string> namesOf(const std::vector<Command>& commands) {
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.push_back(command.parser->get_name());
+  return names;
+}
+
+// A lone word that is no file was meant as a subcommand.
+void checkWord(const std::string& word, const Program& program) {
+  std::error_code ignored;
+  if (word.empty() || word.find_first_of("./:") != std::string::npos || fs::exists(word, ignored)) return;
+  const std::vector<std::string> names = namesOf(program.commands);
+  const std::string suggestion = scene::nearest(word, names);
+  throw Error(ErrorKind::usage, "", word,
+              suggestion.empty() ? "is neither a subcommand nor a file; `isolux --help` lists the subcommands"
+                                 : "is neither a subcommand nor a file, did you mean " + suggestion + "?");
+}
+
+std::string firstLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+// The parser's complaint as one line, with the option that was probably meant.
+Error usageError(const CLI::ParseError& error, const Program& program, int argc, char** argv) {
+  const CLI::App* used = &program.parser;
+  if (const auto chosen = program.parser.get_subcommands(); !chosen.empty()) used = chosen.front();
+  std::string hint;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : used->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    for (int i = 1; i < argc && hint.empty(); ++i) {
+      const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+      if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
+      if (const std::string suggestion = scene::nearest(word, known); !suggestion.empty())
+        hint = ", did you mean " + suggestion + "?";
+    }
+  }
+  if (hint.empty())
+    hint = "; `" + (used == &program.parser ? "isolux" : "isolux " + used->get_name()) + " --help` explains";
+  return {ErrorKind::usage, "", "", firstLine(error.what()) + hint};
+}
+
+// Parses; true when there is something to run (not when help or the version was printed).
+bool parse(Program& program, int argc, char** argv) {
+  try {
+    program.parser.parse(argc, argv);
+    return true;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      program.parser.exit(error, std::cout, std::cerr);
+      return false;
+    }
+    if (program.parser.get_subcommands().empty()) {
+      const std::vector<std::string> words = program.parser.get_option("PATH")->results();
+      if (!words.empty()) checkWord(words.front(), program);
+    }
+    throw usageError(error, program, argc, argv);
+  }
+}
+
+int openWindowOn(const WindowOptions& options, const Program& program, const OpenWindow& openWindow) {
+  if (program.parser.count("PATH") > 0) checkWord(options.path, program);
+  WindowRequest request;
+  request.scene = sceneOf(options.path, *options.scene);
+  request.assignments = options.scene->assignments;
+  request.recordFile = options.record;
+  return openWindow(request);
+}
+
+void checkOutput() {
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0) scene::throwInput("standard output", "", "cannot be written");
+}
+
+int report(const std::string& line, int exitCode) {
+  std::cout.flush();
+  const std::string text = "isolux: " + firstLine(line) + '\n';
+  std::fputs(text.c_str(), stderr);
+  return exitCode;
+}
+
+// Calls `body` and turns whatever it throws into one line and an exit code.
+template <class Body>
+int guarded(Body body, const std::function<bool()>& mayReport) {
+  std::string line;
+  int exitCode = 0;
+  try {
+    return body();
+  } catch (const Error& error) {
+    line = error.kind() == ErrorKind::interrupted ? "interrupted" : error.what();
+    exitCode = static_cast<int>(error.kind());
+  } catch (const std::bad_alloc&) {
+    line = "not enough memory";
+    exitCode = static_cast<int>(ErrorKind::memory);
+  } catch (const fs::filesystem_error& error) {
+    line = error.what();
+    exitCode = static_cast<int>(ErrorKind::input);
+  } catch (const std::exception& error) {
+    line = std::string("a mistake in Isolux itself: ") + error.what();
+    exitCode = 1;
+  }
+  return mayReport() ? report(line, exitCode) : exitCode;
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
+  return guarded(
+      [&] {
+        Program program;
+        declare(program);
+        if (!parse(program, argc, argv)) {
+          checkOutput();
+          return 0;
+        }
+        const auto chosen = std::find_if(program.commands.begin(), program.commands.end(),
+                                         [](const Command& command) { return command.parser->parsed(); });
+        if (chosen == program.commands.end()) return openWindowOn(program.window, program, openWindow);
+
+        scene::Progress progress;
+        InterruptWatcher watcher(progress);
+        return guarded(
+            [&] {
+              chosen->run(progress);
+              checkOutput();
+              return 0;
+            },
+            [&] { return watcher.claimReport(); });
+      },
+      [] { return true; });
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,171 @@
+#include "app/commands/command.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include <OpenImageIO/imageio.h>
+#include <tbb/global_control.h>
+
+#include "app/progress_bar.h"
+#include "app/session.h"
+#include "scene/error.h"
+#include "scene/settings.h"
+
+namespace isolux::app {
+
+namespace fs = std::filesystem;
+using scene::Error;
+using scene::ErrorKind;
+
+namespace {
+
+// "ex,ey,ez tx,ty,tz ux,uy,uz fov" as four assignments; the settings check each part.
+void addCamera(const std::string& text, std::vector<std::string>& assignments) {
+  constexpr std::array<const char*, 4> paths{"camera.eye=", "camera.target=", "camera.up=", "camera.fov="};
+  std::istringstream words(text);
+  std::vector<std::string> parts;
+  for (std::string word; words >> word;) parts.push_back(word);
+  if (parts.size() != paths.size())
+    throw Error(ErrorKind::usage, "", "--camera", "expected \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"");
+  for (std::size_t i = 0; i < paths.size(); ++i) assignments.push_back(paths[i] + parts[i]);
+}
+
+}  // namespace
+
+std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
+  auto options = std::make_shared<SceneOptions>();
+  // trigger_on_parse: each occurrence is handled as it is met, so that their order is that of the line.
+  const auto add = [&](const char* name, std::function<void(const std::string&)> handle, const char* type,
+                       const char* help) {
+    parser.add_option_function<std::string>(name, std::move(handle), help)
+        ->type_name(type)
+        ->trigger_on_parse()
+        ->group("Scene");
+  };
+  const auto assign = [options](const char* path) {
+    return
+        [options, path](const std::string& value) { options->assignments.push_back(path + ("=" + value)); };
+  };
+  add(
+      "--set", [options](const std::string& value) { options->assignments.push_back(value); }, "PATH=VALUE",
+      "Change one setting; may be repeated; `isolux settings` lists all");
+  parser
+      .add_option("--session", options->session,
+                  "Start from this session (.isolux, or a .png that carries one)")
+      ->type_name("FILE")
+      ->group("Scene");
+  add("--isovalue", assign("isosurface.value"), "VALUE", "Short for --set isosurface.value=VALUE");
+  add("--look", assign("look.mode"), "MODE", "Short for --set look.mode=MODE");
+  add(
+      "--camera", [options](const std::string& value) { addCamera(value, options->assignments); },
+      "\"EYE TARGET UP FOV\"",
+      "\"ex,ey,ez tx,ty,tz ux,uy,uz fov\": world mm (x left, y back, z up), vertical degrees");
+  add("--raw", assign("source.raw"), "TEXT",
+      "How to read a file without header: \"WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]\"");
+  return options;
+}
+
+void addThreadsOption(CLI::App& parser) {
+  auto limit = std::make_shared<std::unique_ptr<tbb::global_control>>();
+  parser
+      .add_option_function<int>(
+          "--threads",
+          [limit](int threads) {
+            const auto count = static_cast<std::size_t>(threads);
+            *limit =
+                std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
+            OIIO::attribute("threads", threads);
+          },
+          "How many CPU threads to use; default: all")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+}
+
+std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
+  auto choice = std::make_shared<render::ContextChoice>(render::ContextChoice::automatic);
+  parser
+      .add_option_function<std::string>(
+          "--context",
+          [choice](const std::string& word) {
+            *choice = word == "egl"      ? render::ContextChoice::egl
+                      : word == "osmesa" ? render::ContextChoice::osmesa
+                                         : render::ContextChoice::automatic;
+          },
+          "Where to draw: auto (default; `isolux doctor` says which), egl, osmesa")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "egl", "osmesa"}).description(""));
+  return choice;
+}
+
+scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
+  scene::Scene scene;
+  if (!options.session.empty()) scene = loadSession(options.session);
+  if (!path.empty() && isSession(path)) {
+    if (!options.session.empty())
+      throw Error(ErrorKind::usage, path, "", "is a session itself; give one, not two");
+    scene = loadSession(path);
+  } else if (!path.empty()) {
+    const bool same = fs::absolute(path).lexically_normal() == fs::path(scene.source.path);
+    if (!same)
+      scene.source = scene::Source{};  // how to read the session's volume says nothing about this one
+    scene.source.path = path;
+  }
+  for (const std::string& assignment : options.assignments) scene::applyAssignment(scene, assignment);
+  return scene;
+}
+
+std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
+                                                                  scene::Progress& progress) {
+  const ProgressBar bar(progress);
+  return volume::loadVolume(source, progress);
+}
+
+void printWarnings(const volume::Volume& volume) {
+  for (const std::string& warning : volume.warnings) std::cerr << "isolux: note: " << warning << '\n';
+}
+
+glm::ivec2 parseSize(const std::string& text) {
+  constexpr int largest = 16384;
+  glm::ivec2 size{0};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.x);
+  if (width.ec == std::errc{} && width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X')) {
+    const auto height = std::from_chars(width.ptr + 1, end, size.y);
+    if (height.ec == std::errc{} && height.ptr == end && size.x >= 1 && size.y >= 1 && size.x <= largest &&
+        size.y <= largest)
+      return size;
+  }
+  throw Error(ErrorKind::usage, "", "--size", '"' + text + "\" is not WxH, 1 to 16384 pixels each");
+}
+
+std::string hashText(std::uint64_t hash) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+std::string numberText(double value) {
+  std::array<char, 64> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} ? std::string(text.data(), end) : std::string("?");
+}
+
+std::string bytesText(std::uint64_t bytes) {
+  constexpr std::array<const char*, 5> units{"bytes", "KiB", "MiB", "GiB", "TiB"};
+  auto value = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; value >= 1024.0 && unit + 1 < units.size(); ++unit) value /= 1024.0;
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", value, units[unit]);
+  return text.data();
+}
+
+std::string jsonText(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace isolux::app

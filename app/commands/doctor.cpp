@@ -1,0 +1,88 @@
+// isolux doctor: what this machine offers, and what Isolux would use.
+#include <unistd.h>
+
+#include <iostream>
+#include <thread>
+
+#include <OpenImageIO/imageio.h>
+#include <tbb/info.h>
+#include <tbb/version.h>
+#include <glm/glm.hpp>
+
+#include "app/commands/command.h"
+#include "app/external_program.h"
+#include "app/version.h"
+
+namespace isolux::app {
+
+namespace {
+
+void row(const std::string& name, const std::string& text) {
+  std::cout << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') << text << '\n';
+}
+
+std::string memoryText() {
+  const auto page = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  const auto pages = [page](int name) {
+    return page * static_cast<std::uint64_t>(std::max(::sysconf(name), 0L));
+  };
+  return bytesText(pages(_SC_PHYS_PAGES)) + ", " + bytesText(pages(_SC_AVPHYS_PAGES)) + " free";
+}
+
+std::string dotted(int major, int minor, int patch) {
+  return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
+}
+
+// OpenImageIO packs its version as 10000 * major + 100 * minor + patch.
+std::string imageLibraryVersion() {
+  const int packed = OIIO::openimageio_version();
+  return dotted(packed / 10000, packed / 100 % 100, packed % 100);
+}
+
+std::string movieText(scene::Progress& progress) {
+  const std::filesystem::path ffmpeg = findProgram("ffmpeg");
+  if (ffmpeg.empty()) return "not found: replay writes frames but no movie";
+  const ProgramResult result = runProgram(ffmpeg, {"-version"}, {}, progress);
+  if (result.exitCode != 0) return ffmpeg.string() + " does not run: replay writes frames but no movie";
+  return ffmpeg.string() + ", " + result.output.substr(0, result.output.find(" Copyright"));
+}
+
+void runDoctor(scene::Progress& progress) {
+  row("isolux", std::string(version()));
+  row("compiler", __VERSION__);
+  row("CPU threads", std::to_string(tbb::info::default_concurrency()));
+  row("memory", memoryText());
+  row("OpenImageIO", imageLibraryVersion());
+  row("oneTBB", TBB_runtime_version());
+  row("GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));
+  row("JSON", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
+  row("CLI11", CLI11_VERSION);
+  row("ffmpeg", movieText(progress));
+
+  std::cout << "\nGraphics contexts without a window (OpenGL 4.5 core), in the order they are tried:\n";
+  std::string chosen;
+  for (const render::ContextProbe& probe : render::probeContexts()) {
+    progress.throwIfStopped();
+    std::cout << (probe.chosen ? "* " : "  ") << probe.kind << ": "
+              << (probe.works ? "works: " : "does not work: ") << probe.detail << '\n';
+    if (probe.chosen) chosen = probe.kind;
+  }
+  if (chosen.empty())
+    std::cout << "None works, so `isolux render` and `isolux replay` cannot draw; install libosmesa6 or an "
+                 "EGL driver.\n";
+  else
+    std::cout
+        << "* " << chosen
+        << " is what --context auto takes: a GPU through EGL goes first, then OSMesa, then software EGL.\n";
+}
+
+}  // namespace
+
+Command makeDoctor(CLI::App& program) {
+  CLI::App* const parser =
+      program.add_subcommand("doctor", "Say what this machine offers: graphics contexts, memory, libraries");
+  parser->footer("Example:\n  isolux doctor");
+  return {parser, [](scene::Progress& progress) { runDoctor(progress); }};
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,179 @@
+// isolux info PATH: what a volume is, as text or JSON.
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+#include "app/commands/command.h"
+
+namespace isolux::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+using volume::PreparedVolume;
+
+struct InfoOptions {
+  std::string path;
+  bool json = false;
+};
+
+ordered_json vectorJson(glm::dvec3 v) {
+  return ordered_json::array({v.x, v.y, v.z});
+}
+ordered_json vectorJson(glm::ivec3 v) {
+  return ordered_json::array({v.x, v.y, v.z});
+}
+
+std::size_t activeBlocksAt(const PreparedVolume& prepared, double isovalue) {
+  std::vector<std::uint8_t> flags;
+  return prepared.blocks->activeBlocks(static_cast<float>(prepared.grid().storedOfValue(isovalue)), flags);
+}
+
+ordered_json infoJson(const PreparedVolume& prepared) {
+  const volume::Volume& v = prepared.volume;
+  const volume::Grid& grid = prepared.grid();
+  const volume::GridGeometry& geometry = grid.geometry();
+  const double isovalue = prepared.facts.suggestedIsovalue;
+  ordered_json directions = ordered_json::array();
+  for (int axis = 0; axis < 3; ++axis) directions.push_back(vectorJson(geometry.directions()[axis]));
+
+  ordered_json json;
+  json["name"] = v.name;
+  json["format"] = v.format;
+  json["dims"] = vectorJson(grid.dims());
+  json["type"] = volume::nameOf(v.fileType);
+  json["stored_type"] = volume::nameOf(grid.storedType());
+  json["spacing_mm"] = vectorJson(geometry.spacingMm());
+  json["origin_mm"] = vectorJson(geometry.originMm());
+  json["directions"] = directions;  // one unit vector per voxel axis, LPS
+  json["unit"] = v.unit;
+  json["slope"] = grid.slope();
+  json["intercept"] = grid.intercept();
+  json["range"] = ordered_json::array({grid.minimum(), grid.maximum()});
+  json["missing"] = grid.missingCount();
+  json["suggested_isovalue"] = isovalue;
+  json["histogram"] = {{"minimum", prepared.histogram.minimum},
+                       {"maximum", prepared.histogram.maximum},
+                       {"counts", prepared.histogram.counts},
+                       {"peaks", prepared.histogram.peaks}};
+  json["blocks"] = {{"cells", prepared.blocks->blockCells()},
+                    {"dims", vectorJson(prepared.blocks->dims())},
+                    {"total", prepared.blocks->count()},
+                    {"active_at_suggested", activeBlocksAt(prepared, isovalue)}};
+  json["components"] = v.components;
+  json["time_steps"] = v.timeSteps;
+  json["series"] = v.seriesChoices;
+  json["data_hash"] = hashText(grid.hash());
+  json["warnings"] = v.warnings;
+  return json;
+}
+
+// Six decimals at most, no trailing zeros: for reading, not for reading back.
+std::string shortText(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string vectorText(glm::dvec3 v, const char* between = ", ") {
+  return shortText(v.x) + between + shortText(v.y) + between + shortText(v.z);
+}
+
+std::string peaksText(const volume::Histogram& histogram) {
+  std::string text;
+  for (const double peak : histogram.peaks) text += (text.empty() ? "" : ", ") + shortText(peak);
+  return text.empty() ? "none" : text;
+}
+
+std::string typeText(const volume::Volume& v) {
+  std::string text(volume::nameOf(v.fileType));
+  const auto stored = volume::nameOf(v.grid->storedType());
+  if (stored != text) text += ", kept as " + std::string(stored);
+  return text;
+}
+
+// How often the values occur, on a log scale: one line of 60 columns.
+std::string histogramBar(const volume::Histogram& histogram) {
+  constexpr std::size_t columns = 60;
+  constexpr const char* levels[] = {" ", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  const std::size_t bins = histogram.counts.size();
+  if (bins == 0) return {};
+  const std::size_t width = std::min(columns, bins);
+  std::vector<double> heights(width, 0.0);
+  for (std::size_t bin = 0; bin < bins; ++bin)
+    heights[bin * width / bins] += static_cast<double>(histogram.counts[bin]);
+  for (double& height : heights) height = std::log1p(height);
+  const double highest = std::max(*std::max_element(heights.begin(), heights.end()), 1e-9);
+  std::string bar;
+  for (const double height : heights)
+    bar += levels[static_cast<std::size_t>(std::ceil(height / highest * 8.0))];
+  return bar;
+}
+
+void printText(const PreparedVolume& prepared, std::ostream& out) {
+  const volume::Volume& v = prepared.volume;
+  const volume::Grid& grid = prepared.grid();
+  const volume::GridGeometry& geometry = grid.geometry();
+  const glm::ivec3 dims = grid.dims();
+  const double isovalue = prepared.facts.suggestedIsovalue;
+  const std::string unit = v.unit.empty() ? "" : " " + v.unit;
+  const auto row = [&out](const char* name, const std::string& text) {
+    out << name << std::string(std::max<std::size_t>(14 - std::string_view(name).size(), 1), ' ') << text
+        << '\n';
+  };
+  row("name", v.name);
+  row("format", v.format);
+  row("dims", std::to_string(dims.x) + " x " + std::to_string(dims.y) + " x " + std::to_string(dims.z));
+  row("type", typeText(v));
+  row("spacing", vectorText(geometry.spacingMm(), " x ") + " mm");
+  row("origin", vectorText(geometry.originMm()) + " mm (LPS)");
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string name = std::string("direction ") + "xyz"[axis];
+    row(name.c_str(), vectorText(geometry.directions()[axis]));
+  }
+  if (geometry.leftHanded()) row("", "left-handed");
+  row("range", shortText(grid.minimum()) + " to " + shortText(grid.maximum()) + unit);
+  if (grid.slope() != 1.0 || grid.intercept() != 0.0)
+    row("rescale", "value = " + shortText(grid.slope()) + " * stored + " + shortText(grid.intercept()));
+  row("missing", std::to_string(grid.missingCount()) + " voxels");
+  row("histogram", histogramBar(prepared.histogram));
+  row("peaks", peaksText(prepared.histogram));
+  row("isovalue", shortText(isovalue) + unit + " (suggested)");
+  row("blocks", std::to_string(activeBlocksAt(prepared, isovalue)) + " of " +
+                    std::to_string(prepared.blocks->count()) + " active there, " +
+                    std::to_string(prepared.blocks->blockCells()) + " cells per axis each");
+  if (v.components > 1) row("components", std::to_string(v.components));
+  if (v.timeSteps > 1) row("time steps", std::to_string(v.timeSteps));
+  for (std::string series : v.seriesChoices) {
+    std::replace(series.begin(), series.end(), '\t', ' ');
+    row("series", series);
+  }
+  row("memory", bytesText(grid.bytes()));
+  row("hash", hashText(grid.hash()));
+  for (const std::string& warning : v.warnings) row("warning", warning);
+}
+
+}  // namespace
+
+Command makeInfo(CLI::App& program) {
+  CLI::App* const parser =
+      program.add_subcommand("info", "Say what a volume is: size, spacing, orientation, values");
+  auto options = std::make_shared<InfoOptions>();
+  parser
+      ->add_option("PATH", options->path, "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session")
+      ->required();
+  parser->add_flag("--json", options->json, "Print one JSON object instead of text (docs/commands.md)");
+  const auto sceneOptions = addSceneOptions(*parser);
+  addThreadsOption(*parser);
+  parser->footer("Example:\n  isolux info head.nii.gz --json");
+  return {parser, [options, sceneOptions](scene::Progress& progress) {
+            const scene::Scene scene = sceneOf(options->path, *sceneOptions);
+            const auto prepared = loadWithProgressBar(scene.source, progress);
+            if (options->json)
+              std::cout << jsonText(infoJson(*prepared));
+            else
+              printText(*prepared, std::cout);
+          }};
+}
+
+}  // namespace isolux::app

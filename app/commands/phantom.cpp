@@ -1,0 +1,90 @@
+// isolux phantom NAME --size N --out FILE: writes a built-in test volume; `isolux phantom list` names them.
+#include <cmath>
+#include <cstdio>
+
+#include "app/commands/command.h"
+#include "app/files.h"
+#include "app/progress_bar.h"
+#include "scene/error.h"
+#include "scene/suggestion.h"
+#include "volume/phantom.h"
+#include "volume/writer.h"
+
+namespace isolux::app {
+
+namespace {
+
+using scene::Error;
+using scene::ErrorKind;
+
+struct PhantomOptions {
+  volume::PhantomRequest request;
+  std::string out;
+};
+
+void printPhantoms() {
+  std::size_t width = 4;
+  for (const volume::PhantomInfo& info : volume::phantoms()) width = std::max(width, info.name.size());
+  std::printf("%-*s  %5s  %9s  %-4s  %s\n", static_cast<int>(width), "name", "size", "isovalue", "unit",
+              "meaning");
+  for (const volume::PhantomInfo& info : volume::phantoms())
+    std::printf("%-*s  %5d  %9s  %-4s  %s\n", static_cast<int>(width), std::string(info.name).c_str(),
+                info.defaultSize, numberText(info.isovalue).c_str(), std::string(info.unit).c_str(),
+                std::string(info.meaning).c_str());
+  std::fflush(stdout);
+}
+
+void checkName(const std::string& name) {
+  std::vector<std::string> names{"list"};
+  for (const volume::PhantomInfo& info : volume::phantoms()) names.emplace_back(info.name);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  const std::string suggestion = scene::nearest(name, names);
+  throw Error(ErrorKind::usage, "", name,
+              suggestion.empty() ? "no such phantom; `isolux phantom list` names them"
+                                 : "no such phantom, did you mean " + suggestion + "?");
+}
+
+void runPhantom(const PhantomOptions& options, scene::Progress& progress) {
+  checkName(options.request.name);
+  if (options.request.name == "list") {
+    printPhantoms();
+    return;
+  }
+  if (options.out.empty()) throw Error(ErrorKind::usage, "", "--out", "is required");
+  if (!std::isfinite(options.request.noise)) throw Error(ErrorKind::usage, "", "--noise", "must be finite");
+  { const PendingFile writable{std::filesystem::path(options.out)}; }
+  const ProgressBar bar(progress);
+  const volume::Grid grid = volume::makePhantom(options.request, progress);
+  progress.throwIfStopped();
+  volume::writeVolume(grid, options.out);
+}
+
+}  // namespace
+
+Command makePhantom(CLI::App& program) {
+  CLI::App* const parser =
+      program.add_subcommand("phantom", "Write a built-in test volume to a file, or list them");
+  auto options = std::make_shared<PhantomOptions>();
+  volume::PhantomRequest& request = options->request;
+  request.name.clear();
+  parser->add_option("NAME", request.name, "Which one; `isolux phantom list` prints the names")->required();
+  parser->add_option("--size", request.size, "Voxels per axis; default: the phantom's own")
+      ->type_name("N")
+      ->check(CLI::Range(2, 1024).description(""));
+  parser->add_option("--out", options->out, "The file to write: .mhd, .mha, .nrrd or .vti")
+      ->type_name("FILE");
+  parser
+      ->add_option("--noise", request.noise,
+                   "Standard deviation of added Gaussian noise, in data units; default 0")
+      ->type_name("SIGMA")
+      ->check(CLI::NonNegativeNumber.description(""));
+  parser->add_option("--seed", request.seed, "Of the noise; default 1")->type_name("N");
+  addThreadsOption(*parser);
+  parser->footer(
+      "Examples:\n"
+      "  isolux phantom list\n"
+      "  isolux phantom head --size 192 --noise 15 --out head.mha");
+  return {parser, [options](scene::Progress& progress) { runPhantom(*options, progress); }};
+}
+
+}  // namespace isolux::app

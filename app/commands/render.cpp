@@ -1,0 +1,231 @@
+// isolux render PATH --out FILE: one picture, or its deferred images, without a window.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+
+#include "app/commands/command.h"
+#include "app/files.h"
+#include "app/image_io.h"
+#include "app/progress_bar.h"
+#include "app/session.h"
+#include "app/version.h"
+#include "render/renderer.h"
+#include "scene/automatic.h"
+#include "scene/error.h"
+
+namespace isolux::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using scene::Error;
+using scene::ErrorKind;
+
+struct RenderOptions {
+  std::string path, out, size = "1024x768", aov, stats;
+  bool explain = false;
+  int repeat = 0;
+  std::shared_ptr<render::ContextChoice> context;
+  std::shared_ptr<SceneOptions> scene;
+};
+
+// Checked before anything slow starts.
+render::FrameRequest requestOf(const RenderOptions& options, const scene::Scene& scene) {
+  const std::string extension = fs::path(options.out).extension().string();
+  if (extension != ".png" && extension != ".exr")
+    throw Error(ErrorKind::usage, options.out, "", "the name of a picture must end in .png or .exr");
+  render::FrameRequest request;
+  request.size = parseSize(options.size);
+  request.supersampling = scene.picture.supersampling;
+  if (!options.aov.empty()) {
+    request.aovs = render::parseAovList(options.aov);
+    if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
+    request.color = false;
+    request.supersampling = 1;
+  }
+  return request;
+}
+
+const char* stateName(render::PassState state) {
+  switch (state) {
+    case render::PassState::ran:
+      return "ran";
+    case render::PassState::cached:
+      return "cached";
+    case render::PassState::skipped:
+      break;
+  }
+  return "skipped";
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
+}
+
+struct Drawn {
+  render::FrameReport report;  // of the last frame
+  double milliseconds = 0.0;   // median of the measured frames
+};
+
+// One frame; or, to measure, one to warm up and `repeat` in which every pass runs again.
+Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
+           int repeat, scene::Progress& progress) {
+  Drawn drawn;
+  drawn.report = renderer.render(scene, request);
+  drawn.milliseconds = drawn.report.milliseconds;
+  std::vector<double> times;
+  for (int i = 0; i < repeat; ++i) {
+    progress.throwIfStopped();
+    progress.report(static_cast<double>(i) / repeat, "measuring");
+    renderer.invalidate();
+    drawn.report = renderer.render(scene, request);
+    times.push_back(drawn.report.milliseconds);
+  }
+  if (!times.empty()) drawn.milliseconds = median(std::move(times));
+  return drawn;
+}
+
+std::uint64_t peakBytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
+                       const render::FrameRequest& request, const volume::PreparedVolume& prepared,
+                       const render::ContextDescription& context, const Drawn& drawn) {
+  ordered_json passes = ordered_json::array();
+  for (const render::PassReport& pass : drawn.report.passes)
+    passes.push_back({{"name", pass.name},
+                      {"state", stateName(pass.state)},
+                      {"reason", pass.reason},
+                      {"milliseconds", pass.milliseconds},
+                      {"bytes", pass.bytes}});
+  ordered_json json;
+  json["version"] = version();
+  json["context"] = context.kind;
+  json["gl"] = {{"vendor", context.vendor},
+                {"renderer", context.renderer},
+                {"version", context.version},
+                {"glsl", context.glsl},
+                {"software", context.software}};
+  json["size"] = {request.size.x, request.size.y};
+  json["supersampling"] = request.supersampling;
+  json["isovalue"] = *scene.isosurface.value;
+  json["passes"] = passes;
+  json["frame_milliseconds"] = drawn.milliseconds;
+  json["repeat"] = options.repeat;
+  json["blocks"] = {{"active", drawn.report.blocksActive}, {"total", drawn.report.blocksTotal}};
+  json["gpu_bytes"] = drawn.report.gpuBytes;
+  json["peak_bytes"] = peakBytes();
+  json["data_hash"] = hashText(prepared.grid().hash());
+  json["read_seconds"] = prepared.readSeconds;
+  json["prepare_seconds"] = prepared.prepareSeconds;
+  return json;
+}
+
+void printPasses(const render::FrameReport& report) {
+  std::size_t width = 4;
+  for (const render::PassReport& pass : report.passes) width = std::max(width, pass.name.size());
+  std::printf("%-*s  %-7s  %10s  %s\n", static_cast<int>(width), "pass", "state", "ms", "reason");
+  for (const render::PassReport& pass : report.passes)
+    std::printf("%-*s  %-7s  %10.3f  %s\n", static_cast<int>(width), pass.name.c_str(), stateName(pass.state),
+                pass.milliseconds, pass.reason.c_str());
+  std::fflush(stdout);
+}
+
+void writePicture(render::Renderer& renderer, const render::FrameRequest& request,
+                  const RenderOptions& options, const scene::Scene& scene) {
+  const fs::path out(options.out);
+  const std::string session = sessionText(scene, out.parent_path());
+  if (out.extension() == ".png") {
+    writePng(renderer.readColor(), out, session);
+    return;
+  }
+  std::vector<render::AovImage> images;
+  for (const render::Aov aov : request.aovs) images.push_back(renderer.readAov(aov));
+  std::optional<render::ColorImage> color;
+  if (request.color) color = renderer.readColor();
+  writeExr(color ? &*color : nullptr, images, out, session);
+}
+
+void runRender(const RenderOptions& options, scene::Progress& progress) {
+  scene::Scene scene = sceneOf(options.path, *options.scene);
+  const render::FrameRequest request = requestOf(options, scene);
+  { const PendingFile writable{fs::path(options.out)}; }  // before anything slow starts
+  if (!options.stats.empty()) {
+    const PendingFile writable{fs::path(options.stats)};
+  }
+
+  const auto prepared = loadWithProgressBar(scene.source, progress);
+  scene = scene::resolve(std::move(scene), prepared->facts);
+  const auto context = render::OffscreenContext::create(*options.context);
+  context->makeCurrent();
+  render::Renderer renderer(context->gl());
+  renderer.setVolume(prepared);
+  Drawn drawn;
+  {
+    progress.report(0.0, "drawing");
+    const ProgressBar bar(progress);
+    drawn = draw(renderer, scene, request, options.repeat, progress);
+    progress.throwIfStopped();
+    writePicture(renderer, request, options, scene);
+  }
+  if (!options.stats.empty())
+    writeTextFile(options.stats,
+                  jsonText(statsJson(options, scene, request, *prepared, context->description(), drawn)));
+  if (options.explain) printPasses(drawn.report);
+  printWarnings(prepared->volume);
+}
+
+}  // namespace
+
+Command makeRender(CLI::App& program) {
+  CLI::App* const parser = program.add_subcommand("render", "Draw one picture to a file, without a window");
+  auto options = std::make_shared<RenderOptions>();
+  parser
+      ->add_option(
+          "PATH", options->path,
+          "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one")
+      ->required();
+  parser
+      ->add_option("--out", options->out,
+                   "The picture to write: .png (8 bit sRGB, with its session) or .exr (float)")
+      ->type_name("FILE")
+      ->required();
+  parser->add_option("--size", options->size, "Pixels; default 1024x768")->type_name("WxH");
+  std::string known;
+  for (const render::AovInfo& info : render::aovs())
+    known += (known.empty() ? "" : ",") + std::string(info.name);
+  parser
+      ->add_option("--aov", options->aov,
+                   "Write these deferred images to the .exr instead of the colours: " + known)
+      ->type_name("LIST");
+  parser
+      ->add_option("--stats", options->stats,
+                   "Write what was computed and what it cost as JSON (docs/commands.md)")
+      ->type_name("FILE");
+  parser->add_flag("--explain", options->explain, "Print each pass, whether it ran, and why");
+  parser
+      ->add_option("--repeat", options->repeat,
+                   "Draw N frames after one to warm up; --stats has their median time")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100000).description(""));
+  options->context = addContextOption(*parser);
+  addThreadsOption(*parser);
+  options->scene = addSceneOptions(*parser);
+  parser->footer(
+      "Examples:\n"
+      "  isolux render ct.nii.gz --isovalue 300 --out skull.png --size 1600x1200\n"
+      "  isolux render phantom:torus --out torus.exr --aov position,normal\n"
+      "  isolux render skull.png --set look.mode=normal --out normals.png");
+  return {parser, [options](scene::Progress& progress) { runRender(*options, progress); }};
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,100 @@
+// isolux settings [--markdown]: every setting, from the one list.
+#include <iostream>
+
+#include "app/commands/command.h"
+#include "scene/settings.h"
+
+namespace isolux::app {
+
+namespace {
+
+using scene::Setting;
+using scene::SettingType;
+
+std::string typeName(const Setting& setting) {
+  switch (setting.type) {
+    case SettingType::number:
+      return "number";
+    case SettingType::integer:
+      return "integer";
+    case SettingType::text:
+      return "text";
+    case SettingType::choice:
+      return "choice";
+    case SettingType::vector:
+      break;
+  }
+  return "three numbers";
+}
+
+// As it is typed after --set PATH=.
+std::string valueText(const nlohmann::json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return numberText(value.get<double>());
+  std::string text;
+  for (const auto& part : value) text += (text.empty() ? "" : ",") + numberText(part.get<double>());
+  return text;
+}
+
+std::string allowedText(const Setting& setting) {
+  std::string text;
+  if (setting.type == SettingType::choice) {
+    for (const std::string& choice : setting.choices) text += (text.empty() ? "" : ", ") + choice;
+  } else if (setting.type != SettingType::text) {
+    text = numberText(setting.minimum) + " to " + numberText(setting.maximum);
+  }
+  return setting.mayBeAutomatic ? text + ", or auto" : text;
+}
+
+void printText(std::ostream& out) {
+  for (const Setting& setting : scene::settings()) {
+    out << setting.path << "\n    " << setting.meaning << "\n    " << typeName(setting);
+    if (const std::string allowed = allowedText(setting); !allowed.empty()) out << ": " << allowed;
+    if (!setting.unit.empty()) out << " (" << setting.unit << ')';
+    const std::string value = valueText(setting.defaultValue());
+    out << "; default " << (value.empty() ? "empty" : value) << '\n';
+  }
+}
+
+std::string cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
+  return text;
+}
+
+void printMarkdown(std::ostream& out) {
+  out << "# Settings\n\n"
+         "Made by `isolux settings --markdown`; a test compares. Each is a key of a session "
+         "(docs/sessions.md) and can\n"
+         "be given as `--set PATH=VALUE` on the command line; three numbers are written `x,y,z`.\n";
+  std::string group;
+  for (const Setting& setting : scene::settings()) {
+    const std::string itsGroup = setting.path.substr(0, setting.path.find('.'));
+    if (itsGroup != group) {
+      group = itsGroup;
+      out << "\n## " << group
+          << "\n\n| path | type | default | allowed | unit | meaning |\n|---|---|---|---|---|---|\n";
+    }
+    const std::string value = valueText(setting.defaultValue());
+    out << "| `" << setting.path << "` | " << typeName(setting) << " | "
+        << (value.empty() ? "" : "`" + value + "`") << " | " << cell(allowedText(setting)) << " | "
+        << cell(setting.unit) << " | " << cell(setting.meaning) << " |\n";
+  }
+}
+
+}  // namespace
+
+Command makeSettings(CLI::App& program) {
+  CLI::App* const parser =
+      program.add_subcommand("settings", "List every setting: path, type, default, range, unit, meaning");
+  auto markdown = std::make_shared<bool>(false);
+  parser->add_flag("--markdown", *markdown, "As the page docs/settings.md");
+  parser->footer("Example:\n  isolux settings | grep -A2 camera");
+  return {parser, [markdown](scene::Progress&) {
+            if (*markdown)
+              printMarkdown(std::cout);
+            else
+              printText(std::cout);
+          }};
+}
+
+}  // namespace isolux::app
