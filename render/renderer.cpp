@@ -265,7 +265,7 @@ void Renderer::Parts::runRefine() {
     gl->ClearNamedFramebufferfv(surface.framebuffer.id(), GL_COLOR, 0, none);
     return;
   }
-  Program& p = program("refine.frag.glsl", scene->hit.method == scene::HitMethod::exact ? "#define EXACT\n" : "");
+  Program& p = program("refine.frag.glsl", "");
   setView(p);
   setField(p);
   p.setTexture("uBrackets", 1, bracket.images[0]);

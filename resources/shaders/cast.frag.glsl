@@ -1,7 +1,8 @@
 // The first crossing of the isovalue on each ray, as a bracket [t0, t1] in mm; (1, 0) where there is none.
 //
 // EXACT: voxel traversal; in each cell of an active block the cubic along the ray is split at its extrema, so the
-// first sign change is found whatever its shape. Otherwise: samples at a fixed rate (Hadwiger et al. 2005 sec. 3.2).
+// first sign change is found whatever its shape; its root is solved there, t0 = t1. Otherwise: samples at a fixed
+// rate (Hadwiger et al. 2005 sec. 3.2).
 #include "common.glsl"
 #include "field.glsl"
 
@@ -60,6 +61,31 @@ bool firstChange(vec4 b, inout bool inside, out vec2 bracket) {
   return false;
 }
 
+// The root of the cubic in [bracket.x, bracket.y], over which it is monotone: regula falsi, Illinois variant.
+float rootIn(vec4 b, vec2 bracket) {
+  float s0 = bracket.x, s1 = bracket.y, f0 = cubic(b, s0), f1 = cubic(b, s1);
+  if ((f0 >= 0.0) == (f1 >= 0.0)) return abs(f0) <= abs(f1) ? s0 : s1;  // a crossing at the cell's very entry
+  float s = s0;
+  int side = 0;
+  for (int i = 0; i < 12; ++i) {
+    s = clamp(s1 - f1 * (s1 - s0) / (f1 - f0), s0, s1);
+    float f = cubic(b, s);
+    if (f == 0.0 || s1 - s0 < 1e-6) break;
+    if ((f >= 0.0) == (f1 >= 0.0)) {
+      s1 = s;
+      f1 = f;
+      if (side == 1) f0 *= 0.5;
+      side = 1;
+    } else {
+      s0 = s;
+      f0 = f;
+      if (side == -1) f1 *= 0.5;
+      side = -1;
+    }
+  }
+  return s;
+}
+
 // Bernstein coefficients of the trilinear field along the segment from..to of a cell: the polar form, which for a
 // multi-affine field is the mean over which axes have already moved.
 vec4 bernstein(vec4 low, vec4 high, vec3 from, vec3 to) {
@@ -87,7 +113,12 @@ void main() {
   ivec3 lastCell = uDims - 2;
   ivec3 cell = cellOf(origin + t * direction);
   bool known = false, inside = false;  // the side of the field where the ray last looked
-#ifndef EXACT
+#ifdef EXACT
+  bool found = false;
+  vec4 b;
+  vec2 bracket;
+  float tOut;
+#else
   float step = uStep / length(direction);
   float tBefore = t;
 #endif
@@ -97,16 +128,16 @@ void main() {
     ivec3 block = cell >> uBlockShift;
     if (texelFetch(uActiveBlocks, block, 0).r == 0.0) {
       ivec3 low = block << uBlockShift, high = ((block + 1) << uBlockShift);
-      float tOut = exitOf(vec3(mix(low, high, bvec3(forward))), origin, inverseDirection, moves, axis);
-      if (tOut >= tEnd) return;
-      t = max(t, tOut);
+      float tLeave = exitOf(vec3(mix(low, high, bvec3(forward))), origin, inverseDirection, moves, axis);
+      if (tLeave >= tEnd) return;
+      t = max(t, tLeave);
       cell = clamp(ivec3(floor(origin + t * direction)), low, min(high - 1, lastCell));
       cell[axis] = forward[axis] != 0 ? high[axis] : low[axis] - 1;
       if (any(lessThan(cell, ivec3(0))) || any(greaterThan(cell, lastCell))) return;
       continue;
     }
 #ifdef EXACT
-    float tOut = max(t, exitOf(vec3(cell + forward), origin, inverseDirection, moves, axis));
+    tOut = max(t, exitOf(vec3(cell + forward), origin, inverseDirection, moves, axis));
     vec4 low, high;
     cellCorners(cell, low, high);
     if (anyMissing(low, high)) {
@@ -114,14 +145,11 @@ void main() {
     } else {
       vec3 from = clamp(origin + t * direction - vec3(cell), 0.0, 1.0);
       vec3 to = clamp(origin + tOut * direction - vec3(cell), 0.0, 1.0);
-      vec4 b = bernstein(low - uIsovalue, high - uIsovalue, from, to);
+      b = bernstein(low - uIsovalue, high - uIsovalue, from, to);
       if (!known) inside = b.x >= 0.0;
       known = true;
-      vec2 bracket;
-      if (firstChange(b, inside, bracket)) {
-        oBracket = mix(vec2(t), vec2(tOut), bracket);
-        return;
-      }
+      found = firstChange(b, inside, bracket);
+      if (found) break;  // solved below, where the lanes of a group meet again
     }
     if (tOut >= tEnd) return;
     t = tOut;
@@ -146,4 +174,7 @@ void main() {
     cell = cellOf(origin + t * direction);
 #endif
   }
+#ifdef EXACT
+  if (found) oBracket = vec2(mix(t, tOut, rootIn(b, bracket)));
+#endif
 }

@@ -1,7 +1,7 @@
-// The surface point of each pixel: its bracket narrowed on the exact trilinear field.
+// The surface point of each pixel, from its bracket.
 //
-// EXACT brackets hold one root of a monotone cubic: Illinois steps until the field is as small as float allows.
-// Sampled brackets get the paper's regula falsi, Hadwiger et al. 2005 eq. (1), uRefinements times.
+// An exact bracket is the root already (t0 = t1). A sampled one gets the paper's regula falsi on the exact
+// trilinear field, Hadwiger et al. 2005 eq. (1), uRefinements times.
 // Outputs: voxel position and t (mm; -1: no surface), and |f - isovalue| in texels.
 #include "common.glsl"
 #include "field.glsl"
@@ -19,47 +19,28 @@ void main() {
   vec3 origin, direction;
   pixelRay(gl_FragCoord.xy, origin, direction);
 
-  float a = bracket.x, b = bracket.y;
-  float fa = trilinearMinusIsovalue(origin + a * direction), fb = trilinearMinusIsovalue(origin + b * direction);
-  float t = abs(fa) <= abs(fb) ? a : b, ft = abs(fa) <= abs(fb) ? fa : fb;
-  float fBest = ft, tBest = t;
-#ifdef EXACT
-  const int steps = 12;
-#else
-  int steps = uRefinements;
-#endif
-  if ((fa >= 0.0) != (fb >= 0.0) && !isMissing(fa) && !isMissing(fb)) {
-    int side = 0;
-    for (int i = 0; i < steps; ++i) {
+  float a = bracket.x, b = bracket.y, t = a;
+  float fa = trilinearMinusIsovalue(origin + a * direction), f = fa;
+  if (b > a) {
+    float fb = trilinearMinusIsovalue(origin + b * direction);
+    if (abs(fb) < abs(fa)) {
+      t = b;
+      f = fb;
+    }
+    // One side at both ends: the hardware's filter saw a crossing that is not there by a rounding; the nearer end it is.
+    bool crosses = (fa >= 0.0) != (fb >= 0.0) && !isMissing(fa) && !isMissing(fb);
+    for (int i = 0; crosses && i < uRefinements; ++i) {
       t = clamp(b - fb * (b - a) / (fb - fa), a, b);
-      ft = trilinearMinusIsovalue(origin + t * direction);
-#ifdef EXACT
-      if (abs(ft) < abs(fBest)) {
-        fBest = ft;
-        tBest = t;
-      }
-      if (ft == 0.0 || b - a <= 1e-7 * b) break;
-#else
-      fBest = ft;
-      tBest = t;
-#endif
-      if ((ft >= 0.0) == (fb >= 0.0)) {
+      f = trilinearMinusIsovalue(origin + t * direction);
+      if ((f >= 0.0) == (fb >= 0.0)) {
         b = t;
-        fb = ft;
-#ifdef EXACT
-        if (side == 1) fa *= 0.5;
-        side = 1;
-#endif
+        fb = f;
       } else {
         a = t;
-        fa = ft;
-#ifdef EXACT
-        if (side == -1) fb *= 0.5;
-        side = -1;
-#endif
+        fa = f;
       }
     }
   }
-  oSurface = vec4(origin + tBest * direction, max(tBest, 0.0));
-  oError = isMissing(fBest) ? 0.0 : abs(fBest);
+  oSurface = vec4(origin + t * direction, max(t, 0.0));
+  oError = isMissing(f) ? 0.0 : abs(f);
 }

@@ -1,0 +1,85 @@
+// What tests of the renderer share: an OSMesa context, phantoms ready to draw, and deferred images.
+#pragma once
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "render/gl_context.h"
+#include "render/renderer.h"
+#include "scene/automatic.h"
+#include "scene/camera.h"
+#include "volume/phantom.h"
+
+namespace isolux::test {
+
+inline std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
+  scene::Progress progress;
+  volume::Volume volume;
+  volume.grid = std::make_shared<volume::Grid>(std::move(grid));
+  volume.name = "test";
+  return volume::prepareVolume(std::move(volume), progress);
+}
+
+inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name, int size) {
+  scene::Progress progress;
+  volume::PhantomRequest request;
+  request.name = name;
+  request.size = size;
+  return prepared(volume::makePhantom(request, progress));
+}
+
+inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name,
+                                                             const volume::GridGeometry& geometry) {
+  scene::Progress progress;
+  volume::PhantomRequest request;
+  request.name = name;
+  request.geometry = geometry;
+  return prepared(volume::makePhantom(request, progress));
+}
+
+// Tests with this fixture need GL (OSMesa) and nothing else; their names end in "GlTest".
+class RenderGlTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    context_ = render::OffscreenContext::create(render::ContextChoice::osmesa);
+  }
+  static void TearDownTestSuite() { context_.reset(); }
+  void SetUp() override {
+    context_->makeCurrent();
+    renderer_ = std::make_unique<render::Renderer>(context_->gl());
+  }
+  void TearDown() override { renderer_.reset(); }
+
+  struct Images {
+    render::AovImage hit, position, voxel, depth, normal, error;
+  };
+  // All deferred images of `scene`, automatic settings resolved.
+  Images images(const std::shared_ptr<const volume::PreparedVolume>& volume, scene::Scene scene, glm::ivec2 size) {
+    scene_ = scene::resolve(scene, volume->facts);
+    renderer_->setVolume(volume);
+    render::FrameRequest request;
+    request.size = size;
+    for (const render::AovInfo& info : render::aovs()) request.aovs.push_back(info.aov);
+    report_ = renderer_->render(scene_, request);
+    using render::Aov;
+    return {renderer_->readAov(Aov::hit),   renderer_->readAov(Aov::position), renderer_->readAov(Aov::voxel),
+            renderer_->readAov(Aov::depth), renderer_->readAov(Aov::normal),   renderer_->readAov(Aov::value_error)};
+  }
+  // The camera ray of a pixel (row 0 at the top) of the last images().
+  scene::Ray ray(glm::ivec2 pixel, glm::ivec2 size) const {
+    const glm::dvec2 ndc(2.0 * (pixel.x + 0.5) / size.x - 1.0, 1.0 - 2.0 * (pixel.y + 0.5) / size.y);
+    return scene::rayThrough(scene::frameOf(scene_.camera), ndc, static_cast<double>(size.x) / size.y);
+  }
+  static glm::dvec3 at(const render::AovImage& image, std::size_t pixel) {
+    const float* v = &image.values[3 * pixel];
+    return {v[0], v[1], v[2]};
+  }
+
+  static inline std::unique_ptr<render::OffscreenContext> context_;
+  std::unique_ptr<render::Renderer> renderer_;
+  scene::Scene scene_;
+  render::FrameReport report_;
+};
+
+}  // namespace isolux::test
