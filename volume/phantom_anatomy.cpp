@@ -1,5 +1,7 @@
 #include "volume/phantom_anatomy.h"
 
+#include <iterator>
+
 namespace isolux::volume {
 
 namespace {
@@ -8,12 +10,13 @@ using Vec = glm::vec3;
 
 // What the eye sockets are: a cone that runs back and towards the middle.
 void orbitCone(Solid& solid, float wider, bool remove, float blend) {
-  const Vec front(33, -90, 14), apex(17, -44, 14);
-  const Vec radiiFront = Vec(19.0f, 19.0f, 16.5f) + wider, radiiApex = Vec(5.5f) + wider;
-  if (remove)
-    solid.removeLimbs(front, apex, radiiFront, radiiApex, blend);
-  else
-    solid.addLimbs(Vec(32.2f, -80, 14), apex, radiiFront, radiiApex, blend);
+  const Vec apex(17, -44, 14), radiiApex = Vec(5.5f) + wider;
+  if (remove) {  // two overlapping cones: the entrance is wide and rather square, and droops sideways
+    solid.removeLimbs({28.5f, -92, 15.5f}, apex, Vec(15, 19, 15) + wider, radiiApex, blend);
+    solid.removeLimbs({37.5f, -90, 12.5f}, apex, Vec(14, 19, 15) + wider, radiiApex, blend + 1.5f);
+  } else {
+    solid.addLimbs({31, -74, 14}, apex, Vec(19, 19, 16.5f) + wider, radiiApex, blend);
+  }
 }
 
 void cranialCavity(Solid& solid, bool remove) {
@@ -24,7 +27,7 @@ void cranialCavity(Solid& solid, bool remove) {
     remove ? solid.removePair(centre, radii, blend) : solid.addPair(centre, radii, blend);
   };
   put({0, 12, 50}, {63, 75, 56}, 1);
-  put({0, -36, 58}, {49, 46, 32}, remove ? 1.0f : 12.0f);
+  put({0, -36, 58}, {45, 46, 32}, remove ? 1.0f : 12.0f);
   putPair({34, -6, 13}, {27, 32, 22}, remove ? 1.0f : 8.0f);
   put({0, 40, 4}, {45, 40, 27}, remove ? 1.0f : 8.0f);
 }
@@ -36,6 +39,7 @@ void makeSkull(Solid& s) {
   s.add({0, 46, 28}, {62, 50, 48}, 14);
   s.add({0, 38, 2}, {50, 44, 32}, 14);
   s.addPair({38, -4, 12}, {29, 40, 28}, 10);
+  s.removePair({88, -52, 22}, {36, 34, 40}, 16);  // temporal fossa
   cranialCavity(s, true);
   // Base: body of the sphenoid and clivus, petrous pyramids, condyles, mastoids, styloids, pterygoids.
   s.addLimb({0, -28, -2}, {0, 12, -24}, {15, 14, 10}, {12, 8, 6}, 6);
@@ -45,18 +49,18 @@ void makeSkull(Solid& s) {
   s.addLimbs({49, 8, -22}, {44, -4, -46}, {2.5, 2.5, 2.5}, {1.2, 1.2, 1.2}, 3);
   s.addLimbs({13, -44, -8}, {14, -42, -34}, {2.5, 7, 4}, {2, 5, 3}, 4);
   s.removeLimb({0, 26, -18}, {0, 24, -50}, {15, 17, 10}, {15, 17, 10}, 3);
-  s.add({0, 95, 10}, {9, 5, 6}, 10);
+  s.add({0, 91, 10}, {10, 5, 7}, 12);
   // Greater wing of the sphenoid behind the lateral wall of the orbit.
   s.addPair({42, -46, 10}, {9, 22, 22}, 8);
   // Orbits: a shell of bone, the rim, brow and glabella.
-  orbitCone(s, 3.0f, false, 5);
-  s.addLimbs({13, -89, 24}, {30, -89, 33}, {5, 5, 5}, {6, 6, 5.5}, 6);
-  s.addLimbs({30, -89, 33}, {47, -80, 28}, {6, 6, 5.5}, {5.5, 5.5, 5.5}, 6);
-  s.addLimbs({48, -79, 27}, {53, -71, 12}, {5, 5.5, 5}, {4.5, 6, 5}, 6);
-  s.addLimbs({53, -71, 12}, {47, -77, -3}, {4.5, 6, 5}, {5.5, 6, 5.5}, 6);
-  s.addLimbs({47, -77, -3}, {30, -85, -7}, {5.5, 6, 5.5}, {5, 5, 5}, 6);
-  s.addLimbs({30, -85, -7}, {16, -87, 2}, {5, 5, 5}, {4, 4.5, 4}, 5);
-  s.addLimbs({16, -87, 2}, {12, -88, 18}, {4, 4.5, 4}, {4, 4.5, 4}, 5);
+  orbitCone(s, 2.5f, false, 5);
+  s.addLimbs({13, -87, 25}, {30, -86.5f, 32}, {5, 5, 5}, {6, 6, 5}, 10);
+  s.addLimbs({30, -86.5f, 32}, {46, -79, 28}, {6, 6, 5}, {5.5, 5.5, 5}, 10);
+  s.addLimbs({48, -77, 26}, {53, -70, 12}, {5, 5.5, 5}, {4.5, 6, 5}, 8);
+  s.addLimbs({53, -70, 12}, {47, -76, -3}, {4.5, 6, 5}, {5.5, 6, 5.5}, 6);
+  s.addLimbs({47, -76, -3}, {30, -82, -7}, {5.5, 6, 5.5}, {5, 5, 5}, 8);
+  s.addLimbs({30, -82, -7}, {16, -85, 2}, {5, 5, 5}, {4, 4.5, 4}, 5);
+  s.addLimbs({16, -85, 2}, {12, -87, 18}, {4, 4.5, 4}, {4, 4.5, 4}, 5);
   s.add({0, -87, 32}, {17, 8, 9}, 10);
   // Nasal bones and the frontal processes of the maxilla.
   s.addLimb({0, -91, 27}, {0, -105, 5}, {4, 5, 5}, {4.5, 4, 4}, 6);
@@ -155,54 +159,74 @@ void makeSpine(Solid& s) {
   s.addLimbs({8, -36, -92}, {20, -22, -89}, {3, 3, 3}, {2, 2, 2}, 2);
 }
 
-void makeBody(Solid& s) {
-  // Head without face.
-  s.add({0, 5, 45}, {76, 96, 73}, 0);
-  s.add({0, -40, 42}, {62, 57, 58}, 14);
-  s.add({0, 46, 24}, {68, 56, 56}, 16);
-  // Face and jaw.
-  s.add({0, -46, -22}, {58, 46, 62}, 18);
-  s.addPair({44, -62, -14}, {22, 25, 20}, 14);
-  s.addLimbs({10, -80, -84}, {46, -34, -66}, {14, 13, 14}, {15, 16, 16}, 14);
-  s.addLimbs({46, -34, -66}, {57, -10, -10}, {15, 16, 16}, {16, 20, 18}, 14);
-  s.add({0, -84, -86}, {18, 14, 13}, 14);
-  s.add({0, -76, -46}, {33, 26, 26}, 12);
-  // Neck.
-  s.addLimb({0, 22, -30}, {0, 26, -150}, {54, 56, 40}, {56, 54, 40}, 18);
-  s.add({0, -30, -112}, {9, 8, 16}, 14);
-  s.addLimbs({56, 16, -22}, {22, -14, -140}, {9, 11, 9}, {9, 9, 9}, 12);
-  // Brows and eye hollows.
-  s.addLimbs({8, -93, 32}, {46, -82, 31}, {8, 8, 6.5f}, {8, 9, 7}, 10);
-  s.removeLimbs({24, -103, 14}, {42, -98, 14}, {9, 14, 9.5f}, {9, 14, 9}, 10);
-  // Nose: bridge, tip, wings.
-  s.addLimb({0, -91, 28}, {0, -115, -12}, {7, 9, 8}, {8, 9, 8}, 9);
-  s.add({0, -117, -15}, {9.5f, 9, 8.5f}, 6);
-  s.addPair({11.5f, -106, -18}, {6.5f, 9.5f, 7.5f}, 5);
-  // Closed lids over the eyes.
-  s.addPair({32, -77, 13}, {14.5f, 14, 13.5f}, 5);
-  s.removeLimbs({21, -90, 9.5f}, {32, -93, 7}, {1.5f, 4, 1.0f}, {1.5f, 4, 1.2f}, 2);
-  s.removeLimbs({32, -93, 7}, {44, -87, 9.5f}, {1.5f, 4, 1.2f}, {1.5f, 4, 1.0f}, 2);
+void makeEars(Solid& s) {
+  // Plate, and the helix round it from the concha over the top to the lobe.
+  s.addLimbs({77, 9, 5}, {83, 15, 9}, {3.5f, 12, 24}, {3, 12, 23}, 5);
+  constexpr Vec helix[] = {{79, 2, 2},      {77.5f, -3, 10},   {79, -2.5f, 20}, {81.5f, 3, 28.5f},
+                           {84.5f, 11, 33}, {87, 19, 32},      {88.5f, 25, 26}, {89, 27.5f, 18},
+                           {88, 26, 9},     {85.5f, 21.5f, 0}, {82.5f, 15, -9}, {80, 9, -16}};
+  for (std::size_t i = 0; i + 1 < std::size(helix); ++i)
+    s.addLimbs(helix[i], helix[i + 1], Vec(2.8f), Vec(2.8f), 3);
+  s.addLimbs({80, 9, -15}, {78.5f, 5, -23}, {3.5f, 6, 5}, {3.5f, 6, 6}, 5);
+  // Antihelix, concha, tragus.
+  s.addLimbs({84, 10, 24}, {87, 18, 10}, {2.5f, 3, 3}, {2.8f, 3.2f, 3}, 4);
+  s.addLimbs({87, 18, 10}, {82, 10, -12}, {2.8f, 3.2f, 3}, {2.5f, 3, 3}, 4);
+  s.removeLimbs({87, 5, 0}, {88, 9, 8}, {9, 6, 9}, {7, 5, 6}, 3);
+  s.addPair({77, -6, -2}, {5, 4, 6}, 4);
+}
+
+void makeFlesh(Solid& s) {
+  // Head without face: the brain case under 6 mm of scalp.
+  s.add({0, 6, 46}, {76, 94.5f, 71.5f}, 0);
+  s.add({0, -38, 42}, {60, 57.5f, 56}, 12);
+  s.add({0, 46, 28}, {67, 55.5f, 54}, 14);
+  s.add({0, 38, 2}, {56, 50, 38}, 14);
+  // Face, cheekbones, jaw, chin, cheeks.
+  s.add({0, -44, -22}, {58, 46, 63}, 20);
+  s.addPair({43, -61, -10}, {21, 25, 19}, 16);
+  s.addPair({30, -70, -16}, {20, 21, 20}, 14);
+  s.addPair({56, -38, 6}, {13, 34, 32}, 14);
+  s.addPair({59, -16, -22}, {13, 20, 30}, 14);
+  s.addLimbs({8, -80, -84}, {43, -38, -68}, {17, 18, 16}, {16, 17, 16}, 14);
+  s.addLimbs({43, -38, -68}, {55, -14, -16}, {16, 17, 16}, {14, 18, 18}, 16);
+  s.addPair({33, -58, -42}, {23, 27, 28}, 16);
+  s.add({0, -76, -45}, {32, 27, 28}, 12);
+  s.add({0, -85, -87}, {18, 17, 13}, 12);
+  // Neck, with the larynx and the muscles that run from behind the ears to the breastbone.
+  s.addLimb({0, 30, -30}, {0, 34, -150}, {50, 48, 40}, {54, 46, 40}, 14);
+  s.addLimb({0, -20, -60}, {0, -2, -150}, {36, 26, 30}, {40, 26, 30}, 14);
+  s.add({0, -34, -108}, {8, 7, 13}, 12);
+  s.addLimbs({60, 20, -20}, {20, -22, -140}, {9, 11, 9}, {9, 9, 9}, 10);
+  // Brows and the hollows of the eyes.
+  s.addLimbs({10, -92, 32}, {45, -80, 31}, {8, 7, 6}, {8, 8, 6}, 12);
+  s.removeLimbs({22, -103, 13}, {42, -98, 12}, {8, 14, 9}, {9, 14, 9}, 10);
+  // Nose: bridge, tip, wings, columella.
+  s.addLimb({0, -91, 27}, {0, -112, -9}, {6, 8, 8}, {7.5f, 9, 8}, 10);
+  s.add({0, -113, -13}, {9.5f, 9, 8}, 8);
+  s.addPair({11.5f, -103, -17}, {7.5f, 10, 7.5f}, 9);
+  s.addLimb({0, -111, -18}, {0, -98, -25}, {3.5f, 5, 4}, {5, 5, 4}, 6);
+  s.addPair({33, -72, 12}, {23, 14.5f, 20}, 6);
+  // Closed lids with their slit.
+  s.addPair({32, -76, 12.5f}, {14.5f, 13.5f, 13}, 5);
+  s.removeLimbs({20, -86, 9}, {31, -92, 5.5f}, {1.5f, 4, 0.9f}, {1.5f, 4.5f, 1.0f}, 2);
+  s.removeLimbs({31, -92, 5.5f}, {44, -85, 9.5f}, {1.5f, 4.5f, 1.0f}, {1.5f, 4, 0.9f}, 2);
   // Lips.
-  s.addLimb({-6, -101, -42.5f}, {6, -101, -42.5f}, {8, 5.5f, 4.5f}, {8, 5.5f, 4.5f}, 5);
-  s.addLimbs({6, -101, -42.5f}, {22, -92, -46}, {7, 5.5f, 4.5f}, {4, 4, 2.5f}, 5);
-  s.addLimb({-7, -100, -52}, {7, -100, -52}, {8, 5.5f, 5}, {8, 5.5f, 5}, 5);
-  s.addLimbs({7, -100, -52}, {21, -92, -48}, {6, 5, 4.5f}, {4, 4, 2.5f}, 5);
-  s.removeLimb({-10, -107, -47}, {10, -107, -47}, {6, 8, 1.0f}, {6, 8, 1.0f}, 3);
-  s.removeLimbs({10, -106, -47}, {25, -97, -48}, {4, 7, 1.0f}, {3, 5, 0.8f}, 3);
-  // Ears.
-  s.addLimbs({70, 2, 6}, {82, 17, 10}, {4, 12, 22}, {3.5f, 15, 26}, 5);
-  s.addLimbs({74, 3, -18}, {78, 5, -22}, {4, 7, 8}, {3.5f, 7, 8}, 4);
-  s.removeLimbs({83, 3, 3}, {86, 12, 10}, {6, 7, 10}, {7, 9.5f, 17}, 4);
-  s.addLimbs({72, -6, 0}, {77, -4, 0}, {4, 3.5f, 6}, {3, 3, 5}, 3);
+  s.addLimb({-4, -102, -43}, {4, -102, -43}, {7, 4.5f, 4}, {7, 4.5f, 4}, 5);
+  s.addLimbs({4, -102, -43}, {23, -91, -47}, {6, 4.5f, 4}, {3, 3.5f, 2}, 5);
+  s.addLimb({-6, -101, -52}, {6, -101, -52}, {7, 5, 4.5f}, {7, 5, 4.5f}, 5);
+  s.addLimbs({6, -101, -52}, {22, -91, -48.5f}, {6, 4.5f, 4}, {3, 3.5f, 2}, 5);
+  s.removeLimb({-10, -109, -47.3f}, {10, -109, -47.3f}, {6, 8, 0.8f}, {6, 8, 0.8f}, 3);
+  s.removeLimbs({10, -108, -47.3f}, {26, -97, -48.5f}, {4, 7, 0.8f}, {3, 5, 0.7f}, 3);
+  makeEars(s);
 }
 
 void makeAirways(Solid& s) {
-  s.addLimb({0, -92, 2}, {0, -88, -16}, {4, 24, 6}, {10.5f, 28, 7}, 0);
-  s.addLimbs({6, -115, -26}, {7, -96, -14}, {3.2f, 4, 4}, {4, 5, 5}, 4);
+  s.addLimb({0, -74, 2}, {0, -70, -16}, {4, 16, 6}, {10.5f, 22, 7}, 0);
+  s.addLimbs({6, -108, -27}, {7, -90, -15}, {3, 3.5f, 4}, {4, 5, 5}, 4);
   s.addLimb({0, -50, -14}, {0, -32, -30}, {11, 8, 10}, {12, 7, 8}, 6);
   s.addLimb({0, -32, -30}, {0, -24, -78}, {12, 7, 8}, {11, 6, 8}, 6);
-  s.addLimb({0, -24, -78}, {0, -18, -160}, {11, 6, 8}, {9, 9, 9}, 6);
-  s.addLimbs({92, 2, -2}, {38, 1, -3}, {3.5f, 3.5f, 3.5f}, {2.5f, 2.5f, 2.5f}, 2);
+  s.addLimb({0, -24, -78}, {0, -14, -160}, {11, 6, 8}, {9, 9, 9}, 6);
+  s.addLimbs({90, 4, -2}, {38, 1, -3}, {3.5f, 3.5f, 3.5f}, {2.5f, 2.5f, 2.5f}, 2);
   s.remove({0, -84, -8}, {1.3f, 40, 24}, 1);
   s.removeLimbs({9, -80, -16}, {9, -56, -16}, {3, 4, 5}, {3, 4, 5}, 2);
 }
@@ -211,7 +235,7 @@ void makeAirways(Solid& s) {
 
 Anatomy makeAnatomy() {
   Anatomy anatomy;
-  makeBody(anatomy[Organ::body]);
+  makeFlesh(anatomy[Organ::flesh]);
   cranialCavity(anatomy[Organ::brain], false);
   anatomy[Organ::ventricles]
       .addLimbs({9, -26, 50}, {14, 26, 52}, {5, 9, 6}, {6, 10, 7}, 0)

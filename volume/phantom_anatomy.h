@@ -8,7 +8,7 @@
 namespace isolux::volume {
 
 enum class Organ {
-  body,
+  flesh,
   brain,
   ventricles,
   orbits,

@@ -19,23 +19,62 @@ namespace {
 constexpr double kCubeMm = 250.0;
 const glm::dvec3 kCubeCentreMm(0.0, -12.0, 0.0);
 constexpr float kNeckCutMm = -119.0f;  // below: air, as if the scan had ended there
-constexpr int kBlock = 8;              // voxels per axis that share one selection of shapes
+constexpr float kFleshOnSkullMm = 2.5f, kFleshOnJawMm = 2.5f, kFleshBlendMm = 5.0f;
+constexpr int kBlock = 8;  // voxels per axis that share one selection of shapes
 
 namespace hu {
 constexpr float air = -1000.0f, skin = 60.0f, fat = -90.0f, muscle = 50.0f, brain = 36.0f, liquor = 8.0f;
 constexpr float eyeball = 18.0f, lens = 90.0f;
-constexpr float cortical = 1350.0f, diploe = 650.0f, tooth = 2300.0f, metal = 3000.0f;
+constexpr float cortical = 1200.0f, diploe = 600.0f, tooth = 2300.0f, metal = 3000.0f;
 }  // namespace hu
 
 // How much of a voxel lies inside a surface at signed distance d, seen through a point spread of half-width
-// w: 1 - smoothstep, the integral of a bump that a scanner's slice and detector profiles resemble.
+// w: a box (the detector) convolved with a narrower box (the focal spot). Linear but for rounded ends, so
+// that interpolated isosurfaces are smooth.
 float coverage(float d, float w) {
-  const float x = std::clamp(0.5f - 0.5f * d / w, 0.0f, 1.0f);
-  return x * x * (3.0f - 2.0f * x);
+  constexpr float box = 0.75f, round = 0.25f;  // half-widths, in w
+  const float x = std::min(std::abs(d) / w, box + round);
+  const float y = x <= box - round ? x : x - (x - box + round) * (x - box + round) / (4.0f * round);
+  const float half = 0.5f * y / box;
+  return d > 0.0f ? 0.5f - half : 0.5f + half;
 }
 
 float mix(float a, float b, float t) {
   return a + t * (b - a);
+}
+
+// Compact bone round spongy bone; d: signed distance to the bone's surface, edge: how soon one turns into the
+// other.
+float addBone(float value, float d, float edge, float cut, float w) {
+  if (d >= w) return value;
+  const float bone = mix(hu::cortical, hu::diploe, coverage(d + 2.6f, edge));
+  return mix(value, bone, coverage(std::max(d, cut), w));
+}
+
+// The grooves of the sutures in the brain case: how far they lower its surface at p, which lies `skull` from
+// it.
+float sutureDepth(glm::vec3 p, float skull) {
+  constexpr float width = 2.4f, depth = 1.2f, tooth = 7.0f, swing = 2.2f;
+  if (std::abs(skull) > 4.0f || p.z < 12.0f) return 0.0f;
+  const float x = std::abs(p.x);
+  const float phase = x / tooth - std::floor(x / tooth);
+  const float zigzag = swing * (std::abs(2.0f * phase - 1.0f) - 0.5f);
+  float nearest = width;
+  // Coronal: from the bregma down and forward to the temples.
+  if (p.z > 34.0f)
+    nearest = std::min(nearest, std::abs(p.y + 15.0f + 0.36f * (112.0f - p.z) + zigzag) * 0.94f);
+  // Sagittal: along the middle of the roof.
+  if (p.z > 60.0f && p.y > -15.0f && p.y < 80.0f) nearest = std::min(nearest, x);
+  // Lambdoid: from the lambda sideways and down.
+  if (p.y > 40.0f)
+    nearest = std::min(nearest, std::abs(p.y - 80.0f + 0.31f * (78.0f - p.z) + zigzag) * 0.95f);
+  // Squamous: an arch over the ear.
+  if (x > 45.0f && p.z > 14.0f) {
+    const glm::vec2 q((p.y + 4.0f) / 40.0f, (p.z - 4.0f) / 36.0f);
+    nearest = std::min(nearest, std::abs(glm::length(q) - 1.0f) * 38.0f);
+  }
+  const float t = 1.0f - nearest / width;
+  return depth * t * t * (3.0f - 2.0f * t);
 }
 
 // The shapes of every organ that matter in one block of voxels.
@@ -52,7 +91,12 @@ class LocalAnatomy {
 
   // HU at p; w: half-width of the point spread, mm.
   float hounsfield(glm::vec3 p, float w) const {
-    const float body = std::max(distance(Organ::body, p), kNeckCutMm - p.z);
+    const float skull = distance(Organ::skull, p), mandible = distance(Organ::mandible, p);
+    // The skin: flesh, and what lies over the bones.
+    float body = smoothMinimum(distance(Organ::flesh, p), skull - kFleshOnSkullMm, kFleshBlendMm);
+    body = smoothMinimum(body, mandible - kFleshOnJawMm, kFleshBlendMm);
+    const float cut = kNeckCutMm - p.z;
+    body = std::max(body, cut);
     if (body >= w && !has(Organ::marker)) return hu::air;
     // Layers of the soft tissue by depth: skin, fat, muscle.
     float soft = mix(hu::skin, hu::fat, coverage(body + 2.0f, w));
@@ -67,16 +111,11 @@ class LocalAnatomy {
     if (has(Organ::eyes)) soft = mix(soft, hu::eyeball, coverage(distance(Organ::eyes, p), w));
     if (has(Organ::lenses)) soft = mix(soft, hu::lens, coverage(distance(Organ::lenses, p), w));
 
-    const float cut = kNeckCutMm - p.z;
     if (has(Organ::airways)) soft = mix(soft, hu::air, coverage(distance(Organ::airways, p), w));
     float value = mix(hu::air, soft, coverage(body, w));
-    for (const Organ organ : {Organ::skull, Organ::mandible, Organ::spine}) {
-      if (!has(organ)) continue;
-      const float d = distance(organ, p);
-      if (d >= w) continue;
-      const float inner = organ == Organ::skull ? coverage(d + 2.6f, 0.8f) : coverage(d + 2.6f, 1.5f);
-      value = mix(value, mix(hu::cortical, hu::diploe, inner), coverage(std::max(d, cut), w));
-    }
+    value = addBone(value, skull + sutureDepth(p, skull), 0.8f, cut, w);
+    value = addBone(value, mandible, 1.5f, cut, w);
+    value = addBone(value, distance(Organ::spine, p), 1.5f, cut, w);
     if (has(Organ::teeth)) value = mix(value, hu::tooth, coverage(distance(Organ::teeth, p), w));
     if (has(Organ::sinuses)) value = mix(value, hu::air, coverage(distance(Organ::sinuses, p), w));
     if (has(Organ::marker)) value = mix(value, hu::metal, coverage(distance(Organ::marker, p), w));
@@ -102,8 +141,8 @@ std::vector<std::int16_t> headVoxels(const GridGeometry& geometry, double noise,
   const Anatomy anatomy = makeAnatomy();
   const glm::dvec3 origin = geometry.originMm(), spacing = geometry.spacingMm();
   const glm::dmat3 linear(geometry.worldFromVoxel);
-  const auto w = static_cast<float>(0.9 * (spacing.x + spacing.y + spacing.z) / 3.0);
-  const float margin = std::max(w, 1.5f) + 6.5f;  // the deepest layer under a surface
+  const auto w = static_cast<float>(1.4 * (spacing.x + spacing.y + spacing.z) / 3.0);
+  const float margin = std::max(w, 1.5f) + kFleshOnJawMm + kFleshBlendMm;
 
   const glm::ivec3 blocks = (dims + kBlock - 1) / kBlock;
   const int rows = blocks.y * blocks.z;

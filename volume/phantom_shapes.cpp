@@ -29,14 +29,13 @@ float shapeDistance(const Shape& shape, glm::vec3 p) {
   return k0 * (k0 - 1.0f) / k1;
 }
 
-// Smallest of two with a cubic transition of width k, twice continuously differentiable.
+}  // namespace
+
 float smoothMinimum(float a, float b, float k) {
   if (k <= 0.0f) return std::min(a, b);
   const float h = std::max(k - std::abs(a - b), 0.0f) / k;
   return std::min(a, b) - h * h * h * k * (1.0f / 6.0f);
 }
-
-}  // namespace
 
 Solid& Solid::add(glm::vec3 centre, glm::vec3 radii, float blend) {
   shapes_.push_back({centre, centre, radii, radii, blend, false, false});

@@ -41,6 +41,9 @@ class Solid {
   std::vector<Shape> shapes_;
 };
 
+// Smallest of two with a cubic transition of width k, twice continuously differentiable.
+float smoothMinimum(float a, float b, float k);
+
 // Signed distance of p to the blended shapes; far outside when there are none.
 float distanceTo(const std::vector<const Shape*>& shapes, glm::vec3 p);
 
