@@ -1,1 +1,221 @@
-// window
+#include "ui/main_window.h"
+
+#include <cmath>
+
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "app/session.h"
+#include "scene/settings.h"
+#include "ui/info_panel.h"
+#include "ui/isovalue_panel.h"
+#include "ui/load_card.h"
+#include "ui/message_bar.h"
+#include "ui/number_text.h"
+#include "ui/recent_files.h"
+#include "ui/settings_panel.h"
+#include "ui/style.h"
+#include "ui/viewport.h"
+
+namespace isolux::ui {
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      document_(new Document(this)),
+      viewport_(new Viewport(this)),
+      isovalue_(new IsovaluePanel(this)),
+      settings_(new SettingsPanel(this)),
+      info_(new InfoPanel(this)),
+      message_(new MessageBar(this)),
+      loadCard_(new LoadCard(viewport_)),
+      pointedLabel_(new QLabel(this)),
+      recordingLabel_(new QLabel(this)),
+      frameLabel_(new QLabel(this)) {
+  setAcceptDrops(true);
+  setWindowTitle("Isolux");
+  resize(1280, 800);
+  makePanels();
+  makeFileMenu();
+  makeEditMenu();
+  makeViewMenu();
+  makeHelpMenu();
+  makeToolBar();
+  connectDocument();
+  showState();
+  viewport_->setFocus();
+  const QByteArray geometry = QSettings().value("window/geometry").toByteArray();
+  if (!geometry.isEmpty()) restoreGeometry(geometry);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makePanels() {
+  auto* centre = new QWidget(this);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(message_);
+  layout->addWidget(viewport_, 1);
+  layout->addWidget(isovalue_);
+  setCentralWidget(centre);
+
+  const auto dock = [this](const QString& name, QWidget* content) {
+    auto* widget = new QDockWidget(name, this);
+    widget->setObjectName(name);
+    widget->setWidget(content);
+    widget->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    addDockWidget(Qt::RightDockWidgetArea, widget);
+    return widget;
+  };
+  settingsDock_ = dock("Settings", settings_);
+  infoDock_ = dock("Volume", info_);
+  tabifyDockWidget(settingsDock_, infoDock_);
+  settingsDock_->raise();
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  setDocumentMode(true);
+
+  recordingLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::error.name()));
+  frameLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::quietText.name()));
+  pointedLabel_->setContentsMargins(10, 0, 0, 0);
+  statusBar()->addWidget(pointedLabel_, 1);
+  statusBar()->addPermanentWidget(recordingLabel_);
+  statusBar()->addPermanentWidget(frameLabel_);
+  statusBar()->setSizeGripEnabled(false);
+}
+
+void MainWindow::connectDocument() {
+  connect(document_, &Document::volumeChanged, this, [this](const VolumePointer& volume) {
+    isovalue_->setVolume(volume);
+    viewport_->setVolume(volume);
+    info_->setVolume(volume);
+    awaitsFirstPicture_ = true;
+    if (!volume->volume.warnings.empty()) {
+      const auto count = volume->volume.warnings.size();
+      message_->show(MessageBar::Kind::note,
+                     QString("%1 (%2 in the Volume panel)")
+                         .arg(QString::fromStdString(volume->volume.warnings.front()))
+                         .arg(count == 1 ? QString("also") : QString("all %1 notes").arg(count)));
+    }
+  });
+  connect(document_, &Document::sceneChanged, this,
+          [this](const scene::Scene& scene, const scene::Scene& resolved) {
+            isovalue_->setScene(scene, resolved);
+            viewport_->setScene(scene, resolved);
+            settings_->setScene(scene, resolved);
+            info_->setScene(scene);
+            projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
+          });
+  connect(document_, &Document::stateChanged, this, &MainWindow::showState);
+  connect(document_, &Document::loadStarted, this, [this](const QString& name) {
+    message_->clear();
+    loadCard_->begin(name);
+  });
+  connect(document_, &Document::loadProgress, loadCard_, &LoadCard::report);
+  connect(document_, &Document::loadEnded, loadCard_, &LoadCard::end);
+  connect(document_, &Document::opened, this, [](const QString& path) { addRecentFile(path); });
+  connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
+  connect(loadCard_, &LoadCard::cancelled, document_, &Document::cancelLoading);
+
+  const auto showError = [this](const QString& text) { message_->show(MessageBar::Kind::error, text); };
+  connect(document_, &Document::failed, this, showError);
+  connect(viewport_, &Viewport::failed, this, showError);
+  connect(settings_, &SettingsPanel::failed, this, showError);
+
+  connect(viewport_, &Viewport::edited, document_, &Document::edit);
+  connect(viewport_, &Viewport::gestureEnded, document_, &Document::endGesture);
+  connect(viewport_, &Viewport::pointed, this, &MainWindow::showPointed);
+  connect(viewport_, &Viewport::drawn, this, [this](double milliseconds, bool complete) {
+    frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : " (draft)"));
+    if (awaitsFirstPicture_) {
+      awaitsFirstPicture_ = false;
+      info_->setFirstPicture(document_->secondsSinceRead());
+    }
+  });
+  connect(isovalue_, &IsovaluePanel::edited, document_, &Document::edit);
+  connect(settings_, &SettingsPanel::edited, document_, &Document::edit);
+  connect(info_, &InfoPanel::edited, document_, &Document::edit);
+  const auto begin = [this] { viewport_->setInteracting(true); };
+  const auto end = [this] {
+    viewport_->setInteracting(false);
+    document_->endGesture();
+  };
+  connect(isovalue_, &IsovaluePanel::dragStarted, this, begin);
+  connect(isovalue_, &IsovaluePanel::dragEnded, this, end);
+  connect(settings_, &SettingsPanel::dragStarted, this, begin);
+  connect(settings_, &SettingsPanel::dragEnded, this, end);
+}
+
+void MainWindow::open(const app::WindowRequest& request) {
+  try {
+    scene::Scene scene = request.scene;
+    const QString path = QString::fromStdString(scene.source.path);
+    const bool builtIn = path.startsWith("phantom:");
+    QString sessionFile;
+    if (!builtIn && app::isSession(scene.source.path)) {
+      sessionFile = QFileInfo(path).absoluteFilePath();
+      scene = app::loadSession(scene.source.path);
+    } else if (!builtIn) {
+      scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
+    }
+    for (const std::string& assignment : request.assignments) scene::applyAssignment(scene, assignment);
+    if (!request.recordFile.empty()) document_->startRecording(QString::fromStdString(request.recordFile));
+    if (sessionFile.isEmpty() && scene.source.raw.empty() && !builtIn &&
+        volume::needsRawDescription(scene.source.path)) {
+      chooseRaw(QString::fromStdString(scene.source.path));
+      return;
+    }
+    document_->openScene(scene, sessionFile);
+  } catch (const scene::Error& error) {
+    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+  }
+}
+
+void MainWindow::showState() {
+  const QString name = document_->name();
+  setWindowTitle(name.isEmpty() ? "Isolux" : name + "[*] – Isolux");
+  setWindowModified(document_->modified());
+  const app::History& history = document_->history();
+  undo_->setEnabled(history.canUndo());
+  redo_->setEnabled(history.canRedo());
+  undo_->setText(history.canUndo() ? "&Undo " + QString::fromStdString(history.undoName()) : "&Undo");
+  redo_->setText(history.canRedo() ? "&Redo " + QString::fromStdString(history.redoName()) : "&Redo");
+  const bool loaded = document_->volume() != nullptr;
+  for (QAction* action : {save_, saveAs_, picture_, reset_, fit_, projection_}) action->setEnabled(loaded);
+  for (QAction* action : views_) action->setEnabled(loaded);
+  const bool recording = document_->recording();
+  record_->setText(recording ? "Stop &recording" : "Start &recording…");
+  record_->setChecked(recording);
+  recordingLabel_->setText(recording ? "● Recording" : "");
+}
+
+void MainWindow::showPointed(const std::optional<render::Pick>& pick) {
+  if (!pick || !document_->volume()) {
+    pointedLabel_->clear();
+    return;
+  }
+  // LPS coordinates the way a radiologist says them: "L 12.3".
+  const auto side = [](double value, const char* positive, const char* negative) {
+    return QString("%1 %2").arg(value < 0.0 ? negative : positive).arg(std::abs(value), 0, 'f', 1);
+  };
+  const QString unit = QString::fromStdString(document_->volume()->volume.unit);
+  pointedLabel_->setText(QString("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
+                             .arg(side(pick->worldMm.x, "L", "R"), side(pick->worldMm.y, "P", "A"),
+                                  side(pick->worldMm.z, "S", "I"))
+                             .arg(pick->voxel.x, 0, 'f', 1)
+                             .arg(pick->voxel.y, 0, 'f', 1)
+                             .arg(pick->voxel.z, 0, 'f', 1)
+                             .arg(valueText(pick->value, unit)));
+}
+
+void MainWindow::showPanel(const QString& name) {
+  QDockWidget* dock = name == "volume" ? infoDock_ : settingsDock_;
+  dock->show();
+  dock->raise();
+}
+
+}  // namespace isolux::ui

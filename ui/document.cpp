@@ -1,0 +1,295 @@
+#include "ui/document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "app/session.h"
+
+namespace isolux::ui {
+
+namespace {
+std::filesystem::path pathOf(const QString& file) {
+  return {file.toStdString()};
+}
+
+QString textOf(const scene::Error& error) {
+  return QString::fromStdString(error.what());
+}
+
+// As short as a title bar wants it.
+QString shortName(const std::string& path) {
+  const QString text = QString::fromStdString(path);
+  if (text.startsWith("phantom:")) return text.mid(8).section(':', 0, 0) + " phantom";
+  return QFileInfo(QDir::cleanPath(text)).fileName();
+}
+
+void makeAutomatic(scene::Scene& scene) {
+  scene.isosurface.value.reset();
+  scene.camera.eye.reset();
+  scene.camera.target.reset();
+  scene.camera.up.reset();
+}
+}  // namespace
+
+Document::Document(QObject* parent) : QObject(parent), savedScene_(history_.scene()) {
+  pollTimer_.setInterval(15);
+  connect(&pollTimer_, &QTimer::timeout, this, &Document::poll);
+  pauseTimer_.setSingleShot(true);
+  pauseTimer_.setInterval(700);
+  connect(&pauseTimer_, &QTimer::timeout, this, &Document::endGesture);
+}
+
+Document::~Document() = default;
+
+scene::Scene Document::resolvedScene() const {
+  return scene::resolve(scene(), volume_ ? volume_->facts : scene::VolumeFacts{});
+}
+
+QString Document::name() const {
+  if (!sessionFile_.isEmpty()) return QFileInfo(sessionFile_).fileName();
+  if (!volume_) return {};
+  return shortName(loadedSource_.path);
+}
+
+double Document::secondsSinceRead() const {
+  if (!volume_) return 0.0;
+  const std::chrono::duration<double> total = std::chrono::steady_clock::now() - loadBegin_;
+  return total.count() - volume_->readSeconds;
+}
+
+// ---- Opening
+// ------------------------------------------------------------------------------------------------
+
+void Document::open(const QString& path) {
+  try {
+    const bool builtIn = path.startsWith("phantom:");
+    const QString absolute = builtIn ? path : QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    if (!builtIn && QFileInfo(absolute).isFile()) {
+      if (app::isSession(pathOf(absolute))) {
+        openScene(app::loadSession(pathOf(absolute)), absolute);
+        return;
+      }
+      if (volume::needsRawDescription(pathOf(absolute))) {
+        Q_EMIT rawDescriptionNeeded(absolute);
+        return;
+      }
+    }
+    scene::Scene next = scene();
+    next.source = {};
+    next.source.path = absolute.toStdString();
+    makeAutomatic(next);
+    openScene(next, {});
+  } catch (const scene::Error& error) {
+    Q_EMIT failed(textOf(error));
+  }
+}
+
+void Document::openRaw(const QString& path, const QString& description) {
+  scene::Scene next = scene();
+  next.source = {};
+  next.source.path = QFileInfo(path).absoluteFilePath().toStdString();
+  next.source.raw = description.toStdString();
+  makeAutomatic(next);
+  openScene(next, {});
+}
+
+void Document::openScene(const scene::Scene& scene, const QString& sessionFile) {
+  pendingOpened_ = sessionFile.isEmpty() ? QString::fromStdString(scene.source.path) : sessionFile;
+  pendingSessionFile_ = sessionFile;
+  startLoading(scene, After::replaceDocument);
+}
+
+void Document::startLoading(const scene::Scene& scene, After after) {
+  cancelLoading();
+  after_ = after;
+  pendingScene_ = scene;
+  loadBegin_ = std::chrono::steady_clock::now();
+  job_ = std::make_unique<app::LoadJob>(scene.source);
+  pollTimer_.start();
+  Q_EMIT loadStarted(shortName(scene.source.path));
+}
+
+void Document::cancelLoading() {
+  if (!job_) return;
+  job_->progress().requestStop();
+  stopping_.push_back(std::move(job_));
+  if (after_ == After::keepScene && scene().source != loadedSource_) {
+    // Undo had already gone to the other source: stay with the volume that is on screen.
+    const scene::Scene before = scene();
+    scene::Scene next = before;
+    next.source = loadedSource_;
+    history_.edit(next, "Keep the volume");
+    commit(before, "Keep the volume");
+  }
+  Q_EMIT loadEnded(false);
+}
+
+void Document::poll() {
+  std::erase_if(stopping_, [](const auto& job) { return job->finished(); });
+  if (job_) {
+    Q_EMIT loadProgress(job_->progress().fraction(), QString::fromUtf8(job_->progress().stage()));
+    if (job_->finished()) finishLoading();
+  }
+  if (!job_ && stopping_.empty()) pollTimer_.stop();
+}
+
+void Document::finishLoading() {
+  const std::unique_ptr<app::LoadJob> job = std::move(job_);
+  const QString openedPath = std::exchange(pendingOpened_, {});
+  if (job->error() || !job->volume()) {
+    if (after_ == After::keepScene && scene().source != loadedSource_) {
+      const scene::Scene before = scene();
+      scene::Scene next = before;
+      next.source = loadedSource_;
+      history_.edit(next, "Keep the volume");
+      commit(before, "Keep the volume");
+    }
+    Q_EMIT loadEnded(false);
+    if (!job->error()) {
+      Q_EMIT failed("the volume could not be loaded");
+    } else if (job->error()->kind() != scene::ErrorKind::interrupted) {
+      Q_EMIT failed(textOf(*job->error()));
+    }
+    return;
+  }
+  const scene::Scene before = scene();
+  const VolumePointer volume = job->volume();
+  loadedSource_ = job->source();
+  QString name = "Open " + shortName(loadedSource_.path);
+  if (after_ == After::replaceDocument) {
+    sessionFile_ = pendingSessionFile_;
+    history_.reset(pendingScene_);
+    savedScene_ = pendingScene_;
+  } else if (after_ == After::editSource) {
+    scene::Scene next = before;  // edits made while it loaded stay
+    next.source = loadedSource_;
+    if (before.source.series != next.source.series) makeAutomatic(next);
+    if (next.isosurface.value && (*next.isosurface.value <= volume->grid().minimum() ||
+                                  *next.isosurface.value >= volume->grid().maximum())) {
+      next.isosurface.value.reset();
+    }
+    name = pendingName_;
+    history_.edit(next, name.toStdString());
+  }
+  volume_ = volume;
+  Q_EMIT volumeChanged(volume_);
+  if (after_ == After::keepScene) {
+    announce();  // undo() recorded the change already
+  } else {
+    commit(before, name);
+  }
+  Q_EMIT loadEnded(true);
+  if (!openedPath.isEmpty() && after_ == After::replaceDocument) Q_EMIT opened(openedPath);
+}
+
+// ---- Editing
+// ------------------------------------------------------------------------------------------------
+
+void Document::announce() {
+  Q_EMIT sceneChanged(scene(), resolvedScene());
+  Q_EMIT stateChanged();
+}
+
+void Document::commit(const scene::Scene& before, const QString& name) {
+  if (recorder_) {
+    const scene::SceneDiff diff = scene::difference(before, scene(), name.toStdString());
+    try {
+      if (!diff.changes.empty()) recorder_->add(diff);
+    } catch (const scene::Error& error) {
+      stopRecording();
+      Q_EMIT failed("recording stopped: " + textOf(error));
+    }
+  }
+  announce();
+}
+
+void Document::edit(const Edit& edit) {
+  if (edit.scene == scene()) return;
+  if (edit.scene.source != scene().source) {
+    pendingName_ = edit.name;
+    pendingOpened_.clear();
+    startLoading(edit.scene, After::editSource);
+    return;
+  }
+  const scene::Scene before = scene();
+  try {
+    history_.edit(edit.scene, edit.name.toStdString(), edit.mergeKey.toStdString());
+  } catch (const scene::Error& error) {  // a value outside its range
+    Q_EMIT failed(textOf(error));
+    announce();  // the widget shows again what holds
+    return;
+  }
+  if (edit.endsAfterPause) {
+    pauseTimer_.start();
+  } else {
+    pauseTimer_.stop();
+  }
+  commit(before, edit.name);
+}
+
+void Document::endGesture() {
+  pauseTimer_.stop();
+  history_.seal();
+}
+
+void Document::undo() {
+  if (!history_.canUndo()) return;
+  const scene::Scene before = scene();
+  const QString name = "Undo " + QString::fromStdString(history_.undoName());
+  history_.seal();
+  history_.undo();
+  commit(before, name);
+  reloadIfSourceChanged();
+}
+
+void Document::redo() {
+  if (!history_.canRedo()) return;
+  const scene::Scene before = scene();
+  const QString name = "Redo " + QString::fromStdString(history_.redoName());
+  history_.seal();
+  history_.redo();
+  commit(before, name);
+  reloadIfSourceChanged();
+}
+
+void Document::reloadIfSourceChanged() {
+  if (scene().source != loadedSource_) startLoading(scene(), After::keepScene);
+}
+
+// ---- Sessions and recordings
+// --------------------------------------------------------------------------------
+
+bool Document::saveSession(const QString& file) {
+  try {
+    app::saveSession(scene(), pathOf(file));
+  } catch (const scene::Error& error) {
+    Q_EMIT failed(textOf(error));
+    return false;
+  }
+  sessionFile_ = file;
+  savedScene_ = scene();
+  Q_EMIT stateChanged();
+  return true;
+}
+
+bool Document::startRecording(const QString& file) {
+  try {
+    recorder_ = std::make_unique<app::Recorder>(pathOf(file), scene());
+  } catch (const scene::Error& error) {
+    recorder_.reset();
+    Q_EMIT failed(textOf(error));
+  }
+  Q_EMIT stateChanged();
+  return recording();
+}
+
+void Document::stopRecording() {
+  recorder_.reset();
+  Q_EMIT stateChanged();
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,47 @@
+// What is known about the volume on screen, and the choices its file offers: series, component, time step.
+#pragma once
+
+#include <QScrollArea>
+
+#include "ui/document.h"
+#include "ui/edit.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QSpinBox;
+
+namespace isolux::ui {
+
+class InfoPanel : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit InfoPanel(QWidget* parent = nullptr);
+
+  void setVolume(VolumePointer volume);
+  void setScene(const scene::Scene& scene);
+  void setFirstPicture(double seconds);  // since the bytes were read
+  QComboBox* seriesChoice() const { return series_; }
+  QComboBox* componentChoice() const { return component_; }
+  QSpinBox* timeStepChoice() const { return timeStep_; }
+  QString warnings() const;
+
+ Q_SIGNALS:
+  void edited(const isolux::ui::Edit& edit);
+
+ private:
+  QLabel* addRow(const QString& name);
+  void showFacts();
+  void showChoices();
+
+  scene::Scene scene_;
+  VolumePointer volume_;
+  QFormLayout *facts_, *choices_;
+  QLabel *name_, *format_, *dims_, *type_, *spacing_, *extent_, *axes_, *range_, *missing_, *memory_, *time_;
+  QLabel *warningTitle_, *warnings_;
+  QWidget* choiceBox_;
+  QComboBox *series_, *component_;
+  QSpinBox* timeStep_;
+};
+
+}  // namespace isolux::ui

@@ -1,0 +1,93 @@
+// The window: picture, isovalue, settings and facts about the volume, all fed by one Document.
+#pragma once
+
+#include <vector>
+
+#include <QAction>
+#include <QMainWindow>
+
+#include "app/command_line.h"
+#include "render/frame.h"
+#include "ui/document.h"
+
+class QLabel;
+class QMenu;
+
+namespace isolux::ui {
+
+class InfoPanel;
+class IsovaluePanel;
+class LoadCard;
+class MessageBar;
+class SettingsPanel;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  void open(const app::WindowRequest& request);
+  // File, folder, session, picture with a session, or "phantom:NAME"; asks first for a raw file.
+  void openPath(const QString& path);
+
+  Document* document() const { return document_; }
+  Viewport* viewport() const { return viewport_; }
+  IsovaluePanel* isovaluePanel() const { return isovalue_; }
+  SettingsPanel* settingsPanel() const { return settings_; }
+  InfoPanel* infoPanel() const { return info_; }
+  MessageBar* messageBar() const { return message_; }
+  LoadCard* loadCard() const { return loadCard_; }
+
+  bool savePicture(const QString& file);  // .png (with the session inside) or .exr
+  void showPanel(const QString& name);    // "settings" or "volume"
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QAction* newAction(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
+                     const QString& tip);
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeHelpMenu();
+  void makeToolBar();
+  void makePanels();
+  void connectDocument();
+  void showState();  // title, undo names, recording: what stateChanged() announces
+  void showPointed(const std::optional<render::Pick>& pick);
+  void showRecent();
+
+  void chooseFile();
+  void chooseFolder();
+  void chooseRaw(const QString& path);
+  bool saveSession();
+  bool saveSessionAs();
+  void choosePicture();
+  void toggleRecording();
+  void toggleFullScreen(bool on);
+  void showHelp();
+  void showAbout();
+  bool mayDiscard();  // asks only when a session file has unsaved changes
+
+  Document* document_;
+  Viewport* viewport_;
+  IsovaluePanel* isovalue_;
+  SettingsPanel* settings_;
+  InfoPanel* info_;
+  MessageBar* message_;
+  LoadCard* loadCard_;
+  QDockWidget *settingsDock_ = nullptr, *infoDock_ = nullptr;
+  QMenu* recentMenu_ = nullptr;
+  QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *record_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_;
+  std::vector<QAction*> views_;
+  QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
+  bool awaitsFirstPicture_ = false;
+};
+
+}  // namespace isolux::ui

@@ -1,0 +1,58 @@
+#include "ui/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isolux::ui {
+
+QString numberText(double value, int significant) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "missing" : value > 0 ? "∞" : "−∞";
+  if (value == 0.0) return "0";
+  const double magnitude = std::abs(value);
+  if (magnitude < 1e-4 || magnitude >= 1e9) return QString::number(value, 'g', significant);
+  const int decimals = std::max(0, significant - 1 - static_cast<int>(std::floor(std::log10(magnitude))));
+  QString text = QString::number(value, 'f', decimals);
+  if (text.contains('.')) {
+    while (text.endsWith('0')) text.chop(1);
+    if (text.endsWith('.')) text.chop(1);
+  }
+  return text == "-0" ? "0" : text;
+}
+
+QString valueText(double value, const QString& unit, int significant) {
+  const QString number = numberText(value, significant);
+  return unit.isEmpty() ? number : number + ' ' + unit;
+}
+
+double niceBelow(double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) return 1.0;
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  const double mantissa = value / power;
+  return (mantissa >= 5.0 ? 5.0 : mantissa >= 2.0 ? 2.0 : 1.0) * power;
+}
+
+double roundedToStep(double value, double step) {
+  if (!(step > 0.0) || !std::isfinite(value)) return value;
+  const double rounded = std::round(value / step) * step;
+  const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step))), 0, 300);
+  return QString::number(rounded, 'f', decimals).toDouble();
+}
+
+QString bytesText(double bytes) {
+  const char* units[] = {"bytes", "kB", "MB", "GB", "TB"};
+  int unit = 0;
+  while (bytes >= 1000.0 && unit < 4) {
+    bytes /= 1000.0;
+    ++unit;
+  }
+  return numberText(bytes, unit == 0 ? 6 : 3) + ' ' + units[unit];
+}
+
+QString wordsOf(const QString& identifier) {
+  QString words = identifier;
+  words.replace('_', ' ');
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+
+}  // namespace isolux::ui

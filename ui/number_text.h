@@ -1,0 +1,21 @@
+// Numbers as people read them: enough digits, no noise, a point in every country.
+#pragma once
+
+#include <QString>
+
+namespace isolux::ui {
+
+// At most `significant` digits, without trailing zeros; an exponent only below 1e-4 and from 1e9 on.
+QString numberText(double value, int significant = 6);
+// numberText with the unit behind it ("300 HU"; no unit: "300").
+QString valueText(double value, const QString& unit, int significant = 6);
+// The largest of 1, 2, 5 times a power of ten that is not above `value` (> 0).
+double niceBelow(double value);
+// `value` rounded to the nearest multiple of `step` (a result of niceBelow), as the nearest decimal number.
+double roundedToStep(double value, double step);
+// "1.2 kB", "34 MB".
+QString bytesText(double bytes);
+// "blinn_phong" -> "Blinn phong".
+QString wordsOf(const QString& identifier);
+
+}  // namespace isolux::ui

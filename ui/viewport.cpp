@@ -1,0 +1,345 @@
+#include "ui/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QWheelEvent>
+
+#include <glm/geometric.hpp>
+
+#include "ui/gl_bridge.h"
+#include "ui/viewport_overlay.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr int restMilliseconds = 200;   // after the last change, before the fine picture
+constexpr int refineMilliseconds = 60;  // between the finer stages
+constexpr int pointMilliseconds = 40;   // the pointer's value is looked up at most this often
+}  // namespace
+
+Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), overlay_(new ViewportOverlay(this)) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(240, 180);
+  setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
+  setAccessibleName("Picture");
+  refineTimer_.setSingleShot(true);
+  connect(&refineTimer_, &QTimer::timeout, this, &Viewport::refine);
+  pointTimer_.setSingleShot(true);
+  pointTimer_.setInterval(pointMilliseconds);
+  connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
+}
+
+Viewport::~Viewport() {
+  if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
+  releaseRenderer();
+}
+
+// ---- GL
+// -----------------------------------------------------------------------------------------------------
+
+void Viewport::initializeGL() {
+  try {
+    QOpenGLContext* current = context();
+    // The context can go away before this widget does (moved to another window or screen).
+    connect(current, &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseRenderer,
+            static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::UniqueConnection));
+    const auto gl = loadGl(
+        [current](const char* name) { return reinterpret_cast<void*>(current->getProcAddress(name)); });
+    glDescription_ = QString::fromStdString(describeGl(*gl));
+    renderer_ = std::make_unique<render::Renderer>(gl);
+    renderer_->setVolume(volume_);
+    problem_.reset();
+    overlay_->setProblem({});
+    redraw();
+  } catch (const scene::Error& error) {
+    renderer_.reset();
+    fail(QString::fromStdString(error.what()));
+  }
+}
+
+void Viewport::releaseRenderer() {
+  if (!renderer_) return;
+  makeCurrent();
+  renderer_.reset();
+  doneCurrent();
+}
+
+void Viewport::fail(const QString& message) {
+  problem_ = message;
+  overlay_->setProblem(message);
+  Q_EMIT failed(message);
+}
+
+void Viewport::showEvent(QShowEvent* event) {
+  QOpenGLWidget::showEvent(event);
+  // Without any context initializeGL is never called; it would have happened by the next turn of the loop.
+  QTimer::singleShot(500, this, [this] {
+    if (isVisible() && !isValid() && !problem_) fail("no OpenGL context could be made for the window");
+  });
+}
+
+void Viewport::resizeGL(int, int) {
+  redraw();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QOpenGLWidget::resizeEvent(event);
+  overlay_->setGeometry(rect());
+}
+
+glm::ivec2 Viewport::pixelSize() const {
+  const double ratio = devicePixelRatioF();
+  return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
+          std::max(1, static_cast<int>(std::lround(height() * ratio)))};
+}
+
+void Viewport::paintGL() {
+  if (!renderer_) {
+    QOpenGLFunctions* functions = context()->functions();
+    functions->glClearColor(0.09F, 0.10F, 0.12F, 1.0F);
+    functions->glClear(GL_COLOR_BUFFER_BIT);
+    return;
+  }
+  try {
+    lastRequest_ = quality_.request(pixelSize(), resolved_.picture.supersampling);
+    QElapsedTimer timer;
+    timer.start();
+    renderer_->render(resolved_, lastRequest_);
+    renderer_->present(defaultFramebufferObject(), pixelSize());
+    const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    quality_.measured(milliseconds);
+    Q_EMIT drawn(milliseconds, complete());
+  } catch (const scene::Error& error) {
+    releaseRenderer();
+    fail(QString::fromStdString(error.what()));
+  }
+}
+
+bool Viewport::complete() const {
+  const glm::ivec2 pixels = pixelSize();
+  return renderer_ && quality_.complete(resolved_.picture.supersampling) && lastRequest_.size == pixels &&
+         lastRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
+}
+
+void Viewport::redraw() {
+  quality_.changed();
+  refineTimer_.start(restMilliseconds);
+  update();
+}
+
+void Viewport::refine() {
+  if (interacting_ || drag_ != Drag::none) return;  // starts again when the gesture ends
+  if (!quality_.refine(resolved_.picture.supersampling)) return;
+  update();
+  if (!quality_.complete(resolved_.picture.supersampling)) refineTimer_.start(refineMilliseconds);
+}
+
+void Viewport::setInteracting(bool interacting) {
+  interacting_ = interacting;
+  if (!interacting) refineTimer_.start(restMilliseconds);
+}
+
+void Viewport::setVolume(VolumePointer volume) {
+  volume_ = std::move(volume);
+  if (renderer_) {
+    makeCurrent();
+    renderer_->setVolume(volume_);
+    doneCurrent();
+  }
+  redraw();
+}
+
+void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  scene_ = scene;
+  resolved_ = resolved;
+  overlay_->setCamera(resolved.camera, volume_ != nullptr);
+  redraw();
+}
+
+render::ColorImage Viewport::picture() {
+  if (!renderer_) throw scene::Error(scene::ErrorKind::graphics, "", "", "there is no picture to save");
+  makeCurrent();
+  try {
+    render::FrameRequest request;
+    request.size = pixelSize();
+    request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
+    renderer_->render(resolved_, request);
+    render::ColorImage image = renderer_->readColor();
+    doneCurrent();
+    return image;
+  } catch (...) {
+    doneCurrent();
+    throw;
+  }
+}
+
+QString Viewport::description() const {
+  return problem_ ? *problem_ : glDescription_;
+}
+
+std::optional<render::Pick> Viewport::pickAt(QPointF position) {
+  if (!renderer_ || !volume_ || lastRequest_.size.x < 1 || width() < 1 || height() < 1) return std::nullopt;
+  const QPointF fraction(position.x() / width(), position.y() / height());
+  const glm::ivec2 pixel{static_cast<int>(std::floor(fraction.x() * lastRequest_.size.x)),
+                         static_cast<int>(std::floor(fraction.y() * lastRequest_.size.y))};
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= lastRequest_.size.x || pixel.y >= lastRequest_.size.y) {
+    return std::nullopt;
+  }
+  makeCurrent();
+  std::optional<render::Pick> pick;
+  try {
+    pick = renderer_->pick(pixel);
+  } catch (const scene::Error&) {
+    pick.reset();  // nothing to read yet
+  }
+  doneCurrent();
+  return pick;
+}
+
+// ---- Views
+// --------------------------------------------------------------------------------------------------
+
+void Viewport::sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey,
+                          bool endsAfterPause) {
+  if (!volume_) return;
+  Edit edit{scene_, name, mergeKey, endsAfterPause};
+  edit.scene.camera = camera;
+  Q_EMIT edited(edit);
+}
+
+void Viewport::applyStandardView(scene::StandardView view) {
+  if (!volume_) return;
+  const auto name = scene::standardViewNames[static_cast<std::size_t>(view)];
+  sendCamera(
+      scene::standardView(resolved_.camera, view, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
+      (std::string(name) + " view").c_str(), "", false);
+}
+
+void Viewport::fitView() {
+  if (!volume_) return;
+  sendCamera(scene::fitted(resolved_.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
+             "Fit view", "", false);
+}
+
+void Viewport::resetView() {
+  scene::Camera camera = scene_.camera;
+  camera.eye.reset();
+  camera.target.reset();
+  camera.up.reset();
+  sendCamera(camera, "Reset view", "", false);
+}
+
+void Viewport::toggleProjection() {
+  scene::Camera camera = scene_.camera;
+  const bool perspective = camera.projection == scene::Projection::perspective;
+  camera.projection = perspective ? scene::Projection::orthographic : scene::Projection::perspective;
+  sendCamera(camera, perspective ? "Orthographic view" : "Perspective view", "", false);
+}
+
+// ---- Mouse
+// --------------------------------------------------------------------------------------------------
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  if (drag_ != Drag::none) return;  // the first button decides
+  switch (event->button()) {
+    case Qt::LeftButton:
+      drag_ = event->modifiers() & Qt::ControlModifier ? Drag::roll
+              : event->modifiers() & Qt::ShiftModifier ? Drag::pan
+                                                       : Drag::orbit;
+      break;
+    case Qt::MiddleButton:
+      drag_ = Drag::pan;
+      break;
+    case Qt::RightButton:
+      drag_ = Drag::zoom;
+      break;
+    default:
+      return;
+  }
+  dragButton_ = event->button();
+  dragMoved_ = false;
+  last_ = event->position();
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  if (drag_ != Drag::none) {
+    dragTo(event->position());
+    return;
+  }
+  pointed_ = event->position();
+  if (!pointTimer_.isActive()) pointTimer_.start();
+}
+
+void Viewport::dragTo(QPointF position) {
+  const double unit = std::max(1, height());
+  const QPointF step = (position - last_) / unit;
+  if (step.isNull() || !volume_) return;
+  const scene::Camera& camera = resolved_.camera;
+  switch (drag_) {
+    case Drag::orbit:  // a drag across the picture's height turns by 180 degrees
+      sendCamera(scene::orbited(camera, -step.x() * std::numbers::pi, step.y() * std::numbers::pi), "Rotate",
+                 "rotate", false);
+      break;
+    case Drag::pan:
+      sendCamera(scene::panned(camera, {step.x(), -step.y()}), "Pan", "pan", false);
+      break;
+    case Drag::zoom:
+      sendCamera(scene::zoomed(camera, std::exp(-3.0 * step.y())), "Zoom", "zoom", false);
+      break;
+    case Drag::roll: {
+      const QPointF centre(0.5 * width(), 0.5 * height());
+      const QPointF from = last_ - centre, to = position - centre;
+      const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
+      sendCamera(scene::rolled(camera, angle), "Roll", "roll", false);
+      break;
+    }
+    case Drag::none:
+      return;
+  }
+  dragMoved_ = true;
+  last_ = position;
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  if (drag_ == Drag::none || event->button() != dragButton_) return;
+  drag_ = Drag::none;
+  if (dragMoved_) Q_EMIT gestureEnded();
+  refineTimer_.start(restMilliseconds);
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !volume_) return;
+  const auto pick = pickAt(event->position());
+  if (!pick) return;
+  // The point moves to the centre, the view direction and the eye's depth stay.
+  const scene::CameraFrame frame = scene::frameOf(resolved_.camera);
+  scene::Camera camera = resolved_.camera;
+  const glm::dvec3 shift = pick->worldMm - camera.target.value_or(pick->worldMm);
+  camera.eye = frame.eye + shift - glm::dot(shift, frame.back) * frame.back;
+  camera.target = pick->worldMm;
+  sendCamera(camera, "Centre on point", "", false);
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  if (!volume_ || event->angleDelta().y() == 0) return;
+  const double notches = event->angleDelta().y() / 120.0;
+  sendCamera(scene::zoomed(resolved_.camera, std::pow(1.1, notches)), "Zoom", "wheel", true);
+  event->accept();
+}
+
+void Viewport::leaveEvent(QEvent*) {
+  pointTimer_.stop();
+  Q_EMIT pointed(std::nullopt);
+}
+
+void Viewport::reportPointed() {
+  if (drag_ == Drag::none && !interacting_) Q_EMIT pointed(pickAt(pointed_));
+}
+
+}  // namespace isolux::ui

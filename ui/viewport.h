@@ -1,0 +1,97 @@
+// The picture: draws the scene with the renderer, turns the mouse into edited cameras.
+//
+// Left drag rotates, middle or Shift+left pans, right drag or wheel zooms, Ctrl+left rolls, a double click
+// puts the picked surface point into the centre. The renderer is made with the GL context and dies with it.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QPointF>
+#include <QTimer>
+
+#include "render/frame.h"
+#include "render/renderer.h"
+#include "scene/camera.h"
+#include "ui/document.h"
+#include "ui/edit.h"
+#include "ui/picture_quality.h"
+
+namespace isolux::ui {
+
+class ViewportOverlay;
+
+class Viewport : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  void setVolume(VolumePointer volume);
+  void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  // While true, pictures stay quick (the isovalue is being dragged).
+  void setInteracting(bool interacting);
+
+  void applyStandardView(scene::StandardView view);
+  void fitView();
+  void resetView();
+  void toggleProjection();
+
+  // The full picture as the scene asks for it, without letters and scale. Throws scene::Error.
+  render::ColorImage picture();
+  bool complete() const;        // the picture on screen is the full one
+  QString description() const;  // GL strings, or why there is no picture
+  const std::optional<QString>& problem() const { return problem_; }
+
+ Q_SIGNALS:
+  void edited(const isolux::ui::Edit& edit);
+  void gestureEnded();
+  void pointed(const std::optional<isolux::render::Pick>& pick);
+  void drawn(double milliseconds, bool complete);
+  void failed(const QString& message);
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void resizeGL(int width, int height) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  enum class Drag { none, orbit, pan, zoom, roll };
+  void releaseRenderer();
+  void fail(const QString& message);
+  void redraw();  // something changed: a quick picture now, a full one soon
+  void refine();
+  void dragTo(QPointF position);
+  void reportPointed();
+  void sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey, bool endsAfterPause);
+  std::optional<render::Pick> pickAt(QPointF position);
+  glm::ivec2 pixelSize() const;
+
+  std::unique_ptr<render::Renderer> renderer_;
+  std::optional<QString> problem_;
+  QString glDescription_;
+  VolumePointer volume_;
+  scene::Scene scene_, resolved_;
+  PictureQuality quality_;
+  render::FrameRequest lastRequest_;
+  bool interacting_ = false;
+  QTimer refineTimer_, pointTimer_;
+
+  Drag drag_ = Drag::none;
+  Qt::MouseButton dragButton_ = Qt::NoButton;
+  bool dragMoved_ = false;
+  QPointF last_, pointed_;
+  ViewportOverlay* overlay_;
+};
+
+}  // namespace isolux::ui

@@ -1,0 +1,162 @@
+#include "ui/viewport_overlay.h"
+
+#include <array>
+#include <cmath>
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <glm/geometric.hpp>
+
+#include "ui/number_text.h"
+#include "ui/style.h"
+
+namespace isolux::ui {
+
+namespace {
+const QColor ink(0xf4, 0xf6, 0xf8), rim(0x0a, 0x0c, 0x0f, 215);
+
+// Text with a dark rim: reads on a white skull as on a black background.
+void drawText(QPainter& painter, const QFont& font, QPointF baseline, const QString& text,
+              const QColor& colour = ink) {
+  QPainterPath path;
+  path.addText(baseline, font, text);
+  painter.setPen(QPen(rim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
+  painter.fillPath(path, colour);
+}
+
+}  // namespace
+
+ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+}
+
+void ViewportOverlay::setCamera(const scene::Camera& camera, bool visible) {
+  if (visible == visible_ && camera == camera_) return;
+  camera_ = camera;
+  visible_ = visible;
+  if (visible) frame_ = scene::frameOf(camera);
+  update();
+}
+
+void ViewportOverlay::setProblem(const QString& text) {
+  problem_ = text;
+  update();
+}
+
+void ViewportOverlay::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  if (!problem_.isEmpty()) {
+    paintProblem(painter);
+  } else if (visible_) {
+    paintLetters(painter);
+    paintCube(painter);
+    paintScale(painter);
+  }
+}
+
+void ViewportOverlay::paintLetters(QPainter& painter) const {
+  const scene::EdgeLetters letters = scene::edgeLetters(frame_);
+  QFont font = this->font();
+  font.setPointSizeF(font.pointSizeF() + 5.0);
+  font.setWeight(QFont::DemiBold);
+  const QFontMetricsF metrics(font);
+  const double margin = 12.0, x = 0.5 * width(), y = 0.5 * height() + 0.5 * metrics.capHeight();
+  const auto text = [](const std::string& letter) { return QString::fromStdString(letter); };
+  drawText(painter, font, {margin, y}, text(letters.left));
+  drawText(painter, font, {width() - margin - metrics.horizontalAdvance(text(letters.right)), y},
+           text(letters.right));
+  drawText(painter, font,
+           {x - 0.5 * metrics.horizontalAdvance(text(letters.top)), margin + metrics.capHeight()},
+           text(letters.top));
+  drawText(painter, font, {x - 0.5 * metrics.horizontalAdvance(text(letters.bottom)), height() - margin},
+           text(letters.bottom));
+}
+
+void ViewportOverlay::paintCube(QPainter& painter) const {
+  struct Face {
+    glm::dvec3 normal, right, up;  // LPS; the letter stands upright along `up`
+    const char* letter;
+  };
+  static const std::array<Face, 6> faces{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, "L"},
+                                          {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, "R"},
+                                          {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, "P"},
+                                          {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, "A"},
+                                          {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, "S"},
+                                          {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}, "I"}}};
+  constexpr double half = 17.0;
+  const QPointF centre(width() - 48.0, height() - 48.0);
+  const auto onScreen = [this](glm::dvec3 v) {
+    return QPointF(half * glm::dot(v, frame_.right), -half * glm::dot(v, frame_.up));
+  };
+  QFont font = this->font();
+  font.setPixelSize(20);
+  font.setWeight(QFont::DemiBold);
+  const QFontMetricsF metrics(font);
+  for (const Face& face : faces) {
+    const double facing = glm::dot(face.normal, frame_.back);
+    if (facing <= 0.01) continue;
+    const QPointF n = onScreen(face.normal), r = onScreen(face.right), u = onScreen(face.up);
+    const QPolygonF square({centre + n - r - u, centre + n + r - u, centre + n + r + u, centre + n - r + u});
+    const int shade = static_cast<int>(46.0 + 44.0 * facing);
+    painter.setBrush(QColor(shade, shade + 5, shade + 12, 225));
+    painter.setPen(QPen(QColor(0xd5, 0xda, 0xe0, 200), 1.0));
+    painter.drawPolygon(square);
+    if (facing < 0.25) continue;
+    // The letter lies on its face: path units of one pixel become face units of 1/half.
+    QPainterPath path;
+    const QString letter = face.letter;
+    path.addText(-0.5 * metrics.horizontalAdvance(letter), 0.5 * metrics.capHeight(), font, letter);
+    const QTransform onFace(r.x() / half, r.y() / half, -u.x() / half, -u.y() / half, centre.x() + n.x(),
+                            centre.y() + n.y());
+    painter.fillPath(onFace.map(path), ink);
+  }
+}
+
+void ViewportOverlay::paintScale(QPainter& painter) const {
+  const bool perspective = frame_.projection == scene::Projection::perspective;
+  const double heightMm = 2.0 * frame_.halfHeight * (perspective ? frame_.distance : 1.0);
+  const double pixelMm = heightMm / std::max(1, height());
+  if (!(pixelMm > 0.0) || !std::isfinite(pixelMm)) return;
+  const double lengthMm = niceBelow(140.0 * pixelMm);
+  const double length = lengthMm / pixelMm;
+  // In perspective a length holds at one depth only: that of the centre of rotation.
+  const QString text = valueText(lengthMm, "mm") + (perspective ? " at the centre" : "");
+
+  const double left = 18.5, bottom = height() - 20.5;
+  QPainterPath bar;
+  bar.moveTo(left, bottom - 6.0);
+  bar.lineTo(left, bottom);
+  bar.lineTo(left + length, bottom);
+  bar.lineTo(left + length, bottom - 6.0);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(rim, 4.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawPath(bar);
+  painter.setPen(QPen(ink, 1.6, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawPath(bar);
+  QFont font = this->font();
+  font.setWeight(QFont::Medium);
+  drawText(painter, font, {left, bottom - 11.0}, text);
+}
+
+void ViewportOverlay::paintProblem(QPainter& painter) const {
+  painter.fillRect(rect(), colours::base);
+  QFont title = font();
+  title.setPointSizeF(title.pointSizeF() + 4.0);
+  title.setWeight(QFont::DemiBold);
+  const QRectF box = QRectF(rect()).adjusted(40, 0, -40, 0);
+  painter.setPen(colours::text);
+  painter.setFont(title);
+  painter.drawText(box.adjusted(0, 0, 0, -0.5 * height() - 8.0), Qt::AlignHCenter | Qt::AlignBottom,
+                   "The picture cannot be drawn");
+  painter.setPen(colours::quietText);
+  painter.setFont(font());
+  painter.drawText(box.adjusted(0, 0.5 * height() + 8.0, 0, 0), Qt::AlignHCenter | Qt::TextWordWrap,
+                   problem_ + "\n\nIsolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.");
+}
+
+}  // namespace isolux::ui
