@@ -1,0 +1,123 @@
+// Reads every #include of the tree: a layer may include only itself and what stands below it, Qt only ui/,
+// GL headers only render/ and ui/.
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace isolux {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::array<std::string_view, 6> layers{"scene",  "volume", "gi",
+                                                 "render", "app",    "ui"};  // lowest first
+
+std::optional<std::size_t> layerOf(std::string_view path) {
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (path.starts_with(layers[i]) && path.substr(layers[i].size()).starts_with("/")) return i;
+  return std::nullopt;
+}
+
+bool isQtHeader(const std::string& name) {
+  static const std::regex qt(
+      R"((Q[A-Z][A-Za-z0-9]*|qt[a-z]+-config\.h|q[a-z]+\.h)|(Qt[A-Z][A-Za-z0-9]*/.*))");
+  return std::regex_match(name, qt);
+}
+
+bool isGlHeader(const std::string& name) {
+  static const std::regex gl(R"((GL|GLES[0-9]*|EGL|KHR|epoxy|glbinding|glad)/.*|(gl|glew|glx)\.h)");
+  return std::regex_match(name, gl);
+}
+
+// One line for each include of `path` (relative to the tree, inside a layer) that points the wrong way.
+std::vector<std::string> wrongIncludes(const std::string& path, const std::string& content) {
+  static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^">]+)[">])re");
+  const std::size_t own = layerOf(path).value();
+  std::vector<std::string> wrong;
+  std::istringstream stream(content);
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    std::smatch match;
+    if (!std::regex_search(line, match, include)) continue;
+    const std::string name = match[2];
+    const auto complain = [&](const std::string& why) {
+      wrong.push_back(path + ":" + std::to_string(number) + ": " + name + ": " + why);
+    };
+    const std::optional<std::size_t> target = layerOf(name);
+    if (target && *target > own)
+      complain(std::string(layers[own]) + " must not include " + std::string(layers[*target]));
+    if (name.starts_with("tests/") || name.starts_with("bench/"))
+      complain("the program must not include its tests");
+    if (name.find("..") != std::string::npos) complain("include from the root of the tree");
+    if (isQtHeader(name) && layers[own] != "ui") complain("Qt only in ui");
+    if (isGlHeader(name) && layers[own] != "render" && layers[own] != "ui")
+      complain("GL only in render and ui");
+    if (match[1] == "\"" && !target && fs::path(name).has_parent_path()) complain("no such layer");
+  }
+  return wrong;
+}
+
+bool isSource(const fs::path& path) {
+  static const std::array<std::string_view, 5> extensions{".h", ".cpp", ".inc", ".hpp", ".mm"};
+  const std::string extension = path.extension().string();
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+TEST(IncludeDirection, NoFileOfTheTreePointsTheWrongWay) {
+  const fs::path root(ISOLUX_SOURCE_DIR);
+  int files = 0;
+  for (const std::string_view layer : layers) {
+    if (!fs::exists(root / layer)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / layer)) {
+      if (!entry.is_regular_file() || !isSource(entry.path())) continue;
+      std::ifstream stream(entry.path());
+      std::stringstream content;
+      content << stream.rdbuf();
+      EXPECT_THAT(wrongIncludes(fs::relative(entry.path(), root).generic_string(), content.str()), IsEmpty());
+      ++files;
+    }
+  }
+  EXPECT_GT(files, 50) << "the test does not look where the sources are";
+}
+
+TEST(IncludeDirection, AcceptsWhatIsAllowed) {
+  EXPECT_THAT(wrongIncludes("ui/window.cpp",
+                            "#include <QWidget>\n#include \"ui/window.h\"\n#include \"app/session.h\"\n"
+                            "#include \"scene/scene.h\"\n#include <GL/gl.h>\n"),
+              IsEmpty());
+  EXPECT_THAT(wrongIncludes("render/gl.h", "#include <GL/glcorearb.h>\n#include \"volume/grid.h\"\n"),
+              IsEmpty());
+  EXPECT_THAT(wrongIncludes("scene/scene.h", "#include <string>\n#include <glm/vec3.hpp>\n"), IsEmpty());
+  EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/window.h\"\n"), IsEmpty());
+}
+
+TEST(IncludeDirection, FindsEachKindOfFault) {
+  EXPECT_THAT(wrongIncludes("scene/scene.h", "\n#include \"volume/grid.h\"\n"),
+              ElementsAre("scene/scene.h:2: volume/grid.h: scene must not include volume"));
+  for (std::size_t low = 0; low < layers.size(); ++low)
+    for (std::size_t high = low + 1; high < layers.size(); ++high)
+      EXPECT_THAT(wrongIncludes(std::string(layers[low]) + "/a.cpp",
+                                "#include \"" + std::string(layers[high]) + "/b.h\""),
+                  ElementsAre(HasSubstr("must not include")));
+  for (const char* line : {"#include <QString>", "#  include <QtWidgets/QLabel>", " #include <qglobal.h>"})
+    EXPECT_THAT(wrongIncludes("app/a.h", line), ElementsAre(HasSubstr("Qt only in ui"))) << line;
+  for (const char* line : {"#include <GL/gl.h>", "#include <EGL/egl.h>", "#include <GL/osmesa.h>"})
+    EXPECT_THAT(wrongIncludes("app/a.h", line), ElementsAre(HasSubstr("GL only"))) << line;
+  EXPECT_THAT(wrongIncludes("app/a.h", "#include \"../ui/window.h\""), testing::Contains(HasSubstr("root")));
+  EXPECT_THAT(wrongIncludes("app/a.h", "#include \"tests/support/test_data.h\""), testing::Not(IsEmpty()));
+}
+
+}  // namespace
+}  // namespace isolux

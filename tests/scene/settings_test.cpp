@@ -1,0 +1,244 @@
+#include "scene/settings.h"
+
+#include <limits>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/error.h"
+
+namespace isolux::scene {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+// The message of the Error that `body` throws, with its kind checked; fails the test when it throws none.
+template <class Body>
+std::string usageMessage(Body body) {
+  try {
+    body();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    return error.what();
+  }
+  ADD_FAILURE() << "no Error was thrown";
+  return {};
+}
+
+// A value other than the default, allowed by the setting.
+json otherValue(const Setting& s) {
+  const double third = s.minimum + (s.maximum - s.minimum) / 3.0;
+  switch (s.type) {
+    case SettingType::number:
+      return third;
+    case SettingType::integer:
+      return std::floor(third) == s.defaultValue() ? std::floor(third) + 1 : std::floor(third);
+    case SettingType::text:
+      return "other text";
+    case SettingType::choice:
+      return s.choices.back() == s.defaultValue() ? s.choices.front() : s.choices.back();
+    case SettingType::vector:
+      return {s.minimum, third, s.maximum};
+  }
+  return {};
+}
+
+TEST(Settings, CoversEveryMemberOfScene) {
+  // A new member of a struct does not compile here until it is counted; then the list must grow with it.
+  const Scene scene;
+  const auto& [source, isosurface, hit, derivatives, look, light, camera, picture, memory] = scene;
+  [[maybe_unused]] const auto& [path, raw, series, component, timeStep] = source;
+  [[maybe_unused]] const auto& [value, inside, albedo] = isosurface;
+  [[maybe_unused]] const auto& [method, rate, refinements] = hit;
+  [[maybe_unused]] const auto& [field] = derivatives;
+  [[maybe_unused]] const auto& [mode, ambient, specular, shininess, top, bottom] = look;
+  [[maybe_unused]] const auto& [direction, intensity] = light;
+  [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
+  [[maybe_unused]] const auto& [supersampling] = picture;
+  [[maybe_unused]] const auto& [gpuBudgetMb] = memory;
+  EXPECT_EQ(settings().size(), 5u + 3 + 3 + 1 + 6 + 2 + 5 + 1 + 1);
+}
+
+TEST(Settings, ListsTheContractPaths) {
+  for (const char* path : {"source.path",         "source.raw",
+                           "source.series",       "source.component",
+                           "source.time_step",    "isosurface.value",
+                           "isosurface.inside",   "isosurface.albedo",
+                           "hit.method",          "hit.rate",
+                           "hit.refinements",     "derivatives.field",
+                           "look.mode",           "look.ambient",
+                           "look.specular",       "look.shininess",
+                           "look.background_top", "look.background_bottom",
+                           "light.direction",     "light.intensity",
+                           "camera.eye",          "camera.target",
+                           "camera.up",           "camera.fov",
+                           "camera.projection",   "picture.supersampling",
+                           "memory.gpu_budget_mb"})
+    EXPECT_EQ(setting(path).path, path);
+}
+
+TEST(Settings, PathsAreUniqueAndGrouped) {
+  std::set<std::string> paths, closedGroups;
+  std::string group;
+  for (const Setting& s : settings()) {
+    EXPECT_TRUE(paths.insert(s.path).second) << s.path;
+    EXPECT_EQ(std::count(s.path.begin(), s.path.end(), '.'), 1) << s.path;
+    EXPECT_FALSE(s.meaning.empty()) << s.path;
+    EXPECT_EQ(s.meaning.back(), '.') << s.path;
+    const std::string its = s.path.substr(0, s.path.find('.'));
+    if (its == group) continue;
+    EXPECT_TRUE(closedGroups.insert(its).second) << s.path << " stands apart from its group";
+    group = its;
+  }
+}
+
+TEST(Settings, EachChangesTheSceneAndOnlyItself) {
+  for (const Setting& s : settings()) {
+    Scene changed;
+    s.set(changed, otherValue(s));
+    EXPECT_FALSE(changed == Scene{}) << s.path << " changes nothing";
+    EXPECT_EQ(s.get(changed), otherValue(s)) << s.path;
+    for (const Setting& other : settings())
+      if (other.path != s.path) {
+        EXPECT_EQ(other.get(changed), other.defaultValue()) << s.path << " changes " << other.path;
+      }
+  }
+}
+
+TEST(Settings, DefaultsAreAllowedAndDoNothing) {
+  for (const Setting& s : settings()) {
+    Scene scene;
+    EXPECT_NO_THROW(s.set(scene, s.defaultValue())) << s.path;
+    EXPECT_TRUE(scene == Scene{}) << s.path;
+  }
+}
+
+TEST(Settings, RangesAreInclusiveAndEnforced) {
+  for (const Setting& s : settings()) {
+    if (s.type == SettingType::text || s.type == SettingType::choice) continue;
+    ASSERT_LT(s.minimum, s.maximum) << s.path;
+    const auto shaped = [&](double value) {
+      return s.type == SettingType::vector ? json({value, s.maximum, s.minimum}) : json(value);
+    };
+    Scene scene;
+    EXPECT_NO_THROW(s.set(scene, shaped(s.minimum))) << s.path;
+    EXPECT_NO_THROW(s.set(scene, shaped(s.maximum))) << s.path;
+    const Scene before = scene;
+    for (const double outside :
+         {s.minimum - (1 + std::abs(s.minimum) / 1e9), s.maximum + (1 + s.maximum / 1e9),
+          std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+          -std::numeric_limits<double>::infinity()})
+      EXPECT_THAT(usageMessage([&] { s.set(scene, shaped(outside)); }),
+                  AllOf(HasSubstr(s.path), HasSubstr("allowed is")));
+    EXPECT_TRUE(scene == before) << s.path << ": a refused value left a trace";
+  }
+}
+
+TEST(Settings, TypesAreStrict) {
+  const std::vector<json> wrong{nullptr,
+                                true,
+                                json::object(),
+                                json::array(),
+                                json::array({1, 2}),
+                                json::array({1, 2, "3"}),
+                                json::array({1, 2, 3, 4})};
+  for (const Setting& s : settings()) {
+    Scene scene;
+    const auto expectRefused = [&](const json& value, const std::string& part) {
+      EXPECT_THAT(usageMessage([&] { s.set(scene, value); }), AllOf(HasSubstr(s.path), HasSubstr(part)));
+    };
+    for (const json& value : wrong) expectRefused(value, "allowed is");
+    const bool takesWords = s.type == SettingType::text || s.type == SettingType::choice;
+    if (s.type != SettingType::text) expectRefused("nonsense", "\"nonsense\"");
+    if (takesWords) expectRefused(3, "3 is not allowed");
+    if (s.type == SettingType::integer) expectRefused(s.minimum + 0.5, "whole number");
+    EXPECT_TRUE(scene == Scene{}) << s.path;
+  }
+}
+
+TEST(Settings, AutomaticOnlyWhereAllowed) {
+  std::set<std::string> automatic;
+  for (const Setting& s : settings()) {
+    Scene scene;
+    if (s.mayBeAutomatic) {
+      automatic.insert(s.path);
+      s.set(scene, otherValue(s));
+      s.set(scene, "auto");
+      EXPECT_TRUE(scene == Scene{}) << s.path;
+      EXPECT_EQ(s.defaultValue(), "auto");
+    } else if (s.type != SettingType::text) {
+      EXPECT_THROW(s.set(scene, "auto"), Error) << s.path;
+    }
+  }
+  EXPECT_EQ(automatic,
+            (std::set<std::string>{"isosurface.value", "camera.eye", "camera.target", "camera.up"}));
+}
+
+TEST(Settings, ChoicesNameWhatIsAllowed) {
+  Scene scene;
+  EXPECT_THAT(usageMessage([&] { setting("look.mode").set(scene, "shiny"); }),
+              AllOf(HasSubstr("look.mode"), HasSubstr("\"shiny\""),
+                    HasSubstr("blinn_phong, lambert, normal, depth")));
+}
+
+TEST(Settings, DirectionsMustNotBeZero) {
+  for (const char* path : {"light.direction", "camera.up"}) {
+    Scene scene;
+    EXPECT_THAT(usageMessage([&] { setting(path).set(scene, {0, 0, 0}); }), HasSubstr("zero"));
+    EXPECT_TRUE(scene == Scene{});
+  }
+}
+
+TEST(Settings, TextsAreBounded) {
+  Scene scene;
+  EXPECT_THROW(setting("source.path").set(scene, std::string(5000, 'x')), Error);
+  EXPECT_THROW(setting("source.path").set(scene, std::string("a\0b", 3)), Error);
+}
+
+TEST(Settings, UnknownPathsGetASuggestion) {
+  EXPECT_THAT(usageMessage([] { setting("isosurface.valeu"); }),
+              AllOf(HasSubstr("isosurface.valeu"), HasSubstr("did you mean isosurface.value?")));
+  EXPECT_THAT(usageMessage([] { setting("fov"); }), HasSubstr("camera.fov"));
+  EXPECT_THAT(usageMessage([] { setting("view.fov"); }), HasSubstr("camera.fov"));
+  EXPECT_THAT(usageMessage([] { setting("quite.another_thing"); }), HasSubstr("isolux settings"));
+  EXPECT_THAT(usageMessage([] { setting(std::string(100000, 'x')); }), HasSubstr("unknown"));
+}
+
+TEST(Assignment, ReadsEachType) {
+  Scene scene;
+  applyAssignment(scene, "isosurface.value=-300.5");
+  applyAssignment(scene, "hit.refinements=7");
+  applyAssignment(scene, "look.mode=normal");
+  applyAssignment(scene, "camera.eye= 0, -4e2 ,+1.5");
+  applyAssignment(scene, "source.path=a=b, c.nii");
+  applyAssignment(scene, " camera.fov = 45 ");
+  EXPECT_EQ(scene.isosurface.value, -300.5);
+  EXPECT_EQ(scene.hit.refinements, 7);
+  EXPECT_EQ(scene.look.mode, LookMode::normal);
+  EXPECT_EQ(scene.camera.eye, glm::dvec3(0, -400, 1.5));
+  EXPECT_EQ(scene.source.path, "a=b, c.nii");
+  EXPECT_EQ(scene.camera.fov, 45.0);
+  applyAssignment(scene, "isosurface.value=auto");
+  EXPECT_FALSE(scene.isosurface.value);
+  applyAssignment(scene, "source.series=auto");
+  EXPECT_EQ(scene.source.series, "auto") << "auto is an ordinary text for a text";
+}
+
+TEST(Assignment, RefusesNonsenseWithTheWord) {
+  Scene scene;
+  for (const char* bad :
+       {"isosurface.value=", "isosurface.value=3x", "isosurface.value=nan", "isosurface.value=inf",
+        "isosurface.value=1e999", "hit.refinements=2.5", "camera.eye=1,2", "camera.eye=1,2,3,4",
+        "camera.eye=1,,3", "camera.eye=1,2,x", "look.mode=", "hit.rate=auto", "hit.rate=1 2"})
+    EXPECT_THAT(usageMessage([&] { applyAssignment(scene, bad); }), HasSubstr("allowed is")) << bad;
+  EXPECT_THAT(usageMessage([&] { applyAssignment(scene, "isosurface.value=3x"); }), HasSubstr("\"3x\""));
+  EXPECT_THAT(usageMessage([&] { applyAssignment(scene, "isosurface.value"); }), HasSubstr("PATH=VALUE"));
+  EXPECT_THAT(usageMessage([&] { applyAssignment(scene, "=3"); }), HasSubstr("unknown setting"));
+  EXPECT_TRUE(scene == Scene{});
+}
+
+}  // namespace
+}  // namespace isolux::scene
