@@ -110,6 +110,13 @@ void main() {
   bvec3 moves = notEqual(direction, vec3(0.0));
   vec3 inverseDirection = 1.0 / mix(vec3(1.0), direction, moves);
   ivec3 forward = ivec3(greaterThan(direction, vec3(0.0)));  // 1 where the ray rises along the axis
+  // The slack must not leave the domain: a clamped position would not be the ray's.
+  vec3 nearPlanes = mix(vec3(uDims - 1), vec3(0.0), bvec3(forward)), farPlanes = vec3(uDims - 1) - nearPlanes;
+  vec3 tNear = mix(vec3(-never), (nearPlanes - origin) * inverseDirection, moves);
+  vec3 tFar = mix(vec3(never), (farPlanes - origin) * inverseDirection, moves);
+  t = max(t, max(max(tNear.x, tNear.y), tNear.z));
+  tEnd = min(tEnd, min(min(tFar.x, tFar.y), tFar.z));
+  if (t > tEnd) return;
   ivec3 lastCell = uDims - 2;
   ivec3 cell = cellOf(origin + t * direction);
   bool known = false, inside = false;  // the side of the field where the ray last looked

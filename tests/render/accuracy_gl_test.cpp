@@ -90,7 +90,7 @@ TEST_F(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
           sumAngle += angle * angle;
           ++count;
         }
-        ASSERT_GT(count, 4000) << placement.name;
+        ASSERT_GT(count, 800) << placement.name;
         const double voxels = std::sqrt(sumVoxels / count), angle = std::sqrt(sumAngle / count);
         std::printf("ball, %s, %s hits, %s: %.5f voxel, %.4f degrees RMS, %d pixels, %d silhouette pixels differ\n",
                     placement.name, method == scene::HitMethod::exact ? "exact" : "sampled",
@@ -128,7 +128,7 @@ TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
         sumDistance += distance * distance;
         ++count;
       }
-      ASSERT_GT(count, 3000) << placement.name;
+      ASSERT_GT(count, 800) << placement.name;
       const double angle = std::sqrt(sumAngle / count), distance = std::sqrt(sumDistance / count);
       std::printf("torus, %s, %s: %.5f voxel from the surface, %.4f degrees RMS, %d pixels\n", placement.name,
                   field == scene::DerivativeField::cubic ? "cubic" : "cubic_interpolating", distance, angle, count);
@@ -138,7 +138,9 @@ TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
   }
 }
 
-// The phantom "ball" is a ball of the world. At 0.4 x 0.4 x 2.5 mm its radius is 7 voxels of z only.
+// The phantom "ball" is a ball of the world; at 0.4 x 0.4 x 2.5 mm its radius is 7 voxels of z only. Linear
+// interpolation of a distance field is off by at most the sum over axes of h^2 f_ii / 8, with f_ii = (1 - n_i^2) / R:
+// each hit must lie within that, to second order, and the normals of the interpolating spline stay exact.
 TEST_F(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
   const glm::ivec2 size(256);
   for (const Placement& placement : placements(128)) {
@@ -152,12 +154,15 @@ TEST_F(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
     scene.camera.target = glm::dvec3(0.0);
     scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
     const Images result = images(volume, scene, size);
-    double sumDistance = 0.0, sumAngle = 0.0;
+    double sumDistance = 0.0, sumAngle = 0.0, worst = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < result.hit.values.size(); ++i) {
       if (result.hit.values[i] != 1.0f) continue;
       const glm::dvec3 p = at(result.position, i);
       const double distance = glm::length(p) - radius, angle = degrees(p, at(result.normal, i));
+      const glm::dvec3 n = glm::transpose(placement.geometry.directions()) * glm::normalize(p);
+      const double bound = glm::dot(spacing * spacing, 1.0 - n * n) / (8.0 * radius);
+      worst = std::max(worst, std::fabs(distance) / bound);
       sumDistance += distance * distance;
       sumAngle += angle * angle;
       ++count;
@@ -165,9 +170,9 @@ TEST_F(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
     ASSERT_GT(count, 4000);
     const double longest = std::max({spacing.x, spacing.y, spacing.z});
     const double voxels = std::sqrt(sumDistance / count) / longest, angle = std::sqrt(sumAngle / count);
-    std::printf("world ball, %s: %.5f of the longest spacing (%.4f mm), %.4f degrees RMS\n", placement.name, voxels,
-                voxels * longest, angle);
-    EXPECT_LT(voxels, 0.01) << placement.name;
+    std::printf("world ball, %s: %.5f of the longest spacing (%.4f mm), worst %.2f of the bound, %.4f degrees RMS\n",
+                placement.name, voxels, voxels * longest, worst, angle);
+    EXPECT_LT(worst, 1.1) << placement.name;
     EXPECT_LT(angle, 0.1) << placement.name;
   }
 }

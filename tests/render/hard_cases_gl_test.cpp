@@ -1,0 +1,298 @@
+// DESIGN's hard cases through the whole GL pipeline: nothing may be NaN where there is a hit, hang, or crash.
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "scene/error.h"
+#include "tests/render/gl_fixture.h"
+
+namespace isolux::test {
+namespace {
+
+using volume::Grid;
+using volume::GridGeometry;
+
+class HardCasesGlTest : public RenderGlTest {
+ protected:
+  // Draws every look and derivative field; checks that hits carry finite numbers and misses NaN.
+  // Returns the number of pixels hit by the exact method.
+  std::size_t drawn(const std::shared_ptr<const volume::PreparedVolume>& volume, scene::Scene scene) {
+    std::size_t hits = 0;
+    for (const auto method : {scene::HitMethod::sampled, scene::HitMethod::exact})
+      for (const auto field : {scene::DerivativeField::trilinear, scene::DerivativeField::cubic,
+                               scene::DerivativeField::cubic_interpolating}) {
+        scene.hit.method = method;
+        scene.derivatives.field = field;
+        const Images result = images(volume, scene, {64, 48});
+        hits = 0;
+        for (std::size_t i = 0; i < result.hit.values.size(); ++i) {
+          const bool hit = result.hit.values[i] == 1.0f;
+          if (hit) {
+            ++hits;
+            EXPECT_TRUE(std::isfinite(result.depth.values[i]) && result.depth.values[i] > -1e6f);
+            EXPECT_TRUE(std::isfinite(result.error.values[i]));
+            for (int c = 0; c < 3; ++c) {
+              const float v = result.voxel.values[3 * i + static_cast<std::size_t>(c)];
+              EXPECT_TRUE(v >= -0.1f && v <= static_cast<float>(volume->grid().dims()[c]) - 0.9f) << v;
+            }
+            const glm::dvec3 n = at(result.normal, i);  // NaN where the gradient vanishes, else unit
+            EXPECT_TRUE(std::isnan(n.x) || std::fabs(glm::length(n) - 1.0) < 1e-4);
+          } else {
+            EXPECT_TRUE(std::isnan(result.depth.values[i]));
+            EXPECT_TRUE(std::isnan(result.normal.values[3 * i]));
+          }
+        }
+      }
+    for (const auto mode : {scene::LookMode::blinn_phong, scene::LookMode::lambert, scene::LookMode::normal,
+                            scene::LookMode::depth}) {
+      scene.look.mode = mode;
+      render::FrameRequest request;
+      request.size = {64, 48};
+      request.supersampling = 2;
+      renderer_->setVolume(volume);
+      renderer_->render(scene::resolve(scene, volume->facts), request);
+      const render::ColorImage picture = renderer_->readColor();
+      EXPECT_EQ(picture.rgba.size(), 64u * 48u * 4u);
+    }
+    return hits;
+  }
+
+  template <class T>
+  static std::shared_ptr<const volume::PreparedVolume> made(glm::ivec3 dims, const std::function<T(int, int, int)>& value,
+                                                            glm::dvec3 spacing = glm::dvec3(1.0)) {
+    std::vector<T> voxels;
+    for (int z = 0; z < dims.z; ++z)
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x < dims.x; ++x) voxels.push_back(value(x, y, z));
+    return prepared(Grid(GridGeometry::make(dims, spacing), std::move(voxels)));
+  }
+};
+
+TEST_F(HardCasesGlTest, ConstantVolumeHasNoSurface) {
+  const auto volume = made<std::uint8_t>({9, 9, 9}, [](int, int, int) { return std::uint8_t{7}; });
+  for (const double isovalue : {6.0, 7.0, 8.0, -1e30, 1e30}) {
+    scene::Scene scene;
+    scene.isosurface.value = isovalue;
+    EXPECT_EQ(drawn(volume, scene), 0u) << isovalue;
+  }
+}
+
+TEST_F(HardCasesGlTest, IsovalueAtMinimumMaximumAndOutside) {
+  const auto volume = made<std::uint8_t>({17, 17, 17}, [](int x, int y, int z) {
+    return static_cast<std::uint8_t>(x > 4 && x < 12 && y > 4 && y < 12 && z > 4 && z < 12 ? 200 : 0);
+  });
+  scene::Scene scene;
+  for (const double isovalue : {-1.0, 201.0}) {
+    scene.isosurface.value = isovalue;
+    EXPECT_EQ(drawn(volume, scene), 0u) << isovalue;
+  }
+  scene.isosurface.value = 0.0;  // everything is at least the minimum: inside everywhere, no surface
+  EXPECT_EQ(drawn(volume, scene), 0u);
+  scene.isosurface.value = 200.0;  // the inner cube's own voxels
+  EXPECT_GT(drawn(volume, scene), 20u);
+}
+
+TEST_F(HardCasesGlTest, OneAndTwoVoxelAxes) {
+  const auto value = [](int x, int y, int z) { return static_cast<float>(x + y + z); };
+  scene::Scene scene;
+  scene.isosurface.value = 3.5;
+  for (const glm::ivec3& dims : {glm::ivec3(8, 8, 1), glm::ivec3(1, 1, 1), glm::ivec3(1, 8, 8)})
+    EXPECT_EQ(drawn(made<float>(dims, value), scene), 0u);
+  EXPECT_GT(drawn(made<float>({8, 8, 2}, value), scene), 10u);
+  EXPECT_GT(drawn(made<float>({2, 8, 8}, value), scene), 10u);
+  scene.isosurface.value = 1.5;
+  EXPECT_GT(drawn(made<float>({2, 2, 2}, value), scene), 10u);
+}
+
+TEST_F(HardCasesGlTest, TinyAndOffsetValues) {
+  const auto ball = [](int x, int y, int z) { return 7.0 - glm::length(glm::dvec3(x, y, z) - 10.0); };
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  const std::size_t plain = drawn(made<float>({21, 21, 21}, [&](int x, int y, int z) { return static_cast<float>(ball(x, y, z)); }), scene);
+  EXPECT_GT(plain, 200u);
+  for (const float scale : {1e-20f, 1e-30f, 1e20f}) {
+    const std::size_t scaled = drawn(made<float>({21, 21, 21}, [&](int x, int y, int z) { return scale * static_cast<float>(ball(x, y, z)); }), scene);
+    EXPECT_NEAR(static_cast<double>(scaled), static_cast<double>(plain), 2.0) << scale;
+  }
+  scene.isosurface.value = 1e6;
+  const std::size_t offset = drawn(made<float>({21, 21, 21}, [&](int x, int y, int z) { return static_cast<float>(1e6 + ball(x, y, z)); }), scene);
+  EXPECT_NEAR(static_cast<double>(offset), static_cast<double>(plain), 12.0);  // floats near 1e6 are 1/16 apart
+}
+
+TEST_F(HardCasesGlTest, FullRangeIntegers) {
+  scene::Scene scene;
+  scene.isosurface.value = 32766.5;
+  EXPECT_GT(drawn(made<std::int16_t>({8, 8, 8}, [](int, int y, int) { return static_cast<std::int16_t>(y < 4 ? -32768 : 32767); }), scene), 20u);
+  scene.isosurface.value = 65534.5;
+  EXPECT_GT(drawn(made<std::uint16_t>({8, 8, 8}, [](int, int y, int) { return static_cast<std::uint16_t>(y < 4 ? 65534 : 65535); }), scene), 20u);
+  scene.isosurface.value = -127.5;
+  EXPECT_GT(drawn(made<std::int8_t>({8, 8, 8}, [](int, int y, int) { return static_cast<std::int8_t>(y < 4 ? -128 : -127); }), scene), 20u);
+}
+
+TEST_F(HardCasesGlTest, NeighbouringIntegersHitWhereTheyShould) {
+  // 16-bit voxels 1000 | 1001 with the isovalue between: exact storage puts the surface at x = 3.25.
+  const auto volume = made<std::uint16_t>({8, 8, 8}, [](int x, int, int) { return static_cast<std::uint16_t>(x < 4 ? 1000 : 1001); });
+  scene::Scene scene;
+  scene.isosurface.value = 1000.25;
+  scene.camera.eye = glm::dvec3(-40.0, 3.0, 3.0);
+  scene.camera.target = glm::dvec3(3.5);
+  scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
+  const Images result = images(volume, scene, {32, 32});
+  const std::size_t middle = 16 * 32 + 16;
+  ASSERT_EQ(result.hit.values[middle], 1.0f);
+  EXPECT_NEAR(result.voxel.values[3 * middle], 3.25, 2e-3);
+}
+
+TEST_F(HardCasesGlTest, MissingVoxelsHoldNoSurface) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto half = [&](bool holes) {
+    return made<float>({17, 17, 17}, [=](int x, int y, int z) {
+      if (holes && x > 8) return (y + z) % 2 ? nan : std::numeric_limits<float>::infinity();
+      return static_cast<float>(5.0 - glm::length(glm::dvec3(x, y, z) - 8.0));
+    });
+  };
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  const std::size_t whole = drawn(half(false), scene), cut = drawn(half(true), scene);
+  EXPECT_GT(cut, 0u);
+  EXPECT_LT(cut, whole);
+  EXPECT_EQ(drawn(made<float>({9, 9, 9}, [](int, int, int) { return nan; }), scene), 0u);
+  scene.camera.eye = glm::dvec3(0.0, -60.0, 20.0);
+  scene.camera.target = glm::dvec3(8.0);
+  scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
+  const Images result = images(half(true), scene, {64, 64});
+  for (std::size_t i = 0; i < result.hit.values.size(); ++i) {
+    if (result.hit.values[i] == 1.0f) { EXPECT_LE(result.voxel.values[3 * i], 8.001f); }
+  }
+}
+
+TEST_F(HardCasesGlTest, VanishingGradient) {
+  const auto volume = phantom("two_balls", 33);
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  EXPECT_GT(drawn(volume, scene), 50u);
+  // Exactly symmetric about the isovalue: the B-spline's gradient is 0 on the thin sheet.
+  const auto sheet = made<float>({9, 9, 9}, [](int, int y, int) { return y == 4 ? 1.0f : 0.0f; });
+  scene.isosurface.value = 1.0;
+  drawn(sheet, scene);
+  scene.isosurface.value = 0.999;
+  EXPECT_GT(drawn(sheet, scene), 20u);
+}
+
+// Eye positions: inside the object, inside an active block, on a voxel, on the surface, behind it.
+TEST_F(HardCasesGlTest, EyeInsideTheVolume) {
+  const auto volume = phantom("ball", 48);
+  glm::dvec3 low, high;
+  volume->grid().geometry().worldBounds(low, high);
+  const double radius = 0.35 * 47.0;
+  for (const double distance : {0.0, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 1.35}) {
+    scene::Scene scene;
+    scene.isosurface.value = 0.0;
+    const glm::dvec3 centre = (low + high) * 0.5;
+    scene.camera.eye = centre + glm::dvec3(0.0, -distance * radius, 0.0);
+    scene.camera.target = centre + glm::dvec3(0.0, 10.0 * radius, 0.0);
+    scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
+    scene.camera.fov = 60.0;
+    const std::size_t hits = drawn(volume, scene);
+    const Images result = images(volume, scene, {65, 65});
+    const std::size_t middle = 32 * 65 + 32;
+    ASSERT_EQ(result.hit.values[middle], 1.0f) << distance;
+    // From inside: the far wall. From outside: the near one. On it within a rounding: either.
+    const double near = distance * radius - radius, far = distance * radius + radius;
+    const double depth = result.depth.values[middle];
+    if (distance < 0.9985) EXPECT_NEAR(depth, far, 0.02) << distance;
+    else if (distance > 1.0015) EXPECT_NEAR(depth, near, 0.02) << distance;
+    else EXPECT_TRUE(std::fabs(depth - near) < 0.05 || std::fabs(depth - far) < 0.05) << distance << " " << depth;
+    if (distance < 1.0) { EXPECT_EQ(hits, 64u * 48u) << "every ray from inside a ball hits it"; }
+  }
+}
+
+TEST_F(HardCasesGlTest, OrthographicEyeInsideStillSeesAll) {
+  const auto volume = phantom("ball", 48);
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene.camera.projection = scene::Projection::orthographic;
+  const Images outside = images(volume, scene, {64, 64});
+  const glm::dvec3 toTarget = *scene_.camera.target - *scene_.camera.eye;
+  // Same frame, eye moved to the middle of the ball: the height of an orthographic view comes from the distance.
+  scene::Scene moved = scene_;
+  *moved.camera.eye += toTarget * 0.999;
+  *moved.camera.target += toTarget * 0.999;
+  const Images inside = images(volume, moved, {64, 64});
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < inside.hit.values.size(); ++i) {
+    EXPECT_EQ(inside.hit.values[i], outside.hit.values[i]);
+    hits += inside.hit.values[i] == 1.0f;
+    if (inside.hit.values[i] == 1.0f) {
+      EXPECT_NEAR(inside.depth.values[i], outside.depth.values[i] - 0.999 * glm::length(toTarget), 0.01);
+    }
+  }
+  EXPECT_GT(hits, 300u);
+}
+
+TEST_F(HardCasesGlTest, DegenerateCameras) {
+  const auto volume = phantom("ball", 32);
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene.camera.eye = glm::dvec3(5.0);
+  scene.camera.target = glm::dvec3(5.0);  // no direction
+  scene.camera.up = glm::dvec3(0.0);
+  drawn(volume, scene);
+  scene.camera.eye = glm::dvec3(0.0, 0.0, 100.0);
+  scene.camera.target = glm::dvec3(0.0);
+  scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);  // along the view
+  EXPECT_GT(drawn(volume, scene), 50u);
+  scene.camera.eye = glm::dvec3(1e5, 0.0, 0.0);
+  scene.camera.fov = 1.0;
+  drawn(volume, scene);
+}
+
+// Rays exactly along axes and through voxel corners: an orthographic camera whose pixels fall on voxels.
+TEST_F(HardCasesGlTest, RaysAlongAxesThroughCorners) {
+  const auto volume = made<float>({33, 33, 33}, [](int x, int y, int z) {
+    return static_cast<float>(10.0 - glm::length(glm::dvec3(x, y, z) - 16.0));
+  });
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      scene::Scene scene;
+      scene.isosurface.value = 0.0;
+      scene.camera.projection = scene::Projection::orthographic;
+      glm::dvec3 direction(0.0), up(0.0);
+      direction[axis] = side;
+      up[(axis + 1) % 3] = 1.0;
+      scene.camera.target = glm::dvec3(16.0);
+      scene.camera.eye = glm::dvec3(16.0) + 100.0 * direction;
+      scene.camera.up = up;
+      scene.camera.fov = glm::degrees(2.0 * std::atan(16.0 / 100.0));  // 32 mm high: with 32 pixels, 1 mm each
+      const Images result = images(volume, scene, {32, 32});
+      std::size_t hits = 0;
+      for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) {
+          const double px = x + 0.5 - 16.0, py = y + 0.5 - 16.0, inside = 100.0 - px * px - py * py;
+          const bool hit = result.hit.values[static_cast<std::size_t>(y * 32 + x)] == 1.0f;
+          if (std::fabs(inside) > 2.0) { EXPECT_EQ(hit, inside > 0.0) << axis << " " << side << " " << x << " " << y; }
+          hits += hit;
+        }
+      EXPECT_NEAR(static_cast<double>(hits), 314.0, 12.0);
+    }
+}
+
+TEST_F(HardCasesGlTest, OverBudgetIsAnErrorNotACrash) {
+  const auto volume = phantom("noise", 128);  // float32: 8 MiB
+  scene::Scene scene;
+  scene.memory.gpuBudgetMb = 1;
+  try {
+    images(volume, scene, {16, 16});
+    FAIL() << "no error";
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.kind(), scene::ErrorKind::memory);
+  }
+  scene.memory.gpuBudgetMb = 64;
+  images(volume, scene, {16, 16});  // and the renderer still works
+}
+
+}  // namespace
+}  // namespace isolux::test
