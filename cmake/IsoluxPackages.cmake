@@ -8,7 +8,7 @@ find_package(TBB REQUIRED)
 pkg_check_modules(glm REQUIRED IMPORTED_TARGET glm)
 # OpenImageIO's CMake package wants OpenCV's headers; its pkg-config file does not.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOLegacy IOXML)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOImage IOXML)
 find_package(DICOM REQUIRED)  # vtk-dicom
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg)
 find_package(Qt6 6.4 REQUIRED COMPONENTS Test)

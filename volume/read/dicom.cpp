@@ -1,0 +1,360 @@
+#include "volume/read/dicom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+
+#include <vtkCallbackCommand.h>
+#include <vtkDICOMReader.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+
+#include "scene/error.h"
+#include "volume/read/payload.h"
+#include "volume/read/slice_stack.h"
+#include "volume/read/text.h"
+#include "volume/read/vtk_messages.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+using scene::throwInput;
+
+namespace {
+
+// A frame of the series, by file and number.
+struct Source {
+  const DicomFile* file = nullptr;
+  std::size_t fileIndex = 0, frameIndex = 0;
+  const DicomFrame& frame() const { return file->frames[frameIndex]; }
+};
+
+void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
+  auto& progress = *static_cast<scene::Progress*>(clientData);
+  progress.report(*static_cast<double*>(callData), "reading");
+  if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+}
+
+// The series asked for, else the one with most slices; and the list of all.
+std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::string& wanted,
+                                    const std::string& folder, std::vector<std::string>& choices) {
+  struct Series {
+    std::string description;
+    std::size_t slices = 0;
+  };
+  std::map<std::string, Series> all;
+  for (const DicomFile& file : files) {
+    Series& series = all[file.series];
+    series.slices += file.frames.size();
+    if (series.description.empty()) series.description = file.description;
+  }
+  std::string chosen = wanted;
+  if (wanted.empty()) {
+    std::size_t most = 0;
+    for (const auto& [uid, series] : all)
+      if (series.slices > most) {
+        most = series.slices;
+        chosen = uid;
+      }
+  } else if (!all.contains(wanted)) {
+    throw scene::Error(scene::ErrorKind::usage, folder, "source.series",
+                       "no series " + inQuotes(wanted) + "; the folder has " + std::to_string(all.size()) +
+                           ", the first is " + all.begin()->first);
+  }
+  for (const auto& [uid, series] : all)
+    choices.push_back(uid + "\t" + (series.description.empty() ? "no description" : series.description) +
+                      ", " + std::to_string(series.slices) + " slices");
+  std::erase_if(files, [&](const DicomFile& file) { return file.series != chosen; });
+  // The order of acquisition, before the positions decide.
+  std::stable_sort(files.begin(), files.end(),
+                   [](const DicomFile& a, const DicomFile& b) { return a.instance < b.instance; });
+  return files;
+}
+
+// What slices of one volume must share. Directions are compared to 1e-3.
+auto kindOf(const DicomFile& file, const DicomFrame& frame) {
+  const auto key = [](double v) { return std::lround(v * 1000.0); };
+  const glm::dvec3 r = frame.rowDirection, c = frame.columnDirection;
+  return std::tuple(file.columns, file.rows, file.samples, file.bitsAllocated, file.isSigned,
+                    frame.hasPosition, key(frame.spacingXMm), key(frame.spacingYMm),
+                    std::tuple(key(r.x), key(r.y), key(r.z)), std::tuple(key(c.x), key(c.y), key(c.z)));
+}
+
+// The largest set of slices that fit together; whole files, so that one decoder run reads them.
+std::vector<DicomFile> keepMajority(std::vector<DicomFile> files, std::vector<std::string>& warnings) {
+  using Kind = decltype(kindOf(files[0], files[0].frames[0]));
+  std::map<Kind, std::size_t> count;
+  for (const DicomFile& file : files)
+    for (const DicomFrame& frame : file.frames) ++count[kindOf(file, frame)];
+  if (count.size() == 1) return files;
+  const auto most = std::max_element(count.begin(), count.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::size_t all = 0;
+  for (const auto& [kind, n] : count) all += n;
+  std::erase_if(files, [&](const DicomFile& file) {
+    return std::none_of(file.frames.begin(), file.frames.end(),
+                        [&](const DicomFrame& frame) { return kindOf(file, frame) == most->first; });
+  });
+  for (const DicomFile& file : files)
+    for (const DicomFrame& frame : file.frames)
+      if (kindOf(file, frame) != most->first)
+        throwInput(file.path.string(), "frames", "the frames of one file differ in orientation or spacing");
+  warnings.push_back(std::to_string(all - most->second) + " of " + std::to_string(all) +
+                     " slices differ in size, type or orientation from the rest and are left out");
+  return files;
+}
+
+SliceStack stackOf(const std::vector<Source>& sources, const std::string& folder,
+                   std::vector<std::string>& warnings) {
+  SlicePlanes planes;
+  const DicomFrame& first = sources.front().frame();
+  const auto spacing = [&](double value, const char* name) {
+    if (value > 0.0) return value;
+    warnings.push_back(std::string(name) + " is missing or not positive; 1 mm assumed");
+    return 1.0;
+  };
+  planes.spacingXMm = spacing(first.spacingXMm, "PixelSpacing along x");
+  planes.spacingYMm = spacing(first.spacingYMm, "PixelSpacing along y");
+  if (sources.size() == 1 || !first.hasPosition)
+    planes.thicknessMm = spacing(first.thicknessMm, "SliceThickness");
+  if (!first.hasPosition) {
+    warnings.push_back(
+        "no slice has a position and an orientation; the order of the instance numbers is used");
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      planes.positionsMm.emplace_back(0.0, 0.0, static_cast<double>(i) * planes.thicknessMm);
+    return stackSlices(planes, folder);
+  }
+  const double lengths = glm::length(first.rowDirection) * glm::length(first.columnDirection);
+  const double cosine = glm::dot(first.rowDirection, first.columnDirection);
+  if (!(lengths > 1e-6) || std::abs(cosine) > 0.01 * lengths)
+    throwInput(folder, "ImageOrientationPatient", "row and column directions are not perpendicular");
+  planes.rowDirection = glm::normalize(first.rowDirection);
+  planes.columnDirection = glm::normalize(first.columnDirection);
+  for (const Source& source : sources) planes.positionsMm.push_back(source.frame().positionMm);
+  return stackSlices(planes, folder);
+}
+
+std::optional<VoxelType> typeOf(vtkDataArray* array) {
+  switch (array->GetDataType()) {
+    case VTK_CHAR:
+    case VTK_SIGNED_CHAR:
+      return VoxelType::int8;
+    case VTK_UNSIGNED_CHAR:
+      return VoxelType::uint8;
+    case VTK_SHORT:
+      return VoxelType::int16;
+    case VTK_UNSIGNED_SHORT:
+      return VoxelType::uint16;
+    case VTK_INT:
+      return VoxelType::int32;
+    case VTK_UNSIGNED_INT:
+      return VoxelType::uint32;
+    case VTK_FLOAT:
+      return VoxelType::float32;
+    case VTK_DOUBLE:
+      return VoxelType::float64;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<VoxelType> expectedType(const DicomFile& file) {
+  switch (file.bitsAllocated) {
+    case 1:
+    case 8:
+      return file.isSigned ? VoxelType::int8 : VoxelType::uint8;
+    case 16:
+      return file.isSigned ? VoxelType::int16 : VoxelType::uint16;
+    case 32:
+      return file.isSigned ? VoxelType::int32 : VoxelType::uint32;
+    case 64:
+      return VoxelType::float64;
+    default:
+      return std::nullopt;
+  }
+}
+
+// One value of `slice` blended with the next one of the stack.
+template <typename T>
+void blendSlices(const T* a, const T* b, double fraction, std::size_t count, T* out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = (1.0 - fraction) * static_cast<double>(a[i]) + fraction * static_cast<double>(b[i]);
+    out[i] = std::is_integral_v<T> ? static_cast<T>(std::llround(value)) : static_cast<T>(value);
+  }
+}
+
+// The decoded frames in the order of the stack, each rescaled when they differ, resampled when needed.
+class Assembly {
+ public:
+  Assembly(const std::vector<Source>& sources, const SliceStack& stack, std::size_t sliceVoxels, bool rescale)
+      : sources_(sources), stack_(stack), sliceVoxels_(sliceVoxels), rescale_(rescale) {}
+
+  template <typename T>
+  FileVoxels run(const T* decoded, int component, std::size_t components, std::size_t timeStep,
+                 const scene::Progress& progress) const {
+    if (rescale_ || component < 0) return assemble<float>(decoded, component, components, timeStep, progress);
+    return assemble<T>(decoded, component, components, timeStep, progress);
+  }
+
+ private:
+  template <typename To, typename T>
+  FileVoxels assemble(const T* decoded, int component, std::size_t components, std::size_t timeStep,
+                      const scene::Progress& progress) const {
+    std::vector<To> voxels;
+    voxels.reserve(stack_.slices() * sliceVoxels_);
+    std::vector<To> a(sliceVoxels_), b(sliceVoxels_);
+    const auto load = [&](std::size_t place, std::vector<To>& slice) {
+      const std::size_t source = stack_.order[timeStep * stack_.sourceSlices() + place];
+      const DicomFrame& frame = sources_[source].frame();
+      const T* in = decoded + source * sliceVoxels_ * components;
+      for (std::size_t i = 0; i < sliceVoxels_; ++i, in += components) {
+        double value = 0.0;
+        if (component < 0)
+          for (std::size_t c = 0; c < components; ++c) value = std::hypot(value, static_cast<double>(in[c]));
+        else
+          value = static_cast<double>(in[component]);
+        slice[i] = static_cast<To>(rescale_ ? frame.slope * value + frame.intercept : value);
+      }
+    };
+    for (std::size_t k = 0; k < stack_.slices(); ++k) {
+      progress.throwIfStopped();
+      if (stack_.resampled.empty()) {
+        load(k, a);
+      } else {
+        const auto& blend = stack_.resampled[k];
+        load(blend.first, a);
+        load(blend.first + 1, b);
+        blendSlices(a.data(), b.data(), blend.fraction, sliceVoxels_, a.data());
+      }
+      voxels.insert(voxels.end(), a.begin(), a.end());
+    }
+    return voxels;
+  }
+
+  const std::vector<Source>& sources_;
+  const SliceStack& stack_;
+  std::size_t sliceVoxels_;
+  bool rescale_;
+};
+
+// Decodes all files, in their order.
+void decode(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const std::string& folder,
+            const VtkMessages& messages, scene::Progress& progress) {
+  vtkNew<vtkStringArray> names;
+  for (const DicomFile& file : files) names->InsertNextValue(file.path.string());
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(observe);
+  observer->SetClientData(&progress);
+  reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  reader->SetFileNames(names);
+  reader->SetSorting(0);
+  reader->SetAutoRescale(0);
+  reader->SetMemoryRowOrderToFileNative();
+  reader->Update();
+  progress.throwIfStopped();
+  if (!messages.errors().empty())
+    throwInput(files.size() == 1 ? files[0].path.string() : folder, "pixel data",
+               "vtk-dicom refuses it: " + messages.errors().front());
+}
+
+}  // namespace
+
+Volume readDicom(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
+  progress.report(0.0, "reading");
+  const bool isFolder = fs::is_directory(path);
+  const fs::path folder = isFolder ? path : (path.has_parent_path() ? path.parent_path() : fs::path("."));
+  const std::string name = path.string();
+  std::vector<std::string> warnings, choices;
+  std::vector<DicomFile> files = scanDicomFolder(folder, progress, warnings);
+  std::string wanted = options.series;
+  if (!isFolder) {
+    const auto same = [&](const DicomFile& file) {
+      std::error_code ignored;
+      return fs::equivalent(file.path, path, ignored);
+    };
+    const auto it = std::find_if(files.begin(), files.end(), same);
+    if (it == files.end()) throwInput(name, "", warnings.empty() ? "has no DICOM image" : warnings.back());
+    if (wanted.empty()) wanted = it->series;
+  }
+  files = keepMajority(chooseSeries(std::move(files), wanted, name, choices), warnings);
+
+  std::vector<Source> sources;
+  for (std::size_t f = 0; f < files.size(); ++f)
+    for (std::size_t frame = 0; frame < files[f].frames.size(); ++frame)
+      sources.push_back({&files[f], f, frame});
+  SliceStack stack = stackOf(sources, name, warnings);
+  warnings.insert(warnings.end(), stack.warnings.begin(), stack.warnings.end());
+
+  ImageHeader header;
+  header.format = "DICOM";
+  const DicomFile& first = files.front();
+  const auto type = expectedType(first);
+  if (!type)
+    throwInput(first.path.string(), "BitsAllocated",
+               std::to_string(first.bitsAllocated) + " bits are not supported");
+  header.type = *type;
+  header.dims = {first.columns, first.rows, static_cast<std::int64_t>(stack.slices())};
+  header.components = first.samples;
+  header.timeSteps = static_cast<std::int64_t>(stack.timeSteps);
+  header.worldFromVoxel = stack.worldFromVoxel;
+  header.unit = first.modality == "CT" ? "HU" : "";
+  checkDims(header, name, "Rows, Columns, slices");
+  checkChoices(header, name, options);
+  // vtk-dicom decodes all of the series at once.
+  const std::uint64_t decoded =
+      static_cast<std::uint64_t>(sources.size()) * static_cast<std::uint64_t>(first.columns) *
+      static_cast<std::uint64_t>(first.rows) * static_cast<std::uint64_t>(first.samples) * bytesOf(*type);
+  if (decoded > options.budgetBytes)
+    throw scene::Error(scene::ErrorKind::memory, name, "",
+                       "the series takes " + std::to_string(decoded >> 20) +
+                           " MiB, more than the budget of " + std::to_string(options.budgetBytes >> 20) +
+                           " MiB");
+  checkBudget(header, name, options);
+
+  const VtkMessages messages;
+  vtkNew<vtkDICOMReader> reader;
+  decode(reader, files, name, messages, progress);
+  vtkImageData* image = reader->GetOutput();
+  vtkDataArray* array = image->GetPointData() ? image->GetPointData()->GetScalars() : nullptr;
+  const auto sliceVoxels = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
+  if (!array || static_cast<std::size_t>(array->GetNumberOfTuples()) != sliceVoxels * sources.size() ||
+      array->GetNumberOfComponents() != first.samples)
+    throwInput(name, "pixel data", "could not be read whole");
+  const auto decodedType = typeOf(array);
+  if (!decodedType) throwInput(name, "pixel data", "has a type that is not supported");
+  header.type = *decodedType;
+
+  const bool sameRescale = std::all_of(sources.begin(), sources.end(), [&](const Source& source) {
+    return source.frame().slope == sources[0].frame().slope &&
+           source.frame().intercept == sources[0].frame().intercept;
+  });
+  if (sameRescale) {
+    header.slope = sources[0].frame().slope;
+    header.intercept = sources[0].frame().intercept;
+  } else {
+    warnings.push_back("the rescale slope differs from slice to slice; applied, values stored as float32");
+  }
+  for (const std::string& warning : messages.warnings()) warnings.push_back("vtk-dicom: " + warning);
+  header.warnings = std::move(warnings);
+  const Assembly assembly(sources, stack, sliceVoxels, !sameRescale);
+  FileVoxels voxels = withType(header.type, [&](auto zero) {
+    return assembly.run(static_cast<const decltype(zero)*>(array->GetVoidPointer(0)), options.component,
+                        static_cast<std::size_t>(first.samples), static_cast<std::size_t>(options.timeStep),
+                        progress);
+  });
+  reader->SetOutput(nullptr);
+  Volume volume = finishVolume(header, std::move(voxels), options, progress);
+  volume.seriesChoices = std::move(choices);
+  volume.name = first.description;
+  return volume;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,196 @@
+// Headers of DICOM files: what a slice is and where it lies.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <vtkDICOMMetaData.h>
+#include <vtkDICOMParser.h>
+#include <vtkDICOMValue.h>
+#include <vtkNew.h>
+
+#include "scene/error.h"
+#include "volume/read/bytes.h"
+#include "volume/read/dicom.h"
+#include "volume/read/text.h"
+#include "volume/read/vtk_messages.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+using scene::throwInput;
+
+namespace {
+
+constexpr int mostFrames = 65535;
+constexpr std::size_t mostFiles = 100000;
+
+// Regular files of the folder and its direct subfolders, sorted; `use` returns false to stop.
+void visitFiles(const fs::path& folder, const std::function<bool(const fs::path&)>& use) {
+  std::error_code error;
+  std::vector<fs::path> files, folders;
+  for (const auto& entry :
+       fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
+    std::error_code ignored;
+    if (entry.is_regular_file(ignored)) files.push_back(entry.path());
+    if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) folders.push_back(entry.path());
+    if (files.size() > mostFiles) throwInput(folder.string(), "", "the folder has more than 100000 files");
+  }
+  if (error) throwInput(folder.string(), "", "cannot be listed: " + error.message());
+  std::sort(folders.begin(), folders.end());
+  for (const fs::path& sub : folders)
+    for (const auto& entry :
+         fs::directory_iterator(sub, fs::directory_options::skip_permission_denied, error)) {
+      std::error_code ignored;
+      if (entry.is_regular_file(ignored)) files.push_back(entry.path());
+      if (files.size() > mostFiles) throwInput(folder.string(), "", "the folder has more than 100000 files");
+    }
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files)
+    if (!use(file)) return;
+}
+
+bool isDicomFile(const fs::path& path) {
+  if (path.filename() == "DICOMDIR") return false;  // an index, without pixels
+  try {
+    if (looksLikeDicom(FileBytes(path).head(132))) return true;
+  } catch (const scene::Error&) {
+    return false;
+  }
+  return sameIgnoringCase(path.extension().string(), ".dcm");  // old files lack the mark
+}
+
+bool numbers(const vtkDICOMValue& value, std::size_t count, double* out) {
+  if (!value.IsValid() || value.GetNumberOfValues() < count) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i] = value.GetDouble(i);
+    if (!std::isfinite(out[i])) return false;
+  }
+  return true;
+}
+
+std::string text(vtkDICOMMetaData* meta, vtkDICOMTag tag) {
+  const vtkDICOMValue& value = meta->Get(tag);
+  return value.IsValid() ? std::string(trimmed(value.AsUTF8String())) : std::string();
+}
+
+int integer(vtkDICOMMetaData* meta, vtkDICOMTag tag, int otherwise) {
+  const vtkDICOMValue& value = meta->Get(tag);
+  return value.IsValid() && value.GetNumberOfValues() > 0 ? value.AsInt() : otherwise;
+}
+
+DicomFrame frameOf(vtkDICOMMetaData* meta, int index) {
+  DicomFrame frame;
+  double v[6];
+  const auto get = [&](vtkDICOMTag tag, std::size_t count) {
+    return numbers(meta->Get(0, index, tag), count, v);
+  };
+  if (get(DC::ImagePositionPatient, 3)) {
+    frame.positionMm = {v[0], v[1], v[2]};
+    if (get(DC::ImageOrientationPatient, 6)) {
+      frame.rowDirection = {v[0], v[1], v[2]};
+      frame.columnDirection = {v[3], v[4], v[5]};
+      frame.hasPosition = true;
+    }
+  }
+  if (get(DC::PixelSpacing, 2) || get(DC::ImagerPixelSpacing, 2)) {
+    frame.spacingYMm = v[0];  // between rows, so along y
+    frame.spacingXMm = v[1];
+  }
+  if (get(DC::SpacingBetweenSlices, 1) || get(DC::SliceThickness, 1)) frame.thicknessMm = std::abs(v[0]);
+  if (get(DC::RescaleSlope, 1)) frame.slope = v[0];
+  if (get(DC::RescaleIntercept, 1)) frame.intercept = v[0];
+  if (frame.slope == 0.0) frame.slope = 1.0;
+  return frame;
+}
+
+// Empty series: no image.
+DicomFile headerOf(const fs::path& path) {
+  DicomFile file;
+  file.path = path;
+  vtkNew<vtkDICOMMetaData> meta;
+  meta->SetNumberOfInstances(1);
+  vtkNew<vtkDICOMParser> parser;
+  parser->SetMetaData(meta);
+  parser->SetFileName(path.c_str());
+  parser->Update();
+  if (!parser->GetPixelDataFound()) return file;
+  file.series = text(meta, DC::SeriesInstanceUID);
+  if (file.series.empty()) file.series = "unknown";
+  file.description = text(meta, DC::SeriesDescription);
+  file.modality = text(meta, DC::Modality);
+  file.transferSyntax = text(meta, DC::TransferSyntaxUID);
+  file.columns = integer(meta, DC::Columns, 0);
+  file.rows = integer(meta, DC::Rows, 0);
+  file.samples = integer(meta, DC::SamplesPerPixel, 1);
+  file.bitsAllocated = integer(meta, DC::BitsAllocated, 0);
+  file.isSigned = integer(meta, DC::PixelRepresentation, 0) == 1;
+  file.instance = integer(meta, DC::InstanceNumber, 0);
+  const int frames = std::max(1, integer(meta, DC::NumberOfFrames, 1));
+  if (frames > mostFrames)
+    throwInput(path.string(), "NumberOfFrames",
+               std::to_string(frames) + " frames are announced; at most 65535 are read");
+
+  // What is claimed must be there, before anything is decoded.
+  if (file.columns < 1 || file.rows < 1)
+    throwInput(path.string(), "Rows, Columns", "the image has no pixels");
+  if (file.samples < 1 || file.samples > 4 || file.bitsAllocated < 1 || file.bitsAllocated > 64)
+    throwInput(path.string(), "BitsAllocated",
+               "pixels of " + std::to_string(file.samples) + " x " + std::to_string(file.bitsAllocated) +
+                   " bits are not supported");
+  const std::uint64_t bits = static_cast<std::uint64_t>(file.columns) *
+                             static_cast<std::uint64_t>(file.rows) * static_cast<std::uint64_t>(frames) *
+                             static_cast<std::uint64_t>(file.samples) *
+                             static_cast<std::uint64_t>(file.bitsAllocated);
+  const std::uint64_t size = FileBytes(path).size();
+  const bool plain = file.transferSyntax.empty() || file.transferSyntax == "1.2.840.10008.1.2" ||
+                     file.transferSyntax == "1.2.840.10008.1.2.1" ||
+                     file.transferSyntax == "1.2.840.10008.1.2.2";
+  const std::uint64_t bestRatio = plain ? 1 : file.transferSyntax == "1.2.840.10008.1.2.5" ? 128 : 100000;
+  if (bits / 8 / bestRatio > size)
+    throwInput(path.string(), "pixel data",
+               "truncated: " + std::to_string(bits / 8) + " bytes are announced, the file has " +
+                   std::to_string(size));
+  for (int frame = 0; frame < frames; ++frame) file.frames.push_back(frameOf(meta, frame));
+  return file;
+}
+
+}  // namespace
+
+bool looksLikeDicom(std::string_view head) {
+  return head.size() >= 132 && head.substr(128, 4) == "DICM";
+}
+
+bool hasDicomFiles(const fs::path& folder) {
+  bool found = false;
+  visitFiles(folder, [&](const fs::path& file) { return !(found = isDicomFile(file)); });
+  return found;
+}
+
+std::vector<DicomFile> scanDicomFolder(const fs::path& folder, scene::Progress& progress,
+                                       std::vector<std::string>& warnings) {
+  std::vector<DicomFile> files;
+  int broken = 0;
+  std::string firstReason;
+  visitFiles(folder, [&](const fs::path& path) {
+    progress.throwIfStopped();
+    if (!isDicomFile(path)) return true;
+    const VtkMessages messages;
+    try {
+      DicomFile file = headerOf(path);
+      if (!messages.errors().empty()) throwInput(path.string(), "header", messages.errors().front());
+      if (!file.frames.empty()) files.push_back(std::move(file));
+    } catch (const scene::Error& error) {
+      if (error.kind() != scene::ErrorKind::input) throw;
+      if (broken++ == 0) firstReason = error.what();
+    }
+    return true;
+  });
+  if (files.empty() && broken > 0) throwInput(folder.string(), "", "no usable DICOM image; " + firstReason);
+  if (files.empty()) throwInput(folder.string(), "", "has no DICOM images");
+  if (broken > 0)
+    warnings.push_back(std::to_string(broken) +
+                       " DICOM files are unreadable and left out; the first: " + firstReason);
+  return files;
+}
+
+}  // namespace isolux::volume

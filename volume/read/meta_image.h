@@ -1,0 +1,25 @@
+// MetaImage (.mha, .mhd + data): "Key = Value" lines, then or beside them the voxels.
+//
+// Read by our own parser: VTK 9.1's reader ignores the direction matrix and accepts broken headers (negative
+// extents crash it); ITK's would be a large dependency for a header of twenty keys.
+//
+// Geometry is LPS, as ITK reads it: row i of TransformMatrix is the direction of axis i. Throws
+// scene::Error{input} with the line and key.
+#pragma once
+
+#include <string_view>
+
+#include "volume/read/bytes.h"
+#include "volume/read/image_header.h"
+
+namespace isolux::volume {
+
+// `text` starts at the beginning of the file and may run on into the voxels.
+ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file);
+
+bool looksLikeMetaImage(std::string_view text);
+
+Volume readMetaImage(const std::filesystem::path& path, const ReadOptions& options,
+                     scene::Progress& progress);
+
+}  // namespace isolux::volume

@@ -1,0 +1,359 @@
+#include "volume/read/nifti.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include <glm/matrix.hpp>
+
+#include "scene/error.h"
+#include "volume/read/payload.h"
+#include "volume/read/streams.h"
+#include "volume/read/text.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+using scene::throwInput;
+
+namespace {
+
+// The fields of either version that matter here.
+struct Fields {
+  int version = 1;
+  Endianness endianness = Endianness::little;
+  std::int64_t dim[8] = {};
+  std::int64_t datatype = 0, bitpix = 0;
+  double pixdim[8] = {};
+  double voxOffset = 0.0;
+  std::uint64_t offset = 0;
+  double slope = 0.0, intercept = 0.0;
+  int units = 0;
+  std::int64_t qformCode = 0, sformCode = 0;
+  double quaternion[3] = {}, qoffset[3] = {};
+  double srow[3][4] = {};
+  bool pair = false;
+};
+
+// Numbers at byte positions of the header, in its byte order.
+class Reader {
+ public:
+  Reader(std::string_view head, bool big) : head_(head), big_(big) {}
+  template <typename T>
+  T at(std::size_t position) const {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, head_.data() + position, sizeof(T));
+    if (big_) std::reverse(bytes, bytes + sizeof(T));
+    T value;
+    std::memcpy(&value, bytes, sizeof(T));
+    return value;
+  }
+
+ private:
+  std::string_view head_;
+  bool big_;
+};
+
+Fields readVersion1(const Reader& in) {
+  Fields f;
+  for (std::size_t i = 0; i < 8; ++i) {
+    f.dim[i] = in.at<std::int16_t>(40 + 2 * i);
+    f.pixdim[i] = static_cast<double>(in.at<float>(76 + 4 * i));
+  }
+  f.datatype = in.at<std::int16_t>(70);
+  f.bitpix = in.at<std::int16_t>(72);
+  f.voxOffset = static_cast<double>(in.at<float>(108));
+  f.slope = static_cast<double>(in.at<float>(112));
+  f.intercept = static_cast<double>(in.at<float>(116));
+  f.units = in.at<std::uint8_t>(123);
+  f.qformCode = in.at<std::int16_t>(252);
+  f.sformCode = in.at<std::int16_t>(254);
+  for (std::size_t i = 0; i < 3; ++i) {
+    f.quaternion[i] = static_cast<double>(in.at<float>(256 + 4 * i));
+    f.qoffset[i] = static_cast<double>(in.at<float>(268 + 4 * i));
+    for (std::size_t j = 0; j < 4; ++j)
+      f.srow[i][j] = static_cast<double>(in.at<float>(280 + 16 * i + 4 * j));
+  }
+  return f;
+}
+
+Fields readVersion2(const Reader& in) {
+  Fields f;
+  f.version = 2;
+  f.datatype = in.at<std::int16_t>(12);
+  f.bitpix = in.at<std::int16_t>(14);
+  for (std::size_t i = 0; i < 8; ++i) {
+    f.dim[i] = in.at<std::int64_t>(16 + 8 * i);
+    f.pixdim[i] = in.at<double>(104 + 8 * i);
+  }
+  f.voxOffset = static_cast<double>(in.at<std::int64_t>(168));
+  f.slope = in.at<double>(176);
+  f.intercept = in.at<double>(184);
+  f.qformCode = in.at<std::int32_t>(344);
+  f.sformCode = in.at<std::int32_t>(348);
+  for (std::size_t i = 0; i < 3; ++i) {
+    f.quaternion[i] = in.at<double>(352 + 8 * i);
+    f.qoffset[i] = in.at<double>(376 + 8 * i);
+    for (std::size_t j = 0; j < 4; ++j) f.srow[i][j] = in.at<double>(400 + 32 * i + 8 * j);
+  }
+  f.units = in.at<std::int32_t>(500) & 0xff;
+  return f;
+}
+
+struct Signature {
+  int version = 0;  // 0: none
+  bool big = false;
+};
+
+Signature signatureOf(std::string_view head) {
+  if (head.size() < 348) return {};
+  for (const bool big : {false, true}) {
+    const auto size = Reader(head, big).at<std::int32_t>(0);
+    if (size == 348) return {1, big};
+    if (size == 540 && head.size() >= 540) return {2, big};
+  }
+  return {};
+}
+
+bool isPairMagic(std::string_view magic) {
+  return magic.starts_with("ni1") || magic.starts_with("ni2");
+}
+bool isSingleMagic(std::string_view magic) {
+  return magic.starts_with("n+1") || magic.starts_with("n+2");
+}
+std::string_view magicOf(std::string_view head, int version) {
+  return head.substr(version == 1 ? 344 : 4, 3);
+}
+
+Fields fieldsOf(std::string_view head, const std::string& file) {
+  if (head.size() < 348)
+    throwInput(file, "header",
+               "truncated: a NIfTI header has 348 bytes, these are " + std::to_string(head.size()));
+  const Signature signature = signatureOf(head);
+  if (signature.version == 0) throwInput(file, "sizeof_hdr", "is neither 348 nor 540");
+  const Reader in(head, signature.big);
+  const std::string_view magic = magicOf(head, signature.version);
+  if (!isPairMagic(magic) && !isSingleMagic(magic))
+    throwInput(file, "magic",
+               "is not NIfTI's; ANALYZE 7.5 files are not read, they do not tell left from right");
+  Fields fields = signature.version == 1 ? readVersion1(in) : readVersion2(in);
+  fields.endianness = signature.big ? Endianness::big : Endianness::little;
+  fields.pair = isPairMagic(magic);
+  const double least = fields.pair ? 0.0 : (fields.version == 1 ? 352.0 : 544.0);
+  if (!fields.pair && fields.voxOffset == 0.0) fields.voxOffset = least;  // some writers leave it out
+  if (!std::isfinite(fields.voxOffset) || fields.voxOffset < least || fields.voxOffset > 1e15 ||
+      fields.voxOffset != std::trunc(fields.voxOffset))
+    throwInput(file, "vox_offset", shortText(fields.voxOffset) + " is no place for the voxels");
+  fields.offset = static_cast<std::uint64_t>(fields.voxOffset);
+  return fields;
+}
+
+void readType(const Fields& fields, const std::string& file, ImageHeader& header) {
+  struct Code {
+    int code;
+    VoxelType type;
+    int components, bits;
+  };
+  static constexpr Code codes[] = {
+      {2, VoxelType::uint8, 1, 8},        {4, VoxelType::int16, 1, 16},    {8, VoxelType::int32, 1, 32},
+      {16, VoxelType::float32, 1, 32},    {32, VoxelType::float32, 2, 64}, {64, VoxelType::float64, 1, 64},
+      {128, VoxelType::uint8, 3, 24},     {256, VoxelType::int8, 1, 8},    {512, VoxelType::uint16, 1, 16},
+      {768, VoxelType::uint32, 1, 32},    {1024, VoxelType::int64, 1, 64}, {1280, VoxelType::uint64, 1, 64},
+      {1792, VoxelType::float64, 2, 128}, {2304, VoxelType::uint8, 4, 32}};
+  for (const Code& code : codes) {
+    if (code.code != fields.datatype) continue;
+    header.type = code.type;
+    header.components = code.components;
+    if (fields.bitpix != code.bits)
+      header.warnings.push_back("bitpix is " + std::to_string(fields.bitpix) + ", the datatype says " +
+                                std::to_string(code.bits) + "; the datatype is believed");
+    return;
+  }
+  const char* name = fields.datatype == 1      ? " (1 bit)"
+                     : fields.datatype == 1536 ? " (float128)"
+                     : fields.datatype == 2048 ? " (complex256)"
+                                               : "";
+  throwInput(file, "datatype",
+             "the voxel type " + std::to_string(fields.datatype) + name + " is not supported");
+}
+
+void readDims(const Fields& fields, const std::string& file, ImageHeader& header) {
+  const std::int64_t axes = fields.dim[0];
+  if (axes < 1 || axes > 7)
+    throwInput(file, "dim[0]", std::to_string(axes) + " axes are announced; 1 to 7 are possible");
+  std::int64_t sizes[8] = {0, 1, 1, 1, 1, 1, 1, 1};
+  for (std::int64_t i = 1; i <= axes; ++i) {
+    sizes[i] = fields.dim[i];
+    if (sizes[i] < 1)
+      throwInput(file, "dim[" + std::to_string(i) + "]",
+                 "is " + std::to_string(sizes[i]) + "; at least 1 is needed");
+  }
+  if (sizes[6] != 1 || sizes[7] != 1) throwInput(file, "dim[6]", "more than 5 axes are not supported");
+  for (std::size_t i = 0; i < 3; ++i) header.dims[i] = sizes[i + 1];
+  header.timeSteps = sizes[4];
+  header.slowComponents = sizes[5];
+  checkDims(header, file, "dim");
+}
+
+glm::dmat4 rasFromSform(const Fields& f) {
+  glm::dmat4 m(1.0);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) m[column][row] = f.srow[row][column];
+  return m;
+}
+
+// NIfTI-1 standard, "method 2": rotation from the quaternion (a, b, c, d) with a >= 0, times the voxel sizes,
+// the third negated when qfac = pixdim[0] is -1.
+glm::dmat4 rasFromQform(const Fields& f, const glm::dvec3& sizes) {
+  double b = f.quaternion[0], c = f.quaternion[1], d = f.quaternion[2];
+  double a = 1.0 - (b * b + c * c + d * d);
+  if (a < 1e-7) {  // rounded to a little more than a half turn
+    const double length = std::sqrt(b * b + c * c + d * d);
+    b /= length;
+    c /= length;
+    d /= length;
+    a = 0.0;
+  } else {
+    a = std::sqrt(a);
+  }
+  const double qfac = f.pixdim[0] < 0.0 ? -1.0 : 1.0;
+  glm::dmat4 m(1.0);
+  m[0] = glm::dvec4(a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c), 0.0) * sizes.x;
+  m[1] = glm::dvec4(2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b), 0.0) * sizes.y;
+  m[2] = glm::dvec4(2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - c * c - b * b, 0.0) * sizes.z *
+         qfac;
+  m[3] = glm::dvec4(f.qoffset[0], f.qoffset[1], f.qoffset[2], 1.0);
+  return m;
+}
+
+void readGeometry(const Fields& fields, ImageHeader& header) {
+  double mm = 1.0;
+  switch (fields.units & 7) {
+    case 1:
+      mm = 1000.0;
+      break;
+    case 3:
+      mm = 0.001;
+      break;
+    default:
+      break;  // mm, or not stated
+  }
+  glm::dvec3 sizes(1.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double size = std::abs(fields.pixdim[axis + 1]);
+    if (std::isfinite(size) && size >= 1e-9 && size <= 1e9)
+      sizes[axis] = size;
+    else if (fields.sformCode <= 0)
+      header.warnings.push_back("pixdim[" + std::to_string(axis + 1) + "] is " +
+                                shortText(fields.pixdim[axis + 1]) + "; 1 mm assumed");
+  }
+  // x and y change sign from RAS to LPS; the fourth row stays.
+  const auto lps = [mm](const glm::dmat4& ras) {
+    glm::dmat4 m = ras;
+    for (int column = 0; column < 4; ++column) {
+      m[column].x *= -mm;
+      m[column].y *= -mm;
+      m[column].z *= mm;
+    }
+    return m;
+  };
+  if (fields.sformCode > 0) {
+    header.worldFromVoxel = lps(rasFromSform(fields));
+    if (usableAffine(header.worldFromVoxel)) return;
+    header.warnings.push_back("the sform is singular or not finite; ignored");
+  }
+  if (fields.qformCode > 0) {
+    header.worldFromVoxel = lps(rasFromQform(fields, sizes));
+    if (usableAffine(header.worldFromVoxel)) return;
+    header.warnings.push_back("the qform is not finite; ignored");
+  }
+  header.warnings.push_back("no usable orientation (sform, qform); left and right are not certain");
+  glm::dmat4 plain(1.0);
+  for (int axis = 0; axis < 3; ++axis) plain[axis][axis] = sizes[axis];
+  header.worldFromVoxel = lps(plain);
+}
+
+// "scan.hdr" -> "scan.img" and the like; empty when no such file exists.
+fs::path counterpart(const fs::path& path, std::string_view wanted) {
+  fs::path stem = path;
+  if (sameIgnoringCase(stem.extension().string(), ".gz")) stem.replace_extension();
+  for (const char* ending : {"", ".gz"}) {
+    fs::path candidate = stem;
+    candidate.replace_extension(std::string(wanted) + ending);
+    std::error_code ignored;
+    if (fs::exists(candidate, ignored)) return candidate;
+  }
+  return {};
+}
+
+bool isGzip(const Bytes& bytes) {
+  const std::string head = bytes.head(2);
+  return head.size() == 2 && head[0] == '\x1f' && head[1] == '\x8b';
+}
+
+}  // namespace
+
+bool looksLikeNifti(std::string_view head) {
+  const Signature signature = signatureOf(head);
+  if (signature.version == 0) return false;
+  const std::string_view magic = magicOf(head, signature.version);
+  return isPairMagic(magic) || isSingleMagic(magic);
+}
+
+ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, bool& pairs) {
+  const Fields fields = fieldsOf(head, file);
+  ImageHeader header;
+  header.format = fields.version == 1 ? "NIfTI-1" : "NIfTI-2";
+  readType(fields, file, header);
+  readDims(fields, file, header);
+  readGeometry(fields, header);
+  header.slope = fields.slope;  // 0 and not finite: none, see ImageHeader
+  header.intercept = fields.intercept;
+  if (header.components > 1) {  // by definition not applied to colours
+    header.slope = 0.0;
+  } else if (std::isfinite(fields.slope) && fields.slope != 0.0 && !std::isfinite(fields.intercept)) {
+    header.intercept = 0.0;
+    header.warnings.push_back("scl_inter is not finite; 0 assumed");
+  }
+  header.payload.endianness = fields.endianness;
+  header.payload.offset = fields.offset;
+  pairs = fields.pair;
+  return header;
+}
+
+Volume readNifti(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
+  fs::path headerPath = path;
+  const std::string extension =
+      lowered((path.extension() == ".gz" ? path.stem() : path).extension().string());
+  if (extension == ".img") {
+    headerPath = counterpart(path, ".hdr");
+    if (headerPath.empty()) throwInput(path.string(), "", "the header (.hdr) of this .img file is missing");
+  }
+  const FileBytes headerBytes(headerPath);
+  if (headerBytes.size() == 0) throwInput(headerBytes.name(), "", "the file is empty");
+  const bool compressedHeader = isGzip(headerBytes);
+  const std::string head =
+      compressedHeader ? inflatedHead(headerBytes, niftiHeaderBytes) : headerBytes.head(niftiHeaderBytes);
+  if (compressedHeader && head.empty())
+    throwInput(headerBytes.name(), "byte 0", "the compressed data are damaged");
+  bool pairs = false;
+  ImageHeader header = parseNiftiHeader(head, headerBytes.name(), pairs);
+
+  std::optional<FileBytes> data;
+  if (pairs) {
+    const fs::path image = extension == ".img" ? path : counterpart(headerPath, ".img");
+    if (image.empty())
+      throwInput(headerBytes.name(), "data file", "the .img file beside this header is missing");
+    data.emplace(image);
+  }
+  const Bytes& bytes = data ? static_cast<const Bytes&>(*data) : headerBytes;
+  if (isGzip(bytes)) {
+    header.payload.encoding = Encoding::zlib;
+    header.payload.skipDecoded = header.payload.offset;
+    header.payload.offset = 0;
+  }
+  return volumeFrom(std::move(header), bytes, openBeside(headerPath), options, progress);
+}
+
+}  // namespace isolux::volume

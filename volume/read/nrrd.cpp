@@ -1,0 +1,456 @@
+#include "volume/read/nrrd.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include <glm/vec4.hpp>
+
+#include "scene/error.h"
+#include "volume/read/payload.h"
+#include "volume/read/text.h"
+
+namespace isolux::volume {
+
+using scene::throwInput;
+
+namespace {
+
+constexpr std::size_t longestHeader = std::size_t{1} << 20;
+constexpr std::size_t mostFiles = 65535;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Field {
+  std::string_view name, value;
+  int line = 0;
+  std::string place() const { return linePlace(line, name); }
+};
+
+struct Axis {
+  std::int64_t size = 1;
+  std::string_view kind;
+  double spacing = nan;                 // of "spacings"; nan: not given
+  std::optional<glm::dvec3> direction;  // of "space directions"
+  bool withoutDirection = false;        // "none"
+};
+
+class Header {
+ public:
+  Header(std::string_view text, std::string file);
+  ImageHeader read();
+
+ private:
+  const Field* find(std::string_view name) const {
+    const auto it = fields_.find(name);
+    return it == fields_.end() ? nullptr : &it->second;
+  }
+  const Field& need(std::string_view name) const {
+    const Field* field = find(name);
+    if (!field) throwInput(file_, std::string(name), "is missing");
+    return *field;
+  }
+  std::int64_t integer(const Field& field) const {
+    const auto value = integerOf(field.value);
+    if (!value) throwInput(file_, field.place(), inQuotes(field.value) + " is not a whole number");
+    return *value;
+  }
+  // One entry per axis.
+  std::vector<std::string_view> perAxis(const Field& field) const {
+    auto words = wordsOf(field.value);
+    if (words.size() != axes_.size())
+      throwInput(
+          file_, field.place(),
+          "has " + std::to_string(words.size()) + " entries for " + std::to_string(axes_.size()) + " axes");
+    return words;
+  }
+  double real(std::string_view word, const Field& field) const {
+    const auto value = realOf(word);
+    if (!value) throwInput(file_, field.place(), inQuotes(word) + " is not a number");
+    return *value;
+  }
+
+  void readAxes();
+  void readSpace();
+  std::vector<std::string_view> vectorsOf(const Field& field) const;
+  glm::dvec3 vectorOf(std::string_view text, const Field& field) const;
+  bool isSpatial(const Axis& axis) const;
+  void assignAxes(ImageHeader& header);
+  void readGeometry(ImageHeader& header) const;
+  void readEncoding(ImageHeader& header) const;
+  void readDataFiles(ImageHeader& header) const;
+
+  std::string file_;
+  std::string_view text_;
+  std::map<std::string, Field, std::less<>> fields_;
+  std::size_t end_ = 0;  // of the header
+  int endLine_ = 0;
+  bool attached_ = false;  // an empty line ended the header
+  std::vector<Axis> axes_;
+  std::vector<std::size_t> spatial_;  // the axes that are x, y, z
+  int spaceDimension_ = 0;
+  glm::dvec3 toLps_{1.0};  // signs
+  std::vector<std::string> warnings_;
+};
+
+// The synonyms of the definition, without spaces around the name.
+std::string canonicalName(std::string_view name) {
+  const std::string lower = lowered(trimmed(name));
+  struct Synonym {
+    std::string_view other, name;
+  };
+  static constexpr Synonym synonyms[] = {{"datafile", "data file"},
+                                         {"lineskip", "line skip"},
+                                         {"byteskip", "byte skip"},
+                                         {"axismins", "axis mins"},
+                                         {"axismaxs", "axis maxs"},
+                                         {"centerings", "centers"},
+                                         {"spacedimension", "space dimension"}};
+  for (const auto& synonym : synonyms)
+    if (lower == synonym.other) return std::string(synonym.name);
+  return lower;
+}
+
+Header::Header(std::string_view text, std::string file) : file_(std::move(file)), text_(text) {
+  Lines lines(text);
+  const auto magic = lines.next();
+  if (!magic || !magic->starts_with("NRRD000") || magic->size() != 8 || (*magic)[7] < '1' ||
+      (*magic)[7] > '6')
+    throwInput(file_, "line 1", "is no NRRD magic from NRRD0001 to NRRD0006");
+  while (const auto line = lines.next()) {
+    end_ = lines.offset();
+    endLine_ = lines.number();
+    if (line->empty()) {
+      attached_ = true;
+      break;
+    }
+    if ((*line)[0] == '#') continue;
+    const std::size_t colon = line->find(':');
+    if (colon == std::string_view::npos)
+      throwInput(file_, linePlace(endLine_), "is no \"field: value\" line");
+    if (colon + 1 < line->size() && (*line)[colon + 1] == '=') continue;  // key:=value
+    const Field field{trimmed(line->substr(0, colon)), trimmed(line->substr(colon + 1)), endLine_};
+    if (!fields_.emplace(canonicalName(field.name), field).second)
+      throwInput(file_, field.place(), "is given twice");
+    if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 fields");
+    if (canonicalName(field.name) == "data file" && wordsOf(field.value).size() >= 1 &&
+        wordsOf(field.value)[0] == "LIST")
+      break;  // the rest are file names
+  }
+}
+
+std::optional<VoxelType> typeNamed(std::string_view name) {
+  struct Names {
+    VoxelType type;
+    std::array<std::string_view, 8> names;
+  };
+  static constexpr Names all[] = {
+      {VoxelType::int8, {"signed char", "int8", "int8_t"}},
+      {VoxelType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {VoxelType::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+      {VoxelType::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {VoxelType::int32, {"int", "signed int", "int32", "int32_t"}},
+      {VoxelType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {VoxelType::int64,
+       {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64",
+        "int64_t"}},
+      {VoxelType::uint64,
+       {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+      {VoxelType::float32, {"float"}},
+      {VoxelType::float64, {"double"}}};
+  for (const Names& entry : all)
+    for (std::string_view known : entry.names)
+      if (!known.empty() && sameIgnoringCase(known, name)) return entry.type;
+  return std::nullopt;
+}
+
+void Header::readAxes() {
+  const Field& dimension = need("dimension");
+  const std::int64_t count = integer(dimension);
+  if (count < 2 || count > 5)
+    throwInput(file_, dimension.place(), "2 to 5 axes are read, not " + std::to_string(count));
+  axes_.resize(static_cast<std::size_t>(count));
+  const Field& sizes = need("sizes");
+  const auto words = perAxis(sizes);
+  for (std::size_t a = 0; a < words.size(); ++a) {
+    const auto size = integerOf(words[a]);
+    if (!size) throwInput(file_, sizes.place(), inQuotes(words[a]) + " is not a whole number");
+    if (*size < 1)
+      throwInput(file_, sizes.place(),
+                 "an axis has " + std::to_string(*size) + " voxels; at least 1 is needed");
+    axes_[a].size = *size;
+  }
+  if (const Field* kinds = find("kinds")) {
+    const auto names = perAxis(*kinds);
+    for (std::size_t a = 0; a < names.size(); ++a) axes_[a].kind = names[a];
+  }
+  if (const Field* spacings = find("spacings")) {
+    const auto values = perAxis(*spacings);
+    for (std::size_t a = 0; a < values.size(); ++a) axes_[a].spacing = real(values[a], *spacings);
+  } else if (const Field* low = find("axis mins"), *high = find("axis maxs"); low && high) {
+    const auto lows = perAxis(*low), highs = perAxis(*high);
+    const Field* centers = find("centers");
+    const auto centering = centers ? perAxis(*centers) : std::vector<std::string_view>(axes_.size());
+    for (std::size_t a = 0; a < axes_.size(); ++a) {
+      const double width = real(highs[a], *high) - real(lows[a], *low);
+      const std::int64_t steps = axes_[a].size - (sameIgnoringCase(centering[a], "node") ? 1 : 0);
+      if (steps > 0) axes_[a].spacing = width / static_cast<double>(steps);
+    }
+  }
+}
+
+void Header::readSpace() {
+  if (const Field* space = find("space")) {
+    std::string name = lowered(space->value);
+    spaceDimension_ = 3;
+    if (name.ends_with("-time")) {
+      name.resize(name.size() - 5);
+      spaceDimension_ = 4;
+    } else if (name.size() == 4 && name.back() == 't') {
+      name.pop_back();
+      spaceDimension_ = 4;
+    }
+    if (name == "left-posterior-superior" || name == "lps") {
+      toLps_ = {1.0, 1.0, 1.0};
+    } else if (name == "right-anterior-superior" || name == "ras") {
+      toLps_ = {-1.0, -1.0, 1.0};
+    } else if (name == "left-anterior-superior" || name == "las") {
+      toLps_ = {1.0, -1.0, 1.0};
+    } else if (name == "scanner-xyz" || name == "3d-right-handed" || name == "3d-left-handed") {
+      warnings_.push_back("the space \"" + name + "\" does not say where the patient lies; taken as LPS");
+    } else {
+      throwInput(file_, space->place(), "the space " + inQuotes(space->value) + " is not known");
+    }
+  } else if (const Field* dimension = find("space dimension")) {
+    const std::int64_t n = integer(*dimension);
+    if (n < 2 || n > 4) throwInput(file_, dimension->place(), "2, 3 or 4 space dimensions are read");
+    spaceDimension_ = static_cast<int>(n);
+  }
+  if (const Field* directions = find("space directions")) {
+    if (spaceDimension_ == 0) throwInput(file_, directions->place(), "needs a space or a space dimension");
+    const auto vectors = vectorsOf(*directions);
+    if (vectors.size() != axes_.size())
+      throwInput(
+          file_, directions->place(),
+          "has " + std::to_string(vectors.size()) + " entries for " + std::to_string(axes_.size()) + " axes");
+    for (std::size_t a = 0; a < vectors.size(); ++a) {
+      if (sameIgnoringCase(vectors[a], "none"))
+        axes_[a].withoutDirection = true;
+      else
+        axes_[a].direction = vectorOf(vectors[a], *directions);
+    }
+  }
+}
+
+// "(1,0,0) none (0, 1, 0)" -> "(1,0,0)", "none", "(0, 1, 0)".
+std::vector<std::string_view> Header::vectorsOf(const Field& field) const {
+  std::vector<std::string_view> vectors;
+  std::string_view rest = trimmed(field.value);
+  while (!rest.empty()) {
+    const std::size_t end =
+        rest[0] == '(' ? rest.find(')') : std::min(rest.find_first_of(" \t("), rest.size()) - 1;
+    if (end == std::string_view::npos) throwInput(file_, field.place(), "a parenthesis is not closed");
+    vectors.push_back(rest.substr(0, end + 1));
+    rest = trimmed(rest.substr(end + 1));
+  }
+  return vectors;
+}
+
+// The fourth number of a space with time is left out.
+glm::dvec3 Header::vectorOf(std::string_view text, const Field& field) const {
+  if (text.size() < 2 || text.front() != '(' || text.back() != ')')
+    throwInput(file_, field.place(), inQuotes(text) + " is no vector like (1,0,0)");
+  std::string inner(text.substr(1, text.size() - 2));
+  std::replace(inner.begin(), inner.end(), ',', ' ');
+  const auto values = realsOf(inner);
+  if (!values || values->size() != static_cast<std::size_t>(spaceDimension_))
+    throwInput(file_, field.place(),
+               inQuotes(text) + " is no vector of " + std::to_string(spaceDimension_) + " numbers");
+  glm::dvec3 result(0.0);
+  for (int i = 0; i < std::min(spaceDimension_, 3); ++i) result[i] = (*values)[static_cast<std::size_t>(i)];
+  return result;
+}
+
+bool Header::isSpatial(const Axis& axis) const {
+  if (axis.withoutDirection) return false;
+  if (axis.kind.empty() || axis.kind == "???" || sameIgnoringCase(axis.kind, "none")) return true;
+  return sameIgnoringCase(axis.kind, "domain") || sameIgnoringCase(axis.kind, "space");
+}
+
+// Which axes are x, y, z; the others must stand before or behind them.
+void Header::assignAxes(ImageHeader& header) {
+  const Field& sizes = need("sizes");
+  for (std::size_t a = 0; a < axes_.size(); ++a)
+    if (isSpatial(axes_[a])) spatial_.push_back(a);
+  if (spatial_.size() == 4 && axes_.size() == 4 && !find("space directions")) {
+    // Nothing says which axis is not spatial. A NaN spacing does; else a short first axis is colours.
+    const bool firstHasNoSpacing = std::isnan(axes_[0].spacing) && !std::isnan(axes_[3].spacing);
+    const bool firstIsShort = std::isnan(axes_[0].spacing) && axes_[0].size <= 4 && axes_[3].size > 4;
+    const bool first = firstHasNoSpacing || firstIsShort;
+    spatial_.erase(first ? spatial_.begin() : spatial_.end() - 1);
+    warnings_.push_back(std::string("the header does not say which of the 4 axes is not spatial; the ") +
+                        (first ? "first is taken as components" : "last is taken as time"));
+  }
+  if (spatial_.size() < 2 || spatial_.size() > 3)
+    throwInput(file_, sizes.place(),
+               std::to_string(spatial_.size()) + " of " + std::to_string(axes_.size()) +
+                   " axes are spatial; 2 or 3 are needed");
+  const std::size_t first = spatial_.front(), last = spatial_.back();
+  if (last - first + 1 != spatial_.size())
+    throwInput(file_, sizes.place(),
+               "an axis that is not spatial stands between spatial ones; not supported");
+  for (std::size_t i = 0; i < spatial_.size(); ++i) header.dims[i] = axes_[spatial_[i]].size;
+  if (first > 1 || axes_.size() - last > 3)
+    throwInput(file_, sizes.place(), "more axes that are not spatial than are supported");
+  if (first == 1) header.components = axes_[0].size;
+  for (std::size_t a = last + 1; a < axes_.size(); ++a) {
+    const std::string kind = lowered(axes_[a].kind);
+    const bool isComponents =
+        kind.find("vector") != std::string::npos || kind.find("color") != std::string::npos ||
+        kind.find("matrix") != std::string::npos || kind == "complex" || kind == "quaternion";
+    std::int64_t& target = isComponents ? header.slowComponents : header.timeSteps;
+    if (target != 1)
+      throwInput(file_, sizes.place(), "two axes of the same kind follow the spatial ones; not supported");
+    if (isComponents && a + 1 < axes_.size())
+      throwInput(file_, sizes.place(), "components must be the last axis; not supported");
+    target = axes_[a].size;
+  }
+}
+
+void Header::readGeometry(ImageHeader& header) const {
+  glm::dvec3 spacing(1.0), origin(0.0);
+  glm::dmat3 directions(1.0);
+  int known = 0;
+  for (std::size_t i = 0; i < spatial_.size(); ++i) {
+    const int column = static_cast<int>(i);
+    const Axis& axis = axes_[spatial_[i]];
+    if (axis.direction) {
+      const glm::dvec3 d = *axis.direction * toLps_;
+      spacing[column] = std::hypot(d.x, d.y, d.z);
+      directions[column] = spacing[column] > 0.0 ? d / spacing[column] : d;
+      ++known;
+    } else if (!std::isnan(axis.spacing)) {
+      spacing[column] = axis.spacing;
+      directions[column] *= toLps_;
+      ++known;
+    } else {
+      directions[column] *= toLps_;
+    }
+  }
+  if (known < static_cast<int>(spatial_.size()))
+    header.warnings.push_back("the spacing is missing; 1 mm assumed");
+  if (spatial_.size() == 2 && axes_[spatial_[0]].direction) {  // one slice: any thickness along its normal
+    const glm::dvec3 a = directions[0], b = directions[1];
+    directions[2] = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  if (const Field* field = find("space origin")) {
+    if (spaceDimension_ == 0) throwInput(file_, field->place(), "needs a space or a space dimension");
+    origin = vectorOf(field->value, *field) * toLps_;
+  }
+  header.worldFromVoxel = checkedGeometry(directions, spacing, origin, file_, header.warnings);
+}
+
+void Header::readEncoding(ImageHeader& header) const {
+  const Field& encoding = need("encoding");
+  const std::string name = lowered(encoding.value);
+  Payload& payload = header.payload;
+  if (name == "raw") {
+    payload.encoding = Encoding::raw;
+  } else if (name == "gzip" || name == "gz") {
+    payload.encoding = Encoding::zlib;
+  } else if (name == "txt" || name == "text" || name == "ascii") {
+    payload.encoding = Encoding::ascii;
+  } else if (name == "bzip2" || name == "bz2" || name == "hex") {
+    throwInput(file_, encoding.place(),
+               "the encoding " + inQuotes(name) + " is not supported; gzip, raw and text are");
+  } else {
+    throwInput(file_, encoding.place(), "the encoding " + inQuotes(encoding.value) + " is not known");
+  }
+  if (const Field* endian = find("endian")) {
+    if (sameIgnoringCase(endian->value, "big"))
+      payload.endianness = Endianness::big;
+    else if (!sameIgnoringCase(endian->value, "little"))
+      throwInput(file_, endian->place(), inQuotes(endian->value) + " is neither little nor big");
+  } else if (bytesOf(header.type) > 1 && payload.encoding != Encoding::ascii) {
+    header.warnings.push_back("the field \"endian\" is missing; little endian assumed");
+  }
+  if (const Field* skip = find("line skip")) {
+    const std::int64_t lines = integer(*skip);
+    if (lines < 0) throwInput(file_, skip->place(), "is negative");
+    payload.lineSkip = static_cast<std::uint64_t>(lines);
+  }
+  if (const Field* skip = find("byte skip")) {
+    const std::int64_t bytes = integer(*skip);
+    if (bytes < -1) throwInput(file_, skip->place(), "must be -1 or a number of bytes");
+    if (bytes == -1) {
+      if (payload.encoding != Encoding::raw)
+        throwInput(file_, skip->place(), "-1 (the data end the file) needs raw encoding");
+      payload.fromEnd = true;
+    } else if (payload.encoding == Encoding::zlib) {
+      payload.skipDecoded = static_cast<std::uint64_t>(bytes);  // counted after inflating, by definition
+    } else {
+      payload.skipBytes = static_cast<std::uint64_t>(bytes);
+    }
+  }
+}
+
+void Header::readDataFiles(ImageHeader& header) const {
+  Payload& payload = header.payload;
+  const Field* data = find("data file");
+  if (!data) {
+    if (!attached_)
+      throwInput(file_, linePlace(endLine_),
+                 "truncated: no empty line ends the header, no data file is named");
+    payload.offset = end_;
+    return;
+  }
+  const auto words = wordsOf(data->value);
+  if (words.empty()) throwInput(file_, data->place(), "names no data file");
+  if (words[0] == "LIST") {
+    Lines lines(text_.substr(end_));
+    while (const auto line = lines.next()) {
+      if (const auto name = trimmed(*line); !name.empty()) payload.files.emplace_back(name);
+      if (payload.files.size() > mostFiles) throwInput(file_, data->place(), "lists more than 65535 files");
+    }
+    if (payload.files.empty()) throwInput(file_, data->place(), "the list of data files is empty");
+  } else if (words.size() >= 4 && words[0].find('%') != std::string_view::npos) {
+    throwInput(file_, data->place(), "file name patterns are not supported; list the files with LIST");
+  } else {
+    payload.files.emplace_back(data->value);
+  }
+}
+
+ImageHeader Header::read() {
+  ImageHeader header;
+  header.format = "NRRD";
+  const Field& type = need("type");
+  const auto voxelType = typeNamed(type.value);
+  if (!voxelType)
+    throwInput(file_, type.place(), "the voxel type " + inQuotes(type.value) + " is not supported");
+  header.type = *voxelType;
+  readAxes();
+  readSpace();
+  assignAxes(header);
+  checkDims(header, file_, need("sizes").place());
+  header.warnings = warnings_;
+  readGeometry(header);
+  readEncoding(header);
+  readDataFiles(header);
+  return header;
+}
+
+}  // namespace
+
+ImageHeader parseNrrdHeader(std::string_view text, const std::string& file) {
+  return Header(text.substr(0, longestHeader), file).read();
+}
+
+Volume readNrrd(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress) {
+  const FileBytes bytes(path);
+  ImageHeader header = parseNrrdHeader(bytes.head(longestHeader), bytes.name());
+  return volumeFrom(std::move(header), bytes, openBeside(path), options, progress);
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,170 @@
+#include "volume/read/tiff.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <OpenImageIO/imageio.h>
+
+#include "scene/error.h"
+#include "volume/read/payload.h"
+#include "volume/read/text.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+using scene::throwInput;
+
+namespace {
+
+struct PageOfFile {
+  fs::path file;
+  TiffPage page;
+};
+
+std::optional<VoxelType> typeOf(OIIO::TypeDesc format) {
+  switch (format.basetype) {
+    case OIIO::TypeDesc::INT8:
+      return VoxelType::int8;
+    case OIIO::TypeDesc::UINT8:
+      return VoxelType::uint8;
+    case OIIO::TypeDesc::INT16:
+      return VoxelType::int16;
+    case OIIO::TypeDesc::UINT16:
+      return VoxelType::uint16;
+    case OIIO::TypeDesc::INT32:
+      return VoxelType::int32;
+    case OIIO::TypeDesc::UINT32:
+      return VoxelType::uint32;
+    case OIIO::TypeDesc::HALF:
+    case OIIO::TypeDesc::FLOAT:
+      return VoxelType::float32;
+    case OIIO::TypeDesc::DOUBLE:
+      return VoxelType::float64;
+    default:
+      return std::nullopt;
+  }
+}
+
+// One open file at a time.
+class PageReader {
+ public:
+  // Pixel values as stored: no palette, no premultiplied alpha.
+  const OIIO::ImageSpec& open(const PageOfFile& page) {
+    if (!input_ || file_ != page.file) {
+      OIIO::ImageSpec config;
+      config["oiio:RawColor"] = 1;
+      config["oiio:UnassociatedAlpha"] = 1;
+      file_ = page.file;
+      input_ = OIIO::ImageInput::open(file_.string(), &config);
+      if (!input_) throwInput(file_.string(), place(page), reason(OIIO::geterror()));
+    }
+    if (!input_->seek_subimage(page.page.index, 0))
+      throwInput(file_.string(), place(page), reason(input_->geterror()));
+    return input_->spec();
+  }
+
+  void read(const PageOfFile& page, VoxelType type, std::int64_t samples, std::span<std::byte> out,
+            scene::Progress& progress) {
+    const OIIO::ImageSpec& spec = open(page);
+    if (spec.width != page.page.width || spec.height != page.page.height || spec.depth > 1 ||
+        spec.nchannels != samples || typeOf(spec.format) != type)
+      throwInput(file_.string(), place(page), "differs in size or type from the first page");
+    const OIIO::TypeDesc format =
+        spec.format.basetype == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : spec.format;
+    const auto stop = [](void* data, float) { return static_cast<scene::Progress*>(data)->stopRequested(); };
+    if (!input_->read_image(page.page.index, 0, 0, spec.nchannels, format, out.data(), OIIO::AutoStride,
+                            OIIO::AutoStride, OIIO::AutoStride, stop, &progress)) {
+      progress.throwIfStopped();
+      throwInput(file_.string(), place(page), reason(input_->geterror()));
+    }
+    progress.throwIfStopped();
+  }
+
+ private:
+  static std::string place(const PageOfFile& page) { return "page " + std::to_string(page.page.index + 1); }
+  static std::string reason(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text.empty() ? "cannot be read" : text;
+  }
+
+  fs::path file_;
+  std::unique_ptr<OIIO::ImageInput> input_;
+};
+
+// Pages that agree with the first one; the others are left out.
+std::vector<PageOfFile> pagesOf(const std::vector<fs::path>& files, scene::Progress& progress,
+                                std::vector<std::string>& warnings) {
+  std::vector<PageOfFile> pages;
+  std::size_t others = 0;
+  for (const fs::path& file : files) {
+    progress.throwIfStopped();
+    for (const TiffPage& page : tiffPages(FileBytes(file))) {
+      if (pages.empty() || page.sameLayoutAs(pages.front().page))
+        pages.push_back({file, page});
+      else
+        ++others;
+    }
+  }
+  if (others > 0)
+    warnings.push_back(std::to_string(others) +
+                       " pages differ in size or type from the first and are left out");
+  return pages;
+}
+
+}  // namespace
+
+std::vector<fs::path> tiffFilesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string extension = lowered(entry.path().extension().string());
+    std::error_code ignored;
+    if ((extension == ".tif" || extension == ".tiff") && entry.is_regular_file(ignored))
+      files.push_back(entry.path());
+  }
+  if (error) throwInput(folder.string(), "", "cannot be listed: " + error.message());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return naturalLess(a.filename().string(), b.filename().string());
+  });
+  return files;
+}
+
+Volume readTiff(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
+  progress.report(0.0, "reading");
+  const std::vector<fs::path> files =
+      fs::is_directory(path) ? tiffFilesIn(path) : std::vector<fs::path>{path};
+  if (files.empty()) throwInput(path.string(), "", "has no TIFF files");
+  ImageHeader header;
+  header.format = "TIFF";
+  const std::vector<PageOfFile> pages = pagesOf(files, progress, header.warnings);
+  const TiffPage& first = pages.front().page;
+  PageReader reader;
+  const OIIO::ImageSpec spec = reader.open(pages.front());
+  const auto type = typeOf(spec.format);
+  if (!type)
+    throwInput(pages.front().file.string(), "page 1",
+               "the pixel type " + inQuotes(spec.format.c_str()) + " is not supported");
+  header.type = *type;
+  header.dims = {first.width, first.height, static_cast<std::int64_t>(pages.size())};
+  header.components = spec.nchannels;
+  checkDims(header, path.string(), "pages");
+  checkChoices(header, path.string(), options);
+  ReadOptions whole = options;  // all components are decoded at once
+  whole.budgetBytes /= static_cast<std::size_t>(header.components);
+  checkBudget(header, path.string(), whole);
+  header.warnings.push_back("TIFF states no distance of slices; 1 x 1 x 1 mm assumed");
+
+  const std::size_t pageBytes =
+      static_cast<std::size_t>(first.width * first.height * header.components) * bytesOf(*type);
+  std::vector<std::byte> voxels;
+  voxels.reserve(pageBytes * pages.size());
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    voxels.resize(pageBytes * (i + 1));
+    reader.read(pages[i], *type, header.components, std::span(voxels).subspan(pageBytes * i), progress);
+    progress.report(static_cast<double>(i + 1) / static_cast<double>(pages.size()), "reading");
+  }
+  const MemoryBytes memory(path.string(), voxels);
+  return volumeFrom(std::move(header), memory, openBeside(path), options, progress);
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,83 @@
+#include "volume/read/vti.h"
+
+#include <optional>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLImageDataReader.h>
+
+#include "scene/error.h"
+#include "volume/read/payload.h"
+#include "volume/read/text.h"
+#include "volume/read/vtk_messages.h"
+
+namespace isolux::volume {
+
+using scene::throwInput;
+
+namespace {
+
+// Passes VTK's progress on and stops VTK when asked to.
+void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
+  auto& progress = *static_cast<scene::Progress*>(clientData);
+  progress.report(*static_cast<double*>(callData), "reading");
+  if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+}
+
+// Only the chosen array is read; the others stay in the file.
+void select(vtkDataArraySelection* selection, const char* name) {
+  selection->DisableAllArrays();
+  if (name) selection->EnableArray(name);
+}
+
+}  // namespace
+
+Volume readVti(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress) {
+  progress.report(0.0, "reading");
+  std::optional<FileBytes> file(std::in_place, path);
+  const std::string name = file->name();
+  VtiHeader header = parseVtiHeader(*file, options);
+  file.reset();
+  checkChoices(header.image, name, options);
+  ReadOptions whole = options;  // VTK holds all components at once
+  whole.budgetBytes /= static_cast<std::size_t>(header.image.components);
+  checkBudget(header.image, name, whole);
+
+  VtkMessages messages;
+  vtkNew<vtkXMLImageDataReader> reader;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(observe);
+  observer->SetClientData(&progress);
+  reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  if (messages.errors().empty()) {
+    select(reader->GetPointDataArraySelection(), header.cells ? nullptr : header.array.c_str());
+    select(reader->GetCellDataArraySelection(), header.cells ? header.array.c_str() : nullptr);
+    reader->Update();
+  }
+  progress.throwIfStopped();
+  if (!messages.errors().empty())
+    throwInput(name, "DataArray " + header.array, "VTK refuses it: " + messages.errors().front());
+  vtkImageData* image = reader->GetOutput();
+  vtkDataSetAttributes* data = header.cells ? static_cast<vtkDataSetAttributes*>(image->GetCellData())
+                                            : static_cast<vtkDataSetAttributes*>(image->GetPointData());
+  vtkDataArray* array = data->GetArray(header.array.c_str());
+  const ImageHeader& claim = header.image;
+  if (!array || static_cast<std::uint64_t>(array->GetNumberOfTuples()) != claim.voxels() ||
+      array->GetNumberOfComponents() != claim.components ||
+      static_cast<std::size_t>(array->GetDataTypeSize()) != bytesOf(claim.type))
+    throwInput(name, "DataArray " + header.array, "could not be read whole");
+  for (const std::string& warning : messages.warnings()) header.image.warnings.push_back("VTK: " + warning);
+
+  const auto bytes = static_cast<std::size_t>(claim.elements()) * bytesOf(claim.type);
+  const MemoryBytes memory(name, {static_cast<const std::byte*>(array->GetVoidPointer(0)), bytes});
+  return volumeFrom(std::move(header.image), memory, openBeside(path), options, progress);
+}
+
+}  // namespace isolux::volume

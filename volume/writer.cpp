@@ -1,0 +1,229 @@
+#include "volume/writer.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <unistd.h>
+
+#include "scene/error.h"
+#include "volume/read/text.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Voxels as they go into the file: without slope and intercept, for which these formats have no field.
+struct Values {
+  VoxelType type;
+  VoxelArray stored;                 // when the type is one of a Grid
+  std::vector<double> wide;          // float64
+  std::span<const std::byte> bytes;  // of either
+};
+
+template <typename T>
+std::vector<T> applied(const Grid& grid) {
+  return std::visit(
+      [&](const auto& array) {
+        std::vector<T> out;
+        out.reserve(array.size());
+        for (const auto v : array) out.push_back(static_cast<T>(grid.valueOfStored(static_cast<double>(v))));
+        return out;
+      },
+      grid.voxels());
+}
+
+bool every(const Grid& grid, bool (*test)(double)) {
+  return std::visit(
+      [&](const auto& array) {
+        for (const auto v : array)
+          if (!test(grid.valueOfStored(static_cast<double>(v)))) return false;
+        return true;
+      },
+      grid.voxels());
+}
+
+// The stored type where slope and intercept lead back into it exactly; else the narrowest type that holds
+// every value.
+void fill(const Grid& grid, Values& values) {
+  const auto view = [](const auto& array) { return std::as_bytes(std::span(array)); };
+  values.type = grid.storedType();
+  if (grid.slope() == 1.0 && grid.intercept() == 0.0) {
+    values.bytes = std::visit(view, grid.voxels());
+    return;
+  }
+  const auto integers = [](double v) { return v == std::trunc(v) && std::abs(v) <= 65535.0; };
+  const auto floats = [](double v) {
+    return std::isnan(v) || (std::abs(v) <= 3.4e38 && static_cast<double>(static_cast<float>(v)) == v);
+  };
+  const double low = grid.minimum(), high = grid.maximum();
+  const auto use = [&]<typename T>(VoxelType type, T) {
+    values.type = type;
+    values.stored = applied<T>(grid);
+    values.bytes = std::visit(view, values.stored);
+  };
+  const bool whole = grid.missingCount() == 0 && every(grid, integers);
+  if (whole && values.type == VoxelType::uint8 && low >= 0 && high <= 255)
+    return use(VoxelType::uint8, std::uint8_t{});
+  if (whole && values.type == VoxelType::int8 && low >= -128 && high <= 127)
+    return use(VoxelType::int8, std::int8_t{});
+  if (whole && values.type == VoxelType::uint16 && low >= 0) return use(VoxelType::uint16, std::uint16_t{});
+  if (whole && low >= -32768 && high <= 32767) return use(VoxelType::int16, std::int16_t{});
+  if (whole && low >= 0) return use(VoxelType::uint16, std::uint16_t{});
+  if (every(grid, floats)) return use(VoxelType::float32, float{});
+  values.type = VoxelType::float64;
+  values.wide = applied<double>(grid);
+  values.bytes = view(values.wide);
+}
+
+std::string exact(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.17g", value);
+  const std::string brief = shortText(value);
+  return realOf(brief) == value ? brief : buffer;
+}
+
+std::string joined(std::initializer_list<double> values, const char* separator = " ") {
+  std::string text;
+  for (double value : values) {
+    if (!text.empty()) text += separator;
+    text += exact(value);
+  }
+  return text;
+}
+
+std::string joined(const glm::dvec3& v, const char* separator = " ") {
+  return joined({v.x, v.y, v.z}, separator);
+}
+
+std::string dimsText(const Grid& grid) {
+  const glm::ivec3 n = grid.dims();
+  return std::to_string(n.x) + " " + std::to_string(n.y) + " " + std::to_string(n.z);
+}
+
+std::string metaImageHeader(const Grid& grid, VoxelType type, const std::string& dataFile) {
+  static constexpr const char* types[] = {"MET_CHAR",  "MET_UCHAR", "MET_SHORT",     "MET_USHORT",
+                                          "MET_INT",   "MET_UINT",  "MET_LONG_LONG", "MET_ULONG_LONG",
+                                          "MET_FLOAT", "MET_DOUBLE"};
+  const GridGeometry& g = grid.geometry();
+  const glm::dmat3 d = g.directions();
+  return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = "
+         "False\n"
+         "TransformMatrix = " +
+         joined(d[0]) + " " + joined(d[1]) + " " + joined(d[2]) + "\nOffset = " + joined(g.originMm()) +
+         "\nElementSpacing = " + joined(g.spacingMm()) + "\nDimSize = " + dimsText(grid) +
+         "\nElementType = " + types[static_cast<int>(type)] + "\nElementDataFile = " + dataFile + "\n";
+}
+
+std::string nrrdHeader(const Grid& grid, VoxelType type) {
+  static constexpr const char* types[] = {"int8",   "uint8", "int16",  "uint16", "int32",
+                                          "uint32", "int64", "uint64", "float",  "double"};
+  const GridGeometry& g = grid.geometry();
+  const auto column = [&](int axis) { return "(" + joined(glm::dvec3(g.worldFromVoxel[axis]), ",") + ")"; };
+  return std::string("NRRD0004\n# written by Isolux\ntype: ") + types[static_cast<int>(type)] +
+         "\ndimension: 3\nspace: left-posterior-superior\nsizes: " + dimsText(grid) +
+         "\nspace directions: " + column(0) + " " + column(1) + " " + column(2) +
+         "\nkinds: domain domain domain\nendian: little\nencoding: raw\nspace origin: " + column(3) + "\n\n";
+}
+
+std::string vtiHeader(const Grid& grid, VoxelType type, std::uint64_t bytes) {
+  static constexpr const char* types[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
+                                          "UInt32", "Int64", "UInt64", "Float32", "Float64"};
+  const GridGeometry& g = grid.geometry();
+  const glm::dmat3 d = g.directions();
+  const glm::ivec3 n = grid.dims();
+  const std::string extent =
+      "0 " + std::to_string(n.x - 1) + " 0 " + std::to_string(n.y - 1) + " 0 " + std::to_string(n.z - 1);
+  std::string text =
+      "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "  <ImageData WholeExtent=\"" +
+      extent + "\" Origin=\"" + joined(g.originMm()) + "\" Spacing=\"" + joined(g.spacingMm()) +
+      "\" Direction=\"" + joined({d[0].x, d[1].x, d[2].x, d[0].y, d[1].y, d[2].y, d[0].z, d[1].z, d[2].z}) +
+      "\">\n    <Piece Extent=\"" + extent +
+      "\">\n      <PointData Scalars=\"value\">\n        <DataArray type=\"" + types[static_cast<int>(type)] +
+      "\" Name=\"value\" format=\"appended\" offset=\"0\"/>\n"
+      "      </PointData>\n    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n   _";
+  char size[8];
+  std::memcpy(size, &bytes, 8);
+  return text + std::string(size, 8);
+}
+
+// Written beside its place and renamed there by finish(); removed when that does not happen.
+class NewFile {
+ public:
+  explicit NewFile(fs::path path) : path_(std::move(path)), beside_(path_) {
+    beside_ += ".part" + std::to_string(::getpid());
+    out_.open(beside_, std::ios::binary | std::ios::trunc);
+    check();
+  }
+  ~NewFile() {
+    std::error_code ignored;
+    if (!finished_) fs::remove(beside_, ignored);
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  void write(std::span<const std::byte> bytes) {
+    out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    check();
+  }
+  void write(const std::string& text) { write(std::as_bytes(std::span(text))); }
+  void close() {
+    out_.close();
+    check();
+  }
+  void finish() {
+    std::error_code error;
+    fs::rename(beside_, path_, error);
+    if (error) scene::throwInput(path_.string(), "", "cannot be written: " + error.message());
+    finished_ = true;
+  }
+
+ private:
+  void check() {
+    if (!out_)
+      scene::throwInput(path_.string(), "", std::string("cannot be written: ") + std::strerror(errno));
+  }
+  fs::path path_, beside_;
+  std::ofstream out_;
+  bool finished_ = false;
+};
+
+}  // namespace
+
+void writeVolume(const Grid& grid, const fs::path& path) {
+  const std::string extension = lowered(path.extension().string());
+  if (extension != ".mhd" && extension != ".mha" && extension != ".nrrd" && extension != ".vti")
+    throw scene::Error(scene::ErrorKind::usage, path.string(), "file name",
+                       "volumes are written as .mhd, .mha, .nrrd or .vti, not as " + inQuotes(extension));
+  Values values;
+  fill(grid, values);
+  NewFile file(path);
+  if (extension == ".mhd") {
+    fs::path data = path;
+    data.replace_extension(".raw");
+    NewFile raw(data);
+    raw.write(values.bytes);
+    raw.close();
+    file.write(metaImageHeader(grid, values.type, data.filename().string()));
+    file.close();
+    raw.finish();  // the voxels first: a header never stands without them
+  } else {
+    if (extension == ".mha") file.write(metaImageHeader(grid, values.type, "LOCAL"));
+    if (extension == ".nrrd") file.write(nrrdHeader(grid, values.type));
+    if (extension == ".vti") file.write(vtiHeader(grid, values.type, values.bytes.size()));
+    file.write(values.bytes);
+    if (extension == ".vti") file.write(std::string("\n  </AppendedData>\n</VTKFile>\n"));
+    file.close();
+  }
+  file.finish();
+}
+
+}  // namespace isolux::volume
