@@ -69,6 +69,12 @@ void HistogramSlider::showAll() {
   zoomed();
 }
 
+void HistogramSlider::zoomAtLine(double factor) {
+  plot_.zoom(factor, isovalue_);
+  wantDetail();
+  zoomed();
+}
+
 void HistogramSlider::zoomed() {
   Q_EMIT zoomChanged(plot_.zoomed());
   update();

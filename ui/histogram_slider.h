@@ -25,6 +25,7 @@ class HistogramSlider : public QWidget {
   void setVolume(VolumePointer volume);
   void setIsovalue(double value, bool insideAbove);
   void showAll();
+  void zoomAtLine(double factor);
 
   const HistogramPlot& plot() const { return plot_; }
   double isovalue() const { return isovalue_; }

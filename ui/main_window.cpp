@@ -68,7 +68,8 @@ void MainWindow::makePanels() {
     auto* widget = new QDockWidget(name, this);
     widget->setObjectName(name);
     widget->setWidget(content);
-    widget->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    widget->setFeatures(QDockWidget::DockWidgetClosable);
+    widget->setTitleBarWidget(new QWidget(widget));  // the tab says the name already
     addDockWidget(Qt::RightDockWidgetArea, widget);
     return widget;
   };

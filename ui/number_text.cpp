@@ -49,6 +49,7 @@ QString bytesText(double bytes) {
 }
 
 QString wordsOf(const QString& identifier) {
+  if (identifier == "blinn_phong") return "Blinn-Phong";  // two people
   QString words = identifier;
   words.replace('_', ' ');
   if (!words.isEmpty()) words[0] = words[0].toUpper();

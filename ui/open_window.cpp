@@ -1,7 +1,6 @@
 #include "ui/open_window.h"
 
 #include <clocale>
-#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
@@ -91,9 +90,8 @@ void finishApplication() {
 
 int openWindow(const app::WindowRequest& request) {
   if (const auto problem = displayProblem()) {
-    std::fprintf(stderr, "isolux: no window: %s; `isolux render` makes pictures without one\n",
-                 problem->c_str());
-    return static_cast<int>(scene::ErrorKind::graphics);
+    throw scene::Error(scene::ErrorKind::graphics, "", "no window",
+                       *problem + "; `isolux render` makes pictures without one");
   }
   prepareApplication();
   int argc = 1;

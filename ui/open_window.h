@@ -8,8 +8,8 @@
 
 namespace isolux::ui {
 
-// Makes the QApplication, shows the window and runs it until it is closed. Returns the exit code; without a
-// reachable display it prints one line on stderr and returns that of ErrorKind::graphics.
+// Makes the QApplication, shows the window and runs it until it is closed. Returns the exit code. Throws
+// scene::Error{graphics} when no display can be reached.
 int openWindow(const app::WindowRequest& request);
 
 // Why no window can be shown on this machine, or nothing when one can. Asks before Qt is started, because Qt

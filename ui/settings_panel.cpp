@@ -90,6 +90,7 @@ QWidget* SettingsPanel::addGroup(const QString& group, QVBoxLayout* layout) {
   connect(header, &QToolButton::toggled, box, &QWidget::setVisible);
   connect(header, &QToolButton::toggled, header,
           [header](bool open) { header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow); });
+  header->setStyleSheet("QToolButton { border: 0; padding: 6px 4px; text-align: left; }");
   layout->addWidget(header);
   layout->addWidget(box);
   return box;

@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/automatic.h"
 #include "ui/gl_bridge.h"
 #include "ui/viewport_overlay.h"
 
@@ -23,6 +24,7 @@ constexpr int pointMilliseconds = 40;   // the pointer's value is looked up at m
 }  // namespace
 
 Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), overlay_(new ViewportOverlay(this)) {
+  resolved_ = scene::resolve(scene_, {});  // the background, until there is a volume
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);

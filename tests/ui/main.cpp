@@ -1,0 +1,25 @@
+// Runs the window's tests in one QApplication, with settings of its own instead of the user's.
+#include <cstdio>
+
+#include <QApplication>
+#include <QSettings>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_data.h"
+#include "ui/open_window.h"
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (const auto problem = isolux::ui::displayProblem()) {
+    std::fprintf(stderr, "ui_tests: %s; run it with xvfb-run\n", problem->c_str());
+    return 1;
+  }
+  isolux::ui::prepareApplication();
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                     QString::fromStdString(isolux::test::temporaryFolder().string()));
+  const QApplication application(argc, argv);
+  isolux::ui::finishApplication();
+  return RUN_ALL_TESTS();
+}

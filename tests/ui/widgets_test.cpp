@@ -1,0 +1,202 @@
+// Parts of the window on their own: histogram arithmetic, picture quality, numbers, colours, settings rows.
+#include "tests/ui/window_fixture.h"
+
+#include <cmath>
+#include <set>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include "ui/color_button.h"
+#include "ui/histogram_plot.h"
+#include "ui/number_spin_box.h"
+#include "ui/number_text.h"
+#include "ui/picture_quality.h"
+#include "ui/setting_editor.h"
+#include "ui/settings_panel.h"
+
+namespace isolux::test {
+
+TEST(HistogramPlot, PixelsAndValuesAreInverse) {
+  ui::HistogramPlot plot(-1000.0, 3000.0);
+  plot.zoom(3.7, 120.0);
+  for (const double value : {-200.0, 0.0, 500.0}) {
+    EXPECT_NEAR(plot.valueAt(plot.pixelOf(value, 640.0), 640.0), value, 1e-9);
+  }
+}
+
+TEST(HistogramPlot, ZoomKeepsTheAnchorAndStaysInside) {
+  ui::HistogramPlot plot(0.0, 100.0);
+  const double pixel = plot.pixelOf(30.0, 500.0);
+  plot.zoom(8.0, 30.0);
+  EXPECT_NEAR(plot.pixelOf(30.0, 500.0), pixel, 1e-9);
+  EXPECT_NEAR(plot.shownRange(), 12.5, 1e-9);
+  plot.pan(1e9);
+  EXPECT_DOUBLE_EQ(plot.shownMaximum(), 100.0);
+  plot.reveal(3.0);
+  EXPECT_LE(plot.shownMinimum(), 3.0);
+  plot.zoom(1e-9, 50.0);
+  EXPECT_FALSE(plot.zoomed());
+  plot.zoom(std::nan(""), 50.0);
+  EXPECT_FALSE(plot.zoomed());
+}
+
+TEST(HistogramPlot, ColumnsAreLogarithmicAndShowThinPeaks) {
+  volume::Histogram histogram;
+  histogram.minimum = 0.0;
+  histogram.maximum = 1000.0;
+  histogram.counts.assign(1000, 0);
+  histogram.counts[500] = 999;  // one bin of a thousand must be seen on 100 pixels
+  histogram.counts[100] = 9;
+  const auto columns = ui::HistogramPlot(0.0, 1000.0).columns(histogram, 100);
+  EXPECT_FLOAT_EQ(columns[50], 1.0F);
+  EXPECT_NEAR(columns[10], std::log(10.0) / std::log(1000.0), 1e-6);
+  EXPECT_FLOAT_EQ(columns[11], 0.0F);
+}
+
+TEST(HistogramPlot, AConstantVolumeHasAnAxis) {
+  volume::Histogram histogram;
+  histogram.minimum = histogram.maximum = 7.0;
+  histogram.counts = {64};
+  const ui::HistogramPlot plot(7.0, 7.0);
+  EXPECT_GT(plot.shownRange(), 0.0);
+  const auto columns = plot.columns(histogram, 50);
+  EXPECT_EQ(std::count(columns.begin(), columns.end(), 1.0F), 1);
+}
+
+TEST(HistogramPlot, TicksAreRoundNumbersApart) {
+  const ui::HistogramPlot plot(-1024.0, 2986.0);
+  const auto ticks = plot.ticks(700.0, 85.0);
+  ASSERT_GE(ticks.size(), 4U);
+  EXPECT_EQ(ticks[0], -1000.0);
+  EXPECT_EQ(ticks[1], -500.0);
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    EXPECT_GE(plot.pixelOf(ticks[i], 700.0) - plot.pixelOf(ticks[i - 1], 700.0), 85.0 - 1e-6);
+  }
+}
+
+TEST(PictureQuality, IsQuickWhileMovingThenSharpThenFull) {
+  ui::PictureQuality quality;
+  const glm::ivec2 pixels{800, 600};
+  EXPECT_EQ(quality.request(pixels, 2).supersampling, 1);
+  quality.measured(400.0);
+  EXPECT_LT(quality.request(pixels, 2).size.x, 400);
+  EXPECT_TRUE(quality.refine(2));
+  EXPECT_EQ(quality.request(pixels, 2).size, pixels);
+  EXPECT_EQ(quality.request(pixels, 2).supersampling, 1);
+  EXPECT_FALSE(quality.complete(2));
+  EXPECT_TRUE(quality.refine(2));
+  EXPECT_EQ(quality.request(pixels, 2).supersampling, 2);
+  EXPECT_TRUE(quality.complete(2));
+  EXPECT_FALSE(quality.refine(2));
+  quality.changed();
+  EXPECT_FALSE(quality.complete(2));
+  for (int i = 0; i < 10; ++i) quality.measured(5.0);  // a fast machine gets the full size back
+  EXPECT_EQ(quality.request(pixels, 2).size, pixels);
+  EXPECT_TRUE(quality.complete(1));
+}
+
+TEST(Numbers, ReadWell) {
+  EXPECT_EQ(ui::numberText(300.0), "300");
+  EXPECT_EQ(ui::numberText(-0.25), "-0.25");
+  EXPECT_EQ(ui::numberText(1234567.0, 6), "1234567");
+  EXPECT_EQ(ui::numberText(1e-20, 3), "1e-20");
+  EXPECT_EQ(ui::numberText(0.1 + 0.2), "0.3");
+  EXPECT_EQ(ui::roundedToStep(0.30000000000000004, 0.1), 0.3);
+  EXPECT_EQ(ui::niceBelow(7.3), 5.0);
+  EXPECT_DOUBLE_EQ(ui::niceBelow(0.0021), 0.002);
+}
+
+TEST(NumberSpinBox, KeepsTinyAndLongValues) {
+  ui::NumberSpinBox box;
+  box.showValue(1.25e-20);
+  EXPECT_EQ(box.value(), 1.25e-20);
+  EXPECT_EQ(box.text(), "1.25e-20");
+  box.showValue(0.1234567890123);
+  EXPECT_EQ(box.value(), 0.1234567890123);
+}
+
+TEST(Colours, ScreenAndLinearAreInverse) {
+  for (const double c : {0.0, 0.001, 0.2, 0.5, 1.0}) {
+    const glm::dvec3 back = ui::linearColour(ui::screenColour(glm::dvec3(c)));
+    EXPECT_NEAR(back.x, c, 2e-5);
+  }
+  EXPECT_EQ(ui::screenColour(glm::dvec3(0.2140)).red(), 127);  // IEC 61966-2-1
+}
+
+class SettingsPanelTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    panel_.setScene(scene_, scene_);
+    QObject::connect(&panel_, &ui::SettingsPanel::edited, [this](const ui::Edit& edit) {
+      scene_ = edit.scene;
+      last_ = edit;
+      panel_.setScene(scene_, scene_);
+    });
+  }
+  scene::Scene scene_;
+  ui::Edit last_;
+  ui::SettingsPanel panel_;
+};
+
+TEST_F(SettingsPanelTest, HasARowForEverySettingButTheSource) {
+  for (const scene::Setting& setting : scene::settings()) {
+    const bool source = setting.path.starts_with("source.");
+    EXPECT_EQ(panel_.editor(QString::fromStdString(setting.path)) == nullptr, source) << setting.path;
+  }
+}
+
+TEST_F(SettingsPanelTest, AChoiceEditsTheSceneAndCanBeReset) {
+  auto* combo = panel_.editor("look.mode")->findChild<QComboBox*>();
+  EXPECT_EQ(combo->currentText(), "Blinn-Phong");
+  combo->setCurrentIndex(combo->findData("normal"));
+  EXPECT_EQ(scene_.look.mode, scene::LookMode::normal);
+  EXPECT_EQ(last_.name, "Change mode");
+  panel_.editor("look.mode")->resetToDefault();
+  EXPECT_EQ(scene_.look.mode, scene::Scene{}.look.mode);
+  EXPECT_EQ(combo->currentText(), "Blinn-Phong");
+}
+
+TEST_F(SettingsPanelTest, ANumberFollowsItsSliderAndStaysInItsRange) {
+  auto* slider = panel_.editor("look.ambient")->findChild<QSlider*>();
+  ASSERT_NE(slider, nullptr);
+  slider->setValue(slider->maximum());
+  EXPECT_EQ(scene_.look.ambient, 1.0);
+  EXPECT_FALSE(last_.mergeKey.isEmpty());
+  auto* box = panel_.editor("look.ambient")->findChild<ui::NumberSpinBox*>();
+  box->setValue(0.5);
+  EXPECT_EQ(scene_.look.ambient, 0.5);
+  EXPECT_EQ(slider->value(), slider->maximum() / 2);
+}
+
+TEST_F(SettingsPanelTest, AnAutomaticSettingCanBeFixedAndFreed) {
+  scene::Scene resolved = scene_;
+  resolved.isosurface.value = 42.0;
+  panel_.setScene(scene_, resolved);
+  auto* automatic = panel_.editor("isosurface.value")->findChild<QCheckBox*>();
+  EXPECT_TRUE(automatic->isChecked());
+  EXPECT_EQ(panel_.editor("isosurface.value")->findChild<ui::NumberSpinBox*>()->value(), 42.0);
+  automatic->click();
+  EXPECT_EQ(scene_.isosurface.value, 42.0);
+  automatic->click();
+  EXPECT_FALSE(scene_.isosurface.value.has_value());
+}
+
+TEST_F(SettingsPanelTest, AValueThatIsRefusedIsReportedAndShownAsItWas) {
+  QString message;
+  QObject::connect(&panel_, &ui::SettingsPanel::failed, [&](const QString& text) { message = text; });
+  auto* editor = panel_.editor("light.direction");
+  const auto boxes = editor->findChildren<ui::NumberSpinBox*>();
+  ASSERT_EQ(boxes.size(), 3);
+  boxes[0]->setValue(0.0);
+  boxes[1]->setValue(0.0);
+  boxes[2]->setValue(0.0);  // no direction at all
+  EXPECT_TRUE(message.contains("light.direction")) << message.toStdString();
+  EXPECT_EQ(boxes[2]->value(), scene_.light.direction.z);
+  EXPECT_NE(scene_.light.direction.z, 0.0);
+}
+
+}  // namespace isolux::test
