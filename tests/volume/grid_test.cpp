@@ -1,0 +1,76 @@
+#include "volume/grid.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "tests/support/analytic_fields.h"
+
+namespace isolux::volume {
+namespace {
+
+TEST(GridGeometry, PlacesVoxelsByOriginSpacingAndDirections) {
+  const glm::dmat3 directions(glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0));
+  const GridGeometry geometry = GridGeometry::make({4, 5, 6}, {0.5, 2.0, 3.0}, {10, 20, 30}, directions);
+  EXPECT_EQ(geometry.voxelCount(), 120u);
+  EXPECT_EQ(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(1, 1, 1, 1)), glm::dvec3(13.0, 20.5, 32.0));
+  EXPECT_EQ(geometry.spacingMm(), glm::dvec3(0.5, 2.0, 3.0));
+  EXPECT_EQ(geometry.originMm(), glm::dvec3(10, 20, 30));
+  EXPECT_FALSE(geometry.leftHanded());
+  glm::dvec3 low, high;
+  geometry.worldBounds(low, high);
+  EXPECT_EQ(low, glm::dvec3(10, 20, 30));
+  EXPECT_EQ(high, glm::dvec3(10 + 5 * 3.0, 20 + 3 * 0.5, 30 + 4 * 2.0));
+}
+
+TEST(GridGeometry, InverseUndoesAnObliqueLeftHandedAffine) {
+  const GridGeometry geometry = test::obliqueLeftHandedGeometry(16);
+  EXPECT_TRUE(geometry.leftHanded());
+  const glm::dmat4 inverse = geometry.voxelFromWorld();
+  for (const glm::dvec3& voxel : {glm::dvec3(0), glm::dvec3(15, 0, 7.5), glm::dvec3(-3, 40, 2)}) {
+    const glm::dvec3 back(inverse * (geometry.worldFromVoxel * glm::dvec4(voxel, 1.0)));
+    EXPECT_LT(glm::distance(back, voxel), 1e-12);
+  }
+  const glm::dmat3 directions = geometry.directions();
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(glm::length(directions[axis]), 1.0, 1e-15);
+}
+
+TEST(Grid, ValuesApplySlopeAndInterceptAlsoToTheRange) {
+  const Grid grid(GridGeometry::make({2, 2, 1}, glm::dvec3(1)),
+                  std::vector<std::int16_t>{-32768, 0, 5, 32767}, -0.5, 10.0);
+  EXPECT_EQ(grid.value(0, 0, 0), 16394.0);
+  EXPECT_EQ(grid.value(1, 1, 0), -16373.5);
+  EXPECT_EQ(grid.minimum(), -16373.5);
+  EXPECT_EQ(grid.maximum(), 16394.0);
+  EXPECT_EQ(grid.storedOfValue(grid.value(0, 1, 0)), 5.0);
+  EXPECT_EQ(grid.bytes(), 8u);
+}
+
+TEST(Grid, InfiniteVoxelsAreMissing) {
+  constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  const Grid grid(GridGeometry::make({5, 1, 1}, glm::dvec3(1)),
+                  std::vector<float>{inf, -inf, nan, 2.0f, -1.0f});
+  EXPECT_EQ(grid.missingCount(), 3u);
+  EXPECT_TRUE(std::isnan(grid.value(0, 0, 0)));
+  EXPECT_EQ(grid.minimum(), -1.0);
+  EXPECT_EQ(grid.maximum(), 2.0);
+  const Grid empty(GridGeometry::make({2, 1, 1}, glm::dvec3(1)), std::vector<float>{nan, nan});
+  EXPECT_EQ(empty.minimum(), 0.0);
+  EXPECT_EQ(empty.maximum(), 0.0);
+}
+
+TEST(Grid, HashTellsVoxelsGeometryTypeAndScaleApart) {
+  const GridGeometry geometry = GridGeometry::make({2, 1, 1}, glm::dvec3(1));
+  const Grid grid(geometry, std::vector<std::uint8_t>{1, 2});
+  EXPECT_EQ(grid.hash(), Grid(geometry, std::vector<std::uint8_t>{1, 2}).hash());
+  EXPECT_NE(grid.hash(), Grid(geometry, std::vector<std::uint8_t>{2, 1}).hash());
+  EXPECT_NE(grid.hash(), Grid(geometry, std::vector<std::int8_t>{1, 2}).hash());
+  EXPECT_NE(grid.hash(), Grid(geometry, std::vector<std::uint8_t>{1, 2}, 2.0).hash());
+  EXPECT_NE(grid.hash(),
+            Grid(GridGeometry::make({2, 1, 1}, glm::dvec3(2)), std::vector<std::uint8_t>{1, 2}).hash());
+}
+
+}  // namespace
+}  // namespace isolux::volume

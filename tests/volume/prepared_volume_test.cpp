@@ -1,0 +1,77 @@
+#include "volume/prepared_volume.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/analytic_fields.h"
+#include "volume/phantom.h"
+
+namespace isolux::volume {
+namespace {
+
+Volume volumeOf(Grid grid, std::string unit = "") {
+  Volume volume;
+  volume.grid = std::make_shared<const Grid>(std::move(grid));
+  volume.unit = std::move(unit);
+  return volume;
+}
+
+TEST(PreparedVolume, HoldsBlocksHistogramBoundsAndIsovalue) {
+  scene::Progress progress;
+  PhantomRequest request;
+  request.name = "ball";
+  request.geometry = test::obliqueLeftHandedGeometry(20);
+  const auto prepared = prepareVolume(volumeOf(makePhantom(request, progress)), progress);
+  EXPECT_EQ(prepared->blocks->blockCells(), kBlockCells);
+  EXPECT_EQ(prepared->blocks->dims(), glm::ivec3(3));
+  EXPECT_FALSE(prepared->histogram.counts.empty());
+  glm::dvec3 low, high;
+  prepared->grid().geometry().worldBounds(low, high);
+  EXPECT_EQ(prepared->facts.boundsMinMm, low);
+  EXPECT_EQ(prepared->facts.boundsMaxMm, high);
+  EXPECT_LT(prepared->grid().minimum(), prepared->facts.suggestedIsovalue);
+  EXPECT_LT(prepared->facts.suggestedIsovalue, prepared->grid().maximum());
+  EXPECT_EQ(progress.fraction(), 1.0);
+  EXPECT_GE(prepared->prepareSeconds, 0.0);
+}
+
+TEST(PreparedVolume, APhantomBringsItsOwnIsovalue) {
+  for (const auto& [path, isovalue] :
+       {std::pair("phantom:head:32", 300.0), std::pair("phantom:marschner_lobb:24", 0.5)}) {
+    scene::Progress progress;
+    scene::Source source;
+    source.path = path;
+    EXPECT_EQ(loadVolume(source, progress)->facts.suggestedIsovalue, isovalue) << path;
+  }
+}
+
+TEST(PreparedVolume, BoundsOfASliceOrASingleVoxelAreNotEmpty) {
+  for (const glm::ivec3& dims : {glm::ivec3(5, 4, 1), glm::ivec3(1, 1, 1)}) {
+    scene::Progress progress;
+    const GridGeometry geometry = GridGeometry::make(dims, {0.5, 1.0, 3.0});
+    const auto prepared =
+        prepareVolume(volumeOf(Grid(geometry, std::vector<float>(geometry.voxelCount()))), progress);
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_GT(prepared->facts.boundsMaxMm[axis] - prepared->facts.boundsMinMm[axis], 0.1);
+    EXPECT_EQ(prepared->blocks->count(), 0u);
+  }
+}
+
+TEST(PreparedVolume, VolumesWithoutAnyValueArePreparedToo) {
+  scene::Progress progress;
+  const GridGeometry geometry = GridGeometry::make({4, 4, 4}, glm::dvec3(1));
+  const Grid grid(geometry, std::vector<float>(64, std::numeric_limits<float>::quiet_NaN()));
+  EXPECT_EQ(prepareVolume(volumeOf(grid, "HU"), progress)->facts.suggestedIsovalue, 0.0);
+}
+
+TEST(PreparedVolume, StopsWhenAsked) {
+  scene::Progress progress;
+  progress.requestStop();
+  const GridGeometry geometry = GridGeometry::make({40, 40, 40}, glm::dvec3(1));
+  EXPECT_THROW(prepareVolume(volumeOf(Grid(geometry, std::vector<std::uint8_t>(64000))), progress),
+               scene::Error);
+}
+
+}  // namespace
+}  // namespace isolux::volume
