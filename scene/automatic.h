@@ -10,7 +10,7 @@ namespace isolux::scene {
 
 // What automatic settings may depend on.
 struct VolumeFacts {
-  glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // axis-aligned world box of the voxel domain
+  glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // world box of what there is to see
   double suggestedIsovalue = 0.0;                 // data units, volume::suggestIsovalue()
 };
 

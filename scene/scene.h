@@ -34,7 +34,7 @@ struct Source {
 struct Isosurface {
   std::optional<double> value;  // data units
   Inside inside = Inside::above;
-  glm::dvec3 albedo{0.80, 0.72, 0.60};
+  glm::dvec3 albedo{0.70, 0.62, 0.50};
   bool operator==(const Isosurface&) const = default;
 };
 
@@ -53,8 +53,8 @@ struct Derivatives {
 struct Look {
   LookMode mode = LookMode::blinn_phong;
   double ambient = 0.12;
-  double specular = 0.25;
-  double shininess = 40.0;
+  double specular = 0.2;
+  double shininess = 50.0;
   glm::dvec3 backgroundTop{0.10, 0.12, 0.15};
   glm::dvec3 backgroundBottom{0.02, 0.02, 0.03};
   bool operator==(const Look&) const = default;
@@ -62,7 +62,7 @@ struct Look {
 
 struct Light {
   // Toward the light, in camera axes (right, up, toward the viewer); need not have unit length.
-  glm::dvec3 direction{-0.35, 0.45, 1.0};
+  glm::dvec3 direction{-0.5, 0.7, 0.9};
   double intensity = 1.0;
   bool operator==(const Light&) const = default;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string_view>
 
 #include "volume/phantom.h"
@@ -17,11 +19,49 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The world box of the voxel domain; an axis along which it has no extent (a single slice) gets half a voxel
-// on both sides, so that a camera can be placed before any volume.
-scene::VolumeFacts factsOf(const Grid& grid) {
-  scene::VolumeFacts facts;
-  grid.geometry().worldBounds(facts.boundsMinMm, facts.boundsMaxMm);
+// Where the user will look: the world box of the blocks with structure in them, i.e. a surface of the suggested
+// isovalue, or of the one half-way from the most frequent value (the background) to it, or a tenth of the whole
+// range of values. So dragging the isovalue from bone down to skin stays in the picture, while noise in air does
+// not count. The whole domain when there is no such block. An axis along which the box has no
+// extent (a single slice) gets half a voxel on both sides, so that a camera can be placed before any volume.
+void setBounds(PreparedVolume& prepared) {
+  const Grid& grid = prepared.grid();
+  const MinMaxBlocks& blocks = *prepared.blocks;
+  const Histogram& histogram = prepared.histogram;
+  scene::VolumeFacts& facts = prepared.facts;
+
+  glm::ivec3 low(0), high = grid.dims() - 1;
+  if (!histogram.counts.empty()) {
+    const auto most = std::max_element(histogram.counts.begin(), histogram.counts.end());
+    const double background =
+        histogram.binCentre(static_cast<std::size_t>(std::distance(histogram.counts.begin(), most)));
+    const auto upper = static_cast<float>(grid.storedOfValue(facts.suggestedIsovalue));
+    const auto lower = static_cast<float>(grid.storedOfValue(0.5 * (background + facts.suggestedIsovalue)));
+    const auto contrast = static_cast<float>(0.1 * (grid.maximum() - grid.minimum()) / std::abs(grid.slope()));
+    glm::ivec3 first = blocks.dims(), last(-1);
+    std::size_t i = 0;
+    for (int z = 0; z < blocks.dims().z; ++z)
+      for (int y = 0; y < blocks.dims().y; ++y)
+        for (int x = 0; x < blocks.dims().x; ++x, ++i)
+          if (blocks.active(i, upper) || blocks.active(i, lower) ||
+              blocks.maximum(i) - blocks.minimum(i) > contrast) {
+            first = glm::min(first, glm::ivec3(x, y, z));
+            last = glm::max(last, glm::ivec3(x, y, z));
+          }
+    if (last.x >= 0) {
+      low = first * blocks.blockCells();
+      high = glm::min((last + 1) * blocks.blockCells(), high);
+    }
+  }
+  facts.boundsMinMm = glm::dvec3(std::numeric_limits<double>::infinity());
+  facts.boundsMaxMm = -facts.boundsMinMm;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 voxel((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
+                           (corner & 4) ? high.z : low.z, 1.0);
+    const glm::dvec3 world(grid.geometry().worldFromVoxel * voxel);
+    facts.boundsMinMm = glm::min(facts.boundsMinMm, world);
+    facts.boundsMaxMm = glm::max(facts.boundsMaxMm, world);
+  }
   const glm::dvec3 spacing = grid.geometry().spacingMm();
   const glm::dvec3 extent = facts.boundsMaxMm - facts.boundsMinMm;
   const double least = std::min({spacing.x, spacing.y, spacing.z});
@@ -30,10 +70,11 @@ scene::VolumeFacts factsOf(const Grid& grid) {
     facts.boundsMinMm[axis] -= 0.5 * least;
     facts.boundsMaxMm[axis] += 0.5 * least;
   }
-  return facts;
 }
 
-std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress) {
+// `suggestedIsovalue`: of a phantom, which knows its own.
+std::shared_ptr<PreparedVolume> prepare(Volume volume, std::optional<double> suggestedIsovalue,
+                                        scene::Progress& progress) {
   const Clock::time_point start = Clock::now();
   auto prepared = std::make_shared<PreparedVolume>();
   prepared->volume = std::move(volume);
@@ -42,9 +83,9 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress
   progress.report(0.6, "counting values");
   prepared->histogram = makeHistogram(prepared->grid());
   progress.throwIfStopped();
-  prepared->facts = factsOf(prepared->grid());
   prepared->facts.suggestedIsovalue =
-      suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
+      suggestedIsovalue.value_or(suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit));
+  setBounds(*prepared);
   prepared->prepareSeconds = secondsSince(start);
   progress.report(1.0, "ready");
   return prepared;
@@ -53,7 +94,7 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress
 }  // namespace
 
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, scene::Progress& progress) {
-  return prepare(std::move(volume), progress);
+  return prepare(std::move(volume), std::nullopt, progress);
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, scene::Progress& progress) {
@@ -61,17 +102,16 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, sc
   progress.report(0.0, "reading");
   Volume volume = readVolume(source.path, readOptions(source), progress);
   const double readSeconds = secondsSince(start);
-  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(volume), progress);
-  prepared->readSeconds = readSeconds;
+  std::optional<double> suggested;
   constexpr std::string_view prefix = "phantom:";
   if (source.path.starts_with(prefix)) {
     const std::string name = parsePhantom(std::string_view(source.path).substr(prefix.size())).name;
-    for (const PhantomInfo& info : phantoms()) {
-      const bool inRange =
-          prepared->grid().minimum() < info.isovalue && info.isovalue < prepared->grid().maximum();
-      if (info.name == name && inRange) prepared->facts.suggestedIsovalue = info.isovalue;
-    }
+    for (const PhantomInfo& info : phantoms())
+      if (info.name == name && volume.grid->minimum() < info.isovalue && info.isovalue < volume.grid->maximum())
+        suggested = info.isovalue;
   }
+  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(volume), suggested, progress);
+  prepared->readSeconds = readSeconds;
   return prepared;
 }
 
