@@ -198,7 +198,9 @@ TEST_F(RendererGlTest, ReportsWhatItDid) {
 TEST_F(RendererGlTest, PickFindsTheSurfaceUnderAPixel) {
   const auto volume = phantom("ball", 65);
   renderer_->setVolume(volume);
-  const scene::Scene scene = scene::resolve({}, volume->facts);
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene = scene::resolve(scene, volume->facts);
   for (const int supersampling : {1, 2}) {
     draw(scene, supersampling);
     const auto pick = renderer_->pick({48, 40});
