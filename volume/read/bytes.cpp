@@ -81,6 +81,7 @@ OpenBeside openBeside(const fs::path& header) {
     const fs::path file = header.parent_path() / relative;
     std::error_code ignored;
     if (!fs::exists(file, ignored)) throwInput(header.string(), place, "no such file");
+    if (!fs::is_regular_file(file, ignored)) throwInput(header.string(), place, "is no file");
     return std::make_unique<FileBytes>(file);
   };
 }

@@ -157,14 +157,18 @@ StoredVoxels fromDouble(const std::vector<double>& from, const scene::Progress& 
 
   // value = slope * stored + intercept. The intercept takes away what all values share, the slope (a power
   // of two, so exact) brings the rest into the range of normal float32 numbers.
-  const double intercept = facts.least / 2 + facts.most / 2;
+  const double intercept =
+      facts.least == facts.most ? facts.least : facts.least / 2 + facts.most / 2;  // the sum may overflow
   double slope = 1.0;
   if (halfRange > 1e30 || (halfRange > 0.0 && halfRange < 1e-20))
     slope = std::ldexp(1.0, std::ilogb(halfRange));
   if (slope < std::numeric_limits<double>::min()) slope = std::numeric_limits<double>::min();
   double largest = 0.0;
   auto stored = mapped<float>(from, progress, [&](double v) {
-    const float f = toFloat((v - intercept) / slope);
+    float f = toFloat((v - intercept) / slope);
+    // Rounded up beyond the largest double.
+    if (std::isfinite(f) && !std::isfinite(slope * static_cast<double>(f) + intercept))
+      f = std::nextafter(f, 0.0f);
     if (std::isfinite(f))
       largest = std::max(largest, std::abs((slope * static_cast<double>(f) + intercept) - v));
     return f;

@@ -73,7 +73,8 @@ class PageReader {
         spec.format.basetype == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : spec.format;
     const auto stop = [](void* data, float) { return static_cast<scene::Progress*>(data)->stopRequested(); };
     if (!input_->read_image(page.page.index, 0, 0, spec.nchannels, format, out.data(), OIIO::AutoStride,
-                            OIIO::AutoStride, OIIO::AutoStride, stop, &progress)) {
+                            OIIO::AutoStride, OIIO::AutoStride, stop, &progress) ||
+        input_->has_error()) {
       progress.throwIfStopped();
       throwInput(file_.string(), place(page), reason(input_->geterror()));
     }

@@ -63,6 +63,39 @@ class Walk {
     return number(elsewhere ? number(field, static_cast<std::size_t>(room)) : field, width);
   }
 
+  // The values of an entry; `place` names the page when there are too many.
+  std::vector<std::uint64_t> valuesOf(std::uint64_t entry, const std::string& place) const {
+    const std::uint64_t type = number(entry + 2, 2), count = number(entry + 4, wide_ ? 8 : 4);
+    const std::size_t width = type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
+    if (width == 0 || count > bytes_.size() / width)
+      throwInput(bytes_.name(), place, "truncated: its table of strips is longer than the file");
+    const std::uint64_t field = entry + (wide_ ? 12 : 8), room = wide_ ? 8 : 4;
+    const std::uint64_t at = count > room / width ? number(field, static_cast<std::size_t>(room)) : field;
+    std::vector<std::byte> raw(static_cast<std::size_t>(count) * width);
+    bytes_.read(at, raw);
+    std::vector<std::uint64_t> values;
+    for (std::size_t i = 0; i < raw.size(); i += width) {
+      if (swap_)
+        std::reverse(raw.begin() + static_cast<std::ptrdiff_t>(i),
+                     raw.begin() + static_cast<std::ptrdiff_t>(i + width));
+      std::uint64_t value = 0;
+      std::memcpy(&value, raw.data() + i, width);
+      values.push_back(value);
+    }
+    return values;
+  }
+
+  // Each strip or tile must lie in the file; OpenImageIO shows zeros for those that do not.
+  void checkStrips(std::uint64_t offsets, std::uint64_t counts, const std::string& place) const {
+    if (offsets == 0 || counts == 0) throwInput(bytes_.name(), place, "does not say where its pixels are");
+    const auto at = valuesOf(offsets, place), sizes = valuesOf(counts, place);
+    if (at.size() != sizes.size()) throwInput(bytes_.name(), place, "its tables of strips disagree");
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (at[i] > bytes_.size() || sizes[i] > bytes_.size() - at[i])
+        throwInput(bytes_.name(), place,
+                   "truncated: strip " + std::to_string(i + 1) + " lies behind the end of the file");
+  }
+
   // Reads the directory at `at`, moves `at` to the next one; false for thumbnails and masks.
   bool readPage(std::uint64_t& at, TiffPage& page) {
     const std::string place = "page " + std::to_string(page.index + 1);
@@ -70,7 +103,7 @@ class Walk {
     const std::uint64_t entries = number(at, wide_ ? 8 : 2);
     if (entries > mostEntries)
       throwInput(bytes_.name(), place, "has " + std::to_string(entries) + " entries");
-    std::uint64_t entry = at + (wide_ ? 8 : 2), compression = 1, kind = 0;
+    std::uint64_t entry = at + (wide_ ? 8 : 2), compression = 1, kind = 0, offsets = 0, counts = 0;
     for (std::uint64_t i = 0; i < entries; ++i, entry += entryBytes) {
       const std::uint64_t tag = number(entry, 2);
       const auto value = [&] {
@@ -91,6 +124,14 @@ class Walk {
           break;
         case 259:
           compression = valueOf(entry);
+          break;
+        case 273:
+        case 324:
+          offsets = entry;
+          break;
+        case 279:
+        case 325:
+          counts = entry;
           break;
         case 277:
           page.samples = value();
@@ -115,6 +156,7 @@ class Walk {
       throwInput(bytes_.name(), place,
                  "truncated: " + std::to_string(claim) + " bytes are announced, the file has " +
                      std::to_string(bytes_.size()));
+    checkStrips(offsets, counts, place);
     total_ += compression == 1 ? claim : 0;
     if (total_ > bytes_.size())
       throwInput(bytes_.name(), place,
