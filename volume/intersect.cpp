@@ -143,6 +143,15 @@ class Walk {
     return (static_cast<double>(plane) - origin_[axis]) / direction_[axis];
   }
 
+  // The ray's coordinate at t; on a plane of voxels when rounding cannot tell it from that. So a ray through
+  // an edge or a corner of cells is not sent through slivers of cells beside it.
+  double coordinate(int axis, double t) const {
+    const double along = t * direction_[axis], at = origin_[axis] + along, plane = std::round(at);
+    const double rounding =
+        4.0 * std::numeric_limits<double>::epsilon() * (std::abs(origin_[axis]) + std::abs(along));
+    return std::abs(at - plane) <= rounding ? plane : at;
+  }
+
   // The part of [tMinimum, tMaximum] inside the voxel domain, and its first cell.
   bool clip(double tMinimum, double tMaximum) {
     t_ = tMinimum;
@@ -164,15 +173,19 @@ class Walk {
     }
     if (!(t_ < tEnd_) || !std::isfinite(t_)) return false;
     for (int axis = 0; axis < 3; ++axis) {
-      const int cells = grid_.dims()[axis] - 1;
-      double at = std::clamp(origin_[axis] + t_ * direction_[axis], 0.0, static_cast<double>(cells));
-      if (axis == entryAxis) at = direction_[axis] > 0.0 ? 0.0 : cells;
-      const double below = std::floor(at);
-      const bool behind = direction_[axis] < 0.0 && below == at;  // on a plane, leaving it downward
-      cell_[axis] = std::clamp(static_cast<int>(below) - (behind ? 1 : 0), 0, cells - 1);
-      entry_[axis] = at;
+      const int last = grid_.dims()[axis] - 1;
+      entry_[axis] = std::clamp(coordinate(axis, t_), 0.0, static_cast<double>(last));
+      if (axis == entryAxis) entry_[axis] = direction_[axis] > 0.0 ? 0.0 : last;
+      cell_[axis] = cellAt(axis, 0, last);
     }
     return true;
+  }
+
+  // The cell between the planes `low` and `high` that the ray goes into at entry_.
+  int cellAt(int axis, int low, int high) const {
+    const double below = std::floor(entry_[axis]);
+    const bool leavesDownward = direction_[axis] < 0.0 && below == entry_[axis];
+    return std::clamp(static_cast<int>(below) - (leavesDownward ? 1 : 0), low, high - 1);
   }
 
   // The side of a block that cannot be crossed, empty where its cells must be looked at. Where voxels are
@@ -194,28 +207,23 @@ class Walk {
   // ray.
   bool step(glm::ivec3 low, glm::ivec3 high) {
     double exit = kInfinity;
-    std::array<double, 3> at{kInfinity, kInfinity, kInfinity};
-    for (int axis = 0; axis < 3; ++axis) {
-      if (direction_[axis] == 0.0) continue;
-      const double t = planeT(axis, direction_[axis] > 0.0 ? high[axis] : low[axis]);
-      at[static_cast<std::size_t>(axis)] = t;
-      exit = std::min(exit, t);
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      if (direction_[axis] != 0.0)
+        exit = std::min(exit, planeT(axis, direction_[axis] > 0.0 ? high[axis] : low[axis]));
     if (!(exit < tEnd_)) return false;
     t_ = std::max(t_, exit);
     for (int axis = 0; axis < 3; ++axis) {
-      if (at[static_cast<std::size_t>(axis)] <= exit) {
-        const bool forward = direction_[axis] > 0.0;
-        cell_[axis] = forward ? high[axis] : low[axis] - 1;
-        entry_[axis] = forward ? high[axis] : low[axis];
+      const bool forward = direction_[axis] > 0.0;
+      const int plane = forward ? high[axis] : low[axis];
+      const bool moving = direction_[axis] != 0.0;
+      if (moving && (planeT(axis, plane) <= exit || coordinate(axis, exit) == plane)) {
+        entry_[axis] = plane;
+        cell_[axis] = forward ? plane : plane - 1;
         if (cell_[axis] < 0 || cell_[axis] > grid_.dims()[axis] - 2) return false;
       } else {
-        entry_[axis] = std::clamp(origin_[axis] + t_ * direction_[axis], static_cast<double>(low[axis]),
-                                  static_cast<double>(high[axis]));
-        // On a plane between two cells, the cell that the ray goes into.
-        const double below = std::floor(entry_[axis]);
-        const bool behind = direction_[axis] < 0.0 && below == entry_[axis];
-        cell_[axis] = std::clamp(static_cast<int>(below) - (behind ? 1 : 0), low[axis], high[axis] - 1);
+        entry_[axis] =
+            std::clamp(coordinate(axis, t_), static_cast<double>(low[axis]), static_cast<double>(high[axis]));
+        cell_[axis] = cellAt(axis, low[axis], high[axis]);
       }
     }
     return true;
@@ -238,22 +246,20 @@ class Walk {
     }
     // The stretch inside the cell, from entry_ to `exit`, both snapped to the planes they lie on.
     double tExit = tEnd_;
-    int exitAxis = -1;
+    std::array<double, 3> at{kInfinity, kInfinity, kInfinity};
     for (int axis = 0; axis < 3; ++axis) {
       if (direction_[axis] == 0.0) continue;
-      const double t = planeT(axis, direction_[axis] > 0.0 ? cell_[axis] + 1 : cell_[axis]);
-      if (t <= tExit) {
-        tExit = t;
-        exitAxis = axis;
-      }
+      at[static_cast<std::size_t>(axis)] =
+          planeT(axis, direction_[axis] > 0.0 ? cell_[axis] + 1 : cell_[axis]);
+      tExit = std::min(tExit, at[static_cast<std::size_t>(axis)]);
     }
     if (!(tExit > t_)) return std::nullopt;  // only touches the cell
     glm::dvec3 from, to;
     for (int axis = 0; axis < 3; ++axis) {
       from[axis] = std::clamp(entry_[axis] - cell_[axis], 0.0, 1.0);
-      to[axis] = std::clamp(origin_[axis] + tExit * direction_[axis] - cell_[axis], 0.0, 1.0);
+      to[axis] = std::clamp(coordinate(axis, tExit) - cell_[axis], 0.0, 1.0);
+      if (at[static_cast<std::size_t>(axis)] <= tExit) to[axis] = direction_[axis] > 0.0 ? 1.0 : 0.0;
     }
-    if (exitAxis >= 0) to[exitAxis] = direction_[exitAxis] > 0.0 ? 1.0 : 0.0;
 
     Side before = side_;
     double s = 0.0;
