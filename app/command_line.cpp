@@ -81,25 +81,31 @@ std::string firstLine(std::string text) {
   return text;
 }
 
+// "unknown option --otu, did you mean --out?" for the first word of the line that calls for it.
+std::string mistypedOption(const CLI::App& used, int argc, char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : used.get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    word.resize(std::min(word.find('='), word.size()));
+    if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    const std::string suggestion = scene::nearest(word, known);
+    if (!suggestion.empty()) return "unknown option " + word + ", did you mean " + suggestion + "?";
+  }
+  return {};
+}
+
 // The parser's complaint as one line, with the option that was probably meant.
 Error usageError(const CLI::ParseError& error, const Program& program, int argc, char** argv) {
   const CLI::App* used = &program.parser;
   if (const auto chosen = program.parser.get_subcommands(); !chosen.empty()) used = chosen.front();
-  std::string hint;
-  if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
-    std::vector<std::string> known;
-    for (const CLI::Option* option : used->get_options())
-      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-    for (int i = 1; i < argc && hint.empty(); ++i) {
-      const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-      if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
-      if (const std::string suggestion = scene::nearest(word, known); !suggestion.empty())
-        hint = ", did you mean " + suggestion + "?";
-    }
+  std::string reason = mistypedOption(*used, argc, argv);
+  if (reason.empty()) {
+    const std::string command = used == &program.parser ? "isolux" : "isolux " + used->get_name();
+    reason = firstLine(error.what()) + "; `" + command + " --help` explains";
   }
-  if (hint.empty())
-    hint = "; `" + (used == &program.parser ? "isolux" : "isolux " + used->get_name()) + " --help` explains";
-  return {ErrorKind::usage, "", "", firstLine(error.what()) + hint};
+  return {ErrorKind::usage, "", "", reason};
 }
 
 // Parses; true when there is something to run (not when help or the version was printed).

@@ -14,7 +14,7 @@ namespace isolux::app {
 
 namespace {
 
-constexpr int graceMilliseconds = 60;
+constexpr int graceMilliseconds = 40;
 
 // A signal handler can reach nothing else.
 std::atomic<int> signalPipe{-1};

@@ -1,4 +1,4 @@
-// Ctrl-C: asks the running job to stop and, if it does not within 60 ms, ends the process tidily.
+// Ctrl-C: asks the running job to stop and, if it does not within 40 ms, ends the process tidily.
 //
 // While an InterruptWatcher lives, SIGINT and SIGTERM call Progress::requestStop(). A job that listens throws
 // Error{interrupted}; one that is deep in a driver or a library is not waited for: unfinished files are

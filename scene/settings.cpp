@@ -34,7 +34,7 @@ std::string shown(const json& value) {
   if (value.is_array()) return "a list of " + std::to_string(value.size());
   if (value.is_object()) return "an object";
   if (value.is_string()) return '"' + value.get_ref<const std::string&>().substr(0, 80) + '"';
-  return value.dump();
+  return value.is_number_float() ? numberText(value.get<double>()) : value.dump();
 }
 
 std::string rangeText(const Setting& setting) {

@@ -1,4 +1,5 @@
 // isolux phantom NAME --size N --out FILE: writes a built-in test volume; `isolux phantom list` names them.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -14,6 +15,7 @@ namespace isolux::app {
 
 namespace {
 
+namespace fs = std::filesystem;
 using scene::Error;
 using scene::ErrorKind;
 
@@ -44,6 +46,23 @@ void checkName(const std::string& name) {
                                  : "no such phantom, did you mean " + suggestion + "?");
 }
 
+// Some formats are two files, and the writer knows nothing of interrupts: so it writes into a pending folder,
+// from which the finished files are renamed, the named one last.
+void writeWhole(const volume::Grid& grid, const fs::path& out) {
+  const PendingFile staging(out);
+  try {
+    fs::create_directory(staging.path());
+    volume::writeVolume(grid, staging.path() / out.filename());
+  } catch (const Error& error) {
+    throw Error(error.kind(), out.string(), "", error.reason());
+  }
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(staging.path()))
+    if (entry.path().filename() != out.filename()) files.push_back(entry.path().filename());
+  files.push_back(out.filename());
+  for (const fs::path& name : files) fs::rename(staging.path() / name, out.parent_path() / name);
+}
+
 void runPhantom(const PhantomOptions& options, scene::Progress& progress) {
   checkName(options.request.name);
   if (options.request.name == "list") {
@@ -52,11 +71,11 @@ void runPhantom(const PhantomOptions& options, scene::Progress& progress) {
   }
   if (options.out.empty()) throw Error(ErrorKind::usage, "", "--out", "is required");
   if (!std::isfinite(options.request.noise)) throw Error(ErrorKind::usage, "", "--noise", "must be finite");
-  { const PendingFile writable{std::filesystem::path(options.out)}; }
+  { const PendingFile writable{fs::path(options.out)}; }
   const ProgressBar bar(progress);
   const volume::Grid grid = volume::makePhantom(options.request, progress);
   progress.throwIfStopped();
-  volume::writeVolume(grid, options.out);
+  writeWhole(grid, options.out);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // isolux settings [--markdown]: every setting, from the one list.
+#include <cmath>
 #include <iostream>
 
 #include "app/commands/command.h"
@@ -27,12 +28,18 @@ std::string typeName(const Setting& setting) {
   return "three numbers";
 }
 
+// Whole numbers without an exponent, others as short as possible.
+std::string limitText(double value) {
+  return std::abs(value) < 1e9 && value == std::floor(value) ? std::to_string(static_cast<long>(value))
+                                                             : numberText(value);
+}
+
 // As it is typed after --set PATH=.
 std::string valueText(const nlohmann::json& value) {
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return numberText(value.get<double>());
+  if (!value.is_array()) return limitText(value.get<double>());
   std::string text;
-  for (const auto& part : value) text += (text.empty() ? "" : ",") + numberText(part.get<double>());
+  for (const auto& part : value) text += (text.empty() ? "" : ",") + limitText(part.get<double>());
   return text;
 }
 
@@ -41,7 +48,7 @@ std::string allowedText(const Setting& setting) {
   if (setting.type == SettingType::choice) {
     for (const std::string& choice : setting.choices) text += (text.empty() ? "" : ", ") + choice;
   } else if (setting.type != SettingType::text) {
-    text = numberText(setting.minimum) + " to " + numberText(setting.maximum);
+    text = limitText(setting.minimum) + " to " + limitText(setting.maximum);
   }
   return setting.mayBeAutomatic ? text + ", or auto" : text;
 }

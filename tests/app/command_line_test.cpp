@@ -1,0 +1,302 @@
+// Runs the isolux program: exit codes, messages, output, interrupts. Nothing here needs GL.
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line.h"
+#include "app/session.h"
+#include "scene/settings.h"
+#include "tests/app/run_isolux.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::runIsolux;
+using test::RunResult;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
+// Runs in a folder of its own, expects one line on stderr and this exit code, and nothing left behind.
+std::string failure(int exitCode, const std::vector<std::string>& arguments) {
+  const fs::path folder = test::temporaryFolder();
+  const RunResult result = runIsolux(arguments, {.folder = folder});
+  const std::string shown = testing::PrintToString(arguments);
+  EXPECT_EQ(result.exitCode, exitCode) << shown << '\n' << result.err;
+  EXPECT_TRUE(result.isOneErrorLine()) << shown << '\n' << result.err;
+  EXPECT_EQ(result.out, "") << shown;
+  EXPECT_THAT(test::filesIn(folder), IsEmpty()) << shown;
+  return result.err;
+}
+
+RunResult success(const std::vector<std::string>& arguments,
+                  const fs::path& folder = test::temporaryFolder()) {
+  const RunResult result = runIsolux(arguments, {.folder = folder});
+  EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(arguments) << '\n' << result.err;
+  return result;
+}
+
+TEST(CommandLine, WrongUseIsExit2) {
+  EXPECT_THAT(failure(2, {"inof"}), HasSubstr("did you mean info?"));
+  EXPECT_THAT(failure(2, {"inof", "phantom:head"}), HasSubstr("did you mean info?"));
+  EXPECT_THAT(failure(2, {"rendr", "a.nii", "--out", "a.png"}), HasSubstr("did you mean render?"));
+  EXPECT_THAT(failure(2, {"xyzzy"}), HasSubstr("isolux --help"));
+  EXPECT_THAT(failure(2, {"info"}), HasSubstr("PATH"));
+  EXPECT_THAT(failure(2, {"info", "phantom:head:8", "--jsn"}), HasSubstr("did you mean --json?"));
+  EXPECT_THAT(failure(2, {"render", "phantom:head:8"}), HasSubstr("--out"));
+  EXPECT_THAT(failure(2, {"render", "phantom:head:8", "--out", "a.jpg"}), HasSubstr(".png or .exr"));
+  EXPECT_THAT(failure(2, {"render", "phantom:head:8", "--out", "a"}), HasSubstr(".png or .exr"));
+  EXPECT_THAT(failure(2, {"render", "phantom:head:8", "--out", "a.png", "--aov", "normal"}),
+              HasSubstr(".exr"));
+  EXPECT_THAT(failure(2, {"render", "phantom:head:8", "--out", "a.exr", "--aov", "normals"}),
+              HasSubstr("normals"));
+  for (const char* size : {"10", "10x", "x10", "0x5", "5x0", "-5x5", "10x10x10", "99999x1", "ax b", ""})
+    EXPECT_THAT(failure(2, {"render", "phantom:head:8", "--out", "a.png", "--size", size}),
+                HasSubstr("--size"));
+  EXPECT_THAT(failure(2, {"render", "phantom:head:8", "--out", "a.png", "--context", "vulkan"}),
+              HasSubstr("--context"));
+  EXPECT_THAT(failure(2, {"render", "phantom:head:8", "--out", "a.png", "--repeat", "-1"}),
+              HasSubstr("--repeat"));
+  EXPECT_THAT(failure(2, {"info", "phantom:head:8", "--threads", "0"}), HasSubstr("--threads"));
+  EXPECT_THAT(failure(2, {"info", "phantom:heda:8"}), HasSubstr("heda"));
+  EXPECT_THAT(failure(2, {"replay", "r.jsonl", "--out", "d", "--fps", "0"}), HasSubstr("--fps"));
+}
+
+TEST(CommandLine, SettingsAreCheckedBeforeAnythingRuns) {
+  const auto set = [](const char* assignment) {
+    return failure(2, {"render", "missing.nii", "--out", "a.png", "--set", assignment});
+  };
+  EXPECT_THAT(set("camera.fov=500"), AllOf(HasSubstr("camera.fov"), HasSubstr("500"), HasSubstr("1 to 160")));
+  EXPECT_THAT(set("camera.fow=50"), HasSubstr("did you mean camera.fov?"));
+  EXPECT_THAT(set("camera.fov"), HasSubstr("PATH=VALUE"));
+  EXPECT_THAT(failure(2, {"info", "phantom:head:8", "--isovalue", "bone"}), HasSubstr("isosurface.value"));
+  EXPECT_THAT(failure(2, {"info", "phantom:head:8", "--look", "shiny"}), HasSubstr("look.mode"));
+  EXPECT_THAT(failure(2, {"info", "phantom:head:8", "--camera", "1,2,3"}), HasSubstr("--camera"));
+  EXPECT_THAT(failure(2, {"info", "phantom:head:8", "--camera", "1,2,3 0,0,0 0,0,0 30"}),
+              HasSubstr("camera.up"));
+  EXPECT_THAT(failure(2, {"missing.nii", "--set", "camera.fov=500"}), HasSubstr("camera.fov"))
+      << "the window too";
+}
+
+TEST(CommandLine, UnreadableInputIsExit3) {
+  EXPECT_THAT(failure(3, {"info", "missing.nii"}), HasSubstr("missing.nii"));
+  EXPECT_THAT(failure(3, {"render", "missing.nii", "--out", "a.png"}), HasSubstr("missing.nii"));
+  EXPECT_THAT(failure(3, {"info", "phantom:head:8", "--session", "missing.isolux"}),
+              HasSubstr("missing.isolux"));
+  EXPECT_THAT(failure(3, {"replay", "missing.jsonl", "--out", "frames"}), HasSubstr("missing.jsonl"));
+  EXPECT_THAT(failure(3, {"render", "phantom:head:8", "--out", "no/a.png"}), HasSubstr("no/a.png"));
+  EXPECT_THAT(failure(3, {"render", "phantom:head:8", "--out", "a.png", "--stats", "no/a.json"}),
+              HasSubstr("no/a.json"));
+  EXPECT_THAT(failure(3, {"phantom", "ball", "--size", "8", "--out", "no/a.mha"}), HasSubstr("no/a.mha"));
+}
+
+TEST(CommandLine, BadSessionsNameTheKey) {
+  const fs::path folder = test::temporaryFolder();
+  std::ofstream(folder / "s.isolux") << R"({"isolux_session": 2, "scene": {"camera": {"fow": 3}}})";
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"info", "s.isolux"}, {"info", "phantom:ball:8", "--session", "s.isolux"}, {"s.isolux"}}) {
+    const RunResult result = runIsolux(arguments, {.folder = folder});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_TRUE(result.isOneErrorLine()) << result.err;
+    EXPECT_THAT(result.err, AllOf(HasSubstr("s.isolux"), HasSubstr("scene.camera.fow")));
+  }
+}
+
+TEST(CommandLine, MessagesAreOneLineWhateverTheInput) {
+  failure(3, {"info", "a\nb\x1b[31m.nii"});
+  failure(2, {"info", "phantom:head:8", "--set", "camera.fov=1\n2"});
+  failure(2, {"info", "phantom:head:8", "--set", std::string(5000, 'x') + "=1"});
+  failure(3, {"info", "caf\xe9.nii"});
+}
+
+TEST(CommandLine, TooLittleMemoryIsExit5) {
+  if (sanitized) GTEST_SKIP() << "sanitizers reserve address space of their own";
+  const RunResult result =
+      runIsolux({"info", "phantom:head:1024"}, {.addressSpace = std::size_t{1500} << 20});
+  EXPECT_EQ(result.exitCode, 5);
+  EXPECT_TRUE(result.isOneErrorLine()) << result.err;
+}
+
+TEST(CommandLine, HelpCoversEveryCommandAndOption) {
+  const std::string help = success({"--help"}).out;
+  for (const char* name : {"info", "render", "replay", "phantom", "settings", "doctor"}) {
+    EXPECT_THAT(help, HasSubstr(name));
+    const RunResult result = success({name, "--help"});
+    EXPECT_THAT(result.out, HasSubstr(std::string("  isolux ") + name)) << "an example";
+    EXPECT_EQ(result.err, "");
+  }
+  const std::string page = test::contentOf(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "commands.md");
+  for (const char* name : {"info", "render", "replay", "phantom", "settings", "doctor"}) {
+    const std::string text = success({name, "--help"}).out;
+    for (std::size_t at = 0; (at = text.find("  --", at)) != std::string::npos; ++at) {
+      const std::string option = text.substr(at + 2, text.find_first_of(" ,\n", at + 2) - at - 2);
+      EXPECT_THAT(page, HasSubstr(option)) << "docs/commands.md does not mention it";
+    }
+  }
+}
+
+TEST(CommandLine, VersionIsPrinted) {
+  EXPECT_THAT(success({"--version"}).out, testing::MatchesRegex("isolux [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(InfoCommand, JsonHasTheDocumentedKeys) {
+  const json info = json::parse(success({"info", "phantom:ball:16", "--json"}).out);
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : info.items()) keys.push_back(key);
+  EXPECT_THAT(keys,
+              testing::UnorderedElementsAre("name", "format", "dims", "type", "stored_type", "spacing_mm",
+                                            "origin_mm", "directions", "unit", "slope", "intercept", "range",
+                                            "missing", "suggested_isovalue", "histogram", "blocks",
+                                            "components", "time_steps", "series", "data_hash", "warnings"));
+  EXPECT_EQ(info["dims"], json({16, 16, 16}));
+  EXPECT_EQ(info["type"], "float32");
+  EXPECT_EQ(info["directions"].size(), 3u);
+  EXPECT_EQ(info["range"].size(), 2u);
+  EXPECT_LT(info["range"][0], info["suggested_isovalue"]);
+  EXPECT_EQ(info["data_hash"].get<std::string>().size(), 16u);
+  EXPECT_EQ(info["missing"], 0);
+  std::uint64_t counted = 0;
+  for (const auto& count : info["histogram"]["counts"]) counted += count.get<std::uint64_t>();
+  EXPECT_EQ(counted, 16u * 16 * 16);
+  EXPECT_GT(info["blocks"]["active_at_suggested"], 0);
+  EXPECT_LE(info["blocks"]["active_at_suggested"], info["blocks"]["total"]);
+}
+
+TEST(InfoCommand, TextSaysTheSame) {
+  const std::string text = success({"info", "phantom:ball:16"}).out;
+  EXPECT_THAT(text, AllOf(HasSubstr("16 x 16 x 16"), HasSubstr("float32"), HasSubstr("spacing"),
+                          HasSubstr("mm (LPS)")));
+}
+
+TEST(InfoCommand, TakesSessionsAndSettingsInOrder) {
+  const fs::path folder = test::temporaryFolder();
+  scene::Scene scene;
+  scene.source.path = "phantom:torus:12";
+  saveSession(scene, folder / "s.isolux");
+  const auto dims = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{"info", "--json"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return json::parse(success(all, folder).out)["dims"][0].get<int>();
+  };
+  EXPECT_EQ(dims({"s.isolux"}), 12);
+  EXPECT_EQ(dims({"phantom:ball:10", "--session", "s.isolux"}), 10);
+  EXPECT_EQ(dims({"s.isolux", "--set", "source.path=phantom:ball:9", "--set", "source.path=phantom:ball:8"}),
+            8);
+}
+
+TEST(PhantomCommand, WritesVolumesThatReadBackTheSame) {
+  const fs::path folder = test::temporaryFolder();
+  const auto hash = [&](const std::string& path) {
+    return json::parse(success({"info", path, "--json"}, folder).out);
+  };
+  const json made = hash("phantom:torus:20");
+  for (const char* name : {"a.mha", "b.mhd", "c.nrrd", "d.vti"}) {
+    success({"phantom", "torus", "--size", "20", "--out", name}, folder);
+    const json read = hash(name);
+    EXPECT_EQ(read["dims"], made["dims"]) << name;
+    EXPECT_EQ(read["range"], made["range"]) << name;
+    EXPECT_EQ(read["data_hash"], made["data_hash"]) << name;
+  }
+  EXPECT_THAT(test::filesIn(folder), ElementsAre("a.mha", "b.mhd", "b.raw", "c.nrrd", "d.vti"));
+}
+
+TEST(PhantomCommand, NoiseFollowsTheSeed) {
+  const fs::path folder = test::temporaryFolder();
+  const auto write = [&](const char* name, const char* seed) {
+    success({"phantom", "ball", "--size", "12", "--noise", "2", "--seed", seed, "--out", name}, folder);
+    return test::contentOf(folder / name);
+  };
+  const std::string first = write("a.mha", "1");
+  EXPECT_EQ(write("b.mha", "1"), first);
+  EXPECT_NE(write("c.mha", "2"), first);
+}
+
+TEST(PhantomCommand, ListsAndRefuses) {
+  EXPECT_THAT(success({"phantom", "list"}).out, AllOf(HasSubstr("head"), HasSubstr("torus")));
+  EXPECT_THAT(failure(2, {"phantom", "bal", "--out", "a.mha"}), HasSubstr("did you mean ball?"));
+  EXPECT_THAT(failure(2, {"phantom", "ball"}), HasSubstr("--out"));
+  EXPECT_THAT(failure(2, {"phantom", "ball", "--size", "1", "--out", "a.mha"}), HasSubstr("--size"));
+  EXPECT_THAT(failure(2, {"phantom", "ball", "--noise", "-1", "--out", "a.mha"}), HasSubstr("--noise"));
+  EXPECT_THAT(failure(2, {"phantom", "ball", "--size", "8", "--out", "a.xyz"}), HasSubstr("a.xyz"));
+}
+
+TEST(SettingsCommand, ListsEachSetting) {
+  const std::string text = success({"settings"}).out, page = success({"settings", "--markdown"}).out;
+  for (const scene::Setting& setting : scene::settings()) {
+    EXPECT_THAT(text, HasSubstr(setting.path));
+    EXPECT_THAT(page, HasSubstr("| `" + setting.path + "` |"));
+  }
+}
+
+TEST(SettingsCommand, TheDocumentationIsUpToDate) {
+  EXPECT_EQ(test::contentOf(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "settings.md"),
+            success({"settings", "--markdown"}).out)
+      << "run: isolux settings --markdown > docs/settings.md";
+}
+
+TEST(DoctorCommand, SaysWhatIsThere) {
+  const std::string text = success({"doctor"}).out;
+  EXPECT_THAT(text, AllOf(HasSubstr("isolux"), HasSubstr("CPU threads"), HasSubstr("memory"),
+                          HasSubstr("ffmpeg"), HasSubstr("OSMesa")));
+}
+
+TEST(Interrupt, StopsWithoutATrace) {
+  for (const int number : {SIGINT, SIGTERM}) {
+    const fs::path folder = test::temporaryFolder();
+    test::RunningIsolux running({"phantom", "head", "--size", "1024", "--out", "a.mha"}, {.folder = folder});
+    std::this_thread::sleep_for(std::chrono::milliseconds(sanitized ? 3000 : 1500));
+    const auto begin = std::chrono::steady_clock::now();
+    running.signal(number);
+    const RunResult result = running.wait();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    RecordProperty("milliseconds", static_cast<int>(seconds * 1000));
+    EXPECT_EQ(result.exitCode, 130);
+    EXPECT_EQ(result.err, "isolux: interrupted\n");
+    EXPECT_THAT(test::filesIn(folder), IsEmpty());
+    EXPECT_LT(seconds, 2.0) << "0.1 s on an idle machine";
+  }
+}
+
+TEST(CommandLine, WithoutASubcommandTheWindowIsAskedFor) {
+  const auto request = [](std::vector<std::string> words) {
+    std::vector<char*> argv;
+    words.insert(words.begin(), "isolux");
+    for (std::string& word : words) argv.push_back(word.data());
+    WindowRequest seen;
+    const int code = runCommandLine(static_cast<int>(argv.size()), argv.data(), [&](const WindowRequest& r) {
+      seen = r;
+      return 42;
+    });
+    EXPECT_EQ(code, 42);
+    return seen;
+  };
+  EXPECT_TRUE(request({}).scene == scene::Scene{});
+  const WindowRequest full =
+      request({"phantom:ball:8", "--isovalue", "-3", "--set", "look.mode=depth", "--isovalue", "5",
+               "--camera", "1,2,3 0,0,0 0,0,1 40", "--record", "r.jsonl"});
+  EXPECT_EQ(full.scene.source.path, "phantom:ball:8");
+  EXPECT_EQ(full.scene.isosurface.value, 5.0);
+  EXPECT_EQ(full.recordFile, "r.jsonl");
+  EXPECT_THAT(full.assignments,
+              ElementsAre("isosurface.value=-3", "look.mode=depth", "isosurface.value=5", "camera.eye=1,2,3",
+                          "camera.target=0,0,0", "camera.up=0,0,1", "camera.fov=40"));
+}
+
+}  // namespace
+}  // namespace isolux::app

@@ -1,0 +1,101 @@
+#include "app/image_io.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/error.h"
+#include "tests/app/run_isolux.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+render::ColorImage gradientImage(glm::ivec2 size) {
+  render::ColorImage image{size, {}};
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x)
+      for (const int value : {x * 7, y * 11, x + y, 255})
+        image.rgba.push_back(static_cast<std::uint8_t>(value));
+  return image;
+}
+
+TEST(ImageIo, PngRoundTripsPixelsAndSession) {
+  const fs::path file = test::temporaryFolder() / "a.png";
+  const render::ColorImage image = gradientImage({31, 17});
+  const std::string session = "{\"text\": \"ünï\\n\"}\n" + std::string(100000, ' ');
+  writePng(image, file, session);
+  const render::ColorImage back = readPng(file);
+  EXPECT_EQ(back.size, image.size);
+  EXPECT_EQ(back.rgba, image.rgba);
+  EXPECT_EQ(readSessionText(file), session);
+}
+
+TEST(ImageIo, TheSamePictureIsTheSameFile) {
+  const fs::path folder = test::temporaryFolder();
+  writePng(gradientImage({8, 8}), folder / "a.png", "x");
+  writePng(gradientImage({8, 8}), folder / "b.png", "x");
+  EXPECT_EQ(test::contentOf(folder / "a.png"), test::contentOf(folder / "b.png"));
+}
+
+TEST(ImageIo, ExrHasNamedFloatChannels) {
+  const fs::path file = test::temporaryFolder() / "a.exr";
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const render::AovImage position{render::Aov::position, {2, 1}, 3, {1.5f, -2e-20f, 3e20f, nan, nan, nan}};
+  const render::AovImage hit{render::Aov::hit, {2, 1}, 1, {1.0f, 0.0f}};
+  writeExr(nullptr, {position, hit}, file, "session");
+
+  const auto input = OIIO::ImageInput::open(file.string());
+  ASSERT_TRUE(input);
+  const OIIO::ImageSpec& spec = input->spec();
+  EXPECT_THAT(spec.channelnames,
+              testing::UnorderedElementsAre("position.x", "position.y", "position.z", "hit"));
+  EXPECT_EQ(spec.format, OIIO::TypeDesc(OIIO::TypeDesc::FLOAT));
+  EXPECT_EQ(spec.get_string_attribute("isolux_session"), "session");
+  std::vector<float> values(8);
+  ASSERT_TRUE(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::FLOAT, values.data()));
+  const auto at = [&](int pixel, const char* channel) {
+    return values[static_cast<std::size_t>(pixel * 4 + spec.channelindex(channel))];
+  };
+  EXPECT_EQ(at(0, "position.x"), 1.5f);
+  EXPECT_EQ(at(0, "position.y"), -2e-20f);
+  EXPECT_EQ(at(0, "position.z"), 3e20f);
+  EXPECT_TRUE(std::isnan(at(1, "position.x")));
+  EXPECT_EQ(at(0, "hit"), 1.0f);
+  EXPECT_EQ(at(1, "hit"), 0.0f);
+}
+
+TEST(ImageIo, ExrColoursAreLinear) {
+  const fs::path file = test::temporaryFolder() / "a.exr";
+  const render::ColorImage image{{3, 1}, {0, 255, 188, 255, 10, 128, 55, 255, 11, 12, 13, 255}};
+  writeExr(&image, {}, file, "");
+  const auto input = OIIO::ImageInput::open(file.string());
+  ASSERT_TRUE(input);
+  EXPECT_THAT(input->spec().channelnames, ElementsAre("R", "G", "B"));
+  std::vector<float> values(9);
+  ASSERT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data()));
+  EXPECT_EQ(values[0], 0.0f);
+  EXPECT_EQ(values[1], 1.0f);
+  EXPECT_NEAR(values[2], 0.5029, 1e-4);  // IEC 61966-2-1
+  EXPECT_NEAR(values[3], 10 / 255.0 / 12.92, 1e-7);
+  EXPECT_NEAR(values[4], 0.21586, 1e-5);
+}
+
+TEST(ImageIo, FailuresLeaveNothingBehind) {
+  const fs::path folder = test::temporaryFolder();
+  const render::ColorImage image = gradientImage({4, 4});
+  EXPECT_THROW(writePng(image, folder / "no" / "a.png", ""), scene::Error);
+  EXPECT_THROW(writePng(image, folder, ""), scene::Error);
+  EXPECT_THROW(readPng(folder / "missing.png"), scene::Error);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace isolux::app

@@ -1,0 +1,56 @@
+#include "app/load_job.h"
+
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+void waitFor(const LoadJob& job) {
+  while (!job.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+scene::Source source(const std::string& path) {
+  scene::Source result;
+  result.path = path;
+  return result;
+}
+
+TEST(LoadJob, DeliversTheVolume) {
+  LoadJob job(source("phantom:ball:16"));
+  waitFor(job);
+  ASSERT_FALSE(job.error());
+  ASSERT_TRUE(job.volume());
+  EXPECT_EQ(job.volume()->grid().dims(), glm::ivec3(16));
+  EXPECT_EQ(job.source().path, "phantom:ball:16");
+}
+
+TEST(LoadJob, DeliversTheErrorAsAValue) {
+  LoadJob job(source((test::temporaryFolder() / "missing.nii").string()));
+  waitFor(job);
+  ASSERT_TRUE(job.error());
+  EXPECT_EQ(job.error()->kind(), scene::ErrorKind::input);
+  EXPECT_FALSE(job.volume());
+}
+
+TEST(LoadJob, StopsWhenAsked) {
+  LoadJob job(source("phantom:head:512"));
+  job.progress().requestStop();
+  waitFor(job);
+  ASSERT_TRUE(job.error());
+  EXPECT_EQ(job.error()->kind(), scene::ErrorKind::interrupted);
+}
+
+TEST(LoadJob, MayBeThrownAwayWhileItRuns) {
+  for (int i = 0; i < 3; ++i) {
+    LoadJob job(source("phantom:head:256"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(i * 20));
+  }
+}
+
+}  // namespace
+}  // namespace isolux::app

@@ -1,0 +1,132 @@
+#include "app/recording.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/error.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::Scene;
+using scene::SceneDiff;
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text) {
+  const fs::path file = test::temporaryFolder() / "r.jsonl";
+  std::ofstream(file, std::ios::binary) << text;
+  try {
+    loadRecording(file);
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.kind(), scene::ErrorKind::input);
+    EXPECT_EQ(error.file(), file.string());
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted: " << text;
+  return {};
+}
+
+TEST(Recording, RoundTrips) {
+  const fs::path folder = test::temporaryFolder();
+  Scene start;
+  start.source.path = (folder / "ct.nii").string();
+  start.camera.fov = 1.0 / 3.0 + 20;
+  const SceneDiff first{"Rotate", {{"camera.eye", {1.0 / 3.0, -2.5, 1e-9}}}};
+  const SceneDiff second{"Open",
+                         {{"isosurface.value", "auto"}, {"source.path", (folder / "b.nii").string()}}};
+  {
+    Recorder recorder(folder / "r.jsonl", start);
+    recorder.add(first, 0.25);
+    recorder.add(SceneDiff{"Nothing", {}}, 0.3);
+    recorder.add(second, 1.5);
+  }
+  const Recording recording = loadRecording(folder / "r.jsonl");
+  EXPECT_TRUE(recording.start == start);
+  ASSERT_EQ(recording.steps.size(), 2u);
+  EXPECT_EQ(recording.steps[0].seconds, 0.25);
+  EXPECT_EQ(recording.steps[0].diff, first);
+  EXPECT_EQ(recording.steps[1].diff, second);
+  EXPECT_EQ(recording.duration(), 1.5);
+
+  EXPECT_TRUE(recording.sceneAt(0.2) == start);
+  EXPECT_TRUE(recording.sceneAt(0.25) == scene::applied(start, first));
+  EXPECT_TRUE(recording.sceneAt(9) == scene::applied(scene::applied(start, first), second));
+}
+
+TEST(Recording, MovesWithItsFolder) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directories(folder / "old");
+  Scene start;
+  start.source.path = (folder / "old" / "ct.nii").string();
+  {
+    Recorder recorder(folder / "old" / "r.jsonl", start);
+    recorder.add({"Open", {{"source.path", (folder / "old" / "b.nii").string()}}}, 1);
+  }
+  fs::rename(folder / "old", folder / "new");
+  const Recording recording = loadRecording(folder / "new" / "r.jsonl");
+  EXPECT_EQ(recording.start.source.path, (folder / "new" / "ct.nii").string());
+  EXPECT_EQ(recording.sceneAt(1).source.path, (folder / "new" / "b.nii").string());
+}
+
+TEST(Recording, EveryStepIsOnDiskAtOnce) {
+  const fs::path file = test::temporaryFolder() / "r.jsonl";
+  Recorder recorder(file, Scene{});
+  EXPECT_TRUE(loadRecording(file).steps.empty());
+  recorder.add({"Zoom", {{"camera.fov", 40.0}}});
+  const Recording recording = loadRecording(file);
+  ASSERT_EQ(recording.steps.size(), 1u);
+  EXPECT_GE(recording.steps[0].seconds, 0.0);
+  EXPECT_LT(recording.steps[0].seconds, 60.0);
+}
+
+TEST(Recording, AcceptsBlankLinesAndNoNameAndADefaultScene) {
+  const fs::path file = test::temporaryFolder() / "r.jsonl";
+  std::ofstream(file) << "{\"isolux_recording\": 1}\n\n{\"time\": 0, \"set\": {}}\r\n   \n";
+  const Recording recording = loadRecording(file);
+  EXPECT_TRUE(recording.start == Scene{});
+  EXPECT_EQ(recording.steps.size(), 1u);
+}
+
+TEST(Recording, BadLinesAreNamed) {
+  const std::string header = "{\"isolux_recording\": 1, \"scene\": {}}\n";
+  EXPECT_THAT(refusal(""), HasSubstr("line 1"));
+  EXPECT_THAT(refusal("{}\n"), AllOf(HasSubstr("line 1"), HasSubstr("not a recording")));
+  EXPECT_THAT(refusal("nonsense\n"), AllOf(HasSubstr("line 1"), HasSubstr("JSON")));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 2}\n"), HasSubstr("version 1"));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 1, \"scene\": {\"camera\": {\"fow\": 1}}}\n"),
+              AllOf(HasSubstr("line 1"), HasSubstr("camera.fow")));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 1, \"extra\": 1}\n"), HasSubstr("extra"));
+  EXPECT_THAT(refusal(header + "{\"time\": 1, \"set\": {}}\n{\"time\": 0.5, \"set\": {}}\n"),
+              AllOf(HasSubstr("line 3"), HasSubstr("before")));
+  EXPECT_THAT(refusal(header + "\n{\"time\": 1, \"set\": {\"camera.fow\": 1}}\n"),
+              AllOf(HasSubstr("line 3"), HasSubstr("camera.fow")));
+  EXPECT_THAT(refusal(header + "{\"time\": 1, \"set\": {\"camera.fov\": 1000}}\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("camera.fov"), HasSubstr("160")));
+  EXPECT_THAT(refusal(header + "{\"time\": 1, \"set\": {\"camera.fov\": 10}"),
+              AllOf(HasSubstr("line 2"), HasSubstr("byte")))
+      << "the last line is cut";
+  for (const char* time : {"-1", "\"1\"", "1e300", "null"})
+    EXPECT_THAT(refusal(header + "{\"time\": " + time + ", \"set\": {}}\n"),
+                AllOf(HasSubstr("line 2"), HasSubstr("time")));
+  EXPECT_THAT(refusal(header + "{\"set\": {}}\n"), HasSubstr("time"));
+  EXPECT_THAT(refusal(header + "{\"time\": 1}\n"), HasSubstr("set"));
+  EXPECT_THAT(refusal(header + "{\"time\": 1, \"set\": {}, \"more\": 1}\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("more")));
+  EXPECT_THAT(refusal(header + "{\"time\": 1, \"set\": {}, \"name\": 1}\n"), HasSubstr("name"));
+  EXPECT_THAT(refusal(header + "[]\n"), HasSubstr("line 2"));
+}
+
+TEST(Recording, MissingFilesAndFoldersAreErrors) {
+  const fs::path folder = test::temporaryFolder();
+  EXPECT_THROW(loadRecording(folder / "missing"), scene::Error);
+  EXPECT_THROW(loadRecording(folder), scene::Error);
+  EXPECT_THROW(Recorder(folder / "no" / "r.jsonl", Scene{}), scene::Error);
+}
+
+}  // namespace
+}  // namespace isolux::app

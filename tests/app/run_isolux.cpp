@@ -1,0 +1,92 @@
+#include "tests/app/run_isolux.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/support/test_data.h"
+
+namespace isolux::test {
+
+namespace fs = std::filesystem;
+
+bool RunResult::isOneErrorLine() const {
+  return err.starts_with("isolux: ") && std::count(err.begin(), err.end(), '\n') == 1 && err.back() == '\n';
+}
+
+RunningIsolux::RunningIsolux(const std::vector<std::string>& arguments, const RunSettings& settings)
+    : logs_(temporaryFolder()) {
+  std::vector<std::string> words{ISOLUX_BINARY};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  std::vector<std::string> environment = settings.environment;
+  const std::string folder = settings.folder.empty() ? temporaryFolder().string() : settings.folder.string();
+  const std::string out = (logs_ / "out").string(), err = (logs_ / "err").string();
+
+  pid_ = ::fork();
+  if (pid_ != 0) return;
+  // The child: only what is safe between fork and exec, and putenv.
+  if (settings.addressSpace > 0) {
+    const rlimit limit{settings.addressSpace, settings.addressSpace};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  for (std::string& variable : environment) ::putenv(variable.data());
+  const int outFile = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600),
+            errFile = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
+  if (outFile < 0 || errFile < 0 || ::dup2(outFile, 1) < 0 || ::dup2(errFile, 2) < 0 ||
+      ::chdir(folder.c_str()) != 0)
+    ::_exit(99);
+  ::execv(argv[0], argv.data());
+  ::_exit(98);
+}
+
+RunningIsolux::~RunningIsolux() {
+  if (pid_ <= 0) return;
+  ::kill(pid_, SIGKILL);
+  wait();
+}
+
+void RunningIsolux::signal(int number) const {
+  ::kill(pid_, number);
+}
+
+RunResult RunningIsolux::wait() {
+  int status = 0;
+  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(logs_ / "out"),
+          contentOf(logs_ / "err")};
+}
+
+RunResult runIsolux(const std::vector<std::string>& arguments, const RunSettings& settings) {
+  return RunningIsolux(arguments, settings).wait();
+}
+
+std::vector<std::string> filesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::stringstream content;
+  content << stream.rdbuf();
+  return content.str();
+}
+
+}  // namespace isolux::test

@@ -1,0 +1,47 @@
+// Runs the built isolux program as a user would, for tests of its exit codes and output.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace isolux::test {
+
+struct RunResult {
+  int exitCode = -1;  // 128 + n when signal n ended it
+  std::string out, err;
+  // Exactly one line on stderr, that of an error.
+  bool isOneErrorLine() const;
+};
+
+struct RunSettings {
+  std::filesystem::path folder{};          // working directory; empty: a fresh one
+  std::vector<std::string> environment{};  // "NAME=VALUE", beside that of the test
+  std::size_t addressSpace = 0;            // bytes, 0: no limit
+};
+
+// Starts now, finished by wait(). Output goes to files, so nothing can block.
+class RunningIsolux {
+ public:
+  explicit RunningIsolux(const std::vector<std::string>& arguments, const RunSettings& settings = {});
+  ~RunningIsolux();
+  RunningIsolux(const RunningIsolux&) = delete;
+  RunningIsolux& operator=(const RunningIsolux&) = delete;
+
+  void signal(int number) const;
+  RunResult wait();
+
+ private:
+  pid_t pid_ = -1;
+  std::filesystem::path logs_;
+};
+
+RunResult runIsolux(const std::vector<std::string>& arguments, const RunSettings& settings = {});
+
+// Names of the files in a folder, hidden ones included, sorted.
+std::vector<std::string> filesIn(const std::filesystem::path& folder);
+std::string contentOf(const std::filesystem::path& file);
+
+}  // namespace isolux::test

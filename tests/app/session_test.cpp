@@ -1,0 +1,211 @@
+#include "app/session.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/image_io.h"
+#include "scene/error.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using scene::Scene;
+using testing::AllOf;
+using testing::HasSubstr;
+
+Scene someScene() {
+  Scene scene;
+  scene.source.path = "phantom:torus:64";
+  scene.isosurface.value = 1.0 / 3.0;
+  scene.camera.eye = glm::dvec3(0.1, -400, 1e-7);
+  scene.look.mode = scene::LookMode::normal;
+  return scene;
+}
+
+void writeFile(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    parseSession(text, "some.isolux", "/data");
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.kind(), scene::ErrorKind::input);
+    EXPECT_EQ(error.file(), "some.isolux");
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted: " << text;
+  return {};
+}
+
+TEST(Session, RoundTripsThroughAFile) {
+  const fs::path folder = test::temporaryFolder();
+  saveSession(someScene(), folder / "a.isolux");
+  EXPECT_TRUE(loadSession(folder / "a.isolux") == someScene());
+  EXPECT_TRUE(isSession(folder / "a.isolux"));
+  saveSession(Scene{}, folder / "a.isolux");  // over an old one
+  EXPECT_TRUE(loadSession(folder / "a.isolux") == Scene{});
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1)
+      << "something was left behind";
+}
+
+TEST(Session, IsVersionedJson) {
+  const json stored = json::parse(sessionText(someScene(), "/data"));
+  EXPECT_EQ(stored["isolux_session"], 2);
+  EXPECT_TRUE(stored["program"].is_string());
+  EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
+}
+
+TEST(Session, PathsAreRelativeBelowTheFolderOnly) {
+  Scene scene;
+  const auto stored = [&](const char* path, const char* folder) {
+    scene.source.path = path;
+    return json::parse(sessionText(scene, folder))["scene"]["source"]["path"].get<std::string>();
+  };
+  EXPECT_EQ(stored("/data/ct.nii", "/data"), "ct.nii");
+  EXPECT_EQ(stored("/data/ct.nii", "/data/"), "ct.nii");
+  EXPECT_EQ(stored("/data/a/../b/ct.nii", "/data"), "b/ct.nii");
+  EXPECT_EQ(stored("/other/ct.nii", "/data"), "/other/ct.nii");
+  EXPECT_EQ(stored("/database/ct.nii", "/data"), "/database/ct.nii");
+  EXPECT_EQ(stored("phantom:head", "/data"), "phantom:head");
+  EXPECT_EQ(stored("/data/ünï.nii", "/data"), "ünï.nii");
+
+  const auto parsed = [](const std::string& path, const char* folder) {
+    return parseSession(json{{"isolux_session", 2}, {"scene", {{"source", {{"path", path}}}}}}.dump(), "x",
+                        folder)
+        .source.path;
+  };
+  EXPECT_EQ(parsed("ct.nii", "/data"), "/data/ct.nii");
+  EXPECT_EQ(parsed("../ct.nii", "/data/a"), "/data/ct.nii");
+  EXPECT_EQ(parsed("/other/ct.nii", "/data"), "/other/ct.nii");
+  EXPECT_EQ(parsed("phantom:ball:32", "/data"), "phantom:ball:32");
+  EXPECT_EQ(parsed("ct.nii", ""), (fs::current_path() / "ct.nii").string()) << "absolute in memory";
+}
+
+TEST(Session, AMovedFolderStillFindsItsVolume) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directories(folder / "old");
+  Scene scene;
+  scene.source.path = (folder / "old" / "ct.nii").string();
+  saveSession(scene, folder / "old" / "s.isolux");
+  fs::rename(folder / "old", folder / "new");
+  EXPECT_EQ(loadSession(folder / "new" / "s.isolux").source.path, (folder / "new" / "ct.nii").string());
+}
+
+TEST(Session, UpgradesVersion1) {
+  const Scene scene = parseSession(
+      R"({"isolux_session": 1, "program": "0.0.9",
+          "settings": {"isosurface.value": 300, "camera.eye": [1, 2, 3], "source.path": "ct.nii", "look.mode": "depth"}})",
+      "old.isolux", "/data");
+  Scene expected;
+  expected.isosurface.value = 300;
+  expected.camera.eye = glm::dvec3(1, 2, 3);
+  expected.source.path = "/data/ct.nii";
+  expected.look.mode = scene::LookMode::depth;
+  EXPECT_TRUE(scene == expected);
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 1})", "", "/data") == Scene{});
+}
+
+TEST(Session, RefusesBadVersion1WithThePath) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"camera.fow": 3}})"), HasSubstr("camera.fow"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"fov": 3}})"), HasSubstr("settings.fov"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"a.b.c": 3}})"), HasSubstr("settings.a.b.c"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": []})"), HasSubstr("settings"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "scene": {}})"), HasSubstr("scene: unknown key"));
+}
+
+TEST(Session, MissingKeysTakeDefaults) {
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 2})", "", "/") == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", "/") == Scene{});
+}
+
+TEST(Session, UnknownKeysFailWithTheirPath) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scenes": {}})"), HasSubstr("scenes: unknown key"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fow": 1}}})"),
+              AllOf(HasSubstr("scene.camera.fow"), HasSubstr("did you mean camera.fov?")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"kamera": {}}})"), HasSubstr("scene.kamera"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "settings": {}})"), HasSubstr("settings"));
+}
+
+TEST(Session, ValuesAreCheckedWithTheirPath) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": 500}}})"),
+              AllOf(HasSubstr("scene.camera.fov"), HasSubstr("500"), HasSubstr("1 to 160")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": "wide"}}})"),
+              HasSubstr("scene.camera.fov"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": 1e999}}})"),
+              HasSubstr("out of range"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": 7})"), HasSubstr("scene"));
+}
+
+TEST(Session, FutureVersionsSaySo) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 3"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
+}
+
+TEST(Session, WhatIsNoSessionSaysSo) {
+  EXPECT_THAT(refusal(""), HasSubstr("JSON"));
+  EXPECT_THAT(refusal("{\"isolux_session\": 2,}"), HasSubstr("byte 22"));
+  EXPECT_THAT(refusal("[]"), HasSubstr("not a session"));
+  EXPECT_THAT(refusal("{}"), HasSubstr("isolux_session"));
+  for (const char* version : {"0", "-1", "1.5", "\"2\"", "null", "true"})
+    EXPECT_THAT(refusal(std::string("{\"isolux_session\": ") + version + "}"), HasSubstr("version must be"));
+  EXPECT_THAT(refusal("{\"isolux_session\": 2, \"scene\": {\"source\": {\"path\": \"\xff\"}}}"),
+              HasSubstr("byte"));
+  const std::string deep(300000, '[');
+  EXPECT_THAT(refusal(deep + std::string(300000, ']')), HasSubstr("not a session"));
+}
+
+TEST(Session, TravelsInAPicture) {
+  const fs::path folder = test::temporaryFolder();
+  const render::ColorImage image{{2, 1}, {255, 0, 0, 255, 1, 2, 3, 255}};
+  Scene scene = someScene();
+  scene.source.path = (folder / "ünï.nii").string();
+  writePng(image, folder / "a.png", sessionText(scene, folder));
+  EXPECT_TRUE(isSession(folder / "a.png"));
+  EXPECT_TRUE(loadSession(folder / "a.png") == scene);
+
+  writePng(image, folder / "plain.png", "");
+  EXPECT_FALSE(isSession(folder / "plain.png"));
+  EXPECT_THROW(loadSession(folder / "plain.png"), scene::Error);
+  writePng(image, folder / "broken.png", "{\"isolux_session\": 99}");
+  EXPECT_THROW(loadSession(folder / "broken.png"), scene::Error);
+}
+
+TEST(Session, IsToldByContent) {
+  const fs::path folder = test::temporaryFolder();
+  writeFile(folder / "a.json", "  {\"scene\": {}, \"isolux_session\": 2}");
+  writeFile(folder / "b.json", "{\"something\": \"else\"}");
+  writeFile(folder / "c.isolux", "{ broken");
+  writeFile(folder / "d.isolux", "");
+  writeFile(folder / "e.png", "\x89PNG\r\n\x1a\nand then nonsense");
+  EXPECT_TRUE(isSession(folder / "a.json"));
+  EXPECT_FALSE(isSession(folder / "b.json"));
+  EXPECT_TRUE(isSession(folder / "c.isolux")) << "its own message is the better one";
+  EXPECT_FALSE(isSession(folder / "d.isolux"));
+  EXPECT_FALSE(isSession(folder / "e.png"));
+  EXPECT_FALSE(isSession(folder / "missing"));
+  EXPECT_FALSE(isSession(folder));
+  EXPECT_FALSE(isSession("phantom:head"));
+}
+
+TEST(Session, FailuresNameTheFile) {
+  const fs::path folder = test::temporaryFolder();
+  try {
+    loadSession(folder / "missing.isolux");
+    FAIL();
+  } catch (const scene::Error& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("missing.isolux"), HasSubstr("does not exist")));
+  }
+  EXPECT_THROW(saveSession(Scene{}, folder / "no" / "folder.isolux"), scene::Error);
+  EXPECT_THROW(saveSession(Scene{}, folder), scene::Error);
+}
+
+}  // namespace
+}  // namespace isolux::app
