@@ -143,20 +143,25 @@ void Renderer::Parts::upload(std::size_t budget) {
                                       budget - std::min(budget, volumeTexture->texture.bytes()));
 }
 
+// The size is a parameter of the passes that draw into these images, so a new image is always drawn anew.
 void Renderer::Parts::allocate() {
-  if (raySize != request.size * request.supersampling) {
-    raySize = request.size * request.supersampling;
-    segments = makeTarget(gl, raySize, {GL_RG32F});
-    bracket = makeTarget(gl, raySize, {GL_RG32F});
-    surface = makeTarget(gl, raySize, {GL_RGBA32F, GL_R32F});
-    gradient = makeTarget(gl, raySize, {GL_RGBA32F});
-    color = makeTarget(gl, raySize, {GL_RGBA16F});
+  try {
+    if (raySize != request.size * request.supersampling) {
+      raySize = request.size * request.supersampling;
+      segments = makeTarget(gl, raySize, {GL_RG32F});
+      bracket = makeTarget(gl, raySize, {GL_RG32F});
+      surface = makeTarget(gl, raySize, {GL_RGBA32F, GL_R32F});
+      gradient = makeTarget(gl, raySize, {GL_RGBA32F});
+      color = makeTarget(gl, raySize, {GL_RGBA16F});
+    }
+    if (pictureSize != request.size) {
+      pictureSize = request.size;
+      picture = makeTarget(gl, pictureSize, {GL_RGBA8});
+    }
+  } catch (...) {  // no room: nothing that was drawn is still there
+    raySize = pictureSize = glm::ivec2(0);
     graph.invalidate();
-  }
-  if (pictureSize != request.size) {
-    pictureSize = request.size;
-    picture = makeTarget(gl, pictureSize, {GL_RGBA8});
-    graph.invalidate();
+    throw;
   }
 }
 
@@ -359,8 +364,8 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     gl.PixelStorei(store, 0);
   for (GLuint unit = 0; unit < 3; ++unit) gl.BindSampler(unit, 0);
 
-  parts.allocate();
   parts.upload(static_cast<std::size_t>(scene.memory.gpuBudgetMb) << 20);
+  parts.allocate();
   const volume::GridGeometry none = volume::GridGeometry::make(glm::ivec3(2), glm::dvec3(1.0));
   parts.view.emplace(scene.camera, static_cast<double>(request.size.x) / request.size.y,
                      parts.volume ? parts.grid().geometry() : none);

@@ -137,6 +137,23 @@ TEST_F(RendererGlTest, CachedPassesGiveTheSamePixelsAsFreshOnes) {
   check();
 }
 
+TEST_F(RendererGlTest, SizesMayAlternateAndAFailedFrameLeavesNoTrace) {
+  const auto volume = phantom("head", 48);
+  renderer_->setVolume(volume);
+  scene::Scene scene = scene::resolve({}, volume->facts);
+  const auto small = draw(scene), large = draw(scene, 2);
+  EXPECT_EQ(draw(scene), small);
+  EXPECT_EQ(draw(scene, 2), large);
+  for (const render::PassReport& pass : report_.passes)  // the active blocks do not depend on the size
+    EXPECT_EQ(pass.state, pass.name == "blocks" ? render::PassState::cached : render::PassState::ran) << pass.name;
+  scene::Scene tooMuch = scene;
+  tooMuch.memory.gpuBudgetMb = 0;
+  tooMuch.derivatives.field = scene::DerivativeField::cubic_interpolating;  // needs another texture
+  EXPECT_THROW(draw(tooMuch), scene::Error);
+  EXPECT_EQ(draw(scene, 2), large);
+  EXPECT_EQ(draw(scene), small);
+}
+
 TEST_F(RendererGlTest, EverySettingOfThePictureChangesIt) {
   const auto volume = phantom("head", 48);
   renderer_->setVolume(volume);
