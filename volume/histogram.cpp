@@ -94,8 +94,9 @@ std::vector<Peak> findPeaks(const std::vector<double>& height) {
   return peaks;
 }
 
-// The bins of the background: the fullest bin and, on both sides, the bins down to the next valley. Empty
-// (first > last) when no value is frequent enough to be one.
+// The bins of the background: the fullest bin and, on both sides, the bins down to the next valley or to a
+// hundredth of its count (fields that only fade away have no valley). Empty (first > last) when no value is
+// frequent enough to be one.
 struct BinRange {
   std::size_t first = 1, last = 0;
   bool contains(std::size_t bin) const { return first <= bin && bin <= last; }
@@ -107,8 +108,12 @@ BinRange backgroundOf(const Counts& counts) {
   const auto fullest =
       static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
   BinRange range{fullest, fullest};
-  while (range.first > 0 && height[range.first - 1] < height[range.first]) --range.first;
-  while (range.last + 1 < counts.size() && height[range.last + 1] < height[range.last]) ++range.last;
+  const double floor = height[fullest] - std::log(100.0);
+  const auto descends = [&](std::size_t from, std::size_t to) {
+    return height[to] < height[from] && height[to] > floor;
+  };
+  while (range.first > 0 && descends(range.first, range.first - 1)) --range.first;
+  while (range.last + 1 < counts.size() && descends(range.last, range.last + 1)) ++range.last;
   std::uint64_t inside = 0;
   for (std::size_t i = range.first; i <= range.last; ++i) inside += counts[i];
   if (5 * inside < total) return {};
