@@ -1,0 +1,14 @@
+// The page directories of TIFF files in memory.
+#include "tests/fuzz/fuzz_support.h"
+#include "volume/read/tiff.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace isolux;
+  const volume::MemoryBytes bytes("input", std::as_bytes(std::span(data, size)));
+  try {
+    volume::tiffPages(bytes);
+  } catch (const scene::Error&) {
+    return 0;
+  }
+  return 0;
+}
