@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Remakes the pictures of the README and the pages: docs/make_pictures.sh BIN_FOLDER (./dev screenshots calls it).
+# Pictures of scans need the test data (ISOLUX_DATA, else ../shared/data); without it those are left as they are.
+set -euo pipefail
+bin=$(cd "$1" && pwd)
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+data=${ISOLUX_DATA:-../shared/data}
+out=docs/images
+mkdir -p "$out"
+
+screen() {
+  if [ -n "${DISPLAY:-}" ]; then "$bin/isolux_screenshot" "$@"; else
+    xvfb-run -a -s "-screen 0 1920x1200x24" "$bin/isolux_screenshot" "$@"; fi
+}
+
+screen --out "$out/window_head.png" --size 1280x800 phantom:head
+if [ -d "$data/volumes" ]; then
+  screen --out "$out/window_ct.png" --size 1280x800 --panel volume --set isosurface.value=0.51 \
+    "$data/volumes/ct_head_skin_bone.nii.gz"
+else
+  echo "make_pictures.sh: no test data: pictures of scans are left as they are" >&2
+fi
