@@ -12,4 +12,8 @@ std::string describeGl(const render::Gl& gl) {
   return gl.string(GL_RENDERER) + ", OpenGL " + gl.string(GL_VERSION);
 }
 
+bool isSoftware(const render::Gl& gl) {
+  return gl.software;
+}
+
 }  // namespace isolux::ui

@@ -16,5 +16,6 @@ namespace isolux::ui {
 std::shared_ptr<const render::Gl> loadGl(const std::function<void*(const char* name)>& getProcAddress);
 // "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6".
 std::string describeGl(const render::Gl& gl);
+bool isSoftware(const render::Gl& gl);  // a CPU rasteriser
 
 }  // namespace isolux::ui

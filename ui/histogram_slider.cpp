@@ -25,11 +25,6 @@ HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName("Isovalue on the histogram");
-  setToolTip(
-      "Drag the line to choose the isovalue.\n"
-      "Wheel or arrow keys: fine steps (Shift: ten times larger)\n"
-      "Double click: suggested isovalue\n"
-      "Ctrl+wheel: zoom the axis, middle drag: move it");
   sendTimer_.setSingleShot(true);
   connect(&sendTimer_, &QTimer::timeout, this, &HistogramSlider::sendPending);
   detailTimer_.setInterval(30);
@@ -119,6 +114,10 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
     paintColumns(painter, area);
     paintAxis(painter, area);
     paintLine(painter, area);
+  }
+  if (!volume_) {
+    painter.setPen(colours::disabledText);
+    painter.drawText(area, Qt::AlignCenter, "The histogram of the volume appears here");
   }
   painter.setPen(QPen(hasFocus() ? colours::accent : colours::border, 1.0));
   painter.setBrush(Qt::NoBrush);

@@ -52,6 +52,7 @@ InfoPanel::InfoPanel(QWidget* parent)
   setMinimumWidth(310);
   facts_->setHorizontalSpacing(14);
   facts_->setVerticalSpacing(6);
+  facts_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   facts_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   name_ = addRow("Name");
   format_ = addRow("Format");
@@ -125,6 +126,8 @@ QLabel* InfoPanel::addRow(const QString& name) {
   value->setWordWrap(true);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* label = new QLabel(name, this);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   label->setStyleSheet(QString("color: %1").arg(colours::quietText.name()));
   facts_->addRow(label, value);
   return value;
@@ -177,9 +180,11 @@ void InfoPanel::showFacts() {
   QString type = text(volume::nameOf(volume.fileType));
   if (volume.fileType != grid.storedType()) type += ", kept as " + text(volume::nameOf(grid.storedType()));
   if (grid.slope() != 1.0 || grid.intercept() != 0.0) {
-    type += QString("\nvalue = %1 · stored %2 %3")
-                .arg(numberText(grid.slope(), 6), grid.intercept() < 0.0 ? "−" : "+",
-                     numberText(std::abs(grid.intercept()), 6));
+    type += QString("\nvalue = %1 · stored").arg(numberText(grid.slope(), 6));
+    if (grid.intercept() != 0.0) {
+      type += QString(" %1 %2").arg(grid.intercept() < 0.0 ? "−" : "+",
+                                    numberText(std::abs(grid.intercept()), 6));
+    }
   }
   type_->setText(type);
   spacing_->setText(triple(spacing, 5) + " mm");

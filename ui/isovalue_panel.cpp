@@ -24,6 +24,12 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
   bold.setWeight(QFont::DemiBold);
   title->setFont(bold);
   title->setBuddy(spinBox_);
+  title->setToolTip(
+      "The surface is where the volume has this value.\n\n"
+      "Drag the line on the histogram (counts are logarithmic).\n"
+      "Wheel or arrow keys: fine steps (Shift: ten times larger)\n"
+      "Double click: suggested isovalue\n"
+      "Ctrl+wheel: zoom the axis, middle drag: move it");
   spinBox_->setAccessibleName("Isovalue");
   spinBox_->setToolTip("The exact isovalue. Arrow keys change it by the step of the histogram.");
   suggest_->setText("Suggested");

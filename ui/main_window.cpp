@@ -24,6 +24,10 @@
 
 namespace isolux::ui {
 
+namespace {
+constexpr auto openHint = "Open a volume with Ctrl+O, or drop a file or folder here";
+}
+
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       document_(new Document(this)),
@@ -46,6 +50,8 @@ MainWindow::MainWindow(QWidget* parent)
   makeHelpMenu();
   makeToolBar();
   connectDocument();
+  settings_->setScene(document_->scene(), document_->resolvedScene());
+  viewport_->setHint(openHint);
   showState();
   viewport_->setFocus();
   const QByteArray geometry = QSettings().value("window/geometry").toByteArray();
@@ -82,6 +88,9 @@ void MainWindow::makePanels() {
 
   recordingLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::error.name()));
   frameLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::quietText.name()));
+  frameLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance("00000 ms (draft)") + 24);
+  frameLabel_->setToolTip("Time for the last picture");
   pointedLabel_->setContentsMargins(10, 0, 0, 0);
   statusBar()->addWidget(pointedLabel_, 1);
   statusBar()->addPermanentWidget(recordingLabel_);
@@ -114,10 +123,14 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::stateChanged, this, &MainWindow::showState);
   connect(document_, &Document::loadStarted, this, [this](const QString& name) {
     message_->clear();
+    viewport_->setHint({});
     loadCard_->begin(name);
   });
   connect(document_, &Document::loadProgress, loadCard_, &LoadCard::report);
-  connect(document_, &Document::loadEnded, loadCard_, &LoadCard::end);
+  connect(document_, &Document::loadEnded, this, [this] {
+    loadCard_->end();
+    viewport_->setHint(openHint);
+  });
   connect(document_, &Document::opened, this, [](const QString& path) { addRecentFile(path); });
   connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
   connect(loadCard_, &LoadCard::cancelled, document_, &Document::cancelLoading);

@@ -22,7 +22,13 @@ bool PictureQuality::refine(int supersampling) {
   return true;
 }
 
+double PictureQuality::pauseMilliseconds(int supersampling) const {
+  const double expected = stage_ == Stage::sharp ? lastMilliseconds_ * supersampling * supersampling : 0.0;
+  return std::clamp(0.5 * expected, 60.0, 1000.0);
+}
+
 void PictureQuality::measured(double milliseconds) {
+  lastMilliseconds_ = milliseconds;
   if (stage_ != Stage::moving) return;
   const auto* current = std::find(std::begin(scales), std::end(scales), scale_);
   if (milliseconds > slowMilliseconds) {

@@ -12,6 +12,10 @@ class PictureQuality {
  public:
   enum class Stage { moving, sharp, full };
 
+  PictureQuality() = default;
+  // A software rasteriser starts with small pictures in motion instead of finding out with a slow one.
+  explicit PictureQuality(bool software) : scale_(software ? 0.5 : 1.0) {}
+
   Stage stage() const { return stage_; }
   double scale() const { return stage_ == Stage::moving ? scale_ : 1.0; }
 
@@ -23,12 +27,16 @@ class PictureQuality {
   // The time of a picture of this stage: pictures in motion shrink until they are quick enough.
   void measured(double milliseconds);
 
+  // How long to wait for the user before the next finer picture: a slow one must not stand in the way.
+  double pauseMilliseconds(int supersampling) const;
+
   // What to ask the renderer for.
   render::FrameRequest request(glm::ivec2 pixels, int supersampling) const;
 
  private:
   Stage stage_ = Stage::moving;
   double scale_ = 1.0;
+  double lastMilliseconds_ = 0.0;
 };
 
 }  // namespace isolux::ui

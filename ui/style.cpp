@@ -63,6 +63,8 @@ void applyStyle() {
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
     QSplitter::handle { background: %1; }
     QScrollArea { border: 0; }
+    QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+    QDialogButtonBox QPushButton { min-width: 76px; padding: 4px 10px; }
   )")
           .arg(border.name(), window.name(), raised.name(), quietText.name(), text.name(), accent.name()));
 }

@@ -18,9 +18,8 @@
 namespace isolux::ui {
 
 namespace {
-constexpr int restMilliseconds = 200;   // after the last change, before the fine picture
-constexpr int refineMilliseconds = 60;  // between the finer stages
-constexpr int pointMilliseconds = 40;   // the pointer's value is looked up at most this often
+constexpr int restMilliseconds = 200;  // after the last change, before the fine picture
+constexpr int pointMilliseconds = 40;  // the pointer's value is looked up at most this often
 }  // namespace
 
 Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), overlay_(new ViewportOverlay(this)) {
@@ -54,6 +53,7 @@ void Viewport::initializeGL() {
     const auto gl = loadGl(
         [current](const char* name) { return reinterpret_cast<void*>(current->getProcAddress(name)); });
     glDescription_ = QString::fromStdString(describeGl(*gl));
+    quality_ = PictureQuality(isSoftware(*gl));
     renderer_ = std::make_unique<render::Renderer>(gl);
     renderer_->setVolume(volume_);
     problem_.reset();
@@ -112,11 +112,20 @@ void Viewport::paintGL() {
     lastRequest_ = quality_.request(pixelSize(), resolved_.picture.supersampling);
     QElapsedTimer timer;
     timer.start();
-    renderer_->render(resolved_, lastRequest_);
+    const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);
+    const bool drewAnew = std::any_of(report.passes.begin(), report.passes.end(),
+                                      [](const auto& pass) { return pass.state == render::PassState::ran; });
     renderer_->present(defaultFramebufferObject(), pixelSize());
     const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    quality_.measured(milliseconds);
-    Q_EMIT drawn(milliseconds, complete());
+    if (drewAnew) {  // not when the same picture is only shown again
+      quality_.measured(milliseconds);
+      pictureMilliseconds_ = milliseconds;
+    }
+    const int supersampling = resolved_.picture.supersampling;
+    if (quality_.stage() == PictureQuality::Stage::sharp && !quality_.complete(supersampling)) {
+      refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds(supersampling)));
+    }
+    Q_EMIT drawn(pictureMilliseconds_, complete());
   } catch (const scene::Error& error) {
     releaseRenderer();
     fail(QString::fromStdString(error.what()));
@@ -138,13 +147,16 @@ void Viewport::redraw() {
 void Viewport::refine() {
   if (interacting_ || drag_ != Drag::none) return;  // starts again when the gesture ends
   if (!quality_.refine(resolved_.picture.supersampling)) return;
-  update();
-  if (!quality_.complete(resolved_.picture.supersampling)) refineTimer_.start(refineMilliseconds);
+  update();  // paintGL() starts the timer for the stage after this one
 }
 
 void Viewport::setInteracting(bool interacting) {
   interacting_ = interacting;
   if (!interacting) refineTimer_.start(restMilliseconds);
+}
+
+void Viewport::setHint(const QString& text) {
+  overlay_->setHint(text);
 }
 
 void Viewport::setVolume(VolumePointer volume) {
@@ -160,7 +172,7 @@ void Viewport::setVolume(VolumePointer volume) {
 void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   scene_ = scene;
   resolved_ = resolved;
-  overlay_->setCamera(resolved.camera, volume_ != nullptr);
+  overlay_->setScene(resolved, volume_ != nullptr);
   redraw();
 }
 

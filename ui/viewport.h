@@ -31,6 +31,7 @@ class Viewport : public QOpenGLWidget {
 
   void setVolume(VolumePointer volume);
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void setHint(const QString& text);  // shown while there is no volume
   // While true, pictures stay quick (the isovalue is being dragged).
   void setInteracting(bool interacting);
 
@@ -84,6 +85,7 @@ class Viewport : public QOpenGLWidget {
   scene::Scene scene_, resolved_;
   PictureQuality quality_;
   render::FrameRequest lastRequest_;
+  double pictureMilliseconds_ = 0.0;
   bool interacting_ = false;
   QTimer refineTimer_, pointTimer_;
 

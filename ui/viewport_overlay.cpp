@@ -1,11 +1,13 @@
 #include "ui/viewport_overlay.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <QPainter>
 #include <QPainterPath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "ui/number_text.h"
@@ -13,37 +15,53 @@
 
 namespace isolux::ui {
 
-namespace {
-const QColor ink(0xf4, 0xf6, 0xf8), rim(0x0a, 0x0c, 0x0f, 215);
-
-// Text with a dark rim: reads on a white skull as on a black background.
-void drawText(QPainter& painter, const QFont& font, QPointF baseline, const QString& text,
-              const QColor& colour = ink) {
-  QPainterPath path;
-  path.addText(baseline, font, text);
-  painter.setPen(QPen(rim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawPath(path);
-  painter.fillPath(path, colour);
+ViewportOverlay::Inks ViewportOverlay::inksAt(double heightFraction) const {
+  const QColor light(0xf4, 0xf6, 0xf8), dark(0x0a, 0x0c, 0x0f);
+  const glm::dvec3 background = glm::mix(backgroundTop_, backgroundBottom_, heightFraction);
+  // Relative luminance (ITU-R BT.709); at 0.18 black and white have about the same contrast.
+  const double luminance = glm::dot(background, glm::dvec3(0.2126, 0.7152, 0.0722));
+  Inks inks = luminance < 0.18 ? Inks{light, dark} : Inks{dark, light};
+  inks.rim.setAlpha(210);
+  return inks;
 }
 
-}  // namespace
+// Text with a rim: reads on the surface, too, whatever its brightness.
+void ViewportOverlay::drawText(QPainter& painter, const QFont& font, QPointF baseline,
+                               const QString& text) const {
+  const Inks inks = inksAt(baseline.y() / std::max(1, height()));
+  QPainterPath path;
+  path.addText(baseline, font, text);
+  painter.setPen(QPen(inks.rim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
+  painter.fillPath(path, inks.ink);
+}
 
 ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void ViewportOverlay::setCamera(const scene::Camera& camera, bool visible) {
-  if (visible == visible_ && camera == camera_) return;
-  camera_ = camera;
+void ViewportOverlay::setScene(const scene::Scene& resolved, bool visible) {
+  const bool same = visible == visible_ && resolved.camera == camera_ &&
+                    resolved.look.backgroundTop == backgroundTop_ &&
+                    resolved.look.backgroundBottom == backgroundBottom_;
+  if (same) return;
+  camera_ = resolved.camera;
+  backgroundTop_ = resolved.look.backgroundTop;
+  backgroundBottom_ = resolved.look.backgroundBottom;
   visible_ = visible;
-  if (visible) frame_ = scene::frameOf(camera);
+  if (visible) frame_ = scene::frameOf(camera_);
   update();
 }
 
 void ViewportOverlay::setProblem(const QString& text) {
   problem_ = text;
+  update();
+}
+
+void ViewportOverlay::setHint(const QString& text) {
+  hint_ = text;
   update();
 }
 
@@ -56,6 +74,10 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
     paintLetters(painter);
     paintCube(painter);
     paintScale(painter);
+  } else if (!hint_.isEmpty()) {
+    const QFontMetricsF metrics(font());
+    drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(hint_)), 0.5 * height()),
+             hint_);
   }
 }
 
@@ -113,7 +135,7 @@ void ViewportOverlay::paintCube(QPainter& painter) const {
     path.addText(-0.5 * metrics.horizontalAdvance(letter), 0.5 * metrics.capHeight(), font, letter);
     const QTransform onFace(r.x() / half, r.y() / half, -u.x() / half, -u.y() / half, centre.x() + n.x(),
                             centre.y() + n.y());
-    painter.fillPath(onFace.map(path), ink);
+    painter.fillPath(onFace.map(path), QColor(0xf4, 0xf6, 0xf8));
   }
 }
 
@@ -134,9 +156,10 @@ void ViewportOverlay::paintScale(QPainter& painter) const {
   bar.lineTo(left + length, bottom);
   bar.lineTo(left + length, bottom - 6.0);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(rim, 4.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  const Inks inks = inksAt(bottom / std::max(1, height()));
+  painter.setPen(QPen(inks.rim, 4.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
   painter.drawPath(bar);
-  painter.setPen(QPen(ink, 1.6, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.setPen(QPen(inks.ink, 1.6, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
   painter.drawPath(bar);
   QFont font = this->font();
   font.setWeight(QFont::Medium);

@@ -13,8 +13,10 @@ class ViewportOverlay : public QWidget {
  public:
   explicit ViewportOverlay(QWidget* parent);
 
-  void setCamera(const scene::Camera& camera, bool visible);
+  // Letters and lines are light on a dark background and dark on a light one.
+  void setScene(const scene::Scene& resolved, bool visible);
   void setProblem(const QString& text);  // empty: none
+  void setHint(const QString& text);     // in place of a picture: what to do first
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -25,10 +27,17 @@ class ViewportOverlay : public QWidget {
   void paintScale(QPainter& painter) const;
   void paintProblem(QPainter& painter) const;
 
+  struct Inks {
+    QColor ink, rim;
+  };
+  Inks inksAt(double heightFraction) const;  // 0 is the top of the picture
+  void drawText(QPainter& painter, const QFont& font, QPointF baseline, const QString& text) const;
+
   scene::Camera camera_;
+  glm::dvec3 backgroundTop_{0.0}, backgroundBottom_{0.0};
   scene::CameraFrame frame_{};
   bool visible_ = false;
-  QString problem_;
+  QString problem_, hint_;
 };
 
 }  // namespace isolux::ui

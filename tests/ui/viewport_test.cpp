@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QTest>
+#include <QThread>
 
 #include <glm/geometric.hpp>
 
@@ -134,6 +135,12 @@ TEST_F(ViewportTest, StandardViewsResetAndProjection) {
 
 TEST_F(ViewportTest, PicturesInMotionAreRefinedWhenItRests) {
   drag(viewport(), centre(), centre() + QPoint(10, 0));
+  EXPECT_FALSE(viewport()->complete());
+  EXPECT_TRUE(waitUntil([&] { return viewport()->complete(); }));
+  // Also when the window was too busy to draw the quick picture in between.
+  const scene::Scene scene = window_->document()->scene(), resolved = window_->document()->resolvedScene();
+  viewport()->setScene(scene, resolved);
+  QThread::msleep(300);
   EXPECT_FALSE(viewport()->complete());
   EXPECT_TRUE(waitUntil([&] { return viewport()->complete(); }));
 }

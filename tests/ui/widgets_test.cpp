@@ -88,6 +88,8 @@ TEST(PictureQuality, IsQuickWhileMovingThenSharpThenFull) {
   EXPECT_EQ(quality.request(pixels, 2).size, pixels);
   EXPECT_EQ(quality.request(pixels, 2).supersampling, 1);
   EXPECT_FALSE(quality.complete(2));
+  quality.measured(300.0);
+  EXPECT_DOUBLE_EQ(quality.pauseMilliseconds(2), 600.0);  // half of what the last step will take
   EXPECT_TRUE(quality.refine(2));
   EXPECT_EQ(quality.request(pixels, 2).supersampling, 2);
   EXPECT_TRUE(quality.complete(2));
