@@ -32,9 +32,11 @@ std::vector<Aov> parseAovList(const std::string& text) {
         found = true;
       }
     if (!found)
-      throw scene::Error(scene::ErrorKind::usage, "", "--aov", "unknown image '" + word + "'; known: " + known);
+      throw scene::Error(scene::ErrorKind::usage, "", "--aov",
+                         "unknown image '" + word + "'; known: " + known);
   }
-  if (list.empty()) throw scene::Error(scene::ErrorKind::usage, "", "--aov", "no image named; known: " + known);
+  if (list.empty())
+    throw scene::Error(scene::ErrorKind::usage, "", "--aov", "no image named; known: " + known);
   return list;
 }
 

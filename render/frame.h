@@ -15,7 +15,7 @@ namespace isolux::render {
 enum class Aov { position, voxel, depth, value_error, normal, gradient, hit };
 struct AovInfo {
   Aov aov;
-  const char* name;                   // as on the command line
+  const char* name;  // as on the command line
   const char* unit;
   std::vector<const char*> channels;  // suffixes: {"x","y","z"}, {""}
 };
@@ -34,16 +34,16 @@ enum class PassState { ran, cached, skipped };
 struct PassReport {
   std::string name;
   PassState state = PassState::skipped;
-  std::string reason;            // why it ran, or why not
-  double milliseconds = 0.0;     // GPU timer where there is one, else wall time; 0 unless ran
-  std::size_t bytes = 0;         // of the images it writes
+  std::string reason;         // why it ran, or why not
+  double milliseconds = 0.0;  // GPU timer where there is one, else wall time; 0 unless ran
+  std::size_t bytes = 0;      // of the images it writes
 };
 
 struct FrameReport {
   std::vector<PassReport> passes;
-  double milliseconds = 0.0;     // wall time of the frame, GL finished
+  double milliseconds = 0.0;  // wall time of the frame, GL finished
   std::size_t blocksActive = 0, blocksTotal = 0;
-  std::size_t gpuBytes = 0;      // textures and buffers held by the renderer
+  std::size_t gpuBytes = 0;  // textures and buffers held by the renderer
 };
 
 // Row 0 is the top row.

@@ -56,7 +56,8 @@ std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& pa
         assert(written.count(image) > 0 && "an image is read before a pass writes it");
         const auto before = std::find_if(last->second.inputs.begin(), last->second.inputs.end(),
                                          [&](const auto& input) { return input.first == image; });
-        if (renewed.count(image) > 0 || before == last->second.inputs.end() || before->second != versionOf(image))
+        if (renewed.count(image) > 0 || before == last->second.inputs.end() ||
+            before->second != versionOf(image))
           changed.push_back(image + " is new");
       }
     }

@@ -1,7 +1,7 @@
 // The frame graph: which passes a picture needs, and which of them must run again. No GL; testable anywhere.
 //
-// A pass declares the images it reads and writes and the parameters it depends on, each as a named hash. A pass
-// that nobody reads, directly or through others, down to a requested image, is skipped. A pass whose
+// A pass declares the images it reads and writes and the parameters it depends on, each as a named hash. A
+// pass that nobody reads, directly or through others, down to a requested image, is skipped. A pass whose
 // parameters and inputs are those of its last run is cached. Everything else runs, in declared order.
 #pragma once
 
@@ -38,13 +38,17 @@ class FrameGraph {
  public:
   // The passes of this frame in an order where each image is written before it is read (asserted), and the
   // images wanted. Pure apart from the memory of earlier frames.
-  std::vector<PlannedPass> plan(const std::vector<PassDeclaration>& passes, const std::vector<std::string>& wanted) const;
+  std::vector<PlannedPass> plan(const std::vector<PassDeclaration>& passes,
+                                const std::vector<std::string>& wanted) const;
 
   // Tells the graph that a planned pass has run; its outputs are now as new as its inputs.
   void completed(const PassDeclaration& pass);
 
   // Forgets all earlier frames (context lost, benchmark).
-  void invalidate() { memory_.clear(); versions_.clear(); }
+  void invalidate() {
+    memory_.clear();
+    versions_.clear();
+  }
 
  private:
   struct LastRun {

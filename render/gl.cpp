@@ -27,8 +27,8 @@ std::shared_ptr<const Gl> Gl::load(const GlLoader& loader) {
   gl->GetIntegerv(GL_MINOR_VERSION, &minor);
   if (major * 10 + minor < 45)
     fail("version 4.5 core is needed, found " + gl->string(GL_VERSION) + " on " + gl->string(GL_RENDERER));
-#define ISOLUX_GL(type, name)                                     \
-  gl->name = reinterpret_cast<type>(loader("gl" #name));          \
+#define ISOLUX_GL(type, name)                            \
+  gl->name = reinterpret_cast<type>(loader("gl" #name)); \
   if (!gl->name) fail("the driver has no gl" #name);
 #include "render/gl_functions.inc"
 #undef ISOLUX_GL

@@ -18,8 +18,8 @@ struct Gl {
 #include "render/gl_functions.inc"
 #undef ISOLUX_GL
 
-  bool software = true;       // a CPU rasteriser (llvmpipe, softpipe, swrast)
-  GLint max3dTexture = 0;     // texels per axis
+  bool software = true;    // a CPU rasteriser (llvmpipe, softpipe, swrast)
+  GLint max3dTexture = 0;  // texels per axis
 
   // Loads every function and checks the version; the context must be current. Throws
   // scene::Error{graphics} naming the first missing function or the version found.

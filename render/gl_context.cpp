@@ -25,8 +25,12 @@ using scene::ErrorKind;
 }
 
 ContextDescription describe(const std::string& kind, const Gl& gl) {
-  return {kind, gl.string(GL_VENDOR), gl.string(GL_RENDERER), gl.string(GL_VERSION),
-          gl.string(GL_SHADING_LANGUAGE_VERSION), gl.software};
+  return {kind,
+          gl.string(GL_VENDOR),
+          gl.string(GL_RENDERER),
+          gl.string(GL_VERSION),
+          gl.string(GL_SHADING_LANGUAGE_VERSION),
+          gl.software};
 }
 
 // A shared library that stays open: Mesa's drivers do not survive being unloaded.
@@ -46,8 +50,9 @@ class Library {
   void* handle_ = nullptr;
 };
 
-// --- OSMesa -------------------------------------------------------------------------------------------------
-// Declared here: <GL/osmesa.h> includes <GL/gl.h>, which cannot stand beside <GL/glcorearb.h>.
+// --- OSMesa
+// ------------------------------------------------------------------------------------------------- Declared
+// here: <GL/osmesa.h> includes <GL/gl.h>, which cannot stand beside <GL/glcorearb.h>.
 using OsMesaContext = void*;
 using OsMesaProc = void (*)();
 constexpr int osmesaFormat = 0x22, osmesaProfile = 0x33, osmesaCoreProfile = 0x34, osmesaMajor = 0x36,
@@ -56,14 +61,14 @@ constexpr int osmesaFormat = 0x22, osmesaProfile = 0x33, osmesaCoreProfile = 0x3
 class OsMesa final : public OffscreenContext {
  public:
   OsMesa() : library_({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}, "OSMesa") {
-    const auto create = library_.function<OsMesaContext (*)(const int*, OsMesaContext)>("OSMesaCreateContextAttribs");
+    const auto create =
+        library_.function<OsMesaContext (*)(const int*, OsMesaContext)>("OSMesaCreateContextAttribs");
     makeCurrent_ = library_.function<decltype(makeCurrent_)>("OSMesaMakeCurrent");
     destroy_ = library_.function<decltype(destroy_)>("OSMesaDestroyContext");
     const auto procAddress = library_.function<OsMesaProc (*)(const char*)>("OSMesaGetProcAddress");
     if (!create || !makeCurrent_ || !destroy_ || !procAddress) fail("OSMesa", "the library is too old");
-    const int attributes[] = {osmesaFormat, osmesaRgba, osmesaProfile, osmesaCoreProfile,
-                              osmesaMajor,  4,          osmesaMinor,   5,
-                              0};
+    const int attributes[] = {
+        osmesaFormat, osmesaRgba, osmesaProfile, osmesaCoreProfile, osmesaMajor, 4, osmesaMinor, 5, 0};
     context_ = create(attributes, nullptr);
     if (!context_) fail("OSMesa", "no 4.5 core context");
     try {
@@ -80,7 +85,8 @@ class OsMesa final : public OffscreenContext {
   }
   void makeCurrent() override {
     constexpr unsigned unsignedByte = 0x1401;
-    if (!makeCurrent_(context_, pixels_.data(), unsignedByte, 8, 8)) fail("OSMesa", "cannot make the context current");
+    if (!makeCurrent_(context_, pixels_.data(), unsignedByte, 8, 8))
+      fail("OSMesa", "cannot make the context current");
   }
   const ContextDescription& description() const override { return description_; }
   std::shared_ptr<const Gl> gl() const override { return gl_; }
@@ -95,7 +101,8 @@ class OsMesa final : public OffscreenContext {
   ContextDescription description_;
 };
 
-// --- EGL ----------------------------------------------------------------------------------------------------
+// --- EGL
+// ----------------------------------------------------------------------------------------------------
 
 struct Egl {
   explicit Egl(const std::string& how) : library({"libEGL.so.1", "libEGL.so"}, how) {
@@ -138,18 +145,24 @@ class EglContext final : public OffscreenContext {
     EGLint major = 0, minor = 0;
     if (!display_ || !egl_.get<decltype(&eglInitialize)>("eglInitialize", kind_)(display_, &major, &minor))
       fail(kind_, "cannot be initialised, " + eglErrorText(egl_, kind_));
-    if (!egl_.get<decltype(&eglBindAPI)>("eglBindAPI", kind_)(EGL_OPENGL_API)) fail(kind_, "has no desktop OpenGL");
+    if (!egl_.get<decltype(&eglBindAPI)>("eglBindAPI", kind_)(EGL_OPENGL_API))
+      fail(kind_, "has no desktop OpenGL");
     const EGLint configAttributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                        EGL_NONE};
     EGLConfig config = nullptr;
     EGLint configs = 0;
-    egl_.get<decltype(&eglChooseConfig)>("eglChooseConfig", kind_)(display_, configAttributes, &config, 1, &configs);
+    egl_.get<decltype(&eglChooseConfig)>("eglChooseConfig", kind_)(display_, configAttributes, &config, 1,
+                                                                   &configs);
     if (configs < 1) config = EGL_NO_CONFIG_KHR;
-    const EGLint contextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+    const EGLint contextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                        4,
+                                        EGL_CONTEXT_MINOR_VERSION,
+                                        5,
+                                        EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                         EGL_NONE};
-    context_ = egl_.get<decltype(&eglCreateContext)>("eglCreateContext", kind_)(display_, config, EGL_NO_CONTEXT,
-                                                                              contextAttributes);
+    context_ = egl_.get<decltype(&eglCreateContext)>("eglCreateContext", kind_)(
+        display_, config, EGL_NO_CONTEXT, contextAttributes);
     if (!context_) fail(kind_, "no 4.5 core context, " + eglErrorText(egl_, kind_));
     try {
       EglContext::makeCurrent();
@@ -162,7 +175,8 @@ class EglContext final : public OffscreenContext {
   }
   ~EglContext() override { release(); }
   void makeCurrent() override {
-    if (!egl_.get<decltype(&eglMakeCurrent)>("eglMakeCurrent", kind_)(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+    if (!egl_.get<decltype(&eglMakeCurrent)>("eglMakeCurrent", kind_)(display_, EGL_NO_SURFACE,
+                                                                      EGL_NO_SURFACE, context_))
       fail(kind_, "cannot make the context current without a surface, " + eglErrorText(egl_, kind_));
   }
   const ContextDescription& description() const override { return description_; }
@@ -170,7 +184,8 @@ class EglContext final : public OffscreenContext {
 
  private:
   void release() {
-    egl_.get<decltype(&eglMakeCurrent)>("eglMakeCurrent", kind_)(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl_.get<decltype(&eglMakeCurrent)>("eglMakeCurrent", kind_)(display_, EGL_NO_SURFACE, EGL_NO_SURFACE,
+                                                                 EGL_NO_CONTEXT);
     egl_.get<decltype(&eglDestroyContext)>("eglDestroyContext", kind_)(display_, context_);
     // The display is shared by the process and stays initialised.
   }
@@ -201,7 +216,8 @@ struct Candidate {
 std::vector<Candidate> eglCandidates() {
   std::vector<Candidate> candidates;
   for (int device = 0; device < eglDeviceCount(); ++device)
-    candidates.push_back({"EGL device " + std::to_string(device), [device] { return std::make_unique<EglContext>(device); }});
+    candidates.push_back(
+        {"EGL device " + std::to_string(device), [device] { return std::make_unique<EglContext>(device); }});
   candidates.push_back({"EGL surfaceless", [] { return std::make_unique<EglContext>(-1); }});
   return candidates;
 }
@@ -214,7 +230,8 @@ Candidate osmesaCandidate() {
 
 std::unique_ptr<OffscreenContext> OffscreenContext::create(ContextChoice choice) {
   std::string tried;
-  const auto attempt = [&](const Candidate& candidate, bool hardwareOnly) -> std::unique_ptr<OffscreenContext> {
+  const auto attempt = [&](const Candidate& candidate,
+                           bool hardwareOnly) -> std::unique_ptr<OffscreenContext> {
     try {
       auto context = candidate.make();
       if (!hardwareOnly || !context->description().software) return context;

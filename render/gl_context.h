@@ -13,7 +13,7 @@ struct Gl;
 enum class ContextChoice { automatic, egl, osmesa };
 
 struct ContextDescription {
-  std::string kind;      // "EGL device 0", "EGL surfaceless", "OSMesa", "Qt"
+  std::string kind;  // "EGL device 0", "EGL surfaceless", "OSMesa", "Qt"
   std::string vendor, renderer, version, glsl;
   bool software = true;  // llvmpipe, softpipe, swrast
 };
@@ -34,7 +34,7 @@ class OffscreenContext {
 struct ContextProbe {
   std::string kind;
   bool works = false;
-  std::string detail;   // renderer and version, or why not
+  std::string detail;  // renderer and version, or why not
   bool chosen = false;
 };
 std::vector<ContextProbe> probeContexts();

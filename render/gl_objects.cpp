@@ -7,12 +7,24 @@
 
 namespace isolux::render {
 
-void deleteTexture(const Gl& gl, GLuint id) { gl.DeleteTextures(1, &id); }
-void deleteBuffer(const Gl& gl, GLuint id) { gl.DeleteBuffers(1, &id); }
-void deleteFramebuffer(const Gl& gl, GLuint id) { gl.DeleteFramebuffers(1, &id); }
-void deleteVertexArray(const Gl& gl, GLuint id) { gl.DeleteVertexArrays(1, &id); }
-void deleteProgram(const Gl& gl, GLuint id) { gl.DeleteProgram(id); }
-void deleteQuery(const Gl& gl, GLuint id) { gl.DeleteQueries(1, &id); }
+void deleteTexture(const Gl& gl, GLuint id) {
+  gl.DeleteTextures(1, &id);
+}
+void deleteBuffer(const Gl& gl, GLuint id) {
+  gl.DeleteBuffers(1, &id);
+}
+void deleteFramebuffer(const Gl& gl, GLuint id) {
+  gl.DeleteFramebuffers(1, &id);
+}
+void deleteVertexArray(const Gl& gl, GLuint id) {
+  gl.DeleteVertexArrays(1, &id);
+}
+void deleteProgram(const Gl& gl, GLuint id) {
+  gl.DeleteProgram(id);
+}
+void deleteQuery(const Gl& gl, GLuint id) {
+  gl.DeleteQueries(1, &id);
+}
 
 namespace {
 
@@ -25,14 +37,20 @@ GLuint created(Create create) {
 
 std::size_t texelBytes(GLenum internalFormat) {
   switch (internalFormat) {
-    case GL_R8: return 1;
-    case GL_R16: return 2;
+    case GL_R8:
+      return 1;
+    case GL_R16:
+      return 2;
     case GL_R32F:
-    case GL_RGBA8: return 4;
+    case GL_RGBA8:
+      return 4;
     case GL_RG32F:
-    case GL_RGBA16F: return 8;
-    case GL_RGBA32F: return 16;
-    default: throw std::logic_error("texelBytes: unknown internal format");
+    case GL_RGBA16F:
+      return 8;
+    case GL_RGBA32F:
+      return 16;
+    default:
+      throw std::logic_error("texelBytes: unknown internal format");
   }
 }
 
@@ -47,7 +65,8 @@ void checkMemory(const Gl& gl, const char* what, std::size_t bytes) {
 Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size) {
   const std::size_t bytes =
       static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * texelBytes(internalFormat);
-  Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_2D, 1, id); }), {size, 1}, bytes);
+  Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_2D, 1, id); }), {size, 1},
+                  bytes);
   gl->TextureStorage2D(texture.id(), 1, internalFormat, size.x, size.y);
   checkMemory(*gl, "an image", bytes);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -75,8 +94,8 @@ std::vector<float> Texture::readFloats(int channels) const {
   std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
                             static_cast<std::size_t>(channels));
   gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl().GetTextureImage(id(), 0, formats[channels], GL_FLOAT, static_cast<GLsizei>(values.size() * sizeof(float)),
-                       values.data());
+  gl().GetTextureImage(id(), 0, formats[channels], GL_FLOAT,
+                       static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
   return values;
 }
 
@@ -103,7 +122,8 @@ Framebuffer::Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& col
     throw scene::Error(scene::ErrorKind::graphics, "", "OpenGL", "the driver cannot draw into float images");
 }
 
-Query::Query(const GlPtr& gl) : GlObject(gl, created([&](GLuint* id) { gl->CreateQueries(GL_TIMESTAMP, 1, id); })) {}
+Query::Query(const GlPtr& gl)
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateQueries(GL_TIMESTAMP, 1, id); })) {}
 
 namespace {
 
@@ -126,7 +146,8 @@ GLuint compiled(const Gl& gl, GLenum stage, const std::string& name, const std::
 
 }  // namespace
 
-Program::Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment, const std::string& defines)
+Program::Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
+                 const std::string& defines)
     : GlObject(gl, gl->CreateProgram()) {
   const GLuint vertexShader = compiled(*gl, GL_VERTEX_SHADER, vertex, defines);
   const GLuint fragmentShader = compiled(*gl, GL_FRAGMENT_SHADER, fragment, defines);
@@ -150,12 +171,24 @@ GLint Program::location(const char* name) {
   return locations_[name] = gl().GetUniformLocation(id(), name);
 }
 
-void Program::set(const char* name, float value) { gl().ProgramUniform1f(id(), location(name), value); }
-void Program::set(const char* name, int value) { gl().ProgramUniform1i(id(), location(name), value); }
-void Program::set(const char* name, glm::vec2 v) { gl().ProgramUniform2f(id(), location(name), v.x, v.y); }
-void Program::set(const char* name, glm::ivec2 v) { gl().ProgramUniform2i(id(), location(name), v.x, v.y); }
-void Program::set(const char* name, glm::vec3 v) { gl().ProgramUniform3f(id(), location(name), v.x, v.y, v.z); }
-void Program::set(const char* name, glm::ivec3 v) { gl().ProgramUniform3i(id(), location(name), v.x, v.y, v.z); }
+void Program::set(const char* name, float value) {
+  gl().ProgramUniform1f(id(), location(name), value);
+}
+void Program::set(const char* name, int value) {
+  gl().ProgramUniform1i(id(), location(name), value);
+}
+void Program::set(const char* name, glm::vec2 v) {
+  gl().ProgramUniform2f(id(), location(name), v.x, v.y);
+}
+void Program::set(const char* name, glm::ivec2 v) {
+  gl().ProgramUniform2i(id(), location(name), v.x, v.y);
+}
+void Program::set(const char* name, glm::vec3 v) {
+  gl().ProgramUniform3f(id(), location(name), v.x, v.y, v.z);
+}
+void Program::set(const char* name, glm::ivec3 v) {
+  gl().ProgramUniform3i(id(), location(name), v.x, v.y, v.z);
+}
 void Program::set(const char* name, const glm::mat3& v) {
   gl().ProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
 }

@@ -105,7 +105,8 @@ class Program : public GlObject<deleteProgram> {
  public:
   Program() = default;
   // Names of embedded shaders. Throws std::logic_error with the compiler's log: shaders are ours.
-  Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment, const std::string& defines = "");
+  Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
+          const std::string& defines = "");
 
   void set(const char* name, float value);
   void set(const char* name, int value);

@@ -38,7 +38,8 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                                        .add(scene.camera.up)
                                        .add(scene.camera.fov)
                                        .add(scene.camera.projection)};
-  const Parameter size{"picture size", Hasher().add(request.size.x).add(request.size.y).add(request.supersampling)};
+  const Parameter size{"picture size",
+                       Hasher().add(request.size.x).add(request.size.y).add(request.supersampling)};
   const Parameter method{"hit.method", Hasher().add(scene.hit.method)};
   const bool sampled = scene.hit.method == scene::HitMethod::sampled;
   // A setting is a parameter only where it acts: hit.rate does nothing for exact hits.
@@ -51,7 +52,10 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   Hasher lookHash;
   lookHash.add(look.mode).add(look.backgroundTop).add(look.backgroundBottom);
   if (lit) {
-    lookHash.add(look.ambient).add(scene.isosurface.albedo).add(scene.light.direction).add(scene.light.intensity);
+    lookHash.add(look.ambient)
+        .add(scene.isosurface.albedo)
+        .add(scene.light.direction)
+        .add(scene.light.intensity);
     if (look.mode == scene::LookMode::blinn_phong) lookHash.add(look.specular).add(look.shininess);
   }
   if (needsGradient) lookHash.add(scene.isosurface.inside);

@@ -21,9 +21,9 @@ inline constexpr const char *blocks = "blocks", *segments = "segments", *cast = 
                             *gradient = "gradient", *shade = "shade", *resolve = "resolve";
 }
 namespace image {
-inline constexpr const char *activeBlocks = "active blocks", *faces = "block faces", *segments = "ray segments",
-                            *bracket = "brackets", *surface = "surface points", *gradient = "gradients",
-                            *color = "colour", *picture = "picture";
+inline constexpr const char *activeBlocks = "active blocks", *faces = "block faces",
+                            *segments = "ray segments", *bracket = "brackets", *surface = "surface points",
+                            *gradient = "gradients", *color = "colour", *picture = "picture";
 }
 
 // `volumeHash` identifies the voxels (0: none).

@@ -90,7 +90,9 @@ struct Renderer::Parts {
   double outward = -1.0;    // times the gradient: the outward normal of the last scene
 
   const volume::Grid& grid() const { return volume->grid(); }
-  bool hasCells() const { return volume && glm::all(glm::greaterThan(volume->blocks->dims(), glm::ivec3(0))); }
+  bool hasCells() const {
+    return volume && glm::all(glm::greaterThan(volume->blocks->dims(), glm::ivec3(0)));
+  }
   double storedIsovalue() const { return grid().storedOfValue(scene->isosurface.value.value()); }
   double dataUnitsPerTexel() const { return grid().slope() * volumeTexture->scale; }
 
@@ -122,7 +124,9 @@ void Renderer::setVolume(std::shared_ptr<const volume::PreparedVolume> volume) {
   parts_->coefficients.reset();
 }
 
-void Renderer::invalidate() { parts_->graph.invalidate(); }
+void Renderer::invalidate() {
+  parts_->graph.invalidate();
+}
 
 Program& Renderer::Parts::program(const std::string& fragment, const std::string& defines) {
   const std::string key = fragment + "|" + defines;
@@ -204,8 +208,8 @@ void Renderer::Parts::runBlocks() {
     activeTexture = Texture::make3D(gl, GL_R8, blocks.dims(), false);
   gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   // Flags are 0 or 1 of 255: the shader compares with 0.
-  gl->TextureSubImage3D(activeTexture.id(), 0, 0, 0, 0, blocks.dims().x, blocks.dims().y, blocks.dims().z, GL_RED,
-                        GL_UNSIGNED_BYTE, activeFlags.data());
+  gl->TextureSubImage3D(activeTexture.id(), 0, 0, 0, 0, blocks.dims().x, blocks.dims().y, blocks.dims().z,
+                        GL_RED, GL_UNSIGNED_BYTE, activeFlags.data());
 }
 
 void Renderer::Parts::runSegments() {
@@ -221,7 +225,8 @@ void Renderer::Parts::runSegments() {
       for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 offset((corner & 1) ? margin : -margin, (corner & 2) ? margin : -margin,
                                 (corner & 4) ? margin : -margin);
-        const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(eye + offset)), glm::ivec3(0), grid().dims() - 2);
+        const glm::ivec3 cell =
+            glm::clamp(glm::ivec3(glm::floor(eye + offset)), glm::ivec3(0), grid().dims() - 2);
         if (activeFlags[blocks.index(cell / blocks.blockCells())]) start = 0.0f;
       }
     }
@@ -258,7 +263,8 @@ void Renderer::Parts::runCast() {
   p.set("uStep", static_cast<float>(1.0 / scene->hit.rate));
   const glm::ivec3 n = grid().dims();
   const double diagonal = glm::length(glm::dvec3(n));
-  p.set("uMaxSteps", static_cast<int>(exact ? 2.0 * (n.x + n.y + n.z) + 16.0 : diagonal * (scene->hit.rate + 2.0) + 16.0));
+  p.set("uMaxSteps",
+        static_cast<int>(exact ? 2.0 * (n.x + n.y + n.z) + 16.0 : diagonal * (scene->hit.rate + 2.0) + 16.0));
   fullscreen(p);
 }
 
@@ -301,7 +307,8 @@ void Renderer::Parts::runGradient() {
 void Renderer::Parts::runShade() {
   begin(color, raySize);
   const scene::Look& look = scene->look;
-  Program& p = program("shade.frag.glsl", "#define LOOK " + std::to_string(static_cast<int>(look.mode)) + "\n");
+  Program& p =
+      program("shade.frag.glsl", "#define LOOK " + std::to_string(static_cast<int>(look.mode)) + "\n");
   setView(p);
   p.setTexture("uSurface", 1, surface.images[0]);
   p.setTexture("uGradient", 2, gradient.images[0]);
@@ -315,8 +322,10 @@ void Renderer::Parts::runShade() {
   p.set("uShininess", static_cast<float>(look.shininess));
   p.set("uIntensity", static_cast<float>(scene->light.intensity));
   const glm::dvec3 toLight = scene->light.direction;
-  const glm::dvec3 inCamera = glm::length(toLight) > 0.0 ? glm::normalize(toLight) : glm::dvec3(0.0, 0.0, 1.0);
-  p.set("uLight", glm::vec3(inCamera.x * view->rightWorld + inCamera.y * view->upWorld - inCamera.z * view->forwardWorld));
+  const glm::dvec3 inCamera =
+      glm::length(toLight) > 0.0 ? glm::normalize(toLight) : glm::dvec3(0.0, 0.0, 1.0);
+  p.set("uLight", glm::vec3(inCamera.x * view->rightWorld + inCamera.y * view->upWorld -
+                            inCamera.z * view->forwardWorld));
   p.set("uDepthRange", glm::vec2(view->depthRangeMm));
   p.set("uBackgroundTop", glm::vec3(look.backgroundTop));
   p.set("uBackgroundBottom", glm::vec3(look.backgroundBottom));
@@ -359,8 +368,9 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFunc(GL_ONE, GL_ZERO);
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  for (const GLenum store : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS,
-                             GL_UNPACK_SKIP_IMAGES, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS})
+  for (const GLenum store :
+       {GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS,
+        GL_UNPACK_SKIP_IMAGES, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS})
     gl.PixelStorei(store, 0);
   for (GLuint unit = 0; unit < 3; ++unit) gl.BindSampler(unit, 0);
 
@@ -373,8 +383,9 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   const auto passes = declarePasses(scene, request, parts.volume ? parts.grid().hash() : 0);
   using Run = void (Parts::*)();
   const std::map<std::string, Run> runs = {
-      {pass::blocks, &Parts::runBlocks}, {pass::segments, &Parts::runSegments}, {pass::cast, &Parts::runCast},
-      {pass::refine, &Parts::runRefine}, {pass::gradient, &Parts::runGradient}, {pass::shade, &Parts::runShade},
+      {pass::blocks, &Parts::runBlocks},     {pass::segments, &Parts::runSegments},
+      {pass::cast, &Parts::runCast},         {pass::refine, &Parts::runRefine},
+      {pass::gradient, &Parts::runGradient}, {pass::shade, &Parts::runShade},
       {pass::resolve, &Parts::runResolve}};
   parts.report = {};
   std::vector<std::pair<Query, Query>> timers;  // of the passes that ran, on hardware
@@ -413,7 +424,8 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   parts.report.blocksActive = parts.activeCount;
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;
   parts.report.gpuBytes = parts.activeTexture.bytes() + parts.faceBuffer.bytes();
-  for (const Target* target : {&parts.segments, &parts.bracket, &parts.surface, &parts.gradient, &parts.color, &parts.picture})
+  for (const Target* target :
+       {&parts.segments, &parts.bracket, &parts.surface, &parts.gradient, &parts.color, &parts.picture})
     parts.report.gpuBytes += target->bytes();
   for (const auto* texture : {&parts.volumeTexture, &parts.coefficients})
     if (*texture) parts.report.gpuBytes += (*texture)->texture.bytes();
@@ -426,8 +438,8 @@ void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_FRAMEBUFFER_SRGB);
   const glm::ivec2 from = parts_->pictureSize;
-  gl.BlitNamedFramebuffer(parts_->picture.framebuffer.id(), framebuffer, 0, 0, from.x, from.y, 0, 0, size.x, size.y,
-                          GL_COLOR_BUFFER_BIT, from == size ? GL_NEAREST : GL_LINEAR);
+  gl.BlitNamedFramebuffer(parts_->picture.framebuffer.id(), framebuffer, 0, 0, from.x, from.y, 0, 0, size.x,
+                          size.y, GL_COLOR_BUFFER_BIT, from == size ? GL_NEAREST : GL_LINEAR);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
@@ -438,12 +450,13 @@ ColorImage Renderer::readColor() {
   const std::size_t row = static_cast<std::size_t>(image.size.x) * 4;
   std::vector<std::uint8_t> flipped(row * static_cast<std::size_t>(image.size.y));
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl.GetTextureImage(parts_->picture.images[0].id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(flipped.size()),
-                     flipped.data());
+  gl.GetTextureImage(parts_->picture.images[0].id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     static_cast<GLsizei>(flipped.size()), flipped.data());
   image.rgba.resize(flipped.size());
   for (int y = 0; y < image.size.y; ++y)
-    std::copy_n(flipped.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(image.size.y - 1 - y)), row,
-                image.rgba.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y)));
+    std::copy_n(
+        flipped.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(image.size.y - 1 - y)),
+        row, image.rgba.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y)));
   return image;
 }
 
@@ -464,17 +477,31 @@ AovImage Renderer::readAov(Aov aov) {
     const float* s = &surface[4 * i];
     if (s[3] < 0.0f) continue;
     const std::size_t x = i % static_cast<std::size_t>(size.x), y = i / static_cast<std::size_t>(size.x);
-    float* out = &image.values[((static_cast<std::size_t>(size.y) - 1 - y) * static_cast<std::size_t>(size.x) + x) * channels];
+    float* out =
+        &image.values[((static_cast<std::size_t>(size.y) - 1 - y) * static_cast<std::size_t>(size.x) + x) *
+                      channels];
     const auto put = [&](const glm::dvec3& v) {
       for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(v[c]);
     };
     switch (aov) {
-      case Aov::hit: out[0] = 1.0f; break;
-      case Aov::voxel: put({s[0], s[1], s[2]}); break;
-      case Aov::position: put(glm::dvec3(parts.grid().geometry().worldFromVoxel * glm::dvec4(s[0], s[1], s[2], 1.0))); break;
-      case Aov::depth: out[0] = static_cast<float>(s[3] + parts.rayStartMm); break;
-      case Aov::value_error: out[0] = static_cast<float>(extra[i] * std::fabs(parts.dataUnitsPerTexel())); break;
-      case Aov::gradient: put({extra[4 * i], extra[4 * i + 1], extra[4 * i + 2]}); break;
+      case Aov::hit:
+        out[0] = 1.0f;
+        break;
+      case Aov::voxel:
+        put({s[0], s[1], s[2]});
+        break;
+      case Aov::position:
+        put(glm::dvec3(parts.grid().geometry().worldFromVoxel * glm::dvec4(s[0], s[1], s[2], 1.0)));
+        break;
+      case Aov::depth:
+        out[0] = static_cast<float>(s[3] + parts.rayStartMm);
+        break;
+      case Aov::value_error:
+        out[0] = static_cast<float>(extra[i] * std::fabs(parts.dataUnitsPerTexel()));
+        break;
+      case Aov::gradient:
+        put({extra[4 * i], extra[4 * i + 1], extra[4 * i + 2]});
+        break;
       case Aov::normal: {
         const glm::dvec3 g(extra[4 * i], extra[4 * i + 1], extra[4 * i + 2]);
         const double length = glm::length(g);
@@ -488,8 +515,8 @@ AovImage Renderer::readAov(Aov aov) {
 
 std::optional<Pick> Renderer::pick(glm::ivec2 pixel) {
   Parts& parts = *parts_;
-  if (!parts.volume || parts.pictureSize.x == 0 || pixel.x < 0 || pixel.y < 0 || pixel.x >= parts.pictureSize.x ||
-      pixel.y >= parts.pictureSize.y)
+  if (!parts.volume || parts.pictureSize.x == 0 || pixel.x < 0 || pixel.y < 0 ||
+      pixel.x >= parts.pictureSize.x || pixel.y >= parts.pictureSize.y)
     return std::nullopt;
   const int s = parts.raySize.x / parts.pictureSize.x;
   float surface[4];

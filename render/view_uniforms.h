@@ -14,8 +14,8 @@ struct ViewUniforms {
   glm::dvec3 rightWorld, upWorld, forwardWorld;
   glm::dvec2 halfExtent;
   bool orthographic;
-  double rayStartMm;   // what a ray's t = 0 lies behind the camera's eye: 0, or for orthographic views far enough
-                       // back that the whole volume is in front
+  double rayStartMm;  // what a ray's t = 0 lies behind the camera's eye: 0, or for orthographic views far
+                      // enough back that the whole volume is in front
   glm::dvec2 depthRangeMm;  // of the volume's corners along the view direction, from t = 0
 
   ViewUniforms(const scene::Camera& camera, double aspect, const volume::GridGeometry& geometry);

@@ -10,7 +10,8 @@ namespace isolux::render {
 
 namespace {
 
-Texture allocated(const GlPtr& gl, GLenum format, glm::ivec3 dims, std::size_t bytes, std::size_t budgetBytes) {
+Texture allocated(const GlPtr& gl, GLenum format, glm::ivec3 dims, std::size_t bytes,
+                  std::size_t budgetBytes) {
   const auto refuse = [](const std::string& reason) {
     throw scene::Error(scene::ErrorKind::memory, "", "graphics memory", reason);
   };
@@ -28,7 +29,8 @@ template <class Source, class Target, class Convert>
 void uploadSlabs(const Gl& gl, const Texture& texture, GLenum type, const Source* voxels, Convert convert) {
   const glm::ivec3 size = texture.size();
   const std::size_t slice = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  const int slices = static_cast<int>(std::max<std::size_t>(1, (std::size_t{8} << 20) / (slice * sizeof(Target))));
+  const int slices =
+      static_cast<int>(std::max<std::size_t>(1, (std::size_t{8} << 20) / (slice * sizeof(Target))));
   std::vector<Target> buffer(slice * static_cast<std::size_t>(std::min(slices, size.z)));
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (int z = 0; z < size.z; z += slices) {
@@ -47,7 +49,8 @@ VolumeTexture uploadFloats(const GlPtr& gl, const std::vector<float>& values, gl
   int exponent = 0;
   if (largest > 0.0f) std::frexp(largest, &exponent);
   exponent = std::clamp(exponent, -126, 127);
-  VolumeTexture result{allocated(gl, GL_R32F, dims, values.size() * 4, budgetBytes), std::ldexp(1.0, exponent), 0.0};
+  VolumeTexture result{allocated(gl, GL_R32F, dims, values.size() * 4, budgetBytes),
+                       std::ldexp(1.0, exponent), 0.0};
   const int shift = -exponent;
   uploadSlabs<float, float>(*gl, result.texture, GL_FLOAT, values.data(),
                             [shift](float v) { return std::isnan(v) ? missingTexel : std::ldexp(v, shift); });
@@ -69,7 +72,8 @@ VolumeTexture uploadVolume(const GlPtr& gl, const volume::Grid& grid, std::size_
           constexpr int bias = std::is_signed_v<T> ? (oneByte ? 128 : 32768) : 0;
           VolumeTexture result{allocated(gl, oneByte ? GL_R8 : GL_R16, dims, grid.bytes(), budgetBytes),
                                oneByte ? 255.0 : 65535.0, -static_cast<double>(bias)};
-          uploadSlabs<T, Unsigned>(*gl, result.texture, oneByte ? GL_UNSIGNED_BYTE : GL_UNSIGNED_SHORT, voxels.data(),
+          uploadSlabs<T, Unsigned>(*gl, result.texture, oneByte ? GL_UNSIGNED_BYTE : GL_UNSIGNED_SHORT,
+                                   voxels.data(),
                                    [](T v) { return static_cast<Unsigned>(static_cast<int>(v) + bias); });
           return result;
         }

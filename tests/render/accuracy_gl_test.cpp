@@ -41,7 +41,8 @@ volume::Grid voxelSpaceField(const GridGeometry& geometry, const std::function<d
   const glm::dvec3 centre(glm::dvec3(geometry.dims - 1) * 0.5);
   for (int z = 0; z < geometry.dims.z; ++z)
     for (int y = 0; y < geometry.dims.y; ++y)
-      for (int x = 0; x < geometry.dims.x; ++x) values[i++] = static_cast<float>(field(glm::dvec3(x, y, z) - centre));
+      for (int x = 0; x < geometry.dims.x; ++x)
+        values[i++] = static_cast<float>(field(glm::dvec3(x, y, z) - centre));
   return volume::Grid(geometry, std::move(values));
 }
 
@@ -56,7 +57,8 @@ TEST_F(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
   constexpr double radius = 45.0;
   const glm::ivec2 size(256);
   for (const Placement& placement : placements(n)) {
-    const auto volume = prepared(voxelSpaceField(placement.geometry, [&](glm::dvec3 q) { return radius - glm::length(q); }));
+    const auto volume =
+        prepared(voxelSpaceField(placement.geometry, [&](glm::dvec3 q) { return radius - glm::length(q); }));
     const glm::dvec3 centre(63.5);
     const glm::dmat4 voxelFromWorld = placement.geometry.voxelFromWorld();
     const glm::dmat3 normalMatrix = glm::transpose(glm::dmat3(voxelFromWorld));
@@ -78,7 +80,8 @@ TEST_F(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
           const double a = glm::dot(d, d), b = glm::dot(o, d), c = glm::dot(o, o) - radius * radius;
           const double discriminant = b * b - a * c;
           const bool expected = discriminant > 0.0, hit = result.hit.values[pixel] == 1.0f;
-          if (expected != hit) ++disagreements;  // only grazing rays may differ: the sampled field is not the ball
+          if (expected != hit)
+            ++disagreements;  // only grazing rays may differ: the sampled field is not the ball
           // The closest approach of a grazing ray moves by sqrt(error): positions are compared where the ray
           // meets the surface at more than about 10 degrees.
           if (!expected || !hit || discriminant < 0.03 * a * radius * radius) continue;
@@ -92,10 +95,11 @@ TEST_F(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
         }
         ASSERT_GT(count, 800) << placement.name;
         const double voxels = std::sqrt(sumVoxels / count), angle = std::sqrt(sumAngle / count);
-        std::printf("ball, %s, %s hits, %s: %.5f voxel, %.4f degrees RMS, %d pixels, %d silhouette pixels differ\n",
-                    placement.name, method == scene::HitMethod::exact ? "exact" : "sampled",
-                    field == scene::DerivativeField::cubic ? "cubic" : "cubic_interpolating", voxels, angle, count,
-                    disagreements);
+        std::printf(
+            "ball, %s, %s hits, %s: %.5f voxel, %.4f degrees RMS, %d pixels, %d silhouette pixels differ\n",
+            placement.name, method == scene::HitMethod::exact ? "exact" : "sampled",
+            field == scene::DerivativeField::cubic ? "cubic" : "cubic_interpolating", voxels, angle, count,
+            disagreements);
         EXPECT_LT(voxels, 0.01) << placement.name;
         EXPECT_LT(angle, 0.1) << placement.name;
         EXPECT_LT(disagreements, count / 100) << placement.name;
@@ -131,7 +135,8 @@ TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
       ASSERT_GT(count, 800) << placement.name;
       const double angle = std::sqrt(sumAngle / count), distance = std::sqrt(sumDistance / count);
       std::printf("torus, %s, %s: %.5f voxel from the surface, %.4f degrees RMS, %d pixels\n", placement.name,
-                  field == scene::DerivativeField::cubic ? "cubic" : "cubic_interpolating", distance, angle, count);
+                  field == scene::DerivativeField::cubic ? "cubic" : "cubic_interpolating", distance, angle,
+                  count);
       EXPECT_LT(angle, 0.1) << placement.name;
       EXPECT_LT(distance, 0.01) << placement.name;
     }
@@ -139,8 +144,9 @@ TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
 }
 
 // The phantom "ball" is a ball of the world; at 0.4 x 0.4 x 2.5 mm its radius is 7 voxels of z only. Linear
-// interpolation of a distance field is off by at most the sum over axes of h^2 f_ii / 8, with f_ii = (1 - n_i^2) / R:
-// each hit must lie within that, to second order, and the normals of the interpolating spline stay exact.
+// interpolation of a distance field is off by at most the sum over axes of h^2 f_ii / 8, with f_ii = (1 -
+// n_i^2) / R: each hit must lie within that, to second order, and the normals of the interpolating spline
+// stay exact.
 TEST_F(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
   const glm::ivec2 size(256);
   for (const Placement& placement : placements(128)) {
@@ -170,8 +176,9 @@ TEST_F(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
     ASSERT_GT(count, 4000);
     const double longest = std::max({spacing.x, spacing.y, spacing.z});
     const double voxels = std::sqrt(sumDistance / count) / longest, angle = std::sqrt(sumAngle / count);
-    std::printf("world ball, %s: %.5f of the longest spacing (%.4f mm), worst %.2f of the bound, %.4f degrees RMS\n",
-                placement.name, voxels, voxels * longest, worst, angle);
+    std::printf(
+        "world ball, %s: %.5f of the longest spacing (%.4f mm), worst %.2f of the bound, %.4f degrees RMS\n",
+        placement.name, voxels, voxels * longest, worst, angle);
     EXPECT_LT(worst, 1.1) << placement.name;
     EXPECT_LT(angle, 0.1) << placement.name;
   }
@@ -191,25 +198,28 @@ TEST_F(AccuracyGlTest, ExactHitsAgreeWithTheDoublePrecisionIntersector) {
       double sum = 0.0;
       for (int i = 0; i < size.x * size.y; ++i) {
         const scene::Ray r = ray({i % size.x, i / size.x}, size);
-        const auto expected =
-            volume::firstHit(volume->grid(), *volume->blocks, scene_.isosurface.value.value(),
-                             glm::dvec3(voxelFromWorld * glm::dvec4(r.origin, 1.0)),
-                             glm::dmat3(voxelFromWorld) * r.direction,
-                             projection == scene::Projection::orthographic ? -1e6 : 0.0);
+        const auto expected = volume::firstHit(
+            volume->grid(), *volume->blocks, scene_.isosurface.value.value(),
+            glm::dvec3(voxelFromWorld * glm::dvec4(r.origin, 1.0)), glm::dmat3(voxelFromWorld) * r.direction,
+            projection == scene::Projection::orthographic ? -1e6 : 0.0);
         const bool hit = result.hit.values[static_cast<std::size_t>(i)] == 1.0f;
         if (expected && !hit) ++missed;
         if (!expected && hit) ++invented;
         if (!expected || !hit) continue;
         ++count;
         const double error = glm::length(at(result.voxel, static_cast<std::size_t>(i)) - expected->voxel);
-        if (error > 0.5) ++missed;  // another crossing than the first
-        else sum += error * error;
+        if (error > 0.5)
+          ++missed;  // another crossing than the first
+        else
+          sum += error * error;
       }
       ASSERT_GT(count, 1000) << name;
       const double rms = std::sqrt(sum / count);
       std::printf("%s, %s: %d hits, %d missed, %d invented, %.6f voxel RMS\n", name,
-                  projection == scene::Projection::perspective ? "perspective" : "orthographic", count, missed, invented, rms);
-      // Float rays differ from double ones by about 1e-5 voxel: a ray may pass a silhouette on its other side.
+                  projection == scene::Projection::perspective ? "perspective" : "orthographic", count,
+                  missed, invented, rms);
+      // Float rays differ from double ones by about 1e-5 voxel: a ray may pass a silhouette on its other
+      // side.
       EXPECT_LE(missed + invented, 3) << name;
       EXPECT_LT(rms, 2e-3) << name;
     }

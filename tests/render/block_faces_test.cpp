@@ -16,8 +16,8 @@ std::size_t bruteForce(const std::vector<std::uint8_t>& active, glm::ivec3 dims)
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < dims.x; ++x)
         if (at(x, y, z))
-          count += static_cast<std::size_t>(!at(x - 1, y, z) + !at(x + 1, y, z) + !at(x, y - 1, z) + !at(x, y + 1, z) +
-                                            !at(x, y, z - 1) + !at(x, y, z + 1));
+          count += static_cast<std::size_t>(!at(x - 1, y, z) + !at(x + 1, y, z) + !at(x, y - 1, z) +
+                                            !at(x, y + 1, z) + !at(x, y, z - 1) + !at(x, y, z + 1));
   return count;
 }
 

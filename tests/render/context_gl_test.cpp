@@ -1,8 +1,8 @@
 // Contexts without a window, and a renderer that survives their loss and whatever others do in them.
 #include <functional>
 
-#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
+#include <glm/geometric.hpp>
 
 #include "render/gl.h"
 #include "scene/error.h"
@@ -14,7 +14,8 @@ namespace {
 using render::ContextChoice;
 using render::OffscreenContext;
 
-render::ColorImage pictureOf(OffscreenContext& context, const std::shared_ptr<const volume::PreparedVolume>& volume,
+render::ColorImage pictureOf(OffscreenContext& context,
+                             const std::shared_ptr<const volume::PreparedVolume>& volume,
                              scene::Scene scene = {}) {
   context.makeCurrent();
   render::Renderer renderer(context.gl());
@@ -145,7 +146,8 @@ TEST_F(RendererGlTest, SizesMayAlternateAndAFailedFrameLeavesNoTrace) {
   EXPECT_EQ(draw(scene), small);
   EXPECT_EQ(draw(scene, 2), large);
   for (const render::PassReport& pass : report_.passes)  // the active blocks do not depend on the size
-    EXPECT_EQ(pass.state, pass.name == "blocks" ? render::PassState::cached : render::PassState::ran) << pass.name;
+    EXPECT_EQ(pass.state, pass.name == "blocks" ? render::PassState::cached : render::PassState::ran)
+        << pass.name;
   scene::Scene tooMuch = scene;
   tooMuch.memory.gpuBudgetMb = 0;
   tooMuch.derivatives.field = scene::DerivativeField::cubic_interpolating;  // needs another texture
@@ -167,9 +169,13 @@ TEST_F(RendererGlTest, EverySettingOfThePictureChangesIt) {
   };
   EXPECT_TRUE(changes([](scene::Scene& s) { s.isosurface.value = 0.0; }));
   EXPECT_TRUE(changes([](scene::Scene& s) { s.isosurface.albedo = {0.1, 0.2, 0.3}; }));
-  EXPECT_TRUE(changes([](scene::Scene& s) { s.hit.method = scene::HitMethod::sampled; s.hit.rate = 0.3; }));
+  EXPECT_TRUE(changes([](scene::Scene& s) {
+    s.hit.method = scene::HitMethod::sampled;
+    s.hit.rate = 0.3;
+  }));
   EXPECT_TRUE(changes([](scene::Scene& s) { s.derivatives.field = scene::DerivativeField::trilinear; }));
-  EXPECT_TRUE(changes([](scene::Scene& s) { s.derivatives.field = scene::DerivativeField::cubic_interpolating; }));
+  EXPECT_TRUE(
+      changes([](scene::Scene& s) { s.derivatives.field = scene::DerivativeField::cubic_interpolating; }));
   EXPECT_TRUE(changes([](scene::Scene& s) { s.look.mode = scene::LookMode::normal; }));
   EXPECT_TRUE(changes([](scene::Scene& s) { s.look.ambient = 0.9; }));
   EXPECT_TRUE(changes([](scene::Scene& s) { s.look.specular = 1.0; }));
@@ -209,7 +215,8 @@ TEST_F(RendererGlTest, ReportsWhatItDid) {
     EXPECT_GT(pass.bytes, 0u) << pass.name;
   }
   draw(scene);
-  for (const render::PassReport& pass : report_.passes) EXPECT_EQ(pass.state, render::PassState::cached) << pass.name;
+  for (const render::PassReport& pass : report_.passes)
+    EXPECT_EQ(pass.state, render::PassState::cached) << pass.name;
 }
 
 TEST_F(RendererGlTest, PickFindsTheSurfaceUnderAPixel) {

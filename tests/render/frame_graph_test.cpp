@@ -11,8 +11,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-std::vector<std::string> namesOf(const std::vector<PassDeclaration>& passes, const std::vector<PlannedPass>& plan,
-                                 PassState state) {
+std::vector<std::string> namesOf(const std::vector<PassDeclaration>& passes,
+                                 const std::vector<PlannedPass>& plan, PassState state) {
   std::vector<std::string> names;
   for (const PlannedPass& planned : plan)
     if (planned.state == state) names.push_back(passes[planned.index].name);
@@ -21,14 +21,16 @@ std::vector<std::string> namesOf(const std::vector<PassDeclaration>& passes, con
 
 class FrameGraphTest : public ::testing::Test {
  protected:
-  std::vector<PlannedPass> frame(const std::vector<PassDeclaration>& passes, const std::vector<std::string>& wanted) {
+  std::vector<PlannedPass> frame(const std::vector<PassDeclaration>& passes,
+                                 const std::vector<std::string>& wanted) {
     const auto plan = graph_.plan(passes, wanted);
     for (const PlannedPass& planned : plan)
       if (planned.state == PassState::ran) graph_.completed(passes[planned.index]);
     return plan;
   }
   // The passes that run when `scene` follows what was drawn before.
-  std::vector<std::string> ran(const scene::Scene& scene, const FrameRequest& request, std::uint64_t volume = 1) {
+  std::vector<std::string> ran(const scene::Scene& scene, const FrameRequest& request,
+                               std::uint64_t volume = 1) {
     const auto passes = declarePasses(scene, request, volume);
     return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
   }
@@ -79,14 +81,16 @@ TEST_F(FrameGraphTest, EachChangeRunsExactlyThePassesBehindIt) {
   scene::Scene scene;
   scene.isosurface.value = 1.0;
   scene.camera.eye = glm::dvec3(0.0, -400.0, 0.0);
-  EXPECT_THAT(ran(scene, request), ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request),
+              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
   EXPECT_THAT(ran(scene, request), ElementsAre());  // a still picture costs nothing
   scene.isosurface.albedo.x = 0.5;
   EXPECT_THAT(ran(scene, request), ElementsAre("shade", "resolve"));
   scene.camera.eye->x = 10.0;  // orbiting does not rebuild blocks
   EXPECT_THAT(ran(scene, request), ElementsAre("segments", "cast", "refine", "gradient", "shade", "resolve"));
   scene.isosurface.value = 2.0;
-  EXPECT_THAT(ran(scene, request), ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request),
+              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
   scene.derivatives.field = scene::DerivativeField::trilinear;
   EXPECT_THAT(ran(scene, request), ElementsAre("gradient", "shade", "resolve"));
   scene.hit.rate = 5.0;  // exact hits take no samples
@@ -106,7 +110,8 @@ TEST_F(FrameGraphTest, EachLookAndImageRunsExactlyItsPasses) {
   for (const auto mode : {scene::LookMode::blinn_phong, scene::LookMode::lambert, scene::LookMode::normal}) {
     scene.look.mode = mode;
     graph_.invalidate();
-    EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+    EXPECT_THAT(ran(scene, picture),
+                ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
   }
   scene.look.mode = scene::LookMode::depth;
   graph_.invalidate();

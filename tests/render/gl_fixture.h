@@ -41,9 +41,7 @@ inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& 
 // Tests with this fixture need GL (OSMesa) and nothing else; their names end in "GlTest".
 class RenderGlTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    context_ = render::OffscreenContext::create(render::ContextChoice::osmesa);
-  }
+  static void SetUpTestSuite() { context_ = render::OffscreenContext::create(render::ContextChoice::osmesa); }
   static void TearDownTestSuite() { context_.reset(); }
   void SetUp() override {
     context_->makeCurrent();
@@ -55,7 +53,8 @@ class RenderGlTest : public ::testing::Test {
     render::AovImage hit, position, voxel, depth, normal, error;
   };
   // All deferred images of `scene`, automatic settings resolved.
-  Images images(const std::shared_ptr<const volume::PreparedVolume>& volume, scene::Scene scene, glm::ivec2 size) {
+  Images images(const std::shared_ptr<const volume::PreparedVolume>& volume, scene::Scene scene,
+                glm::ivec2 size) {
     scene_ = scene::resolve(scene, volume->facts);
     renderer_->setVolume(volume);
     render::FrameRequest request;
@@ -63,8 +62,9 @@ class RenderGlTest : public ::testing::Test {
     for (const render::AovInfo& info : render::aovs()) request.aovs.push_back(info.aov);
     report_ = renderer_->render(scene_, request);
     using render::Aov;
-    return {renderer_->readAov(Aov::hit),   renderer_->readAov(Aov::position), renderer_->readAov(Aov::voxel),
-            renderer_->readAov(Aov::depth), renderer_->readAov(Aov::normal),   renderer_->readAov(Aov::value_error)};
+    return {renderer_->readAov(Aov::hit),    renderer_->readAov(Aov::position),
+            renderer_->readAov(Aov::voxel),  renderer_->readAov(Aov::depth),
+            renderer_->readAov(Aov::normal), renderer_->readAov(Aov::value_error)};
   }
   // The camera ray of a pixel (row 0 at the top) of the last images().
   scene::Ray ray(glm::ivec2 pixel, glm::ivec2 size) const {

@@ -61,7 +61,8 @@ class HardCasesGlTest : public RenderGlTest {
   }
 
   template <class T>
-  static std::shared_ptr<const volume::PreparedVolume> made(glm::ivec3 dims, const std::function<T(int, int, int)>& value,
+  static std::shared_ptr<const volume::PreparedVolume> made(glm::ivec3 dims,
+                                                            const std::function<T(int, int, int)>& value,
                                                             glm::dvec3 spacing = glm::dvec3(1.0)) {
     std::vector<T> voxels;
     for (int z = 0; z < dims.z; ++z)
@@ -111,30 +112,51 @@ TEST_F(HardCasesGlTest, TinyAndOffsetValues) {
   const auto ball = [](int x, int y, int z) { return 7.0 - glm::length(glm::dvec3(x, y, z) - 10.0); };
   scene::Scene scene;
   scene.isosurface.value = 0.0;
-  const std::size_t plain = drawn(made<float>({21, 21, 21}, [&](int x, int y, int z) { return static_cast<float>(ball(x, y, z)); }), scene);
+  const std::size_t plain =
+      drawn(made<float>({21, 21, 21}, [&](int x, int y, int z) { return static_cast<float>(ball(x, y, z)); }),
+            scene);
   EXPECT_GT(plain, 200u);
   for (const float scale : {1e-20f, 1e-30f, 1e20f}) {
-    const std::size_t scaled = drawn(made<float>({21, 21, 21}, [&](int x, int y, int z) { return scale * static_cast<float>(ball(x, y, z)); }), scene);
+    const std::size_t scaled =
+        drawn(made<float>({21, 21, 21},
+                          [&](int x, int y, int z) { return scale * static_cast<float>(ball(x, y, z)); }),
+              scene);
     EXPECT_NEAR(static_cast<double>(scaled), static_cast<double>(plain), 2.0) << scale;
   }
   scene.isosurface.value = 1e6;
-  const std::size_t offset = drawn(made<float>({21, 21, 21}, [&](int x, int y, int z) { return static_cast<float>(1e6 + ball(x, y, z)); }), scene);
-  EXPECT_NEAR(static_cast<double>(offset), static_cast<double>(plain), 12.0);  // floats near 1e6 are 1/16 apart
+  const std::size_t offset = drawn(
+      made<float>({21, 21, 21}, [&](int x, int y, int z) { return static_cast<float>(1e6 + ball(x, y, z)); }),
+      scene);
+  EXPECT_NEAR(static_cast<double>(offset), static_cast<double>(plain),
+              12.0);  // floats near 1e6 are 1/16 apart
 }
 
 TEST_F(HardCasesGlTest, FullRangeIntegers) {
   scene::Scene scene;
   scene.isosurface.value = 32766.5;
-  EXPECT_GT(drawn(made<std::int16_t>({8, 8, 8}, [](int, int y, int) { return static_cast<std::int16_t>(y < 4 ? -32768 : 32767); }), scene), 20u);
+  EXPECT_GT(
+      drawn(made<std::int16_t>(
+                {8, 8, 8}, [](int, int y, int) { return static_cast<std::int16_t>(y < 4 ? -32768 : 32767); }),
+            scene),
+      20u);
   scene.isosurface.value = 65534.5;
-  EXPECT_GT(drawn(made<std::uint16_t>({8, 8, 8}, [](int, int y, int) { return static_cast<std::uint16_t>(y < 4 ? 65534 : 65535); }), scene), 20u);
+  EXPECT_GT(
+      drawn(made<std::uint16_t>(
+                {8, 8, 8}, [](int, int y, int) { return static_cast<std::uint16_t>(y < 4 ? 65534 : 65535); }),
+            scene),
+      20u);
   scene.isosurface.value = -127.5;
-  EXPECT_GT(drawn(made<std::int8_t>({8, 8, 8}, [](int, int y, int) { return static_cast<std::int8_t>(y < 4 ? -128 : -127); }), scene), 20u);
+  EXPECT_GT(
+      drawn(made<std::int8_t>({8, 8, 8},
+                              [](int, int y, int) { return static_cast<std::int8_t>(y < 4 ? -128 : -127); }),
+            scene),
+      20u);
 }
 
 TEST_F(HardCasesGlTest, NeighbouringIntegersHitWhereTheyShould) {
   // 16-bit voxels 1000 | 1001 with the isovalue between: exact storage puts the surface at x = 3.25.
-  const auto volume = made<std::uint16_t>({8, 8, 8}, [](int x, int, int) { return static_cast<std::uint16_t>(x < 4 ? 1000 : 1001); });
+  const auto volume = made<std::uint16_t>(
+      {8, 8, 8}, [](int x, int, int) { return static_cast<std::uint16_t>(x < 4 ? 1000 : 1001); });
   scene::Scene scene;
   scene.isosurface.value = 1000.25;
   scene.camera.eye = glm::dvec3(-40.0, 3.0, 3.0);
@@ -165,7 +187,9 @@ TEST_F(HardCasesGlTest, MissingVoxelsHoldNoSurface) {
   scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
   const Images result = images(half(true), scene, {64, 64});
   for (std::size_t i = 0; i < result.hit.values.size(); ++i) {
-    if (result.hit.values[i] == 1.0f) { EXPECT_LE(result.voxel.values[3 * i], 8.001f); }
+    if (result.hit.values[i] == 1.0f) {
+      EXPECT_LE(result.voxel.values[3 * i], 8.001f);
+    }
   }
 }
 
@@ -203,10 +227,16 @@ TEST_F(HardCasesGlTest, EyeInsideTheVolume) {
     // From inside: the far wall. From outside: the near one. On it within a rounding: either.
     const double near = distance * radius - radius, far = distance * radius + radius;
     const double depth = result.depth.values[middle];
-    if (distance < 0.9985) EXPECT_NEAR(depth, far, 0.02) << distance;
-    else if (distance > 1.0015) EXPECT_NEAR(depth, near, 0.02) << distance;
-    else EXPECT_TRUE(std::fabs(depth - near) < 0.05 || std::fabs(depth - far) < 0.05) << distance << " " << depth;
-    if (distance < 1.0) { EXPECT_EQ(hits, 64u * 48u) << "every ray from inside a ball hits it"; }
+    if (distance < 0.9985)
+      EXPECT_NEAR(depth, far, 0.02) << distance;
+    else if (distance > 1.0015)
+      EXPECT_NEAR(depth, near, 0.02) << distance;
+    else
+      EXPECT_TRUE(std::fabs(depth - near) < 0.05 || std::fabs(depth - far) < 0.05)
+          << distance << " " << depth;
+    if (distance < 1.0) {
+      EXPECT_EQ(hits, 64u * 48u) << "every ray from inside a ball hits it";
+    }
   }
 }
 
@@ -217,7 +247,8 @@ TEST_F(HardCasesGlTest, OrthographicEyeInsideStillSeesAll) {
   scene.camera.projection = scene::Projection::orthographic;
   const Images outside = images(volume, scene, {64, 64});
   const glm::dvec3 toTarget = *scene_.camera.target - *scene_.camera.eye;
-  // Same frame, eye moved to the middle of the ball: the height of an orthographic view comes from the distance.
+  // Same frame, eye moved to the middle of the ball: the height of an orthographic view comes from the
+  // distance.
   scene::Scene moved = scene_;
   *moved.camera.eye += toTarget * 0.999;
   *moved.camera.target += toTarget * 0.999;
@@ -266,14 +297,17 @@ TEST_F(HardCasesGlTest, RaysAlongAxesThroughCorners) {
       scene.camera.target = glm::dvec3(16.0);
       scene.camera.eye = glm::dvec3(16.0) + 100.0 * direction;
       scene.camera.up = up;
-      scene.camera.fov = glm::degrees(2.0 * std::atan(16.0 / 100.0));  // 32 mm high: with 32 pixels, 1 mm each
+      scene.camera.fov =
+          glm::degrees(2.0 * std::atan(16.0 / 100.0));  // 32 mm high: with 32 pixels, 1 mm each
       const Images result = images(volume, scene, {32, 32});
       std::size_t hits = 0;
       for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x) {
           const double px = x + 0.5 - 16.0, py = y + 0.5 - 16.0, inside = 100.0 - px * px - py * py;
           const bool hit = result.hit.values[static_cast<std::size_t>(y * 32 + x)] == 1.0f;
-          if (std::fabs(inside) > 2.0) { EXPECT_EQ(hit, inside > 0.0) << axis << " " << side << " " << x << " " << y; }
+          if (std::fabs(inside) > 2.0) {
+            EXPECT_EQ(hit, inside > 0.0) << axis << " " << side << " " << x << " " << y;
+          }
           hits += hit;
         }
       EXPECT_NEAR(static_cast<double>(hits), 314.0, 12.0);
