@@ -1,10 +1,13 @@
 #include "app/image_io.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <fstream>
 #include <memory>
+#include <stdexcept>
+#include <string_view>
 
 #include <OpenImageIO/imageio.h>
 
@@ -119,8 +122,34 @@ void writeExr(const render::ColorImage* color, const std::vector<render::AovImag
   writeImage("openexr", spec, OIIO::TypeDesc::FLOAT, values.data(), OIIO::AutoStride, file);
 }
 
+// Walks the chunks itself: libpng would print its own line about every broken file.
 std::string readSessionText(const fs::path& file) {
-  return std::string(openPng(file)->spec().get_string_attribute(sessionKey));
+  constexpr std::uint32_t longestText = std::uint32_t{16} << 20;
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 8> bytes{};
+  const auto readBytes = [&] { return static_cast<bool>(stream.read(bytes.data(), bytes.size())); };
+  if (!readBytes() || std::string_view(bytes.data(), bytes.size()) != "\x89PNG\r\n\x1a\n")
+    throwInput(file.string(), "", "is not a PNG picture");
+  const std::string wanted = std::string(sessionKey) + '\0';
+  while (readBytes()) {  // length and type of a chunk; its data and 4 bytes of CRC follow
+    std::uint32_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<std::uint8_t>(bytes[i]);
+    const std::string_view type(bytes.data() + 4, 4);
+    if (type == "IEND") break;
+    if (type != "tEXt" || length > longestText) {
+      stream.seekg(std::streamoff{length} + 4, std::ios::cur);
+      continue;
+    }
+    std::string text;
+    for (std::array<char, 4096> part{}; text.size() < length;) {  // a false length costs nothing
+      const std::size_t size = std::min<std::size_t>(part.size(), length - text.size());
+      if (!stream.read(part.data(), static_cast<std::streamsize>(size))) return {};
+      text.append(part.data(), size);
+    }
+    if (text.starts_with(wanted)) return text.substr(wanted.size());
+    stream.seekg(4, std::ios::cur);
+  }
+  return {};
 }
 
 render::ColorImage readPng(const fs::path& file) {

@@ -106,7 +106,8 @@ SceneDiff difference(const Scene& from, const Scene& to, std::string name) {
   SceneDiff diff{std::move(name), {}};
   for (const Setting& s : settings()) {
     nlohmann::json value = s.get(to);
-    if (value != s.get(from)) diff.changes.push_back({s.path, std::move(value)});
+    // Not !=, which is false for NaN: a NaN must reach applied() and be refused there.
+    if (!(value == s.get(from))) diff.changes.push_back({s.path, std::move(value)});
   }
   return diff;
 }

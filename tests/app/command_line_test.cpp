@@ -1,4 +1,4 @@
-// Runs the isolux program: exit codes, messages, output, interrupts. Nothing here needs GL.
+// The command line: exit codes, messages, output, interrupts. Nothing here needs GL.
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::callIsolux;
 using test::runIsolux;
 using test::RunResult;
 using testing::AllOf;
@@ -36,7 +37,7 @@ constexpr bool sanitized = false;
 // Runs in a folder of its own, expects one line on stderr and this exit code, and nothing left behind.
 std::string failure(int exitCode, const std::vector<std::string>& arguments) {
   const fs::path folder = test::temporaryFolder();
-  const RunResult result = runIsolux(arguments, {.folder = folder});
+  const RunResult result = callIsolux(arguments, folder);
   const std::string shown = testing::PrintToString(arguments);
   EXPECT_EQ(result.exitCode, exitCode) << shown << '\n' << result.err;
   EXPECT_TRUE(result.isOneErrorLine()) << shown << '\n' << result.err;
@@ -47,9 +48,28 @@ std::string failure(int exitCode, const std::vector<std::string>& arguments) {
 
 RunResult success(const std::vector<std::string>& arguments,
                   const fs::path& folder = test::temporaryFolder()) {
-  const RunResult result = runIsolux(arguments, {.folder = folder});
+  const RunResult result = callIsolux(arguments, folder);
   EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(arguments) << '\n' << result.err;
   return result;
+}
+
+TEST(CommandLine, TheProgramItselfReportsAndExits) {
+  const fs::path folder = test::temporaryFolder();
+  const auto expect = [&](int exitCode, const std::vector<std::string>& arguments) {
+    const RunResult result = runIsolux(arguments, {.folder = folder});
+    EXPECT_EQ(result.exitCode, exitCode) << testing::PrintToString(arguments);
+    EXPECT_EQ(result.isOneErrorLine(), exitCode != 0) << result.err;
+    EXPECT_EQ(result.out.empty(), exitCode != 0) << result.out;
+  };
+  expect(0, {"--version"});
+  expect(0, {"info", "phantom:ball:8"});
+  expect(2, {"inof"});
+  expect(2, {"render", "phantom:ball:8", "--out", "a.jpg"});
+  expect(3, {"info", "missing.nii"});
+  expect(3, {"missing.isolux"});
+  std::ofstream(folder / "broken.png") << "\x89PNG\r\n\x1a\nand then nonsense";
+  expect(3, {"info", "broken.png"});
+  EXPECT_THAT(test::filesIn(folder), ElementsAre("broken.png"));
 }
 
 TEST(CommandLine, WrongUseIsExit2) {
@@ -111,7 +131,7 @@ TEST(CommandLine, BadSessionsNameTheKey) {
   std::ofstream(folder / "s.isolux") << R"({"isolux_session": 2, "scene": {"camera": {"fow": 3}}})";
   for (const auto& arguments : std::vector<std::vector<std::string>>{
            {"info", "s.isolux"}, {"info", "phantom:ball:8", "--session", "s.isolux"}, {"s.isolux"}}) {
-    const RunResult result = runIsolux(arguments, {.folder = folder});
+    const RunResult result = callIsolux(arguments, folder);
     EXPECT_EQ(result.exitCode, 3);
     EXPECT_TRUE(result.isOneErrorLine()) << result.err;
     EXPECT_THAT(result.err, AllOf(HasSubstr("s.isolux"), HasSubstr("scene.camera.fow")));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "app/command_line.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::test {
@@ -73,6 +75,28 @@ RunResult RunningIsolux::wait() {
 
 RunResult runIsolux(const std::vector<std::string>& arguments, const RunSettings& settings) {
   return RunningIsolux(arguments, settings).wait();
+}
+
+RunResult callIsolux(const std::vector<std::string>& arguments, const fs::path& folder) {
+  std::vector<std::string> words{"isolux"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  const fs::path before = fs::current_path();
+  fs::current_path(folder);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  RunResult result;
+  result.exitCode =
+      app::runCommandLine(static_cast<int>(argv.size()), argv.data(), [](const app::WindowRequest&) {
+        ADD_FAILURE() << "the window was opened";
+        return 0;
+      });
+  std::fflush(stdout);
+  result.out = testing::internal::GetCapturedStdout();
+  result.err = testing::internal::GetCapturedStderr();
+  fs::current_path(before);
+  return result;
 }
 
 std::vector<std::string> filesIn(const fs::path& folder) {

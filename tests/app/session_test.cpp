@@ -8,6 +8,7 @@
 
 #include "app/image_io.h"
 #include "scene/error.h"
+#include "tests/app/run_isolux.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -176,6 +177,24 @@ TEST(Session, TravelsInAPicture) {
   EXPECT_THROW(loadSession(folder / "plain.png"), scene::Error);
   writePng(image, folder / "broken.png", "{\"isolux_session\": 99}");
   EXPECT_THROW(loadSession(folder / "broken.png"), scene::Error);
+}
+
+TEST(Session, BrokenPicturesCarryNone) {
+  const fs::path folder = test::temporaryFolder();
+  const render::ColorImage image{{1, 1}, {1, 2, 3, 255}};
+  writePng(image, folder / "whole.png", sessionText(someScene(), folder));
+  const std::string whole = test::contentOf(folder / "whole.png");
+  const std::size_t key = whole.find("isolux_session");
+  ASSERT_NE(key, std::string::npos);
+  for (const std::size_t length : {std::size_t{8}, std::size_t{11}, key - 5, key + 3, key + 40}) {
+    writeFile(folder / "cut.png", whole.substr(0, length));
+    EXPECT_FALSE(isSession(folder / "cut.png")) << length;
+  }
+  std::string lies = whole;
+  lies.replace(key - 8, 4, "\x7f\xff\xff\xff");  // the chunk claims 2 GiB
+  writeFile(folder / "lies.png", lies);
+  EXPECT_FALSE(isSession(folder / "lies.png"));
+  EXPECT_THROW(readSessionText(folder / "missing.png"), scene::Error);
 }
 
 TEST(Session, IsToldByContent) {
