@@ -1,7 +1,10 @@
 // Opening, dragging, orbiting, undoing, saving and reopening in the real window.
 #include "tests/ui/window_fixture.h"
 
+#include <fstream>
+
 #include <QAction>
+#include <QComboBox>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QTest>
@@ -198,6 +201,29 @@ TEST_F(WindowTest, RecordingHoldsEveryChangeAndEndsWithTheSameScene) {
   EXPECT_GE(recording.steps.size(), 3U);
   EXPECT_EQ(recording.sceneAt(recording.duration() + 1.0), end);
   EXPECT_NE(end, start);
+}
+
+TEST_F(WindowTest, AComponentCanBeChosenAndTheChoiceUndone) {
+  const QString file = newFile("two.mhd");
+  std::ofstream(file.toStdString()) << "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 4 4 4\n"
+                                       "ElementType = MET_UCHAR\nElementNumberOfChannels = 2\n"
+                                       "ElementDataFile = two.raw\n";
+  std::string bytes;
+  for (int i = 0; i < 64; ++i) bytes += {static_cast<char>(i), static_cast<char>(100 + i)};
+  std::ofstream(file.chopped(3).toStdString() + "raw", std::ios::binary) << bytes;
+  ASSERT_TRUE(load(*window_, file));
+  window_->showPanel("volume");
+  QComboBox* choice = window_->infoPanel()->componentChoice();
+  ASSERT_EQ(choice->count(), 3);  // two and their magnitude
+  EXPECT_EQ(window_->document()->volume()->grid().value(1, 0, 0), 1.0);
+  choice->setFocus();
+  QTest::keyClick(choice, Qt::Key_Down);
+  ASSERT_TRUE(waitUntil([&] { return window_->document()->volume()->grid().value(1, 0, 0) == 101.0; }));
+  EXPECT_EQ(window_->document()->scene().source.component, 1);
+  EXPECT_EQ(window_->document()->history().undoName(), "Choose component");
+  window_->document()->undo();
+  EXPECT_TRUE(waitUntil([&] { return window_->document()->volume()->grid().value(1, 0, 0) == 1.0; }));
+  EXPECT_EQ(choice->currentIndex(), 0);
 }
 
 TEST_F(WindowTest, CommandLineAssignmentsHoldWhenTheWindowOpens) {
