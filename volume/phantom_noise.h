@@ -31,7 +31,7 @@ inline double normalNoise(std::uint64_t seed, std::uint64_t counter) {
     const std::uint64_t bits = counterHash(seed + 0x632be59bd9b4e019ull * word, counter);
     for (int shift = 0; shift < 64; shift += 16) sum += static_cast<std::int64_t>(bits >> shift & 0xffffu);
   }
-  return static_cast<double>(sum - 6 * 65535) * (1.0 / 65536.0);
+  return static_cast<double>(sum - std::int64_t{6} * 65535) * (1.0 / 65536.0);
 }
 
 }  // namespace isolux::volume

@@ -122,7 +122,7 @@ TEST(Reconstruct, CubicDerivativesAgreeWithDifferencesOfItsValue) {
 
 TEST(Reconstruct, PrefilteredSplinePassesThroughAllSamplesAtTheBorderToo) {
   for (const glm::ivec3& dims : {glm::ivec3(17, 9, 12), glm::ivec3(1, 8, 2), glm::ivec3(2, 2, 2),
-                                glm::ivec3(1, 1, 1), glm::ivec3(3, 1, 40)}) {
+                                 glm::ivec3(1, 1, 1), glm::ivec3(3, 1, 40)}) {
     const Grid grid = sampled(GridGeometry::make(dims, glm::dvec3(1)), [](glm::dvec3 p) {
       return uniformNoise(5, static_cast<std::uint64_t>(p.x + 50 * p.y + 2500 * p.z)) * 100.0 - 30.0;
     });
