@@ -127,14 +127,12 @@ bool parse(Program& program, int argc, char** argv) {
 }
 
 int openWindowOn(const WindowOptions& options, const Program& program, const OpenWindow& openWindow) {
-  if (program.parser.count("PATH") > 0) {
-    checkWord(options.path, program);
-    std::error_code ignored;  // a shell is the better place for this message than an empty window
-    if (!options.path.starts_with("phantom:") && !fs::exists(options.path, ignored))
-      scene::throwInput(options.path, "", "does not exist");
-  }
+  if (program.parser.count("PATH") > 0) checkWord(options.path, program);
   WindowRequest request;
   request.scene = sceneOf(options.path, *options.scene);
+  std::error_code ignored;  // a shell is the better place for this message than an empty window
+  if (!options.path.empty() && !options.path.starts_with("phantom:") && !fs::exists(options.path, ignored))
+    scene::throwInput(options.path, "", "does not exist");
   request.assignments = options.scene->assignments;
   request.recordFile = options.record;
   return openWindow(request);
