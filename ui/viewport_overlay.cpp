@@ -122,7 +122,10 @@ void ViewportOverlay::paintCube(QPainter& painter) const {
   for (const Face& face : faces) {
     const double facing = glm::dot(face.normal, frame_.back);
     if (facing <= 0.01) continue;
-    const QPointF n = onScreen(face.normal), r = onScreen(face.right), u = onScreen(face.up);
+    // Letters of the top and bottom face stand whichever way is upright for the viewer.
+    const double upright = glm::dot(face.up, frame_.up) < 0.0 ? -1.0 : 1.0;
+    const QPointF n = onScreen(face.normal), r = upright * onScreen(face.right),
+                  u = upright * onScreen(face.up);
     const QPolygonF square({centre + n - r - u, centre + n + r - u, centre + n + r + u, centre + n - r + u});
     const int shade = static_cast<int>(46.0 + 44.0 * facing);
     painter.setBrush(QColor(shade, shade + 5, shade + 12, 225));
