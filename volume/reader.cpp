@@ -1,6 +1,6 @@
 #include "volume/reader.h"
 
-#include <algorithm>
+#include <new>
 
 #include "scene/error.h"
 #include "volume/phantom.h"
@@ -89,7 +89,9 @@ ReadOptions readOptions(const scene::Source& source) {
   return options;
 }
 
-Volume readVolume(const std::string& path, const ReadOptions& options, scene::Progress& progress) {
+namespace {
+
+Volume readAny(const std::string& path, const ReadOptions& options, scene::Progress& progress) {
   constexpr std::string_view phantom = "phantom:";
   if (path.starts_with(phantom)) return readPhantom(path.substr(phantom.size()), progress);
   if (path.empty()) throwInput("", "path", "is empty");
@@ -116,6 +118,18 @@ Volume readVolume(const std::string& path, const ReadOptions& options, scene::Pr
   }
   if (volume.name.empty()) volume.name = file.filename().string();
   return volume;
+}
+
+}  // namespace
+
+Volume readVolume(const std::string& path, const ReadOptions& options, scene::Progress& progress) {
+  try {
+    return readAny(path, options, progress);
+  } catch (const std::bad_alloc&) {
+    throw scene::Error(scene::ErrorKind::memory, path, "", "not enough memory for this volume");
+  } catch (const fs::filesystem_error& error) {
+    throwInput(path, "", error.code().message());
+  }
 }
 
 bool needsRawDescription(const fs::path& path) {

@@ -19,7 +19,8 @@ nlohmann::json describe(const isolux::volume::Volume& volume) {
   for (int z = 0; z < 3; ++z)
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 3; ++x) {
-        const int i = (n.x - 1) * (2 * x + 1) / 6, j = (n.y - 1) * (2 * y + 1) / 6, k = (n.z - 1) * (2 * z + 1) / 6;
+        const int i = (n.x - 1) * (2 * x + 1) / 6, j = (n.y - 1) * (2 * y + 1) / 6,
+                  k = (n.z - 1) * (2 * z + 1) / 6;
         const double value = grid.value(i, j, k);
         samples.push_back({{"voxel", {i, j, k}}, {"value", value}});
       }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <new>
 #include <optional>
 
 #include "scene/error.h"
@@ -357,12 +356,8 @@ Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOp
 
 Volume volumeFrom(ImageHeader header, const Bytes& own, const OpenBeside& beside, const ReadOptions& options,
                   scene::Progress& progress) {
-  try {
-    FileVoxels voxels = decodePayload(header, own, beside, options, progress, header.warnings);
-    return finishVolume(header, std::move(voxels), options, progress);
-  } catch (const std::bad_alloc&) {
-    throw scene::Error(scene::ErrorKind::memory, own.name(), "", "not enough memory for this volume");
-  }
+  FileVoxels voxels = decodePayload(header, own, beside, options, progress, header.warnings);
+  return finishVolume(header, std::move(voxels), options, progress);
 }
 
 }  // namespace isolux::volume

@@ -171,15 +171,17 @@ Volume readTiff(const fs::path& path, const ReadOptions& options, scene::Progres
 
   const std::size_t pageBytes =
       static_cast<std::size_t>(first.width * first.height * header.components) * bytesOf(*type);
-  std::vector<std::byte> voxels;
-  voxels.reserve(pageBytes * pages.size());
+  std::vector<std::byte> pixels;
+  pixels.reserve(pageBytes * pages.size());
   for (std::size_t i = 0; i < pages.size(); ++i) {
-    voxels.resize(pageBytes * (i + 1));
-    reader.read(pages[i], *type, header.components, std::span(voxels).subspan(pageBytes * i), progress);
+    pixels.resize(pageBytes * (i + 1));
+    reader.read(pages[i], *type, header.components, std::span(pixels).subspan(pageBytes * i), progress);
     progress.report(static_cast<double>(i + 1) / static_cast<double>(pages.size()), "reading");
   }
-  const MemoryBytes memory(path.string(), voxels);
-  return volumeFrom(std::move(header), memory, openBeside(path), options, progress);
+  FileVoxels voxels = decodePayload(header, MemoryBytes(path.string(), pixels), openBeside(path), options,
+                                    progress, header.warnings);
+  std::vector<std::byte>().swap(pixels);  // before the conversion allocates
+  return finishVolume(header, std::move(voxels), options, progress);
 }
 
 }  // namespace isolux::volume

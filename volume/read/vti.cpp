@@ -76,8 +76,11 @@ Volume readVti(const std::filesystem::path& path, const ReadOptions& options, sc
   for (const std::string& warning : messages.warnings()) header.image.warnings.push_back("VTK: " + warning);
 
   const auto bytes = static_cast<std::size_t>(claim.elements()) * bytesOf(claim.type);
-  const MemoryBytes memory(name, {static_cast<const std::byte*>(array->GetVoidPointer(0)), bytes});
-  return volumeFrom(std::move(header.image), memory, openBeside(path), options, progress);
+  FileVoxels voxels = decodePayload(
+      header.image, MemoryBytes(name, {static_cast<const std::byte*>(array->GetVoidPointer(0)), bytes}),
+      openBeside(path), options, progress, header.image.warnings);
+  image->ReleaseData();  // before the conversion allocates
+  return finishVolume(header.image, std::move(voxels), options, progress);
 }
 
 }  // namespace isolux::volume
