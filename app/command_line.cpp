@@ -60,6 +60,7 @@ void declare(Program& program) {
 
 std::vector<std::string> namesOf(const std::vector<Command>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const Command& command : commands) names.push_back(command.parser->get_name());
   return names;
 }
@@ -85,7 +86,7 @@ std::string firstLine(std::string text) {
 std::string mistypedOption(const CLI::App& used, int argc, char** argv) {
   std::vector<std::string> known;
   for (const CLI::Option* option : used.get_options())
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    for (const std::string& name : option->get_lnames()) known.emplace_back("--").append(name);
   for (int i = 1; i < argc; ++i) {
     std::string word = argv[i];
     word.resize(std::min(word.find('='), word.size()));

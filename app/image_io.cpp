@@ -108,10 +108,13 @@ void writeExr(const render::ColorImage* color, const std::vector<render::AovImag
     const Channel& channel = channels[c];
     if (channel.image && channel.image->size != size) throw std::logic_error("writeExr: sizes differ");
     const auto index = static_cast<std::size_t>(channel.index);
-    for (std::size_t p = 0; p < pixels; ++p)
-      values[p * channels.size() + c] =
-          channel.image ? channel.image->values[p * static_cast<std::size_t>(channel.image->channels) + index]
-                        : linear[color->rgba[p * 4 + index]];
+    for (std::size_t p = 0; p < pixels; ++p) {
+      float& value = values[p * channels.size() + c];
+      if (channel.image)
+        value = channel.image->values[p * static_cast<std::size_t>(channel.image->channels) + index];
+      else if (color)
+        value = linear[color->rgba[p * 4 + index]];
+    }
   }
 
   OIIO::ImageSpec spec = makeSpec(size, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT, session);

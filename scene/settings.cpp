@@ -224,10 +224,13 @@ Setting choiceEntry(std::string path, Member member, std::vector<std::string> na
   return result;
 }
 
+// A member's name cannot stand in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define ISOLUX_MEMBER(name)  \
   [](auto& scene) -> auto& { \
     return scene.name;       \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 
 std::vector<Setting> makeSettings() {
   std::vector<Setting> list;

@@ -39,9 +39,9 @@ void addCamera(const std::string& text, std::vector<std::string>& assignments) {
 std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
   auto options = std::make_shared<SceneOptions>();
   // trigger_on_parse: each occurrence is handled as it is met, so that their order is that of the line.
-  const auto add = [&](const char* name, std::function<void(const std::string&)> handle, const char* type,
-                       const char* help) {
-    parser.add_option_function<std::string>(name, std::move(handle), help)
+  const auto add = [&](const char* name, const std::function<void(const std::string&)>& handle,
+                       const char* type, const char* help) {
+    parser.add_option_function<std::string>(name, handle, help)
         ->type_name(type)
         ->trigger_on_parse()
         ->group("Scene");
