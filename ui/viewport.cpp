@@ -34,6 +34,12 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), overlay_(new Viewpo
   pointTimer_.setSingleShot(true);
   pointTimer_.setInterval(pointMilliseconds);
   connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
+  // Without any context initializeGL() is never called; half a second after showing it would have been.
+  contextTimer_.setSingleShot(true);
+  contextTimer_.setInterval(500);
+  connect(&contextTimer_, &QTimer::timeout, this, [this] {
+    if (isVisible() && !isValid() && !problem_) fail("no OpenGL context could be made for the window");
+  });
 }
 
 Viewport::~Viewport() {
@@ -80,10 +86,7 @@ void Viewport::fail(const QString& message) {
 
 void Viewport::showEvent(QShowEvent* event) {
   QOpenGLWidget::showEvent(event);
-  // Without any context initializeGL is never called; it would have happened by the next turn of the loop.
-  QTimer::singleShot(500, this, [this] {
-    if (isVisible() && !isValid() && !problem_) fail("no OpenGL context could be made for the window");
-  });
+  contextTimer_.start();
 }
 
 void Viewport::resizeGL(int, int) {

@@ -87,7 +87,7 @@ class Viewport : public QOpenGLWidget {
   render::FrameRequest lastRequest_;
   double pictureMilliseconds_ = 0.0;
   bool interacting_ = false;
-  QTimer refineTimer_, pointTimer_;
+  QTimer refineTimer_, pointTimer_, contextTimer_;
 
   Drag drag_ = Drag::none;
   Qt::MouseButton dragButton_ = Qt::NoButton;
