@@ -9,6 +9,7 @@
 
 #include "app/commands/command.h"
 #include "app/interrupt.h"
+#include "app/session.h"
 #include "app/version.h"
 #include "scene/error.h"
 #include "scene/suggestion.h"
@@ -134,7 +135,10 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
   std::error_code ignored;  // a shell is the better place for this message than an empty window
   if (!options.path.empty() && !options.path.starts_with("phantom:") && !fs::exists(options.path, ignored))
     scene::throwInput(options.path, "", "does not exist");
-  request.assignments = options.scene->assignments;
+  // A volume given beside a session makes another document, without a file of its own.
+  const std::string session = options.path.empty() ? options.scene->session : options.path;
+  if (!session.empty() && isSession(session))
+    request.sessionFile = fs::absolute(session).lexically_normal().string();
   request.recordFile = options.record;
   return openWindow(request);
 }

@@ -13,9 +13,10 @@ namespace isolux::app {
 
 // What to open the window on.
 struct WindowRequest {
-  scene::Scene scene;  // source.path set from PATH; overrides not yet applied to automatic values
-  std::vector<std::string> assignments;  // --set and its short forms, in order; apply after loading
-  std::string recordFile;                // --record FILE
+  scene::Scene scene;  // of PATH, the session and --set; what they leave automatic is still so
+  std::string
+      sessionFile;  // absolute; where the scene came from, so that Save goes there; "": from no session
+  std::string recordFile;  // --record FILE
 };
 using OpenWindow = std::function<int(const WindowRequest&)>;
 

@@ -169,21 +169,14 @@ void MainWindow::open(const app::WindowRequest& request) {
     scene::Scene scene = request.scene;
     const QString path = QString::fromStdString(scene.source.path);
     const bool builtIn = path.startsWith("phantom:");
-    QString sessionFile;
-    if (!builtIn && app::isSession(scene.source.path)) {
-      sessionFile = QFileInfo(path).absoluteFilePath();
-      scene = app::loadSession(scene.source.path);
-    } else if (!builtIn) {
-      scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
-    }
-    for (const std::string& assignment : request.assignments) scene::applyAssignment(scene, assignment);
+    if (!builtIn) scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
     if (!request.recordFile.empty()) document_->startRecording(QString::fromStdString(request.recordFile));
-    if (sessionFile.isEmpty() && scene.source.raw.empty() && !builtIn &&
+    if (request.sessionFile.empty() && scene.source.raw.empty() && !builtIn &&
         volume::needsRawDescription(scene.source.path)) {
       chooseRaw(QString::fromStdString(scene.source.path));
       return;
     }
-    document_->openScene(scene, sessionFile);
+    document_->openScene(scene, QString::fromStdString(request.sessionFile));
   } catch (const scene::Error& error) {
     message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
   }

@@ -19,11 +19,12 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Where the user will look: the world box of the blocks with structure in them, i.e. a surface of the suggested
-// isovalue, or of the one half-way from the most frequent value (the background) to it, or a tenth of the whole
-// range of values. So dragging the isovalue from bone down to skin stays in the picture, while noise in air does
-// not count. The whole domain when there is no such block. An axis along which the box has no
-// extent (a single slice) gets half a voxel on both sides, so that a camera can be placed before any volume.
+// Where the user will look: the world box of the blocks with structure in them, i.e. a surface of the
+// suggested isovalue, or of the one half-way from the most frequent value (the background) to it, or a tenth
+// of the whole range of values. So dragging the isovalue from bone down to skin stays in the picture, while
+// noise in air does not count. The whole domain when there is no such block. An axis along which the box has
+// no extent (a single slice) gets half a voxel on both sides, so that a camera can be placed before any
+// volume.
 void setBounds(PreparedVolume& prepared) {
   const Grid& grid = prepared.grid();
   const MinMaxBlocks& blocks = *prepared.blocks;
@@ -37,7 +38,8 @@ void setBounds(PreparedVolume& prepared) {
         histogram.binCentre(static_cast<std::size_t>(std::distance(histogram.counts.begin(), most)));
     const auto upper = static_cast<float>(grid.storedOfValue(facts.suggestedIsovalue));
     const auto lower = static_cast<float>(grid.storedOfValue(0.5 * (background + facts.suggestedIsovalue)));
-    const auto contrast = static_cast<float>(0.1 * (grid.maximum() - grid.minimum()) / std::abs(grid.slope()));
+    const auto contrast =
+        static_cast<float>(0.1 * (grid.maximum() - grid.minimum()) / std::abs(grid.slope()));
     glm::ivec3 first = blocks.dims(), last(-1);
     std::size_t i = 0;
     for (int z = 0; z < blocks.dims().z; ++z)
@@ -83,8 +85,8 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, std::optional<double> sug
   progress.report(0.6, "counting values");
   prepared->histogram = makeHistogram(prepared->grid());
   progress.throwIfStopped();
-  prepared->facts.suggestedIsovalue =
-      suggestedIsovalue.value_or(suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit));
+  prepared->facts.suggestedIsovalue = suggestedIsovalue.value_or(
+      suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit));
   setBounds(*prepared);
   prepared->prepareSeconds = secondsSince(start);
   progress.report(1.0, "ready");
@@ -107,7 +109,8 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, sc
   if (source.path.starts_with(prefix)) {
     const std::string name = parsePhantom(std::string_view(source.path).substr(prefix.size())).name;
     for (const PhantomInfo& info : phantoms())
-      if (info.name == name && volume.grid->minimum() < info.isovalue && info.isovalue < volume.grid->maximum())
+      if (info.name == name && volume.grid->minimum() < info.isovalue &&
+          info.isovalue < volume.grid->maximum())
         suggested = info.isovalue;
   }
   const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(volume), suggested, progress);

@@ -1,6 +1,7 @@
 // The command line: exit codes, messages, output, interrupts. Nothing here needs GL.
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -313,9 +314,26 @@ TEST(CommandLine, WithoutASubcommandTheWindowIsAskedFor) {
   EXPECT_EQ(full.scene.source.path, "phantom:ball:8");
   EXPECT_EQ(full.scene.isosurface.value, 5.0);
   EXPECT_EQ(full.recordFile, "r.jsonl");
-  EXPECT_THAT(full.assignments,
-              ElementsAre("isosurface.value=-3", "look.mode=depth", "isosurface.value=5", "camera.eye=1,2,3",
-                          "camera.target=0,0,0", "camera.up=0,0,1", "camera.fov=40"));
+  EXPECT_EQ(full.scene.look.mode, scene::LookMode::depth);
+  EXPECT_EQ(full.scene.camera.eye, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(full.scene.camera.fov, 40.0);
+  EXPECT_EQ(full.sessionFile, "");
+
+  // A session is loaded and remembered; a volume beside it is a new document.
+  const std::filesystem::path file = test::temporaryFolder() / "a.isolux";
+  scene::Scene saved;
+  saved.source.path = "phantom:torus:8";
+  saved.look.ambient = 0.5;
+  saveSession(saved, file);
+  for (const auto& words : {std::vector<std::string>{file.string()}, {"--session", file.string()}}) {
+    const WindowRequest opened = request(words);
+    EXPECT_TRUE(opened.scene == saved);
+    EXPECT_EQ(opened.sessionFile, file.string());
+  }
+  const WindowRequest other = request({"phantom:ball:8", "--session", file.string()});
+  EXPECT_EQ(other.scene.source.path, "phantom:ball:8");
+  EXPECT_EQ(other.scene.look.ambient, 0.5);
+  EXPECT_EQ(other.sessionFile, "");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QThread>
 
+#include "scene/settings.h"
 #include "ui/histogram_slider.h"
 #include "ui/isovalue_panel.h"
 #include "ui/main_window.h"
@@ -67,7 +68,7 @@ int takePicture(const QCommandLineParser& options) {
   app::WindowRequest request;
   request.scene.source.path = path.toStdString();
   for (const QString& assignment : options.values("set"))
-    request.assignments.push_back(assignment.toStdString());
+    scene::applyAssignment(request.scene, assignment.toStdString());
   window.open(request);
   const auto failed = [&] {
     return window.messageBar()->isVisible() && window.messageBar()->kind() == ui::MessageBar::Kind::error;

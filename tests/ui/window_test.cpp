@@ -226,10 +226,11 @@ TEST_F(WindowTest, AComponentCanBeChosenAndTheChoiceUndone) {
   EXPECT_EQ(choice->currentIndex(), 0);
 }
 
-TEST_F(WindowTest, CommandLineAssignmentsHoldWhenTheWindowOpens) {
+TEST_F(WindowTest, TheCommandLinesSceneIsShownAndRecorded) {
   app::WindowRequest request;
   request.scene.source.path = "phantom:ball:24";
-  request.assignments = {"look.mode=depth", "camera.projection=orthographic"};
+  request.scene.look.mode = scene::LookMode::depth;
+  request.scene.camera.projection = scene::Projection::orthographic;
   request.recordFile = newFile("all.jsonl").toStdString();
   window_->open(request);
   ASSERT_TRUE(waitUntil([&] { return window_->document()->volume() != nullptr; }));
