@@ -8,7 +8,7 @@ namespace {
 // One line, whatever a hostile file put into the strings: control characters become '?', long parts are cut.
 std::string printable(std::string text) {
   constexpr std::size_t longest = 400;
-  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  if (text.size() > longest) text.replace(longest, std::string::npos, "...");
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
   return text;

@@ -20,7 +20,9 @@ std::size_t bytesOf(VoxelType type) {
   return bytes[static_cast<int>(type)];
 }
 
-glm::dmat4 GridGeometry::voxelFromWorld() const { return glm::inverse(worldFromVoxel); }
+glm::dmat4 GridGeometry::voxelFromWorld() const {
+  return glm::inverse(worldFromVoxel);
+}
 
 glm::dvec3 GridGeometry::spacingMm() const {
   const glm::dmat3 linear(worldFromVoxel);
@@ -33,9 +35,13 @@ glm::dmat3 GridGeometry::directions() const {
   return linear;
 }
 
-glm::dvec3 GridGeometry::originMm() const { return glm::dvec3(worldFromVoxel[3]); }
+glm::dvec3 GridGeometry::originMm() const {
+  return glm::dvec3(worldFromVoxel[3]);
+}
 
-bool GridGeometry::leftHanded() const { return glm::determinant(glm::dmat3(worldFromVoxel)) < 0.0; }
+bool GridGeometry::leftHanded() const {
+  return glm::determinant(glm::dmat3(worldFromVoxel)) < 0.0;
+}
 
 void GridGeometry::worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const {
   minimumMm = glm::dvec3(std::numeric_limits<double>::infinity());
@@ -49,7 +55,8 @@ void GridGeometry::worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) con
   }
 }
 
-GridGeometry GridGeometry::make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm, glm::dmat3 directions) {
+GridGeometry GridGeometry::make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm,
+                                glm::dmat3 directions) {
   GridGeometry geometry;
   geometry.dims = dims;
   for (int axis = 0; axis < 3; ++axis)
@@ -109,7 +116,8 @@ Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double interc
   hash_ = fnv1a(&geometry_.worldFromVoxel, sizeof geometry_.worldFromVoxel, hash_);
   const double numbers[] = {slope_, intercept_, static_cast<double>(voxels_.index())};
   hash_ = fnv1a(numbers, sizeof numbers, hash_);
-  std::visit([&](const auto& array) { hash_ = fnv1a(array.data(), array.size() * sizeof array[0], hash_); }, voxels_);
+  std::visit([&](const auto& array) { hash_ = fnv1a(array.data(), array.size() * sizeof array[0], hash_); },
+             voxels_);
 }
 
 VoxelType Grid::storedType() const {
@@ -123,6 +131,8 @@ double Grid::stored(int x, int y, int z) const {
   return std::visit([i](const auto& array) { return static_cast<double>(array[i]); }, voxels_);
 }
 
-std::size_t Grid::bytes() const { return geometry_.voxelCount() * bytesOf(storedType()); }
+std::size_t Grid::bytes() const {
+  return geometry_.voxelCount() * bytesOf(storedType());
+}
 
 }  // namespace isolux::volume

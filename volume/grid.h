@@ -23,21 +23,22 @@ namespace isolux::volume {
 
 // Types of files. Grids store only int8, uint8, int16, uint16 and float32.
 enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
-std::string_view nameOf(VoxelType type);      // "int16", ...
-std::size_t bytesOf(VoxelType type);          // of one voxel
+std::string_view nameOf(VoxelType type);  // "int16", ...
+std::size_t bytesOf(VoxelType type);      // of one voxel
 
 struct GridGeometry {
   glm::ivec3 dims{0};
   glm::dmat4 worldFromVoxel{1.0};  // affine, invertible
 
   std::size_t voxelCount() const {
-    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
+    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
+           static_cast<std::size_t>(dims.z);
   }
   glm::dmat4 voxelFromWorld() const;
-  glm::dvec3 spacingMm() const;     // lengths of the columns
-  glm::dmat3 directions() const;    // unit columns: world direction of each voxel axis
-  glm::dvec3 originMm() const;      // world position of voxel (0,0,0)
-  bool leftHanded() const;          // negative determinant
+  glm::dvec3 spacingMm() const;   // lengths of the columns
+  glm::dmat3 directions() const;  // unit columns: world direction of each voxel axis
+  glm::dvec3 originMm() const;    // world position of voxel (0,0,0)
+  bool leftHanded() const;        // negative determinant
   void worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const;  // of the domain [0, n-1]^3
 
   static GridGeometry make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm = glm::dvec3(0.0),
@@ -45,8 +46,8 @@ struct GridGeometry {
 };
 
 // Voxels as read, in one of the five stored types.
-using VoxelArray = std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
-                                std::vector<std::uint16_t>, std::vector<float>>;
+using VoxelArray = std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>,
+                                std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<float>>;
 
 class Grid {
  public:
@@ -65,8 +66,10 @@ class Grid {
   double storedOfValue(double value) const { return (value - intercept_) / slope_; }
 
   std::size_t index(int x, int y, int z) const {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(geometry_.dims.y) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(geometry_.dims.x) + static_cast<std::size_t>(x);
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(geometry_.dims.y) +
+            static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(geometry_.dims.x) +
+           static_cast<std::size_t>(x);
   }
   double stored(int x, int y, int z) const;  // NaN where missing
   double value(int x, int y, int z) const { return valueOfStored(stored(x, y, z)); }

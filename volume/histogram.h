@@ -9,9 +9,9 @@
 namespace isolux::volume {
 
 struct Histogram {
-  double minimum = 0.0, maximum = 0.0;   // data units: lower edge of the first bin, upper edge of the last
-  std::vector<std::uint64_t> counts;     // equal bins; integer data of few values get one bin per value
-  std::vector<double> peaks;             // data units, most prominent first, at most 8
+  double minimum = 0.0, maximum = 0.0;  // data units: lower edge of the first bin, upper edge of the last
+  std::vector<std::uint64_t> counts;    // equal bins; integer data of few values get one bin per value
+  std::vector<double> peaks;            // data units, most prominent first, at most 8
   double binCentre(std::size_t bin) const;
 };
 // At most `bins` bins over [grid.minimum, grid.maximum]; missing voxels do not count. Multithreaded.

@@ -16,18 +16,18 @@
 namespace isolux::volume {
 
 struct RayHit {
-  double t = 0.0;            // along the ray, in units of |direction|
-  glm::dvec3 voxel{0.0};     // hit position, voxel coordinates
-  double valueError = 0.0;   // |f - isovalue| at the hit, data units
-  bool entering = false;     // f rises through the isovalue along the ray
+  double t = 0.0;           // along the ray, in units of |direction|
+  glm::dvec3 voxel{0.0};    // hit position, voxel coordinates
+  double valueError = 0.0;  // |f - isovalue| at the hit, data units
+  bool entering = false;    // f rises through the isovalue along the ray
 };
 
 // origin and direction in voxel space (direction need not be unit, not zero); first crossing with t in
 // [tMinimum, tMaximum]. A crossing is a change of (f >= isovalue); touching without crossing is no hit.
-// A ray that starts on the surface does not hit it there. Not finite or zero rays hit nothing. Where a ray runs
-// in a plane between two cells, one of them decides (only missing voxels make that matter).
-std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, glm::dvec3 origin,
-                               glm::dvec3 direction, double tMinimum = 0.0,
+// A ray that starts on the surface does not hit it there. Not finite or zero rays hit nothing. Where a ray
+// runs in a plane between two cells, one of them decides (only missing voxels make that matter).
+std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                               glm::dvec3 origin, glm::dvec3 direction, double tMinimum = 0.0,
                                double tMaximum = std::numeric_limits<double>::infinity());
 
 }  // namespace isolux::volume

@@ -25,8 +25,10 @@ class MinMaxBlocks {
   glm::ivec3 dims() const { return dims_; }  // in blocks; any axis 0 when the grid has no cells
   std::size_t count() const { return minimum_.size(); }
   std::size_t index(glm::ivec3 b) const {
-    return (static_cast<std::size_t>(b.z) * static_cast<std::size_t>(dims_.y) + static_cast<std::size_t>(b.y)) *
-               static_cast<std::size_t>(dims_.x) + static_cast<std::size_t>(b.x);
+    return (static_cast<std::size_t>(b.z) * static_cast<std::size_t>(dims_.y) +
+            static_cast<std::size_t>(b.y)) *
+               static_cast<std::size_t>(dims_.x) +
+           static_cast<std::size_t>(b.x);
   }
   float minimum(std::size_t block) const { return minimum_[block]; }
   float maximum(std::size_t block) const { return maximum_[block]; }
@@ -34,7 +36,8 @@ class MinMaxBlocks {
   // The block can hold a crossing of `stored` isovalue: min < iso <= max or min <= iso < max, i.e. neither
   // all voxels on one side nor a constant block.
   bool active(std::size_t block, float storedIsovalue) const {
-    return minimum_[block] <= storedIsovalue && storedIsovalue <= maximum_[block] && minimum_[block] < maximum_[block];
+    return minimum_[block] <= storedIsovalue && storedIsovalue <= maximum_[block] &&
+           minimum_[block] < maximum_[block];
   }
   // One byte per block, 1 where active; x fastest. Returns the number of active blocks.
   std::size_t activeBlocks(float storedIsovalue, std::vector<std::uint8_t>& flags) const;

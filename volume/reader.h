@@ -1,9 +1,10 @@
 // Reads any supported volume into a Grid, and says what it had to do to get there.
 //
 // Formats are told by content first, then by name: raw, VTK legacy, .vti, MetaImage, NRRD, NIfTI, DICOM
-// folder or file, TIFF (pages, or a folder of numbered files), and the built-in phantoms ("phantom:NAME[:SIZE]").
-// Bad input throws scene::Error{input} naming file, place and reason. No allocation exceeds twice what
-// the header claims, nor the budget; a claim the file's size cannot hold is refused before allocating.
+// folder or file, TIFF (pages, or a folder of numbered files), and the built-in phantoms
+// ("phantom:NAME[:SIZE]"). Bad input throws scene::Error{input} naming file, place and reason. No allocation
+// exceeds twice what the header claims, nor the budget; a claim the file's size cannot hold is refused before
+// allocating.
 #pragma once
 
 #include <filesystem>
@@ -33,9 +34,9 @@ RawDescription parseRawDescription(const std::string& text);
 std::string toText(const RawDescription& description);
 
 struct ReadOptions {
-  std::string raw;       // description text; empty: the file has a header
-  std::string series;    // DICOM SeriesInstanceUID; empty: most slices
-  int component = 0;     // -1: magnitude
+  std::string raw;     // description text; empty: the file has a header
+  std::string series;  // DICOM SeriesInstanceUID; empty: most slices
+  int component = 0;   // -1: magnitude
   int timeStep = 0;
   std::size_t budgetBytes = std::size_t{8} << 30;  // no single volume above this
 };
@@ -43,11 +44,11 @@ ReadOptions readOptions(const scene::Source& source);
 
 struct Volume {
   std::shared_ptr<const Grid> grid;
-  std::string name;                   // short, for the title bar: file name, or series description
-  std::string format;                 // "NIfTI-1", "MetaImage", "DICOM", ...
-  VoxelType fileType = VoxelType::uint8;  // as the file has it
-  std::string unit;                   // "HU" for CT, else ""
-  int components = 1, timeSteps = 1;  // what the file offers
+  std::string name;                        // short, for the title bar: file name, or series description
+  std::string format;                      // "NIfTI-1", "MetaImage", "DICOM", ...
+  VoxelType fileType = VoxelType::uint8;   // as the file has it
+  std::string unit;                        // "HU" for CT, else ""
+  int components = 1, timeSteps = 1;       // what the file offers
   std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"
   std::vector<std::string> warnings;  // one line each: converted, resampled, missing voxels, ignored fields
 };

@@ -1,8 +1,9 @@
-// Continuous fields from samples: trilinear and tri-cubic B-spline, value and derivatives, in double precision.
+// Continuous fields from samples: trilinear and tri-cubic B-spline, value and derivatives, in double
+// precision.
 //
 // The CPU reference for what the shaders do. Positions are voxel coordinates inside [0, n-1]; outside they
-// are clamped. Derivatives are per voxel; GridGeometry carries them to world: g_w = A^-T g_v, H_w = A^-T H_v A^-1.
-// Values are data units. A missing voxel among the samples of a lookup (8 or 64) makes its result NaN.
+// are clamped. Derivatives are per voxel; GridGeometry carries them to world: g_w = A^-T g_v, H_w = A^-T H_v
+// A^-1. Values are data units. A missing voxel among the samples of a lookup (8 or 64) makes its result NaN.
 // Samples beyond the border repeat the border sample (clamp), on CPU and GPU alike.
 #pragma once
 
@@ -29,13 +30,13 @@ struct CubicWeights {
 CubicWeights cubicWeights(double t);
 
 FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel);  // hessian: only the mixed terms are not 0
-FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel);      // B-spline of the samples themselves (smooths)
+FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel);  // B-spline of the samples themselves (smooths)
 FieldSample sampleCubic(const std::vector<float>& coefficients, const Grid& grid, glm::dvec3 voxel);
 
-// B-spline coefficients whose spline passes through the samples: the recursive prefilter per axis. The boundary
-// is a mirror half a voxel beyond the border samples (c[-1] = c[0]): what clamped lookups see, so that the border
-// samples are interpolated too. Stored units. Missing voxels are replaced by the mean of their finite neighbours
-// first. Multithreaded, float result, double arithmetic.
+// B-spline coefficients whose spline passes through the samples: the recursive prefilter per axis. The
+// boundary is a mirror half a voxel beyond the border samples (c[-1] = c[0]): what clamped lookups see, so
+// that the border samples are interpolated too. Stored units. Missing voxels are replaced by the mean of
+// their finite neighbours first. Multithreaded, float result, double arithmetic.
 std::vector<float> interpolatingCoefficients(const Grid& grid);
 
 glm::dvec3 worldGradient(const GridGeometry& geometry, glm::dvec3 voxelGradient);

@@ -1,7 +1,7 @@
 #include "tests/support/test_data.h"
 
-#include <cstdlib>
 #include <unistd.h>
+#include <cstdlib>
 
 namespace isolux::test {
 

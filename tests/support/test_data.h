@@ -16,6 +16,6 @@ std::filesystem::path temporaryFolder();
 }  // namespace isolux::test
 
 // At the start of a test that reads shared data: skips and says so where there is none.
-#define ISOLUX_NEEDS_DATA()                                                                     \
-  if (isolux::test::dataFolder().empty())                                                       \
+#define ISOLUX_NEEDS_DATA()               \
+  if (isolux::test::dataFolder().empty()) \
   GTEST_SKIP() << "no test data: set ISOLUX_DATA to the shared data folder"
