@@ -123,6 +123,7 @@ void Viewport::paintGL() {
     if (drewAnew) {  // not when the same picture is only shown again
       quality_.measured(milliseconds);
       pictureMilliseconds_ = milliseconds;
+      if (underMouse()) pointTimer_.start();  // another point may lie under a pointer that rests
     }
     const int supersampling = resolved_.picture.supersampling;
     if (quality_.stage() == PictureQuality::Stage::sharp && !quality_.complete(supersampling)) {

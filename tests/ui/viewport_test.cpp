@@ -53,6 +53,17 @@ class ViewportTest : public WindowTest {
 
 }  // namespace
 
+TEST_F(ViewportTest, ARestingPointerReadsTheNewPicture) {
+  const auto before = pointAt(centre());
+  ASSERT_TRUE(before);
+  std::optional<render::Pick> latest = before;
+  const auto connection = QObject::connect(viewport(), &ui::Viewport::pointed,
+                                           [&](const std::optional<render::Pick>& pick) { latest = pick; });
+  QTest::keyClick(window_.get(), Qt::Key_2);  // the other side comes under the pointer
+  EXPECT_TRUE(waitUntil([&] { return latest && glm::distance(latest->worldMm, before->worldMm) > 1.0; }));
+  QObject::disconnect(connection);
+}
+
 TEST_F(ViewportTest, PointerReadsTheSurfaceAtItsPosition) {
   const auto pick = pointAt(centre() + QPoint(20, 10));
   ASSERT_TRUE(pick.has_value());
