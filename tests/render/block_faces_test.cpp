@@ -1,6 +1,11 @@
 #include "render/block_faces.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include "volume/phantom_noise.h"
 
 namespace isolux::render {
 namespace {
@@ -49,6 +54,63 @@ TEST(BlockFacesTest, PacksTheLargestCoordinate) {
   std::vector<std::uint8_t> active(512, 0);
   active[511] = 1;
   for (const PackedFace face : boundaryFaces(active, {512, 1, 1})) EXPECT_EQ(face & 511u, 511u);
+}
+
+TEST(BlockFaceSetTest, FollowsRandomChangesAndSaysWhatItWrote) {
+  const glm::ivec3 dims(19, 17, 12);
+  const auto count = static_cast<std::size_t>(dims.x * dims.y * dims.z);
+  std::vector<std::uint8_t> active(count, 0);
+  BlockFaceSet set(dims);
+  std::vector<PackedFace> buffer;  // follows by the dirty ranges alone
+  for (std::uint64_t round = 0; round < 300; ++round) {
+    // Between no change and all of them, on both sides of where everything is found anew.
+    const double fraction = std::pow(volume::uniformNoise(1, round), 8.0);
+    std::vector<std::uint32_t> changed;
+    for (std::uint32_t block = 0; block < count; ++block)
+      if (volume::uniformNoise(2 + round, block) < fraction) {
+        active[block] ^= 1;
+        changed.push_back(block);
+      }
+    std::reverse(changed.begin(), changed.end());  // any order will do
+    set.update(active, changed);
+
+    buffer.resize(set.faces().size(), 0);
+    std::size_t end = 0;
+    for (const auto& range : set.takeDirty()) {
+      ASSERT_TRUE(end == 0 || range.first >= end) << "ranges overlap";
+      end = range.first + range.count;
+      ASSERT_LE(end, set.faces().size());
+      std::copy_n(set.faces().begin() + static_cast<std::ptrdiff_t>(range.first), range.count,
+                  buffer.begin() + static_cast<std::ptrdiff_t>(range.first));
+    }
+    ASSERT_EQ(buffer, set.faces()) << "round " << round;
+    ASSERT_TRUE(set.takeDirty().empty());
+    std::vector<PackedFace> sorted = set.faces(), expected = boundaryFaces(active, dims);
+    std::sort(sorted.begin(), sorted.end());
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(sorted, expected) << "round " << round;
+  }
+}
+
+TEST(BlockFaceSetTest, ASmallChangeWritesLittle) {
+  const glm::ivec3 dims(32);
+  std::vector<std::uint8_t> active(32 * 32 * 32, 0);
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t block = 0; block < active.size(); ++block)
+    if (block % 3 == 0) {
+      active[block] = 1;
+      all.push_back(block);
+    }
+  BlockFaceSet set(dims);
+  set.update(active, all);
+  set.takeDirty();
+  active[3 * 777] = 0;
+  const std::uint32_t one[] = {3 * 777};
+  set.update(active, one);
+  std::size_t written = 0;
+  for (const auto& range : set.takeDirty()) written += range.count;
+  EXPECT_GT(set.faces().size(), 50 * BlockFaceSet::kPageFaces);
+  EXPECT_LE(written, 12 * BlockFaceSet::kPageFaces);
 }
 
 }  // namespace
