@@ -33,34 +33,53 @@ void blockRange(const std::vector<T>& voxels, const Grid& grid, glm::ivec3 low, 
 
 }  // namespace
 
-MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, scene::Progress& progress)
-    : blockCells_(blockCells) {
+MinMaxBlocks::MinMaxBlocks(glm::ivec3 voxels, int blockCells) : blockCells_(blockCells) {
   assert(blockCells == 4 || blockCells == 8);
-  const glm::ivec3 cells = glm::max(grid.dims() - 1, glm::ivec3(0));
+  const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
   dims_ = (cells + blockCells - 1) / blockCells;
   const std::size_t total = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
                             static_cast<std::size_t>(dims_.z);
   minimum_.resize(total);
   maximum_.resize(total);
-  if (total == 0) return;
+}
 
-  std::visit(
-      [&](const auto& voxels) {
-        const int rows = dims_.y * dims_.z;
-        tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
-          for (int row = range.begin(); row != range.end(); ++row) {
-            if (progress.stopRequested()) return;
-            for (int x = 0; x < dims_.x; ++x) {
-              const glm::ivec3 block(x, row % dims_.y, row / dims_.y);
-              const glm::ivec3 low = block * blockCells_;
-              const glm::ivec3 high = glm::min(low + blockCells_, grid.dims() - 1);
-              const std::size_t i = index(block);
-              blockRange(voxels, grid, low, high, minimum_[i], maximum_[i]);
-            }
-          }
-        });
-      },
-      grid.voxels());
+MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, scene::Progress& progress)
+    : MinMaxBlocks(grid.dims(), blockCells) {
+  std::visit([&](const auto& voxels) { fill(voxels, grid, 0, progress); }, grid.voxels());
+}
+
+MinMaxBlocks MinMaxBlocks::ofCubic(const Grid& grid, int blockCells, scene::Progress& progress) {
+  MinMaxBlocks blocks(grid.dims(), blockCells);
+  std::visit([&](const auto& voxels) { blocks.fill(voxels, grid, 1, progress); }, grid.voxels());
+  return blocks;
+}
+
+MinMaxBlocks MinMaxBlocks::ofCubic(const std::vector<float>& coefficients, const Grid& grid, int blockCells,
+                                   scene::Progress& progress) {
+  assert(coefficients.size() == grid.geometry().voxelCount());
+  MinMaxBlocks blocks(grid.dims(), blockCells);
+  blocks.fill(coefficients, grid, 1, progress);
+  return blocks;
+}
+
+template <class T>
+void MinMaxBlocks::fill(const std::vector<T>& voxels, const Grid& grid, int apron,
+                        scene::Progress& progress) {
+  if (count() == 0) return;
+  const int rows = dims_.y * dims_.z;
+  tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
+    for (int row = range.begin(); row != range.end(); ++row) {
+      if (progress.stopRequested()) return;
+      for (int x = 0; x < dims_.x; ++x) {
+        const glm::ivec3 block(x, row % dims_.y, row / dims_.y);
+        const glm::ivec3 first = block * blockCells_;
+        const glm::ivec3 low = glm::max(first - apron, glm::ivec3(0));
+        const glm::ivec3 high = glm::min(first + blockCells_ + apron, grid.dims() - 1);
+        const std::size_t i = index(block);
+        blockRange(voxels, grid, low, high, minimum_[i], maximum_[i]);
+      }
+    }
+  });
   progress.throwIfStopped();
 }
 

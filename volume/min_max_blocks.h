@@ -4,6 +4,12 @@
 // b covers cells [b*B, (b+1)*B) and so voxels [b*B, (b+1)*B] per axis. Values are stored units (floats hold
 // 16-bit integers exactly); missing voxels do not count; a block with only missing voxels holds min > max.
 // Hadwiger et al. 2005 sec. 3.1.
+//
+// The same for a cubic field: the bounds are those of the B-spline coefficients that the block's cells touch,
+// which hold the field by the spline's convex hull property. Cells [b*B, (b+1)*B) touch the coefficients
+// [b*B-1, (b+1)*B+1]; those beyond the border repeat the border's and add nothing. Where samples are missing
+// the bounds are still valid for the cells that hold a surface (volume/intersect_cubic.h): for the smoothing
+// spline those have no missing coefficient, for the interpolating one missing samples have been filled.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +26,12 @@ class MinMaxBlocks {
  public:
   // blockCells: 4 or 8. Multithreaded; throws Error{interrupted}.
   MinMaxBlocks(const Grid& grid, int blockCells, scene::Progress& progress);
+
+  // Bounds of the cubic B-spline whose coefficients are the samples themselves, or those given (stored units,
+  // one per voxel of `grid`: interpolatingCoefficients()).
+  static MinMaxBlocks ofCubic(const Grid& grid, int blockCells, scene::Progress& progress);
+  static MinMaxBlocks ofCubic(const std::vector<float>& coefficients, const Grid& grid, int blockCells,
+                              scene::Progress& progress);
 
   int blockCells() const { return blockCells_; }
   glm::ivec3 dims() const { return dims_; }  // in blocks; any axis 0 when the grid has no cells
@@ -43,6 +55,11 @@ class MinMaxBlocks {
   std::size_t activeBlocks(float storedIsovalue, std::vector<std::uint8_t>& flags) const;
 
  private:
+  MinMaxBlocks(glm::ivec3 voxels, int blockCells);
+  // `apron`: voxels beyond its own that a block's bounds cover on every side.
+  template <class T>
+  void fill(const std::vector<T>& voxels, const Grid& grid, int apron, scene::Progress& progress);
+
   int blockCells_;
   glm::ivec3 dims_{0};
   std::vector<float> minimum_, maximum_;

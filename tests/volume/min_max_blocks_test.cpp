@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "volume/phantom_noise.h"
+#include "volume/reconstruct.h"
 
 namespace isolux::volume {
 namespace {
@@ -95,6 +96,62 @@ TEST(MinMaxBlocks, OnlyBlocksThatACrossingCanBeInAreActive) {
   EXPECT_EQ(flags, (std::vector<std::uint8_t>{0, 1}));
   EXPECT_EQ(blocks.activeBlocks(13.0f, flags), 1u);
   EXPECT_EQ(blocks.activeBlocks(13.1f, flags), 0u);
+}
+
+// Every coefficient of every cell, and the field itself at random points of the block.
+void compareCubicWithCells(const Grid& grid, const std::vector<float>* coefficients, int blockCells) {
+  scene::Progress progress;
+  const MinMaxBlocks blocks = coefficients ? MinMaxBlocks::ofCubic(*coefficients, grid, blockCells, progress)
+                                           : MinMaxBlocks::ofCubic(grid, blockCells, progress);
+  EXPECT_EQ(blocks.dims(), MinMaxBlocks(grid, blockCells, progress).dims());
+  const glm::ivec3 last = grid.dims() - 1;
+  std::vector<float> low(blocks.count(), std::numeric_limits<float>::infinity()), high(blocks.count());
+  std::fill(high.begin(), high.end(), -std::numeric_limits<float>::infinity());
+  for (int z = 0; z < last.z; ++z)
+    for (int y = 0; y < last.y; ++y)
+      for (int x = 0; x < last.x; ++x)
+        for (int tap = 0; tap < 64; ++tap) {
+          const glm::ivec3 at = glm::clamp(
+              glm::ivec3(x, y, z) + glm::ivec3(tap & 3, tap >> 2 & 3, tap >> 4) - 1, glm::ivec3(0), last);
+          const double v = coefficients ? static_cast<double>((*coefficients)[grid.index(at.x, at.y, at.z)])
+                                        : grid.stored(at.x, at.y, at.z);
+          if (std::isnan(v)) continue;
+          const std::size_t block = blocks.index(glm::ivec3(x, y, z) / blockCells);
+          low[block] = std::min(low[block], static_cast<float>(v));
+          high[block] = std::max(high[block], static_cast<float>(v));
+        }
+  for (std::size_t i = 0; i < blocks.count(); ++i) {
+    if (low[i] > high[i]) {
+      EXPECT_GT(blocks.minimum(i), blocks.maximum(i));
+      continue;
+    }
+    ASSERT_EQ(blocks.minimum(i), low[i]) << "block " << i;
+    ASSERT_EQ(blocks.maximum(i), high[i]) << "block " << i;
+  }
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    const glm::dvec3 p =
+        glm::dvec3(uniformNoise(4, i), uniformNoise(5, i), uniformNoise(6, i)) * glm::dvec3(last);
+    const double value = (coefficients ? sampleCubic(*coefficients, grid, p) : sampleCubic(grid, p)).value;
+    if (std::isnan(value)) continue;
+    const double stored = grid.storedOfValue(value);
+    const std::size_t block = blocks.index(glm::ivec3(p) / blockCells);
+    const double rounding = 1e-12 * std::max(std::abs(low[block]), std::abs(high[block]));
+    EXPECT_GE(stored, static_cast<double>(blocks.minimum(block)) - rounding);
+    EXPECT_LE(stored, static_cast<double>(blocks.maximum(block)) + rounding);
+  }
+}
+
+TEST(MinMaxBlocks, OfACubicFieldHoldEveryCoefficientAndSoTheField) {
+  for (const int blockCells : {4, 8}) {
+    compareCubicWithCells(randomGrid<std::uint8_t>({17, 9, 23}), nullptr, blockCells);
+    compareCubicWithCells(randomGrid<std::int16_t>({2, 33, 9}), nullptr, blockCells);
+    compareCubicWithCells(randomGrid<float>({19, 25, 12}, 0.4), nullptr, blockCells);
+    for (const double missing : {0.0, 0.3}) {
+      const Grid grid = randomGrid<float>({18, 12, 21}, missing);
+      const std::vector<float> coefficients = interpolatingCoefficients(grid);
+      compareCubicWithCells(grid, &coefficients, blockCells);
+    }
+  }
 }
 
 TEST(MinMaxBlocks, StopWhenAsked) {
