@@ -71,8 +71,8 @@ void run() {
     base.isosurface.value = subject.isovalue;
     scene::Scene sampled = base, trilinear = base, interpolating = base;
     sampled.hit.method = scene::HitMethod::sampled;
-    trilinear.derivatives.field = scene::DerivativeField::trilinear;
-    interpolating.derivatives.field = scene::DerivativeField::cubic_interpolating;
+    trilinear.derivatives.field = scene::Field::trilinear;
+    interpolating.derivatives.field = scene::Field::cubic_interpolating;
     printComparison(
         {"exact hits, cubic gradient, blocks of 8", "the same, blocks of 4", "sampled hits (rate 2)",
          "trilinear gradient", "interpolating cubic gradient", "2 x 2 supersampling"},

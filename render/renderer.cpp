@@ -142,7 +142,7 @@ void Renderer::Parts::upload(std::size_t budget) {
     throw scene::Error(scene::ErrorKind::memory, volume->volume.name, "graphics memory",
                        "the volume has more than " + std::to_string(maxBlocksPerAxis) + " blocks on an axis");
   if (!volumeTexture) volumeTexture = uploadVolume(gl, grid(), budget);
-  if (!coefficients && scene->derivatives.field == scene::DerivativeField::cubic_interpolating)
+  if (!coefficients && scene->derivatives.field == scene::Field::cubic_interpolating)
     coefficients = uploadCoefficients(gl, volume::interpolatingCoefficients(grid()), grid().dims(),
                                       budget - std::min(budget, volumeTexture->texture.bytes()));
 }
@@ -289,8 +289,8 @@ void Renderer::Parts::runGradient() {
   const float none[4] = {0.0f, 0.0f, 0.0f, 0.0f};
   gl->ClearNamedFramebufferfv(gradient.framebuffer.id(), GL_COLOR, 0, none);
   if (faceCount == 0) return;
-  const bool cubic = scene->derivatives.field != scene::DerivativeField::trilinear;
-  const bool interpolating = scene->derivatives.field == scene::DerivativeField::cubic_interpolating;
+  const bool cubic = scene->derivatives.field != scene::Field::trilinear;
+  const bool interpolating = scene->derivatives.field == scene::Field::cubic_interpolating;
   const VolumeTexture& field = interpolating ? *coefficients : *volumeTexture;
   Program& p = program("gradient.frag.glsl", cubic ? "#define CUBIC\n" : "");
   setView(p);

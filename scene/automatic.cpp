@@ -1,5 +1,6 @@
 #include "scene/automatic.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -17,6 +18,16 @@ constexpr double elevation = 0.21;  // radians (12 degrees): "slightly above"
 Scene resolve(Scene scene, const VolumeFacts& facts) {
   if (!scene.isosurface.value)
     scene.isosurface.value = std::isfinite(facts.suggestedIsovalue) ? facts.suggestedIsovalue : 0.0;
+
+  ExtraIsosurface* const extras[] = {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4};
+  for (int i = 0; i < 3; ++i)
+    if (!extras[i]->value)
+      extras[i]->value =
+          std::lerp(*scene.isosurface.value, std::max(facts.maximum, *scene.isosurface.value), (i + 1) / 4.0);
+  if (!scene.hit.nearThreshold) scene.hit.nearThreshold = facts.typicalStep / scene.hit.rate;
+  if (!scene.derivatives.noise) scene.derivatives.noise = facts.noise;
+  if (!scene.look.textureScale)
+    scene.look.textureScale = std::max(0.1 * glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
 
   Camera& camera = scene.camera;
   if (camera.eye && camera.target && camera.up) return scene;

@@ -12,11 +12,16 @@ namespace isolux::scene {
 struct VolumeFacts {
   glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // world box of what there is to see
   double suggestedIsovalue = 0.0;                 // data units, volume::suggestIsovalue()
+  double maximum = 0.0;                           // data units
+  double typicalStep =
+      0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
+  double noise = 0.0;  // data units: standard deviation of a voxel
 };
 
-// Every optional of the result has a value. An explicit setting is never changed. An automatic camera looks
-// from the front and slightly above (eye on -y: a patient faces the viewer, patient left at the right),
-// and the whole box fits the picture of any aspect ratio >= 1.
+// Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
+// maps, the ridge threshold) and the fog's colour, which stay automatic for the renderer. An explicit setting
+// is never changed. An automatic camera looks from the front and slightly above (eye on -y: a patient faces
+// the viewer, patient left at the right), and the whole box fits the picture of any aspect ratio >= 1.
 Scene resolve(Scene scene, const VolumeFacts& facts);
 
 }  // namespace isolux::scene

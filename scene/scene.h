@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -18,9 +19,43 @@ namespace isolux::scene {
 
 enum class Inside { above, below };       // inside is f >= isovalue, or f <= isovalue
 enum class HitMethod { sampled, exact };  // Hadwiger et al. 2005 sec. 3.2, or every cell's first root
-enum class DerivativeField { trilinear, cubic, cubic_interpolating };
-enum class LookMode { blinn_phong, lambert, normal, depth };
+// Trilinear interpolation, the tri-cubic B-spline of the samples (smooth), or the B-spline through the
+// samples.
+enum class Field { trilinear, cubic, cubic_interpolating };
+enum class Fetch { fast, exact };  // the texture unit's linear filter, or single texels weighted in float
+enum class LookMode {
+  blinn_phong,
+  lambert,
+  tone,
+  kappa1,
+  kappa2,
+  mean_curvature,
+  gaussian_curvature,
+  shape_index,
+  curvedness,
+  curvature_2d,
+  accessibility,
+  flow,
+  normal,
+  depth
+};
+enum class Shading { unlit, lambert, blinn_phong, tone };
+enum class SolidTexture { none, marble, wood, checker };
+enum class ColorMap {
+  automatic,
+  viridis,
+  cividis,
+  inferno,
+  gray,
+  coolwarm,
+  blue_orange,
+  purple_green,
+  spectral
+};
+enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa1 or kappa2
+enum class LightSpace { camera, world };
 enum class Projection { perspective, orthographic };
+enum class MemoryLayout { automatic, whole, bricks };
 
 struct Source {
   std::string path = "phantom:head";  // file, folder, or "phantom:NAME[:SIZE]"
@@ -35,35 +70,97 @@ struct Isosurface {
   std::optional<double> value;  // data units
   Inside inside = Inside::above;
   glm::dvec3 albedo{0.70, 0.62, 0.50};
+  double opacity = 1.0;
+  int layers = 8;  // crossings composited behind one another where surfaces are transparent
   bool operator==(const Isosurface&) const = default;
+};
+
+// A further isosurface of the same volume, drawn with the first in exact depth order.
+struct ExtraIsosurface {
+  bool shown = false;
+  std::optional<double> value;  // data units
+  glm::dvec3 albedo{0.5};
+  double opacity = 0.5;
+  bool operator==(const ExtraIsosurface&) const = default;
 };
 
 struct Hit {
   HitMethod method = HitMethod::exact;
-  double rate = 2.0;    // samples per voxel along the ray (method sampled)
+  Field field = Field::trilinear;
+  double rate = 2.0;                    // r0, samples per voxel along the ray (method sampled)
+  double nearFactor = 8.0;              // n: r1 = n r0 near the isovalue
+  std::optional<double> nearThreshold;  // delta, data units: nearer than this counts as near
   int refinements = 4;  // regula falsi steps after a sampled hit, Hadwiger et al. 2005 eq. (1)
   bool operator==(const Hit&) const = default;
 };
 
 struct Derivatives {
-  DerivativeField field = DerivativeField::cubic;
+  Field field = Field::cubic;
+  Fetch fetch = Fetch::exact;
+  std::optional<double> noise;  // standard deviation of a voxel, data units
   bool operator==(const Derivatives&) const = default;
+};
+
+// A control point of the (kappa1, kappa2) colour map, in parts of the range: -1 .. 1.
+struct CurvaturePoint {
+  double kappa1 = 0.0, kappa2 = 0.0;
+  glm::dvec3 color{0.5};
+  bool operator==(const CurvaturePoint&) const = default;
 };
 
 struct Look {
   LookMode mode = LookMode::blinn_phong;
+  Shading shading = Shading::lambert;  // under the modes that give a colour, not a shading
   double ambient = 0.12;
+  double ambientVariation = 0.0;  // ambient light from above is brighter than from below by this part
   double specular = 0.2;
   double shininess = 50.0;
+  glm::dvec3 toneCool{0.08, 0.12, 0.35};
+  glm::dvec3 toneWarm{0.95, 0.72, 0.38};
+  SolidTexture texture = SolidTexture::none;
+  std::optional<double> textureScale;  // mm
+  double shadow = 0.0;                 // of the light; 1 leaves only the ambient light
+  double fog = 0.0;
+  std::optional<glm::dvec3> fogColor;  // automatic: the background
+  ColorMap colormap = ColorMap::automatic;
+  std::optional<double> rangeLow, rangeHigh;  // of the colour map, in the unit of what it shows
+  std::vector<CurvaturePoint> curvaturePoints = defaultCurvaturePoints();
+  bool legend = true;  // drawn in the picture where colours stand for numbers
+  double accessibility = 0.0;
+  double ridges = 0.0;                   // strength of ridge and valley lines
+  std::optional<double> ridgeThreshold;  // 1/mm
+  glm::dvec3 ridgeColor{0.95, 0.93, 0.85};
+  glm::dvec3 valleyColor{0.03, 0.02, 0.05};
+  double contours = 0.0;            // strength of the silhouette
+  double suggestiveContours = 0.0;  // strength
+  double contourWidth = 2.0;        // pixels
+  glm::dvec3 contourColor{0.0};
   glm::dvec3 backgroundTop{0.10, 0.12, 0.15};
   glm::dvec3 backgroundBottom{0.02, 0.02, 0.03};
   bool operator==(const Look&) const = default;
+
+  static std::vector<CurvaturePoint> defaultCurvaturePoints();
+};
+
+// Streaks along the principal directions of curvature, over any look.
+struct Flow {
+  double strength = 0.0;  // look.mode flow draws it at full strength
+  FlowDirection direction = FlowDirection::maximum;
+  double length = 24.0;  // of a streak, pixels
+  double grain = 1.5;    // of the noise, pixels
+  bool animate = false;
+  double speed = 1.0;  // passes of the pattern per second
+  double time = 0.0;   // seconds: where the animation stands
+  bool operator==(const Flow&) const = default;
 };
 
 struct Light {
-  // Toward the light, in camera axes (right, up, toward the viewer); need not have unit length.
+  LightSpace space = LightSpace::camera;
+  // Toward the light, in camera axes (right, up, toward the viewer) or world axes; need not have unit length.
   glm::dvec3 direction{-0.5, 0.7, 0.9};
+  glm::dvec3 color{1.0};
   double intensity = 1.0;
+  double headlight = 0.0;  // brightness of a second light at the eye
   bool operator==(const Light&) const = default;
 };
 
@@ -77,21 +174,28 @@ struct Camera {
 };
 
 struct Picture {
-  int supersampling = 2;  // rays per pixel and axis of a picture at rest
+  int supersampling = 2;       // rays per pixel and axis of a picture at rest
+  bool adaptive = true;        // pictures in motion shrink until they are quick enough
+  double motionTarget = 50.0;  // milliseconds of a picture in motion
   bool operator==(const Picture&) const = default;
 };
 
 struct Memory {
   int gpuBudgetMb = 2048;
+  MemoryLayout layout = MemoryLayout::automatic;  // whole where it fits, else bricks
   bool operator==(const Memory&) const = default;
 };
 
 struct Scene {
   Source source;
   Isosurface isosurface;
+  ExtraIsosurface isosurface2{false, {}, {0.25, 0.45, 0.75}, 0.5};
+  ExtraIsosurface isosurface3{false, {}, {0.30, 0.62, 0.35}, 0.5};
+  ExtraIsosurface isosurface4{false, {}, {0.75, 0.28, 0.22}, 0.5};
   Hit hit;
   Derivatives derivatives;
   Look look;
+  Flow flow;
   Light light;
   Camera camera;
   Picture picture;

@@ -56,6 +56,12 @@ std::string allowedText(const Setting& setting) {
     case SettingType::text:
       text = "a text";
       break;
+    case SettingType::toggle:
+      text = "true or false";
+      break;
+    case SettingType::points:
+      text = "a list of up to 64 points [kappa1, kappa2, r, g, b], kappas from -1 to 1, colours from 0 to 1";
+      break;
     case SettingType::choice: {
       text = "one of ";
       for (std::size_t i = 0; i < setting.choices.size(); ++i) text += (i ? ", " : "") + setting.choices[i];
@@ -103,6 +109,28 @@ void assignChecked(const Setting& setting, std::string& member, const json& valu
   member = text;
 }
 
+void assignChecked(const Setting& setting, bool& member, const json& value) {
+  if (!value.is_boolean()) refuseValue(setting, value);
+  member = value.get<bool>();
+}
+
+void assignChecked(const Setting& setting, std::vector<CurvaturePoint>& member, const json& value) {
+  constexpr std::size_t mostPoints = 64;
+  if (!value.is_array() || value.empty() || value.size() > mostPoints) refuseValue(setting, value);
+  std::vector<CurvaturePoint> points;
+  for (const json& entry : value) {
+    if (!entry.is_array() || entry.size() != 5) refuseValue(setting, value);
+    double numbers[5];
+    for (std::size_t i = 0; i < 5; ++i) {
+      if (!entry[i].is_number()) refuseValue(setting, value);
+      numbers[i] = entry[i].get<double>();
+      if (!(numbers[i] >= (i < 2 ? -1.0 : 0.0) && numbers[i] <= 1.0)) refuseValue(setting, value);
+    }
+    points.push_back({numbers[0], numbers[1], {numbers[2], numbers[3], numbers[4]}});
+  }
+  member = std::move(points);
+}
+
 template <class T>
 void assignChecked(const Setting& setting, std::optional<T>& member, const json& value) {
   if (value.is_string() && value.get_ref<const std::string&>() == "auto") {
@@ -119,6 +147,15 @@ json jsonOf(double value) {
 }
 json jsonOf(int value) {
   return value;
+}
+json jsonOf(bool value) {
+  return value;
+}
+json jsonOf(const std::vector<CurvaturePoint>& points) {
+  json list = json::array();
+  for (const CurvaturePoint& p : points)
+    list.push_back({p.kappa1, p.kappa2, p.color.x, p.color.y, p.color.z});
+  return list;
 }
 json jsonOf(const std::string& value) {
   return value;
@@ -141,6 +178,16 @@ struct TypeOf<double> {
 template <>
 struct TypeOf<int> {
   static constexpr SettingType type = SettingType::integer;
+  static constexpr bool automatic = false;
+};
+template <>
+struct TypeOf<bool> {
+  static constexpr SettingType type = SettingType::toggle;
+  static constexpr bool automatic = false;
+};
+template <>
+struct TypeOf<std::vector<CurvaturePoint>> {
+  static constexpr SettingType type = SettingType::points;
   static constexpr bool automatic = false;
 };
 template <>
@@ -254,36 +301,139 @@ std::vector<Setting> makeSettings() {
                   "Which side of the isovalue is solid; the normal points away from it."));
   add(entry("isosurface.albedo", ISOLUX_MEMBER(isosurface.albedo), unitRange, "linear RGB",
             "The diffuse reflectance of the surface."));
+  add(entry("isosurface.opacity", ISOLUX_MEMBER(isosurface.opacity), unitRange, "",
+            "How much of what lies behind the surface it hides; 1 hides all."));
+  add(entry("isosurface.layers", ISOLUX_MEMBER(isosurface.layers), {1, 64}, "",
+            "How many crossings along a ray are composited at most, where surfaces are transparent."));
+#define ISOLUX_EXTRA_ISOSURFACE(n)                                                                     \
+  add(entry("isosurface" #n ".shown", ISOLUX_MEMBER(isosurface##n.shown), noRange, "",                 \
+            "Draws one more isosurface of the same volume."));                                         \
+  add(entry("isosurface" #n ".value", ISOLUX_MEMBER(isosurface##n.value), {-1e38, 1e38}, "data units", \
+            "Its isovalue; auto spreads the further isovalues from the first toward the maximum."));   \
+  add(entry("isosurface" #n ".albedo", ISOLUX_MEMBER(isosurface##n.albedo), unitRange, "linear RGB",   \
+            "The diffuse reflectance of that surface."));                                              \
+  add(entry("isosurface" #n ".opacity", ISOLUX_MEMBER(isosurface##n.opacity), unitRange, "",           \
+            "How much of what lies behind that surface it hides; 1 hides all."))
+  ISOLUX_EXTRA_ISOSURFACE(2);
+  ISOLUX_EXTRA_ISOSURFACE(3);
+  ISOLUX_EXTRA_ISOSURFACE(4);
+#undef ISOLUX_EXTRA_ISOSURFACE
 
+  const std::vector<std::string> fields = {"trilinear", "cubic", "cubic_interpolating"};
   add(choiceEntry("hit.method", ISOLUX_MEMBER(hit.method), {"sampled", "exact"},
                   "How rays find the surface: equidistant samples with refinement, or the first root of "
                   "the interpolant in every cell."));
+  add(choiceEntry(
+      "hit.field", ISOLUX_MEMBER(hit.field), fields,
+      "The reconstruction whose surface is hit: trilinear, the tri-cubic B-spline, or the B-spline "
+      "that passes through the samples."));
   add(entry("hit.rate", ISOLUX_MEMBER(hit.rate), {0.125, 64}, "samples per voxel",
             "How densely a ray is sampled; method sampled only."));
+  add(entry("hit.near_factor", ISOLUX_MEMBER(hit.nearFactor), {1, 64}, "",
+            "How many times denser the samples are near the isovalue; method sampled only."));
+  add(entry("hit.near_threshold", ISOLUX_MEMBER(hit.nearThreshold), {0, 1e38}, "data units",
+            "Samples closer to the isovalue than this are near; auto is what the volume's values change by "
+            "from one sample to the next; method sampled only."));
   add(entry("hit.refinements", ISOLUX_MEMBER(hit.refinements), {0, 32}, "",
             "Regula falsi steps after a sampled hit; method sampled only."));
 
-  add(choiceEntry("derivatives.field", ISOLUX_MEMBER(derivatives.field),
-                  {"trilinear", "cubic", "cubic_interpolating"},
-                  "The reconstruction that gradients come from: trilinear, the tri-cubic B-spline, or the "
-                  "B-spline that passes through the samples."));
+  add(choiceEntry("derivatives.field", ISOLUX_MEMBER(derivatives.field), fields,
+                  "The reconstruction that gradients and curvature come from: trilinear, the tri-cubic "
+                  "B-spline, or the B-spline that passes through the samples."));
+  add(choiceEntry(
+      "derivatives.fetch", ISOLUX_MEMBER(derivatives.fetch), {"fast", "exact"},
+      "How cubic derivatives read the volume: by the texture unit's linear filter, whose weights many "
+      "GPUs round to 8 bits, or by single voxels weighted in float."));
+  add(entry(
+      "derivatives.noise", ISOLUX_MEMBER(derivatives.noise), {0, 1e38}, "data units",
+      "Standard deviation of the noise of a voxel, which the confidence in curvature is measured against; "
+      "auto estimates it from the volume."));
 
-  add(choiceEntry("look.mode", ISOLUX_MEMBER(look.mode), {"blinn_phong", "lambert", "normal", "depth"},
-                  "How the surface is shaded."));
+  add(choiceEntry(
+      "look.mode", ISOLUX_MEMBER(look.mode),
+      {"blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature",
+       "shape_index", "curvedness", "curvature_2d", "accessibility", "flow", "normal", "depth"},
+      "What the picture shows: the surface under a shading, or a measure of it in colour."));
+  add(choiceEntry(
+      "look.shading", ISOLUX_MEMBER(look.shading), {"unlit", "lambert", "blinn_phong", "tone"},
+      "The shading under the modes that give a colour: the curvature maps, accessibility and flow."));
   add(entry("look.ambient", ISOLUX_MEMBER(look.ambient), unitRange, "",
             "Light from everywhere, as a fraction of the albedo."));
+  add(entry("look.ambient_variation", ISOLUX_MEMBER(look.ambientVariation), unitRange, "",
+            "How much brighter the ambient light is from above the picture than from below."));
   add(entry("look.specular", ISOLUX_MEMBER(look.specular), {0, 4}, "", "Strength of the highlight."));
   add(entry("look.shininess", ISOLUX_MEMBER(look.shininess), {1, 1000}, "",
             "Exponent of the highlight; larger is smaller and sharper."));
+  add(entry("look.tone_cool", ISOLUX_MEMBER(look.toneCool), unitRange, "linear RGB",
+            "Tone shading: the colour of what faces away from the light."));
+  add(entry("look.tone_warm", ISOLUX_MEMBER(look.toneWarm), unitRange, "linear RGB",
+            "Tone shading: the colour of what faces the light."));
+  add(choiceEntry("look.texture", ISOLUX_MEMBER(look.texture), {"none", "marble", "wood", "checker"},
+                  "A solid texture, carved from rather than wrapped around the surface; varies the albedo."));
+  add(entry("look.texture_scale", ISOLUX_MEMBER(look.textureScale), {1e-9, 1e9}, "mm",
+            "Size of the solid texture's features; auto is a tenth of the volume."));
+  add(entry("look.shadow", ISOLUX_MEMBER(look.shadow), unitRange, "",
+            "Strength of the light's hard shadow, found by a second exact ray from each point."));
+  add(entry("look.fog", ISOLUX_MEMBER(look.fog), unitRange, "", "How much the far end of the volume fades."));
+  add(entry("look.fog_color", ISOLUX_MEMBER(look.fogColor), unitRange, "linear RGB",
+            "What distant things fade to; auto is the background."));
+  add(choiceEntry("look.colormap", ISOLUX_MEMBER(look.colormap),
+                  {"auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green",
+                   "spectral"},
+                  "Colours of a measure; auto takes a diverging map for what has a sign, else viridis."));
+  add(entry("look.range_low", ISOLUX_MEMBER(look.rangeLow), {-1e38, 1e38}, "1/mm, 1/mm² or 1",
+            "The measure at the lower end of the colour map; auto from the surface's own values."));
+  add(entry("look.range_high", ISOLUX_MEMBER(look.rangeHigh), {-1e38, 1e38}, "1/mm, 1/mm² or 1",
+            "The measure at the upper end of the colour map; auto from the surface's own values."));
+  add(entry(
+      "look.curvature_points", ISOLUX_MEMBER(look.curvaturePoints), {-1, 1}, "",
+      "Mode curvature_2d: control points [kappa1, kappa2, r, g, b] of the colour map, kappas in parts of the "
+      "range."));
+  add(entry("look.legend", ISOLUX_MEMBER(look.legend), noRange, "",
+            "Draws a legend with units where colours stand for numbers."));
+  add(entry("look.accessibility", ISOLUX_MEMBER(look.accessibility), unitRange, "",
+            "Darkens what is hollow, by curvature, as if dirt had gathered there."));
+  add(entry("look.ridges", ISOLUX_MEMBER(look.ridges), unitRange, "", "Strength of ridge and valley lines."));
+  add(entry("look.ridge_threshold", ISOLUX_MEMBER(look.ridgeThreshold), {0, 1e38}, "1/mm",
+            "Curvature from which on a ridge or valley is drawn; auto from the surface's own values."));
+  add(entry("look.ridge_color", ISOLUX_MEMBER(look.ridgeColor), unitRange, "linear RGB",
+            "Colour of ridges."));
+  add(entry("look.valley_color", ISOLUX_MEMBER(look.valleyColor), unitRange, "linear RGB",
+            "Colour of valleys."));
+  add(entry("look.contours", ISOLUX_MEMBER(look.contours), unitRange, "",
+            "Strength of the silhouette lines."));
+  add(entry("look.suggestive_contours", ISOLUX_MEMBER(look.suggestiveContours), unitRange, "",
+            "Strength of suggestive contours: where a silhouette would appear from nearby."));
+  add(entry("look.contour_width", ISOLUX_MEMBER(look.contourWidth), {0.5, 20}, "pixels",
+            "Width of contour lines, the same all over the picture."));
+  add(entry("look.contour_color", ISOLUX_MEMBER(look.contourColor), unitRange, "linear RGB",
+            "Colour of contour lines."));
   add(entry("look.background_top", ISOLUX_MEMBER(look.backgroundTop), unitRange, "linear RGB",
             "Background at the top of the picture."));
   add(entry("look.background_bottom", ISOLUX_MEMBER(look.backgroundBottom), unitRange, "linear RGB",
             "Background at the bottom of the picture."));
 
+  add(entry("flow.strength", ISOLUX_MEMBER(flow.strength), unitRange, "",
+            "Streaks along the directions of curvature, over any look."));
+  add(choiceEntry("flow.direction", ISOLUX_MEMBER(flow.direction), {"maximum", "minimum"},
+                  "Along the direction of the larger or of the smaller principal curvature."));
+  add(entry("flow.length", ISOLUX_MEMBER(flow.length), {2, 200}, "pixels", "Length of a streak."));
+  add(entry("flow.grain", ISOLUX_MEMBER(flow.grain), {1, 20}, "pixels", "Size of the noise's grains."));
+  add(entry("flow.animate", ISOLUX_MEMBER(flow.animate), noRange, "",
+            "Lets the streaks move, in the window."));
+  add(entry("flow.speed", ISOLUX_MEMBER(flow.speed), {0.05, 10}, "1/s",
+            "How often the pattern passes in a second."));
+  add(entry("flow.time", ISOLUX_MEMBER(flow.time), {0, 1e6}, "s", "Where the animation stands."));
+
+  add(choiceEntry("light.space", ISOLUX_MEMBER(light.space), {"camera", "world"},
+                  "Whether the light moves with the viewer or stays with the volume."));
   add(directionEntry(
       "light.direction", ISOLUX_MEMBER(light.direction), "",
-      "Toward the light, in camera axes (right, up, toward the viewer); any length but zero."));
+      "Toward the light, in camera axes (right, up, toward the viewer) or world axes; any length but zero."));
+  add(entry("light.color", ISOLUX_MEMBER(light.color), unitRange, "linear RGB", "Colour of the light."));
   add(entry("light.intensity", ISOLUX_MEMBER(light.intensity), {0, 1e6}, "", "Brightness of the light."));
+  add(entry("light.headlight", ISOLUX_MEMBER(light.headlight), {0, 1e6}, "",
+            "Brightness of a second, white light at the eye."));
 
   add(entry("camera.eye", ISOLUX_MEMBER(camera.eye), positionRange, "mm",
             "Where the viewer is; auto looks from the front, slightly above, at the whole volume."));
@@ -299,8 +449,16 @@ std::vector<Setting> makeSettings() {
 
   add(entry("picture.supersampling", ISOLUX_MEMBER(picture.supersampling), {1, 4}, "rays per pixel and axis",
             "Anti-aliasing of a picture at rest."));
+  add(entry("picture.adaptive", ISOLUX_MEMBER(picture.adaptive), noRange, "",
+            "Pictures in motion shrink until they are quick enough; the full picture follows at rest."));
+  add(entry("picture.motion_target", ISOLUX_MEMBER(picture.motionTarget), {5, 2000}, "ms",
+            "How long a picture in motion may take."));
   add(entry("memory.gpu_budget_mb", ISOLUX_MEMBER(memory.gpuBudgetMb), {16, 1048576}, "MiB",
-            "Graphics memory that may be used."));
+            "Graphics memory that the voxels may use."));
+  add(choiceEntry(
+      "memory.layout", ISOLUX_MEMBER(memory.layout), {"auto", "whole", "bricks"},
+      "The volume as one texture, or as bricks of which only those needed are resident; auto takes one "
+      "texture where it fits."));
   return list;
 }
 

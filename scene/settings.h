@@ -16,7 +16,8 @@
 
 namespace isolux::scene {
 
-enum class SettingType { number, integer, text, choice, vector };  // vector: three numbers
+// vector: three numbers; points: a list of CurvaturePoint, each [kappa1, kappa2, r, g, b]
+enum class SettingType { number, integer, text, choice, vector, toggle, points };
 
 struct Setting {
   std::string path;

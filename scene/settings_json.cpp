@@ -42,6 +42,19 @@ json valueOf(const Setting& target, std::string_view text) {
   const std::string_view word = trimmed(text);
   if (target.type == SettingType::choice || (target.mayBeAutomatic && word == "auto"))
     return std::string(word);
+  if (target.type == SettingType::points) {
+    json list = json::parse(word, nullptr, false);
+    return list.is_discarded() ? json(std::string(word)) : list;
+  }
+  const bool yes = word == "true" || word == "on", no = word == "false" || word == "off";
+  if (target.type == SettingType::toggle) {
+    if (yes || word == "1") return true;
+    if (no || word == "0") return false;
+    return std::string(word);
+  }
+  // A strength from 0 to 1 is also switched by word.
+  if (target.type == SettingType::number && target.minimum == 0.0 && target.maximum == 1.0 && (yes || no))
+    return yes ? 1.0 : 0.0;
   if (target.type != SettingType::vector) return numberOrWord(word);
   json list = json::array();
   std::size_t begin = 0;

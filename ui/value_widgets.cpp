@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -164,6 +165,47 @@ class TextWidget : public ValueWidget {
   QLineEdit* line_;
 };
 
+class ToggleWidget : public ValueWidget {
+ public:
+  ToggleWidget(const Setting&, QWidget* parent) : ValueWidget(parent), box_(new QCheckBox(this)) {
+    rowLayout(this)->addWidget(box_, 1);
+    setFocusProxy(box_);
+    connect(box_, &QCheckBox::toggled, this, [this] { Q_EMIT changed(false); });
+  }
+  void showValue(const json& value) override {
+    const QSignalBlocker block(box_);
+    box_->setChecked(value.get<bool>());
+  }
+  json value() const override { return box_->isChecked(); }
+
+ private:
+  QCheckBox* box_;
+};
+
+// The list as text, [[kappa1, kappa2, r, g, b], ...].
+class PointsWidget : public ValueWidget {
+ public:
+  PointsWidget(const Setting&, QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
+    rowLayout(this)->addWidget(line_, 1);
+    setFocusProxy(line_);
+    connect(line_, &QLineEdit::editingFinished, this, [this] {
+      if (line_->isModified()) Q_EMIT changed(false);
+      line_->setModified(false);
+    });
+  }
+  void showValue(const json& value) override {
+    line_->setText(QString::fromStdString(value.dump()));
+    line_->setCursorPosition(0);
+  }
+  json value() const override {
+    json list = json::parse(line_->text().toStdString(), nullptr, false);
+    return list.is_discarded() ? json(line_->text().toStdString()) : list;
+  }
+
+ private:
+  QLineEdit* line_;
+};
+
 class ChoiceWidget : public ValueWidget {
  public:
   ChoiceWidget(const Setting& setting, QWidget* parent)
@@ -250,6 +292,10 @@ ValueWidget* makeValueWidget(const Setting& setting, QWidget* parent) {
       return new TextWidget(setting, parent);
     case SettingType::choice:
       return new ChoiceWidget(setting, parent);
+    case SettingType::toggle:
+      return new ToggleWidget(setting, parent);
+    case SettingType::points:
+      return new PointsWidget(setting, parent);
     case SettingType::vector:
       break;
   }

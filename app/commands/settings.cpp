@@ -22,6 +22,10 @@ std::string typeName(const Setting& setting) {
       return "text";
     case SettingType::choice:
       return "choice";
+    case SettingType::toggle:
+      return "true or false";
+    case SettingType::points:
+      return "list of points";
     case SettingType::vector:
       break;
   }
@@ -37,6 +41,8 @@ std::string limitText(double value) {
 // As it is typed after --set PATH=.
 std::string valueText(const nlohmann::json& value) {
   if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  if (value.is_array() && !value.empty() && value[0].is_array()) return value.dump();
   if (!value.is_array()) return limitText(value.get<double>());
   std::string text;
   for (const auto& part : value) text += (text.empty() ? "" : ",") + limitText(part.get<double>());
@@ -47,7 +53,9 @@ std::string allowedText(const Setting& setting) {
   std::string text;
   if (setting.type == SettingType::choice) {
     for (const std::string& choice : setting.choices) text += (text.empty() ? "" : ", ") + choice;
-  } else if (setting.type != SettingType::text) {
+  } else if (setting.type == SettingType::points) {
+    text = "[[kappa1,kappa2,r,g,b],...], kappas from -1 to 1, colours from 0 to 1";
+  } else if (setting.type != SettingType::text && setting.type != SettingType::toggle) {
     text = limitText(setting.minimum) + " to " + limitText(setting.maximum);
   }
   return setting.mayBeAutomatic ? text + ", or auto" : text;

@@ -1,4 +1,4 @@
-// The look, in linear colour. LOOK: 0 Blinn-Phong, 1 Lambert, 2 normal, 3 depth (scene::LookMode).
+// The look, in linear colour. LOOK: the number of scene::LookMode.
 #include "common.glsl"
 
 uniform sampler2D uSurface, uGradient;
@@ -27,7 +27,7 @@ void main() {
   }
   vec2 xy = imagePlane(gl_FragCoord.xy);
   vec3 ray = uOrthographic != 0 ? uForwardWorld : normalize(uForwardWorld + xy.x * uRightWorld + xy.y * uUpWorld);
-#if LOOK == 3
+#if LOOK == 13
   float depth = surface.w * dot(ray, uForwardWorld);
   float nearness = 1.0 - clamp((depth - uDepthRange.x) / max(uDepthRange.y - uDepthRange.x, 1e-30), 0.0, 1.0);
   // Even steps of depth are even steps of lightness.
@@ -35,7 +35,7 @@ void main() {
 #else
   // Where the gradient vanishes there is no normal; the point is shaded as if it faced the viewer.
   vec3 normal = safeNormalize(uOutward * texelFetch(uGradient, pixel, 0).xyz, -ray);
-#if LOOK == 2
+#if LOOK == 12
   oColor = vec4(pow(normal * 0.5 + 0.5, vec3(2.2)), 1.0);
 #else
   if (dot(normal, ray) > 0.0) normal = -normal;  // the inner side, seen through an opening

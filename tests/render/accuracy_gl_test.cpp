@@ -62,7 +62,7 @@ TEST_F(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
     const glm::dvec3 centre(63.5);
     const glm::dmat4 voxelFromWorld = placement.geometry.voxelFromWorld();
     const glm::dmat3 normalMatrix = glm::transpose(glm::dmat3(voxelFromWorld));
-    for (const auto field : {scene::DerivativeField::cubic, scene::DerivativeField::cubic_interpolating})
+    for (const auto field : {scene::Field::cubic, scene::Field::cubic_interpolating})
       for (const auto method : {scene::HitMethod::exact, scene::HitMethod::sampled}) {
         scene::Scene scene;
         scene.isosurface.value = 0.0;
@@ -98,7 +98,7 @@ TEST_F(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
         std::printf(
             "ball, %s, %s hits, %s: %.5f voxel, %.4f degrees RMS, %d pixels, %d silhouette pixels differ\n",
             placement.name, method == scene::HitMethod::exact ? "exact" : "sampled",
-            field == scene::DerivativeField::cubic ? "cubic" : "cubic_interpolating", voxels, angle, count,
+            field == scene::Field::cubic ? "cubic" : "cubic_interpolating", voxels, angle, count,
             disagreements);
         EXPECT_LT(voxels, 0.01) << placement.name;
         EXPECT_LT(angle, 0.1) << placement.name;
@@ -115,7 +115,7 @@ TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
       return minor - glm::length(glm::dvec2(std::hypot(q.x, q.y) - major, q.z));
     }));
     const glm::dmat3 normalMatrix = glm::transpose(glm::dmat3(placement.geometry.voxelFromWorld()));
-    for (const auto field : {scene::DerivativeField::cubic, scene::DerivativeField::cubic_interpolating}) {
+    for (const auto field : {scene::Field::cubic, scene::Field::cubic_interpolating}) {
       scene::Scene scene;
       scene.isosurface.value = 0.0;
       scene.derivatives.field = field;
@@ -135,7 +135,7 @@ TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
       ASSERT_GT(count, 800) << placement.name;
       const double angle = std::sqrt(sumAngle / count), distance = std::sqrt(sumDistance / count);
       std::printf("torus, %s, %s: %.5f voxel from the surface, %.4f degrees RMS, %d pixels\n", placement.name,
-                  field == scene::DerivativeField::cubic ? "cubic" : "cubic_interpolating", distance, angle,
+                  field == scene::Field::cubic ? "cubic" : "cubic_interpolating", distance, angle,
                   count);
       EXPECT_LT(angle, 0.1) << placement.name;
       EXPECT_LT(distance, 0.01) << placement.name;
@@ -155,7 +155,7 @@ TEST_F(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
     const double edge = 127.0 * std::min({spacing.x, spacing.y, spacing.z}), radius = 0.35 * edge;
     scene::Scene scene;
     scene.isosurface.value = 0.0;
-    scene.derivatives.field = scene::DerivativeField::cubic_interpolating;
+    scene.derivatives.field = scene::Field::cubic_interpolating;
     scene.camera.eye = glm::dvec3(0.3, -1.0, 0.4) * (6.0 * radius);
     scene.camera.target = glm::dvec3(0.0);
     scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);

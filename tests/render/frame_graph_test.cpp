@@ -91,7 +91,7 @@ TEST_F(FrameGraphTest, EachChangeRunsExactlyThePassesBehindIt) {
   scene.isosurface.value = 2.0;
   EXPECT_THAT(ran(scene, request),
               ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
-  scene.derivatives.field = scene::DerivativeField::trilinear;
+  scene.derivatives.field = scene::Field::trilinear;
   EXPECT_THAT(ran(scene, request), ElementsAre("gradient", "shade", "resolve"));
   scene.hit.rate = 5.0;  // exact hits take no samples
   EXPECT_THAT(ran(scene, request), ElementsAre());

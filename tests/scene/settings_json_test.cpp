@@ -50,6 +50,12 @@ Scene randomScene(std::mt19937_64& random) {
       case SettingType::vector:
         s.set(scene, {number(), number(), number()});
         break;
+      case SettingType::toggle:
+        s.set(scene, random() % 2 == 0);
+        break;
+      case SettingType::points:
+        s.set(scene, json::array({{number(), number(), 0.25, 0.5, 1.0}, {-1, 1, 0, 0, std::abs(number())}}));
+        break;
     }
     if (s.mayBeAutomatic && random() % 4 == 0) s.set(scene, "auto");
   }

@@ -42,6 +42,10 @@ json otherValue(const Setting& s) {
       return s.choices.back() == s.defaultValue() ? s.choices.front() : s.choices.back();
     case SettingType::vector:
       return {s.minimum, third, s.maximum};
+    case SettingType::toggle:
+      return !s.defaultValue().get<bool>();
+    case SettingType::points:
+      return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}});
   }
   return {};
 }
@@ -49,33 +53,57 @@ json otherValue(const Setting& s) {
 TEST(Settings, CoversEveryMemberOfScene) {
   // A new member of a struct does not compile here until it is counted; then the list must grow with it.
   const Scene scene;
-  const auto& [source, isosurface, hit, derivatives, look, light, camera, picture, memory] = scene;
+  const auto& [source, isosurface, second, third, fourth, hit, derivatives, look, flow, light, camera,
+               picture, memory] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep] = source;
-  [[maybe_unused]] const auto& [value, inside, albedo] = isosurface;
-  [[maybe_unused]] const auto& [method, rate, refinements] = hit;
-  [[maybe_unused]] const auto& [field] = derivatives;
-  [[maybe_unused]] const auto& [mode, ambient, specular, shininess, top, bottom] = look;
-  [[maybe_unused]] const auto& [direction, intensity] = light;
+  [[maybe_unused]] const auto& [value, inside, albedo, opacity, layers] = isosurface;
+  [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2] = second;
+  [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
+  [[maybe_unused]] const auto& [field, fetch, noise] = derivatives;
+  [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, cool, warm,
+                                texture, textureScale, shadow, fog, fogColor, colormap, low, high, points,
+                                legend, accessibility, ridges, ridgeThreshold, ridgeColor, valleyColor,
+                                contours, suggestive, contourWidth, contourColor, top, bottom] = look;
+  [[maybe_unused]] const auto& [strength, flowDirection, length, grain, animate, speed, time] = flow;
+  [[maybe_unused]] const auto& [space, direction, color, intensity, headlight] = light;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
-  [[maybe_unused]] const auto& [supersampling] = picture;
-  [[maybe_unused]] const auto& [gpuBudgetMb] = memory;
-  EXPECT_EQ(settings().size(), 5u + 3 + 3 + 1 + 6 + 2 + 5 + 1 + 1);
+  [[maybe_unused]] const auto& [supersampling, adaptive, motionTarget] = picture;
+  [[maybe_unused]] const auto& [gpuBudgetMb, layout] = memory;
+  EXPECT_EQ(settings().size(), 5u + 5 + 3 * 4 + 6 + 3 + 29 + 7 + 5 + 5 + 3 + 2);
 }
 
 TEST(Settings, ListsTheContractPaths) {
-  for (const char* path : {"source.path",         "source.raw",
-                           "source.series",       "source.component",
-                           "source.time_step",    "isosurface.value",
-                           "isosurface.inside",   "isosurface.albedo",
-                           "hit.method",          "hit.rate",
-                           "hit.refinements",     "derivatives.field",
-                           "look.mode",           "look.ambient",
-                           "look.specular",       "look.shininess",
-                           "look.background_top", "look.background_bottom",
-                           "light.direction",     "light.intensity",
-                           "camera.eye",          "camera.target",
-                           "camera.up",           "camera.fov",
-                           "camera.projection",   "picture.supersampling",
+  for (const char* path : {"source.path",
+                           "source.raw",
+                           "source.series",
+                           "source.component",
+                           "source.time_step",
+                           "isosurface.value",
+                           "isosurface.inside",
+                           "isosurface.albedo",
+                           "hit.method",
+                           "hit.rate",
+                           "hit.refinements",
+                           "hit.field",
+                           "derivatives.field",
+                           "derivatives.fetch",
+                           "look.ridges",
+                           "look.contours",
+                           "look.fog",
+                           "look.mode",
+                           "look.ambient",
+                           "look.specular",
+                           "look.shininess",
+                           "look.background_top",
+                           "look.background_bottom",
+                           "light.direction",
+                           "light.intensity",
+                           "camera.eye",
+                           "camera.target",
+                           "camera.up",
+                           "camera.fov",
+                           "camera.projection",
+                           "picture.supersampling",
                            "memory.gpu_budget_mb"})
     EXPECT_EQ(setting(path).path, path);
 }
@@ -118,7 +146,8 @@ TEST(Settings, DefaultsAreAllowedAndDoNothing) {
 
 TEST(Settings, RangesAreInclusiveAndEnforced) {
   for (const Setting& s : settings()) {
-    if (s.type == SettingType::text || s.type == SettingType::choice) continue;
+    if (s.type != SettingType::number && s.type != SettingType::integer && s.type != SettingType::vector)
+      continue;
     ASSERT_LT(s.minimum, s.maximum) << s.path;
     const auto shaped = [&](double value) {
       return s.type == SettingType::vector ? json({value, s.maximum, s.minimum}) : json(value);
@@ -139,7 +168,6 @@ TEST(Settings, RangesAreInclusiveAndEnforced) {
 
 TEST(Settings, TypesAreStrict) {
   const std::vector<json> wrong{nullptr,
-                                true,
                                 json::object(),
                                 json::array(),
                                 json::array({1, 2}),
@@ -151,6 +179,7 @@ TEST(Settings, TypesAreStrict) {
       EXPECT_THAT(usageMessage([&] { s.set(scene, value); }), AllOf(HasSubstr(s.path), HasSubstr(part)));
     };
     for (const json& value : wrong) expectRefused(value, "allowed is");
+    if (s.type != SettingType::toggle) expectRefused(true, "true is not allowed");
     const bool takesWords = s.type == SettingType::text || s.type == SettingType::choice;
     if (s.type != SettingType::text) expectRefused("nonsense", "\"nonsense\"");
     if (takesWords) expectRefused(3, "3 is not allowed");
@@ -169,19 +198,23 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
       s.set(scene, "auto");
       EXPECT_TRUE(scene == Scene{}) << s.path;
       EXPECT_EQ(s.defaultValue(), "auto");
-    } else if (s.type != SettingType::text) {
+    } else if (s.type != SettingType::text &&
+               std::find(s.choices.begin(), s.choices.end(), "auto") == s.choices.end()) {
       EXPECT_THROW(s.set(scene, "auto"), Error) << s.path;
     }
   }
-  EXPECT_EQ(automatic,
-            (std::set<std::string>{"isosurface.value", "camera.eye", "camera.target", "camera.up"}));
+  EXPECT_EQ(automatic, (std::set<std::string>{"isosurface.value", "isosurface2.value", "isosurface3.value",
+                                              "isosurface4.value", "hit.near_threshold", "derivatives.noise",
+                                              "look.texture_scale", "look.fog_color", "look.range_low",
+                                              "look.range_high", "look.ridge_threshold", "camera.eye",
+                                              "camera.target", "camera.up"}));
 }
 
 TEST(Settings, ChoicesNameWhatIsAllowed) {
   Scene scene;
-  EXPECT_THAT(usageMessage([&] { setting("look.mode").set(scene, "shiny"); }),
-              AllOf(HasSubstr("look.mode"), HasSubstr("\"shiny\""),
-                    HasSubstr("blinn_phong, lambert, normal, depth")));
+  EXPECT_THAT(
+      usageMessage([&] { setting("look.mode").set(scene, "shiny"); }),
+      AllOf(HasSubstr("look.mode"), HasSubstr("\"shiny\""), HasSubstr("blinn_phong, lambert, tone, kappa1")));
 }
 
 TEST(Settings, DirectionsMustNotBeZero) {
