@@ -17,7 +17,8 @@
 
 namespace isolux::scene {
 
-enum class Inside { above, below };       // inside is f >= isovalue, or f <= isovalue
+enum class Csg { none, unite, intersection, difference };  // of the volume and a second one
+enum class Inside { above, below };                        // inside is f >= isovalue, or f <= isovalue
 enum class HitMethod { sampled, exact };  // Hadwiger et al. 2005 sec. 3.2, or every cell's first root
 // Trilinear interpolation, the tri-cubic B-spline of the samples (smooth), or the B-spline through the
 // samples.
@@ -59,10 +60,14 @@ enum class MemoryLayout { automatic, whole, bricks };
 
 struct Source {
   std::string path = "phantom:head";  // file, folder, or "phantom:NAME[:SIZE]"
-  std::string raw;     // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
-  std::string series;  // DICOM SeriesInstanceUID, empty: the series with most slices
-  int component = 0;   // of a file with several components per voxel; -1: their magnitude
-  int timeStep = 0;    // of a file with several time steps
+  std::string raw;       // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
+  std::string series;    // DICOM SeriesInstanceUID, empty: the series with most slices
+  int component = 0;     // of a file with several components per voxel; -1: their magnitude
+  int timeStep = 0;      // of a file with several time steps
+  int meshVoxels = 128;  // of a mesh's distance field, along its longest axis
+  Csg csg = Csg::none;   // volume/csg.h
+  std::string csgPath;   // the second volume, as `path`
+  std::optional<double> csgValue;  // the second volume's isovalue, its data units
   bool operator==(const Source&) const = default;
 };
 

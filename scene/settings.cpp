@@ -284,7 +284,7 @@ std::vector<Setting> makeSettings() {
   const auto add = [&list](Setting setting) { list.push_back(std::move(setting)); };
 
   add(entry("source.path", ISOLUX_MEMBER(source.path), noRange, "",
-            "The volume: a file, a DICOM folder, or phantom:NAME[:SIZE]."));
+            "The volume: a file, a DICOM folder, a triangle mesh, or phantom:NAME[:SIZE]."));
   add(entry(
       "source.raw", ISOLUX_MEMBER(source.raw), noRange, "",
       "How to read a file without a header: \"WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]\"."));
@@ -294,6 +294,14 @@ std::vector<Setting> makeSettings() {
             "Which component of a file with several per voxel; -1 is their magnitude."));
   add(entry("source.time_step", ISOLUX_MEMBER(source.timeStep), {0, 1e6}, "",
             "Which time step of a file with several."));
+  add(entry("source.mesh_voxels", ISOLUX_MEMBER(source.meshVoxels), {16, 1024}, "voxels",
+            "How finely a triangle mesh becomes a distance field: voxels along its longest axis."));
+  add(choiceEntry("source.csg", ISOLUX_MEMBER(source.csg), {"none", "union", "intersection", "difference"},
+                  "How a second volume is combined with the first, as solids on one grid."));
+  add(entry("source.csg_path", ISOLUX_MEMBER(source.csgPath), noRange, "",
+            "The second volume, as source.path. A phantom without SIZE is made on the first volume's grid."));
+  add(entry("source.csg_value", ISOLUX_MEMBER(source.csgValue), {-1e38, 1e38}, "data units",
+            "The isovalue of the second volume's surface, in its own units; auto takes the suggested one."));
 
   add(entry("isosurface.value", ISOLUX_MEMBER(isosurface.value), {-1e38, 1e38}, "data units",
             "The isovalue; auto takes the one suggested by the histogram."));

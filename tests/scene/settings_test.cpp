@@ -55,7 +55,8 @@ TEST(Settings, CoversEveryMemberOfScene) {
   const Scene scene;
   const auto& [source, isosurface, second, third, fourth, hit, derivatives, look, flow, light, camera,
                picture, memory] = scene;
-  [[maybe_unused]] const auto& [path, raw, series, component, timeStep] = source;
+  [[maybe_unused]] const auto& [path, raw, series, component, timeStep, meshVoxels, csg, csgPath, csgValue] =
+      source;
   [[maybe_unused]] const auto& [value, inside, albedo, opacity, layers] = isosurface;
   [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2] = second;
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
@@ -69,7 +70,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, adaptive, motionTarget] = picture;
   [[maybe_unused]] const auto& [gpuBudgetMb, layout] = memory;
-  EXPECT_EQ(settings().size(), 5u + 5 + 3 * 4 + 6 + 3 + 29 + 7 + 5 + 5 + 3 + 2);
+  EXPECT_EQ(settings().size(), 9u + 5 + 3 * 4 + 6 + 3 + 29 + 7 + 5 + 5 + 3 + 2);
 }
 
 TEST(Settings, ListsTheContractPaths) {
@@ -203,11 +204,11 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
       EXPECT_THROW(s.set(scene, "auto"), Error) << s.path;
     }
   }
-  EXPECT_EQ(automatic, (std::set<std::string>{"isosurface.value", "isosurface2.value", "isosurface3.value",
-                                              "isosurface4.value", "hit.near_threshold", "derivatives.noise",
-                                              "look.texture_scale", "look.fog_color", "look.range_low",
-                                              "look.range_high", "look.ridge_threshold", "camera.eye",
-                                              "camera.target", "camera.up"}));
+  EXPECT_EQ(automatic, (std::set<std::string>{"source.csg_value", "isosurface.value", "isosurface2.value",
+                                              "isosurface3.value", "isosurface4.value", "hit.near_threshold",
+                                              "derivatives.noise", "look.texture_scale", "look.fog_color",
+                                              "look.range_low", "look.range_high", "look.ridge_threshold",
+                                              "camera.eye", "camera.target", "camera.up"}));
 }
 
 TEST(Settings, ChoicesNameWhatIsAllowed) {
