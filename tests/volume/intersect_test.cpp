@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/analytic_fields.h"
+#include "tests/support/rays.h"
 #include "volume/phantom.h"
 #include "volume/phantom_noise.h"
 #include "volume/reconstruct.h"
@@ -168,50 +169,6 @@ void compare(const Grid& grid, const MinMaxBlocks& blocks, double iso, glm::dvec
   EXPECT_NEAR(sampleTrilinear(grid, hit->voxel).value, iso, 1e-9 * scale);
 }
 
-glm::dvec3 randomVector(std::uint64_t i, std::uint64_t stream) {
-  return {uniformNoise(stream, 3 * i), uniformNoise(stream, 3 * i + 1), uniformNoise(stream, 3 * i + 2)};
-}
-
-// Rays of every kind: through the box, from inside it, along axes on and off the planes, through corners and
-// edges, and diagonal through cell corners.
-void randomRay(std::uint64_t i, glm::ivec3 dims, glm::dvec3& o, glm::dvec3& d) {
-  const glm::dvec3 size(dims - 1);
-  glm::dvec3 target = randomVector(i, 1) * size;
-  const glm::dvec3 outside =
-      size * 0.5 + (glm::normalize(randomVector(i, 2) - 0.5)) * (2.0 * glm::length(size));
-  const auto axis = static_cast<int>(counterHash(5, i) % 3);
-  switch (i % 8) {
-    case 0:
-    case 1:
-      o = outside, d = glm::normalize(target - outside);
-      break;
-    case 2:
-      o = target, d = randomVector(i, 3) - 0.5;
-      break;
-    case 3:  // along an axis
-      o = target, d = glm::dvec3(0.0);
-      o[axis] = i & 8 ? -5.0 : size[axis] + 5.0;
-      d[axis] = i & 8 ? 1.0 : -0.25;
-      break;
-    case 4:  // along an axis, on voxel planes: through the samples
-      o = glm::round(target), d = glm::dvec3(0.0);
-      o[axis] = i & 8 ? 0.0 : size[axis];
-      d[axis] = i & 8 ? 2.0 : -1.0;
-      break;
-    case 5:  // from one corner to another
-      o = glm::round(target), d = glm::round(randomVector(i, 4) * size) - o;
-      if (d == glm::dvec3(0.0)) d.x = 1.0;
-      break;
-    case 6:  // diagonal through cell corners
-      o = glm::round(target), d = glm::dvec3(i & 8 ? 1 : -1, i & 16 ? 1 : -1, i & 32 ? 1 : -1);
-      break;
-    default:  // in a plane of voxels
-      o = outside, d = target - outside;
-      o[axis] = target[axis] = std::round(target[axis]);
-      d[axis] = 0.0;
-  }
-}
-
 Grid phantom(const std::string& name, std::optional<GridGeometry> geometry = {}, int size = 0) {
   scene::Progress progress;
   PhantomRequest request;
@@ -226,9 +183,8 @@ Tally compareRandomRays(const Grid& grid, double iso, std::uint64_t count, int b
   const MinMaxBlocks blocks(grid, blockCells, progress);
   Tally tally;
   for (std::uint64_t i = 0; i < count; ++i) {
-    glm::dvec3 o, d;
-    randomRay(i, grid.dims(), o, d);
-    compare(grid, blocks, iso, o, d, tally);
+    const Ray ray = test::randomRay(i, grid.dims());
+    compare(grid, blocks, iso, ray.origin, ray.direction, tally);
   }
   return tally;
 }
@@ -282,9 +238,8 @@ TEST(FirstHit, AgreesWhereVoxelsAreMissing) {
     // On a plane between a cell with a missing corner and one without, either answer is right: only rays
     // that run inside the cells are compared.
     if (i % 8 > 3) continue;
-    glm::dvec3 o, d;
-    randomRay(i, grid.dims(), o, d);
-    compare(grid, blocks, 0.0, o, d, tally);
+    const Ray ray = test::randomRay(i, grid.dims());
+    compare(grid, blocks, 0.0, ray.origin, ray.direction, tally);
   }
   EXPECT_EQ(tally.wrong, 0);
   EXPECT_GT(tally.hits, 1000);
@@ -404,11 +359,9 @@ TEST(FirstHit, GrazingRaysOnTheBallFollowTheClosedForm) {
   Tally tally;
   const double radius = 0.35 * 47.0;
   for (std::uint64_t i = 0; i < 20000; ++i) {
-    // Tangents of the ball, off by up to 1e-2 .. 1e-7 voxels.
-    const glm::dvec3 n = glm::normalize(randomVector(i, 1) - 0.5);
-    const glm::dvec3 along = glm::normalize(glm::cross(n, randomVector(i, 2) - 0.5));
-    const double off = (uniformNoise(4, i) - 0.5) * std::pow(10.0, -1.7 - static_cast<double>(i % 6));
-    compare(grid, blocks, 0.0, glm::dvec3(23.5) + n * (radius + off) - along * 60.0, along, tally);
+    const glm::dvec3 n = glm::normalize(test::randomVector(i, 1) - 0.5);
+    const Ray ray = test::grazingRay(i, glm::dvec3(23.5) + n * radius, n);
+    compare(grid, blocks, 0.0, ray.origin, ray.direction, tally);
   }
   EXPECT_EQ(tally.wrong, 0);
 }
