@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "volume/noise_estimate.h"
 #include "volume/phantom.h"
 
 namespace isolux::volume {
@@ -110,6 +111,7 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, std::optional<double> sug
       suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit));
   prepared->facts.maximum = prepared->grid().maximum();
   prepared->facts.typicalStep = typicalStep(prepared->grid());
+  prepared->facts.noise = estimateNoise(prepared->grid());
   setBounds(*prepared);
   prepared->prepareSeconds = secondsSince(start);
   progress.report(1.0, "ready");
