@@ -6,6 +6,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 pkg_check_modules(glm REQUIRED IMPORTED_TARGET glm)
+pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
 # OpenImageIO's CMake package wants OpenCV's headers; its pkg-config file does not.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOImage IOXML)
