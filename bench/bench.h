@@ -2,6 +2,7 @@
 // ratio. Times of different runs, machines or loads are not comparable; ratios of one run are.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,6 +20,12 @@ std::vector<Section>& sections();
 struct Registration {
   Registration(std::string name, std::string meaning, std::function<void()> run);
 };
+
+// Where sections write plots and tables (--out DIR); empty: they only print.
+const std::filesystem::path& outputFolder();
+
+// Of a list that is not empty; of an even number the upper one.
+double median(std::vector<double> values);
 
 // The median milliseconds of each alternative over `rounds` interleaved rounds, after one to warm up.
 std::vector<double> medians(const std::vector<std::function<void()>>& alternatives, int rounds);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
+#include <stdexcept>
 
 #include <benchmark/benchmark.h>
 
@@ -22,6 +22,11 @@ void runGoogleBenchmarks() {
   benchmark::RunSpecifiedBenchmarks();
 }
 
+std::filesystem::path& folderForPlots() {
+  static std::filesystem::path folder;
+  return folder;
+}
+
 }  // namespace
 
 std::vector<Section>& sections() {
@@ -31,6 +36,16 @@ std::vector<Section>& sections() {
 
 Registration::Registration(std::string name, std::string meaning, std::function<void()> run) {
   sections().push_back({std::move(name), std::move(meaning), std::move(run)});
+}
+
+const std::filesystem::path& outputFolder() {
+  return folderForPlots();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 std::vector<double> medians(const std::vector<std::function<void()>>& alternatives, int rounds) {
@@ -44,10 +59,7 @@ std::vector<double> medians(const std::vector<std::function<void()>>& alternativ
       if (round >= 0) times[i].push_back(elapsed);
     }
   std::vector<double> result;
-  for (auto& list : times) {
-    std::nth_element(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2), list.end());
-    result.push_back(list[list.size() / 2]);
-  }
+  for (const auto& list : times) result.push_back(median(list));
   return result;
 }
 
@@ -57,29 +69,49 @@ void printComparison(const std::vector<std::string>& labels, const std::vector<d
                 milliseconds[i] / milliseconds[0]);
 }
 
-}  // namespace isolux::bench
-
-// isolux_bench [SECTION...]: all sections, or those named.
-int main(int argc, char** argv) {
-  using isolux::bench::sections;
-  auto& list = sections();
-  list.push_back({"blocks", "block sizes on the CPU: building, finding active ones, tracing",
-                  isolux::bench::runGoogleBenchmarks});
-  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-  for (int i = 1; i < argc; ++i)
-    if (std::none_of(list.begin(), list.end(), [&](const auto& s) { return s.name == argv[i]; })) {
-      std::fprintf(stderr, "isolux_bench: no section '%s'; sections:\n", argv[i]);
-      for (const auto& section : list)
-        std::fprintf(stderr, "  %-12s %s\n", section.name.c_str(), section.meaning.c_str());
-      return 2;
+// The sections named by the arguments, all if none is. Throws std::invalid_argument.
+std::vector<Section> chosen(const std::vector<std::string>& names) {
+  std::vector<Section> all = sections();
+  all.push_back(
+      {"blocks", "block sizes on the CPU: building, finding active ones, tracing", runGoogleBenchmarks});
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  if (names.empty()) return all;
+  std::vector<Section> list;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Section& s) { return s.name == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const Section& section : all) known += "\n  " + section.name + ": " + section.meaning;
+      throw std::invalid_argument("no section '" + name + "'; sections:" + known);
     }
-  for (const auto& section : list) {
-    if (argc > 1 &&
-        std::none_of(argv + 1, argv + argc, [&](const char* name) { return section.name == name; }))
-      continue;
+    list.push_back(*found);
+  }
+  return list;
+}
+
+void runAll(std::vector<std::string> arguments) {
+  if (const auto out = std::find(arguments.begin(), arguments.end(), "--out"); out != arguments.end()) {
+    if (out + 1 == arguments.end()) throw std::invalid_argument("--out needs a folder");
+    folderForPlots() = *(out + 1);
+    std::filesystem::create_directories(folderForPlots());
+    arguments.erase(out, out + 2);
+  }
+  for (const Section& section : chosen(arguments)) {
     std::printf("%s: %s\n", section.name.c_str(), section.meaning.c_str());
     section.run();
     std::fflush(stdout);
   }
-  return 0;
+}
+
+}  // namespace isolux::bench
+
+// isolux_bench [--out DIR] [SECTION...]: all sections, or those named.
+int main(int argc, char** argv) {
+  try {
+    isolux::bench::runAll({argv + 1, argv + argc});
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "isolux_bench: %s\n", error.what());
+    return 2;
+  }
 }
