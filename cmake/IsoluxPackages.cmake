@@ -6,6 +6,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 pkg_check_modules(glm REQUIRED IMPORTED_TARGET glm)
+pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
 # OpenImageIO's CMake package wants OpenCV's headers; its pkg-config file does not.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOImage IOXML
@@ -15,6 +16,12 @@ find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets S
 find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
+# Teem's own CMake package changes the flags of the whole project.
+find_path(TEEM_INCLUDE_DIR teem/gage.h REQUIRED)
+find_library(TEEM_LIBRARY teem REQUIRED)
+add_library(isolux_teem INTERFACE)
+target_include_directories(isolux_teem SYSTEM INTERFACE ${TEEM_INCLUDE_DIR})
+target_link_libraries(isolux_teem INTERFACE ${TEEM_LIBRARY})
 
 # Third-party headers are not ours to warn about.
 add_library(isolux_glm INTERFACE)

@@ -1,0 +1,31 @@
+// The one-dimensional colour maps of look.colormap.
+//
+// Samples are linear RGB (BT.709) in [0, 1], from the low to the high end of the range, evenly spaced with
+// the first and last sample at the ends. Sources:
+//   viridis, inferno   van der Walt & Smith 2015 (CC0); lightness rises evenly
+//   cividis            Nunez, Anderton & Renslow 2018; the same, for colour-blind readers too
+//   gray               even in CIE lightness
+//   coolwarm, blue_orange, purple_green   Moreland, "Diverging color maps for scientific visualization", 2009
+//   spectral           ColorBrewer (Brewer & Harrower), 11 classes, joined linearly; blue is low
+//   shape index        after Koenderink & van Doorn 1992: cups green and blue, saddles white, caps red
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace isolux::render {
+
+// Of an automatic choice: what fits the measure that `mode` shows.
+std::vector<glm::vec3> colorMapSamples(scene::ColorMap map, scene::LookMode mode, int size);
+
+// Whether the measure of `mode` has a sign, so that its automatic range is symmetric around 0.
+bool isSignedMeasure(scene::LookMode mode);
+
+// The sRGB transfer function (IEC 61966-2-1), per component in [0, 1].
+double encodeSrgb(double linear);
+double decodeSrgb(double encoded);
+
+}  // namespace isolux::render

@@ -1,0 +1,48 @@
+// The legend drawn in a picture whose colours stand for numbers: title with unit, colour bar or (kappa1,
+// kappa2) square, ticks.
+//
+// Drawn on the CPU in pixels of the final picture (never supersampled), sized by the picture's height. The
+// font (DejaVu Sans) is part of the program: no file is looked up.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace isolux::render {
+
+struct Legend {
+  std::string quantity;          // UTF-8: "κ₁"; for the square the horizontal one
+  std::string quantityVertical;  // of the square; empty: a bar
+  std::string unit;              // "1/mm"; empty: a pure number
+  double low = 0.0,
+         high = 1.0;  // of the colours; both axes of the square. Finite; may coincide or be swapped
+  std::vector<glm::vec3> colors;  // linear RGB: low to high, or the square's rows from below
+};
+
+// Row 0 is the top row; sRGB, premultiplied by alpha in the encoded space.
+struct LegendImage {
+  glm::ivec2 size{0};
+  std::vector<std::uint8_t> rgba;
+};
+
+LegendImage drawLegend(const Legend& legend, int pictureHeight);
+
+// Multiples of 1, 2 or 5 times a power of ten within [low, high], about `count` of them, ascending; the value
+// itself where low and high coincide.
+std::vector<double> tickValues(double low, double high, int count);
+
+// How ticks of a range are written: value * 10^-exponent with that many decimals. The exponent is 0 for handy
+// numbers.
+struct TickFormat {
+  int exponent = 0, decimals = 0;
+};
+TickFormat tickFormat(const std::vector<double>& ticks);
+std::string tickText(double value, const TickFormat& format);  // "−0.5", with a real minus sign
+// "κ₁ (1/mm)", "K (10⁻⁴ 1/mm²)", "shape index".
+std::string axisTitle(const std::string& quantity, const std::string& unit, int exponent);
+
+}  // namespace isolux::render
