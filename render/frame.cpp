@@ -14,6 +14,11 @@ const std::vector<AovInfo>& aovs() {
       {Aov::value_error, "value_error", "data units", {""}},
       {Aov::normal, "normal", "unit vector, world", {"x", "y", "z"}},
       {Aov::gradient, "gradient", "data units per mm, world", {"x", "y", "z"}},
+      {Aov::hessian, "hessian", "data units per mm², world", {"xx", "yy", "zz", "xy", "xz", "yz"}},
+      {Aov::kappa, "kappa", "1/mm", {"1", "2"}},
+      {Aov::direction1, "direction1", "unit vector, world", {"x", "y", "z"}},
+      {Aov::direction2, "direction2", "unit vector, world", {"x", "y", "z"}},
+      {Aov::curvature_confidence, "curvature_confidence", "0 to 1", {""}},
       {Aov::hit, "hit", "1 or 0", {""}},
   };
   return list;

@@ -12,7 +12,20 @@
 namespace isolux::render {
 
 // Deferred images (arbitrary output variables). float32; NaN where there is no hit (hit: 0).
-enum class Aov { position, voxel, depth, value_error, normal, gradient, hit };
+enum class Aov {
+  position,
+  voxel,
+  depth,
+  value_error,
+  normal,
+  gradient,
+  hessian,
+  kappa,
+  direction1,
+  direction2,
+  curvature_confidence,
+  hit
+};
 struct AovInfo {
   Aov aov;
   const char* name;  // as on the command line

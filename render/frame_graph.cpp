@@ -38,7 +38,9 @@ std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& pa
     const PassDeclaration& pass = passes[i];
     written.insert(pass.writes.begin(), pass.writes.end());
     if (!used[i]) {
-      planned.push_back({i, PassState::skipped, "nothing reads its " + joined(pass.writes)});
+      planned.push_back(
+          {i, PassState::skipped,
+           pass.notNeeded.empty() ? "nothing reads its " + joined(pass.writes) : pass.notNeeded});
       continue;
     }
     std::vector<std::string> changed;

@@ -26,6 +26,7 @@ struct PassDeclaration {
   std::string name;
   std::vector<std::string> reads, writes;  // image names
   std::vector<Parameter> parameters;
+  std::string notNeeded = {};  // why it is skipped; empty: because nothing reads what it writes
 };
 
 struct PlannedPass {

@@ -107,6 +107,11 @@ void Buffer::setData(const void* data, std::size_t bytes) {
   bytes_ = bytes;
 }
 
+void Buffer::write(std::size_t offset, const void* data, std::size_t bytes) {
+  if (bytes > 0)
+    gl().NamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+}
+
 VertexArray::VertexArray(const GlPtr& gl)
     : GlObject(gl, created([&](GLuint* id) { gl->CreateVertexArrays(1, id); })) {}
 
@@ -122,8 +127,8 @@ Framebuffer::Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& col
     throw scene::Error(scene::ErrorKind::graphics, "", "OpenGL", "the driver cannot draw into float images");
 }
 
-Query::Query(const GlPtr& gl)
-    : GlObject(gl, created([&](GLuint* id) { gl->CreateQueries(GL_TIMESTAMP, 1, id); })) {}
+Query::Query(const GlPtr& gl, GLenum kind)
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateQueries(kind, 1, id); })) {}
 
 namespace {
 
@@ -185,6 +190,9 @@ void Program::set(const char* name, glm::ivec2 v) {
 }
 void Program::set(const char* name, glm::vec3 v) {
   gl().ProgramUniform3f(id(), location(name), v.x, v.y, v.z);
+}
+void Program::set(const char* name, glm::vec4 v) {
+  gl().ProgramUniform4f(id(), location(name), v.x, v.y, v.z, v.w);
 }
 void Program::set(const char* name, glm::ivec3 v) {
   gl().ProgramUniform3i(id(), location(name), v.x, v.y, v.z);

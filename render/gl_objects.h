@@ -12,6 +12,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "render/gl.h"
 
@@ -73,7 +74,8 @@ class Buffer : public GlObject<deleteBuffer> {
  public:
   Buffer() = default;
   explicit Buffer(const GlPtr& gl);
-  void setData(const void* data, std::size_t bytes);  // reallocates
+  void setData(const void* data, std::size_t bytes);  // reallocates; null: contents undefined
+  void write(std::size_t offset, const void* data, std::size_t bytes);  // within what setData() made
   std::size_t bytes() const { return bytes_; }
 
  private:
@@ -96,7 +98,7 @@ class Framebuffer : public GlObject<deleteFramebuffer> {
 class Query : public GlObject<deleteQuery> {
  public:
   Query() = default;
-  explicit Query(const GlPtr& gl);  // GL_TIMESTAMP
+  explicit Query(const GlPtr& gl, GLenum kind = GL_TIMESTAMP);
 };
 
 // A linked vertex + fragment program; uniforms are set by name, locations cached. Setting a uniform the
@@ -113,6 +115,7 @@ class Program : public GlObject<deleteProgram> {
   void set(const char* name, glm::vec2 value);
   void set(const char* name, glm::ivec2 value);
   void set(const char* name, glm::vec3 value);
+  void set(const char* name, glm::vec4 value);
   void set(const char* name, glm::ivec3 value);
   void set(const char* name, const glm::mat3& value);
   void set(const char* name, const glm::mat4& value);

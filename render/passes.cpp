@@ -1,6 +1,8 @@
 #include "render/passes.h"
 
+#include <algorithm>
 #include <cstring>
+#include <optional>
 
 namespace isolux::render {
 
@@ -27,11 +29,60 @@ class Hasher {
 
 }  // namespace
 
+bool isTransparent(const scene::Scene& scene) {
+  const auto transparent = [](const scene::ExtraIsosurface& extra) {
+    return extra.shown && extra.opacity < 1.0;
+  };
+  return scene.isosurface.opacity < 1.0 || transparent(scene.isosurface2) || transparent(scene.isosurface3) ||
+         transparent(scene.isosurface4);
+}
+
+LookNeeds needsOf(const scene::Scene& scene) {
+  LookNeeds needs;
+  needs.gradient = scene.look.mode != scene::LookMode::depth;
+  return needs;
+}
+
+namespace {
+
+std::uint64_t lookHash(const scene::Scene& scene) {
+  using scene::LookMode;
+  const scene::Look& look = scene.look;
+  Hasher hash;
+  hash.add(look.mode);
+  const bool lit = look.mode != LookMode::normal && look.mode != LookMode::depth;
+  if (lit) {
+    hash.add(look.ambient).add(scene.light.direction).add(scene.light.intensity);
+    if (look.mode == LookMode::blinn_phong) hash.add(look.specular).add(look.shininess);
+  }
+  if (needsOf(scene).gradient) hash.add(scene.isosurface.inside);
+  return hash;
+}
+
+// How the surfaces look, apart from where they are.
+std::uint64_t surfacesHash(const scene::Scene& scene) {
+  Hasher hash;
+  hash.add(scene.isosurface.albedo).add(scene.isosurface.opacity);
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
+    if (extra->shown) hash.add(extra->albedo).add(extra->opacity);
+  return hash;
+}
+
+std::uint64_t isovaluesHash(const scene::Scene& scene) {
+  Hasher hash;
+  hash.add(scene.isosurface.value.value_or(0.0));
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
+    if (extra->shown) hash.add(extra->value.value_or(0.0));
+  return hash;
+}
+
+}  // namespace
+
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
                                            std::uint64_t volumeHash) {
   const scene::Look& look = scene.look;
   const Parameter volume{"volume", Hasher().add(volumeHash)};
-  const Parameter isovalue{"isovalue", Hasher().add(scene.isosurface.value.value_or(0.0))};
+  const Parameter isovalue{"isovalue", isovaluesHash(scene)};
   const Parameter camera{"camera", Hasher()
                                        .add(scene.camera.eye)
                                        .add(scene.camera.target)
@@ -41,46 +92,105 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   const Parameter size{"picture size",
                        Hasher().add(request.size.x).add(request.size.y).add(request.supersampling)};
   const Parameter method{"hit.method", Hasher().add(scene.hit.method)};
+  const Parameter hitField{"hit.field", Hasher().add(scene.hit.field)};
   const bool sampled = scene.hit.method == scene::HitMethod::sampled;
   // A setting is a parameter only where it acts: hit.rate does nothing for exact hits.
-  const Parameter rate{"hit.rate", Hasher().add(sampled ? scene.hit.rate : 0.0)};
+  const Parameter rate{
+      "hit.rate",
+      sampled
+          ? Hasher().add(scene.hit.rate).add(scene.hit.nearFactor).add(scene.hit.nearThreshold.value_or(0.0))
+          : Hasher()};
   const Parameter refinements{"hit.refinements", Hasher().add(sampled ? scene.hit.refinements : -1)};
   const Parameter field{"derivatives.field", Hasher().add(scene.derivatives.field)};
+  const bool cubic = scene.derivatives.field != scene::Field::trilinear;
+  const Parameter fetch{"derivatives.fetch",
+                        Hasher().add(cubic ? scene.derivatives.fetch : scene::Fetch::exact)};
+  const Parameter noise{"derivatives.noise", Hasher().add(scene.derivatives.noise.value_or(0.0))};
+  const Parameter inside{"isosurface.inside", Hasher().add(scene.isosurface.inside)};
+  const Parameter background{"background", Hasher().add(look.backgroundTop).add(look.backgroundBottom)};
+  const Parameter surfaces{"surface colours", surfacesHash(scene)};
+  const Parameter lookOf{"look", lookHash(scene)};
 
-  const bool needsGradient = look.mode != scene::LookMode::depth;
-  const bool lit = look.mode == scene::LookMode::blinn_phong || look.mode == scene::LookMode::lambert;
-  Hasher lookHash;
-  lookHash.add(look.mode).add(look.backgroundTop).add(look.backgroundBottom);
-  if (lit) {
-    lookHash.add(look.ambient)
-        .add(scene.isosurface.albedo)
-        .add(scene.light.direction)
-        .add(scene.light.intensity);
-    if (look.mode == scene::LookMode::blinn_phong) lookHash.add(look.specular).add(look.shininess);
+  const LookNeeds needs = needsOf(scene);
+  const bool transparent = isTransparent(scene);
+  const bool hessianRead = (request.color && needs.curvature) ||
+                           std::any_of(request.aovs.begin(), request.aovs.end(), readsHessian);
+  PassDeclaration gradient{pass::gradient, {image::surface}, {image::gradient}, {volume, field, fetch}, ""};
+  PassDeclaration hessian{pass::hessian, {image::surface}, {image::hessian}, {volume, field, fetch}, ""};
+  if (hessianRead) {
+    gradient.writes = {"gradients alone"};
+    gradient.notNeeded = "the hessian pass writes gradients too";
+    hessian.writes.emplace_back(image::gradient);
   }
-  if (needsGradient) lookHash.add(scene.isosurface.inside);
+  PassDeclaration shade{pass::shade,
+                        {image::surface},
+                        {transparent ? image::front : image::color},
+                        {camera, lookOf, surfaces},
+                        ""};
+  if (needs.gradient) shade.reads.emplace_back(image::gradient);
+  if (needs.curvature) shade.reads.emplace_back(image::curvature);
+  PassDeclaration layers{pass::layers,
+                         {image::front, image::surface, image::activeBlocks, image::segments},
+                         {transparent ? image::color : "layers"},
+                         {volume,
+                          isovalue,
+                          camera,
+                          size,
+                          method,
+                          hitField,
+                          rate,
+                          refinements,
+                          field,
+                          fetch,
+                          noise,
+                          lookOf,
+                          surfaces,
+                          {"isosurface.layers", Hasher().add(scene.isosurface.layers)}},
+                         "every surface is opaque"};
+  if (!transparent) layers.reads = {image::surface};
 
-  std::vector<PassDeclaration> passes = {
-      {pass::blocks, {}, {image::activeBlocks, image::faces}, {volume, isovalue}},
-      {pass::segments, {image::activeBlocks, image::faces}, {image::segments}, {camera, size}},
+  return {
+      {pass::blocks, {}, {image::activeBlocks, image::faces}, {volume, isovalue, hitField}, ""},
+      {pass::segments, {image::activeBlocks, image::faces}, {image::segments}, {camera, size}, ""},
       {pass::cast,
        {image::activeBlocks, image::segments},
        {image::bracket},
-       {volume, isovalue, camera, size, method, rate}},
-      {pass::refine, {image::bracket}, {image::surface}, {volume, isovalue, camera, size, refinements}},
-      {pass::gradient, {image::surface}, {image::gradient}, {volume, field}},
-      {pass::shade, {image::surface}, {image::color}, {camera, {"look", lookHash}}},
-      {pass::resolve, {image::color}, {image::picture}, {size}},
+       {volume, isovalue, camera, size, method, hitField, rate},
+       ""},
+      {pass::refine,
+       {image::bracket},
+       {image::surface},
+       {volume, isovalue, camera, size, hitField, refinements},
+       ""},
+      gradient,
+      hessian,
+      {pass::curvature, {image::gradient, image::hessian}, {image::curvature}, {inside, noise}, ""},
+      shade,
+      layers,
+      {pass::resolve, {image::color}, {image::picture}, {size, background}, ""},
   };
-  if (needsGradient) passes[5].reads.push_back(image::gradient);
-  return passes;
+}
+
+bool readsHessian(Aov aov) {
+  return aov == Aov::hessian || aov == Aov::kappa || aov == Aov::direction1 || aov == Aov::direction2 ||
+         aov == Aov::curvature_confidence;
 }
 
 std::vector<std::string> wantedImages(const FrameRequest& request) {
   std::vector<std::string> wanted;
   if (request.color) wanted.emplace_back(image::picture);
-  for (const Aov aov : request.aovs)
-    wanted.emplace_back(aov == Aov::normal || aov == Aov::gradient ? image::gradient : image::surface);
+  for (const Aov aov : request.aovs) {
+    if (aov == Aov::normal || aov == Aov::gradient)
+      wanted.emplace_back(image::gradient);
+    else if (aov == Aov::hessian)
+      wanted.emplace_back(image::hessian);
+    else if (readsHessian(aov)) {
+      wanted.emplace_back(image::curvature);
+      if (aov == Aov::direction2) wanted.emplace_back(image::gradient);
+    } else {
+      wanted.emplace_back(image::surface);
+    }
+  }
   return wanted;
 }
 

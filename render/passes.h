@@ -1,12 +1,14 @@
 // The passes of an isosurface picture: a pure function from what is asked to what must be computed.
 //
-//   blocks    active blocks of the isovalue and the faces between active and inactive ones   (object order)
-//   segments  where each ray enters and leaves the active blocks, by rasterising those faces
-//   cast      the first crossing of the isovalue on each ray, as a bracket [t0, t1]
-//   refine    the surface point: bracket narrowed on the exact trilinear field
-//   gradient  world gradient at the surface point, by the field of derivatives.field         (image space)
-//   shade     the look, linear colour
-//   resolve   supersamples averaged, sRGB encoded
+//   blocks     active blocks of the isovalues and the faces between active and inactive ones  (object order)
+//   segments   where each ray enters and leaves the active blocks, by rasterising those faces
+//   cast       the first crossing of an isovalue on each ray, as a bracket [t0, t1]
+//   refine     the surface point: bracket narrowed on the exact field of hit.field
+//   gradient   world gradient at the surface point, by the field of derivatives.field         (image space)
+//   hessian    the same with the world Hessian, from the same samples: runs instead where second derivatives
+//   are read curvature  principal curvatures, first direction, confidence shade      the look, linear colour,
+//   of the first crossing layers     the crossings behind transparent surfaces: cast to shade again for each,
+//   composited front to back resolve    background, supersamples averaged, sRGB encoded
 #pragma once
 
 #include <cstdint>
@@ -18,18 +20,32 @@ namespace isolux::render {
 
 namespace pass {
 inline constexpr const char *blocks = "blocks", *segments = "segments", *cast = "cast", *refine = "refine",
-                            *gradient = "gradient", *shade = "shade", *resolve = "resolve";
+                            *gradient = "gradient", *hessian = "hessian", *curvature = "curvature",
+                            *shade = "shade", *layers = "layers", *resolve = "resolve";
 }
 namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *faces = "block faces",
                             *segments = "ray segments", *bracket = "brackets", *surface = "surface points",
-                            *gradient = "gradients", *color = "colour", *picture = "picture";
+                            *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
+                            *front = "front colour", *color = "colour", *picture = "picture";
 }
+
+// What a look reads.
+struct LookNeeds {
+  bool gradient = false;
+  bool curvature = false;
+};
+LookNeeds needsOf(const scene::Scene& scene);
+// Some surface lets through what lies behind it.
+bool isTransparent(const scene::Scene& scene);
+
+// The image comes from second derivatives.
+bool readsHessian(Aov aov);
 
 // `volumeHash` identifies the voxels (0: none).
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
                                            std::uint64_t volumeHash);
-// The images a request reads in the end.
+// The images a request reads in the end. An opaque picture has no layers pass: shade writes its colour.
 std::vector<std::string> wantedImages(const FrameRequest& request);
 
 }  // namespace isolux::render

@@ -1,9 +1,8 @@
 // The volume and its exact trilinear field. Fetches, not hardware filtering: many GPUs round filter
-// weights to 8 bits. Values are texels (render/volume_texture.h); the isovalue is given in the same unit.
+// weights to 8 bits. Values are texels (render/volume_texture.h).
 
 uniform sampler3D uVolume;
 uniform ivec3 uDims;
-uniform float uIsovalue;
 
 const float missingTexel = 1e30;  // stands for a missing voxel; render/constants.h holds the same number
 bool isMissing(float v) { return v > 1e20; }
@@ -29,11 +28,35 @@ float bilinear(vec4 corners, float x, float y) {
 }
 
 // f - isovalue at p (voxel coordinates, clamped to the domain); huge where a corner is missing.
-float trilinearMinusIsovalue(vec3 p) {
+float trilinearMinus(vec3 p, float isovalue) {
   ivec3 cell = cellOf(p);
   vec3 f = clamp(p - vec3(cell), 0.0, 1.0);
   vec4 low, high;
   cellCorners(cell, low, high);
   if (anyMissing(low, high)) return missingTexel;
-  return bilinear(mix(low - uIsovalue, high - uIsovalue, f.z), f.x, f.y);
+  return bilinear(mix(low - isovalue, high - isovalue, f.z), f.x, f.y);
+}
+
+// The trilinear field's gradient in its cell, texels per voxel; 0 where a corner is missing.
+vec3 trilinearGradient(vec3 p) {
+  ivec3 cell = cellOf(p);
+  vec3 f = clamp(p - vec3(cell), 0.0, 1.0);
+  vec4 low, high;
+  cellCorners(cell, low, high);
+  if (anyMissing(low, high)) return vec3(0.0);
+  vec4 c = mix(low, high, f.z);
+  return vec3(mix(c.y - c.x, c.w - c.z, f.y), mix(c.z - c.x, c.w - c.y, f.x), bilinear(high - low, f.x, f.y));
+}
+
+// Its mixed second derivatives (xy, xz, yz); the others are 0. False where a corner is missing.
+bool trilinearMixed(vec3 p, out vec3 mixed) {
+  ivec3 cell = cellOf(p);
+  vec3 f = clamp(p - vec3(cell), 0.0, 1.0);
+  vec4 low, high;
+  cellCorners(cell, low, high);
+  mixed = vec3(0.0);
+  if (anyMissing(low, high)) return false;
+  vec4 c = mix(low, high, f.z), rise = high - low;
+  mixed = vec3(c.w - c.z - c.y + c.x, mix(rise.y - rise.x, rise.w - rise.z, f.y), mix(rise.z - rise.x, rise.w - rise.y, f.x));
+  return true;
 }

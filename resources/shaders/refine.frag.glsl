@@ -1,28 +1,42 @@
 // The surface point of each pixel, from its bracket.
 //
-// An exact bracket is the root already (t0 = t1). A sampled one gets the paper's regula falsi on the exact
-// trilinear field, Hadwiger et al. 2005 eq. (1), uRefinements times.
-// Outputs: voxel position and t (mm; -1: no surface), and |f - isovalue| in texels.
+// An exact bracket is the root already (t0 = t1). A sampled one gets the paper's regula falsi on the exact field,
+// Hadwiger et al. 2005 eq. (1), uRefinements times.
+// Outputs: voxel position and t (mm; -1: no surface); |f - isovalue| in texels of what is hit, and the packed
+// knowledge of the bracket (cast.frag.glsl).
 #include "common.glsl"
 #include "field.glsl"
+#ifdef CUBIC
+#include "spline.glsl"
+#endif
 
 uniform sampler2D uBrackets;
 uniform int uRefinements;
+uniform vec4 uIsovalues;
 layout(location = 0) out vec4 oSurface;
-layout(location = 1) out float oError;
+layout(location = 1) out vec2 oInfo;
+
+float fieldMinus(vec3 p, float isovalue) {
+#ifdef CUBIC
+  return splineMinus(clamp(p, vec3(0.0), vec3(uDims - 1)), isovalue);
+#else
+  return trilinearMinus(p, isovalue);
+#endif
+}
 
 void main() {
-  vec2 bracket = texelFetch(uBrackets, ivec2(gl_FragCoord.xy), 0).rg;
+  vec4 bracket = texelFetch(uBrackets, ivec2(gl_FragCoord.xy), 0);
   oSurface = vec4(0.0, 0.0, 0.0, -1.0);
-  oError = 0.0;
+  oInfo = vec2(0.0);
   if (bracket.x > bracket.y) return;
   vec3 origin, direction;
   pixelRay(gl_FragCoord.xy, origin, direction);
+  float isovalue = uIsovalues[int(bracket.z) & 3];
 
   float a = bracket.x, b = bracket.y, t = a;
-  float fa = trilinearMinusIsovalue(origin + a * direction), f = fa;
+  float fa = fieldMinus(origin + a * direction, isovalue), f = fa;
   if (b > a) {
-    float fb = trilinearMinusIsovalue(origin + b * direction);
+    float fb = fieldMinus(origin + b * direction, isovalue);
     if (abs(fb) < abs(fa)) {
       t = b;
       f = fb;
@@ -31,7 +45,7 @@ void main() {
     bool crosses = (fa >= 0.0) != (fb >= 0.0) && !isMissing(fa) && !isMissing(fb);
     for (int i = 0; crosses && i < uRefinements; ++i) {
       t = clamp(b - fb * (b - a) / (fb - fa), a, b);
-      f = trilinearMinusIsovalue(origin + t * direction);
+      f = fieldMinus(origin + t * direction, isovalue);
       if ((f >= 0.0) == (fb >= 0.0)) {
         b = t;
         fb = f;
@@ -42,5 +56,5 @@ void main() {
     }
   }
   oSurface = vec4(origin + t * direction, max(t, 0.0));
-  oError = isMissing(f) ? 0.0 : abs(f);
+  oInfo = vec2(isMissing(f) ? 0.0 : abs(f), bracket.z);
 }

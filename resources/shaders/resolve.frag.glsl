@@ -1,5 +1,6 @@
-// Supersamples averaged in linear light, encoded as sRGB, with a dither of one step against banding.
-uniform sampler2D uColor;
+// The background behind what is shaded; supersamples averaged in linear light, encoded as sRGB, with a dither of one step against banding.
+#include "background.glsl"
+uniform sampler2D uColor;  // premultiplied
 uniform int uSupersampling;
 layout(location = 0) out vec4 oPicture;
 
@@ -19,9 +20,13 @@ float noise(uvec2 p) {
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 sum = vec3(0.0);
+  ivec2 rays = textureSize(uColor, 0);
   for (int y = 0; y < uSupersampling; ++y)
-    for (int x = 0; x < uSupersampling; ++x)
-      sum += min(texelFetch(uColor, pixel * uSupersampling + ivec2(x, y), 0).rgb, vec3(1.0));
+    for (int x = 0; x < uSupersampling; ++x) {
+      ivec2 ray = pixel * uSupersampling + ivec2(x, y);
+      vec4 color = texelFetch(uColor, ray, 0);
+      sum += min(color.rgb + (1.0 - color.a) * backgroundAt((float(ray.y) + 0.5) / float(rays.y)), vec3(1.0));
+    }
   float dither = (noise(uvec2(pixel)) - 0.5) / 255.0;
   oPicture = vec4(encoded(sum / float(uSupersampling * uSupersampling)) + dither, 1.0);
 }

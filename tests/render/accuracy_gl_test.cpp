@@ -135,8 +135,7 @@ TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
       ASSERT_GT(count, 800) << placement.name;
       const double angle = std::sqrt(sumAngle / count), distance = std::sqrt(sumDistance / count);
       std::printf("torus, %s, %s: %.5f voxel from the surface, %.4f degrees RMS, %d pixels\n", placement.name,
-                  field == scene::Field::cubic ? "cubic" : "cubic_interpolating", distance, angle,
-                  count);
+                  field == scene::Field::cubic ? "cubic" : "cubic_interpolating", distance, angle, count);
       EXPECT_LT(angle, 0.1) << placement.name;
       EXPECT_LT(distance, 0.01) << placement.name;
     }

@@ -123,6 +123,40 @@ TEST_F(FrameGraphTest, EachLookAndImageRunsExactlyItsPasses) {
   EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "refine"));
   depth.aovs = {Aov::normal};
   EXPECT_THAT(ran(scene, depth), ElementsAre("gradient"));
+  depth.aovs = {Aov::normal, Aov::kappa};  // the gradients come with the Hessians
+  graph_.invalidate();
+  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "refine", "hessian", "curvature"));
+  scene.derivatives.noise = 3.0;
+  EXPECT_THAT(ran(scene, depth), ElementsAre("curvature"));
+  depth.aovs = {Aov::hessian};
+  graph_.invalidate();
+  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "refine", "hessian"));
+}
+
+TEST_F(FrameGraphTest, OnlyTransparentSurfacesHaveLayersBehindThem) {
+  scene::Scene scene;
+  FrameRequest picture;
+  scene.isosurface.opacity = 0.5;
+  EXPECT_THAT(ran(scene, picture),
+              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "layers", "resolve"));
+  scene.isosurface.layers = 3;
+  EXPECT_THAT(ran(scene, picture), ElementsAre("layers", "resolve"));
+  scene.isosurface.opacity = 1.0;
+  EXPECT_THAT(ran(scene, picture), ElementsAre("shade", "resolve"));
+  scene.isosurface2.opacity = 0.25;  // not shown
+  EXPECT_THAT(ran(scene, picture), ElementsAre());
+  scene.isosurface2.shown = true;
+  EXPECT_THAT(ran(scene, picture),
+              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "layers", "resolve"));
+}
+
+TEST_F(FrameGraphTest, TheFieldOfTheHitsIsThatOfTheBlocks) {
+  scene::Scene scene;
+  FrameRequest picture;
+  ran(scene, picture);
+  scene.hit.field = scene::Field::cubic;
+  EXPECT_THAT(ran(scene, picture),
+              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ class HardCasesGlTest : public RenderGlTest {
   std::size_t drawn(const std::shared_ptr<const volume::PreparedVolume>& volume, scene::Scene scene) {
     std::size_t hits = 0;
     for (const auto method : {scene::HitMethod::sampled, scene::HitMethod::exact})
-      for (const auto field : {scene::Field::trilinear, scene::Field::cubic,
-                               scene::Field::cubic_interpolating}) {
+      for (const auto field :
+           {scene::Field::trilinear, scene::Field::cubic, scene::Field::cubic_interpolating}) {
         scene.hit.method = method;
         scene.derivatives.field = field;
         const Images result = images(volume, scene, {64, 48});

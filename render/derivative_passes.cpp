@@ -1,0 +1,51 @@
+#include "render/derivative_passes.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace isolux::render {
+
+namespace {
+constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+}
+
+void DerivativePasses::derivatives(FrameState& frame, bool hessian) {
+  const Target& target = hessian ? frame.target(pass::hessian, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F})
+                                 : frame.target(pass::gradient, {GL_RGBA32F});
+  frame.begin(target);
+  for (std::size_t i = 0; i < target.images.size(); ++i) frame.clear(target, static_cast<int>(i), kZero);
+  if (frame.empty()) return;
+  const scene::Derivatives& settings = frame.scene->derivatives;
+  std::string defines = hessian ? "#define HESSIAN\n" : "";
+  if (settings.field != scene::Field::trilinear) defines += "#define CUBIC\n";
+  if (settings.fetch == scene::Fetch::fast) defines += "#define FAST\n";
+  Program& p = frame.program("derivatives.frag.glsl", defines);
+  frame.setView(p);
+  frame.volume->bind(p, settings.field);
+  p.setTexture("uSurface", 2, frame.image(pass::refine));
+  const glm::dmat3 linear(frame.volume->grid().geometry().worldFromVoxel);
+  p.set("uInverseTransposed", glm::mat3(glm::transpose(glm::inverse(linear))));
+  p.set("uDataUnits", static_cast<float>(frame.volume->dataUnitsPerTexel()));
+  frame.drawFullscreen(p);
+}
+
+void DerivativePasses::curvature(FrameState& frame) {
+  const Target& target = frame.target(pass::curvature, {GL_RGBA32F, GL_RGBA32F});
+  frame.begin(target);
+  frame.clear(target, 0, kZero);
+  frame.clear(target, 1, kZero);
+  if (frame.empty()) return;
+  Program& p = frame.program("curvature.frag.glsl");
+  p.setTexture("uGradient", 0, frame.image(pass::hessian, 0));
+  p.setTexture("uHessianDiagonal", 1, frame.image(pass::hessian, 1));
+  p.setTexture("uHessianMixed", 2, frame.image(pass::hessian, 2));
+  p.set("uOutward", static_cast<float>(frame.outward()));
+  const glm::dvec3 spacing = frame.volume->grid().geometry().spacingMm();
+  p.set("uGradientNoise", static_cast<float>(*frame.scene->derivatives.noise / glm::length(spacing)));
+  p.set("uFlat", static_cast<float>(0.1 / glm::length(spacing * glm::dvec3(frame.volume->grid().dims()))));
+  frame.drawFullscreen(p);
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,61 @@
+#include "render/frame_state.h"
+
+namespace isolux::render {
+
+std::vector<Surface> surfacesOf(const scene::Scene& scene) {
+  std::vector<Surface> surfaces = {
+      {scene.isosurface.value.value(), scene.isosurface.albedo, scene.isosurface.opacity}};
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
+    if (extra->shown) surfaces.push_back({extra->value.value(), extra->albedo, extra->opacity});
+  return surfaces;
+}
+
+Program& FrameState::program(const std::string& fragment, const std::string& defines) {
+  const std::string key = fragment + "|" + defines;
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  return programs_.emplace(key, Program(gl, "fullscreen.vert.glsl", fragment, defines)).first->second;
+}
+
+void FrameState::begin(const Target& target) const {
+  begin(target, raySize());
+}
+
+void FrameState::begin(const Target& target, glm::ivec2 size) const {
+  gl->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+  gl->Viewport(0, 0, size.x, size.y);
+}
+
+void FrameState::clear(const Target& target, int image, const float (&value)[4]) const {
+  gl->ClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, image, value);
+}
+
+void FrameState::drawFullscreen(const Program& program) const {
+  gl->UseProgram(program.id());
+  gl->BindVertexArray(emptyArray.id());
+  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void FrameState::setView(Program& program) const {
+  program.set("uEyeVoxel", glm::vec3(view->eyeVoxel));
+  program.set("uRightVoxel", glm::vec3(view->rightVoxel));
+  program.set("uUpVoxel", glm::vec3(view->upVoxel));
+  program.set("uForwardVoxel", glm::vec3(view->forwardVoxel));
+  program.set("uHalfExtent", glm::vec2(view->halfExtent));
+  program.set("uOrthographic", view->orthographic ? 1 : 0);
+  program.set("uPictureSize", raySize());
+}
+
+void FrameState::setIsovalues(Program& program, scene::Field field) const {
+  glm::vec4 isovalues(0.0f), shifts(0.0f);
+  const double first = volume->texelOf(surfaces[0].value, field);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const double own = volume->texelOf(surfaces[i].value, field);
+    isovalues[static_cast<int>(i)] = static_cast<float>(own);
+    shifts[static_cast<int>(i)] = static_cast<float>(own - first);
+  }
+  program.set("uIsovalues", isovalues);
+  program.set("uIsovalueShifts", shifts);
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,73 @@
+// What the passes of one frame share. The renderer owns it; pass groups keep only what is theirs between
+// frames.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/frame.h"
+#include "render/gpu_volume.h"
+#include "render/image_pool.h"
+#include "render/passes.h"
+#include "render/view_uniforms.h"
+#include "scene/scene.h"
+
+namespace isolux::render {
+
+// An isosurface that is drawn.
+struct Surface {
+  double value;  // data units
+  glm::dvec3 albedo;
+  double opacity;
+};
+// The first and those further ones that are shown: one to four.
+std::vector<Surface> surfacesOf(const scene::Scene& scene);
+
+struct FrameState {
+  explicit FrameState(GlPtr pointer) : gl(std::move(pointer)), emptyArray(gl) {}
+
+  GlPtr gl;
+  const scene::Scene* scene = nullptr;  // resolved; during render() only
+  FrameRequest request;
+  std::optional<ViewUniforms> view;
+  std::vector<Surface> surfaces;
+  std::optional<GpuVolume> volume;  // none: nothing is loaded
+  ImagePool images;
+  std::string layer;  // of the images drawn now: "" the first crossing, otherwise one behind (layers pass)
+
+  glm::ivec2 raySize() const { return request.size * request.supersampling; }
+  bool empty() const { return !volume || volume->faceCount() == 0; }  // no ray can hit anything
+  double outward() const {
+    return scene->isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
+  }  // times gradient
+
+  // The images of a pass at the size of the rays: to draw into, and to read from.
+  Target& target(const std::string& pass, const std::vector<GLenum>& formats) {
+    return images.make(gl, pass + layer, raySize(), formats);
+  }
+  const Texture& image(const std::string& pass, std::size_t which = 0) const {
+    return images.at(pass + layer).images[which];
+  }
+
+  // The gradients of whichever pass wrote them.
+  bool withHessian = false;
+  const Texture& gradientImage() const { return image(withHessian ? pass::hessian : pass::gradient); }
+
+  // A fullscreen pass: its program (made once for each set of defines), its target, and one triangle over it.
+  Program& program(const std::string& fragment, const std::string& defines = "");
+  void begin(const Target& target) const;
+  void begin(const Target& target, glm::ivec2 size) const;
+  void clear(const Target& target, int image, const float (&value)[4]) const;
+  void drawFullscreen(const Program& program) const;
+  void setView(Program& program) const;  // the uniforms of common.glsl
+  // uIsovalues and uIsovalueShifts, as texels of what `field` is made from.
+  void setIsovalues(Program& program, scene::Field field) const;
+
+ private:
+  VertexArray emptyArray;
+  std::map<std::string, Program> programs_;
+};
+
+}  // namespace isolux::render

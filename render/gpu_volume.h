@@ -1,0 +1,72 @@
+// A volume as the passes read it: its textures, and the blocks that hold the isosurface.
+//
+// Positions are voxel coordinates. A texture holds texels: stored = texel * scale + offset
+// (volume_texture.h).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/block_faces.h"
+#include "render/gl_objects.h"
+#include "render/volume_texture.h"
+#include "scene/scene.h"
+#include "volume/active_blocks.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::render {
+
+class GpuVolume {
+ public:
+  // Nothing is uploaded yet. Throws scene::Error{memory} for more than maxBlocksPerAxis blocks on an axis.
+  GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
+
+  const volume::Grid& grid() const { return volume_->grid(); }
+  bool hasCells() const;  // an axis of one voxel has none, and no surface
+
+  // Uploads what a scene's fields need and is not there yet; `budgetBytes` is for all textures together.
+  // Throws scene::Error{memory}.
+  void require(const scene::Scene& scene, std::size_t budgetBytes);
+
+  // Sets uVolume and uDims, and uField, uFieldPerVolume for the texture that `field` is made from. Uses
+  // texture units 0 and 1.
+  void bind(Program& program, scene::Field field) const;
+  // A value in data units as a texel of uVolume, or of the texture `field` is made from.
+  double texelOf(double value) const;
+  double texelOf(double value, scene::Field field) const;
+  double dataUnitsPerTexel() const;  // of uVolume
+  double dataUnitsPerTexel(scene::Field field) const;
+
+  // Makes the blocks active that the surfaces of `values` (data units) of this field can cross; uploads
+  // flags and faces, in time proportional to what changes.
+  void activate(scene::Field field, const std::vector<double>& values);
+  std::size_t activeBlocks() const { return active_ ? active_->activeCount() : 0; }
+  std::size_t faceCount() const { return faces_ ? faces_->faces().size() : 0; }
+  const volume::MinMaxBlocks& blocks() const { return active_->blocks(); }
+  bool isActive(std::size_t block) const { return active_->flags()[block] != 0; }
+  const Texture& activeTexture() const { return activeTexture_; }
+  const Buffer& faceBuffer() const { return faceBuffer_; }
+
+  std::size_t blockBytes() const { return faceBuffer_.bytes() + activeTexture_.bytes(); }
+  std::size_t bytes() const;
+
+ private:
+  const VolumeTexture& textureOf(scene::Field field) const;
+  const std::vector<float>& coefficients();
+  std::shared_ptr<const volume::MinMaxBlocks> boundsOf(scene::Field field);
+
+  GlPtr gl_;
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  std::vector<float> coefficients_;  // of the interpolating spline, once asked for
+  std::optional<VolumeTexture> samplesTexture_, coefficientsTexture_;
+
+  std::optional<scene::Field> activeField_;
+  std::unique_ptr<volume::ActiveBlocks> active_;
+  std::unique_ptr<BlockFaceSet> faces_;
+  std::size_t faceCapacity_ = 0;
+  Texture activeTexture_;
+  Buffer faceBuffer_;
+};
+
+}  // namespace isolux::render

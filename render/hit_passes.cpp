@@ -1,0 +1,145 @@
+#include "render/hit_passes.h"
+
+#include <bit>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace isolux::render {
+
+namespace {
+
+constexpr float kNever = 1e30f;
+constexpr float kNoBracket[4] = {1.0f, 0.0f, 0.0f, 0.0f};
+constexpr float kNoSurface[4] = {0.0f, 0.0f, 0.0f, -1.0f};
+constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+
+// An eye inside an active block sees no face where its rays start: they start at the eye.
+bool eyeInActiveBlock(const FrameState& frame) {
+  const volume::MinMaxBlocks& blocks = frame.volume->blocks();
+  const glm::ivec3 dims = frame.volume->grid().dims();
+  const glm::dvec3 last(dims - 1), eye = frame.view->eyeVoxel;
+  constexpr double margin = 0.1;  // voxels: an eye on a face counts as inside
+  if (!glm::all(glm::greaterThan(eye, glm::dvec3(-margin))) || !glm::all(glm::lessThan(eye, last + margin)))
+    return false;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 offset((corner & 1) ? margin : -margin, (corner & 2) ? margin : -margin,
+                            (corner & 4) ? margin : -margin);
+    const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(eye + offset)), glm::ivec3(0), dims - 2);
+    if (frame.volume->isActive(blocks.index(cell / blocks.blockCells()))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+HitPasses::HitPasses(const GlPtr& gl)
+    : faceArray_(gl),
+      segmentsProgram_(gl, "faces.vert.glsl", "segments.frag.glsl"),
+      anyHit_(gl, GL_ANY_SAMPLES_PASSED) {
+  gl->EnableVertexArrayAttrib(faceArray_.id(), 0);
+  gl->VertexArrayAttribIFormat(faceArray_.id(), 0, 1, GL_UNSIGNED_INT, 0);
+  gl->VertexArrayAttribBinding(faceArray_.id(), 0, 0);
+  gl->VertexArrayBindingDivisor(faceArray_.id(), 0, 1);
+}
+
+void HitPasses::blocks(FrameState& frame) {
+  if (!frame.volume) return;
+  std::vector<double> values;
+  for (const Surface& surface : frame.surfaces) values.push_back(surface.value);
+  frame.volume->activate(frame.scene->hit.field, values);
+}
+
+void HitPasses::segments(FrameState& frame) {
+  const Target& target = frame.target(pass::segments, {GL_RG32F});
+  frame.begin(target);
+  const bool atEye = !frame.empty() && !frame.view->orthographic && eyeInActiveBlock(frame);
+  frame.clear(target, 0, {atEye ? 0.0f : kNever, kNever, 0.0f, 0.0f});
+  if (frame.empty()) return;
+  const Gl& gl = *frame.gl;
+  frame.setView(segmentsProgram_);
+  segmentsProgram_.set("uBlockCells", frame.volume->blocks().blockCells());
+  segmentsProgram_.set("uDims", frame.volume->grid().dims());
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_MIN);
+  gl.UseProgram(segmentsProgram_.id());
+  gl.VertexArrayVertexBuffer(faceArray_.id(), 0, frame.volume->faceBuffer().id(), 0, sizeof(PackedFace));
+  gl.BindVertexArray(faceArray_.id());
+  gl.DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(frame.volume->faceCount()));
+  gl.Disable(GL_BLEND);
+  gl.BlendEquation(GL_FUNC_ADD);
+}
+
+Program& HitPasses::castProgram(FrameState& frame, bool behind) {
+  const scene::Hit& hit = frame.scene->hit;
+  const bool exact = hit.method == scene::HitMethod::exact;
+  std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
+  if (exact) defines += "#define EXACT\n";
+  if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
+  if (behind) defines += "#define BEHIND\n";
+  Program& p = frame.program("cast.frag.glsl", defines);
+  frame.setView(p);
+  frame.volume->bind(p, hit.field);
+  frame.setIsovalues(p, hit.field);
+  p.setTexture("uSegments", 2, frame.images.at(pass::segments).images[0]);
+  p.setTexture("uActiveBlocks", 3, frame.volume->activeTexture());
+  p.set("uBlockShift", std::countr_zero(static_cast<unsigned>(frame.volume->blocks().blockCells())));
+  if (!exact) {
+    p.set("uStep", static_cast<float>(1.0 / hit.rate));
+    p.set("uNearFactor", static_cast<float>(hit.nearFactor));
+    p.set("uNearThreshold",
+          static_cast<float>(*hit.nearThreshold / std::abs(frame.volume->dataUnitsPerTexel(hit.field))));
+    const double diagonal = glm::length(glm::dvec3(frame.volume->grid().dims()));
+    p.set("uMaxSteps", static_cast<int>(diagonal * (hit.rate * hit.nearFactor + 2.0) + 16.0));
+  }
+  return p;
+}
+
+void HitPasses::cast(FrameState& frame) {
+  const Target& target = frame.target(pass::cast, {GL_RGBA32F});
+  frame.begin(target);
+  if (frame.empty())
+    frame.clear(target, 0, kNoBracket);
+  else
+    frame.drawFullscreen(castProgram(frame, false));
+}
+
+bool HitPasses::castBehind(FrameState& frame, const std::string& front) {
+  const Target& target = frame.target(pass::cast, {GL_RGBA32F});
+  frame.begin(target);
+  frame.clear(target, 0, kNoBracket);
+  Program& p = castProgram(frame, true);
+  const Target& surface = frame.images.at(pass::refine + front);
+  p.setTexture("uSurface", 4, surface.images[0]);
+  p.setTexture("uInfo", 5, surface.images[1]);
+  p.setTexture("uColor", 6, frame.images.at(pass::layers).images[0]);
+  const Gl& gl = *frame.gl;
+  gl.BeginQuery(GL_ANY_SAMPLES_PASSED, anyHit_.id());
+  frame.drawFullscreen(p);
+  gl.EndQuery(GL_ANY_SAMPLES_PASSED);
+  GLuint64 any = 0;
+  gl.GetQueryObjectui64v(anyHit_.id(), GL_QUERY_RESULT, &any);
+  return any != 0;
+}
+
+void HitPasses::refine(FrameState& frame) {
+  const Target& target = frame.target(pass::refine, {GL_RGBA32F, GL_RG32F});
+  frame.begin(target);
+  if (frame.empty()) {
+    frame.clear(target, 0, kNoSurface);
+    frame.clear(target, 1, kZero);
+    return;
+  }
+  const scene::Field field = frame.scene->hit.field;
+  Program& p = frame.program("refine.frag.glsl", field == scene::Field::trilinear ? "" : "#define CUBIC\n");
+  frame.setView(p);
+  frame.volume->bind(p, field);
+  frame.setIsovalues(p, field);
+  p.setTexture("uBrackets", 2, frame.image(pass::cast));
+  p.set("uRefinements", frame.scene->hit.refinements);
+  frame.drawFullscreen(p);
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,28 @@
+// Rays to surface points: blocks, segments, cast and refine (render/passes.h).
+#pragma once
+
+#include "render/frame_state.h"
+
+namespace isolux::render {
+
+class HitPasses {
+ public:
+  explicit HitPasses(const GlPtr& gl);
+
+  void blocks(FrameState& frame);
+  void segments(FrameState& frame);
+  // behind: the crossing behind the one in the surface image of layer `front`; the pixels without one are not
+  // touched. False when no pixel has one.
+  void cast(FrameState& frame);
+  bool castBehind(FrameState& frame, const std::string& front);
+  void refine(FrameState& frame);
+
+ private:
+  Program& castProgram(FrameState& frame, bool behind);
+
+  VertexArray faceArray_;
+  Program segmentsProgram_;
+  Query anyHit_;
+};
+
+}  // namespace isolux::render

@@ -1,0 +1,169 @@
+#include "render/readback.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "volume/reconstruct.h"
+
+namespace isolux::render {
+
+namespace {
+
+std::size_t channelsOf(Aov aov) {
+  for (const AovInfo& info : aovs())
+    if (info.aov == aov) return info.channels.size();
+  return 0;
+}
+
+// The images that an AOV is made from, as floats, bottom row first.
+struct Source {
+  std::vector<float> surface, info, gradient, first, second;
+};
+
+Source sourceOf(const FrameState& frame, Aov aov) {
+  Source source;
+  source.surface = frame.image(pass::refine, 0).readFloats(4);
+  switch (aov) {
+    case Aov::value_error:
+      source.info = frame.image(pass::refine, 1).readFloats(2);
+      break;
+    case Aov::normal:
+    case Aov::gradient:
+      source.gradient = frame.gradientImage().readFloats(4);
+      break;
+    case Aov::hessian:
+      source.first = frame.image(pass::hessian, 1).readFloats(4);
+      source.second = frame.image(pass::hessian, 2).readFloats(4);
+      break;
+    case Aov::kappa:
+    case Aov::curvature_confidence:
+      source.first = frame.image(pass::curvature, 0).readFloats(4);
+      break;
+    case Aov::direction1:
+      source.second = frame.image(pass::curvature, 1).readFloats(4);
+      break;
+    case Aov::direction2:
+      source.gradient = frame.gradientImage().readFloats(4);
+      source.second = frame.image(pass::curvature, 1).readFloats(4);
+      break;
+    case Aov::hit:
+    case Aov::voxel:
+    case Aov::position:
+    case Aov::depth:
+      break;
+  }
+  return source;
+}
+
+glm::dvec3 vectorAt(const std::vector<float>& image, std::size_t pixel) {
+  return {image[4 * pixel], image[4 * pixel + 1], image[4 * pixel + 2]};
+}
+
+// Outward; 0 where the gradient vanishes.
+glm::dvec3 normalAt(const Source& source, const DrawnFrame& drawn, std::size_t pixel) {
+  const glm::dvec3 g = vectorAt(source.gradient, pixel);
+  const double length = glm::length(g);
+  return length > 0.0 ? g * (drawn.outward / length) : glm::dvec3(0.0);
+}
+
+}  // namespace
+
+ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn) {
+  const Gl& gl = *frame.gl;
+  ColorImage image;
+  image.size = drawn.pictureSize;
+  const std::size_t row = static_cast<std::size_t>(image.size.x) * 4;
+  std::vector<std::uint8_t> flipped(row * static_cast<std::size_t>(image.size.y));
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.GetTextureImage(frame.images.at(pass::resolve).images[0].id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     static_cast<GLsizei>(flipped.size()), flipped.data());
+  image.rgba.resize(flipped.size());
+  for (int y = 0; y < image.size.y; ++y)
+    std::copy_n(
+        flipped.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(image.size.y - 1 - y)),
+        row, image.rgba.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y)));
+  return image;
+}
+
+AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
+  const glm::ivec2 size = drawn.raySize;
+  AovImage image{aov, size, static_cast<int>(channelsOf(aov)), {}};
+  const Source source = sourceOf(frame, aov);
+  const std::size_t width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
+  const std::size_t channels = channelsOf(aov);
+  image.values.assign(width * height * channels,
+                      aov == Aov::hit ? 0.0f : std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < width * height; ++i) {
+    const float* s = &source.surface[4 * i];
+    if (s[3] < 0.0f) continue;
+    float* out = &image.values[((height - 1 - i / width) * width + i % width) * channels];
+    const auto put = [&](const glm::dvec3& v, int from = 0) {
+      for (int c = 0; c < 3; ++c) out[from + c] = static_cast<float>(v[c]);
+    };
+    switch (aov) {
+      case Aov::hit:
+        out[0] = 1.0f;
+        break;
+      case Aov::voxel:
+        put({s[0], s[1], s[2]});
+        break;
+      case Aov::position:
+        put(glm::dvec3(frame.volume->grid().geometry().worldFromVoxel * glm::dvec4(s[0], s[1], s[2], 1.0)));
+        break;
+      case Aov::depth:
+        out[0] = static_cast<float>(s[3] + drawn.rayStartMm);
+        break;
+      case Aov::value_error:
+        out[0] = static_cast<float>(source.info[2 * i] *
+                                    std::fabs(frame.volume->dataUnitsPerTexel(drawn.hitField)));
+        break;
+      case Aov::gradient:
+        put(vectorAt(source.gradient, i));
+        break;
+      case Aov::normal:
+        if (const glm::dvec3 n = normalAt(source, drawn, i); n != glm::dvec3(0.0)) put(n);
+        break;
+      case Aov::hessian:
+        if (source.first[4 * i + 3] == 0.0f) break;  // not known there
+        put(vectorAt(source.first, i));
+        put(vectorAt(source.second, i), 3);
+        break;
+      case Aov::kappa:
+        for (std::size_t c = 0; c < 2; ++c) out[c] = source.first[4 * i + c];
+        break;
+      case Aov::curvature_confidence:
+        out[0] = source.first[4 * i + 2];
+        break;
+      case Aov::direction1:
+        put(vectorAt(source.second, i));
+        break;
+      case Aov::direction2:
+        put(glm::cross(normalAt(source, drawn, i), vectorAt(source.second, i)));
+        break;
+    }
+  }
+  return image;
+}
+
+std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::ivec2 pixel) {
+  if (!frame.volume || drawn.pictureSize.x == 0 || pixel.x < 0 || pixel.y < 0 ||
+      pixel.x >= drawn.pictureSize.x || pixel.y >= drawn.pictureSize.y)
+    return std::nullopt;
+  const int s = drawn.raySize.x / drawn.pictureSize.x;
+  float surface[4];
+  frame.gl->GetTextureSubImage(frame.images.at(pass::refine).images[0].id(), 0, pixel.x * s + s / 2,
+                               (drawn.pictureSize.y - 1 - pixel.y) * s + s / 2, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
+                               sizeof surface, surface);
+  if (surface[3] < 0.0f) return std::nullopt;
+  Pick pick;
+  pick.voxel = {surface[0], surface[1], surface[2]};
+  const volume::Grid& grid = frame.volume->grid();
+  pick.worldMm = glm::dvec3(grid.geometry().worldFromVoxel * glm::dvec4(pick.voxel, 1.0));
+  pick.value = volume::sampleTrilinear(grid, pick.voxel).value;
+  return pick;
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,23 @@
+// Images from the GPU as plain values: pictures, deferred images, and the point under a pixel.
+#pragma once
+
+#include <optional>
+
+#include "render/frame.h"
+#include "render/frame_state.h"
+
+namespace isolux::render {
+
+// What reading back needs to know of the frame whose images are held.
+struct DrawnFrame {
+  glm::ivec2 raySize{0}, pictureSize{0};
+  double rayStartMm = 0.0;  // ViewUniforms::rayStartMm
+  double outward = -1.0;    // times the gradient: the outward normal
+  scene::Field hitField = scene::Field::trilinear;
+};
+
+ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
+AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
+std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::ivec2 pixel);
+
+}  // namespace isolux::render

@@ -1,0 +1,52 @@
+// World gradient (data units per mm) and, with HESSIAN, world Hessian (per mm^2) at the surface point:
+// g_w = A^-T g_v, H_w = A^-T H_v A^-1.
+//
+// CUBIC: tri-cubic B-spline of uField, by single fetches or (FAST) filtered ones. Otherwise the trilinear field's own,
+// whose Hessian has mixed terms only. Where a sample of the B-spline is missing: the trilinear gradient, no Hessian.
+#include "common.glsl"
+#include "field.glsl"
+#include "spline.glsl"
+
+uniform sampler2D uSurface;
+uniform mat3 uInverseTransposed;  // A^-T
+uniform float uDataUnits;         // data units per texel of uVolume
+layout(location = 0) out vec4 oGradient;  // w = 1 where there is a surface
+#ifdef HESSIAN
+layout(location = 1) out vec4 oHessianDiagonal;  // xx, yy, zz; w = 1 where the Hessian is known
+layout(location = 2) out vec4 oHessianMixed;     // xy, xz, yz
+#endif
+
+void main() {
+  vec4 surface = texelFetch(uSurface, ivec2(gl_FragCoord.xy), 0);
+  oGradient = vec4(0.0);
+#ifdef HESSIAN
+  oHessianDiagonal = oHessianMixed = vec4(0.0);
+#endif
+  if (surface.w < 0.0) return;
+  vec3 p = clamp(surface.xyz, vec3(0.0), vec3(uDims - 1));
+  vec3 gradient, diagonal = vec3(0.0), mixed = vec3(0.0);
+  bool known = true;
+#ifdef CUBIC
+#ifdef FAST
+  known = splineDerivativesFast(p, gradient, diagonal, mixed);
+#else
+  known = splineDerivatives(p, gradient, diagonal, mixed);
+#endif
+  gradient = known ? gradient * uFieldPerVolume : trilinearGradient(p);
+  diagonal *= uFieldPerVolume;
+  mixed *= uFieldPerVolume;
+#else
+  gradient = trilinearGradient(p);
+#ifdef HESSIAN
+  known = trilinearMixed(p, mixed);
+#endif
+#endif
+  oGradient = vec4(uInverseTransposed * gradient * uDataUnits, 1.0);
+#ifdef HESSIAN
+  if (!known) return;
+  mat3 hessian = mat3(vec3(diagonal.x, mixed.x, mixed.y), vec3(mixed.x, diagonal.y, mixed.z), vec3(mixed.yz, diagonal.z));
+  hessian = uInverseTransposed * hessian * transpose(uInverseTransposed) * uDataUnits;
+  oHessianDiagonal = vec4(hessian[0][0], hessian[1][1], hessian[2][2], 1.0);
+  oHessianMixed = vec4(hessian[0][1], hessian[0][2], hessian[1][2], 0.0);
+#endif
+}

@@ -1,0 +1,222 @@
+// The first crossing of a ray with the trilinear isosurfaces, exactly: voxel traversal through active blocks; in each
+// cell the cubic along the ray is split at its extrema, so the first change of side is found whatever its shape.
+//
+// SURFACES isovalues (1 to 4) are followed at once. Needs field.glsl. Positions are voxel coordinates, t is in mm.
+
+#ifndef SURFACES
+#define SURFACES 1
+#endif
+
+uniform sampler3D uActiveBlocks;
+uniform int uBlockShift;    // log2 of the cells per block and axis
+uniform vec4 uIsovalues;    // texels of what is hit
+uniform vec4 uIsovalueShifts;  // each isovalue minus the first, rounded once
+
+const float never = 1e30;
+
+// A crossing. `inside` has a bit for each surface: the side behind the crossing.
+struct Crossing {
+  bool found;
+  float t;
+  int surface;
+  int inside;
+};
+
+// The ray in the form that traversal wants.
+struct Path {
+  vec3 origin, direction, inverseDirection;
+  bvec3 moves;
+  ivec3 forward;  // 1 where the ray rises along the axis
+};
+
+Path pathOf(vec3 origin, vec3 direction) {
+  Path path;
+  path.origin = origin;
+  path.direction = direction;
+  path.moves = notEqual(direction, vec3(0.0));
+  path.inverseDirection = 1.0 / mix(vec3(1.0), direction, path.moves);
+  path.forward = ivec3(greaterThan(direction, vec3(0.0)));
+  return path;
+}
+
+// Cuts [t, tEnd] to the voxel domain: a clamped position would not be the ray's.
+void clipToDomain(Path path, inout float t, inout float tEnd) {
+  vec3 nearPlanes = mix(vec3(uDims - 1), vec3(0.0), bvec3(path.forward));
+  vec3 farPlanes = vec3(uDims - 1) - nearPlanes;
+  vec3 tNear = mix(vec3(-never), (nearPlanes - path.origin) * path.inverseDirection, path.moves);
+  vec3 tFar = mix(vec3(never), (farPlanes - path.origin) * path.inverseDirection, path.moves);
+  bvec3 outside = bvec3(uvec3(lessThan(path.origin, vec3(0.0))) | uvec3(greaterThan(path.origin, vec3(uDims - 1))));
+  if (any(bvec3(uvec3(outside) & uvec3(not(path.moves))))) tEnd = -1.0;  // beside the volume, and stays there
+  t = max(t, max(max(tNear.x, tNear.y), tNear.z));
+  tEnd = min(tEnd, min(min(tFar.x, tFar.y), tFar.z));
+}
+
+// t at which the ray leaves through the far planes; axis of the first of them. Zero directions never leave.
+float exitOf(Path path, vec3 farPlanes, out int axis) {
+  vec3 t = mix(vec3(never), (farPlanes - path.origin) * path.inverseDirection, path.moves);
+  axis = t.x <= t.y ? (t.x <= t.z ? 0 : 2) : (t.y <= t.z ? 1 : 2);
+  return t[axis];
+}
+
+bool outsideCells(ivec3 cell) { return any(lessThan(cell, ivec3(0))) || any(greaterThan(cell, uDims - 2)); }
+
+// In an inactive block: moves to the first cell behind it. False at the end of the ray.
+bool skipBlock(Path path, ivec3 block, float tEnd, inout float t, inout ivec3 cell) {
+  int axis;
+  ivec3 low = block << uBlockShift, high = (block + 1) << uBlockShift;
+  float tLeave = exitOf(path, vec3(mix(low, high, bvec3(path.forward))), axis);
+  if (tLeave >= tEnd) return false;
+  t = max(t, tLeave);
+  cell = clamp(ivec3(floor(path.origin + t * path.direction)), low, min(high - 1, uDims - 2));
+  cell[axis] = path.forward[axis] != 0 ? high[axis] : low[axis] - 1;
+  return !outsideCells(cell);
+}
+
+bool isActive(ivec3 block) { return texelFetch(uActiveBlocks, block, 0).r != 0.0; }
+
+// The cubic in Bernstein form on [0, 1] by de Casteljau: no cancellation, and inside the hull of its coefficients.
+float cubic(vec4 b, float s) {
+  vec3 q = mix(b.xyz, b.yzw, s);
+  vec2 r = mix(q.xy, q.yz, s);
+  return mix(r.x, r.y, s);
+}
+
+// First sub-interval of [0, 1] between extrema over which the side (f >= 0) is no longer `inside`.
+bool firstChange(vec4 b, bool inside, out vec2 bracket) {
+  bvec4 sides = greaterThanEqual(b, vec4(0.0));
+  bracket = vec2(0.0);
+  if (all(equal(sides, bvec4(inside)))) return false;  // convex hull: no crossing in this cell
+  // The derivative's Bernstein coefficients, as c2 s^2 + 2 c1 s + c0.
+  float d0 = b.y - b.x, d1 = b.z - b.y, d2 = b.w - b.z;
+  float c2 = d0 - 2.0 * d1 + d2, c1 = d1 - d0, c0 = d0;
+  float discriminant = c1 * c1 - c2 * c0;
+  vec2 extrema = vec2(1.0);
+  if (discriminant > 0.0) {
+    // Citardauq's form: the stable one of the two for each root.
+    float q = -(c1 + (c1 >= 0.0 ? 1.0 : -1.0) * sqrt(discriminant));
+    vec2 roots = vec2(c2 != 0.0 ? q / c2 : 1.0, q != 0.0 ? c0 / q : 1.0);
+    roots = vec2(min(roots.x, roots.y), max(roots.x, roots.y));
+    extrema = clamp(roots, 0.0, 1.0);
+  }
+  float stops[4] = float[4](0.0, extrema.x, extrema.y, 1.0);
+  float before = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    float at = stops[i];
+    float f = i == 0 ? b.x : i == 3 ? b.w : cubic(b, at);
+    if ((f >= 0.0) != inside) {
+      bracket = vec2(before, at);
+      return true;
+    }
+    before = at;
+  }
+  return false;
+}
+
+// The root of the cubic in [bracket.x, bracket.y], over which it is monotone: regula falsi, Illinois variant.
+float rootIn(vec4 b, vec2 bracket) {
+  float s0 = bracket.x, s1 = bracket.y, f0 = cubic(b, s0), f1 = cubic(b, s1);
+  if ((f0 >= 0.0) == (f1 >= 0.0)) return abs(f0) <= abs(f1) ? s0 : s1;  // a crossing at the cell's very entry
+  float s = s0;
+  int side = 0;
+  for (int i = 0; i < 12; ++i) {
+    s = clamp(s1 - f1 * (s1 - s0) / (f1 - f0), s0, s1);
+    float f = cubic(b, s);
+    if (f == 0.0 || s1 - s0 < 1e-6) break;
+    if ((f >= 0.0) == (f1 >= 0.0)) {
+      s1 = s;
+      f1 = f;
+      if (side == 1) f0 *= 0.5;
+      side = 1;
+    } else {
+      s0 = s;
+      f0 = f;
+      if (side == -1) f1 *= 0.5;
+      side = -1;
+    }
+  }
+  return s;
+}
+
+// Bernstein coefficients of the trilinear field along the segment from..to of a cell: the polar form, which for a
+// multi-affine field is the mean over which axes have already moved.
+vec4 bernstein(vec4 low, vec4 high, vec3 from, vec3 to) {
+  vec4 atFrom = mix(low, high, from.z), atTo = mix(low, high, to.z);
+  float f000 = bilinear(atFrom, from.x, from.y), f100 = bilinear(atFrom, to.x, from.y);
+  float f010 = bilinear(atFrom, from.x, to.y), f110 = bilinear(atFrom, to.x, to.y);
+  float f001 = bilinear(atTo, from.x, from.y), f101 = bilinear(atTo, to.x, from.y);
+  float f011 = bilinear(atTo, from.x, to.y), f111 = bilinear(atTo, to.x, to.y);
+  return vec4(f000, (f100 + f010 + f001) / 3.0, (f110 + f101 + f011) / 3.0, f111);
+}
+
+int sidesOf(float valueMinusFirst) {
+  int bits = 0;
+  for (int k = 0; k < SURFACES; ++k) bits |= int(valueMinusFirst - uIsovalueShifts[k] >= 0.0) << k;
+  return bits;
+}
+
+// The first crossing in [t, tEnd]. carried: the ray has just crossed surfaces at t, and `inside` is the side it is on
+// behind them; otherwise the sides are those of the field at t. Behind missing voxels nothing is known: no surface
+// there.
+Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, int inside) {
+  Crossing crossing = Crossing(false, 0.0, 0, inside);
+  Path path = pathOf(origin, direction);
+  clipToDomain(path, t, tEnd);
+  if (t > tEnd) return crossing;
+  ivec3 cell = cellOf(origin + t * direction);
+  bool known = carried, first = carried;
+  int maxSteps = 2 * (uDims.x + uDims.y + uDims.z) + 16, changed = 0;
+  vec4 b;
+  float tOut;
+  for (int i = 0; i < maxSteps; ++i) {
+    ivec3 block = cell >> uBlockShift;
+    if (!isActive(block)) {
+      if (!skipBlock(path, block, tEnd, t, cell)) return crossing;
+      continue;
+    }
+    int axis;
+    tOut = max(t, exitOf(path, vec3(cell + path.forward), axis));
+    vec4 low, high;
+    cellCorners(cell, low, high);
+    if (anyMissing(low, high)) {
+      known = false;
+    } else {
+      vec3 from = clamp(origin + t * direction - vec3(cell), 0.0, 1.0);
+      vec3 to = clamp(origin + tOut * direction - vec3(cell), 0.0, 1.0);
+      b = bernstein(low - uIsovalues.x, high - uIsovalues.x, from, to);
+      if (!known) inside = sidesOf(b.x);
+      known = true;
+      for (int k = 0; k < SURFACES; ++k) {
+        bool side = (inside >> k & 1) != 0;
+        vec4 own = b - uIsovalueShifts[k];
+        // The crossing the ray comes from lies at this cell's entry, on one side or the other by rounding.
+        if (first) own.x = side ? max(own.x, 0.0) : min(own.x, -1e-30);
+        vec2 bracket;
+        changed |= int(firstChange(own, side, bracket)) << k;
+      }
+      if (changed != 0) break;  // solved below, where the lanes of a group meet again
+    }
+    first = false;
+    if (tOut >= tEnd) return crossing;
+    t = tOut;
+    cell[axis] += path.forward[axis] != 0 ? 1 : -1;
+    if (outsideCells(cell)) return crossing;
+  }
+  if (changed == 0) return crossing;
+  float least = 2.0;
+  for (int k = 0; k < SURFACES; ++k) {
+    if ((changed >> k & 1) == 0) continue;
+    bool side = (inside >> k & 1) != 0;
+    vec4 own = b - uIsovalueShifts[k];
+    if (first) own.x = side ? max(own.x, 0.0) : min(own.x, -1e-30);
+    vec2 bracket;
+    firstChange(own, side, bracket);
+    float s = rootIn(own, bracket);
+    if (s >= least) continue;
+    least = s;
+    crossing.surface = k;
+  }
+  crossing.found = true;
+  crossing.t = mix(t, tOut, least);
+  crossing.inside = inside ^ (1 << crossing.surface);
+  return crossing;
+}

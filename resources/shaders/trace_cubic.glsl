@@ -1,0 +1,149 @@
+// The first crossing of a ray with the isosurfaces of the tri-cubic B-spline of uField, with a bound that makes a miss
+// impossible. Needs trace.glsl and spline.glsl.
+//
+// Along its stretch through a cell the field is a polynomial of degree 9. Its Bernstein coefficients follow from the
+// 64 samples by convex combinations only: blossoms of the B-spline at the stretch's ends along each axis give the
+// Bezier points of the box between them; their means over i + j + k = m are the coefficients (polar form). The
+// polynomial lies in their hull, so a hull on one side holds no crossing, and the hull's own first crossing is a bound
+// from which the search goes on.
+
+// Weights of four samples for the blossom F(u, v, w) of the uniform cubic B-spline on the interval [0, 1].
+vec4 splineBlossom(float u, float v, float w) {
+  float a = (1.0 - w) * (1.0 - v) * 0.5, b = (1.0 - w) * (1.0 + v) * 0.5 + w * (2.0 - v) * 0.5, c = w * v * 0.5;
+  return vec4(a * (1.0 - u), a * (u + 2.0) + b * (2.0 - u), b * (u + 1.0) + c * (3.0 - u), c * u) / 3.0;
+}
+
+// Columns: the blossoms at (a,a,a), (a,a,b), (a,b,b), (b,b,b).
+mat4 blossoms(float a, float b) {
+  return mat4(splineBlossom(a, a, a), splineBlossom(a, a, b), splineBlossom(a, b, b), splineBlossom(b, b, b));
+}
+
+// The 4 x 4 x 4 samples about a cell, minus the first isovalue: rows along x, row 4 k + j at (j, k).
+bool cellSamples(ivec3 cell, out vec4 rows[16], out float least, out float most) {
+  ivec3 first = cell - 1, top = uDims - 1;
+  least = never;
+  most = -never;
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j) {
+      vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), clamp(first.z + k, 0, top.z)) - uIsovalues.x;
+      rows[4 * k + j] = row;
+      most = max(most, largest(row));
+      least = min(least, -largest(-row));
+    }
+  return !isMissing(most);
+}
+
+void bernstein9(vec4 rows[16], vec3 from, vec3 to, out float b[10]) {
+  mat4 X = blossoms(from.x, to.x), Y = blossoms(from.y, to.y), Z = blossoms(from.z, to.z);
+  const float binomial[4] = float[4](1.0, 3.0, 3.0, 1.0);
+  const float total[10] = float[10](1.0, 9.0, 36.0, 84.0, 126.0, 126.0, 84.0, 36.0, 9.0, 1.0);
+  for (int m = 0; m < 10; ++m) b[m] = 0.0;
+  vec4 planes[16];  // rows along x, blossomed along x and y: 4 k + jj
+  for (int k = 0; k < 4; ++k) {
+    vec4 r0 = rows[4 * k] * X, r1 = rows[4 * k + 1] * X, r2 = rows[4 * k + 2] * X, r3 = rows[4 * k + 3] * X;
+    for (int j = 0; j < 4; ++j) planes[4 * k + j] = r0 * Y[j].x + r1 * Y[j].y + r2 * Y[j].z + r3 * Y[j].w;
+  }
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j) {
+      vec4 line = planes[j] * Z[k].x + planes[4 + j] * Z[k].y + planes[8 + j] * Z[k].z + planes[12 + j] * Z[k].w;
+      for (int i = 0; i < 4; ++i) b[i + j + k] += binomial[i] * binomial[j] * binomial[k] * line[i];
+    }
+  for (int m = 0; m < 10; ++m) b[m] /= total[m];
+}
+
+// Right part of the polynomial on [0, 1] behind s, by de Casteljau.
+void cutLeft(inout float c[10], float s) {
+  for (int r = 1; r < 10; ++r)
+    for (int i = 0; i < 10 - r; ++i) c[i] = mix(c[i], c[i + 1], s);
+}
+
+float valueAt(float c[10], float s) {
+  cutLeft(c, s);
+  return c[0];
+}
+
+// The first s at which the polynomial leaves the side `inside`. certain: false where a tangency was not decided.
+bool firstRoot9(float b[10], bool inside, bool first, out float s, out bool certain) {
+  const float close = 1e-6;
+  float c[10];  // positive on the ray's side
+  for (int i = 0; i < 10; ++i) c[i] = inside ? b[i] : -b[i];
+  float zero = inside ? 0.0 : 1e-30;  // f = 0 is inside: below this the side is left
+  if (first) c[0] = max(c[0], zero);
+  s = 0.0;
+  certain = true;
+  for (int step = 0; step < 48; ++step) {
+    if (c[0] < zero) return true;
+    float hull = 2.0;
+    for (int j = 1; j < 10; ++j)
+      if (c[j] < zero) hull = min(hull, float(j) / 9.0 * c[0] / (c[0] - c[j]));
+    if (hull > 1.0) return false;
+    float rest = 1.0 - s;
+    if (hull * rest < close) {
+      float ahead = min(4.0 * close / max(rest, 1e-12), 1.0);
+      if (valueAt(c, ahead) < zero) return true;
+      hull = ahead;  // the hull touches, the curve does not
+      if (ahead == 1.0) return false;
+    }
+    cutLeft(c, hull);
+    s += hull * rest;
+  }
+  certain = false;  // so close to touching that single precision does not tell
+  return true;
+}
+
+Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carried, int inside) {
+  Crossing crossing = Crossing(false, 0.0, 0, inside);
+  Path path = pathOf(origin, direction);
+  clipToDomain(path, t, tEnd);
+  if (t > tEnd) return crossing;
+  ivec3 cell = cellOf(origin + t * direction);
+  bool known = carried, first = carried;
+  int maxSteps = 2 * (uDims.x + uDims.y + uDims.z) + 16;
+  for (int i = 0; i < maxSteps; ++i) {
+    ivec3 block = cell >> uBlockShift;
+    if (!isActive(block)) {
+      if (!skipBlock(path, block, tEnd, t, cell)) return crossing;
+      continue;
+    }
+    int axis;
+    float tOut = max(t, exitOf(path, vec3(cell + path.forward), axis));
+    vec4 rows[16];
+    float least, most;
+    if (!cellSamples(cell, rows, least, most)) {
+      known = false;
+    } else {
+      int below = sidesOf(least), above = sidesOf(most);
+      if (!known || below != inside || above != inside) {  // not all samples on the ray's sides
+        float b[10];
+        bernstein9(rows, clamp(origin + t * direction - vec3(cell), 0.0, 1.0),
+                   clamp(origin + tOut * direction - vec3(cell), 0.0, 1.0), b);
+        if (!known) inside = sidesOf(b[0]);
+        known = true;
+        float nearest = 2.0;
+        bool sure = true;
+        for (int k = 0; k < SURFACES; ++k) {
+          float own[10];
+          for (int m = 0; m < 10; ++m) own[m] = b[m] - uIsovalueShifts[k];
+          float s;
+          bool certain;
+          if (!firstRoot9(own, (inside >> k & 1) != 0, first, s, certain) || s >= nearest) continue;
+          nearest = s;
+          sure = certain;
+          crossing.surface = k;
+        }
+        if (nearest <= 1.0) {
+          crossing.found = true;
+          crossing.t = mix(t, tOut, nearest);
+          crossing.inside = (inside ^ (1 << crossing.surface)) | (sure ? 0 : 16);
+          return crossing;
+        }
+      }
+    }
+    first = false;
+    if (tOut >= tEnd) return crossing;
+    t = tOut;
+    cell[axis] += path.forward[axis] != 0 ? 1 : -1;
+    if (outsideCells(cell)) return crossing;
+  }
+  return crossing;
+}
