@@ -1,0 +1,46 @@
+// An independent search for the first crossing of the trilinear isosurface, in extended precision, and the
+// comparison of hits with it.
+//
+// No blocks, no Bernstein form, no state from cell to cell but the side: the planes the ray crosses are
+// merged in order, each stretch finds its cell from its middle, and the cubic in it is that through four
+// samples, in the power basis, cut at its extrema.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "volume/cell_walk.h"
+#include "volume/grid.h"
+#include "volume/intersect.h"
+
+namespace isolux::test {
+
+class TrilinearOracle {
+ public:
+  explicit TrilinearOracle(const volume::Grid& grid);
+
+  const volume::Grid& grid() const { return grid_; }
+  std::optional<double> firstHit(double isovalue, const volume::Ray& ray) const;
+
+ private:
+  using Real = long double;
+  std::optional<Real> searchCell(Real isovalue, const volume::Ray& ray, Real t0, Real t1, int& side) const;
+
+  const volume::Grid& grid_;
+  std::vector<float> stored_;  // holds every stored type exactly
+};
+
+// How hits compare with the oracle's. Distances along the ray in voxels.
+struct HitTally {
+  long rays = 0, hits = 0;
+  long misses = 0;      // the oracle has an earlier crossing
+  long inventions = 0;  // a hit where the oracle has no crossing
+  long borderline = 0;  // touches within rounding: the answer changes with the last digits of the isovalue
+  double worstVoxels = 0.0;  // of the hits that agree
+
+  void add(const HitTally& other);
+};
+void compareHit(const TrilinearOracle& oracle, double isovalue, const volume::Ray& ray,
+                const std::optional<volume::RayHit>& found, HitTally& tally);
+
+}  // namespace isolux::test
