@@ -89,8 +89,9 @@ double curvatureConfidence(const PrincipalCurvature& curvature, glm::dvec3 world
   const double gradient = largestComponent(worldGradient);
   if (!(gradient > 0.0) || curvature.normal == glm::dvec3(0.0)) return 0.0;
   const double length = gradient * glm::length(worldGradient / gradient);
-  const double fromGradient =
-      scale.gradientNoise > 0.0 ? smoothstep(3.0, 6.0, length / scale.gradientNoise) : 1.0;
+  const double fromGradient = scale.gradientNoise > 0.0
+                                  ? smoothstep(kNoisyGradient, kClearGradient, length / scale.gradientNoise)
+                                  : 1.0;
   const double fromDifference =
       smoothstep(0.02, 0.1,
                  (curvature.kappa1 - curvature.kappa2) /

@@ -12,7 +12,7 @@
 // +1/R. No square root of a negative number can occur. Eq. (5) of the paper is not used: it is an eigenvector
 // only of special matrices. Where r = 0 (umbilics) every tangent is principal; u is given, with confidence 0.
 //
-// Confidence = c_g c_d in [0, 1]:
+// Confidence = c_g c_d in [0, 1], with the constants below:
 //   c_g = smoothstep(3, 6, |g| / gradientNoise): gradients of noise alone seldom exceed 4 of its deviations
 //   c_d = smoothstep(0.02, 0.1, (kappa1 - kappa2) / (|kappa1| + |kappa2| + flatCurvature))
 // with flatCurvature = 0.1 / the diagonal of the volume, mm: exactly 0 at umbilic and flat points and where
@@ -26,6 +26,9 @@
 #include "volume/grid.h"
 
 namespace isolux::volume {
+
+inline constexpr double kNoisyGradient = 3.0, kClearGradient = 6.0;     // deviations of the noise
+inline constexpr double kRoundCurvature = 0.02, kClearCurvature = 0.1;  // relative differences of kappa
 
 struct PrincipalCurvature {
   double kappa1 = 0.0, kappa2 = 0.0;                         // 1/mm
