@@ -59,8 +59,9 @@ volume::Ray randomRay(std::uint64_t i, glm::ivec3 dims) {
 
 volume::Ray grazingRay(std::uint64_t i, glm::dvec3 point, glm::dvec3 normal) {
   volume::Ray ray;
-  ray.direction = glm::normalize(glm::cross(normal, randomVector(i, 2) - 0.5));
-  const double off = (uniformNoise(4, i) - 0.5) * std::pow(10.0, -1.7 - static_cast<double>(i % 6));
+  const double most = std::pow(10.0, -1.7 - static_cast<double>(i % 6));
+  const double off = (uniformNoise(4, i) - 0.5) * most, tilt = (uniformNoise(5, i) - 0.5) * most;
+  ray.direction = glm::normalize(glm::cross(normal, randomVector(i, 2) - 0.5)) + normal * tilt;
   ray.origin = point + normal * off - ray.direction * 60.0;
   return ray;
 }

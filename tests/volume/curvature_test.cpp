@@ -17,6 +17,7 @@
 #include "tests/support/analytic_fields.h"
 #include "tests/support/rays.h"
 #include "volume/intersect_cubic.h"
+#include "volume/noise_estimate.h"
 #include "volume/phantom.h"
 #include "volume/phantom_noise.h"
 #include "volume/reconstruct.h"
@@ -199,6 +200,46 @@ TEST(CurvatureScale, GradientNoiseIsThatOfFieldsOfNoise) {
       EXPECT_NEAR(curvatureScale(geometry, fields[f], 3.0).gradientNoise, measured, 0.03 * measured) << f;
     }
   }
+}
+
+// From the volume's own noise, as the program does it: of noise alone next to nothing is trusted, of a clear
+// edge under the same noise nearly all.
+TEST(CurvatureConfidence, TellsNoiseFromEdgesByTheVolumesOwnNoise) {
+  const GridGeometry geometry = test::isotropicGeometry(48);
+  const double noise = 1.0, steepness = 8.0;  // data units, data units per mm
+  std::vector<float> nothing(geometry.voxelCount()), edge = nothing;
+  const auto cylinder = test::analyticField("cylinder", geometry);
+  std::size_t i = 0;
+  for (int z = 0; z < 48; ++z)
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 48; ++x, ++i) {
+        nothing[i] = static_cast<float>(noise * normalNoise(7, i));
+        const double distance = cylinder->at(toWorld(geometry, dvec3(x + 1e-9, y, z))).value;
+        edge[i] = nothing[i] + static_cast<float>(steepness * std::clamp(distance, -3.0, 3.0));
+      }
+  const auto confidences = [&](std::vector<float> voxels) {
+    const Grid grid(geometry, std::move(voxels));
+    scene::Progress progress;
+    const MinMaxBlocks blocks(grid, 8, progress);
+    const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, estimateNoise(grid));
+    std::vector<double> found;
+    for (std::uint64_t k = 0; k < 4000; ++k) {
+      const Ray ray = test::randomRay(8 * k, grid.dims());
+      const auto hit = firstHit(grid, blocks, 0.0, ray.origin, ray.direction);
+      if (!hit) continue;
+      const FieldSample f = sampleCubic(grid, hit->voxel);
+      const dvec3 g = worldGradient(geometry, f.gradient);
+      found.push_back(
+          curvatureConfidence(principalCurvature(g, worldHessian(geometry, f.hessian)), g, scale));
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_GT(found.size(), 1000u);
+    return found;
+  };
+  const std::vector<double> ofNoise = confidences(nothing), ofEdge = confidences(edge);
+  EXPECT_EQ(ofNoise[ofNoise.size() * 80 / 100], 0.0);
+  EXPECT_LT(ofNoise[ofNoise.size() * 95 / 100], 0.05);
+  EXPECT_GT(ofEdge[ofEdge.size() * 20 / 100], 0.9);
 }
 
 struct Errors {
