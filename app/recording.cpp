@@ -64,7 +64,7 @@ Recording::Step stepOf(const json& entry, const std::string& file, const std::st
     } catch (const scene::Error& error) {
       throwInput(file, place + ", " + error.place(), error.reason());
     }
-    if (path == "source.path") {
+    if (isStoredPath(path)) {
       json& stored = step.diff.changes.back().value;
       stored = sourcePathFromStored(stored.get<std::string>(), folder);
     }
@@ -97,7 +97,7 @@ void Recorder::add(const scene::SceneDiff& diff, double seconds) {
   entry["name"] = diff.name;
   json& set = entry["set"] = json::object();
   for (const scene::SceneChange& change : diff.changes) {
-    const bool path = change.path == "source.path" && change.value.is_string();
+    const bool path = isStoredPath(change.path) && change.value.is_string();
     set[change.path] = path ? json(storedSourcePath(change.value.get<std::string>(), folder_)) : change.value;
   }
   stream_ << line(entry) << std::flush;

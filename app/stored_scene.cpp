@@ -21,6 +21,10 @@ fs::path absoluteFolder(const fs::path& folder) {
 
 }  // namespace
 
+bool isStoredPath(std::string_view setting) {
+  return setting == "source.path" || setting == "source.csg_path";
+}
+
 std::string storedSourcePath(const std::string& path, const fs::path& folder) {
   if (!namesFile(path)) return path;
   const fs::path file = fs::absolute(path).lexically_normal();
@@ -37,6 +41,7 @@ std::string sourcePathFromStored(const std::string& stored, const fs::path& fold
 json storedScene(const scene::Scene& scene, const fs::path& folder) {
   scene::Scene stored = scene;
   stored.source.path = storedSourcePath(scene.source.path, folder);
+  stored.source.csgPath = storedSourcePath(scene.source.csgPath, folder);
   return scene::toJson(stored);
 }
 
@@ -45,6 +50,7 @@ scene::Scene sceneFromStored(const json& stored, const std::string& file, const 
   try {
     scene::Scene scene = scene::fromJson(stored);
     scene.source.path = sourcePathFromStored(scene.source.path, folder);
+    scene.source.csgPath = sourcePathFromStored(scene.source.csgPath, folder);
     return scene;
   } catch (const scene::Error& error) {
     std::string where = place;

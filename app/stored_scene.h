@@ -1,5 +1,5 @@
-// Scenes as they stand in sessions and recordings: JSON, with source.path relative to the file's folder when
-// the volume lies below it, so that a folder can be moved or given away as a whole.
+// Scenes as they stand in sessions and recordings: JSON, with source.path and source.csg_path relative to the
+// file's folder when the volume lies below it, so that a folder can be moved or given away as a whole.
 //
 // Errors: scene::Error{input} with the file and the JSON path.
 #pragma once
@@ -15,6 +15,8 @@
 
 namespace isolux::app {
 
+// The settings that name volumes.
+bool isStoredPath(std::string_view setting);
 // "phantom:..." and "" stay as they are. `folder` empty: the current one.
 std::string storedSourcePath(const std::string& path, const std::filesystem::path& folder);
 std::string sourcePathFromStored(const std::string& stored, const std::filesystem::path& folder);

@@ -18,6 +18,7 @@ constexpr double elevation = 0.21;  // radians (12 degrees): "slightly above"
 Scene resolve(Scene scene, const VolumeFacts& facts) {
   if (!scene.isosurface.value)
     scene.isosurface.value = std::isfinite(facts.suggestedIsovalue) ? facts.suggestedIsovalue : 0.0;
+  if (!scene.source.csgValue) scene.source.csgValue = facts.csgIsovalue;
 
   ExtraIsosurface* const extras[] = {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4};
   for (int i = 0; i < 3; ++i)

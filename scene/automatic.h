@@ -1,6 +1,8 @@
 // Fills in what a Scene leaves automatic: isovalue and camera, from facts about the volume.
 #pragma once
 
+#include <optional>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -12,6 +14,7 @@ namespace isolux::scene {
 struct VolumeFacts {
   glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // world box of what there is to see
   double suggestedIsovalue = 0.0;                 // data units, volume::suggestIsovalue()
+  std::optional<double> csgIsovalue;              // of the second volume, where there is one
   double maximum = 0.0;                           // data units
   double typicalStep =
       0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
@@ -19,7 +22,8 @@ struct VolumeFacts {
 };
 
 // Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
-// maps, the ridge threshold) and the fog's colour, which stay automatic for the renderer. An explicit setting
+// maps, the ridge threshold) and the fog's colour, which stay automatic for the renderer, and the isovalue
+// of a second volume that is not there. An explicit setting
 // is never changed. An automatic camera looks from the front and slightly above (eye on -y: a patient faces
 // the viewer, patient left at the right), and the whole box fits the picture of any aspect ratio >= 1.
 Scene resolve(Scene scene, const VolumeFacts& facts);

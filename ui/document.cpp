@@ -148,6 +148,7 @@ void Document::finishLoading() {
       history_.edit(next, "Keep the volume");
       commit(before, "Keep the volume");
     }
+    announce();  // the widgets show again what holds
     Q_EMIT loadEnded(false);
     if (!job->error()) {
       Q_EMIT failed("the volume could not be loaded");
@@ -212,7 +213,12 @@ void Document::edit(const Edit& edit) {
   if (edit.scene.source != scene().source) {
     pendingName_ = edit.name;
     pendingOpened_.clear();
-    startLoading(edit.scene, After::editSource);
+    scene::Scene next = edit.scene;
+    if (job_ && after_ == After::editSource)  // to be added to what is on its way already
+      next.source =
+          scene::applied(pendingScene_, scene::difference(scene(), edit.scene, edit.name.toStdString()))
+              .source;
+    startLoading(next, After::editSource);
     return;
   }
   const scene::Scene before = scene();

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/number_text.h"
+#include "ui/source_panel.h"
 #include "ui/style.h"
 
 namespace isolux::ui {
@@ -79,6 +80,10 @@ InfoPanel::InfoPanel(QWidget* parent)
   choices_->addRow("Time step", timeStep_);
   choiceBox_->setLayout(choices_);
 
+  source_ = new SourcePanel(this);
+  connect(source_, &SourcePanel::edited, this, &InfoPanel::edited);
+  connect(source_, &SourcePanel::failed, this, &InfoPanel::failed);
+
   warningTitle_ = new QLabel("Notes of the reader", this);
   QFont bold = warningTitle_->font();
   bold.setWeight(QFont::DemiBold);
@@ -95,6 +100,8 @@ InfoPanel::InfoPanel(QWidget* parent)
   layout->setSpacing(8);
   layout->addWidget(choiceBox_);
   layout->addLayout(facts_);
+  layout->addSpacing(6);
+  layout->addWidget(source_);
   layout->addSpacing(6);
   layout->addWidget(warningTitle_);
   layout->addWidget(warnings_);
@@ -137,12 +144,14 @@ void InfoPanel::setVolume(VolumePointer volume) {
   volume_ = std::move(volume);
   showFacts();
   showChoices();
+  source_->show(scene_, volume_);
 }
 
 void InfoPanel::setScene(const scene::Scene& scene) {
   const bool changed = scene.source != scene_.source;
   scene_ = scene;
   if (changed) showChoices();
+  source_->show(scene_, volume_);
 }
 
 void InfoPanel::setFirstPicture(double seconds) {

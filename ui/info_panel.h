@@ -13,6 +13,8 @@ class QSpinBox;
 
 namespace isolux::ui {
 
+class SourcePanel;
+
 class InfoPanel : public QScrollArea {
   Q_OBJECT
  public:
@@ -24,10 +26,12 @@ class InfoPanel : public QScrollArea {
   QComboBox* seriesChoice() const { return series_; }
   QComboBox* componentChoice() const { return component_; }
   QSpinBox* timeStepChoice() const { return timeStep_; }
+  SourcePanel* sourcePanel() const { return source_; }
   QString warnings() const;
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);
+  void failed(const QString& message);
 
  private:
   QLabel* addRow(const QString& name);
@@ -42,6 +46,7 @@ class InfoPanel : public QScrollArea {
   QWidget* choiceBox_;
   QComboBox *series_, *component_;
   QSpinBox* timeStep_;
+  SourcePanel* source_;
 };
 
 }  // namespace isolux::ui

@@ -139,6 +139,7 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::failed, this, showError);
   connect(viewport_, &Viewport::failed, this, showError);
   connect(settings_, &SettingsPanel::failed, this, showError);
+  connect(info_, &InfoPanel::failed, this, showError);
 
   connect(viewport_, &Viewport::edited, document_, &Document::edit);
   connect(viewport_, &Viewport::gestureEnded, document_, &Document::endGesture);

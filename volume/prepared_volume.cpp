@@ -5,11 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "volume/csg.h"
 #include "volume/noise_estimate.h"
-#include "volume/phantom.h"
 
 namespace isolux::volume {
 
@@ -96,9 +95,25 @@ double typicalStep(const Grid& grid) {
   return *at;
 }
 
-// `suggestedIsovalue`: of a phantom, which knows its own.
-std::shared_ptr<PreparedVolume> prepare(Volume volume, std::optional<double> suggestedIsovalue,
-                                        scene::Progress& progress) {
+// The volume of a source, and the second one's isovalue where there is one.
+CsgResult readSource(const scene::Source& source, scene::Progress& progress) {
+  ReadOptions options = readOptions(source);
+  const bool combines = source.csg != scene::Csg::none && !source.csgPath.empty();
+  ReadOptions second;  // series, component and time step are the first one's
+  second.meshVoxels = source.meshVoxels;
+  if (combines && source.csg == scene::Csg::unite)
+    options.alsoHold = meshBounds(source.csgPath, second, progress);
+  CsgResult result;
+  result.volume = readVolume(source.path, options, progress);
+  if (source.csg != scene::Csg::none && !combines)
+    result.volume.warnings.emplace_back("source.csg_path is empty: there is no second volume to combine");
+  if (!combines) return result;
+  second.grid = result.volume.grid->geometry();
+  return combined(result.volume, readVolume(source.csgPath, second, progress), source.csg, source.csgValue,
+                  progress);
+}
+
+std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress) {
   const Clock::time_point start = Clock::now();
   auto prepared = std::make_shared<PreparedVolume>();
   prepared->volume = std::move(volume);
@@ -107,8 +122,9 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, std::optional<double> sug
   progress.report(0.6, "counting values");
   prepared->histogram = makeHistogram(prepared->grid());
   progress.throwIfStopped();
-  prepared->facts.suggestedIsovalue = suggestedIsovalue.value_or(
-      suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit));
+  const std::optional<double>& known = prepared->volume.isovalue;
+  prepared->facts.suggestedIsovalue =
+      known ? *known : suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
   prepared->facts.maximum = prepared->grid().maximum();
   prepared->facts.typicalStep = typicalStep(prepared->grid());
   prepared->facts.noise = estimateNoise(prepared->grid());
@@ -121,25 +137,17 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, std::optional<double> sug
 }  // namespace
 
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, scene::Progress& progress) {
-  return prepare(std::move(volume), std::nullopt, progress);
+  return prepare(std::move(volume), progress);
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, scene::Progress& progress) {
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "reading");
-  Volume volume = readVolume(source.path, readOptions(source), progress);
+  CsgResult read = readSource(source, progress);
   const double readSeconds = secondsSince(start);
-  std::optional<double> suggested;
-  constexpr std::string_view prefix = "phantom:";
-  if (source.path.starts_with(prefix)) {
-    const std::string name = parsePhantom(std::string_view(source.path).substr(prefix.size())).name;
-    for (const PhantomInfo& info : phantoms())
-      if (info.name == name && volume.grid->minimum() < info.isovalue &&
-          info.isovalue < volume.grid->maximum())
-        suggested = info.isovalue;
-  }
-  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(volume), suggested, progress);
+  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(read.volume), progress);
   prepared->readSeconds = readSeconds;
+  prepared->facts.csgIsovalue = read.secondIsovalue;
   return prepared;
 }
 

@@ -23,7 +23,8 @@ struct PreparedVolume {
   const Grid& grid() const { return *volume.grid; }
 };
 
-// readVolume() and the derived structures. Throws scene::Error.
+// readVolume(), the combination with a second volume (csg.h), and the derived structures. Throws
+// scene::Error.
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, scene::Progress& progress);
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, scene::Progress& progress);
 

@@ -6,6 +6,7 @@
 #include "volume/phantom.h"
 #include "volume/read/bytes.h"
 #include "volume/read/dicom.h"
+#include "volume/read/mesh.h"
 #include "volume/read/meta_image.h"
 #include "volume/read/nifti.h"
 #include "volume/read/nrrd.h"
@@ -36,6 +37,7 @@ ReadFunction readerOf(const Bytes& bytes, const fs::path& path) {
   const std::string extension = extensionOf(path);
   if (head.starts_with("NRRD0")) return readNrrd;
   if (head.starts_with("# vtk DataFile")) return readVtkLegacy;
+  if (isMesh(head, extension)) return readMesh;
   if (head.find("<VTKFile") != std::string::npos) return readVti;
   if (looksLikeTiff(head)) return readTiff;
   if (looksLikeDicom(head)) return readDicom;
@@ -66,15 +68,20 @@ Volume readFolder(const fs::path& path, const ReadOptions& options, scene::Progr
   throwInput(path.string(), "", "the folder has neither DICOM nor TIFF files");
 }
 
-Volume readPhantom(const std::string& text, scene::Progress& progress) {
-  const PhantomRequest request = parsePhantom(text);
+Volume readPhantom(const std::string& text, const ReadOptions& options, scene::Progress& progress) {
+  PhantomRequest request = parsePhantom(text);
+  if (request.size == 0) request.geometry = options.grid;
   Volume volume;
   volume.grid = std::make_shared<Grid>(makePhantom(request, progress));
   volume.format = "phantom";
   volume.fileType = volume.grid->storedType();
   volume.name = request.name;
   for (const PhantomInfo& info : phantoms())
-    if (info.name == request.name) volume.unit = info.unit;
+    if (info.name == request.name) {
+      volume.unit = info.unit;
+      if (volume.grid->minimum() < info.isovalue && info.isovalue < volume.grid->maximum())
+        volume.isovalue = info.isovalue;
+    }
   return volume;
 }
 
@@ -86,6 +93,7 @@ ReadOptions readOptions(const scene::Source& source) {
   options.series = source.series;
   options.component = source.component;
   options.timeStep = source.timeStep;
+  options.meshVoxels = source.meshVoxels;
   return options;
 }
 
@@ -93,7 +101,7 @@ namespace {
 
 Volume readAny(const std::string& path, const ReadOptions& options, scene::Progress& progress) {
   constexpr std::string_view phantom = "phantom:";
-  if (path.starts_with(phantom)) return readPhantom(path.substr(phantom.size()), progress);
+  if (path.starts_with(phantom)) return readPhantom(path.substr(phantom.size()), options, progress);
   if (path.empty()) throwInput("", "path", "is empty");
   if (path.find('\0') != std::string::npos) throwInput("", "path", "contains a zero byte");
   fs::path file(path);
@@ -132,6 +140,14 @@ Volume readVolume(const std::string& path, const ReadOptions& options, scene::Pr
   }
 }
 
+std::optional<BoxMm> meshBounds(const std::string& path, const ReadOptions& options,
+                                scene::Progress& progress) {
+  std::error_code ignored;
+  if (!options.raw.empty() || !fs::is_regular_file(path, ignored)) return std::nullopt;
+  if (const FileBytes bytes(path); readerOf(bytes, path) != readMesh) return std::nullopt;
+  return readMeshBounds(path, options, progress);
+}
+
 bool needsRawDescription(const fs::path& path) {
   try {
     const FileBytes bytes(path);
@@ -142,15 +158,18 @@ bool needsRawDescription(const fs::path& path) {
 }
 
 std::vector<std::string> fileFilters() {
-  return {"Volumes (*.nii *.nii.gz *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.raw)",
-          "NIfTI (*.nii *.nii.gz *.hdr *.img)",
-          "MetaImage (*.mhd *.mha)",
-          "NRRD (*.nrrd *.nhdr)",
-          "VTK (*.vti *.vtk)",
-          "DICOM (*.dcm)",
-          "TIFF (*.tif *.tiff)",
-          "Raw (*.raw *.bin *.dat *.img)",
-          "All files (*)"};
+  return {
+      "Volumes (*.nii *.nii.gz *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.raw "
+      "*.stl *.obj *.ply *.vtp)",
+      "NIfTI (*.nii *.nii.gz *.hdr *.img)",
+      "MetaImage (*.mhd *.mha)",
+      "NRRD (*.nrrd *.nhdr)",
+      "VTK (*.vti *.vtk)",
+      "DICOM (*.dcm)",
+      "TIFF (*.tif *.tiff)",
+      "Triangle meshes (*.stl *.obj *.ply *.vtp)",
+      "Raw (*.raw *.bin *.dat *.img)",
+      "All files (*)"};
 }
 
 }  // namespace isolux::volume

@@ -1,10 +1,10 @@
 // Reads any supported volume into a Grid, and says what it had to do to get there.
 //
 // Formats are told by content first, then by name: raw, VTK legacy, .vti, MetaImage, NRRD, NIfTI, DICOM
-// folder or file, TIFF (pages, or a folder of numbered files), and the built-in phantoms
-// ("phantom:NAME[:SIZE]"). Bad input throws scene::Error{input} naming file, place and reason. No allocation
-// exceeds twice what the header claims, nor the budget; a claim the file's size cannot hold is refused before
-// allocating.
+// folder or file, TIFF (pages, or a folder of numbered files), triangle meshes (STL, OBJ, PLY, VTK PolyData)
+// as distance fields, and the built-in phantoms ("phantom:NAME[:SIZE]"). Bad input throws scene::Error{input}
+// naming file, place and reason. No allocation exceeds twice what the header claims, nor the budget; a claim
+// the file's size cannot hold is refused before allocating.
 #pragma once
 
 #include <filesystem>
@@ -16,6 +16,7 @@
 #include "scene/progress.h"
 #include "scene/scene.h"
 #include "volume/grid.h"
+#include "volume/mesh_distance.h"
 
 namespace isolux::volume {
 
@@ -38,6 +39,10 @@ struct ReadOptions {
   std::string series;  // DICOM SeriesInstanceUID; empty: most slices
   int component = 0;   // -1: magnitude
   int timeStep = 0;
+  int meshVoxels = 128;           // of a mesh's distance field, along its longest axis
+  std::optional<BoxMm> alsoHold;  // a mesh's grid is made large enough for this, too
+  // Where things without a grid of their own are made: meshes if its voxels are cubes, phantoms without SIZE.
+  std::optional<GridGeometry> grid;
   std::size_t budgetBytes = std::size_t{8} << 30;  // no single volume above this
 };
 ReadOptions readOptions(const scene::Source& source);
@@ -49,12 +54,17 @@ struct Volume {
   VoxelType fileType = VoxelType::uint8;   // as the file has it
   std::string unit;                        // "HU" for CT, else ""
   int components = 1, timeSteps = 1;       // what the file offers
+  std::optional<double> isovalue;          // the one to show first, where the source knows it
   std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"
   std::vector<std::string> warnings;  // one line each: converted, resampled, missing voxels, ignored fields
 };
 
 // `path` as Source::path. Throws scene::Error (input, memory, interrupted).
 Volume readVolume(const std::string& path, const ReadOptions& options, scene::Progress& progress);
+
+// The box of a mesh's triangles; nothing for any other kind of volume. Throws as readVolume().
+std::optional<BoxMm> meshBounds(const std::string& path, const ReadOptions& options,
+                                scene::Progress& progress);
 
 // True when the file at `path` can only be read as raw (no header known): the window asks then.
 bool needsRawDescription(const std::filesystem::path& path);

@@ -66,11 +66,13 @@ TEST(Recording, MovesWithItsFolder) {
   {
     Recorder recorder(folder / "old" / "r.jsonl", start);
     recorder.add({"Open", {{"source.path", (folder / "old" / "b.nii").string()}}}, 1);
+    recorder.add({"Cut", {{"source.csg_path", (folder / "old" / "c.stl").string()}}}, 2);
   }
   fs::rename(folder / "old", folder / "new");
   const Recording recording = loadRecording(folder / "new" / "r.jsonl");
   EXPECT_EQ(recording.start.source.path, (folder / "new" / "ct.nii").string());
   EXPECT_EQ(recording.sceneAt(1).source.path, (folder / "new" / "b.nii").string());
+  EXPECT_EQ(recording.sceneAt(2).source.csgPath, (folder / "new" / "c.stl").string());
 }
 
 TEST(Recording, EveryStepIsOnDiskAtOnce) {

@@ -94,9 +94,11 @@ TEST(Session, AMovedFolderStillFindsItsVolume) {
   fs::create_directories(folder / "old");
   Scene scene;
   scene.source.path = (folder / "old" / "ct.nii").string();
+  scene.source.csgPath = (folder / "old" / "cut.stl").string();
   saveSession(scene, folder / "old" / "s.isolux");
   fs::rename(folder / "old", folder / "new");
   EXPECT_EQ(loadSession(folder / "new" / "s.isolux").source.path, (folder / "new" / "ct.nii").string());
+  EXPECT_EQ(loadSession(folder / "new" / "s.isolux").source.csgPath, (folder / "new" / "cut.stl").string());
 }
 
 TEST(Session, UpgradesVersion1) {

@@ -19,6 +19,8 @@
 #include "ui/message_bar.h"
 #include "ui/number_spin_box.h"
 #include "ui/recent_files.h"
+#include "ui/setting_editor.h"
+#include "ui/source_panel.h"
 #include "ui/viewport.h"
 
 namespace isolux::test {
@@ -224,6 +226,36 @@ TEST_F(WindowTest, AComponentCanBeChosenAndTheChoiceUndone) {
   window_->document()->undo();
   EXPECT_TRUE(waitUntil([&] { return window_->document()->volume()->grid().value(1, 0, 0) == 1.0; }));
   EXPECT_EQ(choice->currentIndex(), 0);
+}
+
+TEST_F(WindowTest, AMeshOpensAndIsCombinedWithASecondVolume) {
+  const QString file = newFile("tetrahedron.obj");
+  std::ofstream(file.toStdString()) << "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\n"
+                                       "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  ASSERT_TRUE(load(*window_, file));
+  window_->showPanel("volume");
+  ui::SourcePanel* panel = window_->infoPanel()->sourcePanel();
+  ui::Document* document = window_->document();
+  const auto edit = [&](const char* path, const nlohmann::json& value) {
+    ui::Edit edit{document->scene(), "Combine", {}, false};
+    scene::setting(path).set(edit.scene, value);
+    Q_EMIT panel->editor(path)->edited(edit);
+  };
+  EXPECT_TRUE(panel->editor("source.mesh_voxels")->isVisibleTo(panel));
+  EXPECT_FALSE(panel->editor("source.csg_path")->isVisibleTo(panel));
+  EXPECT_EQ(document->resolvedScene().isosurface.value, 0.0);
+  edit("source.mesh_voxels", 32);
+  // The second edit comes while the first still loads; both must take effect.
+  edit("source.csg", "difference");
+  edit("source.csg_path", "phantom:ball");
+  ASSERT_TRUE(waitUntil([&] { return document->scene().source.csgPath == "phantom:ball"; }));
+  EXPECT_EQ(document->scene().source.meshVoxels, 32);
+  EXPECT_EQ(document->scene().source.csg, scene::Csg::difference);
+  EXPECT_EQ(document->volume()->grid().dims().x, 32);
+  EXPECT_TRUE(panel->editor("source.csg_path")->isVisibleTo(panel));
+  EXPECT_EQ(document->resolvedScene().source.csgValue, 0.0);
+  document->undo();
+  EXPECT_TRUE(waitUntil([&] { return document->volume()->grid().dims().x == 128; }));
 }
 
 TEST_F(WindowTest, TheCommandLinesSceneIsShownAndRecorded) {

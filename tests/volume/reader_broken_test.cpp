@@ -212,7 +212,7 @@ TEST_F(BrokenFiles, Vtk) {
        {"unknown type",
         vti("0 1 0 1 0 1", "<DataArray type=\"String\" Name=\"a\" format=\"ascii\">0</DataArray>"), "String"},
        {"no array", vti("0 1 0 1 0 1", ""), "no named array"},
-       {"another dataset", "<VTKFile type=\"PolyData\"></VTKFile>", "not ImageData"},
+       {"another dataset", "<VTKFile type=\"RectilinearGrid\"></VTKFile>", "not ImageData"},
        {"tag not closed", "<VTKFile type=\"ImageData\"", "truncated"},
        {"entities", "<!DOCTYPE x><VTKFile type=\"ImageData\"></VTKFile>", "refused"}});
 }

@@ -3,12 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <optional>
 
 #include "scene/error.h"
 #include "volume/read/text.h"
 #include "volume/read/vti.h"
+#include "volume/read/xml_tags.h"
 
 namespace isolux::volume {
 
@@ -17,84 +17,6 @@ using scene::throwInput;
 namespace {
 
 constexpr std::size_t appendedWithin = std::size_t{1} << 20;  // tags before the appended data
-
-struct Tag {
-  std::string_view name;  // "/Piece" when it closes
-  std::map<std::string, std::string, std::less<>> attributes;
-  std::size_t end = 0;  // of the byte after '>'
-
-  std::optional<std::string_view> find(std::string_view key) const {
-    const auto it = attributes.find(key);
-    if (it == attributes.end()) return std::nullopt;
-    return it->second;
-  }
-};
-
-// Goes from tag to tag; text between them, comments and declarations are passed over.
-class Tags {
- public:
-  Tags(std::string_view text, const std::string& file) : text_(text), file_(file) {}
-
-  std::optional<Tag> next() {
-    for (;;) {
-      const std::size_t begin = text_.find('<', at_);
-      if (begin == std::string_view::npos) return std::nullopt;
-      if (text_.substr(begin).starts_with("<!--")) {
-        const std::size_t end = text_.find("-->", begin);
-        if (end == std::string_view::npos) fail(begin, "a comment is not closed");
-        at_ = end + 3;
-        continue;
-      }
-      if (text_.substr(begin).starts_with("<!")) fail(begin, "document types and entities are refused");
-      const std::size_t end = endOfTag(begin);
-      at_ = end;
-      if (text_[begin + 1] == '?') continue;
-      return parse(begin, end);
-    }
-  }
-
- private:
-  [[noreturn]] void fail(std::size_t at, const std::string& reason) const {
-    throwInput(file_, "byte " + std::to_string(at), reason);
-  }
-  std::size_t endOfTag(std::size_t begin) const {
-    char quote = 0;
-    for (std::size_t i = begin + 1; i < text_.size(); ++i) {
-      const char c = text_[i];
-      if (quote) {
-        if (c == quote) quote = 0;
-      } else if (c == '"' || c == '\'') {
-        quote = c;
-      } else if (c == '>') {
-        return i + 1;
-      }
-    }
-    fail(begin, "truncated: a tag is not closed");
-  }
-  Tag parse(std::size_t begin, std::size_t end) const {
-    Tag tag;
-    tag.end = end;
-    std::string_view inner = text_.substr(begin + 1, end - begin - 2);
-    std::size_t at = std::min(inner.find_first_of(" \t\r\n/", 1), inner.size());
-    tag.name = inner.substr(0, at);
-    while (at < inner.size()) {
-      at = inner.find_first_not_of(" \t\r\n/", at);
-      if (at == std::string_view::npos) break;
-      const std::size_t equals = inner.find('=', at);
-      const std::size_t open = equals == std::string_view::npos ? equals : inner.find_first_of("\"'", equals);
-      const std::size_t close = open == std::string_view::npos ? open : inner.find(inner[open], open + 1);
-      if (close == std::string_view::npos) fail(begin, "an attribute has no quoted value");
-      tag.attributes.emplace(trimmed(inner.substr(at, equals - at)),
-                             inner.substr(open + 1, close - open - 1));
-      at = close + 1;
-    }
-    return tag;
-  }
-
-  std::string_view text_;
-  const std::string& file_;
-  std::size_t at_ = 0;
-};
 
 std::optional<VoxelType> typeNamed(std::string_view name) {
   static constexpr std::string_view names[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",

@@ -1,0 +1,119 @@
+// VTK XML PolyData (.vtp), read by VTK, which knows all its encodings, after a check of what it claims.
+#include <algorithm>
+#include <array>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include "scene/error.h"
+#include "volume/read/mesh_formats.h"
+#include "volume/read/text.h"
+#include "volume/read/vtk_messages.h"
+#include "volume/read/xml_tags.h"
+
+namespace isolux::volume {
+
+using scene::throwInput;
+
+namespace {
+
+// VTK allocates what the pieces announce: no more than the file can hold at the best ratio of compression.
+void checkClaims(const Bytes& bytes) {
+  constexpr std::uint64_t bestRatio = 1032;  // of zlib; a point has 12 bytes at least, a cell 8
+  const std::string text = wholeText(bytes);
+  const std::string_view tagged = std::string_view(text).substr(0, text.find("<AppendedData"));
+  Tags tags(tagged, bytes.name());
+  bool hasPiece = false;
+  while (const auto tag = tags.next()) {
+    if (tag->name == "VTKFile" && tag->find("type") != "PolyData")
+      throwInput(bytes.name(), "VTKFile type", "is not PolyData");
+    if (tag->name != "Piece") continue;
+    hasPiece = true;
+    for (const char* key :
+         {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"}) {
+      const auto claim = tag->find(key);
+      if (!claim) continue;
+      const auto count = integerOf(*claim);
+      if (!count || *count < 0)
+        throwInput(bytes.name(), std::string("Piece ") + key, inQuotes(*claim) + " is no number of things");
+      if (static_cast<std::uint64_t>(*count) > bytes.size() * bestRatio / 8)
+        throwInput(bytes.name(), std::string("Piece ") + key,
+                   "truncated: the file is too short for " + std::string(*claim));
+    }
+  }
+  if (!hasPiece) throwInput(bytes.name(), "Piece", "truncated: is missing");
+}
+
+void observe(vtkObject* caller, unsigned long, void* clientData, void*) {
+  if (static_cast<scene::Progress*>(clientData)->stopRequested())
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+}
+
+// The cells of one array, each given to `add`; VTK does not check that its offsets grow.
+template <typename Add>
+void forEachCell(vtkCellArray* cells, const std::string& file, const char* name, Add&& add) {
+  if (!cells || cells->GetNumberOfCells() == 0) return;
+  vtkDataArray* const offsets = cells->GetOffsetsArray();
+  vtkDataArray* const corners = cells->GetConnectivityArray();
+  const auto end = static_cast<std::int64_t>(corners->GetNumberOfValues());
+  std::vector<std::int64_t> cell;
+  for (vtkIdType i = 0; i + 1 < offsets->GetNumberOfTuples(); ++i) {
+    const auto first = static_cast<std::int64_t>(offsets->GetComponent(i, 0));
+    const auto behind = static_cast<std::int64_t>(offsets->GetComponent(i + 1, 0));
+    const std::string place = std::string(name) + " " + std::to_string(i);
+    if (first < 0 || behind < first || behind > end) throwInput(file, place, "its offsets make no sense");
+    cell.clear();
+    for (std::int64_t k = first; k < behind; ++k)
+      cell.push_back(static_cast<std::int64_t>(corners->GetComponent(k, 0)));
+    add(cell, place);
+  }
+}
+
+}  // namespace
+
+bool looksLikePolyData(const std::string& head) {
+  const std::size_t tag = head.find("<VTKFile");
+  if (tag == std::string::npos) return false;
+  const std::string_view attributes = std::string_view(head).substr(tag, head.find('>', tag) - tag);
+  return attributes.find("\"PolyData\"") != std::string_view::npos ||
+         attributes.find("'PolyData'") != std::string_view::npos;
+}
+
+TriangleMesh readPolyDataMesh(const std::filesystem::path& path, scene::Progress& progress) {
+  const std::string file = path.string();
+  checkClaims(FileBytes(path));
+  VtkMessages messages;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(observe);
+  observer->SetClientData(&progress);
+  reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  progress.throwIfStopped();
+  if (!messages.errors().empty()) throwInput(file, "", "VTK refuses it: " + messages.errors().front());
+
+  TriangleMesh mesh;
+  vtkPolyData* const data = reader->GetOutput();
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    std::array<double, 3> p{};
+    data->GetPoint(i, p.data());
+    addPoint(mesh, {p[0], p[1], p[2]}, file, "point " + std::to_string(i));
+  }
+  forEachCell(data->GetPolys(), file, "polygon",
+              [&](const auto& cell, const auto& place) { addPolygon(mesh, cell, file, place); });
+  forEachCell(data->GetStrips(), file, "strip", [&](const auto& cell, const auto& place) {
+    if (cell.size() < 3) throwInput(file, place, "has fewer than three corners");
+    for (std::size_t i = 2; i < cell.size(); ++i) {  // every second triangle is turned
+      const bool turned = i % 2 == 1;
+      addPolygon(mesh, {cell[i - 2], cell[turned ? i : i - 1], cell[turned ? i - 1 : i]}, file, place);
+    }
+  });
+  return mesh;
+}
+
+}  // namespace isolux::volume
