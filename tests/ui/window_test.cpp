@@ -236,7 +236,7 @@ TEST_F(WindowTest, AMeshOpensAndIsCombinedWithASecondVolume) {
   window_->showPanel("volume");
   ui::SourcePanel* panel = window_->infoPanel()->sourcePanel();
   ui::Document* document = window_->document();
-  const auto edit = [&](const char* path, const nlohmann::json& value) {
+  const auto send = [&](const char* path, const nlohmann::json& value) {
     ui::Edit edit{document->scene(), "Combine", {}, false};
     scene::setting(path).set(edit.scene, value);
     Q_EMIT panel->editor(path)->edited(edit);
@@ -244,10 +244,10 @@ TEST_F(WindowTest, AMeshOpensAndIsCombinedWithASecondVolume) {
   EXPECT_TRUE(panel->editor("source.mesh_voxels")->isVisibleTo(panel));
   EXPECT_FALSE(panel->editor("source.csg_path")->isVisibleTo(panel));
   EXPECT_EQ(document->resolvedScene().isosurface.value, 0.0);
-  edit("source.mesh_voxels", 32);
+  send("source.mesh_voxels", 32);
   // The second edit comes while the first still loads; both must take effect.
-  edit("source.csg", "difference");
-  edit("source.csg_path", "phantom:ball");
+  send("source.csg", "difference");
+  send("source.csg_path", "phantom:ball");
   ASSERT_TRUE(waitUntil([&] { return document->scene().source.csgPath == "phantom:ball"; }));
   EXPECT_EQ(document->scene().source.meshVoxels, 32);
   EXPECT_EQ(document->scene().source.csg, scene::Csg::difference);
