@@ -12,10 +12,10 @@ namespace isolux::scene {
 
 // What automatic settings may depend on.
 struct VolumeFacts {
-  glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // world box of what there is to see
-  double suggestedIsovalue = 0.0;                 // data units, volume::suggestIsovalue()
-  std::optional<double> csgIsovalue;              // of the second volume, where there is one
-  double maximum = 0.0;                           // data units
+  glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};     // world box of what there is to see
+  double suggestedIsovalue = 0.0;                    // data units, volume::suggestIsovalue()
+  std::optional<double> csgIsovalue = std::nullopt;  // of the second volume, where there is one
+  double maximum = 0.0;                              // data units
   double typicalStep =
       0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
   double noise = 0.0;  // data units: standard deviation of a voxel
