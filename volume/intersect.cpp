@@ -86,10 +86,13 @@ std::optional<RayHit> crossCell(const Grid& grid, const std::vector<T>& voxels, 
     side = Side::unknown;
     return std::nullopt;
   }
+  const bool uniform = !(anyBelow && anyAbove);
+  const Side whole = anyAbove ? Side::inside : Side::outside;
+  if (uniform && side == whole) return std::nullopt;  // most cells: the ray stays on its side
   const auto stretch = walk.stretch();
   if (!stretch) return std::nullopt;
   double s = 0.0;
-  if (anyBelow && anyAbove) {
+  if (!uniform) {
     // Bernstein coefficients are the polar form of the trilinear function at the stretch's two ends.
     const glm::dvec3 end[2] = {stretch->from, stretch->to};
     const auto f = [&](int i, int j, int k) { return trilinear(corner, end[i].x, end[j].y, end[k].z); };
@@ -97,8 +100,7 @@ std::optional<RayHit> crossCell(const Grid& grid, const std::vector<T>& voxels, 
                        (f(1, 1, 0) + f(1, 0, 1) + f(0, 1, 1)) / 3.0, f(1, 1, 1)}};
     if (!firstChange(cubic, side, s)) return std::nullopt;
   } else {
-    const Side whole = anyAbove ? Side::inside : Side::outside;
-    const bool crossed = side != Side::unknown && side != whole;
+    const bool crossed = side != Side::unknown;
     side = whole;
     if (!crossed) return std::nullopt;
   }

@@ -179,10 +179,13 @@ CubicHit firstHitOf(const std::vector<T>& stored, const Grid& grid, const MinMax
       side = Side::unknown;
       return std::nullopt;
     }
+    const bool uniform = !(cell.anyBelow && cell.anyAbove);
+    const Side whole = cell.anyAbove ? Side::inside : Side::outside;
+    if (uniform && side == whole) return std::nullopt;  // most cells: the ray stays on its side
     const auto stretch = walk.stretch();
     if (!stretch) return std::nullopt;
     std::optional<double> s;
-    if (cell.anyBelow && cell.anyAbove) {
+    if (!uniform) {
       FirstChange change(side, 16.0 * std::numeric_limits<double>::epsilon() * cell.largest);
       s = change.find(alongStretch(cell.c, stretch->from, stretch->to), 0.0, 1.0);
       if (change.uncertain && result.certain) {
@@ -190,8 +193,7 @@ CubicHit firstHitOf(const std::vector<T>& stored, const Grid& grid, const MinMax
         result.tUncertain = stretch->t(*change.uncertain);
       }
     } else {
-      const Side whole = cell.anyAbove ? Side::inside : Side::outside;
-      if (side != Side::unknown && side != whole) s = 0.0;
+      if (side != Side::unknown) s = 0.0;
       side = whole;
     }
     if (!s) return std::nullopt;
