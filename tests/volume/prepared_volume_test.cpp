@@ -36,6 +36,19 @@ TEST(PreparedVolume, HoldsBlocksHistogramBoundsAndIsovalue) {
   EXPECT_GE(prepared->prepareSeconds, 0.0);
 }
 
+TEST(PreparedVolume, TheTypicalStepIsFoundAlongEveryAxis) {
+  // A ramp of 3 per voxel along one axis.
+  for (int axis = 0; axis < 3; ++axis) {
+    const GridGeometry geometry = GridGeometry::make({9, 10, 11}, glm::dvec3(1));
+    std::vector<float> voxels;
+    for (int z = 0; z < 11; ++z)
+      for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 9; ++x) voxels.push_back(static_cast<float>(3 * glm::ivec3(x, y, z)[axis]));
+    scene::Progress progress;
+    EXPECT_EQ(prepareVolume(volumeOf(Grid(geometry, voxels)), progress)->facts.typicalStep, 3.0) << axis;
+  }
+}
+
 TEST(PreparedVolume, APhantomBringsItsOwnIsovalue) {
   for (const auto& [path, isovalue] :
        {std::pair("phantom:head:32", 300.0), std::pair("phantom:marschner_lobb:24", 0.5)}) {
