@@ -1,9 +1,8 @@
 #include "render/derivative_passes.h"
 
-#include <cmath>
-
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include "volume/curvature.h"
 
 namespace isolux::render {
 
@@ -42,9 +41,10 @@ void DerivativePasses::curvature(FrameState& frame) {
   p.setTexture("uHessianDiagonal", 1, frame.image(pass::hessian, 1));
   p.setTexture("uHessianMixed", 2, frame.image(pass::hessian, 2));
   p.set("uOutward", static_cast<float>(frame.outward()));
-  const glm::dvec3 spacing = frame.volume->grid().geometry().spacingMm();
-  p.set("uGradientNoise", static_cast<float>(*frame.scene->derivatives.noise / glm::length(spacing)));
-  p.set("uFlat", static_cast<float>(0.1 / glm::length(spacing * glm::dvec3(frame.volume->grid().dims()))));
+  const volume::CurvatureScale scale = volume::curvatureScale(
+      frame.volume->grid().geometry(), frame.scene->derivatives.field, *frame.scene->derivatives.noise);
+  p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
+  p.set("uFlat", static_cast<float>(scale.flatCurvature));
   frame.drawFullscreen(p);
 }
 

@@ -45,6 +45,7 @@ std::size_t texelBytes(GLenum internalFormat) {
     case GL_RGBA8:
       return 4;
     case GL_RG32F:
+    case GL_RG32UI:
     case GL_RGBA16F:
       return 8;
     case GL_RGBA32F:

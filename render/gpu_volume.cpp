@@ -65,46 +65,57 @@ double GpuVolume::dataUnitsPerTexel(scene::Field field) const {
   return grid().slope() * textureOf(field).scale;
 }
 
-std::shared_ptr<const volume::MinMaxBlocks> GpuVolume::boundsOf(scene::Field field) {
+void GpuVolume::setField(scene::Field field) {
+  using volume::BoxBounds;
+  using volume::MinMaxBlocks;
+  if (activeField_ == field) return;
   scene::Progress unwatched;
-  if (field == scene::Field::cubic)
-    return std::make_shared<volume::MinMaxBlocks>(
-        volume::MinMaxBlocks::ofCubic(grid(), volume::kBlockCells, unwatched));
-  if (field == scene::Field::cubic_interpolating)
-    return std::make_shared<volume::MinMaxBlocks>(
-        volume::MinMaxBlocks::ofCubic(coefficients(), grid(), volume::kBlockCells, unwatched));
-  return volume_->blocks;
+  const int cells = volume_->blocks->blockCells();
+  std::shared_ptr<const MinMaxBlocks> blocks = volume_->blocks;
+  std::optional<BoxBounds> boxes;
+  if (field == scene::Field::cubic) {
+    blocks = std::make_shared<MinMaxBlocks>(MinMaxBlocks::ofCubic(grid(), cells, unwatched));
+    boxes = BoxBounds::ofCubic(grid());
+  } else if (field == scene::Field::cubic_interpolating) {
+    blocks = std::make_shared<MinMaxBlocks>(MinMaxBlocks::ofCubic(coefficients(), grid(), cells, unwatched));
+    boxes = BoxBounds::ofCubic(coefficients(), grid());
+  } else {
+    boxes.emplace(grid());
+  }
+  active_ = std::make_unique<volume::ActiveBlocks>(blocks);
+  faces_ = std::make_unique<BlockFaceSet>(blocks->dims());
+  boxes_.reset();
+  if (cells == BoxBounds::kBlockCells) boxes_ = std::make_unique<BoxBounds>(std::move(*boxes));
+  maskTexture_ = hasCells() ? Texture::make3D(gl_, GL_RG32UI, blocks->dims(), false) : Texture();
+  faceCapacity_ = 0;
+  activeField_ = field;
+}
+
+void GpuVolume::updateMasks(const std::vector<float>& storedIsovalues) {
+  const std::vector<std::uint8_t>& flags = active_->flags();
+  if (boxes_) {
+    boxes_->masks(storedIsovalues, flags, masks_);
+  } else {  // blocks of another size: every box of an active one
+    masks_.resize(flags.size());
+    std::transform(flags.begin(), flags.end(), masks_.begin(),
+                   [](std::uint8_t flag) { return flag ? ~std::uint64_t{0} : std::uint64_t{0}; });
+  }
+  const glm::ivec3 dims = active_->blocks().dims();
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_->TextureSubImage3D(maskTexture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RG_INTEGER,
+                         GL_UNSIGNED_INT, masks_.data());
 }
 
 void GpuVolume::activate(scene::Field field, const std::vector<double>& values) {
-  if (activeField_ != field) {
-    active_ = std::make_unique<volume::ActiveBlocks>(boundsOf(field));
-    faces_ = std::make_unique<BlockFaceSet>(active_->blocks().dims());
-    activeTexture_ = hasCells() ? Texture::make3D(gl_, GL_R8, active_->blocks().dims(), false) : Texture();
-    faceCapacity_ = 0;
-    activeField_ = field;
-  }
+  setField(field);
   if (!hasCells()) return;
   std::vector<float> stored;
   for (const double value : values) stored.push_back(static_cast<float>(grid().storedOfValue(value)));
   const bool fresh = faceCapacity_ == 0;
   const std::span<const std::uint32_t> changed = active_->update(stored);
   faces_->update(active_->flags(), changed);
+  updateMasks(stored);
 
-  // Flags are 0 or 1 of 255: the shader compares with 0.
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const glm::ivec3 dims = active_->blocks().dims();
-  constexpr std::size_t few = 256;
-  if (fresh || changed.size() > few) {
-    gl_->TextureSubImage3D(activeTexture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RED, GL_UNSIGNED_BYTE,
-                           active_->flags().data());
-  } else {
-    for (const std::uint32_t block : changed) {
-      const int b = static_cast<int>(block);
-      gl_->TextureSubImage3D(activeTexture_.id(), 0, b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y),
-                             1, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &active_->flags()[block]);
-    }
-  }
   const std::vector<PackedFace>& faces = faces_->faces();
   const std::vector<BlockFaceSet::Range> dirty = faces_->takeDirty();
   if (fresh || faces.size() > faceCapacity_) {

@@ -13,6 +13,7 @@
 #include "render/volume_texture.h"
 #include "scene/scene.h"
 #include "volume/active_blocks.h"
+#include "volume/box_bounds.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::render {
@@ -45,16 +46,17 @@ class GpuVolume {
   std::size_t faceCount() const { return faces_ ? faces_->faces().size() : 0; }
   const volume::MinMaxBlocks& blocks() const { return active_->blocks(); }
   bool isActive(std::size_t block) const { return active_->flags()[block] != 0; }
-  const Texture& activeTexture() const { return activeTexture_; }
+  const Texture& maskTexture() const { return maskTexture_; }  // RG32UI, trace.glsl's uBlockMasks
   const Buffer& faceBuffer() const { return faceBuffer_; }
 
-  std::size_t blockBytes() const { return faceBuffer_.bytes() + activeTexture_.bytes(); }
+  std::size_t blockBytes() const { return faceBuffer_.bytes() + maskTexture_.bytes(); }
   std::size_t bytes() const;
 
  private:
   const VolumeTexture& textureOf(scene::Field field) const;
   const std::vector<float>& coefficients();
-  std::shared_ptr<const volume::MinMaxBlocks> boundsOf(scene::Field field);
+  void setField(scene::Field field);  // whose blocks are kept
+  void updateMasks(const std::vector<float>& storedIsovalues);
 
   GlPtr gl_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
@@ -65,7 +67,9 @@ class GpuVolume {
   std::unique_ptr<volume::ActiveBlocks> active_;
   std::unique_ptr<BlockFaceSet> faces_;
   std::size_t faceCapacity_ = 0;
-  Texture activeTexture_;
+  std::unique_ptr<volume::BoxBounds> boxes_;
+  std::vector<std::uint64_t> masks_;
+  Texture maskTexture_;
   Buffer faceBuffer_;
 };
 

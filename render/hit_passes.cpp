@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
 namespace isolux::render {
@@ -53,13 +54,15 @@ void HitPasses::blocks(FrameState& frame) {
 }
 
 void HitPasses::segments(FrameState& frame) {
-  const Target& target = frame.target(pass::segments, {GL_RG32F});
+  const Target& target = frame.target(pass::segments, {GL_R32F});
   frame.begin(target);
   const bool atEye = !frame.empty() && !frame.view->orthographic && eyeInActiveBlock(frame);
-  frame.clear(target, 0, {atEye ? 0.0f : kNever, kNever, 0.0f, 0.0f});
+  frame.clear(target, 0, {atEye ? 0.0f : kNever, 0.0f, 0.0f, 0.0f});
   if (frame.empty()) return;
   const Gl& gl = *frame.gl;
   frame.setView(segmentsProgram_);
+  const glm::dmat3 voxelFromCamera(frame.view->rightVoxel, frame.view->upVoxel, frame.view->forwardVoxel);
+  segmentsProgram_.set("uCameraFromVoxel", glm::mat3(glm::inverse(voxelFromCamera)));
   segmentsProgram_.set("uBlockCells", frame.volume->blocks().blockCells());
   segmentsProgram_.set("uDims", frame.volume->grid().dims());
   gl.Enable(GL_BLEND);
@@ -84,7 +87,8 @@ Program& HitPasses::castProgram(FrameState& frame, bool behind) {
   frame.volume->bind(p, hit.field);
   frame.setIsovalues(p, hit.field);
   p.setTexture("uSegments", 2, frame.images.at(pass::segments).images[0]);
-  p.setTexture("uActiveBlocks", 3, frame.volume->activeTexture());
+  p.setTexture("uBlockMasks", 3, frame.volume->maskTexture());
+  p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
   p.set("uBlockShift", std::countr_zero(static_cast<unsigned>(frame.volume->blocks().blockCells())));
   if (!exact) {
     p.set("uStep", static_cast<float>(1.0 / hit.rate));
@@ -97,19 +101,32 @@ Program& HitPasses::castProgram(FrameState& frame, bool behind) {
   return p;
 }
 
+// Exact hits are the surface points themselves; sampled ones are brackets yet.
+const Target& HitPasses::castTarget(FrameState& frame) const {
+  return frame.scene->hit.method == scene::HitMethod::exact
+             ? frame.target(pass::refine, {GL_RGBA32F, GL_RG32F})
+             : frame.target(pass::cast, {GL_RGBA32F});
+}
+
+void HitPasses::clearHits(const FrameState& frame, const Target& target) const {
+  const bool exact = frame.scene->hit.method == scene::HitMethod::exact;
+  frame.clear(target, 0, exact ? kNoSurface : kNoBracket);
+  if (exact) frame.clear(target, 1, kZero);
+}
+
 void HitPasses::cast(FrameState& frame) {
-  const Target& target = frame.target(pass::cast, {GL_RGBA32F});
+  const Target& target = castTarget(frame);
   frame.begin(target);
   if (frame.empty())
-    frame.clear(target, 0, kNoBracket);
+    clearHits(frame, target);
   else
     frame.drawFullscreen(castProgram(frame, false));
 }
 
 bool HitPasses::castBehind(FrameState& frame, const std::string& front) {
-  const Target& target = frame.target(pass::cast, {GL_RGBA32F});
+  const Target& target = castTarget(frame);
   frame.begin(target);
-  frame.clear(target, 0, kNoBracket);
+  clearHits(frame, target);
   Program& p = castProgram(frame, true);
   const Target& surface = frame.images.at(pass::refine + front);
   p.setTexture("uSurface", 4, surface.images[0]);

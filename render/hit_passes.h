@@ -19,6 +19,8 @@ class HitPasses {
 
  private:
   Program& castProgram(FrameState& frame, bool behind);
+  const Target& castTarget(FrameState& frame) const;
+  void clearHits(const FrameState& frame, const Target& target) const;
 
   VertexArray faceArray_;
   Program segmentsProgram_;

@@ -68,7 +68,7 @@ void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& de
   for (int layer = 1; layer < frame.scene->isosurface.layers; ++layer) {
     frame.layer = names[layer % 2];
     if (!hits.castBehind(frame, before)) break;
-    hits.refine(frame);
+    if (frame.scene->hit.method == scene::HitMethod::sampled) hits.refine(frame);
     if (frame.withHessian) {
       derivatives.hessian(frame);
       derivatives.curvature(frame);

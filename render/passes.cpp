@@ -115,6 +115,17 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   const bool transparent = isTransparent(scene);
   const bool hessianRead = (request.color && needs.curvature) ||
                            std::any_of(request.aovs.begin(), request.aovs.end(), readsHessian);
+  PassDeclaration cast{pass::cast,
+                       {image::activeBlocks, image::segments},
+                       {sampled ? image::bracket : image::surface},
+                       {volume, isovalue, camera, size, method, hitField, rate},
+                       ""};
+  PassDeclaration refine{pass::refine,
+                         {image::bracket},
+                         {image::surface},
+                         {volume, isovalue, camera, size, hitField, refinements},
+                         ""};
+  if (!sampled) refine = {pass::refine, {}, {"refined points"}, {}, "exact hits are solved in their cells"};
   PassDeclaration gradient{pass::gradient, {image::surface}, {image::gradient}, {volume, field, fetch}, ""};
   PassDeclaration hessian{pass::hessian, {image::surface}, {image::hessian}, {volume, field, fetch}, ""};
   if (hessianRead) {
@@ -152,16 +163,8 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   return {
       {pass::blocks, {}, {image::activeBlocks, image::faces}, {volume, isovalue, hitField}, ""},
       {pass::segments, {image::activeBlocks, image::faces}, {image::segments}, {camera, size}, ""},
-      {pass::cast,
-       {image::activeBlocks, image::segments},
-       {image::bracket},
-       {volume, isovalue, camera, size, method, hitField, rate},
-       ""},
-      {pass::refine,
-       {image::bracket},
-       {image::surface},
-       {volume, isovalue, camera, size, hitField, refinements},
-       ""},
+      cast,
+      refine,
       gradient,
       hessian,
       {pass::curvature, {image::gradient, image::hessian}, {image::curvature}, {inside, noise}, ""},

@@ -2,9 +2,9 @@
 //
 //   blocks     active blocks of the isovalues and the faces between active and inactive ones  (object order)
 //   segments   where each ray enters and leaves the active blocks, by rasterising those faces
-//   cast       the first crossing of an isovalue on each ray, as a bracket [t0, t1]
-//   refine     the surface point: bracket narrowed on the exact field of hit.field
-//   gradient   world gradient at the surface point, by the field of derivatives.field         (image space)
+//   cast       the first crossing of an isovalue on each ray: the surface point, or for sampled hits a
+//   bracket [t0, t1] refine     the surface point of a sampled hit: bracket narrowed on the exact field of
+//   hit.field gradient   world gradient at the surface point, by the field of derivatives.field (image space)
 //   hessian    the same with the world Hessian, from the same samples: runs instead where second derivatives
 //   are read curvature  principal curvatures, first direction, confidence shade      the look, linear colour,
 //   of the first crossing layers     the crossings behind transparent surfaces: cast to shade again for each,

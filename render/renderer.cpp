@@ -141,7 +141,8 @@ void Renderer::Parts::run(const std::string& name) {
 
 std::size_t Renderer::Parts::bytesOf(const std::string& name) const {
   if (name == pass::blocks) return frame.volume ? frame.volume->blockBytes() : 0;
-  return frame.images.bytesOf(name);
+  // Exact hits are surface points without a bracket before.
+  return frame.images.bytesOf(name == pass::cast && !frame.images.has(pass::cast) ? pass::refine : name);
 }
 
 const FrameReport& Renderer::render(const scene::Scene& scene, const FrameRequest& request) {

@@ -4,7 +4,7 @@
 // plane, Hadwiger et al. 2005 eq. (3) and (4), in the order of steps that the shader follows too:
 //   n      = outward g / |g|; outward is -1 where inside is f >= isovalue, 1 where it is f <= isovalue
 //   u, v   = orthonormal tangents with u x v = n (Duff et al. 2017, "Building an orthonormal basis,
-//   revisited") a_ij   = -outward (u,v)^T H (u,v) / |g| m, d   = (a11 + a22) / 2, (a11 - a22) / 2;  r =
+//   revisited") a_ij   = outward (u,v)^T H (u,v) / |g|; m, d   = (a11 + a22) / 2, (a11 - a22) / 2;  r =
 //   hypot(d, a12);  kappa1, kappa2 = m + r, m - r e1     = cos(w) u + sin(w) v with (cos 2w, sin 2w) = (d,
 //   a12) / r, by half-angle formulas without
 //            cancellation;  e2 = n x e1

@@ -1,8 +1,9 @@
-// The first crossing of each ray with the isosurfaces, as a bracket [t0, t1] in mm, t0 > t1 where there is none; and
-// what is known of it, packed: surface + 4 * (sides behind it, a bit each) + 64 where a root was not isolated.
+// The first crossing of each ray with the isosurfaces, and what is known of it, packed: surface + 4 * (sides behind it,
+// a bit each) + 64 where a root was not isolated.
 //
-// EXACT: every cell's first root (trace.glsl, trace_cubic.glsl), t0 = t1. Otherwise samples at two rates, Hadwiger et
-// al. 2005 sec. 3.2. BEHIND: the next crossing behind the one in uSurface. CUBIC: of the B-spline of uField.
+// EXACT: every cell's first root (trace.glsl, trace_cubic.glsl), which is the surface point itself: voxel position and
+// t (mm; -1: none), and |f - isovalue| in texels of what is hit. Otherwise a bracket [t0, t1] in mm, t0 > t1 where there
+// is none, by samples at two rates, Hadwiger et al. 2005 sec. 3.2; refine.frag.glsl makes the point of it. BEHIND: the next crossing behind the one in uSurface. CUBIC: of the B-spline of uField.
 #include "common.glsl"
 #include "field.glsl"
 #include "trace.glsl"
@@ -21,9 +22,13 @@ uniform float uNearFactor;     // r1 / r0
 uniform float uNearThreshold;  // delta, texels of what is hit
 uniform int uMaxSteps;
 #endif
+#ifdef EXACT
+layout(location = 0) out vec4 oSurface;
+layout(location = 1) out vec2 oInfo;
+#else
 layout(location = 0) out vec4 oBracket;
-
 const vec4 nothing = vec4(1.0, 0.0, 0.0, 0.0);
+#endif
 
 #ifndef EXACT
 // By the texture unit: a sample only has to be near enough to be bracketed.
@@ -39,13 +44,18 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
   Path path = pathOf(origin, direction);
   clipToDomain(path, t, tEnd);
   if (t > tEnd) return nothing;
-  ivec3 cell = cellOf(origin + t * direction);
+  Place place = placeAt(origin + t * direction);
   float step = uStep / length(direction), tBefore = t, before = 0.0;
   bool known = false;
   for (int i = 0; i < uMaxSteps; ++i) {
-    ivec3 block = cell >> uBlockShift;
-    if (!isActive(block)) {
-      if (!skipBlock(path, block, tEnd, t, cell)) return nothing;
+    int shift = emptyShift(place);
+    if (shift != 0) {
+      bvec3 axis;
+      t = max(t, exitOf(path, place.cell, shift, axis));
+      known = known && !uGaps;
+      if (t >= tEnd) return nothing;
+      place.cell = nextCell(path, place.cell, shift, t, axis);
+      if (outsideCells(place.cell)) return nothing;
       continue;
     }
     float value = sampled(origin + t * direction) - uIsovalues.x;
@@ -72,7 +82,7 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
     tBefore = t;
     if (t >= tEnd) return nothing;
     t = min(t + (distance < uNearThreshold ? step / uNearFactor : step), tEnd);
-    cell = cellOf(origin + t * direction);
+    place.cell = cellOf(origin + t * direction);
   }
   return nothing;
 }
@@ -80,14 +90,19 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
+#ifdef EXACT
+  oSurface = vec4(0.0, 0.0, 0.0, -1.0);
+  oInfo = vec2(0.0);
+#else
   oBracket = nothing;
-  vec2 segment = texelFetch(uSegments, pixel, 0).rg;
-  if (segment.x >= never || segment.y >= never) return;
+#endif
+  float start = texelFetch(uSegments, pixel, 0).r;
+  if (start >= never) return;
   vec3 origin, direction;
   pixelRay(gl_FragCoord.xy, origin, direction);
   float voxel = 1.0 / length(direction);  // mm along the ray
   float slack = 0.05 * voxel;             // rounding of the faces' own depths
-  float t = max(segment.x - slack, 0.0), tEnd = -segment.y + slack;
+  float t = max(start - slack, 0.0), tEnd = never;
   bool carried = false;
   int inside = 0;
 #ifdef BEHIND
@@ -109,11 +124,24 @@ void main() {
 #else
   Crossing crossing = trace(origin, direction, t, tEnd, carried, inside);
 #endif
-  if (crossing.found) oBracket = vec4(crossing.t, crossing.t, float(crossing.surface + 4 * crossing.inside), 0.0);
+  if (crossing.found) {
+    vec3 p = origin + crossing.t * direction;
+    float isovalue = uIsovalues[crossing.surface];
+#ifdef CUBIC
+    float error = splineMinus(clamp(p, vec3(0.0), vec3(uDims - 1)), isovalue);
+#else
+    float error = trilinearMinus(p, isovalue);
+#endif
+    oSurface = vec4(p, max(crossing.t, 0.0));
+    oInfo = vec2(isMissing(error) ? 0.0 : abs(error), float(crossing.surface + 4 * crossing.inside));
+  }
+#ifdef BEHIND
+  if (!crossing.found) discard;
+#endif
 #else
   oBracket = march(origin, direction, t, tEnd);
-#endif
 #ifdef BEHIND
   if (oBracket.x > oBracket.y) discard;
+#endif
 #endif
 }

@@ -39,9 +39,9 @@ void main() {
   // Eigenvector of the larger eigenvalue: of the two forms the one without cancellation.
   vec2 e = half_ >= 0.0 ? vec2(half_ + radius, a12) : vec2(a12, radius - half_);
   float norm = length(e);
-  oDirection = norm > 0.0 ? vec4((e.x * u + e.y * v) / norm, 0.0) : vec4(0.0);
+  oDirection = vec4(norm > 0.0 ? (e.x * u + e.y * v) / norm : u, 0.0);
 
-  float noisy = smoothstep(1.0, 4.0, scale * relativeLength / max(uGradientNoise, 1e-38));
+  float noisy = uGradientNoise > 0.0 ? smoothstep(3.0, 6.0, scale * relativeLength / uGradientNoise) : 1.0;
   float round_ = smoothstep(0.02, 0.1, (kappa1 - kappa2) / (abs(kappa1) + abs(kappa2) + uFlat));
   bool finite = abs(kappa1) < 1e30 && abs(kappa2) < 1e30;
   oKappa = finite ? vec4(kappa1, kappa2, noisy * round_, noisy) : vec4(0.0);

@@ -1,6 +1,4 @@
-// The surface point of each pixel, from its bracket.
-//
-// An exact bracket is the root already (t0 = t1). A sampled one gets the paper's regula falsi on the exact field,
+// The surface point of each pixel from the bracket of sampled hits: the paper's regula falsi on the exact field,
 // Hadwiger et al. 2005 eq. (1), uRefinements times.
 // Outputs: voxel position and t (mm; -1: no surface); |f - isovalue| in texels of what is hit, and the packed
 // knowledge of the bracket (cast.frag.glsl).

@@ -1,5 +1,6 @@
-// The first crossing of a ray with the trilinear isosurfaces, exactly: voxel traversal through active blocks; in each
-// cell the cubic along the ray is split at its extrema, so the first change of side is found whatever its shape.
+// The first crossing of a ray with the trilinear isosurfaces, exactly: traversal of the cells that can hold one; in
+// each the cubic along the ray is split at its extrema, so the first change of side is found whatever its shape.
+// What cannot hold one is left in one step: inactive blocks, and boxes of 2x2x2 cells by a mask for each block.
 //
 // SURFACES isovalues (1 to 4) are followed at once. Needs field.glsl. Positions are voxel coordinates, t is in mm.
 
@@ -7,8 +8,9 @@
 #define SURFACES 1
 #endif
 
-uniform sampler3D uActiveBlocks;
-uniform int uBlockShift;    // log2 of the cells per block and axis
+uniform usampler3D uBlockMasks;  // a bit for each box of 2x2x2 cells that can hold a crossing: x + 4 y + 16 z
+uniform int uBlockShift;         // log2 of the cells per block and axis
+uniform bool uGaps;              // the volume has missing voxels: behind an empty box no side is known
 uniform vec4 uIsovalues;    // texels of what is hit
 uniform vec4 uIsovalueShifts;  // each isovalue minus the first, rounded once
 
@@ -51,28 +53,44 @@ void clipToDomain(Path path, inout float t, inout float tEnd) {
   tEnd = min(tEnd, min(min(tFar.x, tFar.y), tFar.z));
 }
 
-// t at which the ray leaves through the far planes; axis of the first of them. Zero directions never leave.
-float exitOf(Path path, vec3 farPlanes, out int axis) {
-  vec3 t = mix(vec3(never), (farPlanes - path.origin) * path.inverseDirection, path.moves);
-  axis = t.x <= t.y ? (t.x <= t.z ? 0 : 2) : (t.y <= t.z ? 1 : 2);
-  return t[axis];
-}
-
 bool outsideCells(ivec3 cell) { return any(lessThan(cell, ivec3(0))) || any(greaterThan(cell, uDims - 2)); }
 
-// In an inactive block: moves to the first cell behind it. False at the end of the ray.
-bool skipBlock(Path path, ivec3 block, float tEnd, inout float t, inout ivec3 cell) {
-  int axis;
-  ivec3 low = block << uBlockShift, high = (block + 1) << uBlockShift;
-  float tLeave = exitOf(path, vec3(mix(low, high, bvec3(path.forward))), axis);
-  if (tLeave >= tEnd) return false;
-  t = max(t, tLeave);
-  cell = clamp(ivec3(floor(path.origin + t * path.direction)), low, min(high - 1, uDims - 2));
-  cell[axis] = path.forward[axis] != 0 ? high[axis] : low[axis] - 1;
-  return !outsideCells(cell);
+// Where a ray is: the cell, the block it is in and the block's mask.
+struct Place {
+  ivec3 cell, block;
+  uvec2 mask;
+};
+Place placeAt(vec3 p) { return Place(cellOf(p), ivec3(-1), uvec2(0u)); }
+
+// log2 of the cells per axis of the largest empty box around the cell; 0: its box can hold a crossing.
+int emptyShift(inout Place place) {
+  ivec3 block = place.cell >> uBlockShift;
+  if (block != place.block) {
+    place.block = block;
+    place.mask = texelFetch(uBlockMasks, block, 0).rg;
+  }
+  if ((place.mask.x | place.mask.y) == 0u) return uBlockShift;
+  ivec3 box = place.cell >> 1 & 3;
+  int bit = box.x + 4 * box.y + 16 * box.z;
+  return ((bit < 32 ? place.mask.x : place.mask.y) >> (bit & 31) & 1u) != 0u ? 0 : 1;
 }
 
-bool isActive(ivec3 block) { return texelFetch(uActiveBlocks, block, 0).r != 0.0; }
+// t at which the ray leaves the box of 1 << shift cells per axis around `cell`, and along which axis. Axes it does not
+// move along it never leaves.
+float exitOf(Path path, ivec3 cell, int shift, out bvec3 axis) {
+  vec3 planes = vec3(((cell >> shift) + path.forward) << shift);
+  vec3 t = mix(vec3(never), (planes - path.origin) * path.inverseDirection, path.moves);
+  bool x = t.x <= t.y && t.x <= t.z, y = !x && t.y <= t.z;
+  axis = bvec3(x, y, !x && !y);
+  return x ? t.x : y ? t.y : t.z;
+}
+
+// The cell behind that box.
+ivec3 nextCell(Path path, ivec3 cell, int shift, float tOut, bvec3 axis) {
+  ivec3 low = cell >> shift << shift, high = low + (1 << shift);
+  ivec3 inBox = clamp(ivec3(floor(path.origin + tOut * path.direction)), low, min(high, uDims - 1) - 1);
+  return mix(inBox, mix(low - 1, high, bvec3(path.forward)), axis);
+}
 
 // The cubic in Bernstein form on [0, 1] by de Casteljau: no cancellation, and inside the hull of its coefficients.
 float cubic(vec4 b, float s) {
@@ -162,44 +180,44 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
   Path path = pathOf(origin, direction);
   clipToDomain(path, t, tEnd);
   if (t > tEnd) return crossing;
-  ivec3 cell = cellOf(origin + t * direction);
+  Place place = placeAt(origin + t * direction);
   bool known = carried, first = carried;
   int maxSteps = 2 * (uDims.x + uDims.y + uDims.z) + 16, changed = 0;
   vec4 b;
   float tOut;
   for (int i = 0; i < maxSteps; ++i) {
-    ivec3 block = cell >> uBlockShift;
-    if (!isActive(block)) {
-      if (!skipBlock(path, block, tEnd, t, cell)) return crossing;
-      continue;
-    }
-    int axis;
-    tOut = max(t, exitOf(path, vec3(cell + path.forward), axis));
-    vec4 low, high;
-    cellCorners(cell, low, high);
-    if (anyMissing(low, high)) {
-      known = false;
-    } else {
-      vec3 from = clamp(origin + t * direction - vec3(cell), 0.0, 1.0);
-      vec3 to = clamp(origin + tOut * direction - vec3(cell), 0.0, 1.0);
-      b = bernstein(low - uIsovalues.x, high - uIsovalues.x, from, to);
-      if (!known) inside = sidesOf(b.x);
-      known = true;
-      for (int k = 0; k < SURFACES; ++k) {
-        bool side = (inside >> k & 1) != 0;
-        vec4 own = b - uIsovalueShifts[k];
-        // The crossing the ray comes from lies at this cell's entry, on one side or the other by rounding.
-        if (first) own.x = side ? max(own.x, 0.0) : min(own.x, -1e-30);
-        vec2 bracket;
-        changed |= int(firstChange(own, side, bracket)) << k;
+    int shift = emptyShift(place);
+    bvec3 axis;
+    tOut = max(t, exitOf(path, place.cell, shift, axis));
+    if (shift == 0) {
+      vec4 low, high;
+      cellCorners(place.cell, low, high);
+      if (anyMissing(low, high)) {
+        known = false;
+      } else {
+        vec3 from = clamp(origin + t * direction - vec3(place.cell), 0.0, 1.0);
+        vec3 to = clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0);
+        b = bernstein(low - uIsovalues.x, high - uIsovalues.x, from, to);
+        if (!known) inside = sidesOf(b.x);
+        known = true;
+        for (int k = 0; k < SURFACES; ++k) {
+          bool side = (inside >> k & 1) != 0;
+          vec4 own = b - uIsovalueShifts[k];
+          // The crossing the ray comes from lies at this cell's entry, on one side or the other by rounding.
+          if (first) own.x = side ? max(own.x, 0.0) : min(own.x, -1e-30);
+          vec2 bracket;
+          changed |= int(firstChange(own, side, bracket)) << k;
+        }
+        if (changed != 0) break;  // solved below, where the lanes of a group meet again
       }
-      if (changed != 0) break;  // solved below, where the lanes of a group meet again
+    } else if (uGaps) {
+      known = false;
     }
     first = false;
     if (tOut >= tEnd) return crossing;
     t = tOut;
-    cell[axis] += path.forward[axis] != 0 ? 1 : -1;
-    if (outsideCells(cell)) return crossing;
+    place.cell = nextCell(path, place.cell, shift, tOut, axis);
+    if (outsideCells(place.cell)) return crossing;
   }
   if (changed == 0) return crossing;
   float least = 2.0;

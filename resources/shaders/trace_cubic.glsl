@@ -96,27 +96,25 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
   Path path = pathOf(origin, direction);
   clipToDomain(path, t, tEnd);
   if (t > tEnd) return crossing;
-  ivec3 cell = cellOf(origin + t * direction);
+  Place place = placeAt(origin + t * direction);
   bool known = carried, first = carried;
   int maxSteps = 2 * (uDims.x + uDims.y + uDims.z) + 16;
   for (int i = 0; i < maxSteps; ++i) {
-    ivec3 block = cell >> uBlockShift;
-    if (!isActive(block)) {
-      if (!skipBlock(path, block, tEnd, t, cell)) return crossing;
-      continue;
-    }
-    int axis;
-    float tOut = max(t, exitOf(path, vec3(cell + path.forward), axis));
+    int shift = emptyShift(place);
+    bvec3 axis;
+    float tOut = max(t, exitOf(path, place.cell, shift, axis));
     vec4 rows[16];
     float least, most;
-    if (!cellSamples(cell, rows, least, most)) {
+    if (shift != 0) {
+      known = known && !uGaps;
+    } else if (!cellSamples(place.cell, rows, least, most)) {
       known = false;
     } else {
       int below = sidesOf(least), above = sidesOf(most);
       if (!known || below != inside || above != inside) {  // not all samples on the ray's sides
         float b[10];
-        bernstein9(rows, clamp(origin + t * direction - vec3(cell), 0.0, 1.0),
-                   clamp(origin + tOut * direction - vec3(cell), 0.0, 1.0), b);
+        bernstein9(rows, clamp(origin + t * direction - vec3(place.cell), 0.0, 1.0),
+                   clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0), b);
         if (!known) inside = sidesOf(b[0]);
         known = true;
         float nearest = 2.0;
@@ -142,8 +140,8 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
     first = false;
     if (tOut >= tEnd) return crossing;
     t = tOut;
-    cell[axis] += path.forward[axis] != 0 ? 1 : -1;
-    if (outsideCells(cell)) return crossing;
+    place.cell = nextCell(path, place.cell, shift, tOut, axis);
+    if (outsideCells(place.cell)) return crossing;
   }
   return crossing;
 }

@@ -81,21 +81,19 @@ TEST_F(FrameGraphTest, EachChangeRunsExactlyThePassesBehindIt) {
   scene::Scene scene;
   scene.isosurface.value = 1.0;
   scene.camera.eye = glm::dvec3(0.0, -400.0, 0.0);
-  EXPECT_THAT(ran(scene, request),
-              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
   EXPECT_THAT(ran(scene, request), ElementsAre());  // a still picture costs nothing
   scene.isosurface.albedo.x = 0.5;
   EXPECT_THAT(ran(scene, request), ElementsAre("shade", "resolve"));
   scene.camera.eye->x = 10.0;  // orbiting does not rebuild blocks
-  EXPECT_THAT(ran(scene, request), ElementsAre("segments", "cast", "refine", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
   scene.isosurface.value = 2.0;
-  EXPECT_THAT(ran(scene, request),
-              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
   scene.derivatives.field = scene::Field::trilinear;
   EXPECT_THAT(ran(scene, request), ElementsAre("gradient", "shade", "resolve"));
   scene.hit.rate = 5.0;  // exact hits take no samples
   EXPECT_THAT(ran(scene, request), ElementsAre());
-  scene.hit.method = scene::HitMethod::sampled;
+  scene.hit.method = scene::HitMethod::sampled;  // its brackets are refined
   EXPECT_THAT(ran(scene, request), ElementsAre("cast", "refine", "gradient", "shade", "resolve"));
   scene.hit.refinements = 1;
   EXPECT_THAT(ran(scene, request), ElementsAre("refine", "gradient", "shade", "resolve"));
@@ -111,26 +109,26 @@ TEST_F(FrameGraphTest, EachLookAndImageRunsExactlyItsPasses) {
     scene.look.mode = mode;
     graph_.invalidate();
     EXPECT_THAT(ran(scene, picture),
-                ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+                ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
   }
   scene.look.mode = scene::LookMode::depth;
   graph_.invalidate();
-  EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "refine", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "shade", "resolve"));
   FrameRequest depth;
   depth.color = false;
   depth.aovs = {Aov::depth};
   graph_.invalidate();
-  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "refine"));
+  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast"));
   depth.aovs = {Aov::normal};
   EXPECT_THAT(ran(scene, depth), ElementsAre("gradient"));
   depth.aovs = {Aov::normal, Aov::kappa};  // the gradients come with the Hessians
   graph_.invalidate();
-  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "refine", "hessian", "curvature"));
+  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "hessian", "curvature"));
   scene.derivatives.noise = 3.0;
   EXPECT_THAT(ran(scene, depth), ElementsAre("curvature"));
   depth.aovs = {Aov::hessian};
   graph_.invalidate();
-  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "refine", "hessian"));
+  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "hessian"));
 }
 
 TEST_F(FrameGraphTest, OnlyTransparentSurfacesHaveLayersBehindThem) {
@@ -138,7 +136,7 @@ TEST_F(FrameGraphTest, OnlyTransparentSurfacesHaveLayersBehindThem) {
   FrameRequest picture;
   scene.isosurface.opacity = 0.5;
   EXPECT_THAT(ran(scene, picture),
-              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "layers", "resolve"));
+              ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers", "resolve"));
   scene.isosurface.layers = 3;
   EXPECT_THAT(ran(scene, picture), ElementsAre("layers", "resolve"));
   scene.isosurface.opacity = 1.0;
@@ -147,7 +145,7 @@ TEST_F(FrameGraphTest, OnlyTransparentSurfacesHaveLayersBehindThem) {
   EXPECT_THAT(ran(scene, picture), ElementsAre());
   scene.isosurface2.shown = true;
   EXPECT_THAT(ran(scene, picture),
-              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "layers", "resolve"));
+              ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers", "resolve"));
 }
 
 TEST_F(FrameGraphTest, TheFieldOfTheHitsIsThatOfTheBlocks) {
@@ -155,8 +153,7 @@ TEST_F(FrameGraphTest, TheFieldOfTheHitsIsThatOfTheBlocks) {
   FrameRequest picture;
   ran(scene, picture);
   scene.hit.field = scene::Field::cubic;
-  EXPECT_THAT(ran(scene, picture),
-              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
 }
 
 }  // namespace
