@@ -40,7 +40,7 @@ bool crossed(const Grid& grid, glm::ivec3 cell, float isovalue, int apron) {
 
 TEST(BoxBoundsTest, NoBoxWithACrossingIsLeftOutAndFewOthersAreKept) {
   std::mt19937 random(7);
-  for (const glm::ivec3 dims : {glm::ivec3(30, 17, 21), glm::ivec3(9, 9, 9), glm::ivec3(2, 33, 3)})
+  for (const glm::ivec3& dims : {glm::ivec3(30, 17, 21), glm::ivec3(9, 9, 9), glm::ivec3(2, 33, 3)})
     for (const bool gaps : {false, true})
       for (const int apron : {0, 1}) {
         const Grid grid = randomGrid(dims, random, gaps);
@@ -70,7 +70,9 @@ TEST(BoxBoundsTest, NoBoxWithACrossingIsLeftOutAndFewOthersAreKept) {
                 }
                 kept += can;
                 wanted += any;
-                if (any && flags[block]) EXPECT_TRUE(can) << x << ' ' << y << ' ' << z;
+                if (any && flags[block]) {
+                  EXPECT_TRUE(can) << x << ' ' << y << ' ' << z;
+                }
               }
           EXPECT_LE(kept, wanted + wanted / 20 + 2);
         }
