@@ -10,6 +10,7 @@
 #include "app/stored_scene.h"
 #include "app/version.h"
 #include "scene/error.h"
+#include "scene/flow_clock.h"
 
 namespace isolux::app {
 
@@ -105,10 +106,17 @@ void Recorder::add(const scene::SceneDiff& diff, double seconds) {
 
 scene::Scene Recording::sceneAt(double seconds) const {
   scene::Scene scene = start;
+  scene::FlowClock clock(scene);
+  double now = 0.0;
   for (const Step& step : steps) {
     if (step.seconds > seconds) break;
+    clock.advance(step.seconds - now);
+    now = step.seconds;
     scene = scene::applied(std::move(scene), step.diff);
+    clock.setScene(scene);
   }
+  clock.advance(std::max(seconds - now, 0.0));
+  scene.flow.time = clock.seconds();
   return scene;
 }
 

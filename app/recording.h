@@ -35,6 +35,7 @@ struct Recording {
   };
   std::vector<Step> steps;
   double duration() const { return steps.empty() ? 0.0 : steps.back().seconds; }
+  // As the window showed it then: an animated flow has moved on.
   scene::Scene sceneAt(double seconds) const;
 };
 Recording loadRecording(const std::filesystem::path& file);  // Error{input} with the line number

@@ -58,6 +58,19 @@ TEST(Recording, RoundTrips) {
   EXPECT_TRUE(recording.sceneAt(9) == scene::applied(scene::applied(start, first), second));
 }
 
+TEST(Recording, AnAnimatedFlowMovesOn) {
+  Recording recording;
+  recording.start.look.mode = scene::LookMode::flow;
+  recording.start.flow.time = 1.0;
+  recording.steps = {{0.5, {"Animate", {{"flow.animate", true}}}},
+                     {2.0, {"Rotate", {{"camera.fov", 40.0}}}},
+                     {3.0, {"Pause", {{"flow.animate", false}, {"flow.time", 3.5}}}}};
+  EXPECT_EQ(recording.sceneAt(0.4).flow.time, 1.0);
+  EXPECT_EQ(recording.sceneAt(0.75).flow.time, 1.25);
+  EXPECT_EQ(recording.sceneAt(2.5).flow.time, 3.0);
+  EXPECT_EQ(recording.sceneAt(9.0).flow.time, 3.5);
+}
+
 TEST(Recording, MovesWithItsFolder) {
   const fs::path folder = test::temporaryFolder();
   fs::create_directories(folder / "old");

@@ -1,0 +1,22 @@
+// Which settings act in a scene, and why the others do not.
+//
+// One table of rules, from a setting's path to a condition on the scene. The window hides what does not act,
+// and anything else that explains a scene can say the same.
+#pragma once
+
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace isolux::scene {
+
+// Empty when the setting of this path acts, that is, when changing it can change the picture, the memory or
+// the time it takes; else one clause that says why not: "hits are exact". `scene` may have automatic members.
+std::string_view whyInactive(std::string_view path, const Scene& scene);
+
+// The shading that applies: the mode's own, look.shading under modes that give a colour, else unlit.
+Shading shadingOf(const Scene& scene);
+// Whether streaks along the curvature are drawn.
+bool showsFlow(const Scene& scene);
+
+}  // namespace isolux::scene
