@@ -12,6 +12,8 @@
 namespace isolux::ui {
 
 namespace {
+constexpr int flowMilliseconds = 33;  // 30 pictures a second, as far as the machine can draw them
+
 std::filesystem::path pathOf(const QString& file) {
   return {file.toStdString()};
 }
@@ -35,18 +37,28 @@ void makeAutomatic(scene::Scene& scene) {
 }
 }  // namespace
 
-Document::Document(QObject* parent) : QObject(parent), savedScene_(history_.scene()) {
+Document::Document(QObject* parent)
+    : QObject(parent), savedScene_(history_.scene()), flow_(history_.scene()) {
   pollTimer_.setInterval(15);
   connect(&pollTimer_, &QTimer::timeout, this, &Document::poll);
   pauseTimer_.setSingleShot(true);
   pauseTimer_.setInterval(700);
   connect(&pauseTimer_, &QTimer::timeout, this, &Document::endGesture);
+  flowTimer_.setTimerType(Qt::PreciseTimer);
+  flowTimer_.setInterval(flowMilliseconds);
+  connect(&flowTimer_, &QTimer::timeout, this, &Document::moveFlow);
 }
 
 Document::~Document() = default;
 
+scene::Scene Document::shownScene() const {
+  scene::Scene shown = scene();
+  shown.flow.time = flow_.seconds();
+  return shown;
+}
+
 scene::Scene Document::resolvedScene() const {
-  return scene::resolve(scene(), volume_ ? volume_->facts : scene::VolumeFacts{});
+  return scene::resolve(shownScene(), volume_ ? volume_->facts : scene::VolumeFacts{});
 }
 
 QString Document::name() const {
@@ -191,6 +203,14 @@ void Document::finishLoading() {
 // ------------------------------------------------------------------------------------------------
 
 void Document::announce() {
+  flow_.setScene(scene());
+  const bool runs = flow_.runs() && volume_;
+  if (runs && !flowTimer_.isActive()) {
+    sinceFlowMoved_.start();
+    flowTimer_.start();
+  } else if (!runs) {
+    flowTimer_.stop();
+  }
   Q_EMIT sceneChanged(scene(), resolvedScene());
   Q_EMIT stateChanged();
 }
@@ -222,8 +242,11 @@ void Document::edit(const Edit& edit) {
     return;
   }
   const scene::Scene before = scene();
+  scene::Scene next = edit.scene;
+  // A flow that is stopped stands where it is seen.
+  if (!next.flow.animate && next.flow.time == before.flow.time) next.flow.time = flow_.seconds();
   try {
-    history_.edit(edit.scene, edit.name.toStdString(), edit.mergeKey.toStdString());
+    history_.edit(next, edit.name.toStdString(), edit.mergeKey.toStdString());
   } catch (const scene::Error& error) {  // a value outside its range
     Q_EMIT failed(textOf(error));
     announce();  // the widget shows again what holds
@@ -262,6 +285,18 @@ void Document::redo() {
   reloadIfSourceChanged();
 }
 
+void Document::toggleFlow() {
+  Edit toggled{scene(), scene().flow.animate ? "Pause flow" : "Animate flow", {}, false};
+  toggled.scene.flow.animate = !scene().flow.animate;
+  edit(toggled);
+}
+
+void Document::moveFlow() {
+  flow_.advance(static_cast<double>(sinceFlowMoved_.nsecsElapsed()) * 1e-9);
+  sinceFlowMoved_.start();
+  Q_EMIT flowMoved(flow_.seconds());
+}
+
 void Document::reloadIfSourceChanged() {
   if (scene().source != loadedSource_) startLoading(scene(), After::keepScene);
 }
@@ -284,7 +319,7 @@ bool Document::saveSession(const QString& file) {
 
 bool Document::startRecording(const QString& file) {
   try {
-    recorder_ = std::make_unique<app::Recorder>(pathOf(file), scene());
+    recorder_ = std::make_unique<app::Recorder>(pathOf(file), shownScene());
   } catch (const scene::Error& error) {
     recorder_.reset();
     Q_EMIT failed(textOf(error));

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -16,6 +17,7 @@
 #include "app/history.h"
 #include "app/load_job.h"
 #include "app/recording.h"
+#include "scene/flow_clock.h"
 #include "ui/edit.h"
 
 namespace isolux::ui {
@@ -29,7 +31,9 @@ class Document : public QObject {
   ~Document() override;
 
   const scene::Scene& scene() const { return history_.scene(); }
-  scene::Scene resolvedScene() const;  // automatic settings filled in from the volume
+  // As it is on screen: an animated flow has moved on since scene().
+  scene::Scene shownScene() const;
+  scene::Scene resolvedScene() const;  // shownScene() with automatic settings filled in from the volume
   const VolumePointer& volume() const { return volume_; }
   const app::History& history() const { return history_; }
 
@@ -53,6 +57,7 @@ class Document : public QObject {
   void endGesture();
   void undo();
   void redo();
+  void toggleFlow();  // lets the flow move, or stand where it is seen
 
   bool saveSession(const QString& file);
   bool startRecording(const QString& file);
@@ -61,7 +66,8 @@ class Document : public QObject {
  Q_SIGNALS:
   void volumeChanged(isolux::ui::VolumePointer volume);
   void sceneChanged(const isolux::scene::Scene& scene, const isolux::scene::Scene& resolved);
-  void stateChanged();  // history, modified mark, name, recording
+  void flowMoved(double seconds);  // to this flow.time; not an edit
+  void stateChanged();             // history, modified mark, name, recording
   void loadStarted(const QString& name);
   void loadProgress(double fraction, const QString& stage);
   void loadEnded(bool success);
@@ -83,6 +89,7 @@ class Document : public QObject {
   void commit(const scene::Scene& before, const QString& name);
   void announce();
   void reloadIfSourceChanged();
+  void moveFlow();
 
   app::History history_;
   VolumePointer volume_;
@@ -95,10 +102,13 @@ class Document : public QObject {
   After after_ = After::replaceDocument;
   scene::Scene pendingScene_;
   QString pendingName_, pendingSessionFile_, pendingOpened_;
-  QTimer pollTimer_, pauseTimer_;
+  QTimer pollTimer_, pauseTimer_, flowTimer_;
   std::chrono::steady_clock::time_point loadBegin_;
 
   std::unique_ptr<app::Recorder> recorder_;
+
+  scene::FlowClock flow_;
+  QElapsedTimer sinceFlowMoved_;
 };
 
 }  // namespace isolux::ui

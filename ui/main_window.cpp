@@ -2,21 +2,25 @@
 
 #include <cmath>
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
+#include <QSignalBlocker>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
 #include "app/session.h"
+#include "scene/relevance.h"
 #include "scene/settings.h"
 #include "ui/info_panel.h"
 #include "ui/isovalue_panel.h"
 #include "ui/load_card.h"
 #include "ui/message_bar.h"
 #include "ui/number_text.h"
+#include "ui/passes_panel.h"
 #include "ui/recent_files.h"
 #include "ui/settings_panel.h"
 #include "ui/style.h"
@@ -26,7 +30,8 @@ namespace isolux::ui {
 
 namespace {
 constexpr auto openHint = "Open a volume with Ctrl+O, or drop a file or folder here";
-}
+constexpr int panelWidth = 350;  // pixels, at first
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
@@ -35,6 +40,7 @@ MainWindow::MainWindow(QWidget* parent)
       isovalue_(new IsovaluePanel(this)),
       settings_(new SettingsPanel(this)),
       info_(new InfoPanel(this)),
+      passes_(new PassesPanel(this)),
       message_(new MessageBar(this)),
       loadCard_(new LoadCard(viewport_)),
       pointedLabel_(new QLabel(this)),
@@ -50,7 +56,7 @@ MainWindow::MainWindow(QWidget* parent)
   makeHelpMenu();
   makeToolBar();
   connectDocument();
-  settings_->setScene(document_->scene(), document_->resolvedScene());
+  showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(openHint);
   showState();
   viewport_->setFocus();
@@ -81,8 +87,11 @@ void MainWindow::makePanels() {
   };
   settingsDock_ = dock("Settings", settings_);
   infoDock_ = dock("Volume", info_);
+  passesDock_ = dock("Passes", passes_);
   tabifyDockWidget(settingsDock_, infoDock_);
+  tabifyDockWidget(infoDock_, passesDock_);
   settingsDock_->raise();
+  resizeDocks({settingsDock_}, {panelWidth}, Qt::Horizontal);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDocumentMode(true);
 
@@ -112,14 +121,8 @@ void MainWindow::connectDocument() {
                          .arg(count == 1 ? QString("also") : QString("all %1 notes").arg(count)));
     }
   });
-  connect(document_, &Document::sceneChanged, this,
-          [this](const scene::Scene& scene, const scene::Scene& resolved) {
-            isovalue_->setScene(scene, resolved);
-            viewport_->setScene(scene, resolved);
-            settings_->setScene(scene, resolved);
-            info_->setScene(scene);
-            projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
-          });
+  connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
+  connect(document_, &Document::flowMoved, viewport_, &Viewport::setFlowTime);
   connect(document_, &Document::stateChanged, this, &MainWindow::showState);
   connect(document_, &Document::loadStarted, this, [this](const QString& name) {
     message_->clear();
@@ -151,6 +154,7 @@ void MainWindow::connectDocument() {
       info_->setFirstPicture(document_->secondsSinceRead());
     }
   });
+  connect(viewport_, &Viewport::reported, passes_, &PassesPanel::setReport);
   connect(isovalue_, &IsovaluePanel::edited, document_, &Document::edit);
   connect(settings_, &SettingsPanel::edited, document_, &Document::edit);
   connect(info_, &InfoPanel::edited, document_, &Document::edit);
@@ -181,6 +185,18 @@ void MainWindow::open(const app::WindowRequest& request) {
   } catch (const scene::Error& error) {
     message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
   }
+}
+
+void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  isovalue_->setScene(scene, resolved);
+  viewport_->setScene(scene, resolved);
+  settings_->setScene(scene, resolved);
+  info_->setScene(scene);
+  projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
+  animate_->setEnabled(scene::showsFlow(scene));
+  animate_->setChecked(scene.flow.animate);
+  const QSignalBlocker block(look_);
+  look_->setCurrentIndex(static_cast<int>(scene.look.mode));
 }
 
 void MainWindow::showState() {
@@ -221,7 +237,7 @@ void MainWindow::showPointed(const std::optional<render::Pick>& pick) {
 }
 
 void MainWindow::showPanel(const QString& name) {
-  QDockWidget* dock = name == "volume" ? infoDock_ : settingsDock_;
+  QDockWidget* dock = name == "volume" ? infoDock_ : name == "passes" ? passesDock_ : settingsDock_;
   dock->show();
   dock->raise();
 }

@@ -10,6 +10,7 @@
 #include "render/frame.h"
 #include "ui/document.h"
 
+class QComboBox;
 class QLabel;
 class QMenu;
 
@@ -19,6 +20,7 @@ class InfoPanel;
 class IsovaluePanel;
 class LoadCard;
 class MessageBar;
+class PassesPanel;
 class SettingsPanel;
 class Viewport;
 
@@ -37,11 +39,13 @@ class MainWindow : public QMainWindow {
   IsovaluePanel* isovaluePanel() const { return isovalue_; }
   SettingsPanel* settingsPanel() const { return settings_; }
   InfoPanel* infoPanel() const { return info_; }
+  PassesPanel* passesPanel() const { return passes_; }
+  QComboBox* lookChoice() const { return look_; }
   MessageBar* messageBar() const { return message_; }
   LoadCard* loadCard() const { return loadCard_; }
 
   bool savePicture(const QString& file);  // .png (with the session inside) or .exr
-  void showPanel(const QString& name);    // "settings" or "volume"
+  void showPanel(const QString& name);    // "settings", "volume" or "passes"
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -58,6 +62,7 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void makePanels();
   void connectDocument();
+  void showScene(const scene::Scene& scene, const scene::Scene& resolved);
   void showState();  // title, undo names, recording: what stateChanged() announces
   void showPointed(const std::optional<render::Pick>& pick);
   void showRecent();
@@ -70,6 +75,9 @@ class MainWindow : public QMainWindow {
   void choosePicture();
   void toggleRecording();
   void toggleFullScreen(bool on);
+  void chooseLook(int mode);
+  void stepLook(int step);
+  void findSetting();
   void showHelp();
   void showAbout();
   bool mayDiscard();  // asks only when a session file has unsaved changes
@@ -79,12 +87,14 @@ class MainWindow : public QMainWindow {
   IsovaluePanel* isovalue_;
   SettingsPanel* settings_;
   InfoPanel* info_;
+  PassesPanel* passes_;
   MessageBar* message_;
   LoadCard* loadCard_;
-  QDockWidget *settingsDock_ = nullptr, *infoDock_ = nullptr;
+  QDockWidget *settingsDock_ = nullptr, *infoDock_ = nullptr, *passesDock_ = nullptr;
   QMenu* recentMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_;
+  QComboBox* look_;
   std::vector<QAction*> views_;
   QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
   bool awaitsFirstPicture_ = false;

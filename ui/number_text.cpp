@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QHash>
+
 namespace isolux::ui {
 
 QString numberText(double value, int significant) {
@@ -49,7 +51,15 @@ QString bytesText(double bytes) {
 }
 
 QString wordsOf(const QString& identifier) {
-  if (identifier == "blinn_phong") return "Blinn-Phong";  // two people
+  // Names of people, signs, and colours joined by a dash.
+  static const QHash<QString, QString> special = {{"blinn_phong", "Blinn-Phong"},
+                                                  {"kappa1", "κ₁ (larger curvature)"},
+                                                  {"kappa2", "κ₂ (smaller curvature)"},
+                                                  {"curvature_2d", "κ₁ and κ₂"},
+                                                  {"coolwarm", "Cool–warm"},
+                                                  {"blue_orange", "Blue–orange"},
+                                                  {"purple_green", "Purple–green"}};
+  if (const auto found = special.find(identifier); found != special.end()) return *found;
   QString words = identifier;
   words.replace('_', ' ');
   if (!words.isEmpty()) words[0] = words[0].toUpper();

@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "scene/error.h"
+#include "scene/relevance.h"
 #include "ui/icons.h"
 #include "ui/number_text.h"
 
@@ -23,8 +24,16 @@ QString describe(const scene::Setting& setting) {
             QString::fromStdString(setting.unit);
   }
   const nlohmann::json value = setting.defaultValue();
+  if (setting.type == scene::SettingType::points) return text;
   return text.trimmed() +
          "\nDefault: " + QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+// Rows do not jump.
+void keepPlaceWhenHidden(QWidget* widget) {
+  QSizePolicy policy = widget->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  widget->setSizePolicy(policy);
 }
 }  // namespace
 
@@ -38,11 +47,13 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   layout->setSpacing(4);
   layout->addWidget(value_, 1);
   if (setting.mayBeAutomatic) {
+    keepPlaceWhenHidden(value_);
     automatic_ = new QCheckBox("auto", this);
     automatic_->setToolTip("Chosen from the volume");
     layout->addWidget(automatic_);
     connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
-      send(automatic ? nlohmann::json("auto") : setting_.get(resolved_), false);
+      const nlohmann::json seen = setting_.get(resolved_);
+      send(automatic ? nlohmann::json("auto") : seen == "auto" ? value_->value() : seen, false);
     });
   }
   reset_->setIcon(icon("restore"));
@@ -50,23 +61,29 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   reset_->setAutoRaise(true);
   reset_->setToolTip("Back to the default");
   reset_->setAccessibleName("Reset " + nameOf(setting));
-  QSizePolicy policy = reset_->sizePolicy();
-  policy.setRetainSizeWhenHidden(true);  // rows do not jump
-  reset_->setSizePolicy(policy);
+  keepPlaceWhenHidden(reset_);
   layout->addWidget(reset_);
-  setToolTip(describe(setting));
+  description_ = describe(setting);
+  setToolTip(description_);
   value_->setAccessibleName(nameOf(setting));
 
   connect(value_, &ValueWidget::changed, this,
           [this](bool endsAfterPause) { send(value_->value(), endsAfterPause); });
-  connect(value_, &ValueWidget::dragStarted, this, &SettingEditor::dragStarted);
-  connect(value_, &ValueWidget::dragEnded, this, &SettingEditor::dragEnded);
+  connect(value_, &ValueWidget::dragStarted, this, [this] {
+    dragging_ = true;
+    Q_EMIT dragStarted();
+  });
+  connect(value_, &ValueWidget::dragEnded, this, [this] {
+    dragging_ = false;
+    Q_EMIT dragEnded();
+  });
   connect(reset_, &QToolButton::clicked, this, &SettingEditor::resetToDefault);
 }
 
 void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   scene_ = scene;
   resolved_ = resolved;
+  explain();
   const nlohmann::json own = setting_.get(scene), seen = setting_.get(resolved);
   const bool automatic = setting_.mayBeAutomatic && own == "auto";
   reset_->setVisible(own != setting_.defaultValue());
@@ -74,9 +91,24 @@ void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& reso
     const QSignalBlocker block(automatic_);
     automatic_->setChecked(automatic);
   }
+  // Some automatic values are found while the picture is drawn: there is no number to show.
+  value_->setVisible(seen != "auto");
   if (seen == shown_ || seen == "auto") return;
   shown_ = seen;
   value_->showValue(seen);
+}
+
+void SettingEditor::explain() {
+  const std::string_view reason = scene::whyInactive(setting_.path, resolved_);
+  const QString why = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size()));
+  if (why == whyInactive_) return;
+  whyInactive_ = why;
+  setEnabled(why.isEmpty());
+  setToolTip(why.isEmpty() ? description_ : "Does nothing now: " + why + ".\n\n" + description_);
+}
+
+bool SettingEditor::isWide() const {
+  return setting_.type == scene::SettingType::points;
 }
 
 void SettingEditor::resetToDefault() {
@@ -85,7 +117,7 @@ void SettingEditor::resetToDefault() {
 
 void SettingEditor::send(const nlohmann::json& value, bool endsAfterPause) {
   // A gesture of one widget is one step; a single choice is a step of its own.
-  const bool gesture = setting_.type == scene::SettingType::number || endsAfterPause;
+  const bool gesture = dragging_ || endsAfterPause;
   Edit edit{scene_, "Change " + nameOf(setting_), gesture ? QString::fromStdString(setting_.path) : QString(),
             endsAfterPause};
   shown_ = nullptr;  // whatever comes back is shown

@@ -23,7 +23,8 @@ class ValueWidget : public QWidget {
   virtual nlohmann::json value() const = 0;                 // what the user has just entered
 
  Q_SIGNALS:
-  void changed(bool endsAfterPause);  // the user changed it
+  // The user changed it. Between dragStarted() and dragEnded() all changes are one gesture.
+  void changed(bool endsAfterPause);
   void dragStarted();
   void dragEnded();
 };
@@ -39,6 +40,9 @@ class SettingEditor : public QWidget {
 
   const scene::Setting& setting() const { return setting_; }
   ValueWidget* valueWidget() const { return value_; }
+  bool isWide() const;  // needs the whole width of the panel
+  // Why the setting does nothing in this scene; empty: it acts.
+  const QString& whyInactive() const { return whyInactive_; }
   // Shows the scene's value, or the resolved one where the scene's is automatic.
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   void resetToDefault();
@@ -51,10 +55,13 @@ class SettingEditor : public QWidget {
 
  private:
   void send(const nlohmann::json& value, bool endsAfterPause);
+  void explain();
 
   const scene::Setting& setting_;
   scene::Scene scene_, resolved_;
   nlohmann::json shown_;
+  QString description_, whyInactive_;
+  bool dragging_ = false;
   ValueWidget* value_;
   QCheckBox* automatic_ = nullptr;
   QToolButton* reset_;

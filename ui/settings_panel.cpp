@@ -1,114 +1,209 @@
 #include "ui/settings_panel.h"
 
 #include <algorithm>
-#include <array>
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/number_text.h"
 #include "ui/setting_editor.h"
+#include "ui/style.h"
 
 namespace isolux::ui {
 
 namespace {
-// The groups a user reaches for first; unknown groups follow in the order of the list.
-constexpr std::array<const char*, 3> firstGroups{"look", "isosurface", "light"};
-// Folded until asked for. `source` is not here at all: the volume panel edits it.
-constexpr std::array<const char*, 3> foldedGroups{"camera", "memory", "picture"};
 
-QString groupOf(const scene::Setting& setting) {
-  return QString::fromStdString(setting.path).section('.', 0, 0);
+constexpr int labelWidth = 104, indentation = 10;
+
+QString wordsToSearch(const scene::Setting& setting, const QString& label, const QString& group) {
+  QString words = group + ' ' + label + ' ' + QString::fromStdString(setting.path) + ' ' +
+                  QString::fromStdString(setting.meaning) + ' ' + QString::fromStdString(setting.unit);
+  for (const std::string& choice : setting.choices) words += ' ' + QString::fromStdString(choice);
+  words.replace('_', ' ');
+  return words.toLower().replace("colour", "color");
 }
 
-std::vector<QString> groups() {
-  std::vector<QString> result(firstGroups.begin(), firstGroups.end());
-  for (const scene::Setting& setting : scene::settings()) {
-    const QString group = groupOf(setting);
-    if (group != "source" && std::find(result.begin(), result.end(), group) == result.end()) {
-      result.push_back(group);
-    }
-  }
-  return result;
-}
-}  // namespace
-
-SettingsPanel::SettingsPanel(QWidget* parent) : QScrollArea(parent) {
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setMinimumWidth(310);
-  auto* content = new QWidget(this);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(8, 6, 6, 8);
-  layout->setSpacing(2);
-  for (const QString& group : groups()) {
-    QWidget* box = addGroup(group, layout);
-    auto* form = new QFormLayout(box);
-    form->setContentsMargins(8, 2, 0, 8);
-    form->setHorizontalSpacing(10);
-    form->setVerticalSpacing(5);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    for (const scene::Setting& setting : scene::settings()) {
-      if (groupOf(setting) != group) continue;
-      auto* editor = new SettingEditor(setting, box);
-      auto* label = new QLabel(wordsOf(QString::fromStdString(setting.path).section('.', 1)), box);
-      label->setToolTip(editor->toolTip());
-      label->setBuddy(editor->valueWidget());
-      label->setFixedWidth(104);
-      label->setWordWrap(true);
-      form->addRow(label, editor);
-      editors_.push_back(editor);
-      connect(editor, &SettingEditor::edited, this, &SettingsPanel::edited);
-      connect(editor, &SettingEditor::dragStarted, this, &SettingsPanel::dragStarted);
-      connect(editor, &SettingEditor::dragEnded, this, &SettingsPanel::dragEnded);
-      connect(editor, &SettingEditor::failed, this, &SettingsPanel::failed);
-    }
-  }
-  layout->addStretch(1);
-  setWidget(content);
-}
-
-QWidget* SettingsPanel::addGroup(const QString& group, QVBoxLayout* layout) {
-  const bool folded = std::find(foldedGroups.begin(), foldedGroups.end(), group) != foldedGroups.end();
-  auto* header = new QToolButton(this);
-  header->setObjectName(group);
-  header->setText(wordsOf(group));
+QToolButton* makeHeader(const PanelGroup& plan, QWidget* parent) {
+  auto* header = new QToolButton(parent);
+  header->setObjectName(plan.title);
+  header->setText(plan.title);
   header->setCheckable(true);
-  header->setChecked(!folded);
   header->setAutoRaise(true);
   header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  header->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
   header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   QFont font = header->font();
   font.setWeight(QFont::DemiBold);
   header->setFont(font);
-  auto* box = new QWidget(this);
-  box->setVisible(!folded);
-  connect(header, &QToolButton::toggled, box, &QWidget::setVisible);
-  connect(header, &QToolButton::toggled, header,
-          [header](bool open) { header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow); });
   header->setStyleSheet("QToolButton { border: 0; padding: 6px 4px; text-align: left; }");
-  layout->addWidget(header);
+  return header;
+}
+
+QFormLayout* makeForm(QWidget* box) {
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(8, 2, 0, 8);
+  form->setHorizontalSpacing(10);
+  form->setVerticalSpacing(5);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  return form;
+}
+
+}  // namespace
+
+SettingsPanel::SettingsPanel(QWidget* parent)
+    : QWidget(parent),
+      search_(new QLineEdit(this)),
+      scroll_(new QScrollArea(this)),
+      nothing_(new QLabel("No setting is called that.", this)) {
+  setMinimumWidth(330);
+  search_->setPlaceholderText("Find a setting");
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName("Find a setting");
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  nothing_->setAlignment(Qt::AlignHCenter);
+  nothing_->setContentsMargins(0, 24, 0, 0);
+  nothing_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  nothing_->hide();
+
+  auto* content = new QWidget(scroll_);
+  auto* groups = new QVBoxLayout(content);
+  groups->setContentsMargins(8, 2, 6, 8);
+  groups->setSpacing(2);
+  groups->addWidget(nothing_);
+  for (const PanelGroup& plan : panelGroups()) addGroup(plan, groups);
+  groups->addStretch(1);
+  scroll_->setWidget(content);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  auto* searchBox = new QVBoxLayout;
+  searchBox->setContentsMargins(12, 8, 12, 6);
+  searchBox->addWidget(search_);
+  layout->addLayout(searchBox);
+  layout->addWidget(scroll_, 1);
+  connect(search_, &QLineEdit::textChanged, this, &SettingsPanel::search);
+}
+
+void SettingsPanel::addGroup(const PanelGroup& plan, QVBoxLayout* layout) {
+  auto* box = new QWidget(this);
+  Group group{makeHeader(plan, this), box, makeForm(box), {}, plan.open};
+  layout->addWidget(group.header);
   layout->addWidget(box);
-  return box;
+  for (const scene::Setting* setting : plan.settings) group.rows.push_back(addRow(*setting, group));
+  groups_.push_back(std::move(group));
+  connect(groups_.back().header, &QToolButton::clicked, this, [this, index = groups_.size() - 1](bool open) {
+    groups_[index].open = open;
+    showGroup(groups_[index]);
+  });
+}
+
+SettingsPanel::Row SettingsPanel::addRow(const scene::Setting& setting, const Group& group) {
+  auto* editor = new SettingEditor(setting, group.box);
+  const RowLabel words = labelOf(setting);
+  auto* label = new QLabel(words.text, group.box);
+  label->setBuddy(editor->valueWidget());
+  label->setWordWrap(true);
+  Row row{editor, label, group.form->rowCount(), wordsToSearch(setting, words.text, group.header->text())};
+  if (editor->isWide()) {
+    auto* both = new QWidget(group.box);
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 2, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(label);
+    column->addWidget(editor);
+    group.form->addRow(both);
+  } else {
+    label->setFixedWidth(labelWidth);
+    if (words.indented) label->setContentsMargins(indentation, 0, 0, 0);
+    group.form->addRow(label, editor);
+  }
+  connect(editor, &SettingEditor::edited, this, &SettingsPanel::edited);
+  connect(editor, &SettingEditor::dragStarted, this, &SettingsPanel::dragStarted);
+  connect(editor, &SettingEditor::dragEnded, this, &SettingsPanel::dragEnded);
+  connect(editor, &SettingEditor::failed, this, &SettingsPanel::failed);
+  return row;
+}
+
+bool SettingsPanel::searching() const {
+  return !search_->text().trimmed().isEmpty();
+}
+
+void SettingsPanel::showGroup(Group& group) {
+  const auto useful = [](const Row& row) { return row.editor->whyInactive().isEmpty(); };
+  const bool anyUseful = std::any_of(group.rows.begin(), group.rows.end(), useful);
+  const bool anyFound =
+      std::any_of(group.rows.begin(), group.rows.end(), [](auto& row) { return row.found; });
+  for (Row& row : group.rows) {
+    const bool shown = searching() ? row.found : useful(row);
+    const QString tip = row.editor->toolTip();
+    if (row.label->toolTip() != tip) row.label->setToolTip(tip);
+    row.label->setEnabled(useful(row));
+    if (shown == row.shown) continue;
+    row.shown = shown;
+    group.form->setRowVisible(row.line, shown);
+  }
+  const bool open = searching() ? anyFound : group.open && anyUseful;
+  group.header->setVisible(!searching() || anyFound);
+  group.header->setEnabled(searching() || anyUseful);
+  group.header->setToolTip(anyUseful ? QString()
+                                     : "Nothing to set here: " + group.rows.front().editor->whyInactive());
+  group.header->setChecked(open);
+  group.header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+  group.box->setVisible(open);
+}
+
+void SettingsPanel::search(const QString& text) {
+  const QStringList wanted =
+      text.toLower().replace("colour", "color").replace('_', ' ').split(' ', Qt::SkipEmptyParts);
+  bool any = false;
+  for (Group& group : groups_) {
+    for (Row& row : group.rows) {
+      row.found = std::all_of(wanted.begin(), wanted.end(),
+                              [&row](const QString& word) { return row.words.contains(word); });
+      any = any || row.found;
+    }
+    showGroup(group);
+  }
+  nothing_->setVisible(!any);
 }
 
 void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
-  for (SettingEditor* editor : editors_) editor->setScene(scene, resolved);
+  for (Group& group : groups_) {
+    for (const Row& row : group.rows) row.editor->setScene(scene, resolved);
+    showGroup(group);
+  }
 }
 
 SettingEditor* SettingsPanel::editor(const QString& path) const {
-  for (SettingEditor* editor : editors_) {
-    if (QString::fromStdString(editor->setting().path) == path) return editor;
-  }
+  for (const Group& group : groups_)
+    for (const Row& row : group.rows)
+      if (QString::fromStdString(row.editor->setting().path) == path) return row.editor;
   return nullptr;
 }
 
-void SettingsPanel::expand(const QString& group) {
-  if (auto* header = findChild<QToolButton*>(group)) header->setChecked(true);
+bool SettingsPanel::shows(const QString& path) const {
+  for (const Group& group : groups_)
+    for (const Row& row : group.rows)
+      if (QString::fromStdString(row.editor->setting().path) == path) return row.shown;
+  return false;
+}
+
+void SettingsPanel::focusSearch() {
+  search_->setFocus();
+  search_->selectAll();
+}
+
+void SettingsPanel::setGroupOpen(const QString& title, bool open) {
+  for (Group& group : groups_) {
+    if (group.header->text() != title) continue;
+    group.open = open;
+    showGroup(group);
+  }
 }
 
 }  // namespace isolux::ui

@@ -1,26 +1,38 @@
 // All settings of the scene as a panel, generated from scene::settings(): a new setting appears by itself.
+//
+// What does nothing under the current choices (scene/relevance.h) is not shown; a search finds it all the
+// same and says why it does nothing.
 #pragma once
 
 #include <vector>
 
-#include <QScrollArea>
+#include <QWidget>
 
 #include "ui/edit.h"
+#include "ui/panel_layout.h"
 
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+class QToolButton;
 class QVBoxLayout;
 
 namespace isolux::ui {
 
 class SettingEditor;
 
-class SettingsPanel : public QScrollArea {
+class SettingsPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SettingsPanel(QWidget* parent = nullptr);
 
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
-  SettingEditor* editor(const QString& path) const;  // null: not shown here
-  void expand(const QString& group);
+  SettingEditor* editor(const QString& path) const;  // null: not edited here
+  bool shows(const QString& path) const;             // the row is there, if its group is open
+  QLineEdit* searchLine() const { return search_; }
+  void focusSearch();
+  void setGroupOpen(const QString& title, bool open);
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);
@@ -29,8 +41,31 @@ class SettingsPanel : public QScrollArea {
   void failed(const QString& message);
 
  private:
-  QWidget* addGroup(const QString& group, QVBoxLayout* layout);
-  std::vector<SettingEditor*> editors_;
+  struct Row {
+    SettingEditor* editor;
+    QLabel* label;
+    int line;           // in the form
+    QString words;      // what a search looks through, in lower case
+    bool found = true;  // by the search
+    bool shown = true;
+  };
+  struct Group {
+    QToolButton* header;
+    QWidget* box;
+    QFormLayout* form;
+    std::vector<Row> rows;
+    bool open;  // as the user left it
+  };
+  void addGroup(const PanelGroup& plan, QVBoxLayout* layout);
+  Row addRow(const scene::Setting& setting, const Group& group);
+  void showGroup(Group& group);
+  void search(const QString& text);
+  bool searching() const;
+
+  QLineEdit* search_;
+  QScrollArea* scroll_;
+  QLabel* nothing_;
+  std::vector<Group> groups_;
 };
 
 }  // namespace isolux::ui

@@ -63,6 +63,7 @@ void applyStyle() {
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
     QSplitter::handle { background: %1; }
     QScrollArea { border: 0; }
+    QHeaderView::section { background: %2; color: %4; border: 0; border-bottom: 1px solid %1; padding: 4px 6px; }
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QDialogButtonBox QPushButton { min-width: 76px; padding: 4px 10px; }
   )")

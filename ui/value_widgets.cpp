@@ -13,6 +13,7 @@
 #include <QWheelEvent>
 
 #include "ui/color_button.h"
+#include "ui/curvature_map_editor.h"
 #include "ui/number_spin_box.h"
 #include "ui/number_text.h"
 #include "ui/setting_editor.h"
@@ -182,30 +183,6 @@ class ToggleWidget : public ValueWidget {
   QCheckBox* box_;
 };
 
-// The list as text, [[kappa1, kappa2, r, g, b], ...].
-class PointsWidget : public ValueWidget {
- public:
-  PointsWidget(const Setting&, QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
-    rowLayout(this)->addWidget(line_, 1);
-    setFocusProxy(line_);
-    connect(line_, &QLineEdit::editingFinished, this, [this] {
-      if (line_->isModified()) Q_EMIT changed(false);
-      line_->setModified(false);
-    });
-  }
-  void showValue(const json& value) override {
-    line_->setText(QString::fromStdString(value.dump()));
-    line_->setCursorPosition(0);
-  }
-  json value() const override {
-    json list = json::parse(line_->text().toStdString(), nullptr, false);
-    return list.is_discarded() ? json(line_->text().toStdString()) : list;
-  }
-
- private:
-  QLineEdit* line_;
-};
-
 class ChoiceWidget : public ValueWidget {
  public:
   ChoiceWidget(const Setting& setting, QWidget* parent)
@@ -295,7 +272,7 @@ ValueWidget* makeValueWidget(const Setting& setting, QWidget* parent) {
     case SettingType::toggle:
       return new ToggleWidget(setting, parent);
     case SettingType::points:
-      return new PointsWidget(setting, parent);
+      return new CurvatureMapEditor(parent);
     case SettingType::vector:
       break;
   }

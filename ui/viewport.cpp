@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/passes.h"
 #include "scene/automatic.h"
 #include "ui/gl_bridge.h"
 #include "ui/viewport_overlay.h"
@@ -20,6 +21,21 @@ namespace isolux::ui {
 namespace {
 constexpr int restMilliseconds = 200;  // after the last change, before the fine picture
 constexpr int pointMilliseconds = 40;  // the pointer's value is looked up at most this often
+
+bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // null: any
+  return std::any_of(report.passes.begin(), report.passes.end(), [pass](const render::PassReport& entry) {
+    return entry.state == render::PassState::ran && (pass == nullptr || entry.name == pass);
+  });
+}
+
+// Whether two scenes differ in nothing but how a surface that is hit already is shown.
+Motion motionBetween(const scene::Scene& from, scene::Scene to) {
+  to.look = from.look;
+  to.flow = from.flow;
+  to.light = from.light;
+  to.isosurface.albedo = from.isosurface.albedo;
+  return to == from ? Motion::look : Motion::rays;
+}
 }  // namespace
 
 Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), overlay_(new ViewportOverlay(this)) {
@@ -60,6 +76,7 @@ void Viewport::initializeGL() {
         [current](const char* name) { return reinterpret_cast<void*>(current->getProcAddress(name)); });
     glDescription_ = QString::fromStdString(describeGl(*gl));
     quality_ = PictureQuality(isSoftware(*gl));
+    quality_.setPicture(resolved_.picture);
     renderer_ = std::make_unique<render::Renderer>(gl);
     renderer_->setVolume(volume_);
     problem_.reset();
@@ -112,23 +129,22 @@ void Viewport::paintGL() {
     return;
   }
   try {
-    lastRequest_ = quality_.request(pixelSize(), resolved_.picture.supersampling);
+    lastRequest_ = quality_.request(pixelSize());
     QElapsedTimer timer;
     timer.start();
     const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);
-    const bool drewAnew = std::any_of(report.passes.begin(), report.passes.end(),
-                                      [](const auto& pass) { return pass.state == render::PassState::ran; });
     renderer_->present(defaultFramebufferObject(), pixelSize());
     const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    if (drewAnew) {  // not when the same picture is only shown again
-      quality_.measured(milliseconds);
+    if (ran(report)) {  // not when the same picture is only shown again
+      quality_.measured(milliseconds, ran(report, render::pass::cast) ? Motion::rays : Motion::look);
       pictureMilliseconds_ = milliseconds;
       if (underMouse()) pointTimer_.start();  // another point may lie under a pointer that rests
     }
-    const int supersampling = resolved_.picture.supersampling;
-    if (quality_.stage() == PictureQuality::Stage::sharp && !quality_.complete(supersampling)) {
-      refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds(supersampling)));
+    const bool waits = refineTimer_.isActive();  // an animation draws while a finer picture is on its way
+    if (quality_.stage() == PictureQuality::Stage::sharp && !quality_.complete() && !waits) {
+      refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
     }
+    Q_EMIT reported(report, lastRequest_);
     Q_EMIT drawn(pictureMilliseconds_, complete());
   } catch (const scene::Error& error) {
     releaseRenderer();
@@ -138,19 +154,19 @@ void Viewport::paintGL() {
 
 bool Viewport::complete() const {
   const glm::ivec2 pixels = pixelSize();
-  return renderer_ && quality_.complete(resolved_.picture.supersampling) && lastRequest_.size == pixels &&
+  return renderer_ && quality_.complete() && lastRequest_.size == pixels &&
          lastRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
 }
 
-void Viewport::redraw() {
-  quality_.changed();
+void Viewport::redraw(Motion motion) {
+  quality_.changed(motion);
   refineTimer_.start(restMilliseconds);
   update();
 }
 
 void Viewport::refine() {
   if (interacting_ || drag_ != Drag::none) return;  // starts again when the gesture ends
-  if (!quality_.refine(resolved_.picture.supersampling)) return;
+  if (!quality_.refine()) return;
   update();  // paintGL() starts the timer for the stage after this one
 }
 
@@ -174,10 +190,18 @@ void Viewport::setVolume(VolumePointer volume) {
 }
 
 void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  const Motion motion = motionBetween(resolved_, resolved);
   scene_ = scene;
   resolved_ = resolved;
   overlay_->setScene(resolved, volume_ != nullptr);
-  redraw();
+  quality_.setPicture(resolved.picture);
+  redraw(motion);
+}
+
+void Viewport::setFlowTime(double seconds) {
+  resolved_.flow.time = seconds;
+  quality_.animated();
+  update();
 }
 
 render::ColorImage Viewport::picture() {
@@ -188,6 +212,7 @@ render::ColorImage Viewport::picture() {
     request.size = pixelSize();
     request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
     renderer_->render(resolved_, request);
+    lastRequest_ = request;  // what pick() reads from now on
     render::ColorImage image = renderer_->readColor();
     doneCurrent();
     return image;

@@ -32,6 +32,7 @@ class Viewport : public QOpenGLWidget {
   void setVolume(VolumePointer volume);
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   void setHint(const QString& text);  // shown while there is no volume
+  void setFlowTime(double seconds);   // an animated flow has moved on
   // While true, pictures stay quick (the isovalue is being dragged).
   void setInteracting(bool interacting);
 
@@ -51,6 +52,7 @@ class Viewport : public QOpenGLWidget {
   void gestureEnded();
   void pointed(const std::optional<isolux::render::Pick>& pick);
   void drawn(double milliseconds, bool complete);
+  void reported(const isolux::render::FrameReport& report, const isolux::render::FrameRequest& request);
   void failed(const QString& message);
 
  protected:
@@ -70,7 +72,7 @@ class Viewport : public QOpenGLWidget {
   enum class Drag { none, orbit, pan, zoom, roll };
   void releaseRenderer();
   void fail(const QString& message);
-  void redraw();  // something changed: a quick picture now, a full one soon
+  void redraw(Motion motion = Motion::rays);  // something changed: a quick picture now, a full one soon
   void refine();
   void dragTo(QPointF position);
   void reportPointed();

@@ -1,5 +1,6 @@
 // What the menu entries of ui/main_window.h do: dialogs, files, full screen, drag and drop.
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -17,6 +18,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/raw_import_dialog.h"
+#include "ui/settings_panel.h"
 #include "ui/viewport.h"
 
 namespace isolux::ui {
@@ -131,7 +133,7 @@ void MainWindow::choosePicture() {
 bool MainWindow::savePicture(const QString& file) {
   try {
     const std::filesystem::path path = file.toStdString();
-    const std::string session = app::sessionText(document_->scene(), path.parent_path());
+    const std::string session = app::sessionText(document_->shownScene(), path.parent_path());
     const render::ColorImage image = viewport_->picture();
     if (file.endsWith(".exr", Qt::CaseInsensitive)) {
       app::writeExr(&image, {}, path, session);
@@ -187,12 +189,29 @@ void MainWindow::toggleFullScreen(bool on) {
   statusBar()->setVisible(!on);
   settingsDock_->setVisible(!on);
   infoDock_->setVisible(!on);
+  passesDock_->setVisible(!on);
   if (on) {
     showFullScreen();
   } else {
     showNormal();
     settingsDock_->raise();
   }
+}
+
+void MainWindow::chooseLook(int mode) {
+  Edit edit{document_->scene(), "Change look", {}, false};
+  edit.scene.look.mode = static_cast<scene::LookMode>(mode);
+  document_->edit(edit);
+}
+
+void MainWindow::stepLook(int step) {
+  const int count = look_->count();
+  chooseLook((static_cast<int>(document_->scene().look.mode) + step + count) % count);
+}
+
+void MainWindow::findSetting() {
+  showPanel("settings");
+  settings_->focusSearch();
 }
 
 void MainWindow::showHelp() {
@@ -210,6 +229,9 @@ void MainWindow::showHelp() {
     <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
     <tr><td><b>1 2 3 4 5 6</b></td><td>from anterior, posterior, left, right, superior, inferior</td></tr>
     <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset the view, fit the volume, orthographic</td></tr>
+    <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>
+    <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
+    <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
     <tr><td><b>F11</b></td><td>full screen</td></tr>
     </table>
     <h4>Histogram</h4>

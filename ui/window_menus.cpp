@@ -1,6 +1,7 @@
 // The menus and the tool bar of ui/main_window.h.
 #include <array>
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
@@ -8,6 +9,7 @@
 #include <QMenuBar>
 #include <QToolBar>
 
+#include "scene/settings.h"
 #include "ui/icons.h"
 #include "ui/main_window.h"
 #include "ui/number_text.h"
@@ -69,6 +71,9 @@ void MainWindow::makeEditMenu() {
   connect(undo_, &QAction::triggered, document_, &Document::undo);
   redo_ = newAction(menu, "&Redo", "redo", QKeySequence::Redo, "Redo");
   connect(redo_, &QAction::triggered, document_, &Document::redo);
+  menu->addSeparator();
+  QAction* find = newAction(menu, "&Find a setting", "", QKeySequence::Find, "Find a setting by its name");
+  connect(find, &QAction::triggered, this, &MainWindow::findSetting);
 }
 
 void MainWindow::makeViewMenu() {
@@ -92,8 +97,21 @@ void MainWindow::makeViewMenu() {
   projection_->setCheckable(true);
   connect(projection_, &QAction::triggered, viewport_, &Viewport::toggleProjection);
   menu->addSeparator();
+  QAction* next = newAction(menu, "&Next look", "", QKeySequence("L"), "Next look");
+  connect(next, &QAction::triggered, this, [this] { stepLook(1); });
+  QAction* previous = newAction(menu, "Pre&vious look", "", QKeySequence("Shift+L"), "Previous look");
+  connect(previous, &QAction::triggered, this, [this] { stepLook(-1); });
+  animate_ = newAction(menu, "&Animate the flow", "animate", QKeySequence("Space"),
+                       "Let the flow move, or stand still");
+  animate_->setCheckable(true);
+  // Only while the picture has the focus: elsewhere the space bar presses buttons.
+  animate_->setShortcutContext(Qt::WidgetShortcut);
+  viewport_->addAction(animate_);
+  connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
+  menu->addSeparator();
   menu->addAction(settingsDock_->toggleViewAction());
   menu->addAction(infoDock_->toggleViewAction());
+  menu->addAction(passesDock_->toggleViewAction());
   menu->addSeparator();
   fullScreen_ = newAction(menu, "Full &screen", "", QKeySequence("F11"), "Full screen");
   fullScreen_->setCheckable(true);
@@ -120,6 +138,17 @@ void MainWindow::makeToolBar() {
   bar->addActions({reset_, fit_, projection_});
   bar->addSeparator();
   for (QAction* action : views_) bar->addAction(action);
+  bar->addSeparator();
+  look_ = new QComboBox(bar);
+  look_->setToolTip("What the picture shows (L, Shift+L: next and previous)");
+  look_->setAccessibleName("Look");
+  look_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  for (const std::string& mode : scene::setting("look.mode").choices)
+    look_->addItem(wordsOf(QString::fromStdString(mode)));
+  look_->setMaxVisibleItems(look_->count());
+  connect(look_, &QComboBox::currentIndexChanged, this, &MainWindow::chooseLook);
+  bar->addWidget(look_);
+  bar->addAction(animate_);
   bar->addSeparator();
   bar->addAction(record_);
 }

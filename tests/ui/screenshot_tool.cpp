@@ -1,7 +1,7 @@
 // Makes a picture of the real window, for the README and the pages.
 //
-//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|volume] [--raw-dialog]
-//                     [--histogram-zoom FACTOR] [--set PATH=VALUE]... PATH
+//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|volume|passes] [--find TEXT]
+//                     [--raw-dialog] [--histogram-zoom FACTOR] [--set PATH=VALUE]... PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -12,6 +12,7 @@
 #include <QCommandLineParser>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QThread>
@@ -23,6 +24,7 @@
 #include "ui/message_bar.h"
 #include "ui/open_window.h"
 #include "ui/raw_import_dialog.h"
+#include "ui/settings_panel.h"
 #include "ui/viewport.h"
 
 namespace {
@@ -77,6 +79,7 @@ int takePicture(const QCommandLineParser& options) {
   if (failed()) return fail(window.messageBar()->text());
   window.messageBar()->clear();
   window.showPanel(options.value("panel"));
+  window.settingsPanel()->searchLine()->setText(options.value("find"));
   const double zoom = options.value("histogram-zoom").toDouble();
   if (zoom > 1.0) window.isovaluePanel()->slider()->zoomAtLine(zoom);
   if (!waitUntil([&] { return window.viewport()->complete(); }))
@@ -101,7 +104,8 @@ int main(int argc, char** argv) {
     QCommandLineParser options;
     options.addOptions({{"out", "The picture to write.", "FILE"},
                         {"size", "Size of the window.", "WxH", "1280x800"},
-                        {"panel", "settings or volume.", "NAME", "settings"},
+                        {"panel", "settings, volume or passes.", "NAME", "settings"},
+                        {"find", "Search the settings for this.", "TEXT"},
                         {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
                         {"set", "Override one setting.", "PATH=VALUE"}});

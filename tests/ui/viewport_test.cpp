@@ -149,7 +149,8 @@ TEST_F(ViewportTest, PicturesInMotionAreRefinedWhenItRests) {
   EXPECT_FALSE(viewport()->complete());
   EXPECT_TRUE(waitUntil([&] { return viewport()->complete(); }));
   // Also when the window was too busy to draw the quick picture in between.
-  const scene::Scene scene = window_->document()->scene(), resolved = window_->document()->resolvedScene();
+  scene::Scene scene = window_->document()->scene(), resolved = window_->document()->resolvedScene();
+  scene.camera.fov = resolved.camera.fov = 31.0;
   viewport()->setScene(scene, resolved);
   QThread::msleep(300);
   EXPECT_FALSE(viewport()->complete());

@@ -1,4 +1,4 @@
-// Parts of the window on their own: histogram arithmetic, picture quality, numbers, colours, settings rows.
+// Parts of the window on their own: histogram arithmetic, numbers, colours, settings rows.
 #include "tests/ui/window_fixture.h"
 
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
@@ -14,7 +15,6 @@
 #include "ui/histogram_plot.h"
 #include "ui/number_spin_box.h"
 #include "ui/number_text.h"
-#include "ui/picture_quality.h"
 #include "ui/setting_editor.h"
 #include "ui/settings_panel.h"
 
@@ -78,29 +78,6 @@ TEST(HistogramPlot, TicksAreRoundNumbersApart) {
   }
 }
 
-TEST(PictureQuality, IsQuickWhileMovingThenSharpThenFull) {
-  ui::PictureQuality quality;
-  const glm::ivec2 pixels{800, 600};
-  EXPECT_EQ(quality.request(pixels, 2).supersampling, 1);
-  quality.measured(400.0);
-  EXPECT_LT(quality.request(pixels, 2).size.x, 400);
-  EXPECT_TRUE(quality.refine(2));
-  EXPECT_EQ(quality.request(pixels, 2).size, pixels);
-  EXPECT_EQ(quality.request(pixels, 2).supersampling, 1);
-  EXPECT_FALSE(quality.complete(2));
-  quality.measured(300.0);
-  EXPECT_DOUBLE_EQ(quality.pauseMilliseconds(2), 600.0);  // half of what the last step will take
-  EXPECT_TRUE(quality.refine(2));
-  EXPECT_EQ(quality.request(pixels, 2).supersampling, 2);
-  EXPECT_TRUE(quality.complete(2));
-  EXPECT_FALSE(quality.refine(2));
-  quality.changed();
-  EXPECT_FALSE(quality.complete(2));
-  for (int i = 0; i < 10; ++i) quality.measured(5.0);  // a fast machine gets the full size back
-  EXPECT_EQ(quality.request(pixels, 2).size, pixels);
-  EXPECT_TRUE(quality.complete(1));
-}
-
 TEST(Numbers, ReadWell) {
   EXPECT_EQ(ui::numberText(300.0), "300");
   EXPECT_EQ(ui::numberText(-0.25), "-0.25");
@@ -144,11 +121,90 @@ class SettingsPanelTest : public testing::Test {
   ui::SettingsPanel panel_;
 };
 
-TEST_F(SettingsPanelTest, HasARowForEverySettingButTheSource) {
+TEST_F(SettingsPanelTest, EverySettingHasOneRowButThoseOfTheSource) {
+  std::multiset<std::string> rows;
+  for (const ui::PanelGroup& group : ui::panelGroups()) {
+    EXPECT_FALSE(group.settings.empty()) << group.title.toStdString();
+    for (const scene::Setting* setting : group.settings) rows.insert(setting->path);
+  }
   for (const scene::Setting& setting : scene::settings()) {
     const bool source = setting.path.starts_with("source.");
+    EXPECT_EQ(rows.count(setting.path), source ? 0U : 1U) << setting.path;
     EXPECT_EQ(panel_.editor(QString::fromStdString(setting.path)) == nullptr, source) << setting.path;
   }
+}
+
+TEST_F(SettingsPanelTest, RowsThatDoNothingAreHiddenUntilTheyActAndASearchSaysWhy) {
+  EXPECT_FALSE(panel_.shows("look.curvature_points"));
+  EXPECT_FALSE(panel_.shows("hit.rate"));
+  EXPECT_FALSE(panel_.shows("isosurface2.value"));
+  EXPECT_TRUE(panel_.shows("look.shininess"));
+  auto* mode = panel_.editor("look.mode")->findChild<QComboBox*>();
+  mode->setCurrentIndex(mode->findData("curvature_2d"));
+  EXPECT_TRUE(panel_.shows("look.curvature_points"));
+  EXPECT_FALSE(panel_.shows("look.shininess"));
+  panel_.editor("isosurface2.shown")->findChild<QCheckBox*>()->click();
+  EXPECT_TRUE(panel_.shows("isosurface2.value"));
+
+  panel_.searchLine()->setText("samples per  RATE");
+  EXPECT_TRUE(panel_.shows("hit.rate"));
+  EXPECT_FALSE(panel_.shows("look.mode"));
+  const ui::SettingEditor* rate = panel_.editor("hit.rate");
+  EXPECT_FALSE(rate->isEnabled());
+  EXPECT_TRUE(rate->toolTip().startsWith("Does nothing now: hits are exact."))
+      << rate->toolTip().toStdString();
+  auto* method = panel_.editor("hit.method")->findChild<QComboBox*>();
+  method->setCurrentIndex(method->findData("sampled"));
+  EXPECT_TRUE(rate->isEnabled());
+  EXPECT_FALSE(rate->toolTip().contains("Does nothing"));
+  panel_.searchLine()->clear();
+  EXPECT_TRUE(panel_.shows("hit.rate"));
+  EXPECT_TRUE(panel_.shows("look.mode"));
+}
+
+TEST_F(SettingsPanelTest, ASearchOpensFoldedGroupsAndFindsChoices) {
+  panel_.resize(350, 700);
+  panel_.show();
+  QWidget* memory = panel_.editor("memory.layout");
+  EXPECT_FALSE(memory->isVisible());
+  panel_.searchLine()->setText("bricks");
+  EXPECT_TRUE(memory->isVisible());
+  panel_.searchLine()->setText("viridis");  // of a setting that does nothing under this look
+  EXPECT_TRUE(panel_.editor("look.colormap")->isVisible());
+  panel_.searchLine()->clear();
+  EXPECT_FALSE(memory->isVisible());
+  panel_.setGroupOpen("Memory", true);
+  EXPECT_TRUE(memory->isVisible());
+}
+
+TEST_F(SettingsPanelTest, UnitIntervalsAreSlidersAndTogglesCheckBoxes) {
+  for (const scene::Setting& setting : scene::settings()) {
+    const ui::SettingEditor* editor = panel_.editor(QString::fromStdString(setting.path));
+    if (editor == nullptr) continue;
+    const bool unit =
+        setting.type == scene::SettingType::number && setting.minimum == 0.0 && setting.maximum == 1.0;
+    if (unit) {
+      EXPECT_NE(editor->findChild<QSlider*>(), nullptr) << setting.path;
+    }
+    if (setting.type == scene::SettingType::toggle) {
+      EXPECT_NE(editor->findChild<QCheckBox*>(), nullptr) << setting.path;
+    }
+    if (setting.unit == "linear RGB") {
+      EXPECT_NE(editor->findChild<ui::ColorButton*>(), nullptr) << setting.path;
+    }
+  }
+}
+
+TEST_F(SettingsPanelTest, AnAutomaticValueThatOnlyThePictureKnowsCanBeFixed) {
+  scene_.look.mode = scene::LookMode::kappa1;
+  panel_.setScene(scene_, scene_);
+  ui::SettingEditor* editor = panel_.editor("look.range_high");
+  EXPECT_TRUE(editor->valueWidget()->isHidden());  // there is no number to show
+  editor->findChild<QCheckBox*>()->click();
+  EXPECT_FALSE(editor->valueWidget()->isHidden());
+  EXPECT_EQ(scene_.look.rangeHigh, 0.0);
+  editor->findChild<QCheckBox*>()->click();
+  EXPECT_FALSE(scene_.look.rangeHigh.has_value());
 }
 
 TEST_F(SettingsPanelTest, AChoiceEditsTheSceneAndCanBeReset) {
