@@ -71,6 +71,12 @@ struct AovImage {
   std::vector<float> values;  // channels interleaved
 };
 
+// The look before the background lies behind it: linear RGBA, premultiplied by opacity, one texel per ray.
+struct LinearImage {
+  glm::ivec2 size{0};
+  std::vector<float> rgba;  // row 0 is the top row
+};
+
 // The surface point under a pixel.
 struct Pick {
   glm::dvec3 worldMm{0.0}, voxel{0.0};

@@ -1,5 +1,9 @@
 #include "render/frame_state.h"
 
+#include <glm/geometric.hpp>
+
+#include "volume/curvature.h"
+
 namespace isolux::render {
 
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
@@ -44,6 +48,29 @@ void FrameState::setView(Program& program) const {
   program.set("uHalfExtent", glm::vec2(view->halfExtent));
   program.set("uOrthographic", view->orthographic ? 1 : 0);
   program.set("uPictureSize", raySize());
+}
+
+void FrameState::setPoint(Program& program, int unit) const {
+  program.setTexture("uSurface", unit, image(pass::refine, 0));
+  if (needsOf(*scene).gradient) program.setTexture("uGradient", unit + 1, gradientImage());
+  program.set("uRightWorld", glm::vec3(view->rightWorld));
+  program.set("uUpWorld", glm::vec3(view->upWorld));
+  program.set("uForwardWorld", glm::vec3(view->forwardWorld));
+  program.set("uOutward", static_cast<float>(outward()));
+  program.set("uWorldFromVoxel", glm::mat3(volume->grid().geometry().worldFromVoxel));
+}
+
+glm::dvec3 FrameState::towardLight() const {
+  const glm::dvec3 given = scene->light.direction;
+  const bool inCamera = scene->light.space == scene::LightSpace::camera;
+  if (!(glm::length(given) > 0.0)) return -view->forwardWorld;
+  const glm::dvec3 d = glm::normalize(given);
+  return inCamera ? d.x * view->rightWorld + d.y * view->upWorld - d.z * view->forwardWorld : d;
+}
+
+double FrameState::flatCurvature() const {
+  const volume::GridGeometry& geometry = volume->grid().geometry();
+  return volume::curvatureScale(geometry, scene->derivatives.field, 0.0).flatCurvature;
 }
 
 void FrameState::setIsovalues(Program& program, scene::Field field) const {

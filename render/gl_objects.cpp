@@ -40,6 +40,7 @@ std::size_t texelBytes(GLenum internalFormat) {
     case GL_R8:
       return 1;
     case GL_R16:
+    case GL_R16F:
       return 2;
     case GL_R32F:
     case GL_RGBA8:
@@ -48,6 +49,8 @@ std::size_t texelBytes(GLenum internalFormat) {
     case GL_RG32UI:
     case GL_RGBA16F:
       return 8;
+    case GL_RGB32F:
+      return 12;
     case GL_RGBA32F:
       return 16;
     default:

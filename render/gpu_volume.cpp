@@ -129,6 +129,13 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   }
 }
 
+volume::CurvatureStatistics GpuVolume::curvatureStatistics(scene::Field field, double value, double outward) {
+  if (!hasCells()) return {};
+  const std::vector<float>* const spline =
+      field == scene::Field::cubic_interpolating ? &coefficients() : nullptr;
+  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, spline);
+}
+
 std::size_t GpuVolume::bytes() const {
   std::size_t sum = blockBytes();
   for (const auto* texture : {&samplesTexture_, &coefficientsTexture_})

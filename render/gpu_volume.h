@@ -14,6 +14,7 @@
 #include "scene/scene.h"
 #include "volume/active_blocks.h"
 #include "volume/box_bounds.h"
+#include "volume/curvature_statistics.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::render {
@@ -38,6 +39,10 @@ class GpuVolume {
   double texelOf(double value, scene::Field field) const;
   double dataUnitsPerTexel() const;  // of uVolume
   double dataUnitsPerTexel(scene::Field field) const;
+
+  // How the surface of `value` (data units) is curved by the derivatives of `field`. All 0 where there is
+  // none.
+  volume::CurvatureStatistics curvatureStatistics(scene::Field field, double value, double outward);
 
   // Makes the blocks active that the surfaces of `values` (data units) of this field can cross; uploads
   // flags and faces, in time proportional to what changes.

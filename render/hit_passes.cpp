@@ -75,6 +75,16 @@ void HitPasses::segments(FrameState& frame) {
   gl.BlendEquation(GL_FUNC_ADD);
 }
 
+void HitPasses::setTrace(FrameState& frame, Program& p) {
+  const scene::Field field = frame.scene->hit.field;
+  frame.setView(p);
+  frame.volume->bind(p, field);
+  frame.setIsovalues(p, field);
+  p.setTexture("uBlockMasks", 3, frame.volume->maskTexture());
+  p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
+  p.set("uBlockShift", std::countr_zero(static_cast<unsigned>(frame.volume->blocks().blockCells())));
+}
+
 Program& HitPasses::castProgram(FrameState& frame, bool behind) {
   const scene::Hit& hit = frame.scene->hit;
   const bool exact = hit.method == scene::HitMethod::exact;
@@ -83,13 +93,8 @@ Program& HitPasses::castProgram(FrameState& frame, bool behind) {
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
   if (behind) defines += "#define BEHIND\n";
   Program& p = frame.program("cast.frag.glsl", defines);
-  frame.setView(p);
-  frame.volume->bind(p, hit.field);
-  frame.setIsovalues(p, hit.field);
+  setTrace(frame, p);
   p.setTexture("uSegments", 2, frame.images.at(pass::segments).images[0]);
-  p.setTexture("uBlockMasks", 3, frame.volume->maskTexture());
-  p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
-  p.set("uBlockShift", std::countr_zero(static_cast<unsigned>(frame.volume->blocks().blockCells())));
   if (!exact) {
     p.set("uStep", static_cast<float>(1.0 / hit.rate));
     p.set("uNearFactor", static_cast<float>(hit.nearFactor));

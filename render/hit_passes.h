@@ -17,6 +17,10 @@ class HitPasses {
   bool castBehind(FrameState& frame, const std::string& front);
   void refine(FrameState& frame);
 
+  // Sets what trace.glsl and trace_cubic.glsl read: view, volume, isovalues, block masks. Texture units 0,
+  // 1, 3.
+  static void setTrace(FrameState& frame, Program& program);
+
  private:
   Program& castProgram(FrameState& frame, bool behind);
   const Target& castTarget(FrameState& frame) const;

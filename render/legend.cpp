@@ -160,7 +160,7 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
   const Measures m(pictureHeight);
   const Font font(m.text);
   const int length = std::max(pictureHeight * 20 / 100, 6 * m.text);
-  const Ticks ticks(legend.low, legend.high, 3);
+  const Ticks ticks(legend.low, legend.high, 4);
   const std::string vertical = axisTitle(legend.quantityVertical, legend.unit, ticks.format.exponent);
   const std::string horizontal = axisTitle(legend.quantity, legend.unit, ticks.format.exponent);
 

@@ -1,6 +1,8 @@
 #include "render/look_passes.h"
 
-#include <glm/geometric.hpp>
+#include "render/curvature_ranges.h"
+#include "render/legend_overlay.h"
+#include "scene/relevance.h"
 
 namespace isolux::render {
 
@@ -8,27 +10,48 @@ namespace {
 
 constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 
-glm::vec3 towardLight(const FrameState& frame) {
-  const ViewUniforms& view = *frame.view;
-  const glm::dvec3 given = frame.scene->light.direction;
-  const glm::dvec3 d = glm::length(given) > 0.0 ? glm::normalize(given) : glm::dvec3(0.0, 0.0, 1.0);
-  return d.x * view.rightWorld + d.y * view.upWorld - d.z * view.forwardWorld;
+// Texture units of shade.frag.glsl.
+enum Unit {
+  surfaceUnit,
+  gradientUnit,
+  infoUnit,
+  kappaUnit,
+  directionUnit,
+  colorMapUnit,
+  shadowUnit,
+  flowUnit
+};
+
+// The parts of shade.frag.glsl that this scene needs.
+std::string definesOf(const scene::Scene& scene) {
+  const scene::Look& look = scene.look;
+  const LookNeeds needs = needsOf(scene);
+  const auto number = [](const char* name, auto value) {
+    return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
+  };
+  const auto flag = [](const char* name, bool on) {
+    return on ? "#define " + std::string(name) + "\n" : std::string();
+  };
+  return number("LOOK", look.mode) + number("SHADING", scene::shadingOf(scene)) +
+         number("TEXTURE", look.texture) + flag("CURVATURE", needs.curvature) + flag("SHADOW", needs.shadow) +
+         flag("FLOW", needs.flow) + flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
+         flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility) +
+         flag("RIDGES", look.ridges > 0.0) + flag("CONTOURS", look.contours > 0.0) +
+         flag("SUGGESTIVE", look.suggestiveContours > 0.0);
 }
 
 }  // namespace
 
-void LookPasses::drawShading(FrameState& frame) {
-  const scene::Look& look = frame.scene->look;
-  Program& p =
-      frame.program("shade.frag.glsl", "#define LOOK " + std::to_string(static_cast<int>(look.mode)) + "\n");
-  frame.setView(p);
-  p.setTexture("uSurface", 0, frame.image(pass::refine, 0));
-  p.setTexture("uInfo", 1, frame.image(pass::refine, 1));
-  if (needsOf(*frame.scene).gradient) p.setTexture("uGradient", 2, frame.gradientImage());
-  p.set("uRightWorld", glm::vec3(frame.view->rightWorld));
-  p.set("uUpWorld", glm::vec3(frame.view->upWorld));
-  p.set("uForwardWorld", glm::vec3(frame.view->forwardWorld));
-  p.set("uOutward", static_cast<float>(frame.outward()));
+void LookPasses::ranges(FrameState& frame) {
+  std::vector<volume::CurvatureStatistics> all;
+  if (frame.volume)
+    for (const Surface& surface : frame.surfaces)
+      all.push_back(
+          frame.volume->curvatureStatistics(frame.scene->derivatives.field, surface.value, frame.outward()));
+  statistics_ = outerBounds(all);
+}
+
+void LookPasses::setSurfaces(FrameState& frame, Program& p) const {
   glm::vec4 opacities(1.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
     const std::string name = "uAlbedos[" + std::to_string(i) + "]";
@@ -36,12 +59,85 @@ void LookPasses::drawShading(FrameState& frame) {
     opacities[static_cast<int>(i)] = static_cast<float>(frame.surfaces[i].opacity);
   }
   p.set("uOpacities", opacities);
+}
+
+void LookPasses::setLight(FrameState& frame, Program& p) const {
+  const scene::Look& look = frame.scene->look;
+  const scene::Light& light = frame.scene->light;
   p.set("uAmbient", static_cast<float>(look.ambient));
+  p.set("uAmbientVariation", static_cast<float>(look.ambientVariation));
   p.set("uSpecular", static_cast<float>(look.specular));
   p.set("uShininess", static_cast<float>(look.shininess));
-  p.set("uIntensity", static_cast<float>(frame.scene->light.intensity));
-  p.set("uLight", towardLight(frame));
+  p.set("uLight", glm::vec3(frame.towardLight()));
+  p.set("uLightColor", glm::vec3(light.color * light.intensity));
+  p.set("uHeadlight", static_cast<float>(light.headlight));
+  p.set("uToneCool", glm::vec3(look.toneCool));
+  p.set("uToneWarm", glm::vec3(look.toneWarm));
+  if (needsOf(*frame.scene).shadow) p.setTexture("uLit", shadowUnit, frame.image(pass::shadow));
+  p.set("uShadow", static_cast<float>(look.shadow));
+}
+
+void LookPasses::setMeasure(FrameState& frame, Program& p) {
+  const scene::Look& look = frame.scene->look;
+  p.setTexture("uKappa", kappaUnit, frame.image(pass::curvature, 0));
+  p.setTexture("uDirection", directionUnit, frame.image(pass::curvature, 1));
+  p.set("uFlat", static_cast<float>(frame.flatCurvature()));
+  if (!isMeasure(look.mode)) return;
+  const bool same = colors_ && colorsOf_.mode == look.mode && colorsOf_.colormap == look.colormap &&
+                    colorsOf_.curvaturePoints == look.curvaturePoints;
+  if (!same) {
+    const MeasureColors colors = measureColors(look);
+    colors_ = Texture::make2D(frame.gl, GL_RGB32F, colors.size);
+    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    frame.gl->TextureSubImage2D(colors_.id(), 0, 0, 0, colors.size.x, colors.size.y, GL_RGB, GL_FLOAT,
+                                colors.texels.data());
+    colorsOf_ = look;
+  }
+  p.setTexture("uColorMap", colorMapUnit, colors_);
+  p.set("uRange", glm::vec2(measureRange(*frame.scene, statistics_, frame.flatCurvature())));
+}
+
+void LookPasses::setLines(FrameState& frame, Program& p) const {
+  const scene::Look& look = frame.scene->look;
+  p.set("uRidges", static_cast<float>(look.ridges));
+  p.set("uRidgeThresholds", glm::vec2(ridgeThresholds(*frame.scene, statistics_, frame.flatCurvature())));
+  p.set("uRidgeColor", glm::vec3(look.ridgeColor));
+  p.set("uValleyColor", glm::vec3(look.valleyColor));
+  p.set("uContours", static_cast<float>(look.contours));
+  p.set("uSuggestiveContours", static_cast<float>(look.suggestiveContours));
+  p.set("uContourWidth", static_cast<float>(look.contourWidth * frame.request.supersampling));
+  p.set("uContourColor", glm::vec3(look.contourColor));
+  p.set("uCurvatureScale", static_cast<float>(curvatureScale(statistics_, frame.flatCurvature())));
+}
+
+void LookPasses::setOverlays(FrameState& frame, Program& p) const {
+  const scene::Scene& scene = *frame.scene;
+  const scene::Look& look = scene.look;
+  const bool full = look.mode == scene::LookMode::accessibility;
+  p.set("uAccessibility", static_cast<float>(full ? 1.0 : look.accessibility));
+  p.set("uHollow", static_cast<float>(curvatureScale(statistics_, frame.flatCurvature())));
+  if (needsOf(scene).flow) p.setTexture("uFlow", flowUnit, frame.image(pass::flow));
+  p.set("uFlowStrength", static_cast<float>(look.mode == scene::LookMode::flow ? 1.0 : scene.flow.strength));
+  p.set("uTextureScale", static_cast<float>(look.textureScale.value_or(1.0)));
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
+  p.set("uFog", static_cast<float>(look.fog));
+  p.set("uFogColor", glm::vec3(look.fogColor.value_or(glm::dvec3(0.0))));
+  p.set("uBackgroundTop", glm::vec3(look.backgroundTop));
+  p.set("uBackgroundBottom", glm::vec3(look.backgroundBottom));
+}
+
+void LookPasses::drawShading(FrameState& frame) {
+  Program& p = frame.program("shade.frag.glsl", definesOf(*frame.scene));
+  frame.setView(p);
+  frame.setPoint(p, surfaceUnit);
+  p.setTexture("uInfo", infoUnit, frame.image(pass::refine, 1));
+  setSurfaces(frame, p);
+  setLight(frame, p);
+  if (needsOf(*frame.scene).curvature) {
+    setMeasure(frame, p);
+    setLines(frame, p);
+  }
+  setOverlays(frame, p);
   frame.drawFullscreen(p);
 }
 
@@ -54,7 +150,8 @@ void LookPasses::shade(FrameState& frame) {
     drawShading(frame);
 }
 
-void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives) {
+void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives,
+                        EffectPasses& effects) {
   const Target& color = frame.target(pass::layers, {GL_RGBA16F});
   const Target& front = frame.images.at(pass::shade);
   const glm::ivec2 size = frame.raySize();
@@ -74,6 +171,12 @@ void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& de
       derivatives.curvature(frame);
     } else if (needsOf(*frame.scene).gradient) {
       derivatives.gradient(frame);
+    }
+    const LookNeeds needs = needsOf(*frame.scene);
+    if (needs.shadow) effects.shadow(frame);
+    if (needs.flow) {
+      effects.flowField(frame);
+      effects.flow(frame);
     }
     frame.begin(color);
     gl.Enable(GL_BLEND);
@@ -95,6 +198,8 @@ void LookPasses::resolve(FrameState& frame) {
   p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));
   p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
   frame.drawFullscreen(p);
+  if (frame.volume && showsLegend(*frame.scene))
+    drawLegendOver(frame, target, measureRange(*frame.scene, statistics_, frame.flatCurvature()));
 }
 
 }  // namespace isolux::render

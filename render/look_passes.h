@@ -1,22 +1,36 @@
-// From surface points and their derivatives to the picture: shade, layers and resolve (render/passes.h).
+// From surface points and their derivatives to the picture: ranges, shade, layers and resolve
+// (render/passes.h).
 #pragma once
 
 #include "render/derivative_passes.h"
+#include "render/effect_passes.h"
 #include "render/frame_state.h"
 #include "render/hit_passes.h"
+#include "volume/curvature_statistics.h"
 
 namespace isolux::render {
 
 class LookPasses {
  public:
+  void ranges(FrameState& frame);
   void shade(FrameState& frame);
   // Crossings behind transparent surfaces, one after another until nothing is seen any more.
-  void layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives);
+  void layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives, EffectPasses& effects);
   void resolve(FrameState& frame);
 
  private:
   // Draws the look of the frame's layer into what is bound.
   void drawShading(FrameState& frame);
+  void setSurfaces(FrameState& frame, Program& program) const;
+  void setLight(FrameState& frame, Program& program) const;
+  void setMeasure(FrameState& frame, Program& program);
+  void setLines(FrameState& frame, Program& program) const;
+  void setOverlays(FrameState& frame, Program& program) const;
+
+  volume::CurvatureStatistics statistics_;
+  // The colour map's samples, and what they were made from.
+  Texture colors_;
+  scene::Look colorsOf_;
 };
 
 }  // namespace isolux::render

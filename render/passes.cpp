@@ -1,8 +1,12 @@
 #include "render/passes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <optional>
+
+#include "render/curvature_ranges.h"
+#include "scene/relevance.h"
 
 namespace isolux::render {
 
@@ -20,7 +24,10 @@ class Hasher {
     return *this;
   }
   Hasher& add(const glm::dvec3& v) { return add(v.x).add(v.y).add(v.z); }
-  Hasher& add(const std::optional<glm::dvec3>& v) { return v ? add(true).add(*v) : add(false); }
+  template <class T>
+  Hasher& add(const std::optional<T>& v) {
+    return v ? add(true).add(*v) : add(false);
+  }
   operator std::uint64_t() const { return hash_; }
 
  private:
@@ -37,25 +44,119 @@ bool isTransparent(const scene::Scene& scene) {
          transparent(scene.isosurface4);
 }
 
+namespace {
+
+bool isPlain(const scene::Scene& scene) {  // shows a raw quantity, with nothing laid over it
+  return scene.look.mode == scene::LookMode::normal || scene.look.mode == scene::LookMode::depth;
+}
+
+bool needsCurvature(const scene::Scene& scene) {
+  using scene::LookMode;
+  const scene::Look& look = scene.look;
+  if (isPlain(scene)) return false;
+  return (look.mode >= LookMode::kappa1 && look.mode <= LookMode::accessibility) ||
+         look.accessibility > 0.0 || look.ridges > 0.0 || look.contours > 0.0 ||
+         look.suggestiveContours > 0.0 || scene::showsFlow(scene);
+}
+
+}  // namespace
+
+bool isMeasure(scene::LookMode mode) {
+  return mode >= scene::LookMode::kappa1 && mode <= scene::LookMode::curvature_2d;
+}
+
+bool showsLegend(const scene::Scene& scene) {
+  return scene.look.legend && isMeasure(scene.look.mode);
+}
+
 LookNeeds needsOf(const scene::Scene& scene) {
   LookNeeds needs;
   needs.gradient = scene.look.mode != scene::LookMode::depth;
+  needs.curvature = needsCurvature(scene);
+  needs.ranges = readsCurvatureRanges(scene);
+  needs.shadow = scene.look.shadow > 0.0 && scene::shadingOf(scene) != scene::Shading::unlit;
+  needs.flow = scene::showsFlow(scene);
   return needs;
+}
+
+double flowPhase(const scene::Flow& flow) {
+  const double passes = flow.time * flow.speed;
+  return passes - std::floor(passes);
 }
 
 namespace {
 
+// A setting is a parameter only where it acts: each group is added where the look has it.
+void addLight(Hasher& hash, const scene::Scene& scene) {
+  const scene::Look& look = scene.look;
+  const scene::Light& light = scene.light;
+  const scene::Shading shading = scene::shadingOf(scene);
+  hash.add(shading);
+  if (shading == scene::Shading::unlit) return;
+  hash.add(light.space).add(light.direction).add(look.shadow);
+  if (shading == scene::Shading::tone) {
+    hash.add(look.toneCool).add(look.toneWarm);
+    return;
+  }
+  hash.add(look.ambient)
+      .add(look.ambientVariation)
+      .add(light.color)
+      .add(light.intensity)
+      .add(light.headlight);
+  if (shading == scene::Shading::blinn_phong) hash.add(look.specular).add(look.shininess);
+}
+
+void addMeasure(Hasher& hash, const scene::Look& look) {
+  if (!isMeasure(look.mode)) return;
+  hash.add(look.rangeLow).add(look.rangeHigh);
+  if (look.mode != scene::LookMode::curvature_2d) {
+    hash.add(look.colormap);
+    return;
+  }
+  for (const scene::CurvaturePoint& point : look.curvaturePoints)
+    hash.add(point.kappa1).add(point.kappa2).add(point.color);
+}
+
+void addLines(Hasher& hash, const scene::Look& look) {
+  hash.add(look.accessibility).add(look.ridges).add(look.contours).add(look.suggestiveContours);
+  if (look.ridges > 0.0) hash.add(look.ridgeThreshold).add(look.ridgeColor).add(look.valleyColor);
+  if (look.contours > 0.0 || look.suggestiveContours > 0.0)
+    hash.add(look.contourWidth).add(look.contourColor);
+}
+
 std::uint64_t lookHash(const scene::Scene& scene) {
-  using scene::LookMode;
   const scene::Look& look = scene.look;
   Hasher hash;
   hash.add(look.mode);
-  const bool lit = look.mode != LookMode::normal && look.mode != LookMode::depth;
-  if (lit) {
-    hash.add(look.ambient).add(scene.light.direction).add(scene.light.intensity);
-    if (look.mode == LookMode::blinn_phong) hash.add(look.specular).add(look.shininess);
-  }
   if (needsOf(scene).gradient) hash.add(scene.isosurface.inside);
+  if (isPlain(scene)) return hash;
+  addLight(hash, scene);
+  addMeasure(hash, look);
+  addLines(hash, look);
+  hash.add(look.texture);
+  if (look.texture != scene::SolidTexture::none) hash.add(look.textureScale);
+  hash.add(look.fog);
+  if (look.fog > 0.0) hash.add(look.fogColor);
+  if (look.fog > 0.0 && !look.fogColor) hash.add(look.backgroundTop).add(look.backgroundBottom);
+  hash.add(scene.flow.strength);
+  return hash;
+}
+
+std::uint64_t legendHash(const scene::Scene& scene) {
+  Hasher hash;
+  hash.add(showsLegend(scene));
+  if (!showsLegend(scene)) return hash;
+  hash.add(scene.look.mode);
+  addMeasure(hash, scene.look);
+  return hash;
+}
+
+// What the shadow ray depends on but where it starts.
+std::uint64_t shadowHash(const scene::Scene& scene) {
+  Hasher hash;
+  hash.add(scene.light.space).add(scene.light.direction).add(scene.isosurface.opacity >= 1.0);
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
+    hash.add(extra->opacity >= 1.0);
   return hash;
 }
 
@@ -140,6 +241,16 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                         ""};
   if (needs.gradient) shade.reads.emplace_back(image::gradient);
   if (needs.curvature) shade.reads.emplace_back(image::curvature);
+  if (needs.ranges) shade.reads.emplace_back(image::ranges);
+  if (needs.shadow) shade.reads.emplace_back(image::shadow);
+  if (needs.flow) shade.reads.emplace_back(image::flow);
+  const Parameter splineOf{"derivatives.field",
+                           Hasher().add(scene.derivatives.field == scene::Field::cubic_interpolating)};
+  const Parameter light{"light", needs.shadow ? shadowHash(scene) : Hasher()};
+  const scene::Flow& flow = scene.flow;
+  const Parameter streaks{"flow field", needs.flow ? Hasher().add(flow.direction).add(flow.grain) : Hasher()};
+  const Parameter pattern{
+      "flow", needs.flow ? Hasher().add(flow.length).add(flow.grain).add(flowPhase(flow)) : Hasher()};
   PassDeclaration layers{pass::layers,
                          {image::front, image::surface, image::activeBlocks, image::segments},
                          {transparent ? image::color : "layers"},
@@ -156,9 +267,16 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                           noise,
                           lookOf,
                           surfaces,
+                          light,
+                          streaks,
+                          pattern,
                           {"isosurface.layers", Hasher().add(scene.isosurface.layers)}},
                          "every surface is opaque"};
+  if (needs.ranges) layers.reads.emplace_back(image::ranges);
   if (!transparent) layers.reads = {image::surface};
+  PassDeclaration resolve{
+      pass::resolve, {image::color}, {image::picture}, {size, background, {"legend", legendHash(scene)}}, ""};
+  if (showsLegend(scene) && needs.ranges) resolve.reads.emplace_back(image::ranges);
 
   return {
       {pass::blocks, {}, {image::activeBlocks, image::faces}, {volume, isovalue, hitField}, ""},
@@ -168,9 +286,21 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
       gradient,
       hessian,
       {pass::curvature, {image::gradient, image::hessian}, {image::curvature}, {inside, noise}, ""},
+      {pass::ranges, {}, {image::ranges}, {volume, isovalue, splineOf, inside}, ""},
+      {pass::shadow,
+       {image::surface, image::gradient, image::activeBlocks},
+       {image::shadow},
+       {camera, method, hitField, inside, light},
+       ""},
+      {pass::flowField,
+       {image::surface, image::gradient, image::curvature},
+       {image::flowField},
+       {camera, size, inside, streaks},
+       ""},
+      {pass::flow, {image::flowField}, {image::flow}, {size, pattern}, ""},
       shade,
       layers,
-      {pass::resolve, {image::color}, {image::picture}, {size, background}, ""},
+      resolve,
   };
 }
 

@@ -6,9 +6,14 @@
 //   bracket [t0, t1] refine     the surface point of a sampled hit: bracket narrowed on the exact field of
 //   hit.field gradient   world gradient at the surface point, by the field of derivatives.field (image space)
 //   hessian    the same with the world Hessian, from the same samples: runs instead where second derivatives
-//   are read curvature  principal curvatures, first direction, confidence shade      the look, linear colour,
-//   of the first crossing layers     the crossings behind transparent surfaces: cast to shade again for each,
-//   composited front to back resolve    background, supersamples averaged, sRGB encoded
+//              are read
+//   curvature  principal curvatures, first direction, confidence
+//   ranges     the surface's curvature as a whole, from the volume: numbers that are automatic   (no view)
+//   shadow     a second ray from each surface point to the key light
+//   flow field direction on screen and noise on the surface;  flow: streaks along it
+//   shade      the look, linear colour, of the first crossing
+//   layers     the crossings behind transparent surfaces: cast to shade again for each, front to back
+//   resolve    background, supersamples averaged, sRGB encoded, legend
 #pragma once
 
 #include <cstdint>
@@ -21,21 +26,33 @@ namespace isolux::render {
 namespace pass {
 inline constexpr const char *blocks = "blocks", *segments = "segments", *cast = "cast", *refine = "refine",
                             *gradient = "gradient", *hessian = "hessian", *curvature = "curvature",
+                            *ranges = "ranges", *shadow = "shadow", *flowField = "flow field", *flow = "flow",
                             *shade = "shade", *layers = "layers", *resolve = "resolve";
 }
 namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *faces = "block faces",
                             *segments = "ray segments", *bracket = "brackets", *surface = "surface points",
                             *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
-                            *front = "front colour", *color = "colour", *picture = "picture";
+                            *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
+                            *flow = "streaks", *front = "front colour", *color = "colour",
+                            *picture = "picture";
 }
 
 // What a look reads.
 struct LookNeeds {
   bool gradient = false;
   bool curvature = false;
+  bool ranges = false;  // numbers from the surface's curvature as a whole
+  bool shadow = false;
+  bool flow = false;
 };
 LookNeeds needsOf(const scene::Scene& scene);
+// Colours stand for numbers: kappas, mean, Gaussian, shape index, curvedness, and the (kappa1, kappa2)
+// square.
+bool isMeasure(scene::LookMode mode);
+bool showsLegend(const scene::Scene& scene);
+// Where the pattern of the flow stands in its period, [0, 1).
+double flowPhase(const scene::Flow& flow);
 // Some surface lets through what lies behind it.
 bool isTransparent(const scene::Scene& scene);
 

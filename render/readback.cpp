@@ -71,6 +71,17 @@ glm::dvec3 normalAt(const Source& source, const DrawnFrame& drawn, std::size_t p
 
 }  // namespace
 
+LinearImage readLinear(const FrameState& frame, const DrawnFrame& drawn) {
+  const std::vector<float> image =
+      frame.images.at(drawn.layered ? pass::layers : pass::shade).images[0].readFloats(4);
+  LinearImage result{drawn.raySize, {}};
+  result.rgba.reserve(image.size());
+  const auto row = static_cast<std::ptrdiff_t>(drawn.raySize.x) * 4;
+  for (std::ptrdiff_t y = drawn.raySize.y - 1; y >= 0; --y)
+    result.rgba.insert(result.rgba.end(), image.begin() + y * row, image.begin() + (y + 1) * row);
+  return result;
+}
+
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn) {
   const Gl& gl = *frame.gl;
   ColorImage image;

@@ -14,9 +14,11 @@ struct DrawnFrame {
   double rayStartMm = 0.0;  // ViewUniforms::rayStartMm
   double outward = -1.0;    // times the gradient: the outward normal
   scene::Field hitField = scene::Field::trilinear;
+  bool layered = false;  // the layers pass wrote the colour
 };
 
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
+LinearImage readLinear(const FrameState& frame, const DrawnFrame& drawn);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
 std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::ivec2 pixel);
 

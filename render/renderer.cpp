@@ -7,6 +7,7 @@
 #include <map>
 
 #include "render/derivative_passes.h"
+#include "render/effect_passes.h"
 #include "render/frame_state.h"
 #include "render/hit_passes.h"
 #include "render/look_passes.h"
@@ -86,6 +87,7 @@ struct Renderer::Parts {
   FrameState frame;
   HitPasses hits;
   DerivativePasses derivatives;
+  EffectPasses effects;
   LookPasses looks;
   FrameGraph graph;
   FrameReport report;
@@ -121,7 +123,8 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
                      volume ? volume->grid().geometry() : none);
   // The size is a parameter of the passes, so that images of another size are drawn anew.
   if (drawn.raySize != frame.raySize()) frame.images.clear();
-  drawn = {frame.raySize(), request.size, frame.view->rayStartMm, frame.outward(), scene.hit.field};
+  drawn = {frame.raySize(), request.size,    frame.view->rayStartMm,
+           frame.outward(), scene.hit.field, isTransparent(scene)};
 }
 
 void Renderer::Parts::run(const std::string& name) {
@@ -133,8 +136,12 @@ void Renderer::Parts::run(const std::string& name) {
       {pass::gradient, [](Parts& p) { p.derivatives.gradient(p.frame); }},
       {pass::hessian, [](Parts& p) { p.derivatives.hessian(p.frame); }},
       {pass::curvature, [](Parts& p) { p.derivatives.curvature(p.frame); }},
+      {pass::ranges, [](Parts& p) { p.looks.ranges(p.frame); }},
+      {pass::shadow, [](Parts& p) { p.effects.shadow(p.frame); }},
+      {pass::flowField, [](Parts& p) { p.effects.flowField(p.frame); }},
+      {pass::flow, [](Parts& p) { p.effects.flow(p.frame); }},
       {pass::shade, [](Parts& p) { p.looks.shade(p.frame); }},
-      {pass::layers, [](Parts& p) { p.looks.layers(p.frame, p.hits, p.derivatives); }},
+      {pass::layers, [](Parts& p) { p.looks.layers(p.frame, p.hits, p.derivatives, p.effects); }},
       {pass::resolve, [](Parts& p) { p.looks.resolve(p.frame); }}};
   runs.at(name)(*this);
 }
@@ -208,6 +215,10 @@ void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
 
 ColorImage Renderer::readColor() {
   return render::readColor(parts_->frame, parts_->drawn);
+}
+
+LinearImage Renderer::readLinear() {
+  return render::readLinear(parts_->frame, parts_->drawn);
 }
 
 AovImage Renderer::readAov(Aov aov) {

@@ -37,6 +37,7 @@ class Renderer {
   void invalidate();
 
   ColorImage readColor();
+  LinearImage readLinear();
   AovImage readAov(Aov aov);
   // pixel: (0,0) is the top left of the last picture's request.size. Empty where there is no surface.
   std::optional<Pick> pick(glm::ivec2 pixel);

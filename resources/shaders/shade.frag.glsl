@@ -1,47 +1,141 @@
-// The look, in linear colour. LOOK: the number of scene::LookMode.
+// The look, in linear colour: base colour x light, lines over it, fog over all.
+//
+// LOOK, SHADING, TEXTURE: numbers of look_modes.glsl. CURVATURE: kappas are bound. SHADOW, FLOW, FOG, ACCESSIBILITY,
+// RIDGES, CONTOURS, SUGGESTIVE: what is laid over. docs/looks.md has the formulas and their sources.
+#include "look_modes.glsl"
 #include "common.glsl"
+#if LOOK == LOOK_DEPTH
+#define NO_GRADIENT
+#endif
+#include "surface.glsl"
+#include "background.glsl"
+#ifdef CURVATURE
+#include "measures.glsl"
+#include "lines.glsl"
+#endif
+#include "lighting.glsl"
+#if TEXTURE != TEXTURE_NONE
+#include "noise.glsl"
+#include "solid_texture.glsl"
+#endif
 
-uniform sampler2D uSurface, uInfo, uGradient;
-uniform vec3 uRightWorld, uUpWorld, uForwardWorld;  // the camera's unit axes
-uniform float uOutward;        // -1: inside is above the isovalue, +1: below
-uniform float uAmbient, uSpecular, uShininess, uIntensity;
-uniform vec3 uLight;           // unit, world, toward the light
-uniform vec2 uDepthRange;      // mm along the view direction: nearest and farthest corner of the volume
-uniform vec3 uAlbedos[4];      // of each surface
+uniform sampler2D uInfo;
+uniform vec2 uDepthRange;   // mm along the view direction: nearest and farthest corner of the volume
+uniform vec3 uAlbedos[4];   // of each surface
 uniform vec4 uOpacities;
+uniform float uTextureScale;  // mm
+#ifdef SHADOW
+uniform sampler2D uLit;
+uniform float uShadow;
+#endif
+#ifdef FLOW
+uniform sampler2D uFlow;
+uniform float uFlowStrength;
+#endif
+#ifdef ACCESSIBILITY
+uniform float uAccessibility;
+uniform float uHollow;  // curvature of the surface's hollows, 1/mm
+#endif
+#ifdef SUGGESTIVE
+uniform float uCurvatureScale;  // of the surface as a whole, 1/mm
+#endif
+uniform float uFog;
+uniform vec3 uFogColor;
 layout(location = 0) out vec4 oColor;  // premultiplied by the surface's opacity; 0 where there is no surface
 
-// A length that neither under- nor overflows.
-vec3 safeNormalize(vec3 v, vec3 otherwise) {
-  float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-  if (!(largest > 0.0)) return otherwise;
-  return normalize(v / largest);
+// How far through the volume, 0 .. 1.
+float depthFraction(Point p) {
+  return clamp((p.depth - uDepthRange.x) / max(uDepthRange.y - uDepthRange.x, 1e-30), 0.0, 1.0);
 }
 
-vec3 shaded(ivec2 pixel, vec4 surface, vec3 albedo) {
-  vec2 xy = imagePlane(gl_FragCoord.xy);
-  vec3 ray = uOrthographic != 0 ? uForwardWorld : normalize(uForwardWorld + xy.x * uRightWorld + xy.y * uUpWorld);
-#if LOOK == 13
-  float depth = surface.w * dot(ray, uForwardWorld);
-  float nearness = 1.0 - clamp((depth - uDepthRange.x) / max(uDepthRange.y - uDepthRange.x, 1e-30), 0.0, 1.0);
+#ifdef ACCESSIBILITY
+// Light and brushes reach pits least, valleys better, Hadwiger et al. 2005 fig. 9: darkened by how far both curvatures
+// are negative, in parts of the surface's own.
+float hollowness(vec4 kappa, float side) {
+  vec2 inward = side > 0.0 ? -kappa.xy : kappa.yx;  // the inner side's hollows are the outer side's bumps
+  float hollow = 0.4 * max(inward.x, 0.0) + 0.6 * max(inward.y, 0.0);
+  return kappa.w * (1.0 - exp(-5.0 * hollow / uHollow));
+}
+#endif
+
+vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
+  vec3 base = albedo;
+#if LOOK >= LOOK_KAPPA1 && LOOK <= LOOK_CURVATURE_2D
+  base = measureColor(kappa);
+#else
+#if LOOK == LOOK_ACCESSIBILITY
+  base = mix(albedo, vec3(1.0), 0.55);
+#endif
+#if TEXTURE != TEXTURE_NONE
+  base = textured(base, p.position / uTextureScale,
+                  p.footprint / (uTextureScale * max(-dot(p.normal, p.ray), 0.2)));
+#endif
+#endif
+#ifdef ACCESSIBILITY
+  base *= mix(vec3(1.0), vec3(0.10, 0.075, 0.06), uAccessibility * hollowness(kappa, p.side));
+#endif
+#ifdef FLOW
+  base *= exp2(uFlowStrength * (1.1 * texelFetch(uFlow, pixel, 0).r - 0.1));
+#endif
+  return base;
+}
+
+// Lines lie over `color`; the result's w is how much of it they cover.
+#ifdef CURVATURE
+vec4 withLines(vec3 color, Point p, vec4 kappa, ivec2 pixel) {
+  float covered = 0.0, line;
+#ifdef RIDGES
+  line = uRidges * valley(kappa);
+  color = mix(color, uValleyColor, line);
+  covered = max(covered, line);
+  line = uRidges * ridge(kappa);
+  color = mix(color, uRidgeColor, line);
+  covered = max(covered, line);
+#endif
+#ifdef SUGGESTIVE
+  line = uSuggestiveContours * kappa.w * suggestiveContour(p, pixel, uCurvatureScale);
+  color = mix(color, uContourColor, line);
+  covered = max(covered, line);
+#endif
+#ifdef CONTOURS
+  line = uContours * kappa.w * silhouette(p, pixel);
+  color = mix(color, uContourColor, line);
+  covered = max(covered, line);
+#endif
+  return vec4(color, covered);
+}
+#endif
+
+// Colour, and the part of it that is opaque whatever the surface's opacity.
+vec4 shaded(ivec2 pixel, vec4 surface, vec3 albedo) {
+  Point p = pointAt(pixel, surface);
+#if LOOK == LOOK_DEPTH
   // Even steps of depth are even steps of lightness.
-  return vec3(pow(0.08 + 0.92 * nearness, 2.2));
+  return vec4(vec3(pow(1.0 - 0.92 * depthFraction(p), 2.2)), 0.0);
+#elif LOOK == LOOK_NORMAL
+  return vec4(pow(p.outward * 0.5 + 0.5, vec3(2.2)), 0.0);
 #else
-  // Where the gradient vanishes there is no normal; the point is shaded as if it faced the viewer.
-  vec3 normal = safeNormalize(uOutward * texelFetch(uGradient, pixel, 0).xyz, -ray);
-#if LOOK == 12
-  return pow(normal * 0.5 + 0.5, vec3(2.2));
+  vec4 kappa = vec4(0.0);
+#ifdef CURVATURE
+  kappa = texelFetch(uKappa, pixel, 0);
+#endif
+  float lit = 1.0;
+#ifdef SHADOW
+  lit = mix(1.0, texelFetch(uLit, pixel, 0).r, uShadow);
+#endif
+  vec4 color = vec4(lighted(baseColor(p, albedo, kappa, pixel), p, lit), 0.0);
+#ifdef CURVATURE
+  color = withLines(color.rgb, p, kappa, pixel);
+#endif
+#ifdef FOG
+#ifdef FOG_BACKGROUND
+  vec3 fogColor = backgroundAt(gl_FragCoord.y / float(uPictureSize.y));
 #else
-  if (dot(normal, ray) > 0.0) normal = -normal;  // the inner side, seen through an opening
-  float diffuse = max(dot(normal, uLight), 0.0);
-  vec3 color = albedo * (uAmbient + (1.0 - uAmbient) * uIntensity * diffuse);
-#if LOOK == 0
-  vec3 halfway = normalize(uLight - ray);
-  float highlight = diffuse > 0.0 ? pow(max(dot(normal, halfway), 0.0), uShininess) : 0.0;
-  color += uSpecular * uIntensity * highlight;
+  vec3 fogColor = uFogColor;
+#endif
+  color.rgb = mix(color.rgb, fogColor, uFog * depthFraction(p));
 #endif
   return color;
-#endif
 #endif
 }
 
@@ -51,5 +145,8 @@ void main() {
   oColor = vec4(0.0);
   if (surface.w < 0.0) return;
   int which = int(texelFetch(uInfo, pixel, 0).g) & 3;
-  oColor = vec4(shaded(pixel, surface, uAlbedos[which]), 1.0) * uOpacities[which];
+  vec4 color = shaded(pixel, surface, uAlbedos[which]);
+  float opacity = mix(uOpacities[which], 1.0, color.w);
+  const float largest = 60000.0;  // of half floats
+  oColor = vec4(min(color.rgb, vec3(largest)), 1.0) * opacity;
 }

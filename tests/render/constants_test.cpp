@@ -1,12 +1,15 @@
 // C++ and GLSL must agree on the numbers they share; shader files must resolve.
 #include "render/constants.h"
 
+#include <algorithm>
+#include <cctype>
 #include <regex>
 
 #include <gtest/gtest.h>
 
 #include "render/shader_library.h"
 #include "scene/scene.h"
+#include "scene/settings.h"
 
 namespace isolux::render {
 namespace {
@@ -18,12 +21,22 @@ TEST(ConstantsTest, MissingTexelIsTheSameInGlsl) {
   EXPECT_EQ(std::stof(match[1]), missingTexel);
 }
 
-TEST(ConstantsTest, LookNumbersAreThoseOfTheEnumeration) {
-  // shade.frag.glsl compares LOOK with these.
-  EXPECT_EQ(static_cast<int>(scene::LookMode::blinn_phong), 0);
-  EXPECT_EQ(static_cast<int>(scene::LookMode::lambert), 1);
-  EXPECT_EQ(static_cast<int>(scene::LookMode::normal), 12);
-  EXPECT_EQ(static_cast<int>(scene::LookMode::depth), 13);
+// A choice's names stand in the order of its enumeration; look_modes.glsl numbers them the same way.
+void expectNumbered(const std::string& path, const std::string& prefix) {
+  const std::string source = shaderSource("look_modes.glsl");
+  const scene::Setting& setting = scene::setting(path);
+  for (std::size_t i = 0; i < setting.choices.size(); ++i) {
+    std::string name = setting.choices[i];
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+    const std::string line = "#define " + prefix + name + " " + std::to_string(i) + "\n";
+    EXPECT_NE(source.find(line), std::string::npos) << line;
+  }
+}
+
+TEST(ConstantsTest, LookNumbersAreThoseOfTheEnumerations) {
+  expectNumbered("look.mode", "LOOK_");
+  expectNumbered("look.shading", "SHADING_");
+  expectNumbered("look.texture", "TEXTURE_");
 }
 
 TEST(ShaderLibraryTest, ExpandsEachIncludeOnce) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "render/passes.h"
+#include "scene/settings.h"
 
 namespace isolux::render {
 namespace {
@@ -154,6 +155,143 @@ TEST_F(FrameGraphTest, TheFieldOfTheHitsIsThatOfTheBlocks) {
   ran(scene, picture);
   scene.hit.field = scene::Field::cubic;
   EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+}
+
+// What each look computes from nothing, and what a change of it costs, as a table.
+struct LookRow {
+  std::vector<std::string> settings;
+  std::vector<std::string> passes;  // between cast and resolve
+};
+
+const std::vector<std::string> kShaded = {"gradient", "shade"};
+const std::vector<std::string> kCurved = {"hessian", "curvature", "shade"};
+const std::vector<std::string> kRanged = {"hessian", "curvature", "ranges", "shade"};
+const std::vector<std::string> kShadowed = {"gradient", "shadow", "shade"};
+const std::vector<std::string> kFlowing = {"hessian", "curvature", "flow field", "flow", "shade"};
+
+const std::vector<LookRow> kLooks = {
+    {{"look.mode=blinn_phong"}, kShaded},
+    {{"look.mode=lambert"}, kShaded},
+    {{"look.mode=tone"}, kShaded},
+    {{"look.mode=kappa1"}, kRanged},
+    {{"look.mode=kappa2"}, kRanged},
+    {{"look.mode=mean_curvature"}, kRanged},
+    {{"look.mode=gaussian_curvature"}, kRanged},
+    {{"look.mode=shape_index"}, kCurved},  // always -1 to 1
+    {{"look.mode=curvedness"}, kRanged},
+    {{"look.mode=curvature_2d"}, kRanged},
+    {{"look.mode=accessibility"}, kRanged},
+    {{"look.mode=flow"}, kFlowing},
+    {{"look.mode=normal"}, kShaded},
+    {{"look.mode=depth"}, {"shade"}},
+    // What is fixed is not measured.
+    {{"look.mode=kappa1", "look.range_low=-1"}, kRanged},
+    {{"look.mode=kappa1", "look.range_low=-1", "look.range_high=1"}, kCurved},
+    {{"look.mode=curvature_2d", "look.range_high=1"}, kCurved},
+    // What is laid over.
+    {{"look.texture=marble"}, kShaded},
+    {{"look.fog=1"}, kShaded},
+    {{"look.accessibility=1"}, kRanged},
+    {{"look.ridges=1"}, kRanged},
+    {{"look.ridges=1", "look.ridge_threshold=0.1"}, kCurved},
+    {{"look.contours=1"}, kCurved},
+    {{"look.suggestive_contours=1"}, kRanged},
+    {{"flow.strength=1"}, kFlowing},
+    {{"look.shadow=1"}, kShadowed},
+    {{"look.shadow=1", "look.mode=tone"}, kShadowed},
+    {{"look.shadow=1", "look.mode=curvedness"}, {"hessian", "curvature", "ranges", "shadow", "shade"}},
+    {{"look.shadow=1", "look.mode=shape_index", "look.shading=unlit"}, kCurved},  // nothing is lit
+    {{"isosurface.opacity=0.5"}, {"gradient", "shade", "layers"}},
+    {{"isosurface.opacity=0.5", "look.shadow=1", "look.mode=flow"},
+     {"hessian", "curvature", "shadow", "flow field", "flow", "shade", "layers"}},
+    // Raw quantities: nothing is laid over them.
+    {{"look.mode=normal", "look.shadow=1", "look.ridges=1", "look.contours=1", "look.accessibility=1",
+      "flow.strength=1", "look.suggestive_contours=1"},
+     kShaded},
+    {{"look.mode=depth", "look.shadow=1", "look.ridges=1", "flow.strength=1"}, {"shade"}},
+};
+
+TEST_F(FrameGraphTest, EachLookFromNothing) {
+  for (const LookRow& row : kLooks) {
+    scene::Scene scene;
+    std::string named;
+    for (const std::string& setting : row.settings) {
+      scene::applyAssignment(scene, setting);
+      named += setting + " ";
+    }
+    std::vector<std::string> expected = {"blocks", "segments", "cast"};
+    expected.insert(expected.end(), row.passes.begin(), row.passes.end());
+    expected.emplace_back("resolve");
+    graph_.invalidate();
+    EXPECT_EQ(ran(scene, {}), expected) << named;
+    EXPECT_THAT(ran(scene, {}), ElementsAre()) << named;  // a still picture costs nothing
+  }
+}
+
+// From a look that is drawn, one setting changes.
+struct ChangeRow {
+  std::vector<std::string> look;
+  std::string change;
+  std::vector<std::string> passes;
+};
+
+const std::vector<ChangeRow> kChanges = {
+    {{}, "light.intensity=2", {"shade", "resolve"}},
+    {{}, "light.direction=1,0,0", {"shade", "resolve"}},
+    {{}, "look.background_top=1,0,0", {"resolve"}},
+    {{"look.fog=1"}, "look.background_top=1,0,0", {"shade", "resolve"}},
+    {{"look.fog=1", "look.fog_color=1,1,1"}, "look.background_top=1,0,0", {"resolve"}},
+    {{}, "look.colormap=gray", {}},  // no colours stand for numbers
+    {{}, "look.tone_warm=1,0,0", {}},
+    {{}, "flow.time=3", {}},
+    {{}, "look.contour_width=5", {}},
+    {{"look.mode=lambert"}, "look.specular=1", {}},
+    {{"look.mode=tone"}, "light.intensity=2", {}},
+    {{"look.mode=kappa1"}, "look.colormap=gray", {"shade", "resolve"}},
+    {{"look.mode=kappa1"}, "look.legend=false", {"resolve"}},
+    {{"look.mode=kappa1"}, "look.range_low=-1", {"shade", "resolve"}},
+    {{"look.mode=kappa1"}, "isosurface.inside=below", {"curvature", "ranges", "shade", "resolve"}},
+    {{"look.mode=kappa1"},
+     "isosurface.value=5",
+     {"blocks", "segments", "cast", "hessian", "curvature", "ranges", "shade", "resolve"}},
+    {{"look.mode=kappa1"},
+     "camera.eye=5,-300,0",
+     {"segments", "cast", "hessian", "curvature", "shade", "resolve"}},  // ranges know no view
+    {{"look.mode=kappa1"}, "derivatives.noise=5", {"curvature", "shade", "resolve"}},
+    {{"look.mode=curvature_2d"}, "look.colormap=gray", {}},
+    {{"look.ridges=1"}, "look.ridge_color=1,0,0", {"shade", "resolve"}},
+    {{"look.shadow=1"}, "light.direction=1,0,0", {"shadow", "shade", "resolve"}},
+    {{"look.shadow=1"}, "light.intensity=2", {"shade", "resolve"}},
+    {{"look.shadow=1"}, "isosurface.albedo=1,0,0", {"shade", "resolve"}},
+    {{"look.mode=flow"}, "flow.time=0.25", {"flow", "shade", "resolve"}},
+    {{"look.mode=flow"}, "flow.time=1", {}},  // a whole period later
+    {{"look.mode=flow"}, "flow.length=9", {"flow", "shade", "resolve"}},
+    {{"look.mode=flow"}, "flow.grain=3", {"flow field", "flow", "shade", "resolve"}},
+    {{"look.mode=flow"}, "flow.direction=minimum", {"flow field", "flow", "shade", "resolve"}},
+    {{"look.mode=flow"}, "light.intensity=2", {"shade", "resolve"}},
+    {{"look.mode=flow"},
+     "camera.eye=5,-300,0",
+     {"segments", "cast", "hessian", "curvature", "flow field", "flow", "shade", "resolve"}},
+    {{"isosurface.opacity=0.5"}, "flow.time=3", {}},
+    {{"isosurface.opacity=0.5"}, "light.intensity=2", {"shade", "layers", "resolve"}},
+    {{"isosurface.opacity=0.5", "look.mode=flow"}, "flow.time=0.25", {"flow", "shade", "layers", "resolve"}},
+};
+
+TEST_F(FrameGraphTest, EachChangeOfALook) {
+  for (const ChangeRow& row : kChanges) {
+    scene::Scene scene;
+    scene.isosurface.value = 1.0;
+    scene.camera.eye = glm::dvec3(0.0, -400.0, 0.0);
+    std::string named;
+    for (const std::string& setting : row.look) {
+      scene::applyAssignment(scene, setting);
+      named += setting + " ";
+    }
+    graph_.invalidate();
+    ran(scene, {});
+    scene::applyAssignment(scene, row.change);
+    EXPECT_EQ(ran(scene, {}), row.passes) << named << "then " << row.change;
+  }
 }
 
 }  // namespace

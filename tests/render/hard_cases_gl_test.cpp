@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "scene/error.h"
+#include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
 
 namespace isolux::test {
@@ -46,18 +47,39 @@ class HardCasesGlTest : public RenderGlTest {
           }
         }
       }
-    for (const auto mode : {scene::LookMode::blinn_phong, scene::LookMode::lambert, scene::LookMode::normal,
-                            scene::LookMode::depth}) {
-      scene.look.mode = mode;
-      render::FrameRequest request;
-      request.size = {64, 48};
-      request.supersampling = 2;
-      renderer_->setVolume(volume);
-      renderer_->render(scene::resolve(scene, volume->facts), request);
-      const render::ColorImage picture = renderer_->readColor();
-      EXPECT_EQ(picture.rgba.size(), 64u * 48u * 4u);
+    for (const std::string& mode : scene::setting("look.mode").choices) {
+      scene::applyAssignment(scene, "look.mode=" + mode);
+      expectFinite(volume, scene, mode);
+      expectFinite(volume, withEverything(scene), mode + " with everything");
     }
     return hits;
+  }
+
+  // Every overlay at once.
+  static scene::Scene withEverything(scene::Scene scene) {
+    for (const char* setting :
+         {"look.shading=blinn_phong", "look.texture=marble", "look.shadow=1", "look.fog=0.5",
+          "look.accessibility=1", "look.ridges=1", "look.contours=1", "look.suggestive_contours=1",
+          "flow.strength=1", "isosurface.opacity=0.5", "isosurface.layers=2", "light.headlight=0.5"})
+      scene::applyAssignment(scene, setting);
+    return scene;
+  }
+
+  // No NaN or infinity in the linear colour, and opacities are such.
+  void expectFinite(const std::shared_ptr<const volume::PreparedVolume>& volume, const scene::Scene& scene,
+                    const std::string& what) {
+    render::FrameRequest request;
+    request.size = {64, 48};
+    renderer_->setVolume(volume);
+    renderer_->render(scene::resolve(scene, volume->facts), request);
+    const render::LinearImage image = renderer_->readLinear();
+    ASSERT_EQ(image.rgba.size(), 64u * 48u * 4u);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+      const float v = image.rgba[i];
+      if (!(v >= 0.0f && v < (i % 4 == 3 ? 1.001f : 65504.0f))) ++wrong;
+    }
+    EXPECT_EQ(wrong, 0u) << what;
   }
 
   template <class T>

@@ -1,0 +1,64 @@
+// Curvature measures and the colours that stand for them. Needs look_modes.glsl.
+uniform sampler2D uKappa;          // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient
+uniform sampler2D uDirection;      // of kappa1, world
+uniform sampler2D uColorMap;       // samples along a row, or kappa1 by kappa2
+uniform vec2 uRange;               // of the measure, low and high
+uniform float uFlat;               // curvature below which a surface counts as flat, 1/mm
+
+const vec3 unknownColor = vec3(0.30);  // where noise leaves no answer
+
+// In [0, 1] over the range; the middle where the range has no width.
+float inRange(float value) {
+  float width = uRange.y - uRange.x;
+  return width == 0.0 ? 0.5 : clamp((value - uRange.x) / width, 0.0, 1.0);
+}
+
+vec3 mapped(float t) {
+  float x = t * float(textureSize(uColorMap, 0).x - 1);
+  int i = int(min(floor(x), float(textureSize(uColorMap, 0).x - 2)));
+  return mix(texelFetch(uColorMap, ivec2(i, 0), 0).rgb, texelFetch(uColorMap, ivec2(i + 1, 0), 0).rgb, x - float(i));
+}
+
+// Bilinear in floats, between the centres of texels.
+vec3 mapped2d(vec2 t) {
+  ivec2 size = textureSize(uColorMap, 0);
+  vec2 x = clamp(t * vec2(size) - 0.5, vec2(0.0), vec2(size - 1));
+  ivec2 i = ivec2(min(floor(x), vec2(size - 2)));
+  vec2 f = x - vec2(i);
+  vec3 low = mix(texelFetch(uColorMap, i, 0).rgb, texelFetch(uColorMap, i + ivec2(1, 0), 0).rgb, f.x);
+  vec3 high = mix(texelFetch(uColorMap, i + ivec2(0, 1), 0).rgb, texelFetch(uColorMap, i + 1, 0).rgb, f.x);
+  return mix(low, high, f.y);
+}
+
+float curvednessOf(vec2 kappa) { return sqrt(0.5) * length(kappa); }
+
+#if LOOK == LOOK_CURVATURE_2D
+vec3 measureColor(vec4 kappa) {
+  return mix(unknownColor, mapped2d(vec2(inRange(kappa.x), inRange(kappa.y))), kappa.w);
+}
+#elif LOOK >= LOOK_KAPPA1 && LOOK <= LOOK_CURVEDNESS
+float measureOf(vec2 kappa) {
+#if LOOK == LOOK_KAPPA1
+  return kappa.x;
+#elif LOOK == LOOK_KAPPA2
+  return kappa.y;
+#elif LOOK == LOOK_MEAN_CURVATURE
+  return 0.5 * (kappa.x + kappa.y);
+#elif LOOK == LOOK_GAUSSIAN_CURVATURE
+  return kappa.x * kappa.y;
+#elif LOOK == LOOK_SHAPE_INDEX
+  // Koenderink & van Doorn 1992: 2/pi atan((k1 + k2) / (k1 - k2)); +-1 at umbilics. Flat points have none.
+  return curvednessOf(kappa) > 0.0 ? atan(kappa.x + kappa.y, kappa.x - kappa.y) / 1.57079633 : 0.0;
+#else
+  return curvednessOf(kappa);
+#endif
+}
+
+vec3 measureColor(vec4 kappa) {
+  float known = kappa.w;
+#if LOOK == LOOK_SHAPE_INDEX
+  known *= smoothstep(0.3, 1.0, curvednessOf(kappa.xy) / uFlat);
+#endif
+  return mix(unknownColor, mapped(inRange(measureOf(kappa.xy))), known);
+}
+#endif

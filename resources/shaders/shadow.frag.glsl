@@ -1,0 +1,76 @@
+// Whether the key light reaches the surface point: 1 lit, 0 in shadow. An exact second ray to a light infinitely far
+// away; any surface that is opaque stops it.
+//
+// The ray starts exactly at the hit, on the viewer's side of the surface (that side is known and carried, so rounding
+// cannot make the surface shadow itself). It first follows the normal for a part of a voxel: the shading normal is
+// smoother than the cells' own faces, and where light grazes these would cast shadows on one another. That first way
+// is traced too; it ends halfway to what it meets, so that no light leaks through a narrow gap. CUBIC, SURFACES,
+// EXACT: as in cast.frag.glsl.
+#include "common.glsl"
+#include "field.glsl"
+#include "trace.glsl"
+#ifdef CUBIC
+#include "spline.glsl"
+#include "trace_cubic.glsl"
+#endif
+#include "surface.glsl"
+
+uniform sampler2D uInfo;
+uniform mat3 uVoxelFromWorld;
+uniform vec3 uLight;     // unit, world, toward the light
+uniform int uOpaqueBits;  // surfaces that stop light
+layout(location = 0) out float oLit;
+
+Crossing next(vec3 origin, vec3 direction, float t, float tEnd, bool carried, int inside) {
+#ifdef CUBIC
+  return traceCubic(origin, direction, t, tEnd, carried, inside);
+#else
+  return trace(origin, direction, t, tEnd, carried, inside);
+#endif
+}
+
+// The first opaque surface; `inside` becomes the sides at the end of the way where there is none.
+bool meets(vec3 origin, vec3 direction, float tEnd, bool carried, inout int inside, out float t) {
+  t = 0.0;
+  const int most = 32;  // transparent surfaces passed through
+  for (int i = 0; i < most; ++i) {
+    Crossing crossing = next(origin, direction, t, tEnd, carried, inside);
+    if (!crossing.found) return false;
+    t = crossing.t;
+    if ((uOpaqueBits >> crossing.surface & 1) != 0) return true;
+    inside = crossing.inside;
+    carried = true;
+  }
+  return true;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  oLit = 0.0;
+  vec4 surface = texelFetch(uSurface, pixel, 0);
+  if (surface.w < 0.0) return;
+  Point p = pointAt(pixel, surface);
+  float facing = dot(p.normal, uLight);
+  if (facing <= 0.0) return;
+
+  vec2 info = texelFetch(uInfo, pixel, 0).rg;
+  vec3 origin = surface.xyz, normal = uVoxelFromWorld * p.normal;
+  float voxel = 1.0 / max(length(normal), 1e-30);  // mm
+#ifdef EXACT
+  bool carried = true;
+  int inside = int(info.g) >> 2 & 15;
+  inside ^= 1 << (int(info.g) & 3);  // before the crossing, where the ray came from
+#else
+  // A sampled hit may lie behind the surface by its error: back along the ray by twice that.
+  bool carried = false;
+  int inside = 0;
+  float slope = length(trilinearGradient(clamp(origin, vec3(0.0), vec3(uDims - 1))));
+  float back = 0.01 + 2.0 * min(info.r / max(slope, 1e-30), 0.5);
+  vec3 ray = uVoxelFromWorld * p.ray;
+  origin -= ray * back / max(length(ray), 1e-30);
+#endif
+  float offset = (0.02 + 0.4 * (1.0 - facing) * (1.0 - facing)) * voxel, met;
+  if (meets(origin, normal, offset, carried, inside, met)) offset = 0.5 * met;
+  bool blocked = meets(origin + offset * normal, uVoxelFromWorld * uLight, never, carried, inside, met);
+  oLit = blocked ? 0.0 : 1.0;
+}

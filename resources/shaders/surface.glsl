@@ -1,0 +1,51 @@
+// The surface point of a pixel as looks want it: world space, millimetres. Needs common.glsl.
+uniform sampler2D uSurface;
+#ifndef NO_GRADIENT
+uniform sampler2D uGradient;
+#endif
+uniform vec3 uRightWorld, uUpWorld, uForwardWorld;  // the camera's unit axes
+uniform float uOutward;        // -1: inside is above the isovalue, +1: below
+uniform mat3 uWorldFromVoxel;  // positions are taken from voxel 0: floats keep more digits near their origin
+
+struct Point {
+  vec3 position;    // mm from voxel 0
+  vec3 ray;         // unit, from the eye to the point
+  float depth;      // mm along the view direction
+  float footprint;  // mm per ray across the view direction at this depth
+  vec3 outward;     // unit normal, out of the inside
+  float side;       // +1: the outer side is seen, -1: the inner one
+  vec3 normal;      // unit, on the side that is seen
+};
+
+// A length that neither under- nor overflows.
+vec3 safeNormalize(vec3 v, vec3 otherwise) {
+  float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  if (!(largest > 0.0)) return otherwise;
+  return normalize(v / largest);
+}
+
+vec3 worldRay(vec2 fragment) {
+  vec2 xy = imagePlane(fragment);
+  return uOrthographic != 0 ? uForwardWorld : normalize(uForwardWorld + xy.x * uRightWorld + xy.y * uUpWorld);
+}
+
+float footprintAt(float depth) {
+  return 2.0 * uHalfExtent.y / float(uPictureSize.y) * (uOrthographic != 0 ? 1.0 : depth);
+}
+
+Point pointAt(ivec2 pixel, vec4 surface) {
+  Point p;
+  p.position = uWorldFromVoxel * surface.xyz;
+  p.ray = worldRay(vec2(pixel) + 0.5);
+  p.depth = surface.w * dot(p.ray, uForwardWorld);
+  p.footprint = max(footprintAt(p.depth), 1e-30);
+#ifdef NO_GRADIENT
+  p.outward = -p.ray;
+#else
+  // Where the gradient vanishes there is no normal; the point is taken as if it faced the viewer.
+  p.outward = safeNormalize(uOutward * texelFetch(uGradient, pixel, 0).xyz, -p.ray);
+#endif
+  p.side = dot(p.outward, p.ray) > 0.0 ? -1.0 : 1.0;
+  p.normal = p.side * p.outward;
+  return p;
+}
