@@ -54,7 +54,8 @@ float depthFraction(Point p) {
 float hollowness(vec4 kappa, float side) {
   vec2 inward = side > 0.0 ? -kappa.xy : kappa.yx;  // the inner side's hollows are the outer side's bumps
   float hollow = 0.4 * max(inward.x, 0.0) + 0.6 * max(inward.y, 0.0);
-  return kappa.w * (1.0 - exp(-5.0 * hollow / uHollow));
+  hollow /= uHollow;
+  return kappa.w * (1.0 - exp(-6.0 * hollow * hollow / (hollow + 0.12)));  // what is nearly flat stays bright
 }
 #endif
 
