@@ -1,8 +1,8 @@
 // Whether the key light reaches the surface point: 1 lit, 0 in shadow. An exact second ray to a light infinitely far
 // away; any surface that is opaque stops it.
 //
-// The ray starts exactly at the hit, on the viewer's side of the surface (that side is known and carried, so rounding
-// cannot make the surface shadow itself). It first follows the normal for a part of a voxel: the shading normal is
+// The ray starts at the hit, on the viewer's side of the surface (that side is known and carried, so rounding cannot
+// make the surface shadow itself). It first follows the normal for a part of a voxel: the shading normal is
 // smoother than the cells' own faces, and where light grazes these would cast shadows on one another. That first way
 // is traced too; it ends halfway to what it meets, so that no light leaks through a narrow gap. CUBIC, SURFACES,
 // EXACT: as in cast.frag.glsl.
@@ -56,19 +56,21 @@ void main() {
   vec2 info = texelFetch(uInfo, pixel, 0).rg;
   vec3 origin = surface.xyz, normal = uVoxelFromWorld * p.normal;
   float voxel = 1.0 / max(length(normal), 1e-30);  // mm
+  // Back to where the viewer's ray came from: a hit on a face between cells is then in the cell before the surface, and
+  // a sampled hit that lies behind the surface by its error is before it.
 #ifdef EXACT
   bool carried = true;
   int inside = int(info.g) >> 2 & 15;
-  inside ^= 1 << (int(info.g) & 3);  // before the crossing, where the ray came from
+  inside ^= 1 << (int(info.g) & 3);  // before the crossing
+  float back = 1e-3;  // voxels
 #else
-  // A sampled hit may lie behind the surface by its error: back along the ray by twice that.
   bool carried = false;
   int inside = 0;
   float slope = length(trilinearGradient(clamp(origin, vec3(0.0), vec3(uDims - 1))));
   float back = 0.01 + 2.0 * min(info.r / max(slope, 1e-30), 0.5);
+#endif
   vec3 ray = uVoxelFromWorld * p.ray;
   origin -= ray * back / max(length(ray), 1e-30);
-#endif
   float offset = (0.02 + 0.4 * (1.0 - facing) * (1.0 - facing)) * voxel, met;
   if (meets(origin, normal, offset, carried, inside, met)) offset = 0.5 * met;
   bool blocked = meets(origin + offset * normal, uVoxelFromWorld * uLight, never, carried, inside, met);
