@@ -20,3 +20,17 @@ if [ -d "$data/volumes" ]; then
 else
   echo "make_pictures.sh: no test data: pictures of scans are left as they are" >&2
 fi
+
+# The studies of docs/accuracy.md; without gnuplot their plots are left as they are.
+study() {
+  local name=$1
+  shift
+  "$bin/isolux" study "$@" --repeat 15 --out "$out/accuracy/$name"
+  rm "$out/accuracy/$name/study.json"
+}
+mkdir -p "$out/accuracy"
+study head phantom:head
+study gyroid phantom:gyroid:128
+if [ -d "$data/volumes" ]; then
+  study ct "$data/volumes/ct_head_skin_bone.nii.gz" --isovalue 0.51
+fi

@@ -28,6 +28,7 @@ struct Command {
 Command makeInfo(CLI::App& program);
 Command makeRender(CLI::App& program);
 Command makeReplay(CLI::App& program);
+Command makeStudy(CLI::App& program);
 Command makePhantom(CLI::App& program);
 Command makeSettings(CLI::App& program);
 Command makeDoctor(CLI::App& program);

@@ -1,0 +1,125 @@
+// isolux study PATH --out DIR: what accuracy costs in time, as tables, JSON and plots.
+#include <iostream>
+
+#include "app/commands/command.h"
+#include "app/external_program.h"
+#include "app/files.h"
+#include "app/progress_bar.h"
+#include "app/study.h"
+#include "app/study_plot.h"
+#include "app/study_report.h"
+#include "scene/error.h"
+
+namespace isolux::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudyOptions {
+  std::string path, out, knobs, size = "256x256";
+  int repeat = 7;
+  std::shared_ptr<render::ContextChoice> context;
+  std::shared_ptr<SceneOptions> scene;
+};
+
+fs::path madeFolder(const std::string& name) {
+  fs::path folder = name;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder))
+    scene::throwInput(name, "", "is not a folder and cannot be made one");
+  { const PendingFile writable(folder / "study.json"); }
+  return folder;
+}
+
+// Writes what is finished after every knob, so that a stop leaves it.
+class StudyFolder {
+ public:
+  StudyFolder(fs::path folder, StudySubject subject)
+      : folder_(std::move(folder)), subject_(std::move(subject)), gnuplot_(findProgram("gnuplot")) {
+    if (gnuplot_.empty()) note_ = "no plots: they need gnuplot, which was not found (Debian: gnuplot-nox)";
+  }
+
+  void add(KnobStudy study, bool complete, scene::Progress& progress) {
+    if (!gnuplot_.empty()) {
+      const std::string name = std::string(study.knob.name) + ".svg";
+      std::string reason;
+      if (writePlot(gnuplot_, study, subject_.volume->volume.name, folder_ / name, progress, reason))
+        study.plot = name;
+      else
+        note_ = "no plot of " + std::string(study.knob.name) + ": gnuplot failed: " + reason;
+    }
+    studies_.push_back(std::move(study));
+    writeTextFile(folder_ / "study.md", studyMarkdown(subject_, studies_, complete));
+    writeTextFile(folder_ / "study.json", studyJson(subject_, studies_, complete));
+  }
+
+  const std::string& note() const { return note_; }
+
+ private:
+  fs::path folder_;
+  StudySubject subject_;
+  fs::path gnuplot_;
+  std::vector<KnobStudy> studies_;
+  std::string note_;  // about plots that are not there
+};
+
+void runStudy(const StudyOptions& options, scene::Progress& progress) {
+  const std::vector<Knob> chosen = parseKnobs(options.knobs);
+  const glm::ivec2 size = parseSize(options.size);
+  const scene::Scene scene = sceneOf(options.path, *options.scene);
+  const auto prepared = loadWithProgressBar(scene.source, progress);
+  const auto context = render::OffscreenContext::create(*options.context);
+  context->makeCurrent();
+  StudyFolder output(madeFolder(options.out), {prepared, scene::resolve(scene, prepared->facts),
+                                               context->description(), size, options.repeat});
+  Studio studio(context->gl(), prepared, scene, size, options.repeat);
+  {
+    progress.report(0.0, "preparing");
+    const ProgressBar bar(progress);
+    const double count = static_cast<double>(chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const double from = static_cast<double>(i) / count, to = static_cast<double>(i + 1) / count;
+      output.add(studio.study(chosen[i], progress, from, to), i + 1 == chosen.size(), progress);
+    }
+  }
+  if (!output.note().empty()) std::cerr << "isolux: note: " << output.note() << '\n';
+  printWarnings(prepared->volume);
+}
+
+}  // namespace
+
+Command makeStudy(CLI::App& program) {
+  CLI::App* const parser = program.add_subcommand(
+      "study", "Measure what accuracy costs: error against time of each quality setting");
+  auto options = std::make_shared<StudyOptions>();
+  parser
+      ->add_option(
+          "PATH", options->path,
+          "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one")
+      ->required();
+  parser
+      ->add_option("--out", options->out,
+                   "The folder for study.md, study.json and a plot per knob; made if missing")
+      ->type_name("DIR")
+      ->required();
+  std::string known;
+  for (const Knob& knob : knobs()) known += (known.empty() ? "" : ",") + std::string(knob.name);
+  parser->add_option("--knobs", options->knobs, "Only these of " + known)->type_name("LIST");
+  parser->add_option("--size", options->size, "Pixels of the picture; default 256x256")->type_name("WxH");
+  parser->add_option("--repeat", options->repeat, "Frames measured of each setting, in turns; default 7")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""));
+  options->context = addContextOption(*parser);
+  addThreadsOption(*parser);
+  options->scene = addSceneOptions(*parser);
+  parser->footer(
+      "What the figures mean: docs/accuracy.md. Examples:\n"
+      "  isolux study phantom:head --out head_study\n"
+      "  isolux study ct.nii.gz --isovalue 300 --knobs rate,method --size 512x512 --out hits\n"
+      "  isolux study picture.png --knobs derivatives_field,fetch --out shapes");
+  return {parser, [options](scene::Progress& progress) { runStudy(*options, progress); }};
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,103 @@
+#include "app/study_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "app/external_program.h"
+#include "app/files.h"
+#include "app/study_plot_script.h"
+
+namespace isolux::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kTruth = "cubic_interpolating";
+
+// A word of gnuplot: within single quotes only the quote itself is special.
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
+  return out + "'";
+}
+
+std::string timeLabel(const Panel& panel) {
+  std::string passes;
+  for (const char* const pass : panel.passes) passes += (passes.empty() ? "" : " + ") + std::string(pass);
+  return "time of " + passes + ", ms";
+}
+
+// The height of "no error" on a logarithmic axis: below every error that is not 0.
+double heightOfZero(const KnobStudy& study, const Panel& panel) {
+  double least = 1.0;
+  for (const StudySetting& setting : study.settings)
+    for (const Errors* errors : {&setting.errors, &judged(setting)})
+      if (const double error = panel.error(*errors); error > 0.0) least = std::min(least, error);
+  return 0.3 * least;
+}
+
+void row(std::ostream& out, const StudySetting& setting, const Errors& errors,
+         const std::array<Panel, 2>& panels, const std::array<double, 2>& zeros) {
+  out << setting.value << '\t' << (setting.isDefault ? 1 : 0);
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const double error = panels[p].error(errors);
+    out << '\t' << milliseconds(setting, panels[p]) << '\t';
+    if (std::isfinite(error))
+      out << std::max(error, zeros[p]);
+    else
+      out << "NaN";
+  }
+  out << '\n';
+}
+
+}  // namespace
+
+std::string plotScript(const KnobStudy& study, const std::string& subject, const std::string& picture) {
+  const auto& panels = panelsOf(study.knob.measure);
+  const std::array<double, 2> zeros{heightOfZero(study, panels[0]), heightOfZero(study, panels[1])};
+  std::ostringstream own, other;  // a knob has exact hits beside it, or other errors, or neither
+  bool comparison = false, fields = false;
+  for (const StudySetting& setting : study.settings) {
+    row(setting.comparison ? other : own, setting, setting.errors, panels, zeros);
+    // Its own truth: the same point again.
+    if (setting.fieldErrors && setting.value != kTruth)
+      row(other, setting, *setting.fieldErrors, panels, zeros);
+    comparison = comparison || setting.comparison;
+    fields = fields || setting.fieldErrors.has_value();
+  }
+  std::ostringstream out;
+  out << "picture = " << quoted(picture)
+      << "\ntitle = " << quoted(std::string(study.knob.setting) + " of " + subject)
+      << "\nseries = " << quoted(study.knob.field ? "against the same field" : study.knob.label)
+      << "\njoined = " << study.knob.sampled << "\ncomparison = " << comparison << "\nfields = " << fields
+      << "\narray xlabels[2] = [" << quoted(timeLabel(panels[0])) << ", " << quoted(timeLabel(panels[1]))
+      << "]\narray ylabels[2] = [" << quoted(panels[0].label) << ", " << quoted(panels[1].label)
+      << "]\narray zeros[2] = [" << zeros[0] << ", " << zeros[1] << "]\n$data << END_OF_DATA\n";
+  out << own.str() << "\n\n" << other.str();
+  out << "END_OF_DATA\n" << studyPlotScript;
+  return out.str();
+}
+
+bool writePlot(const fs::path& gnuplot, const KnobStudy& study, const std::string& subject,
+               const fs::path& picture, scene::Progress& progress, std::string& reason) {
+  PendingFile plot(picture);
+  const PendingFile script(fs::path(picture).replace_extension(".gp"));  // never committed: removed after use
+  std::ofstream(script.path()) << plotScript(study, subject, plot.path().filename().string());
+  const ProgramResult result =
+      runProgram(gnuplot, {script.path().filename().string()}, picture.parent_path(), progress);
+  std::error_code missing;
+  if (result.exitCode == 0 && fs::file_size(plot.path(), missing) > 0 && !missing) {
+    plot.commit();
+    return true;
+  }
+  reason = result.output;
+  while (!reason.empty() && std::isspace(static_cast<unsigned char>(reason.back()))) reason.pop_back();
+  reason = reason.substr(reason.rfind('\n') + 1);
+  return false;
+}
+
+}  // namespace isolux::app
