@@ -64,7 +64,8 @@ Studio::Studio(std::shared_ptr<const render::Gl> gl, std::shared_ptr<const volum
   renderer_.setVolume(volume_);
 }
 
-// The look's picture with every pass; then what its derivatives cost: without second derivatives, and with.
+// The look's picture with every pass; then a frame with second derivatives, after the same passes: those that
+// run alone find the volume in the caches.
 void Studio::drawOnce(Alternative& alternative, bool timed) {
   const scene::Scene& scene = alternative.scene;
   render::FrameRequest picture, shapes;
@@ -76,15 +77,16 @@ void Studio::drawOnce(Alternative& alternative, bool timed) {
   // Another field of hits makes other blocks, which is no cost of a frame.
   if (drawnField_ != scene.hit.field) renderer_.render(scene, picture);
   drawnField_ = scene.hit.field;
-  renderer_.invalidate();
   std::map<std::string, double> passes;
   const auto collect = [&](const render::FrameReport& report) {
     for (const render::PassReport& pass : report.passes)
       if (pass.state == render::PassState::ran) passes[pass.name] = pass.milliseconds;
     return report.milliseconds;
   };
-  const double frame = collect(renderer_.render(scene, picture));
+  renderer_.invalidate();
   collect(renderer_.render(scene, shapes));
+  renderer_.invalidate();
+  const double frame = collect(renderer_.render(scene, picture));
   if (!timed) return;
   alternative.frames.push_back(frame);
   for (const auto& [name, time] : passes) alternative.passes[name].push_back(time);
