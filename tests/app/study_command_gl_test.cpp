@@ -113,7 +113,7 @@ TEST(StudyCommandGl, PlotsWhenGnuplotIsThere) {
 TEST(StudyCommandGl, AnInterruptLeavesTheFinishedKnobs) {
   const fs::path folder = test::temporaryFolder(), file = folder / "d" / "study.json";
   test::RunningIsolux running(
-      {"study", "phantom:gyroid:32", "--size", "48x48", "--out", "d", "--repeat", "200"},
+      {"study", "phantom:gyroid:32", "--size", "48x48", "--out", "d", "--repeat", "60"},
       {.folder = folder, .environment = {"PATH=/nonexistent"}});
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!fs::exists(file) && std::chrono::steady_clock::now() < deadline)
