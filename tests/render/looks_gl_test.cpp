@@ -290,8 +290,8 @@ TEST_F(LooksGlTest, SilhouettesKeepTheirWidthOnScreen) {
   }
 }
 
-TEST_F(LooksGlTest, LinesLieOnRidgesAndValleysOnly) {
-  // Waves along x: crests are ridges, troughs valleys, alike in curvature.
+// Waves along x, 21 mm long: crests are ridges, troughs valleys, alike in curvature; inflections lie between.
+std::shared_ptr<const volume::PreparedVolume> waves() {
   const glm::ivec3 dims(64, 24, 24);
   std::vector<float> voxels;
   for (int z = 0; z < dims.z; ++z)
@@ -299,8 +299,11 @@ TEST_F(LooksGlTest, LinesLieOnRidgesAndValleysOnly) {
       for (int x = 0; x < dims.x; ++x)
         voxels.push_back(
             static_cast<float>(y - 12.0 - 3.0 * std::cos(2.0 * std::numbers::pi * (x - 31.5) / 21.0)));
-  const auto volume =
-      prepared(volume::Grid(volume::GridGeometry::make(dims, glm::dvec3(1.0)), std::move(voxels)));
+  return prepared(volume::Grid(volume::GridGeometry::make(dims, glm::dvec3(1.0)), std::move(voxels)));
+}
+
+TEST_F(LooksGlTest, LinesLieOnRidgesAndValleysOnly) {
+  const auto volume = waves();
   draw(volume,
        {"isosurface.value=0", "look.mode=lambert", "look.ambient=1", "isosurface.albedo=0.5,0.5,0.5",
         "look.ridges=1", "look.ridge_color=1,0,0", "look.valley_color=0,0,1"},
@@ -319,6 +322,28 @@ TEST_F(LooksGlTest, LinesLieOnRidgesAndValleysOnly) {
   EXPECT_GT(red, 100u);
   EXPECT_GT(blue, 100u);
   EXPECT_EQ(wrong, 0u);
+}
+
+// From the side, a suggestive contour lies on one of the two inflections around each trough, and nowhere
+// else; a ball has none, since it is hollow from nowhere.
+TEST_F(LooksGlTest, SuggestiveContoursLieWhereTheRadialCurvatureVanishes) {
+  const Settings look = {"look.mode=lambert", "look.ambient=1", "isosurface.albedo=1,1,1",
+                         "look.suggestive_contours=1"};
+  draw(waves(), with(look, {"camera.eye=-150,-300,0"}), 0.4);
+  std::size_t lines = 0, wrong = 0;
+  for (std::size_t i = 0; i < pixels(); ++i) {
+    if (!hit(i) || grey(i) > 0.4) continue;
+    ++lines;
+    const double angle = 2.0 * std::numbers::pi * (RenderGlTest::at(position_, i).x - centre_.x) / 21.0;
+    if (std::fabs(std::cos(angle)) > 0.5) ++wrong;
+  }
+  EXPECT_GT(lines, 50u);
+  EXPECT_EQ(wrong, 0u);
+  draw(phantom("ball", 64), look, 0.5);
+  for (std::size_t i = 0; i < pixels(); ++i)
+    if (hit(i)) {
+      ASSERT_GT(grey(i), 0.95);
+    }
 }
 
 // Angle of the streaks on screen from the structure tensor of the middle of the picture, degrees from
