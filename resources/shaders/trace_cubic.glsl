@@ -4,8 +4,7 @@
 // Along its stretch through a cell the field is a polynomial of degree 9. Its Bernstein coefficients follow from the
 // 64 samples by convex combinations only: blossoms of the B-spline at the stretch's ends along each axis give the
 // Bezier points of the box between them; their means over i + j + k = m are the coefficients (polar form). The
-// polynomial lies in their hull, so a hull on one side holds no crossing, and the hull's own first crossing is a bound
-// from which the search goes on.
+// polynomial lies in their hull, so coefficients on one side mean no crossing (volume/intersect_cubic.h does the same).
 
 // Weights of four samples for the blossom F(u, v, w) of the uniform cubic B-spline on the interval [0, 1].
 vec4 splineBlossom(float u, float v, float w) {
@@ -51,44 +50,91 @@ void bernstein9(vec4 rows[16], vec3 from, vec3 to, out float b[10]) {
   for (int m = 0; m < 10; ++m) b[m] /= total[m];
 }
 
-// Right part of the polynomial on [0, 1] behind s, by de Casteljau.
-void cutLeft(inout float c[10], float s) {
+// The polynomial on [s, 1], or on [0, s], as one on [0, 1]: de Casteljau.
+void keepRight(inout float c[10], float s) {
   for (int r = 1; r < 10; ++r)
     for (int i = 0; i < 10 - r; ++i) c[i] = mix(c[i], c[i + 1], s);
 }
+// Written by way of the mirrored polynomial: Mesa 22.3 miscompiles de Casteljau with a descending inner loop.
+void keepLeft(inout float c[10], float s) {
+  float mirrored[10];
+  for (int i = 0; i < 10; ++i) mirrored[i] = c[9 - i];
+  keepRight(mirrored, 1.0 - s);
+  for (int i = 0; i < 10; ++i) c[i] = mirrored[9 - i];
+}
 
 float valueAt(float c[10], float s) {
-  cutLeft(c, s);
+  keepRight(c, s);
   return c[0];
 }
 
-// The first s at which the polynomial leaves the side `inside`. certain: false where a tangency was not decided.
-bool firstRoot9(float b[10], bool inside, bool first, out float s, out bool certain) {
-  const float close = 1e-6;
-  float c[10];  // positive on the ray's side
-  for (int i = 0; i < 10; ++i) c[i] = inside ? b[i] : -b[i];
-  float zero = inside ? 0.0 : 1e-30;  // f = 0 is inside: below this the side is left
-  if (first) c[0] = max(c[0], zero);
-  s = 0.0;
-  certain = true;
-  for (int step = 0; step < 48; ++step) {
-    if (c[0] < zero) return true;
-    float hull = 2.0;
-    for (int j = 1; j < 10; ++j)
-      if (c[j] < zero) hull = min(hull, float(j) / 9.0 * c[0] / (c[0] - c[j]));
-    if (hull > 1.0) return false;
-    float rest = 1.0 - s;
-    if (hull * rest < close) {
-      float ahead = min(4.0 * close / max(rest, 1e-12), 1.0);
-      if (valueAt(c, ahead) < zero) return true;
-      hull = ahead;  // the hull touches, the curve does not
-      if (ahead == 1.0) return false;
+// The only root of a polynomial whose coefficients change sign once: regula falsi, Illinois variant.
+float onlyRoot(float c[10], float zero) {
+  float s0 = 0.0, s1 = 1.0, f0 = c[0], f1 = c[9], s = 0.0;
+  int side = 0;
+  for (int i = 0; i < 16; ++i) {
+    s = clamp(s1 - f1 * (s1 - s0) / (f1 - f0), s0, s1);
+    float f = valueAt(c, s);
+    if (s1 - s0 < 1e-6) break;
+    if (f >= zero) {
+      s0 = s;
+      f0 = f;
+      if (side == -1) f1 *= 0.5;
+      side = -1;
+    } else {
+      s1 = s;
+      f1 = f;
+      if (side == 1) f0 *= 0.5;
+      side = 1;
     }
-    cutLeft(c, hull);
-    s += hull * rest;
   }
-  certain = false;  // so close to touching that single precision does not tell
-  return true;
+  return s;
+}
+
+// The first s at which the polynomial leaves the side `inside`. Coefficients that change sign once have one root, those
+// that do not have none (variation diminishing); otherwise the interval is halved, front half first. `certain` becomes
+// false where a touch was not decided even in the smallest interval; the search goes on behind it.
+bool firstRoot9(float b[10], bool inside, bool first, out float s, inout bool certain) {
+  const int finest = 12;
+  float zero = inside ? 0.0 : 1e-30;  // f = 0 is inside: below this the side is left
+  int level = 0, index = 0;           // the interval [index, index + 1] * width
+  float width = 1.0;                  // 2^-level
+  s = 0.0;
+  for (int step = 0; step < 128; ++step) {
+    float at = float(index) * width;
+    float c[10];  // positive on the ray's side
+    for (int i = 0; i < 10; ++i) c[i] = inside ? b[i] : -b[i];
+    if (first) c[0] = max(c[0], zero);
+    keepRight(c, at);
+    keepLeft(c, width / (1.0 - at));
+    if (c[0] < zero) {
+      s = at;
+      return true;
+    }
+    int signs = 0;
+    for (int i = 0; i < 10; ++i) signs |= int(c[i] < zero) << i;
+    int changes = bitCount((signs ^ signs >> 1) & 511);
+    if (changes == 1) {
+      s = at + width * onlyRoot(c, zero);
+      return true;
+    }
+    if (changes > 1 && level < finest) {  // the front half
+      ++level;
+      index *= 2;
+      width *= 0.5;
+    } else {  // what follows, as wide as it may be
+      if (changes > 1) certain = false;
+      ++index;
+      while (level > 0 && (index & 1) == 0) {
+        --level;
+        index >>= 1;
+        width *= 2.0;
+      }
+      if (level == 0) return false;
+    }
+  }
+  certain = false;
+  return false;
 }
 
 Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carried, int inside) {
@@ -98,6 +144,7 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
   if (t > tEnd) return crossing;
   Place place = placeAt(origin + t * direction);
   bool known = carried, first = carried;
+  bool certain = true;
   int maxSteps = 2 * (uDims.x + uDims.y + uDims.z) + 16;
   for (int i = 0; i < maxSteps; ++i) {
     int shift = emptyShift(place);
@@ -118,21 +165,18 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
         if (!known) inside = sidesOf(b[0]);
         known = true;
         float nearest = 2.0;
-        bool sure = true;
         for (int k = 0; k < SURFACES; ++k) {
           float own[10];
           for (int m = 0; m < 10; ++m) own[m] = b[m] - uIsovalueShifts[k];
           float s;
-          bool certain;
           if (!firstRoot9(own, (inside >> k & 1) != 0, first, s, certain) || s >= nearest) continue;
           nearest = s;
-          sure = certain;
           crossing.surface = k;
         }
         if (nearest <= 1.0) {
           crossing.found = true;
           crossing.t = mix(t, tOut, nearest);
-          crossing.inside = (inside ^ (1 << crossing.surface)) | (sure ? 0 : 16);
+          crossing.inside = (inside ^ (1 << crossing.surface)) | (certain ? 0 : 16);
           return crossing;
         }
       }
