@@ -53,12 +53,13 @@ bool drawsContours(const Scene& s) {
 }
 
 bool needsCurvature(const Scene& s) {
+  if (isPlain(s)) return false;
   return isColored(s.look.mode) || s.look.accessibility > 0.0 || s.look.ridges > 0.0 ||
          s.look.suggestiveContours > 0.0 || s.look.contours > 0.0 || showsFlow(s);
 }
 
 bool needsGradient(const Scene& s) {
-  return s.look.mode != LookMode::depth || needsCurvature(s);
+  return s.look.mode != LookMode::depth;
 }
 
 bool isTransparent(const Scene& s) {
@@ -112,6 +113,7 @@ const std::array rules = {
     Rule{"source.csg_path", isCombined, oneVolume},
     Rule{"source.csg_value", isCombined, oneVolume},
 
+    Rule{"isosurface.inside", needsGradient, "depth is the same from either side"},
     Rule{"isosurface.albedo", showsAlbedo, noAlbedo},
     Rule{"isosurface.layers", isTransparent, "every isosurface is opaque"},
     Rule{"isosurface2.value", isShown2, hidden},

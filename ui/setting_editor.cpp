@@ -92,8 +92,9 @@ void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& reso
     automatic_->setChecked(automatic);
   }
   // Some automatic values are found while the picture is drawn: there is no number to show.
-  value_->setVisible(seen != "auto");
-  if (seen == shown_ || seen == "auto") return;
+  const bool unknown = automatic && seen == "auto";
+  value_->setVisible(!unknown);
+  if (seen == shown_ || unknown) return;
   shown_ = seen;
   value_->showValue(seen);
 }
@@ -108,7 +109,8 @@ void SettingEditor::explain() {
 }
 
 bool SettingEditor::isWide() const {
-  return setting_.type == scene::SettingType::points;
+  const bool position = setting_.type == scene::SettingType::vector && !isColour(setting_);
+  return setting_.type == scene::SettingType::points || (position && setting_.mayBeAutomatic);
 }
 
 void SettingEditor::resetToDefault() {

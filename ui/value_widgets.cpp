@@ -35,6 +35,7 @@ QHBoxLayout* rowLayout(QWidget* widget) {
 
 QString suffixOf(const Setting& setting) {
   if (setting.unit == "degrees") return "°";
+  if (setting.unit.starts_with("1/")) return ' ' + QString::fromStdString(setting.unit.substr(1));  // "5 /s"
   const bool brief = !setting.unit.empty() && setting.unit.size() <= 4;  // longer ones stand in the tooltip
   return brief ? ' ' + QString::fromStdString(setting.unit) : QString();
 }

@@ -7,6 +7,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
@@ -193,6 +194,26 @@ TEST_F(SettingsPanelTest, UnitIntervalsAreSlidersAndTogglesCheckBoxes) {
       EXPECT_NE(editor->findChild<ui::ColorButton*>(), nullptr) << setting.path;
     }
   }
+}
+
+TEST_F(SettingsPanelTest, EveryRowFitsTheNarrowestPanel) {
+  panel_.resize(panel_.minimumWidth(), 700);
+  panel_.show();
+  panel_.searchLine()->setText(".");  // all rows of all groups
+  const auto* scroll = panel_.findChild<QScrollArea*>();
+  EXPECT_LE(scroll->widget()->minimumSizeHint().width(), scroll->viewport()->width());
+}
+
+TEST_F(SettingsPanelTest, AChoiceThatIsCalledAutoIsShownAndChosenLikeTheOthers) {
+  scene_.look.mode = scene::LookMode::kappa1;
+  panel_.setScene(scene_, scene_);
+  ui::SettingEditor* editor = panel_.editor("look.colormap");
+  auto* combo = editor->findChild<QComboBox*>();
+  EXPECT_FALSE(editor->valueWidget()->isHidden());
+  combo->setCurrentIndex(combo->findData("viridis"));
+  EXPECT_EQ(scene_.look.colormap, scene::ColorMap::viridis);
+  editor->resetToDefault();
+  EXPECT_EQ(combo->currentText(), "Auto");
 }
 
 TEST_F(SettingsPanelTest, AnAutomaticValueThatOnlyThePictureKnowsCanBeFixed) {
