@@ -35,9 +35,9 @@ QHBoxLayout* rowLayout(QWidget* widget) {
 
 QString suffixOf(const Setting& setting) {
   if (setting.unit == "degrees") return "°";
-  if (setting.unit.starts_with("1/")) return ' ' + QString::fromStdString(setting.unit.substr(1));  // "5 /s"
-  const bool brief = !setting.unit.empty() && setting.unit.size() <= 4;  // longer ones stand in the tooltip
-  return brief ? ' ' + QString::fromStdString(setting.unit) : QString();
+  if (setting.unit.empty() || setting.unit.size() > 4) return {};  // long ones stand in the tooltip
+  const bool rate = setting.unit.starts_with("1/");                // "5 /s"
+  return ' ' + QString::fromStdString(rate ? setting.unit.substr(1) : setting.unit);
 }
 
 // A wheel turned over a panel scrolls it and changes nothing, unless the widget has the focus.
@@ -192,6 +192,8 @@ class ChoiceWidget : public ValueWidget {
       const QString word = QString::fromStdString(choice);
       combo_->addItem(wordsOf(word), word);
     }
+    combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // not the longest choice
+    combo_->setMinimumContentsLength(8);
     rowLayout(this)->addWidget(combo_, 1);
     setFocusProxy(combo_);
     connect(combo_, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT changed(false); });

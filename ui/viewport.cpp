@@ -134,6 +134,7 @@ void Viewport::paintGL() {
     timer.start();
     const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);
     renderer_->present(defaultFramebufferObject(), pixelSize());
+    current_ = true;
     const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
     if (ran(report)) {  // not when the same picture is only shown again
       quality_.measured(milliseconds, ran(report, render::pass::cast) ? Motion::rays : Motion::look);
@@ -153,12 +154,12 @@ void Viewport::paintGL() {
 }
 
 bool Viewport::complete() const {
-  const glm::ivec2 pixels = pixelSize();
-  return renderer_ && quality_.complete() && lastRequest_.size == pixels &&
+  return renderer_ && current_ && lastRequest_.size == pixelSize() &&
          lastRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
 }
 
 void Viewport::redraw(Motion motion) {
+  current_ = false;
   quality_.changed(motion);
   refineTimer_.start(restMilliseconds);
   update();
@@ -166,7 +167,12 @@ void Viewport::redraw(Motion motion) {
 
 void Viewport::refine() {
   if (interacting_ || drag_ != Drag::none) return;  // starts again when the gesture ends
-  if (!quality_.refine()) return;
+  if (complete()) {                                 // drawn in full at once: nothing finer follows
+    while (quality_.refine()) {
+    }
+    return;
+  }
+  quality_.refine();
   update();  // paintGL() starts the timer for the stage after this one
 }
 
@@ -200,6 +206,7 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
 
 void Viewport::setFlowTime(double seconds) {
   resolved_.flow.time = seconds;
+  current_ = false;
   quality_.animated();
   update();
 }

@@ -202,6 +202,11 @@ TEST_F(SettingsPanelTest, EveryRowFitsTheNarrowestPanel) {
   panel_.searchLine()->setText(".");  // all rows of all groups
   const auto* scroll = panel_.findChild<QScrollArea*>();
   EXPECT_LE(scroll->widget()->minimumSizeHint().width(), scroll->viewport()->width());
+  for (const scene::Setting& setting : scene::settings()) {
+    const ui::SettingEditor* editor = panel_.editor(QString::fromStdString(setting.path));
+    if (editor == nullptr) continue;
+    EXPECT_LE(editor->minimumSizeHint().width(), editor->isWide() ? 290 : 190) << setting.path;
+  }
 }
 
 TEST_F(SettingsPanelTest, AChoiceThatIsCalledAutoIsShownAndChosenLikeTheOthers) {
