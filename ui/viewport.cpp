@@ -129,7 +129,7 @@ void Viewport::paintGL() {
     return;
   }
   try {
-    lastRequest_ = quality_.request(pixelSize());
+    if (!complete()) lastRequest_ = quality_.request(pixelSize());  // else the same picture is shown again
     QElapsedTimer timer;
     timer.start();
     const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);

@@ -31,12 +31,13 @@ class ViewportTest : public WindowTest {
   std::optional<render::Pick> pointAt(QPoint position) {
     std::optional<render::Pick> result;
     bool reported = false;
+    QTest::mouseMove(viewport(), position + QPoint(1, 0));
+    QTest::qWait(100);  // reports of an earlier place, or of a picture just drawn, come first
     const auto connection =
         QObject::connect(viewport(), &ui::Viewport::pointed, [&](const std::optional<render::Pick>& pick) {
           result = pick;
           reported = true;
         });
-    QTest::mouseMove(viewport(), position + QPoint(1, 0));
     QTest::mouseMove(viewport(), position);
     EXPECT_TRUE(waitUntil([&] { return reported; }));
     QObject::disconnect(connection);
