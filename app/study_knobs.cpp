@@ -69,7 +69,7 @@ const std::vector<Knob>& knobs() {
        {"1", "2", "4", "8", "16"}},
       {"near_threshold",
        "hit.near_threshold",
-       "near threshold, parts of the automatic one",
+       "near threshold, times automatic",
        Measure::hits,
        false,
        true,

@@ -42,7 +42,7 @@ do for [p = 1:2] {
   set xrange [from : to]
   if (joined) { middle = to }  # labels to the right of every point of a line
   set logscale y
-  set yrange [E_min / 2.5 : E_max * 4]
+  set yrange [10 ** floor(log10(E_min / 1.5)) : 10 ** ceil(log10(E_max * 2))]
   set format y "%g"
   set ytics autofreq font ",11"
   if (E_min <= zeros[p] * 1.0001) { set ytics add ("0" zeros[p]) }
