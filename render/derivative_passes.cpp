@@ -14,7 +14,8 @@ void DerivativePasses::derivatives(FrameState& frame, bool hessian) {
   const Target& target = hessian ? frame.target(pass::hessian, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F})
                                  : frame.target(pass::gradient, {GL_RGBA32F});
   frame.begin(target);
-  for (std::size_t i = 0; i < target.images.size(); ++i) frame.clear(target, static_cast<int>(i), kZero);
+  for (std::size_t i = 0; i < target.images.size() && !frame.keepHits; ++i)
+    frame.clear(target, static_cast<int>(i), kZero);
   if (frame.empty()) return;
   const scene::Derivatives& settings = frame.scene->derivatives;
   std::string defines = hessian ? "#define HESSIAN\n" : "";

@@ -41,6 +41,9 @@ struct FrameRequest {
   bool color = true;          // the shaded picture
   std::vector<Aov> aovs;      // deferred images; then supersampling must be 1
   int supersampling = 1;      // rays per pixel and axis, 1..4
+  // Bricks uploaded in one frame, where the volume is in bricks; the next frames go on
+  // (FrameReport::bricks.pending). 0: the frame takes as long as it takes to be complete.
+  std::size_t brickUploadBytes = 0;
 };
 
 enum class PassState { ran, cached, skipped };
@@ -52,10 +55,24 @@ struct PassReport {
   std::size_t bytes = 0;      // of the images it writes
 };
 
+// Of a volume in bricks (memory.layout).
+struct BrickReport {
+  bool inUse = false;
+  std::size_t total = 0;     // of the volume
+  std::size_t active = 0;    // hold an active block
+  std::size_t resident = 0;  // of at most `slots`
+  std::size_t slots = 0;
+  std::size_t uploaded = 0, evicted = 0;  // in this frame
+  // Of the rays: those that wait for a brick. They are drawn hatched.
+  double missing = 0.0;
+  bool pending = false;  // the next frame gets further; otherwise what is missing does not fit
+};
+
 struct FrameReport {
   std::vector<PassReport> passes;
   double milliseconds = 0.0;  // wall time of the frame, GL finished
   std::size_t blocksActive = 0, blocksTotal = 0;
+  BrickReport bricks;
   std::size_t gpuBytes = 0;  // textures and buffers held by the renderer
 };
 

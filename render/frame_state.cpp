@@ -15,10 +15,11 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene) {
 }
 
 Program& FrameState::program(const std::string& fragment, const std::string& defines) {
-  const std::string key = fragment + "|" + defines;
+  const std::string all = volume && volume->bricks() ? "#define BRICKS\n" + defines : defines;
+  const std::string key = fragment + "|" + all;
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
-  return programs_.emplace(key, Program(gl, "fullscreen.vert.glsl", fragment, defines)).first->second;
+  return programs_.emplace(key, Program(gl, "fullscreen.vert.glsl", fragment, all)).first->second;
 }
 
 void FrameState::begin(const Target& target) const {

@@ -35,6 +35,8 @@ struct FrameState {
   std::vector<Surface> surfaces;
   std::optional<GpuVolume> volume;  // none: nothing is loaded
   ImagePool images;
+  // Of the hits in bricks: nothing is cleared, what cannot be drawn anew stays (renderer.cpp).
+  bool keepHits = false;
   std::string layer;  // of the images drawn now: "" the first crossing, otherwise one behind (layers pass)
 
   glm::ivec2 raySize() const { return request.size * request.supersampling; }
@@ -55,7 +57,8 @@ struct FrameState {
   bool withHessian = false;
   const Texture& gradientImage() const { return image(withHessian ? pass::hessian : pass::gradient); }
 
-  // A fullscreen pass: its program (made once for each set of defines), its target, and one triangle over it.
+  // A fullscreen pass: its program (made once for each set of defines; BRICKS is one where the volume is in
+  // bricks), its target, and one triangle over it.
   Program& program(const std::string& fragment, const std::string& defines = "");
   void begin(const Target& target) const;
   void begin(const Target& target, glm::ivec2 size) const;

@@ -47,6 +47,7 @@ std::size_t texelBytes(GLenum internalFormat) {
       return 4;
     case GL_RG32F:
     case GL_RG32UI:
+    case GL_RGBA16UI:
     case GL_RGBA16F:
       return 8;
     case GL_RGB32F:

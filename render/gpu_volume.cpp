@@ -27,42 +27,98 @@ const std::vector<float>& GpuVolume::coefficients() {
   return coefficients_;
 }
 
-void GpuVolume::require(const scene::Scene& scene, std::size_t budgetBytes) {
-  if (!hasCells()) return;
-  if (!samplesTexture_) samplesTexture_ = uploadVolume(gl_, grid(), budgetBytes);
-  if (coefficientsTexture_ || (scene.hit.field != scene::Field::cubic_interpolating &&
-                               scene.derivatives.field != scene::Field::cubic_interpolating))
-    return;
-  coefficientsTexture_ =
-      uploadCoefficients(gl_, coefficients(), grid().dims(),
-                         budgetBytes - std::min(budgetBytes, samplesTexture_->texture.bytes()));
+bool GpuVolume::fitsWhole(std::size_t budgetBytes) const {
+  const glm::ivec3 dims = grid().dims();
+  const std::size_t bytes = samples_->bytes() + (coefficientTexels_ ? coefficientTexels_->bytes() : 0);
+  return std::max({dims.x, dims.y, dims.z}) <= gl_->max3dTexture && bytes <= budgetBytes;
 }
 
-const VolumeTexture& GpuVolume::textureOf(scene::Field field) const {
-  return field == scene::Field::cubic_interpolating ? *coefficientsTexture_ : *samplesTexture_;
+void GpuVolume::makeWhole(std::size_t budgetBytes) {
+  bricks_.reset();
+  if (!samplesTexture_) samplesTexture_ = uploadWhole(gl_, *samples_, budgetBytes);
+  if (coefficientTexels_ && !coefficientsTexture_)
+    coefficientsTexture_ =
+        uploadWhole(gl_, *coefficientTexels_, budgetBytes - std::min(budgetBytes, samplesTexture_.bytes()));
+}
+
+void GpuVolume::makeBricks(std::size_t budgetBytes) {
+  samplesTexture_ = Texture();
+  coefficientsTexture_ = Texture();
+  bricks_.reset();
+  std::vector<const TexelSource*> channels = {&*samples_};
+  if (coefficientTexels_) channels.push_back(&*coefficientTexels_);
+  bricks_.emplace(gl_, std::move(channels), budgetBytes);
+  ++bricksMade_;
+}
+
+void GpuVolume::require(const scene::Scene& scene) {
+  if (!hasCells()) return;
+  const std::size_t budgetBytes = static_cast<std::size_t>(scene.memory.gpuBudgetMb) << 20;
+  if (!samples_) samples_.emplace(grid());
+  if (scene.hit.field == scene::Field::cubic_interpolating ||
+      scene.derivatives.field == scene::Field::cubic_interpolating)
+    if (!coefficientTexels_) coefficientTexels_.emplace(coefficients(), grid().dims());
+  const Layout wanted{scene.memory, coefficientTexels_.has_value()};
+  if (layout_ == wanted) return;
+  layout_.reset();
+  const bool whole = scene.memory.layout == scene::MemoryLayout::whole ||
+                     (scene.memory.layout == scene::MemoryLayout::automatic && fitsWhole(budgetBytes));
+  if (whole)
+    makeWhole(budgetBytes);
+  else
+    makeBricks(budgetBytes);
+  layout_ = wanted;
+}
+
+std::size_t GpuVolume::activeBricks() const {
+  if (!active_ || !hasCells()) return 0;
+  if (activeBricks_) return *activeBricks_;
+  const glm::ivec3 bricks = brickDims(grid().dims()), dims = blocks().dims();
+  const int perBrick = brickCells / blocks().blockCells();
+  std::vector<std::uint8_t> active(static_cast<std::size_t>(bricks.x) * static_cast<std::size_t>(bricks.y) *
+                                   static_cast<std::size_t>(bricks.z));
+  std::size_t block = 0;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x, ++block)
+        if (isActive(block))
+          active[static_cast<std::size_t>((z / perBrick * bricks.y + y / perBrick) * bricks.x +
+                                          x / perBrick)] = 1;
+  activeBricks_ = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
+  return *activeBricks_;
+}
+
+const TexelSource& GpuVolume::sourceOf(scene::Field field) const {
+  return field == scene::Field::cubic_interpolating ? *coefficientTexels_ : *samples_;
 }
 
 void GpuVolume::bind(Program& program, scene::Field field) const {
-  program.setTexture("uVolume", 0, samplesTexture_->texture);
-  program.setTexture("uField", 1, textureOf(field).texture);
+  const bool coefficients = field == scene::Field::cubic_interpolating;
+  program.setTexture("uVolume", 0, bricks_ ? bricks_->texture(0) : samplesTexture_);
+  if (bricks_) {
+    program.setTexture("uField", 1, bricks_->texture(coefficients ? 1 : 0));
+    bricks_->bind(program);
+  } else {
+    program.setTexture("uField", 1, coefficients ? coefficientsTexture_ : samplesTexture_);
+  }
   program.set("uDims", grid().dims());
-  program.set("uFieldPerVolume", static_cast<float>(textureOf(field).scale / samplesTexture_->scale));
+  program.set("uFieldPerVolume", static_cast<float>(sourceOf(field).scale() / samples_->scale()));
 }
 
 double GpuVolume::texelOf(double value) const {
-  return (grid().storedOfValue(value) - samplesTexture_->offset) / samplesTexture_->scale;
+  return (grid().storedOfValue(value) - samples_->offset()) / samples_->scale();
 }
 
 double GpuVolume::texelOf(double value, scene::Field field) const {
-  return (grid().storedOfValue(value) - textureOf(field).offset) / textureOf(field).scale;
+  return (grid().storedOfValue(value) - sourceOf(field).offset()) / sourceOf(field).scale();
 }
 
 double GpuVolume::dataUnitsPerTexel() const {
-  return grid().slope() * samplesTexture_->scale;
+  return grid().slope() * samples_->scale();
 }
 
 double GpuVolume::dataUnitsPerTexel(scene::Field field) const {
-  return grid().slope() * textureOf(field).scale;
+  return grid().slope() * sourceOf(field).scale();
 }
 
 void GpuVolume::setField(scene::Field field) {
@@ -114,6 +170,7 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   const bool fresh = faceCapacity_ == 0;
   const std::span<const std::uint32_t> changed = active_->update(stored);
   faces_->update(active_->flags(), changed);
+  activeBricks_.reset();
   updateMasks(stored);
 
   const std::vector<PackedFace>& faces = faces_->faces();
@@ -138,9 +195,7 @@ volume::CurvatureStatistics GpuVolume::curvatureStatistics(scene::Field field, d
 
 std::size_t GpuVolume::bytes() const {
   std::size_t sum = blockBytes();
-  for (const auto* texture : {&samplesTexture_, &coefficientsTexture_})
-    if (*texture) sum += (*texture)->texture.bytes();
-  return sum;
+  return sum + samplesTexture_.bytes() + coefficientsTexture_.bytes() + (bricks_ ? bricks_->bytes() : 0);
 }
 
 }  // namespace isolux::render

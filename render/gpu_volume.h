@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/block_faces.h"
+#include "render/bricks.h"
 #include "render/gl_objects.h"
 #include "render/volume_texture.h"
 #include "scene/scene.h"
@@ -27,12 +28,19 @@ class GpuVolume {
   const volume::Grid& grid() const { return volume_->grid(); }
   bool hasCells() const;  // an axis of one voxel has none, and no surface
 
-  // Uploads what a scene's fields need and is not there yet; `budgetBytes` is for all textures together.
-  // Throws scene::Error{memory}.
-  void require(const scene::Scene& scene, std::size_t budgetBytes);
+  // Makes room for what a scene's fields need and is not there yet, as one texture each or as bricks
+  // (memory.layout), and uploads whole textures; memory.gpu_budget_mb is for all textures together. Throws
+  // scene::Error{memory}.
+  void require(const scene::Scene& scene);
+  // None: the volume is whole.
+  Bricks* bricks() { return bricks_ ? &*bricks_ : nullptr; }
+  const Bricks* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
+  std::size_t bricksMade() const { return bricksMade_; }  // how often: what was resident is gone then
+  // Bricks that hold an active block: what pictures of these isosurfaces can need.
+  std::size_t activeBricks() const;
 
   // Sets uVolume and uDims, and uField, uFieldPerVolume for the texture that `field` is made from. Uses
-  // texture units 0 and 1.
+  // texture units 0 and 1, and 15 for bricks.
   void bind(Program& program, scene::Field field) const;
   // A value in data units as a texel of uVolume, or of the texture `field` is made from.
   double texelOf(double value) const;
@@ -58,7 +66,15 @@ class GpuVolume {
   std::size_t bytes() const;
 
  private:
-  const VolumeTexture& textureOf(scene::Field field) const;
+  struct Layout {
+    scene::Memory memory;
+    bool coefficients = false;
+    bool operator==(const Layout&) const = default;
+  };
+  bool fitsWhole(std::size_t budgetBytes) const;
+  void makeWhole(std::size_t budgetBytes);
+  void makeBricks(std::size_t budgetBytes);
+  const TexelSource& sourceOf(scene::Field field) const;
   const std::vector<float>& coefficients();
   void setField(scene::Field field);  // whose blocks are kept
   void updateMasks(const std::vector<float>& storedIsovalues);
@@ -66,12 +82,17 @@ class GpuVolume {
   GlPtr gl_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
   std::vector<float> coefficients_;  // of the interpolating spline, once asked for
-  std::optional<VolumeTexture> samplesTexture_, coefficientsTexture_;
+  std::optional<TexelSource> samples_, coefficientTexels_;
+  std::optional<Layout> layout_;                  // that is made
+  Texture samplesTexture_, coefficientsTexture_;  // of a whole volume
+  std::optional<Bricks> bricks_;
+  std::size_t bricksMade_ = 0;
 
   std::optional<scene::Field> activeField_;
   std::unique_ptr<volume::ActiveBlocks> active_;
   std::unique_ptr<BlockFaceSet> faces_;
   std::size_t faceCapacity_ = 0;
+  mutable std::optional<std::size_t> activeBricks_;  // counted when asked for
   std::unique_ptr<volume::BoxBounds> boxes_;
   std::vector<std::uint64_t> masks_;
   Texture maskTexture_;

@@ -85,13 +85,15 @@ void HitPasses::setTrace(FrameState& frame, Program& p) {
   p.set("uBlockShift", std::countr_zero(static_cast<unsigned>(frame.volume->blocks().blockCells())));
 }
 
-Program& HitPasses::castProgram(FrameState& frame, bool behind) {
+Program& HitPasses::castProgram(FrameState& frame, Rays rays) {
   const scene::Hit& hit = frame.scene->hit;
   const bool exact = hit.method == scene::HitMethod::exact;
   std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
   if (exact) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
-  if (behind) defines += "#define BEHIND\n";
+  if (rays == Rays::behind) defines += "#define BEHIND\n";
+  if (rays == Rays::again) defines += "#define AGAIN\n";
+  if (frame.volume->bricks()) defines += "#define CASTS_RAYS\n";
   Program& p = frame.program("cast.frag.glsl", defines);
   setTrace(frame, p);
   p.setTexture("uSegments", 2, frame.images.at(pass::segments).images[0]);
@@ -119,20 +121,26 @@ void HitPasses::clearHits(const FrameState& frame, const Target& target) const {
   if (exact) frame.clear(target, 1, kZero);
 }
 
-void HitPasses::cast(FrameState& frame) {
+void HitPasses::cast(FrameState& frame, bool again) {
   const Target& target = castTarget(frame);
   frame.begin(target);
-  if (frame.empty())
+  if (frame.empty()) {
     clearHits(frame, target);
-  else
-    frame.drawFullscreen(castProgram(frame, false));
+    return;
+  }
+  Program& p = castProgram(frame, again ? Rays::again : Rays::all);
+  if (again) {  // each pixel reads only what it wrote itself
+    frame.gl->TextureBarrier();
+    p.setTexture("uBefore", 4, target.images.back());
+  }
+  frame.drawFullscreen(p);
 }
 
 bool HitPasses::castBehind(FrameState& frame, const std::string& front) {
   const Target& target = castTarget(frame);
   frame.begin(target);
   clearHits(frame, target);
-  Program& p = castProgram(frame, true);
+  Program& p = castProgram(frame, Rays::behind);
   const Target& surface = frame.images.at(pass::refine + front);
   p.setTexture("uSurface", 4, surface.images[0]);
   p.setTexture("uInfo", 5, surface.images[1]);
@@ -149,11 +157,11 @@ bool HitPasses::castBehind(FrameState& frame, const std::string& front) {
 void HitPasses::refine(FrameState& frame) {
   const Target& target = frame.target(pass::refine, {GL_RGBA32F, GL_RG32F});
   frame.begin(target);
-  if (frame.empty()) {
+  if (!frame.keepHits) {
     frame.clear(target, 0, kNoSurface);
     frame.clear(target, 1, kZero);
-    return;
   }
+  if (frame.empty()) return;
   const scene::Field field = frame.scene->hit.field;
   Program& p = frame.program("refine.frag.glsl", field == scene::Field::trilinear ? "" : "#define CUBIC\n");
   frame.setView(p);

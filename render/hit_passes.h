@@ -13,7 +13,8 @@ class HitPasses {
   void segments(FrameState& frame);
   // behind: the crossing behind the one in the surface image of layer `front`; the pixels without one are not
   // touched. False when no pixel has one.
-  void cast(FrameState& frame);
+  // again: only the rays that waited for a brick.
+  void cast(FrameState& frame, bool again = false);
   bool castBehind(FrameState& frame, const std::string& front);
   void refine(FrameState& frame);
 
@@ -22,7 +23,8 @@ class HitPasses {
   static void setTrace(FrameState& frame, Program& program);
 
  private:
-  Program& castProgram(FrameState& frame, bool behind);
+  enum class Rays { all, again, behind };
+  Program& castProgram(FrameState& frame, Rays rays);
   const Target& castTarget(FrameState& frame) const;
   void clearHits(const FrameState& frame, const Target& target) const;
 

@@ -160,6 +160,10 @@ std::uint64_t shadowHash(const scene::Scene& scene) {
   return hash;
 }
 
+bool readsGradient(Aov aov) {
+  return aov == Aov::normal || aov == Aov::gradient;
+}
+
 // How the surfaces look, apart from where they are.
 std::uint64_t surfacesHash(const scene::Scene& scene) {
   Hasher hash;
@@ -180,7 +184,7 @@ std::uint64_t isovaluesHash(const scene::Scene& scene) {
 }  // namespace
 
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
-                                           std::uint64_t volumeHash) {
+                                           std::uint64_t volumeHash, const BrickState& bricks) {
   const scene::Look& look = scene.look;
   const Parameter volume{"volume", Hasher().add(volumeHash)};
   const Parameter isovalue{"isovalue", isovaluesHash(scene)};
@@ -221,6 +225,23 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                        {sampled ? image::bracket : image::surface},
                        {volume, isovalue, camera, size, method, hitField, rate},
                        ""};
+  const bool gradientRead = (request.color && needs.gradient) ||
+                            std::any_of(request.aovs.begin(), request.aovs.end(), readsGradient);
+  PassDeclaration residence{pass::bricks, {}, {image::bricks}, {volume}, "the volume is one texture"};
+  cast.parameters.push_back({"memory.layout", Hasher().add(bricks.inUse)});
+  if (bricks.inUse) {
+    residence.parameters.push_back({"graphics memory", Hasher().add(bricks.made)});
+    residence.parameters.push_back({"what rays ask for", Hasher().add(bricks.asked)});
+    cast.reads.emplace_back(image::bricks);
+    // Other derivatives need the bricks at the hits again.
+    if (bricks.mayReplace)
+      cast.parameters.push_back(
+          {"derivatives", Hasher()
+                              .add(scene.derivatives.field)
+                              .add(cubic ? scene.derivatives.fetch : scene::Fetch::exact)
+                              .add(gradientRead)
+                              .add(hessianRead)});
+  }
   PassDeclaration refine{pass::refine,
                          {image::bracket},
                          {image::surface},
@@ -281,6 +302,7 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   return {
       {pass::blocks, {}, {image::activeBlocks, image::faces}, {volume, isovalue, hitField}, ""},
       {pass::segments, {image::activeBlocks, image::faces}, {image::segments}, {camera, size}, ""},
+      residence,
       cast,
       refine,
       gradient,
@@ -313,7 +335,7 @@ std::vector<std::string> wantedImages(const FrameRequest& request) {
   std::vector<std::string> wanted;
   if (request.color) wanted.emplace_back(image::picture);
   for (const Aov aov : request.aovs) {
-    if (aov == Aov::normal || aov == Aov::gradient)
+    if (readsGradient(aov))
       wanted.emplace_back(image::gradient);
     else if (aov == Aov::hessian)
       wanted.emplace_back(image::hessian);

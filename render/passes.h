@@ -2,8 +2,9 @@
 //
 //   blocks     active blocks of the isovalues and the faces between active and inactive ones  (object order)
 //   segments   where each ray enters and leaves the active blocks, by rasterising those faces
-//   cast       the first crossing of an isovalue on each ray: the surface point, or for sampled hits a
-//   bracket [t0, t1] refine     the surface point of a sampled hit: bracket narrowed on the exact field of
+//   bricks     uploads of the bricks that the rays of the frame before asked for; none in a volume of one
+//   texture cast       the first crossing of an isovalue on each ray: the surface point, or for sampled hits
+//   a bracket [t0, t1] refine     the surface point of a sampled hit: bracket narrowed on the exact field of
 //   hit.field gradient   world gradient at the surface point, by the field of derivatives.field (image space)
 //   hessian    the same with the world Hessian, from the same samples: runs instead where second derivatives
 //              are read
@@ -24,18 +25,19 @@
 namespace isolux::render {
 
 namespace pass {
-inline constexpr const char *blocks = "blocks", *segments = "segments", *cast = "cast", *refine = "refine",
-                            *gradient = "gradient", *hessian = "hessian", *curvature = "curvature",
-                            *ranges = "ranges", *shadow = "shadow", *flowField = "flow field", *flow = "flow",
-                            *shade = "shade", *layers = "layers", *resolve = "resolve";
+inline constexpr const char *blocks = "blocks", *segments = "segments", *bricks = "bricks", *cast = "cast",
+                            *refine = "refine", *gradient = "gradient", *hessian = "hessian",
+                            *curvature = "curvature", *ranges = "ranges", *shadow = "shadow",
+                            *flowField = "flow field", *flow = "flow", *shade = "shade", *layers = "layers",
+                            *resolve = "resolve";
 }
 namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *faces = "block faces",
-                            *segments = "ray segments", *bracket = "brackets", *surface = "surface points",
-                            *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
-                            *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
-                            *flow = "streaks", *front = "front colour", *color = "colour",
-                            *picture = "picture";
+                            *segments = "ray segments", *bricks = "resident bricks", *bracket = "brackets",
+                            *surface = "surface points", *gradient = "gradients", *hessian = "Hessians",
+                            *curvature = "curvatures", *ranges = "curvature ranges", *shadow = "shadows",
+                            *flowField = "flow fields", *flow = "streaks", *front = "front colour",
+                            *color = "colour", *picture = "picture";
 }
 
 // What a look reads.
@@ -59,9 +61,17 @@ bool isTransparent(const scene::Scene& scene);
 // The image comes from second derivatives.
 bool readsHessian(Aov aov);
 
+// A volume in bricks, as far as passes depend on it.
+struct BrickState {
+  bool inUse = false;
+  bool mayReplace = false;  // not all bricks fit: those at the hits may be gone when they are wanted again
+  std::uint64_t made = 0;   // how often the cache was made
+  std::uint64_t asked = 0;  // changes when rays ask for bricks that the next frame can give
+};
+
 // `volumeHash` identifies the voxels (0: none).
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
-                                           std::uint64_t volumeHash);
+                                           std::uint64_t volumeHash, const BrickState& bricks = {});
 // The images a request reads in the end. An opaque picture has no layers pass: shade writes its colour.
 std::vector<std::string> wantedImages(const FrameRequest& request);
 

@@ -5,7 +5,9 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <set>
 
+#include "render/brick_rounds.h"
 #include "render/derivative_passes.h"
 #include "render/effect_passes.h"
 #include "render/frame_state.h"
@@ -39,6 +41,16 @@ void setKnownState(const Gl& gl) {
     gl.PixelStorei(store, 0);
   constexpr GLuint textureUnits = 16;
   for (GLuint unit = 0; unit < textureUnits; ++unit) gl.BindSampler(unit, 0);
+}
+
+bool castsRays(const std::string& name) {
+  return name == pass::cast || name == pass::shadow || name == pass::layers;
+}
+
+bool passRan(const FrameReport& report, const std::string& name) {
+  return std::any_of(report.passes.begin(), report.passes.end(), [&](const PassReport& pass) {
+    return pass.name == name && pass.state == PassState::ran;
+  });
 }
 
 // Times the passes of a frame: GPU timestamps, read when the frame is done; on a software rasteriser, whose
@@ -93,9 +105,17 @@ struct Renderer::Parts {
   FrameReport report;
   DrawnFrame drawn;
   std::shared_ptr<const volume::PreparedVolume> volume;
+  std::uint64_t bricksAsked = 0;  // BrickState::asked
+  std::size_t waitingRays = 0;    // of the last frame that cast rays
+  bool complete = true;           // the last frame had all the time it needed
 
   void prepare(const scene::Scene& scene, const FrameRequest& request);
+  BrickState brickState();
   void run(const std::string& pass);
+  // In bricks: `pass` casts rays, `planned` are the passes of this frame that run.
+  void runInBricks(const std::string& pass, const std::set<std::string>& planned);
+  void uploadBricks();  // what the last frame asked for
+  void reportBricks();
   std::size_t bytesOf(const std::string& pass) const;
 };
 
@@ -117,7 +137,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   frame.request = request;
   frame.surfaces = surfacesOf(scene);
   if (volume && !frame.volume) frame.volume.emplace(frame.gl, volume);
-  if (frame.volume) frame.volume->require(scene, static_cast<std::size_t>(scene.memory.gpuBudgetMb) << 20);
+  if (frame.volume) frame.volume->require(scene);
   const volume::GridGeometry none = volume::GridGeometry::make(glm::ivec3(2), glm::dvec3(1.0));
   frame.view.emplace(scene.camera, static_cast<double>(request.size.x) / request.size.y,
                      volume ? volume->grid().geometry() : none);
@@ -131,6 +151,7 @@ void Renderer::Parts::run(const std::string& name) {
   static const std::map<std::string, std::function<void(Parts&)>> runs = {
       {pass::blocks, [](Parts& p) { p.hits.blocks(p.frame); }},
       {pass::segments, [](Parts& p) { p.hits.segments(p.frame); }},
+      {pass::bricks, [](Parts& p) { p.uploadBricks(); }},
       {pass::cast, [](Parts& p) { p.hits.cast(p.frame); }},
       {pass::refine, [](Parts& p) { p.hits.refine(p.frame); }},
       {pass::gradient, [](Parts& p) { p.derivatives.gradient(p.frame); }},
@@ -146,8 +167,60 @@ void Renderer::Parts::run(const std::string& name) {
   runs.at(name)(*this);
 }
 
+BrickState Renderer::Parts::brickState() {
+  const Bricks* const bricks = frame.volume ? frame.volume->bricks() : nullptr;
+  if (!bricks) waitingRays = 0;
+  if (!bricks) return {};
+  // What did not come in time may come now.
+  if (waitingRays > 0 && !complete && frame.request.brickUploadBytes == 0) ++bricksAsked;
+  return {true, !bricks->holdsAll(), frame.volume->bricksMade(), bricksAsked};
+}
+
+void Renderer::Parts::uploadBricks() {
+  Bricks& bricks = *frame.volume->bricks();
+  if (frame.request.brickUploadBytes > 0) bricks.serve(bricks.frameRound(), frame.request.brickUploadBytes);
+}
+
+void Renderer::Parts::runInBricks(const std::string& name, const std::set<std::string>& planned) {
+  BrickRounds rounds(frame, hits, [&] {
+    for (const char* at : {pass::refine, pass::gradient, pass::hessian})
+      if (planned.count(at) > 0) run(at);
+    frame.keepHits = true;
+  });
+  if (name == pass::cast)
+    waitingRays = rounds.cast();
+  else
+    waitingRays = std::max(waitingRays, rounds.draw([&] { run(name); }));
+}
+
+void Renderer::Parts::reportBricks() {
+  const Bricks* const bricks = frame.volume ? frame.volume->bricks() : nullptr;
+  if (!bricks) return;
+  const glm::ivec3 dims = bricks->dims();
+  BrickReport& out = report.bricks;
+  out = {
+      true,
+      static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z),
+      frame.volume->activeBricks(),
+      bricks->resident(),
+      bricks->slots(),
+      bricks->uploaded(),
+      bricks->evicted(),
+      static_cast<double>(waitingRays) / (static_cast<double>(frame.raySize().x) * frame.raySize().y),
+      frame.request.brickUploadBytes > 0 && waitingRays > 0 && bricks->canServe(bricks->frameRound())};
+  if (out.pending) ++bricksAsked;
+  for (PassReport& pass : report.passes)
+    if (pass.name == pass::bricks && out.uploaded > 0) {
+      pass.state = PassState::ran;
+      pass.reason = "rays asked for " + std::to_string(out.uploaded) + " bricks";
+      pass.milliseconds = bricks->uploadMilliseconds();
+    }
+}
+
 std::size_t Renderer::Parts::bytesOf(const std::string& name) const {
   if (name == pass::blocks) return frame.volume ? frame.volume->blockBytes() : 0;
+  if (name == pass::bricks)
+    return frame.volume && frame.volume->bricks() ? frame.volume->bricks()->bytes() : 0;
   // Exact hits are surface points without a bracket before.
   return frame.images.bytesOf(name == pass::cast && !frame.images.has(pass::cast) ? pass::refine : name);
 }
@@ -162,22 +235,32 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   parts.report = {};
   try {
     parts.prepare(scene, request);
-    const auto passes = declarePasses(scene, request, parts.volume ? parts.volume->grid().hash() : 0);
+    Bricks* const bricks = parts.frame.volume ? parts.frame.volume->bricks() : nullptr;
+    const auto passes =
+        declarePasses(scene, request, parts.volume ? parts.volume->grid().hash() : 0, parts.brickState());
     const auto plan = parts.graph.plan(passes, wantedImages(request));
-    parts.frame.withHessian = std::any_of(plan.begin(), plan.end(), [&](const PlannedPass& planned) {
-      return passes[planned.index].name == pass::hessian && planned.state != PassState::skipped;
+    parts.frame.withHessian = std::any_of(plan.begin(), plan.end(), [&](const PlannedPass& entry) {
+      return passes[entry.index].name == pass::hessian && entry.state != PassState::skipped;
     });
+    std::set<std::string> planned;
+    for (const PlannedPass& entry : plan)
+      if (entry.state == PassState::ran) planned.insert(passes[entry.index].name);
+    if (bricks) bricks->beginFrame();
     PassClock clock(parts.frame.gl);
-    for (const PlannedPass& planned : plan) {
-      const PassDeclaration& declared = passes[planned.index];
-      PassReport entry{declared.name, planned.state, planned.reason, 0.0, 0};
-      if (planned.state == PassState::ran) {
+    for (const PlannedPass& now : plan) {
+      const PassDeclaration& declared = passes[now.index];
+      PassReport entry{declared.name, now.state, now.reason, 0.0, 0};
+      if (now.state == PassState::ran) {
         clock.begin();
-        parts.run(declared.name);
+        if (castsRays(declared.name)) parts.frame.keepHits = false;
+        if (bricks && castsRays(declared.name))
+          parts.runInBricks(declared.name, planned);
+        else
+          parts.run(declared.name);
         clock.end(parts.report.passes.size());
         parts.graph.completed(declared);
       }
-      if (planned.state != PassState::skipped) entry.bytes = parts.bytesOf(declared.name);
+      if (now.state != PassState::skipped) entry.bytes = parts.bytesOf(declared.name);
       parts.report.passes.push_back(std::move(entry));
     }
     gl.Finish();
@@ -191,6 +274,8 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   }
   gl.BindVertexArray(0);
   gl.UseProgram(0);
+  if (passRan(parts.report, pass::cast)) parts.complete = request.brickUploadBytes == 0;
+  parts.reportBricks();
   parts.report.milliseconds = millisecondsSince(begin);
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;
   parts.report.gpuBytes = parts.frame.images.bytes();

@@ -10,80 +10,126 @@ namespace isolux::render {
 
 namespace {
 
-Texture allocated(const GlPtr& gl, GLenum format, glm::ivec3 dims, std::size_t bytes,
-                  std::size_t budgetBytes) {
-  const auto refuse = [](const std::string& reason) {
-    throw scene::Error(scene::ErrorKind::memory, "", "graphics memory", reason);
-  };
-  if (std::max({dims.x, dims.y, dims.z}) > gl->max3dTexture)
-    refuse("the volume has an axis of " + std::to_string(std::max({dims.x, dims.y, dims.z})) +
-           " voxels, this driver takes at most " + std::to_string(gl->max3dTexture));
-  if (bytes > budgetBytes)
-    refuse("the volume needs " + std::to_string(bytes >> 20) + " MiB, memory.gpu_budget_mb allows " +
-           std::to_string(budgetBytes >> 20));
-  return Texture::make3D(gl, format, dims, true);
-}
-
-// Slab by slab through one converted buffer: no second copy of the volume.
-template <class Source, class Target, class Convert>
-void uploadSlabs(const Gl& gl, const Texture& texture, GLenum type, const Source* voxels, Convert convert) {
-  const glm::ivec3 size = texture.size();
-  const std::size_t slice = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  const int slices =
-      static_cast<int>(std::max<std::size_t>(1, (std::size_t{8} << 20) / (slice * sizeof(Target))));
-  std::vector<Target> buffer(slice * static_cast<std::size_t>(std::min(slices, size.z)));
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (int z = 0; z < size.z; z += slices) {
-    const int count = std::min(slices, size.z - z);
-    const Source* from = voxels + slice * static_cast<std::size_t>(z);
-    std::transform(from, from + slice * static_cast<std::size_t>(count), buffer.begin(), convert);
-    gl.TextureSubImage3D(texture.id(), 0, 0, 0, z, size.x, size.y, count, GL_RED, type, buffer.data());
-  }
-}
-
-VolumeTexture uploadFloats(const GlPtr& gl, const std::vector<float>& values, glm::ivec3 dims,
-                           std::size_t budgetBytes) {
+// Of the largest magnitude, as a power of two.
+int exponentOf(const std::vector<float>& values) {
   float largest = 0.0f;
   for (const float v : values)
     if (std::fabs(v) > largest) largest = std::fabs(v);
   int exponent = 0;
   if (largest > 0.0f) std::frexp(largest, &exponent);
-  exponent = std::clamp(exponent, -126, 127);
-  VolumeTexture result{allocated(gl, GL_R32F, dims, values.size() * 4, budgetBytes),
-                       std::ldexp(1.0, exponent), 0.0};
-  const int shift = -exponent;
-  uploadSlabs<float, float>(*gl, result.texture, GL_FLOAT, values.data(),
-                            [shift](float v) { return std::isnan(v) ? missingTexel : std::ldexp(v, shift); });
-  return result;
+  return std::clamp(exponent, -126, 127);
+}
+
+template <class Voxel, class Texel, class Convert>
+void convertBox(const std::vector<Voxel>& voxels, glm::ivec3 dims, glm::ivec3 first, glm::ivec3 size,
+                Texel* out, Convert convert) {
+  const int from = std::clamp(-first.x, 0, size.x);           // texels before the first voxel
+  const int to = std::clamp(dims.x - first.x, from, size.x);  // and behind the last
+  const auto row = [&](int y, int z) {
+    const std::size_t line =
+        static_cast<std::size_t>(std::clamp(first.z + z, 0, dims.z - 1)) * static_cast<std::size_t>(dims.y) +
+        static_cast<std::size_t>(std::clamp(first.y + y, 0, dims.y - 1));
+    return voxels.data() + line * static_cast<std::size_t>(dims.x);
+  };
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y) {
+      const Voxel* const voxel = row(y, z);
+      out = std::fill_n(out, from, convert(voxel[0]));
+      out = std::transform(voxel + first.x + from, voxel + first.x + to, out, convert);
+      out = std::fill_n(out, size.x - to, convert(voxel[dims.x - 1]));
+    }
 }
 
 }  // namespace
 
-VolumeTexture uploadVolume(const GlPtr& gl, const volume::Grid& grid, std::size_t budgetBytes) {
-  const glm::ivec3 dims = grid.dims();
-  return std::visit(
-      [&](const auto& voxels) -> VolumeTexture {
-        using T = typename std::decay_t<decltype(voxels)>::value_type;
-        if constexpr (std::is_same_v<T, float>) {
-          return uploadFloats(gl, voxels, dims, budgetBytes);
-        } else {
-          using Unsigned = std::make_unsigned_t<T>;
-          constexpr bool oneByte = sizeof(T) == 1;
-          constexpr int bias = std::is_signed_v<T> ? (oneByte ? 128 : 32768) : 0;
-          VolumeTexture result{allocated(gl, oneByte ? GL_R8 : GL_R16, dims, grid.bytes(), budgetBytes),
-                               oneByte ? 255.0 : 65535.0, -static_cast<double>(bias)};
-          uploadSlabs<T, Unsigned>(*gl, result.texture, oneByte ? GL_UNSIGNED_BYTE : GL_UNSIGNED_SHORT,
-                                   voxels.data(),
-                                   [](T v) { return static_cast<Unsigned>(static_cast<int>(v) + bias); });
-          return result;
-        }
-      },
-      grid.voxels());
+TexelSource::TexelSource(const volume::Grid& grid) : dims_(grid.dims()), voxels_(&grid.voxels()) {
+  using volume::VoxelType;
+  switch (grid.storedType()) {
+    case VoxelType::int8:
+    case VoxelType::uint8:
+      scale_ = 255.0;
+      break;
+    case VoxelType::int16:
+    case VoxelType::uint16:
+      scale_ = 65535.0;
+      break;
+    default:
+      exponent_ = exponentOf(std::get<std::vector<float>>(*voxels_));
+      scale_ = std::ldexp(1.0, exponent_);
+  }
+  if (grid.storedType() == VoxelType::int8) offset_ = -128.0;
+  if (grid.storedType() == VoxelType::int16) offset_ = -32768.0;
 }
 
-VolumeTexture uploadCoefficients(const GlPtr& gl, const std::vector<float>& coefficients, glm::ivec3 dims,
-                                 std::size_t budgetBytes) {
-  return uploadFloats(gl, coefficients, dims, budgetBytes);
+TexelSource::TexelSource(const std::vector<float>& coefficients, glm::ivec3 dims)
+    : dims_(dims), coefficients_(&coefficients), exponent_(exponentOf(coefficients)) {
+  scale_ = std::ldexp(1.0, exponent_);
+}
+
+std::size_t TexelSource::texelBytes() const {
+  if (!voxels_) return sizeof(float);
+  return std::visit([](const auto& voxels) { return sizeof(voxels[0]); }, *voxels_);
+}
+
+std::size_t TexelSource::bytes() const {
+  return texelBytes() * static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
+         static_cast<std::size_t>(dims_.z);
+}
+
+GLenum TexelSource::internalFormat() const {
+  return texelBytes() == 1 ? GL_R8 : texelBytes() == 2 ? GL_R16 : GL_R32F;
+}
+
+GLenum TexelSource::type() const {
+  return texelBytes() == 1 ? GL_UNSIGNED_BYTE : texelBytes() == 2 ? GL_UNSIGNED_SHORT : GL_FLOAT;
+}
+
+void TexelSource::copyBox(glm::ivec3 first, glm::ivec3 size, void* texels) const {
+  const auto copy = [&](const auto& voxels) {
+    using T = typename std::decay_t<decltype(voxels)>::value_type;
+    if constexpr (std::is_same_v<T, float>) {
+      convertBox(voxels, dims_, first, size, static_cast<float*>(texels), [shift = -exponent_](float v) {
+        return std::isnan(v) ? missingTexel : std::ldexp(v, shift);
+      });
+    } else {
+      using Unsigned = std::make_unsigned_t<T>;
+      constexpr int bias = std::is_signed_v<T> ? (sizeof(T) == 1 ? 128 : 32768) : 0;
+      convertBox(voxels, dims_, first, size, static_cast<Unsigned*>(texels),
+                 [](T v) { return static_cast<Unsigned>(static_cast<int>(v) + bias); });
+    }
+  };
+  if (voxels_)
+    std::visit(copy, *voxels_);
+  else
+    copy(*coefficients_);
+}
+
+Texture uploadWhole(const GlPtr& gl, const TexelSource& source, std::size_t budgetBytes) {
+  const auto refuse = [](const std::string& reason) {
+    throw scene::Error(scene::ErrorKind::memory, "", "graphics memory", reason);
+  };
+  const glm::ivec3 dims = source.dims();
+  const int longest = std::max({dims.x, dims.y, dims.z});
+  if (longest > gl->max3dTexture)
+    refuse("the volume has an axis of " + std::to_string(longest) + " voxels, this driver takes at most " +
+           std::to_string(gl->max3dTexture) + " in one texture");
+  if (source.bytes() > budgetBytes)
+    refuse("the volume needs " + std::to_string(source.bytes() >> 20) + " MiB, memory.gpu_budget_mb allows " +
+           std::to_string(budgetBytes >> 20));
+  Texture texture = Texture::make3D(gl, source.internalFormat(), dims, true);
+  // Slab by slab through one converted buffer: no second copy of the volume.
+  const std::size_t slice = source.bytes() / static_cast<std::size_t>(dims.z);
+  const int slices = static_cast<int>(
+      std::clamp<std::size_t>((std::size_t{8} << 20) / slice, 1, static_cast<std::size_t>(dims.z)));
+  std::vector<std::byte> buffer(slice * static_cast<std::size_t>(slices));
+  gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (int z = 0; z < dims.z; z += slices) {
+    const int count = std::min(slices, dims.z - z);
+    source.copyBox({0, 0, z}, {dims.x, dims.y, count}, buffer.data());
+    gl->TextureSubImage3D(texture.id(), 0, 0, 0, z, dims.x, dims.y, count, GL_RED, source.type(),
+                          buffer.data());
+  }
+  return texture;
 }
 
 }  // namespace isolux::render

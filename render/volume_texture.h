@@ -1,6 +1,7 @@
 // A volume on the GPU, in the smallest format that holds its voxels exactly.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "render/gl_objects.h"
@@ -8,18 +9,38 @@
 
 namespace isolux::render {
 
-// stored = texel * scale + offset, where texel is what the shader fetches:
+// Voxels as texels: stored = texel * scale + offset, where texel is what the shader fetches:
 //   int8, uint8   R8   (int8 biased by 128)      scale 255
 //   int16, uint16 R16  (int16 biased by 32768)   scale 65535
 //   float32       R32F multiplied by a power of two that brings the largest magnitude near 1 (exact)
-struct VolumeTexture {
-  Texture texture;
-  double scale = 1.0, offset = 0.0;
+// Keeps pointers to the voxels it is made from.
+class TexelSource {
+ public:
+  explicit TexelSource(const volume::Grid& grid);
+  // Float coefficients on the axes of a grid (volume::interpolatingCoefficients), as a float32 volume.
+  TexelSource(const std::vector<float>& coefficients, glm::ivec3 dims);
+
+  glm::ivec3 dims() const { return dims_; }
+  double scale() const { return scale_; }
+  double offset() const { return offset_; }
+  GLenum internalFormat() const;
+  GLenum type() const;  // of the texels that copyBox() writes
+  std::size_t texelBytes() const;
+  std::size_t bytes() const;  // of all texels
+
+  // The texels of voxels first .. first + size - 1, x fastest; beyond the border the border voxel repeats.
+  void copyBox(glm::ivec3 first, glm::ivec3 size, void* texels) const;
+
+ private:
+  glm::ivec3 dims_;
+  const volume::VoxelArray* voxels_ = nullptr;  // or:
+  const std::vector<float>* coefficients_ = nullptr;
+  double scale_ = 1.0, offset_ = 0.0;
+  int exponent_ = 0;
 };
-// Throws scene::Error{memory} when an axis exceeds the driver's limit or the bytes the budget.
-VolumeTexture uploadVolume(const GlPtr& gl, const volume::Grid& grid, std::size_t budgetBytes);
-// Float coefficients on the grid's axes (volume::interpolatingCoefficients), scaled like a float32 volume.
-VolumeTexture uploadCoefficients(const GlPtr& gl, const std::vector<float>& coefficients, glm::ivec3 dims,
-                                 std::size_t budgetBytes);
+
+// The whole volume as one texture. Throws scene::Error{memory} when an axis exceeds the driver's limit or the
+// bytes the budget.
+Texture uploadWhole(const GlPtr& gl, const TexelSource& source, std::size_t budgetBytes);
 
 }  // namespace isolux::render

@@ -122,6 +122,10 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
   json["frame_milliseconds"] = drawn.milliseconds;
   json["repeat"] = options.repeat;
   json["blocks"] = {{"active", drawn.report.blocksActive}, {"total", drawn.report.blocksTotal}};
+  const render::BrickReport& bricks = drawn.report.bricks;
+  json["bricks"] = {{"active", bricks.active},   {"resident", bricks.resident}, {"uploaded", bricks.uploaded},
+                    {"evicted", bricks.evicted}, {"slots", bricks.slots},       {"total", bricks.total},
+                    {"missing", bricks.missing}};
   json["gpu_bytes"] = drawn.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["data_hash"] = hashText(prepared.grid().hash());
@@ -137,6 +141,11 @@ void printPasses(const render::FrameReport& report) {
   for (const render::PassReport& pass : report.passes)
     std::printf("%-*s  %-7s  %10.3f  %s\n", static_cast<int>(width), pass.name.c_str(), stateName(pass.state),
                 pass.milliseconds, pass.reason.c_str());
+  const render::BrickReport& bricks = report.bricks;
+  if (bricks.inUse)
+    std::printf(
+        "bricks: %zu of %zu hold the surface, %zu are resident in %zu slots, %zu uploaded, %zu replaced\n",
+        bricks.active, bricks.total, bricks.resident, bricks.slots, bricks.uploaded, bricks.evicted);
   std::fflush(stdout);
 }
 
@@ -182,6 +191,11 @@ void runRender(const RenderOptions& options, scene::Progress& progress) {
                   jsonText(statsJson(options, scene, request, *prepared, context->description(), drawn)));
   if (options.explain) printPasses(drawn.report);
   printWarnings(prepared->volume);
+  if (drawn.report.bricks.missing > 0.0)
+    std::fprintf(
+        stderr,
+        "isolux: note: %.2g %% of the picture is missing: memory.gpu_budget_mb is too small for this view\n",
+        100.0 * drawn.report.bricks.missing);
 }
 
 }  // namespace

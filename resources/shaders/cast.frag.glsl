@@ -3,7 +3,11 @@
 //
 // EXACT: every cell's first root (trace.glsl, trace_cubic.glsl), which is the surface point itself: voxel position and
 // t (mm; -1: none), and |f - isovalue| in texels of what is hit. Otherwise a bracket [t0, t1] in mm, t0 > t1 where there
-// is none, by samples at two rates, Hadwiger et al. 2005 sec. 3.2; refine.frag.glsl makes the point of it. BEHIND: the next crossing behind the one in uSurface. CUBIC: of the B-spline of uField.
+// is none, by samples at two rates, Hadwiger et al. 2005 sec. 3.2; refine.frag.glsl makes the point of it. BEHIND: the
+// next crossing behind the one in uSurface. CUBIC: of the B-spline of uField.
+//
+// BRICKS: a ray that comes to a brick that is not resident ends there and waits: 128 in what is known, 1 in the last
+// channel of a bracket. AGAIN: only the rays that waited.
 #include "common.glsl"
 #include "field.glsl"
 #include "trace.glsl"
@@ -13,6 +17,9 @@
 #endif
 
 uniform sampler2D uSegments;
+#ifdef AGAIN
+uniform sampler2D uBefore;  // what this pass wrote before: what is known, or the bracket
+#endif
 #ifdef BEHIND
 uniform sampler2D uSurface, uInfo, uColor;
 #endif
@@ -36,7 +43,7 @@ float sampled(vec3 p) {
 #ifdef CUBIC
   return splineFast(p);
 #else
-  return texture(uVolume, (p + 0.5) / vec3(uDims)).r;
+  return texture(uVolume, filterCoordinate(p, cellOf(p), textureSize(uVolume, 0))).r;
 #endif
 }
 
@@ -58,6 +65,7 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
       if (outsideCells(place.cell)) return nothing;
       continue;
     }
+    if (!resident(place.cell)) return nothing;
     float value = sampled(origin + t * direction) - uIsovalues.x;
     float distance = never;
     if (isMissing(value)) {
@@ -90,6 +98,13 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
+#ifdef AGAIN
+#ifdef EXACT
+  if ((int(texelFetch(uBefore, pixel, 0).g) & 128) == 0) discard;
+#else
+  if (texelFetch(uBefore, pixel, 0).w == 0.0) discard;
+#endif
+#endif
 #ifdef EXACT
   oSurface = vec4(0.0, 0.0, 0.0, -1.0);
   oInfo = vec2(0.0);
@@ -135,11 +150,26 @@ void main() {
     oSurface = vec4(p, max(crossing.t, 0.0));
     oInfo = vec2(isMissing(error) ? 0.0 : abs(error), float(crossing.surface + 4 * crossing.inside));
   }
+#ifdef BRICKS
+  if (brickMissed) {
+    crossing.found = false;
+    oSurface = vec4(0.0, 0.0, 0.0, -1.0);
+    oInfo = vec2(0.0, 128.0);
+    atomicAdd(waitingRays, 1u);
+  }
+#endif
 #ifdef BEHIND
   if (!crossing.found) discard;
 #endif
 #else
   oBracket = march(origin, direction, t, tEnd);
+#ifdef BRICKS
+  if (oBracket.x <= oBracket.y) enterBricks(origin + oBracket.x * direction, origin + oBracket.y * direction);
+  if (brickMissed) {
+    oBracket = vec4(nothing.xyz, 1.0);
+    atomicAdd(waitingRays, 1u);
+  }
+#endif
 #ifdef BEHIND
   if (oBracket.x > oBracket.y) discard;
 #endif

@@ -24,6 +24,7 @@ void main() {
 #endif
   if (surface.w < 0.0) return;
   vec3 p = clamp(surface.xyz, vec3(0.0), vec3(uDims - 1));
+  if (!resident(cellOf(p))) discard;  // written while its brick was
   vec3 gradient, diagonal = vec3(0.0), mixed = vec3(0.0);
   bool known = true;
 #ifdef CUBIC

@@ -7,21 +7,23 @@ uniform ivec3 uDims;
 const float missingTexel = 1e30;  // stands for a missing voxel; render/constants.h holds the same number
 bool isMissing(float v) { return v > 1e20; }
 
+ivec3 cellOf(vec3 p) { return clamp(ivec3(floor(p)), ivec3(0), max(uDims - 2, ivec3(0))); }
+
+#include "bricks.glsl"
+
 // Corner values of the cell whose lowest corner is `cell`: low.xyzw = (0,0,0) (1,0,0) (0,1,0) (1,1,0), high: z + 1.
 void cellCorners(ivec3 cell, out vec4 low, out vec4 high) {
-  ivec3 far = min(cell + 1, uDims - 1);
-  low = vec4(texelFetch(uVolume, cell, 0).r, texelFetch(uVolume, ivec3(far.x, cell.y, cell.z), 0).r,
-             texelFetch(uVolume, ivec3(cell.x, far.y, cell.z), 0).r, texelFetch(uVolume, ivec3(far.xy, cell.z), 0).r);
-  high = vec4(texelFetch(uVolume, ivec3(cell.xy, far.z), 0).r, texelFetch(uVolume, ivec3(far.x, cell.y, far.z), 0).r,
-              texelFetch(uVolume, ivec3(cell.x, far.yz), 0).r, texelFetch(uVolume, far, 0).r);
+  ivec3 shift = texelShift(cell), near = cell + shift, far = min(cell + 1, uDims - 1) + shift;
+  low = vec4(texelFetch(uVolume, near, 0).r, texelFetch(uVolume, ivec3(far.x, near.y, near.z), 0).r,
+             texelFetch(uVolume, ivec3(near.x, far.y, near.z), 0).r, texelFetch(uVolume, ivec3(far.xy, near.z), 0).r);
+  high = vec4(texelFetch(uVolume, ivec3(near.xy, far.z), 0).r, texelFetch(uVolume, ivec3(far.x, near.y, far.z), 0).r,
+              texelFetch(uVolume, ivec3(near.x, far.yz), 0).r, texelFetch(uVolume, far, 0).r);
 }
 
 bool anyMissing(vec4 low, vec4 high) {
   vec4 most = max(low, high);
   return isMissing(max(max(most.x, most.y), max(most.z, most.w)));
 }
-
-ivec3 cellOf(vec3 p) { return clamp(ivec3(floor(p)), ivec3(0), max(uDims - 2, ivec3(0))); }
 
 float bilinear(vec4 corners, float x, float y) {
   return mix(mix(corners.x, corners.y, x), mix(corners.z, corners.w, x), y);

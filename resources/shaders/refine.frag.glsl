@@ -25,7 +25,7 @@ float fieldMinus(vec3 p, float isovalue) {
 void main() {
   vec4 bracket = texelFetch(uBrackets, ivec2(gl_FragCoord.xy), 0);
   oSurface = vec4(0.0, 0.0, 0.0, -1.0);
-  oInfo = vec2(0.0);
+  oInfo = vec2(0.0, bracket.w == 0.0 ? 0.0 : 128.0);  // waits for a brick
   if (bracket.x > bracket.y) return;
   vec3 origin, direction;
   pixelRay(gl_FragCoord.xy, origin, direction);
@@ -53,6 +53,7 @@ void main() {
       }
     }
   }
+  if (brickMissed) discard;  // refined while its bricks were resident
   oSurface = vec4(origin + t * direction, max(t, 0.0));
   oInfo = vec2(isMissing(f) ? 0.0 : abs(f), bracket.z);
 }

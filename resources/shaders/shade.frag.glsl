@@ -140,12 +140,19 @@ vec4 shaded(ivec2 pixel, vec4 surface, vec3 albedo) {
 #endif
 }
 
+// A pixel whose ray waits for a brick: hatched grey, like nothing that is a surface.
+vec4 waiting() {
+  return vec4(vec3(mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 6.0 ? 0.16 : 0.30), 1.0);
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 surface = texelFetch(uSurface, pixel, 0);
   oColor = vec4(0.0);
+  int known = int(texelFetch(uInfo, pixel, 0).g);
+  if ((known & 128) != 0) oColor = waiting();
   if (surface.w < 0.0) return;
-  int which = int(texelFetch(uInfo, pixel, 0).g) & 3;
+  int which = known & 3;
   vec4 color = shaded(pixel, surface, uAlbedos[which]);
   float opacity = mix(uOpacities[which], 1.0, color.w);
   const float largest = 60000.0;  // of half floats

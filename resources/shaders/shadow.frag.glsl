@@ -75,4 +75,10 @@ void main() {
   if (meets(origin, normal, offset, carried, inside, met)) offset = 0.5 * met;
   bool blocked = meets(origin + offset * normal, uVoxelFromWorld * uLight, never, carried, inside, met);
   oLit = blocked ? 0.0 : 1.0;
+#ifdef BRICKS
+  if (brickMissed) {  // hatched until it is known
+    oLit = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 6.0 ? 0.0 : 1.0;
+    atomicAdd(waitingRays, 1u);
+  }
+#endif
 }

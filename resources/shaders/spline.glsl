@@ -18,9 +18,11 @@ SplineWeights splineWeights(float t) {
   return r;
 }
 
-// The four samples along x at (y, z); x0 is the first, unclamped.
-vec4 splineRow(int x0, int y, int z) {
-  ivec4 x = clamp(ivec4(x0, x0 + 1, x0 + 2, x0 + 3), 0, uDims.x - 1);
+// The four samples along x at (y, z); x0 is the first, unclamped. shift: texelShift() of the cell.
+vec4 splineRow(int x0, int y, int z, ivec3 shift) {
+  ivec4 x = clamp(ivec4(x0, x0 + 1, x0 + 2, x0 + 3), 0, uDims.x - 1) + shift.x;
+  y += shift.y;
+  z += shift.z;
   return vec4(texelFetch(uField, ivec3(x.x, y, z), 0).r, texelFetch(uField, ivec3(x.y, y, z), 0).r,
               texelFetch(uField, ivec3(x.z, y, z), 0).r, texelFetch(uField, ivec3(x.w, y, z), 0).r);
 }
@@ -29,15 +31,15 @@ float largest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 
 // The field minus `isovalue` (texels of uField) at p; huge where a sample is missing.
 float splineMinus(vec3 p, float isovalue) {
-  vec3 base = floor(p);
-  ivec3 first = ivec3(base) - 1, top = uDims - 1;
+  ivec3 cell = cellOf(p), shift = texelShift(cell), first = cell - 1, top = uDims - 1;
+  vec3 base = vec3(cell);
   vec4 wx = splineWeights(p.x - base.x).w, wy = splineWeights(p.y - base.y).w, wz = splineWeights(p.z - base.z).w;
   float sum = 0.0, most = 0.0;
   for (int k = 0; k < 4; ++k) {
     int z = clamp(first.z + k, 0, top.z);
     float plane = 0.0;
     for (int j = 0; j < 4; ++j) {
-      vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), z);
+      vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), z, shift);
       most = max(most, largest(row));
       plane += dot(row - isovalue, wx) * wy[j];
     }
@@ -49,8 +51,8 @@ float splineMinus(vec3 p, float isovalue) {
 // Value, gradient and Hessian at once from 64 fetches, texels of uField per voxel and per voxel squared; hessian as
 // (xx, yy, zz) and (xy, xz, yz). False where a sample is missing.
 bool splineDerivatives(vec3 p, out vec3 gradient, out vec3 hessianDiagonal, out vec3 hessianMixed) {
-  vec3 base = floor(p);
-  ivec3 first = ivec3(base) - 1, top = uDims - 1;
+  ivec3 cell = cellOf(p), shift = texelShift(cell), first = cell - 1, top = uDims - 1;
+  vec3 base = vec3(cell);
   SplineWeights X = splineWeights(p.x - base.x), Y = splineWeights(p.y - base.y), Z = splineWeights(p.z - base.z);
   gradient = hessianDiagonal = hessianMixed = vec3(0.0);
   float most = 0.0;
@@ -61,7 +63,7 @@ bool splineDerivatives(vec3 p, out vec3 gradient, out vec3 hessianDiagonal, out 
     vec3 second = vec3(0.0);  // d2/dx2, d2/dy2, d2/dxdy
 #endif
     for (int j = 0; j < 4; ++j) {
-      vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), z);
+      vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), z, shift);
       most = max(most, largest(row));
       float value = dot(row, X.w), slope = dot(row, X.d);
       plane += vec3(value * Y.w[j], slope * Y.w[j], value * Y.d[j]);
@@ -93,7 +95,9 @@ Taps pairTaps(vec4 w) {
 // f'' = L(x-1) - 2 L(x) + L(x+1).
 Taps secondTaps(float t) { return Taps(vec3(1.0, -2.0, 1.0), vec3(t - 1.0, t, t + 1.0)); }
 
-float filtered(vec3 voxel) { return texture(uField, (voxel + 0.5) / vec3(uDims)).r; }
+float filtered(vec3 base, vec3 offset) {
+  return texture(uField, filterCoordinate(base + offset, ivec3(base), textureSize(uField, 0))).r;
+}
 
 // `missing` becomes huge where a sample is.
 float filteredSum(vec3 base, Taps x, int nx, Taps y, int ny, Taps z, int nz, inout float missing) {
@@ -101,7 +105,7 @@ float filteredSum(vec3 base, Taps x, int nx, Taps y, int ny, Taps z, int nz, ino
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
-        float v = filtered(base + vec3(x.offset[i], y.offset[j], z.offset[k]));
+        float v = filtered(base, vec3(x.offset[i], y.offset[j], z.offset[k]));
         missing = max(missing, v);
         sum += x.weight[i] * y.weight[j] * z.weight[k] * v;
       }
@@ -109,7 +113,7 @@ float filteredSum(vec3 base, Taps x, int nx, Taps y, int ny, Taps z, int nz, ino
 }
 
 float splineFast(vec3 p) {
-  vec3 base = floor(p), t = p - base;
+  vec3 base = vec3(cellOf(p)), t = p - base;
   float missing = 0.0;
   float value = filteredSum(base, pairTaps(splineWeights(t.x).w), 2, pairTaps(splineWeights(t.y).w), 2,
                             pairTaps(splineWeights(t.z).w), 2, missing);
@@ -117,7 +121,7 @@ float splineFast(vec3 p) {
 }
 
 bool splineDerivativesFast(vec3 p, out vec3 gradient, out vec3 hessianDiagonal, out vec3 hessianMixed) {
-  vec3 base = floor(p), t = p - base;
+  vec3 base = vec3(cellOf(p)), t = p - base;
   SplineWeights X = splineWeights(t.x), Y = splineWeights(t.y), Z = splineWeights(t.z);
   Taps x0 = pairTaps(X.w), y0 = pairTaps(Y.w), z0 = pairTaps(Z.w);
   Taps x1 = pairTaps(X.d), y1 = pairTaps(Y.d), z1 = pairTaps(Z.d);

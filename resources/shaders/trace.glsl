@@ -174,7 +174,7 @@ int sidesOf(float valueMinusFirst) {
 
 // The first crossing in [t, tEnd]. carried: the ray has just crossed surfaces at t, and `inside` is the side it is on
 // behind them; otherwise the sides are those of the field at t. Behind missing voxels nothing is known: no surface
-// there.
+// there. Ends where a brick is not resident (brickMissed says so).
 Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, int inside) {
   Crossing crossing = Crossing(false, 0.0, 0, inside);
   Path path = pathOf(origin, direction);
@@ -190,6 +190,7 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
     bvec3 axis;
     tOut = max(t, exitOf(path, place.cell, shift, axis));
     if (shift == 0) {
+      if (!resident(place.cell)) return crossing;
       vec4 low, high;
       cellCorners(place.cell, low, high);
       if (anyMissing(low, high)) {

@@ -19,12 +19,12 @@ mat4 blossoms(float a, float b) {
 
 // The 4 x 4 x 4 samples about a cell, minus the first isovalue: rows along x, row 4 k + j at (j, k).
 bool cellSamples(ivec3 cell, out vec4 rows[16], out float least, out float most) {
-  ivec3 first = cell - 1, top = uDims - 1;
+  ivec3 first = cell - 1, top = uDims - 1, shift = texelShift(cell);
   least = never;
   most = -never;
   for (int k = 0; k < 4; ++k)
     for (int j = 0; j < 4; ++j) {
-      vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), clamp(first.z + k, 0, top.z)) - uIsovalues.x;
+      vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), clamp(first.z + k, 0, top.z), shift) - uIsovalues.x;
       rows[4 * k + j] = row;
       most = max(most, largest(row));
       least = min(least, -largest(-row));
@@ -154,6 +154,8 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
     float least, most;
     if (shift != 0) {
       known = known && !uGaps;
+    } else if (!resident(place.cell)) {
+      return crossing;
     } else if (!cellSamples(place.cell, rows, least, most)) {
       known = false;
     } else {

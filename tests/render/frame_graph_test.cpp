@@ -294,5 +294,42 @@ TEST_F(FrameGraphTest, EachChangeOfALook) {
   }
 }
 
+// In bricks: uploads only where rays asked, and nothing of it in a volume of one texture.
+TEST_F(FrameGraphTest, BricksRunWhereRaysAskForThem) {
+  scene::Scene scene;
+  const FrameRequest request;
+  BrickState bricks{true, false, 1, 0};
+  const auto ranIn = [&] {
+    const auto passes = declarePasses(scene, request, 1, bricks);
+    return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
+  };
+  EXPECT_THAT(ranIn(), ElementsAre("blocks", "segments", "bricks", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ranIn(), ElementsAre());
+  ++bricks.asked;
+  EXPECT_THAT(ranIn(), ElementsAre("bricks", "cast", "gradient", "shade", "resolve"));
+  scene.camera.fov += 1.0;
+  EXPECT_THAT(ranIn(), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
+  ++bricks.made;
+  EXPECT_THAT(ranIn(), ElementsAre("bricks", "cast", "gradient", "shade", "resolve"));
+  // Derivatives need the bricks at the hits, which may have been replaced.
+  const auto derivatives = [&] {
+    scene.derivatives.fetch =
+        scene.derivatives.fetch == scene::Fetch::fast ? scene::Fetch::exact : scene::Fetch::fast;
+    return ranIn();
+  };
+  EXPECT_THAT(derivatives(), ElementsAre("gradient", "shade", "resolve"));
+  bricks.mayReplace = true;
+  ranIn();
+  EXPECT_THAT(derivatives(), ElementsAre("cast", "gradient", "shade", "resolve"));
+  bricks = {};
+  EXPECT_THAT(ranIn(), ElementsAre("cast", "gradient", "shade", "resolve"));
+  const auto passes = declarePasses(scene, request, 1, bricks);
+  for (const PlannedPass& planned : graph_.plan(passes, wantedImages(request)))
+    if (passes[planned.index].name == pass::bricks) {
+      EXPECT_EQ(planned.state, PassState::skipped);
+      EXPECT_EQ(planned.reason, "the volume is one texture");
+    }
+}
+
 }  // namespace
 }  // namespace isolux::render

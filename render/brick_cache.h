@@ -1,0 +1,67 @@
+// Which bricks of a volume are resident, and in which slot of the cache: least recently used ones make room.
+// No GL.
+//
+// Brick b holds the voxels that lookups around cells 32 b .. 32 b + 31 need, 32 b - 1 .. 32 b + 33 on each
+// axis (the apron of the tri-cubic spline); bricks.glsl reads them. Time goes in rounds: one pass of rays
+// over the picture. Hadwiger et al. 2005 sec. 3.1.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace isolux::render {
+
+inline constexpr int brickCells = 32, brickTexels = 35;  // per axis; bricks.glsl holds the same numbers
+
+// Bricks of a volume per axis; at least one.
+glm::ivec3 brickDims(glm::ivec3 voxels);
+
+class BrickCache {
+ public:
+  using Brick = std::uint32_t;  // index in the volume, x fastest
+  using Slot = std::uint32_t;
+  using Round = std::uint64_t;
+
+  BrickCache(std::size_t bricks, std::size_t slots);
+
+  Round beginRound() { return ++round_; }
+  Round round() const { return round_; }
+
+  std::optional<Slot> slotOf(Brick brick) const;
+  // Rays of this round need the brick, which is resident.
+  void use(Brick brick);
+
+  // The round that last used what the next place() would replace; 0 while there is a free slot.
+  Round oldest() const;
+  struct Placement {
+    Slot slot;
+    std::optional<Brick> evicted;
+  };
+  // Makes a brick resident that is not, as if used in this round. No slot for it: all were used since `kept`.
+  std::optional<Placement> place(Brick brick, Round kept);
+
+  std::size_t slots() const { return entries_.size(); }
+  std::size_t resident() const { return resident_; }
+
+ private:
+  struct Entry {
+    std::optional<Brick> brick;
+    Round used = 0;
+    std::list<Slot>::iterator place;
+  };
+  static constexpr Slot kNowhere = ~Slot{0};
+  void touch(Slot slot);
+
+  Round round_ = 0;
+  std::vector<Slot> slots_;     // of each brick
+  std::vector<Entry> entries_;  // of each slot
+  std::list<Slot> recent_;      // slots, the most recently used first
+  std::size_t resident_ = 0;
+};
+
+}  // namespace isolux::render
