@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "scene/error.h"
 
@@ -29,14 +28,21 @@ std::size_t slotBytes(const std::vector<const TexelSource*>& channels) {
   return sum;
 }
 
-// Slots per axis of a cache: near a cube, at most `most` in all, `perAxis` on each.
+// Slots per axis of a cache: at most `perAxis` on each, as many as fit into `most`, as near to a cube as that
+// goes.
 glm::ivec3 slotDimsFor(std::size_t most, int perAxis) {
-  const auto upTo = [perAxis](double n) { return std::clamp(static_cast<int>(n), 1, perAxis); };
-  const double count = static_cast<double>(most);
-  const int x = upTo(std::ceil(std::cbrt(count) - 1e-9));
-  const int y = upTo(std::ceil(std::sqrt(count / x) - 1e-9));
-  const int z = upTo(count / (static_cast<double>(x) * y));
-  return {x, y, z};
+  glm::ivec3 best(1);
+  for (int x = 1; x <= perAxis; ++x)
+    for (int y = x; y <= perAxis; ++y) {
+      const std::size_t z = most / (static_cast<std::size_t>(x) * static_cast<std::size_t>(y));
+      if (z < static_cast<std::size_t>(y) && y > x) break;
+      const glm::ivec3 dims(
+          x, y, static_cast<int>(std::clamp<std::size_t>(z, 1, static_cast<std::size_t>(perAxis))));
+      if (product(dims) > most) continue;
+      const bool more = product(dims) > product(best);
+      if (more || (product(dims) == product(best) && dims.z < best.z)) best = dims;
+    }
+  return best;
 }
 
 glm::ivec3 checkedSlots(const Gl& gl, const std::vector<const TexelSource*>& channels, std::size_t bricks,

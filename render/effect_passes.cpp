@@ -26,7 +26,6 @@ void EffectPasses::shadow(FrameState& frame) {
   std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
   if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
-  if (frame.volume->bricks()) defines += "#define CASTS_RAYS\n";
   Program& p = frame.program("shadow.frag.glsl", defines);
   HitPasses::setTrace(frame, p);
   frame.setPoint(p, 4);

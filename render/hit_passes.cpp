@@ -93,7 +93,6 @@ Program& HitPasses::castProgram(FrameState& frame, Rays rays) {
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
   if (rays == Rays::behind) defines += "#define BEHIND\n";
   if (rays == Rays::again) defines += "#define AGAIN\n";
-  if (frame.volume->bricks()) defines += "#define CASTS_RAYS\n";
   Program& p = frame.program("cast.frag.glsl", defines);
   setTrace(frame, p);
   p.setTexture("uSegments", 2, frame.images.at(pass::segments).images[0]);

@@ -19,13 +19,24 @@
 namespace isolux::ui {
 
 namespace {
-constexpr int restMilliseconds = 200;  // after the last change, before the fine picture
-constexpr int pointMilliseconds = 40;  // the pointer's value is looked up at most this often
+constexpr int restMilliseconds = 200;                // after the last change, before the fine picture
+constexpr std::size_t brickBytesPerFrame = 8 << 20;  // a few milliseconds of uploads
+constexpr int pointMilliseconds = 40;                // the pointer's value is looked up at most this often
 
 bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // null: any
   return std::any_of(report.passes.begin(), report.passes.end(), [pass](const render::PassReport& entry) {
     return entry.state == render::PassState::ran && (pass == nullptr || entry.name == pass);
   });
+}
+
+// What to say of a picture of which something is missing.
+QString missingNote(const render::BrickReport& bricks) {
+  if (bricks.missing <= 0.0) return {};
+  const QString percent = QString::number(100.0 * bricks.missing, 'g', 2);
+  return bricks.pending
+             ? QString("Loading: %1 % of the picture is missing").arg(percent)
+             : QString("%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view")
+                   .arg(percent);
 }
 
 // Whether two scenes differ in nothing but how a surface that is hit already is shown.
@@ -130,6 +141,7 @@ void Viewport::paintGL() {
   }
   try {
     if (!complete()) lastRequest_ = quality_.request(pixelSize());  // else the same picture is shown again
+    lastRequest_.brickUploadBytes = brickBytesPerFrame;
     QElapsedTimer timer;
     timer.start();
     const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);
@@ -145,6 +157,9 @@ void Viewport::paintGL() {
     if (quality_.stage() == PictureQuality::Stage::sharp && !quality_.complete() && !waits) {
       refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
     }
+    bricksPending_ = report.bricks.pending;
+    overlay_->setNote(missingNote(report.bricks));
+    if (bricksPending_) update();  // the next frame gets further
     Q_EMIT reported(report, lastRequest_);
     Q_EMIT drawn(pictureMilliseconds_, complete());
   } catch (const scene::Error& error) {
@@ -154,7 +169,7 @@ void Viewport::paintGL() {
 }
 
 bool Viewport::complete() const {
-  return renderer_ && current_ && lastRequest_.size == pixelSize() &&
+  return renderer_ && current_ && !bricksPending_ && lastRequest_.size == pixelSize() &&
          lastRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
 }
 

@@ -89,6 +89,7 @@ class Viewport : public QOpenGLWidget {
   render::FrameRequest lastRequest_;
   double pictureMilliseconds_ = 0.0;
   bool current_ = false;  // nothing has changed since lastRequest_ was drawn
+  bool bricksPending_ = false;  // the next frame gets further
   bool interacting_ = false;
   QTimer refineTimer_, pointTimer_, contextTimer_;
 

@@ -74,11 +74,24 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
     paintLetters(painter);
     paintCube(painter);
     paintScale(painter);
+    if (!note_.isEmpty()) paintNote(painter);
   } else if (!hint_.isEmpty()) {
     const QFontMetricsF metrics(font());
     drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(hint_)), 0.5 * height()),
              hint_);
   }
+}
+
+void ViewportOverlay::setNote(const QString& text) {
+  if (text == note_) return;
+  note_ = text;
+  update();
+}
+
+void ViewportOverlay::paintNote(QPainter& painter) const {
+  const QFontMetricsF metrics(font());
+  const double belowLetter = 48.0;
+  drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(note_)), belowLetter), note_);
 }
 
 void ViewportOverlay::paintLetters(QPainter& painter) const {

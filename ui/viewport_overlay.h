@@ -16,6 +16,7 @@ class ViewportOverlay : public QWidget {
   // Letters and lines are light on a dark background and dark on a light one.
   void setScene(const scene::Scene& resolved, bool visible);
   void setProblem(const QString& text);  // empty: none
+  void setNote(const QString& text);     // over a picture that is not all there; empty: none
   void setHint(const QString& text);     // in place of a picture: what to do first
 
  protected:
@@ -26,6 +27,7 @@ class ViewportOverlay : public QWidget {
   void paintCube(QPainter& painter) const;
   void paintScale(QPainter& painter) const;
   void paintProblem(QPainter& painter) const;
+  void paintNote(QPainter& painter) const;
 
   struct Inks {
     QColor ink, rim;
@@ -37,7 +39,7 @@ class ViewportOverlay : public QWidget {
   glm::dvec3 backgroundTop_{0.0}, backgroundBottom_{0.0};
   scene::CameraFrame frame_{};
   bool visible_ = false;
-  QString problem_, hint_;
+  QString problem_, note_, hint_;
 };
 
 }  // namespace isolux::ui

@@ -8,6 +8,7 @@
 //
 // BRICKS: a ray that comes to a brick that is not resident ends there and waits: 128 in what is known, 1 in the last
 // channel of a bracket. AGAIN: only the rays that waited.
+#define CASTS_RAYS
 #include "common.glsl"
 #include "field.glsl"
 #include "trace.glsl"
@@ -96,15 +97,15 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
 }
 #endif
 
-void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-#ifdef AGAIN
-#ifdef EXACT
-  if ((int(texelFetch(uBefore, pixel, 0).g) & 128) == 0) discard;
+#ifdef BEHIND
+const bool writesNothing = false;
 #else
-  if (texelFetch(uBefore, pixel, 0).w == 0.0) discard;
+const bool writesNothing = true;  // that there is no crossing
 #endif
-#endif
+
+// False: the pixel is to keep what it holds.
+bool castRay() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
 #ifdef EXACT
   oSurface = vec4(0.0, 0.0, 0.0, -1.0);
   oInfo = vec2(0.0);
@@ -112,7 +113,7 @@ void main() {
   oBracket = nothing;
 #endif
   float start = texelFetch(uSegments, pixel, 0).r;
-  if (start >= never) return;
+  if (start >= never) return writesNothing;
   vec3 origin, direction;
   pixelRay(gl_FragCoord.xy, origin, direction);
   float voxel = 1.0 / length(direction);  // mm along the ray
@@ -122,7 +123,7 @@ void main() {
   int inside = 0;
 #ifdef BEHIND
   float tFront = texelFetch(uSurface, pixel, 0).w;
-  if (tFront < 0.0 || texelFetch(uColor, pixel, 0).a > 0.996) discard;
+  if (tFront < 0.0 || texelFetch(uColor, pixel, 0).a > 0.996) return false;
 #ifdef EXACT
   carried = true;
   inside = int(texelFetch(uInfo, pixel, 0).g) >> 2 & 15;
@@ -130,7 +131,7 @@ void main() {
 #else
   t = tFront + 0.02 * voxel;
 #endif
-  if (t > tEnd) discard;
+  if (t > tEnd) return false;
 #endif
 
 #ifdef EXACT
@@ -158,9 +159,7 @@ void main() {
     atomicAdd(waitingRays, 1u);
   }
 #endif
-#ifdef BEHIND
-  if (!crossing.found) discard;
-#endif
+  return crossing.found || writesNothing;
 #else
   oBracket = march(origin, direction, t, tEnd);
 #ifdef BRICKS
@@ -170,8 +169,25 @@ void main() {
     atomicAdd(waitingRays, 1u);
   }
 #endif
-#ifdef BEHIND
-  if (oBracket.x > oBracket.y) discard;
+  return oBracket.x <= oBracket.y || writesNothing;
 #endif
+}
+
+#ifdef AGAIN
+bool waited() {
+  vec4 before = texelFetch(uBefore, ivec2(gl_FragCoord.xy), 0);
+#ifdef EXACT
+  return (int(before.g) & 128) != 0;
+#else
+  return before.w != 0.0;
 #endif
+}
+#else
+bool waited() { return true; }
+#endif
+
+void main() {
+  bool writes = false;
+  if (waited()) writes = castRay();
+  if (!writes) discard;  // not before the rays: llvmpipe of Mesa 22.3 then loses writes to arrays
 }

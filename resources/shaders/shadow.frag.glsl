@@ -6,6 +6,7 @@
 // smoother than the cells' own faces, and where light grazes these would cast shadows on one another. That first way
 // is traced too; it ends halfway to what it meets, so that no light leaks through a narrow gap. CUBIC, SURFACES,
 // EXACT: as in cast.frag.glsl.
+#define CASTS_RAYS
 #include "common.glsl"
 #include "field.glsl"
 #include "trace.glsl"

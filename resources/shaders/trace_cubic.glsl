@@ -148,14 +148,13 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
   int maxSteps = 2 * (uDims.x + uDims.y + uDims.z) + 16;
   for (int i = 0; i < maxSteps; ++i) {
     int shift = emptyShift(place);
+    if (shift == 0 && !resident(place.cell)) return crossing;
     bvec3 axis;
     float tOut = max(t, exitOf(path, place.cell, shift, axis));
     vec4 rows[16];
     float least, most;
     if (shift != 0) {
       known = known && !uGaps;
-    } else if (!resident(place.cell)) {
-      return crossing;
     } else if (!cellSamples(place.cell, rows, least, most)) {
       known = false;
     } else {
