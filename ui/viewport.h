@@ -88,7 +88,7 @@ class Viewport : public QOpenGLWidget {
   PictureQuality quality_;
   render::FrameRequest lastRequest_;
   double pictureMilliseconds_ = 0.0;
-  bool current_ = false;  // nothing has changed since lastRequest_ was drawn
+  bool current_ = false;        // nothing has changed since lastRequest_ was drawn
   bool bricksPending_ = false;  // the next frame gets further
   bool interacting_ = false;
   QTimer refineTimer_, pointTimer_, contextTimer_;
