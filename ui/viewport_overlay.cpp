@@ -124,7 +124,7 @@ void ViewportOverlay::paintCube(QPainter& painter) const {
                                           {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, "S"},
                                           {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}, "I"}}};
   constexpr double half = 17.0;
-  const QPointF centre(width() - 48.0, height() - 48.0);
+  const QPointF centre(width() - 48.0, 48.0);  // the legend stands in the lower corner
   const auto onScreen = [this](glm::dvec3 v) {
     return QPointF(half * glm::dot(v, frame_.right), -half * glm::dot(v, frame_.up));
   };
