@@ -202,6 +202,20 @@ TEST_F(BricksGlTest, EyeInsideAndTransparentSurfacesAreTheSame) {
               "layers");
 }
 
+// Shadow rays ask for bricks that no camera ray came to.
+TEST_F(BricksGlTest, ShadowsAreTheSame) {
+  const auto volume = phantom("torus", 100);
+  scene::Scene scene;
+  scene.look.shadow = 1.0;
+  scene.light.direction = {1.0, 0.2, 0.1};
+  scene.derivatives.fetch = scene::Fetch::exact;
+  const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+  const Drawn bricks = draw(volume, scene, MemoryLayout::bricks);
+  expectEqual(whole, bricks, "shadow");
+  scene.look.shadow = 0.0;
+  EXPECT_GT(colorDifference(whole.color, draw(volume, scene, MemoryLayout::whole).color), 20);
+}
+
 TEST_F(BricksGlTest, AQuarterOfTheBytesIsEnoughForTheWholePicture) {
   const auto volume = phantom("ball", 128);  // 8 MiB, 64 bricks
   scene::Scene scene;
