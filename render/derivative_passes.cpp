@@ -46,6 +46,7 @@ void DerivativePasses::curvature(FrameState& frame) {
       frame.volume->grid().geometry(), frame.scene->derivatives.field, *frame.scene->derivatives.noise);
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
+  p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));
   frame.drawFullscreen(p);
 }
 

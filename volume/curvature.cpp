@@ -35,6 +35,22 @@ double gradientNoiseGain(scene::Field field) {
   return 0.3914;
 }
 
+// The same of a second derivative in a random direction: sqrt(3/5 p^2 + 6/5 m^2), where p and m are the
+// deviations of pure and mixed ones, sqrt(integral of b''^2) integral of b^2 and integral of b'^2
+// sqrt(integral of b^2); two pure ones have the covariance m^2. For the cubic B-spline the integral of b''^2
+// is 8/3. The linear one has mixed ones only: sqrt(4/5) m.
+double hessianNoiseGain(scene::Field field) {
+  switch (field) {
+    case scene::Field::trilinear:
+      return 1.4606;
+    case scene::Field::cubic_interpolating:
+      return 3.6064;
+    case scene::Field::cubic:
+      break;
+  }
+  return 0.7894;
+}
+
 }  // namespace
 
 PrincipalCurvature principalCurvature(glm::dvec3 worldGradient, const glm::dmat3& worldHessian,
@@ -81,7 +97,8 @@ CurvatureScale curvatureScale(const GridGeometry& geometry, scene::Field field, 
   const double squares =
       glm::dot(inverse[0], inverse[0]) + glm::dot(inverse[1], inverse[1]) + glm::dot(inverse[2], inverse[2]);
   const glm::dvec3 edges = glm::dvec3(glm::max(geometry.dims - 1, glm::ivec3(1))) * geometry.spacingMm();
-  return {gradientNoiseGain(field) * noise * std::sqrt(squares / 3.0), 0.1 / glm::length(edges)};
+  return {gradientNoiseGain(field) * noise * std::sqrt(squares / 3.0), 0.1 / glm::length(edges),
+          hessianNoiseGain(field) * noise * squares / 3.0};
 }
 
 double curvatureConfidence(const PrincipalCurvature& curvature, glm::dvec3 worldGradient,
@@ -92,11 +109,13 @@ double curvatureConfidence(const PrincipalCurvature& curvature, glm::dvec3 world
   const double fromGradient = scale.gradientNoise > 0.0
                                   ? smoothstep(kNoisyGradient, kClearGradient, length / scale.gradientNoise)
                                   : 1.0;
-  const double fromDifference =
-      smoothstep(0.02, 0.1,
-                 (curvature.kappa1 - curvature.kappa2) /
-                     (std::abs(curvature.kappa1) + std::abs(curvature.kappa2) + scale.flatCurvature));
-  return fromGradient * fromDifference;
+  const double difference = curvature.kappa1 - curvature.kappa2;
+  const double size = std::abs(curvature.kappa1) + std::abs(curvature.kappa2) + scale.flatCurvature;
+  const double fromDifference = smoothstep(kRoundCurvature, kClearCurvature, difference / size);
+  const double againstNoise = scale.hessianNoise > 0.0 ? smoothstep(kNoisyDifference, kClearDifference,
+                                                                    difference * length / scale.hessianNoise)
+                                                       : 1.0;
+  return fromGradient * fromDifference * againstNoise;
 }
 
 }  // namespace isolux::volume

@@ -9,8 +9,9 @@ uniform sampler2D uGradient, uHessianDiagonal, uHessianMixed;
 uniform float uOutward;
 uniform float uGradientNoise;  // standard deviation of a gradient component, data units per mm
 uniform float uFlat;           // curvature below which a surface counts as flat, 1/mm
+uniform float uHessianNoise;   // standard deviation of a normal second derivative, data units per mm^2
 layout(location = 0) out vec4 oKappa;      // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient alone
-layout(location = 1) out vec4 oDirection;  // of kappa1: unit, world; 0 where there is none
+layout(location = 1) out vec4 oDirection;  // of kappa1: unit, world; w: standard deviation of a curvature, 1/mm
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -39,10 +40,12 @@ void main() {
   // Eigenvector of the larger eigenvalue: of the two forms the one without cancellation.
   vec2 e = half_ >= 0.0 ? vec2(half_ + radius, a12) : vec2(a12, radius - half_);
   float norm = length(e);
-  oDirection = vec4(norm > 0.0 ? (e.x * u + e.y * v) / norm : u, 0.0);
+  float curvatureNoise = min(uHessianNoise / scale / relativeLength, 1e30);
+  oDirection = vec4(norm > 0.0 ? (e.x * u + e.y * v) / norm : u, curvatureNoise);
 
   float noisy = uGradientNoise > 0.0 ? smoothstep(3.0, 6.0, scale * relativeLength / uGradientNoise) : 1.0;
   float round_ = smoothstep(0.02, 0.1, (kappa1 - kappa2) / (abs(kappa1) + abs(kappa2) + uFlat));
+  float clear = curvatureNoise > 0.0 ? smoothstep(2.0, 5.0, (kappa1 - kappa2) / curvatureNoise) : 1.0;
   bool finite = abs(kappa1) < 1e30 && abs(kappa2) < 1e30;
-  oKappa = finite ? vec4(kappa1, kappa2, noisy * round_, noisy) : vec4(0.0);
+  oKappa = finite ? vec4(kappa1, kappa2, noisy * round_ * clear, noisy) : vec4(0.0);
 }

@@ -33,7 +33,7 @@ vec3 mapped2d(vec2 t) {
 float curvednessOf(vec2 kappa) { return sqrt(0.5) * length(kappa); }
 
 #if LOOK == LOOK_CURVATURE_2D
-vec3 measureColor(vec4 kappa) {
+vec3 measureColor(vec4 kappa, float noise) {
   return mix(unknownColor, mapped2d(vec2(inRange(kappa.x), inRange(kappa.y))), kappa.w);
 }
 #elif LOOK >= LOOK_KAPPA1 && LOOK <= LOOK_CURVEDNESS
@@ -54,10 +54,11 @@ float measureOf(vec2 kappa) {
 #endif
 }
 
-vec3 measureColor(vec4 kappa) {
+// `noise`: the standard deviation of a curvature, 1/mm.
+vec3 measureColor(vec4 kappa, float noise) {
   float known = kappa.w;
-#if LOOK == LOOK_SHAPE_INDEX
-  known *= smoothstep(0.3, 1.0, curvednessOf(kappa.xy) / uFlat);
+#if LOOK == LOOK_SHAPE_INDEX  // what is flat but for noise has no shape
+  known *= smoothstep(0.3, 1.0, curvednessOf(kappa.xy) / (uFlat + 3.0 * noise));
 #endif
   return mix(unknownColor, mapped(inRange(measureOf(kappa.xy))), known);
 }

@@ -62,7 +62,7 @@ float hollowness(vec4 kappa, float side) {
 vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
   vec3 base = albedo;
 #if LOOK >= LOOK_KAPPA1 && LOOK <= LOOK_CURVATURE_2D
-  base = measureColor(kappa);
+  base = measureColor(kappa, texelFetch(uDirection, pixel, 0).w);
 #else
 #if LOOK == LOOK_ACCESSIBILITY
   base = mix(albedo, vec3(1.0), 0.55);

@@ -152,7 +152,7 @@ TEST(PrincipalCurvature, IsFiniteWhereThereIsNone) {
 
 TEST(CurvatureConfidence, IsZeroAtUmbilicsFlatsAndGradientsWithinNoiseAndOneWhereAllIsClear) {
   const GridGeometry geometry = test::isotropicGeometry(64);
-  const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, 0.01);
+  const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, 0.001);
   const auto at = [&](const char* name, dvec3 p) {
     const test::Derivatives d = test::analyticField(name, geometry)->at(p);
     return curvatureConfidence(principalCurvature(d.gradient, d.hessian), d.gradient, scale);
@@ -202,11 +202,56 @@ TEST(CurvatureScale, GradientNoiseIsThatOfFieldsOfNoise) {
   }
 }
 
+TEST(CurvatureScale, HessianNoiseIsThatOfFieldsOfNoise) {
+  const GridGeometry geometry = GridGeometry::make(glm::ivec3(40), dvec3(0.8));
+  std::vector<float> voxels(geometry.voxelCount());
+  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<float>(3.0 * normalNoise(6, i));
+  const Grid grid(geometry, std::move(voxels));
+  const std::vector<float> coefficients = interpolatingCoefficients(grid);
+  double sums[3] = {0, 0, 0};
+  constexpr int count = 20000;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const dvec3 p = 5.0 + 29.0 * test::randomVector(i, 1);
+    const double z = 2.0 * test::randomVector(i, 2).x - 1.0, angle = 6.283185307 * test::randomVector(i, 2).y;
+    const dvec3 direction(std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle),
+                          z);
+    const dmat3 h[3] = {sampleTrilinear(grid, p).hessian, sampleCubic(grid, p).hessian,
+                        sampleCubic(coefficients, grid, p).hessian};
+    for (int f = 0; f < 3; ++f)
+      sums[f] += std::pow(glm::dot(direction, worldHessian(geometry, h[f]) * direction), 2);
+  }
+  const scene::Field fields[3] = {scene::Field::trilinear, scene::Field::cubic,
+                                  scene::Field::cubic_interpolating};
+  for (int f = 0; f < 3; ++f) {
+    const double measured = std::sqrt(sums[f] / count);
+    EXPECT_NEAR(curvatureScale(geometry, fields[f], 3.0).hessianNoise, measured, 0.04 * measured) << f;
+  }
+}
+
+// A flat face under noise has no direction, though it bends everywhere a little.
+TEST(CurvatureConfidence, NoiseOnAFlatFaceIsNoShape) {
+  const GridGeometry geometry = test::isotropicGeometry(40);
+  std::vector<float> voxels;
+  for (int z = 0; z < 40; ++z)
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x)
+        voxels.push_back(static_cast<float>(20.0 * z + normalNoise(9, voxels.size())));
+  const Grid grid(geometry, std::move(voxels));
+  const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, estimateNoise(grid));
+  double sum = 0.0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    const FieldSample sample = sampleCubic(grid, 5.0 + 29.0 * test::randomVector(i, 1));
+    const dvec3 g = worldGradient(geometry, sample.gradient);
+    sum += curvatureConfidence(principalCurvature(g, worldHessian(geometry, sample.hessian)), g, scale);
+  }
+  EXPECT_LT(sum / 3000, 0.1);
+}
+
 // From the volume's own noise, as the program does it: of noise alone next to nothing is trusted, of a clear
 // edge under the same noise nearly all.
 TEST(CurvatureConfidence, TellsNoiseFromEdgesByTheVolumesOwnNoise) {
   const GridGeometry geometry = test::isotropicGeometry(48);
-  const double noise = 1.0, steepness = 8.0;  // data units, data units per mm
+  const double noise = 1.0, steepness = 200.0;  // data units, data units per mm
   std::vector<float> nothing(geometry.voxelCount()), edge = nothing;
   const auto cylinder = test::analyticField("cylinder", geometry);
   std::size_t i = 0;
