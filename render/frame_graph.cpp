@@ -60,7 +60,7 @@ std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& pa
                                          [&](const auto& input) { return input.first == image; });
         if (renewed.count(image) > 0 || before == last->second.inputs.end() ||
             before->second != versionOf(image))
-          changed.push_back(image + " is new");
+          changed.push_back(image + " drawn anew");
       }
     }
     if (changed.empty()) {

@@ -102,6 +102,7 @@ void GpuVolume::bind(Program& program, scene::Field field) const {
     program.setTexture("uField", 1, coefficients ? coefficientsTexture_ : samplesTexture_);
   }
   program.set("uDims", grid().dims());
+  program.set("uFour", 4);
   program.set("uFieldPerVolume", static_cast<float>(sourceOf(field).scale() / samples_->scale()));
 }
 

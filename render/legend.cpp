@@ -177,6 +177,7 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
   canvas.text(font, vertical, {m.pad, m.pad + font.ascent()});
   drawTriangle(canvas, legend, top, length);
   canvas.frame(top, top + glm::ivec2(length), m.line);
+  int written = 0;  // x up to which the horizontal axis has its numbers
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     const int at = along(ticks.values[i], legend.low, legend.high, length), w = font.width(ticks.texts[i]);
     const int y = top.y + length - 1 - at, x = top.x + at;
@@ -185,7 +186,9 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
     canvas.text(font, ticks.texts[i], {top.x - m.line - m.tick - m.gap - w, y + font.ascent() / 2 + 1});
     canvas.fill({x - m.line / 2, top.y + length + m.line},
                 {x - m.line / 2 + m.line, top.y + length + m.line + m.tick}, frameColor);
+    if (x - w / 2 < written) continue;  // no room between its neighbours
     canvas.text(font, ticks.texts[i], {x - w / 2, below + font.ascent()});
+    written = x - w / 2 + w + m.text / 3;
   }
   canvas.text(
       font, horizontal,

@@ -3,6 +3,7 @@
 
 uniform sampler3D uField;
 uniform float uFieldPerVolume;  // texels of uVolume per texel of uField
+uniform int uFour;              // 4: a loop over planes that drivers do not unroll, which costs a third on software GL
 
 // Weights of samples floor(x) - 1 .. floor(x) + 2 at fraction t, Hadwiger et al. 2005 eq. (6), and their first and
 // second derivatives.
@@ -56,13 +57,13 @@ bool splineDerivatives(vec3 p, out vec3 gradient, out vec3 hessianDiagonal, out 
   SplineWeights X = splineWeights(p.x - base.x), Y = splineWeights(p.y - base.y), Z = splineWeights(p.z - base.z);
   gradient = hessianDiagonal = hessianMixed = vec3(0.0);
   float most = 0.0;
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < uFour; ++k) {
     int z = clamp(first.z + k, 0, top.z);
     vec3 plane = vec3(0.0);  // value, d/dx, d/dy of this plane
 #ifdef HESSIAN
     vec3 second = vec3(0.0);  // d2/dx2, d2/dy2, d2/dxdy
 #endif
-    for (int j = 0; j < 4; ++j) {
+    for (int j = 0; j < uFour; ++j) {
       vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), z, shift);
       most = max(most, largest(row));
       float value = dot(row, X.w), slope = dot(row, X.d);

@@ -56,7 +56,7 @@ TEST_F(FrameGraphTest, RunsAgainOnlyBehindAChange) {
   const auto plan = frame(passes, {"C"});
   EXPECT_THAT(namesOf(passes, plan, PassState::ran), ElementsAre("b", "c"));
   EXPECT_EQ(plan[1].reason, "y changed");
-  EXPECT_EQ(plan[2].reason, "B is new");
+  EXPECT_EQ(plan[2].reason, "B drawn anew");
 }
 
 TEST_F(FrameGraphTest, APassSkippedForAWhileSeesWhatItMissed) {
@@ -66,7 +66,7 @@ TEST_F(FrameGraphTest, APassSkippedForAWhileSeesWhatItMissed) {
   EXPECT_THAT(namesOf(passes, frame(passes, {"A"}), PassState::ran), ElementsAre("a"));
   const auto plan = frame(passes, {"B"});
   EXPECT_THAT(namesOf(passes, plan, PassState::ran), ElementsAre("b"));
-  EXPECT_EQ(plan[1].reason, "A is new");
+  EXPECT_EQ(plan[1].reason, "A drawn anew");
 }
 
 TEST_F(FrameGraphTest, InvalidateRunsEverything) {
