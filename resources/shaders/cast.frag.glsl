@@ -42,7 +42,8 @@ const vec4 nothing = vec4(1.0, 0.0, 0.0, 0.0);
 // By the texture unit: a sample only has to be near enough to be bracketed.
 float sampled(vec3 p) {
 #ifdef CUBIC
-  return splineFast(p);
+  // Interpolating coefficients are known in gaps too.
+  return uGaps && cellMissing(cellOf(p)) ? missingTexel : splineFast(p);
 #else
   return texture(uVolume, filterCoordinate(p, cellOf(p), textureSize(uVolume, 0))).r;
 #endif

@@ -25,6 +25,12 @@ bool anyMissing(vec4 low, vec4 high) {
   return isMissing(max(max(most.x, most.y), max(most.z, most.w)));
 }
 
+bool cellMissing(ivec3 cell) {
+  vec4 low, high;
+  cellCorners(cell, low, high);
+  return anyMissing(low, high);
+}
+
 float bilinear(vec4 corners, float x, float y) {
   return mix(mix(corners.x, corners.y, x), mix(corners.z, corners.w, x), y);
 }

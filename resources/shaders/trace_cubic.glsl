@@ -17,7 +17,8 @@ mat4 blossoms(float a, float b) {
   return mat4(splineBlossom(a, a, a), splineBlossom(a, a, b), splineBlossom(a, b, b), splineBlossom(b, b, b));
 }
 
-// The 4 x 4 x 4 samples about a cell, minus the first isovalue: rows along x, row 4 k + j at (j, k).
+// The 4 x 4 x 4 samples about a cell, minus the first isovalue: rows along x, row 4 k + j at (j, k). False where one of
+// them is missing, or one of the cell's voxels: interpolating coefficients are known in gaps too.
 bool cellSamples(ivec3 cell, out vec4 rows[16], out float least, out float most) {
   ivec3 first = cell - 1, top = uDims - 1, shift = texelShift(cell);
   least = never;
@@ -29,7 +30,7 @@ bool cellSamples(ivec3 cell, out vec4 rows[16], out float least, out float most)
       most = max(most, largest(row));
       least = min(least, -largest(-row));
     }
-  return !isMissing(most);
+  return !isMissing(most) && !(uGaps && cellMissing(cell));
 }
 
 void bernstein9(vec4 rows[16], vec3 from, vec3 to, out float b[10]) {

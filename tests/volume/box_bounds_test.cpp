@@ -93,6 +93,26 @@ TEST(BoxBoundsTest, SeveralIsovaluesAreTheUnion) {
   EXPECT_NE(first, both);
 }
 
+// Bounds are kept in 65536 steps: an isovalue next to a voxel's own, within one step of it, finds the boxes
+// on both of its sides.
+TEST(BoxBoundsTest, RoundingIsOutward) {
+  std::mt19937 random(10);
+  const Grid grid = randomGrid({9, 9, 9}, random, false);
+  const BoxBounds boxes(grid);
+  const glm::ivec3 corners = grid.dims() - 1;
+  for (int z = 0; z < corners.z; ++z)
+    for (int y = 0; y < corners.y; ++y)
+      for (int x = 0; x < corners.x; ++x) {
+        const auto voxel = static_cast<float>(grid.stored(x, y, z));
+        for (const float isovalue : {voxel, std::nextafter(voxel, 9.0f), std::nextafter(voxel, -9.0f)}) {
+          if (!crossed(grid, {x, y, z}, isovalue, 0)) continue;
+          std::vector<std::uint64_t> masks;
+          boxes.masks(std::span(&isovalue, 1), {1}, masks);
+          EXPECT_TRUE(masks[0] >> (x / 2 + 4 * (y / 2) + 16 * (z / 2)) & 1) << x << ' ' << y << ' ' << z;
+        }
+      }
+}
+
 TEST(BoxBoundsTest, ConstantAndOutsideHaveNone) {
   const GridGeometry geometry = GridGeometry::make({9, 9, 9}, glm::dvec3(1.0));
   std::vector<std::uint64_t> masks;
