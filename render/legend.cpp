@@ -215,7 +215,8 @@ std::vector<double> tickValues(double low, double high, int count) {
   constexpr double slack = 1e-6;  // a tick at the very end stays in spite of rounding
   for (double i = std::ceil(low / step - slack); i <= high / step + slack; i += 1.0)
     values.push_back(i == 0.0 ? 0.0 : i * step);  // no negative zero
-  return values;
+  // One number is no scale. From a count of 5 on, the step is at most half the range, so that two fit.
+  return values.size() < 2 ? tickValues(low, high, 2 * count) : values;
 }
 
 TickFormat tickFormat(const std::vector<double>& ticks) {

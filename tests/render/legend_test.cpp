@@ -22,10 +22,12 @@ TEST(LegendTicksTest, AreRoundAndInside) {
   EXPECT_THAT(tickValues(-0.22, 0.22, 5), Pointwise(DoubleNear(1e-12), {-0.2, -0.1, 0.0, 0.1, 0.2}));
   EXPECT_THAT(tickValues(0.0, 1.0, 4), Pointwise(DoubleNear(1e-12), {0.0, 0.5, 1.0}));
   EXPECT_THAT(tickValues(1.0, -1.0, 4), Pointwise(DoubleNear(1e-12), {-1.0, -0.5, 0.0, 0.5, 1.0}));
+  EXPECT_THAT(tickValues(-0.42, 0.42, 3),
+              Pointwise(DoubleNear(1e-12), {-0.4, -0.2, 0.0, 0.2, 0.4}));  // not 0 alone
   for (double low = -3.7; low < 4.0; low += 0.61)
     for (double width = 1e-12; width < 1e12; width *= 7.3) {
       const auto ticks = tickValues(low * width, (low + 1.0) * width, 5);
-      EXPECT_GE(ticks.size(), 1u);
+      EXPECT_GE(ticks.size(), 2u);
       EXPECT_LE(ticks.size(), 7u);
       for (const double tick : ticks) {
         EXPECT_GE(tick, (low - 1e-6) * width);
