@@ -29,7 +29,6 @@ void EffectPasses::shadow(FrameState& frame) {
   Program& p = frame.program("shadow.frag.glsl", defines);
   HitPasses::setTrace(frame, p);
   frame.setPoint(p, 4);
-  p.setTexture("uInfo", 6, frame.image(pass::refine, 1));
   p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));
   p.set("uLight", glm::vec3(frame.towardLight()));
   int opaque = 0;
@@ -50,8 +49,8 @@ void EffectPasses::flowField(FrameState& frame) {
                              flow.direction == scene::FlowDirection::minimum ? "#define MINIMUM\n" : "");
   frame.setView(p);
   frame.setPoint(p, 0);
-  p.setTexture("uKappa", 2, frame.image(pass::curvature, 0));
-  p.setTexture("uDirection", 3, frame.image(pass::curvature, 1));
+  p.setTexture("uKappa", 3, frame.image(pass::curvature, 0));
+  p.setTexture("uDirection", 4, frame.image(pass::curvature, 1));
   p.set("uGrain", static_cast<float>(flow.grain * frame.request.supersampling));
   frame.drawFullscreen(p);
 }

@@ -65,8 +65,8 @@ struct FrameState {
   void clear(const Target& target, int image, const float (&value)[4]) const;
   void drawFullscreen(const Program& program) const;
   void setView(Program& program) const;  // the uniforms of common.glsl
-  // The uniforms of surface.glsl: surface points and gradients (where there are any) in units `unit` and unit
-  // + 1.
+  // The uniforms of surface.glsl: surface points, gradients (where there are any) and what is known of the
+  // hit, in units `unit` to unit + 2.
   void setPoint(Program& program, int unit) const;
   glm::dvec3 towardLight() const;  // unit, world
   double flatCurvature() const;    // below which a surface counts as flat, 1/mm: volume/curvature.h

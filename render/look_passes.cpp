@@ -12,7 +12,7 @@ constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 
 // Texture units of shade.frag.glsl.
 enum Unit {
-  surfaceUnit,
+  surfaceUnit,  // surfaceUnit to infoUnit: FrameState::setPoint()
   gradientUnit,
   infoUnit,
   kappaUnit,
@@ -130,7 +130,6 @@ void LookPasses::drawShading(FrameState& frame) {
   Program& p = frame.program("shade.frag.glsl", definesOf(*frame.scene));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);
-  p.setTexture("uInfo", infoUnit, frame.image(pass::refine, 1));
   setSurfaces(frame, p);
   setLight(frame, p);
   if (needsOf(*frame.scene).curvature) {

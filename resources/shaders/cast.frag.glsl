@@ -85,7 +85,7 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
           surface = k;
         }
       }
-      if (least < never) return vec4(tBefore, t, float(surface), 0.0);
+      if (least < never) return vec4(tBefore, t, float(surface + (value >= uIsovalueShifts[surface] ? 4 << surface : 0)), 0.0);
       known = true;
     }
     before = value;

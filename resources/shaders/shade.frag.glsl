@@ -19,7 +19,6 @@
 #include "solid_texture.glsl"
 #endif
 
-uniform sampler2D uInfo;
 uniform vec2 uDepthRange;   // mm along the view direction: nearest and farthest corner of the volume
 uniform vec3 uAlbedos[4];   // of each surface
 uniform vec4 uOpacities;

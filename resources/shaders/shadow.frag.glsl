@@ -16,7 +16,6 @@
 #endif
 #include "surface.glsl"
 
-uniform sampler2D uInfo;
 uniform mat3 uVoxelFromWorld;
 uniform vec3 uLight;     // unit, world, toward the light
 uniform int uOpaqueBits;  // surfaces that stop light
