@@ -4,7 +4,8 @@
 //
 // With outward normal n = outward * g / |g| (outward = -1 where inside is above) the surface bends away from n where
 // kappa > 0: A = outward * P^T H P / |g| in the basis (u, v). The confidence is 0 where the gradient drowns in noise,
-// and at umbilics and flats, which have no directions: volume/curvature.h has its formula and the same arithmetic.
+// at umbilics and flats, which have no directions (volume/curvature.h has its formula and the same arithmetic), and at
+// the border of the volume.
 uniform sampler2D uGradient, uHessianDiagonal, uHessianMixed;
 uniform float uOutward;
 uniform float uGradientNoise;  // standard deviation of a gradient component, data units per mm
@@ -29,7 +30,8 @@ void main() {
   float a = -1.0 / (s + n.z), c = n.x * n.y * a;
   vec3 u = vec3(1.0 + s * n.x * n.x * a, s * c, -s * n.x), v = vec3(c, s + n.y * n.y * a, -n.y);
 
-  vec3 d = diagonal.xyz / scale, m = texelFetch(uHessianMixed, pixel, 0).xyz / scale;
+  vec4 mixed = texelFetch(uHessianMixed, pixel, 0);
+  vec3 d = diagonal.xyz / scale, m = mixed.xyz / scale;
   mat3 hessian = mat3(vec3(d.x, m.x, m.y), vec3(m.x, d.y, m.z), vec3(m.yz, d.z));
   vec3 hu = hessian * u, hv = hessian * v;
   float factor = uOutward / relativeLength;
@@ -44,6 +46,7 @@ void main() {
   oDirection = vec4(norm > 0.0 ? (e.x * u + e.y * v) / norm : u, curvatureNoise);
 
   float noisy = uGradientNoise > 0.0 ? smoothstep(3.0, 6.0, scale * relativeLength / uGradientNoise) : 1.0;
+  noisy *= mixed.w;  // at the border curvature is that of repeated samples
   float round_ = smoothstep(0.02, 0.1, (kappa1 - kappa2) / (abs(kappa1) + abs(kappa2) + uFlat));
   float clear = curvatureNoise > 0.0 ? smoothstep(2.0, 5.0, (kappa1 - kappa2) / curvatureNoise) : 1.0;
   bool finite = abs(kappa1) < 1e30 && abs(kappa2) < 1e30;

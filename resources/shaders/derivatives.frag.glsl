@@ -13,7 +13,7 @@ uniform float uDataUnits;         // data units per texel of uVolume
 layout(location = 0) out vec4 oGradient;  // w = 1 where there is a surface
 #ifdef HESSIAN
 layout(location = 1) out vec4 oHessianDiagonal;  // xx, yy, zz; w = 1 where the Hessian is known
-layout(location = 2) out vec4 oHessianMixed;     // xy, xz, yz
+layout(location = 2) out vec4 oHessianMixed;     // xy, xz, yz; w = 1 where all samples are the volume's own
 #endif
 
 void main() {
@@ -48,6 +48,11 @@ void main() {
   mat3 hessian = mat3(vec3(diagonal.x, mixed.x, mixed.y), vec3(mixed.x, diagonal.y, mixed.z), vec3(mixed.yz, diagonal.z));
   hessian = uInverseTransposed * hessian * transpose(uInverseTransposed) * uDataUnits;
   oHessianDiagonal = vec4(hessian[0][0], hessian[1][1], hessian[2][2], 1.0);
-  oHessianMixed = vec4(hessian[0][1], hessian[0][2], hessian[1][2], 0.0);
+  float within = 1.0;
+#ifdef CUBIC
+  ivec3 first = cellOf(p) - 1;  // of the spline's 4x4x4 samples: those beyond the border only repeat it
+  if (any(lessThan(first, ivec3(0))) || any(greaterThan(first + 3, uDims - 1))) within = 0.0;
+#endif
+  oHessianMixed = vec4(hessian[0][1], hessian[0][2], hessian[1][2], within);
 #endif
 }

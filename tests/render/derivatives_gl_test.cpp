@@ -156,6 +156,29 @@ TEST_F(DerivativesGlTest, UmbilicsFlatsAndVanishingGradientsHaveNoConfidence) {
   }
 }
 
+// Within a voxel of the border the spline's samples are repeated ones: its curvature there is no shape of the
+// data.
+TEST_F(DerivativesGlTest, TheBorderHasNoConfidence) {
+  const auto volume = phantom("gyroid", 32);
+  scene::Scene scene;
+  scene.isosurface.value = 0.3;
+  const CurvatureImages seen = curvatureImages(volume, scene);
+  int border = 0, trusted = 0;
+  for (std::size_t i = 0; i < seen.pixels(); ++i) {
+    if (!seen.isHit(i)) continue;
+    const glm::dvec3 p = at(seen.voxel, i);
+    const bool atBorder = std::min({p.x, p.y, p.z}) < 0.99 || std::max({p.x, p.y, p.z}) > 30.01;
+    if (atBorder) {
+      ++border;
+      EXPECT_EQ(seen.confidence.values[i], 0.0f);
+    } else if (seen.confidence.values[i] > 0.9f) {
+      ++trusted;
+    }
+  }
+  EXPECT_GT(border, 50);
+  EXPECT_GT(trusted, 500);
+}
+
 // A smooth random field with structures of a few voxels.
 volume::Grid randomField(const volume::GridGeometry& geometry, unsigned seed, double offset, bool mirrored) {
   std::mt19937 random(seed);
