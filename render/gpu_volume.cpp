@@ -129,20 +129,16 @@ void GpuVolume::setField(scene::Field field) {
   scene::Progress unwatched;
   const int cells = volume_->blocks->blockCells();
   std::shared_ptr<const MinMaxBlocks> blocks = volume_->blocks;
-  std::optional<BoxBounds> boxes;
+  boxes_ = volume_->boxes;
   if (field == scene::Field::cubic) {
     blocks = std::make_shared<MinMaxBlocks>(MinMaxBlocks::ofCubic(grid(), cells, unwatched));
-    boxes = BoxBounds::ofCubic(grid());
+    boxes_ = std::make_shared<BoxBounds>(BoxBounds::ofCubic(grid(), unwatched));
   } else if (field == scene::Field::cubic_interpolating) {
     blocks = std::make_shared<MinMaxBlocks>(MinMaxBlocks::ofCubic(coefficients(), grid(), cells, unwatched));
-    boxes = BoxBounds::ofCubic(coefficients(), grid());
-  } else {
-    boxes.emplace(grid());
+    boxes_ = std::make_shared<BoxBounds>(BoxBounds::ofCubic(coefficients(), grid(), unwatched));
   }
   active_ = std::make_unique<volume::ActiveBlocks>(blocks);
   faces_ = std::make_unique<BlockFaceSet>(blocks->dims());
-  boxes_.reset();
-  if (cells == BoxBounds::kBlockCells) boxes_ = std::make_unique<BoxBounds>(std::move(*boxes));
   maskTexture_ = hasCells() ? Texture::make3D(gl_, GL_RG32UI, blocks->dims(), false) : Texture();
   faceCapacity_ = 0;
   activeField_ = field;
@@ -150,9 +146,9 @@ void GpuVolume::setField(scene::Field field) {
 
 void GpuVolume::updateMasks(const std::vector<float>& storedIsovalues) {
   const std::vector<std::uint8_t>& flags = active_->flags();
-  if (boxes_) {
+  if (active_->blocks().blockCells() == volume::BoxBounds::kBlockCells) {
     boxes_->masks(storedIsovalues, flags, masks_);
-  } else {  // blocks of another size: every box of an active one
+  } else {  // of another size (benchmarks): every box of an active one
     masks_.resize(flags.size());
     std::transform(flags.begin(), flags.end(), masks_.begin(),
                    [](std::uint8_t flag) { return flag ? ~std::uint64_t{0} : std::uint64_t{0}; });

@@ -93,7 +93,7 @@ class GpuVolume {
   std::unique_ptr<BlockFaceSet> faces_;
   std::size_t faceCapacity_ = 0;
   mutable std::optional<std::size_t> activeBricks_;  // counted when asked for
-  std::unique_ptr<volume::BoxBounds> boxes_;
+  std::shared_ptr<const volume::BoxBounds> boxes_;   // of activeField_
   std::vector<std::uint64_t> masks_;
   Texture maskTexture_;
   Buffer faceBuffer_;

@@ -108,25 +108,27 @@ BoxBounds::BoxBounds(glm::ivec3 voxels) {
                  static_cast<std::size_t>(dims_.z));
 }
 
-BoxBounds::BoxBounds(const Grid& grid) : BoxBounds(grid.dims()) {
-  std::visit([&](const auto& voxels) { fill(voxels, grid.dims(), 0); }, grid.voxels());
+BoxBounds::BoxBounds(const Grid& grid, scene::Progress& progress) : BoxBounds(grid.dims()) {
+  std::visit([&](const auto& voxels) { fill(voxels, grid.dims(), 0, progress); }, grid.voxels());
 }
 
-BoxBounds BoxBounds::ofCubic(const Grid& grid) {
+BoxBounds BoxBounds::ofCubic(const Grid& grid, scene::Progress& progress) {
   BoxBounds result(grid.dims());
-  std::visit([&](const auto& voxels) { result.fill(voxels, grid.dims(), 1); }, grid.voxels());
+  std::visit([&](const auto& voxels) { result.fill(voxels, grid.dims(), 1, progress); }, grid.voxels());
   return result;
 }
 
-BoxBounds BoxBounds::ofCubic(const std::vector<float>& coefficients, const Grid& grid) {
+BoxBounds BoxBounds::ofCubic(const std::vector<float>& coefficients, const Grid& grid,
+                             scene::Progress& progress) {
   assert(coefficients.size() == grid.geometry().voxelCount());
   BoxBounds result(grid.dims());
-  result.fill(coefficients, grid.dims(), 1);
+  result.fill(coefficients, grid.dims(), 1, progress);
   return result;
 }
 
 template <class T>
-void BoxBounds::fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apron) {
+void BoxBounds::fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apron,
+                     scene::Progress& progress) {
   constexpr double steps = 65535.0;
   const Range all = rangeOf(voxels);
   origin_ = static_cast<double>(all.low);
@@ -147,7 +149,8 @@ void BoxBounds::fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apr
   };
   const int rows = dims_.y * dims_.z;
   tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
-    for (int row = range.begin(); row != range.end(); ++row)
+    for (int row = range.begin(); row != range.end(); ++row) {
+      if (progress.stopRequested()) return;
       for (int x = 0; x < dims_.x; ++x) {
         const glm::ivec3 first = glm::ivec3(x, row % dims_.y, row / dims_.y) * kBlockCells;
         const auto boxes = BlockScan<T>(voxels, voxelDims, first, apron).boxes();
@@ -159,7 +162,9 @@ void BoxBounds::fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apr
           bounds.high[i] = quantised(box.high, true);
         }
       }
+    }
   });
+  progress.throwIfStopped();
 }
 
 void BoxBounds::masks(std::span<const float> storedIsovalues, const std::vector<std::uint8_t>& flags,

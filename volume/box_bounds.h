@@ -12,6 +12,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "scene/progress.h"
 #include "volume/grid.h"
 
 namespace isolux::volume {
@@ -20,11 +21,13 @@ class BoxBounds {
  public:
   static constexpr int kBlockCells = 8, kBoxCells = 2, kBoxesPerBlock = 64;
 
-  // Of the trilinear field. Multithreaded; 256 bytes for each block of 8x8x8 cells.
-  explicit BoxBounds(const Grid& grid);
+  // Of the trilinear field. Multithreaded; 256 bytes for each block of 8x8x8 cells; throws
+  // Error{interrupted}.
+  BoxBounds(const Grid& grid, scene::Progress& progress);
   // Of the cubic B-spline whose coefficients are the samples themselves, or those given.
-  static BoxBounds ofCubic(const Grid& grid);
-  static BoxBounds ofCubic(const std::vector<float>& coefficients, const Grid& grid);
+  static BoxBounds ofCubic(const Grid& grid, scene::Progress& progress);
+  static BoxBounds ofCubic(const std::vector<float>& coefficients, const Grid& grid,
+                           scene::Progress& progress);
 
   glm::ivec3 blockDims() const { return dims_; }
   // Of each block a mask: bit x + 4 y + 16 z is set where that box can hold a crossing of one of the
@@ -40,7 +43,7 @@ class BoxBounds {
   };
   explicit BoxBounds(glm::ivec3 voxels);
   template <class T>
-  void fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apron);
+  void fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apron, scene::Progress& progress);
 
   glm::ivec3 dims_;
   double origin_ = 0.0, scale_ = 1.0;  // quantised = (stored - origin) * scale

@@ -124,6 +124,7 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress
   prepared->volume = std::move(volume);
   progress.report(0.0, "building blocks");
   prepared->blocks = std::make_shared<MinMaxBlocks>(prepared->grid(), kBlockCells, progress);
+  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
   progress.report(0.6, "counting values");
   prepared->histogram = makeHistogram(prepared->grid());
   progress.throwIfStopped();

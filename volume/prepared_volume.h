@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "scene/automatic.h"
+#include "volume/box_bounds.h"
 #include "volume/histogram.h"
 #include "volume/min_max_blocks.h"
 #include "volume/reader.h"
@@ -16,6 +17,7 @@ inline constexpr int kBlockCells = 8;
 struct PreparedVolume {
   Volume volume;
   std::shared_ptr<const MinMaxBlocks> blocks;
+  std::shared_ptr<const BoxBounds> boxes;  // of the trilinear field, for blocks of BoxBounds::kBlockCells
   Histogram histogram;
   scene::VolumeFacts facts;
   double readSeconds = 0.0, prepareSeconds = 0.0;

@@ -47,7 +47,7 @@ TEST(BoxBoundsTest, NoBoxWithACrossingIsLeftOutAndFewOthersAreKept) {
         scene::Progress progress;
         const MinMaxBlocks blocks =
             apron ? MinMaxBlocks::ofCubic(grid, 8, progress) : MinMaxBlocks(grid, 8, progress);
-        const BoxBounds boxes = apron ? BoxBounds::ofCubic(grid) : BoxBounds(grid);
+        const BoxBounds boxes = apron ? BoxBounds::ofCubic(grid, progress) : BoxBounds(grid, progress);
         ASSERT_EQ(boxes.blockDims(), blocks.dims());
         for (const float isovalue : {0.0f, 0.05f, -0.2f, 0.4f}) {
           std::vector<std::uint8_t> flags;
@@ -82,7 +82,8 @@ TEST(BoxBoundsTest, NoBoxWithACrossingIsLeftOutAndFewOthersAreKept) {
 TEST(BoxBoundsTest, SeveralIsovaluesAreTheUnion) {
   std::mt19937 random(8);
   const Grid grid = randomGrid({25, 25, 25}, random, false);
-  const BoxBounds boxes(grid);
+  scene::Progress progress;
+  const BoxBounds boxes(grid, progress);
   const std::vector<std::uint8_t> flags(27, 1);
   std::vector<std::uint64_t> first, second, both;
   const float isovalues[] = {-0.1f, 0.15f};
@@ -98,7 +99,8 @@ TEST(BoxBoundsTest, SeveralIsovaluesAreTheUnion) {
 TEST(BoxBoundsTest, RoundingIsOutward) {
   std::mt19937 random(10);
   const Grid grid = randomGrid({9, 9, 9}, random, false);
-  const BoxBounds boxes(grid);
+  scene::Progress progress;
+  const BoxBounds boxes(grid, progress);
   const glm::ivec3 corners = grid.dims() - 1;
   for (int z = 0; z < corners.z; ++z)
     for (int y = 0; y < corners.y; ++y)
@@ -117,10 +119,11 @@ TEST(BoxBoundsTest, ConstantAndOutsideHaveNone) {
   const GridGeometry geometry = GridGeometry::make({9, 9, 9}, glm::dvec3(1.0));
   std::vector<std::uint64_t> masks;
   const float isovalues[] = {4.0f};
-  BoxBounds(Grid(geometry, std::vector<float>(729, 4.0f))).masks(isovalues, {1}, masks);
+  scene::Progress progress;
+  BoxBounds(Grid(geometry, std::vector<float>(729, 4.0f)), progress).masks(isovalues, {1}, masks);
   EXPECT_EQ(masks[0], 0u);
   std::mt19937 random(9);
-  BoxBounds(randomGrid({9, 9, 9}, random, false)).masks(isovalues, {1}, masks);
+  BoxBounds(randomGrid({9, 9, 9}, random, false), progress).masks(isovalues, {1}, masks);
   EXPECT_EQ(masks[0], 0u);
 }
 
