@@ -169,12 +169,7 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
   json["version"] = version();
   json["complete"] = complete;
   json["machine"] = {{"processor", processorName()}, {"threads", tbb::this_task_arena::max_concurrency()}};
-  json["context"] = context.kind;
-  json["gl"] = {{"vendor", context.vendor},
-                {"renderer", context.renderer},
-                {"version", context.version},
-                {"glsl", context.glsl},
-                {"software", context.software}};
+  addContext(json, context);
   json["volume"] = {{"name", subject.volume->volume.name},
                     {"data_hash", hashText(grid.hash())},
                     {"dims", {grid.dims().x, grid.dims().y, grid.dims().z}},

@@ -6,6 +6,18 @@
 
 namespace isolux::render {
 
+const char* nameOf(PassState state) {
+  switch (state) {
+    case PassState::ran:
+      return "ran";
+    case PassState::cached:
+      return "cached";
+    case PassState::skipped:
+      break;
+  }
+  return "skipped";
+}
+
 const std::vector<AovInfo>& aovs() {
   static const std::vector<AovInfo> list = {
       {Aov::position, "position", "mm, world", {"x", "y", "z"}},

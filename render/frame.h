@@ -47,6 +47,7 @@ struct FrameRequest {
 };
 
 enum class PassState { ran, cached, skipped };
+const char* nameOf(PassState state);
 struct PassReport {
   std::string name;
   PassState state = PassState::skipped;

@@ -21,18 +21,6 @@ namespace {
 constexpr int refreshMilliseconds = 200;
 enum Column { nameColumn, stateColumn, timeColumn, memoryColumn, columns };
 
-const char* wordOf(render::PassState state) {
-  switch (state) {
-    case render::PassState::ran:
-      return "ran";
-    case render::PassState::cached:
-      return "cached";
-    case render::PassState::skipped:
-      return "skipped";
-  }
-  return "";
-}
-
 QString timeText(double milliseconds) {
   return milliseconds < 0.005 ? "0 ms" : numberText(milliseconds, milliseconds < 10.0 ? 2 : 3) + " ms";
 }
@@ -147,7 +135,7 @@ void PassesPanel::showPasses() {
     QFont bold = font();
     bold.setWeight(ran ? QFont::DemiBold : QFont::Normal);
     item->setFont(nameColumn, bold);
-    item->setText(stateColumn, wordOf(pass.state));
+    item->setText(stateColumn, render::nameOf(pass.state));
     item->setText(timeColumn, ran ? timeText(pass.milliseconds) : "–");
     item->setText(memoryColumn, pass.bytes > 0 ? bytesText(static_cast<double>(pass.bytes)) : "–");
     for (int column = 0; column < columns; ++column)
@@ -187,7 +175,7 @@ QString PassesPanel::text() const {
   QStringList lines{"pass\tstate\tms\tbytes\twhy"};
   for (const render::PassReport& pass : report_.passes)
     lines += QString("%1\t%2\t%3\t%4\t%5")
-                 .arg(QString::fromStdString(pass.name), wordOf(pass.state))
+                 .arg(QString::fromStdString(pass.name), render::nameOf(pass.state))
                  .arg(numberText(pass.milliseconds, 4))
                  .arg(pass.bytes)
                  .arg(QString::fromStdString(pass.reason));

@@ -164,6 +164,15 @@ std::string bytesText(std::uint64_t bytes) {
   return text.data();
 }
 
+void addContext(nlohmann::ordered_json& json, const render::ContextDescription& context) {
+  json["context"] = context.kind;
+  json["gl"] = {{"vendor", context.vendor},
+                {"renderer", context.renderer},
+                {"version", context.version},
+                {"glsl", context.glsl},
+                {"software", context.software}};
+}
+
 std::string jsonText(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

@@ -58,5 +58,7 @@ std::string hashText(std::uint64_t hash);                  // 16 hex digits
 std::string numberText(double value);                      // shortest that reads back the same
 std::string bytesText(std::uint64_t bytes);                // "13.5 MiB"
 std::string jsonText(const nlohmann::ordered_json& json);  // indented, ends in a newline
+// The keys "context" and "gl": what drew a picture.
+void addContext(nlohmann::ordered_json& json, const render::ContextDescription& context);
 
 }  // namespace isolux::app

@@ -50,18 +50,6 @@ render::FrameRequest requestOf(const RenderOptions& options, const scene::Scene&
   return request;
 }
 
-const char* stateName(render::PassState state) {
-  switch (state) {
-    case render::PassState::ran:
-      return "ran";
-    case render::PassState::cached:
-      return "cached";
-    case render::PassState::skipped:
-      break;
-  }
-  return "skipped";
-}
-
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
@@ -103,18 +91,13 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
   ordered_json passes = ordered_json::array();
   for (const render::PassReport& pass : drawn.report.passes)
     passes.push_back({{"name", pass.name},
-                      {"state", stateName(pass.state)},
+                      {"state", render::nameOf(pass.state)},
                       {"reason", pass.reason},
                       {"milliseconds", pass.milliseconds},
                       {"bytes", pass.bytes}});
   ordered_json json;
   json["version"] = version();
-  json["context"] = context.kind;
-  json["gl"] = {{"vendor", context.vendor},
-                {"renderer", context.renderer},
-                {"version", context.version},
-                {"glsl", context.glsl},
-                {"software", context.software}};
+  addContext(json, context);
   json["size"] = {request.size.x, request.size.y};
   json["supersampling"] = request.supersampling;
   json["isovalue"] = *scene.isosurface.value;
@@ -139,8 +122,8 @@ void printPasses(const render::FrameReport& report) {
   for (const render::PassReport& pass : report.passes) width = std::max(width, pass.name.size());
   std::printf("%-*s  %-7s  %10s  %s\n", static_cast<int>(width), "pass", "state", "ms", "reason");
   for (const render::PassReport& pass : report.passes)
-    std::printf("%-*s  %-7s  %10.3f  %s\n", static_cast<int>(width), pass.name.c_str(), stateName(pass.state),
-                pass.milliseconds, pass.reason.c_str());
+    std::printf("%-*s  %-7s  %10.3f  %s\n", static_cast<int>(width), pass.name.c_str(),
+                render::nameOf(pass.state), pass.milliseconds, pass.reason.c_str());
   const render::BrickReport& bricks = report.bricks;
   if (bricks.inUse)
     std::printf(
