@@ -13,9 +13,8 @@ screen() {
     xvfb-run -a -s "-screen 0 1920x1200x24" "$bin/isolux_screenshot" "$@"; fi
 }
 
-screen --out "$out/window_head.png" --size 1280x800 phantom:head
 if [ -d "$data/volumes" ]; then
-  screen --out "$out/window_ct.png" --size 1280x800 --panel volume --set isosurface.value=0.51 \
+  screen --out "$out/window_ct.png" --size 1280x800 --set isosurface.value=0.51 \
     "$data/volumes/ct_head_skin_bone.nii.gz"
 else
   echo "make_pictures.sh: no test data: pictures of scans are left as they are" >&2
