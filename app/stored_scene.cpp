@@ -22,7 +22,7 @@ fs::path absoluteFolder(const fs::path& folder) {
 }  // namespace
 
 bool isStoredPath(std::string_view setting) {
-  return setting == "source.path" || setting == "source.csg_path";
+  return setting == "source.path" || setting == "source.csg_path" || setting == "light.environment.file";
 }
 
 std::string storedSourcePath(const std::string& path, const fs::path& folder) {

@@ -15,7 +15,7 @@
 
 namespace isolux::app {
 
-// The settings that name volumes.
+// The settings that name files: volumes and light probes.
 bool isStoredPath(std::string_view setting);
 // "phantom:..." and "" stay as they are. `folder` empty: the current one.
 std::string storedSourcePath(const std::string& path, const std::filesystem::path& folder);

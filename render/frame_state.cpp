@@ -1,5 +1,7 @@
 #include "render/frame_state.h"
 
+#include "scene/albedo.h"
+
 #include <glm/geometric.hpp>
 
 #include "volume/curvature.h"
@@ -11,6 +13,10 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene) {
       {scene.isosurface.value.value(), scene.isosurface.albedo, scene.isosurface.opacity}};
   for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
     if (extra->shown) surfaces.push_back({extra->value.value(), extra->albedo, extra->opacity});
+  if (scene.isosurface.albedoSource == scene::AlbedoSource::map) {
+    const scene::AlbedoOfIsovalue albedo(scene);
+    for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);
+  }
   return surfaces;
 }
 

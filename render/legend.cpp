@@ -7,7 +7,7 @@
 
 #include <glm/common.hpp>
 
-#include "render/color_maps.h"
+#include "scene/color_maps.h"
 #include "render/font.h"
 
 namespace isolux::render {
@@ -77,7 +77,7 @@ class Canvas {
 
 glm::vec3 encoded(const glm::vec3& linear) {
   glm::vec3 result;
-  for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(encodeSrgb(static_cast<double>(linear[c])));
+  for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(scene::encodeSrgb(static_cast<double>(linear[c])));
   return result;
 }
 

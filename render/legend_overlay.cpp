@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/color_maps.h"
+#include "scene/color_maps.h"
 #include "render/legend.h"
 #include "scene/curvature_map.h"
 
@@ -52,7 +52,7 @@ MeasureColors measureColors(const scene::Look& look) {
   constexpr int samples = 256, side = 64;
   if (look.mode == LookMode::curvature_2d)
     return {glm::ivec2(side), scene::curvatureTexels(look.curvaturePoints, side)};
-  return {glm::ivec2(samples, 1), colorMapSamples(look.colormap, look.mode, samples)};
+  return {glm::ivec2(samples, 1), scene::colorMapSamples(look.colormap, look.mode, samples)};
 }
 
 void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range) {

@@ -164,20 +164,25 @@ bool readsGradient(Aov aov) {
   return aov == Aov::normal || aov == Aov::gradient;
 }
 
-// How the surfaces look, apart from where they are.
-std::uint64_t surfacesHash(const scene::Scene& scene) {
-  Hasher hash;
-  hash.add(scene.isosurface.albedo).add(scene.isosurface.opacity);
-  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    if (extra->shown) hash.add(extra->albedo).add(extra->opacity);
-  return hash;
-}
-
 std::uint64_t isovaluesHash(const scene::Scene& scene) {
   Hasher hash;
   hash.add(scene.isosurface.value.value_or(0.0));
   for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
     if (extra->shown) hash.add(extra->value.value_or(0.0));
+  return hash;
+}
+
+// How the surfaces look, apart from where they are.
+std::uint64_t surfacesHash(const scene::Scene& scene) {
+  Hasher hash;
+  const scene::Isosurface& first = scene.isosurface;
+  hash.add(first.opacity).add(first.albedoSource);
+  if (first.albedoSource == scene::AlbedoSource::map)
+    hash.add(first.albedoMap).add(first.albedoLow).add(first.albedoHigh).add(isovaluesHash(scene));
+  else
+    hash.add(first.albedo);
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
+    if (extra->shown) hash.add(extra->albedo).add(extra->opacity);
   return hash;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -12,6 +13,19 @@ namespace isolux::scene {
 namespace {
 
 constexpr double elevation = 0.21;  // radians (12 degrees): "slightly above"
+
+// In front of the volume, above it and to the viewer's left, each lamp a third of a turn further.
+void resolveLamps(Scene& scene, const VolumeFacts& facts) {
+  const glm::dvec3 center = 0.5 * (facts.boundsMinMm + facts.boundsMaxMm);
+  const double size = std::max(glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
+  Lamp* const lamps[] = {&scene.lamp1, &scene.lamp2, &scene.lamp3};
+  for (int i = 0; i < 3; ++i) {
+    const double angle = (-0.65 + i / 3.0 * 2.0) * std::numbers::pi;
+    const glm::dvec3 toward(std::cos(angle) * 0.7, std::sin(angle) * 0.7, 0.7);
+    if (!lamps[i]->position) lamps[i]->position = center + size * toward;
+    if (!lamps[i]->radius) lamps[i]->radius = 0.1 * size;
+  }
+}
 
 }  // namespace
 
@@ -25,6 +39,13 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
     if (!extras[i]->value)
       extras[i]->value =
           std::lerp(*scene.isosurface.value, std::max(facts.maximum, *scene.isosurface.value), (i + 1) / 4.0);
+  if (!scene.isosurface.albedoLow) scene.isosurface.albedoLow = facts.minimum;
+  if (!scene.isosurface.albedoHigh) scene.isosurface.albedoHigh = facts.maximum;
+  if (!scene.gi.band) {
+    const double reach = 0.05 * (facts.maximum - facts.minimum);
+    scene.gi.band = glm::dvec2(*scene.isosurface.value - reach, *scene.isosurface.value + reach);
+  }
+  resolveLamps(scene, facts);
   if (!scene.hit.nearThreshold) scene.hit.nearThreshold = facts.typicalStep / scene.hit.rate;
   if (!scene.derivatives.noise) scene.derivatives.noise = facts.noise;
   if (!scene.look.textureScale)

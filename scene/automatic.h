@@ -15,14 +15,15 @@ struct VolumeFacts {
   glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};     // world box of what there is to see
   double suggestedIsovalue = 0.0;                    // data units, volume::suggestIsovalue()
   std::optional<double> csgIsovalue = std::nullopt;  // of the second volume, where there is one
-  double maximum = 0.0;                              // data units
+  double minimum = 0.0, maximum = 0.0;               // data units
   double typicalStep =
       0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
   double noise = 0.0;  // data units: standard deviation of a voxel
 };
 
 // Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
-// maps, the ridge threshold) and the fog's colour, which stay automatic for the renderer, and the isovalue
+// maps, the ridge threshold), the fog's colour and the exposure, which stay automatic for the renderer, those
+// of the bake's own business (gi.environment_share, gi.threads), and the isovalue
 // of a second volume that is not there. An explicit setting
 // is never changed. An automatic camera looks from the front and slightly above (eye on -y: a patient faces
 // the viewer, patient left at the right), and the whole box fits the picture of any aspect ratio >= 1.

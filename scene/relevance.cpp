@@ -5,6 +5,8 @@
 #include <cctype>
 #include <string>
 
+#include "scene/gi_choice.h"
+
 namespace isolux::scene {
 
 namespace {
@@ -30,9 +32,17 @@ bool isLit(const Scene& s) {
   return shadingOf(s) != Shading::unlit;
 }
 
+bool usesGi(const Scene& s) {
+  return shadingOf(s) == Shading::gi;
+}
+
+bool hasLocalLight(const Scene& s) {
+  return isLit(s) && !usesGi(s);
+}
+
 // Tone shading goes from toneCool to toneWarm: brightness and colour of the light do not enter.
 bool hasBrightness(const Scene& s) {
-  return isLit(s) && shadingOf(s) != Shading::tone;
+  return hasLocalLight(s) && shadingOf(s) != Shading::tone;
 }
 
 bool hasHighlight(const Scene& s) {
@@ -85,8 +95,13 @@ bool covers(const Rule& rule, std::string_view path) {
 }
 
 constexpr std::string_view plain = "this look shows a raw quantity, with nothing laid over it";
-constexpr std::string_view unlit = "this look is not lit";
-constexpr std::string_view toneOnly = "tone shading takes its brightness from its two colours";
+constexpr std::string_view notLocal = "only local shading has this light";
+constexpr std::string_view noGi = "the shading is not global illumination";
+constexpr std::string_view nothingStored = "no light is stored";
+constexpr std::string_view noTransfer = "no transfer is stored";
+constexpr std::string_view noLamp = "that lamp is off";
+constexpr std::string_view noAlbedoMap = "isosurfaces have the reflectances given";
+constexpr std::string_view toneOnly = "this shading does not take its brightness from the key light";
 constexpr std::string_view noAlbedo = "this look does not show the surface's own colour";
 constexpr std::string_view noHighlight = "only Blinn-Phong shading has a highlight";
 constexpr std::string_view noTone = "the shading is not tone";
@@ -105,7 +120,35 @@ constexpr auto isSampled = [](const Scene& s) { return s.hit.method == HitMethod
 constexpr auto isNotPlain = [](const Scene& s) { return !isPlain(s); };
 constexpr auto hasRidges = [](const Scene& s) { return !isPlain(s) && s.look.ridges > 0.0; };
 constexpr auto hasContours = [](const Scene& s) { return !isPlain(s) && drawsContours(s); };
+constexpr auto storesLight = [](const Scene& s) { return giChoiceOf(s).wanted; };
+constexpr auto storesTransfer = [](const Scene& s) { return giChoiceOf(s).sky == GiMode::transfer; };
+constexpr auto storesIrradiance = [](const Scene& s) {
+  const GiChoice choice = giChoiceOf(s);
+  return choice.lamps || (choice.sky != GiMode::off && choice.sky != GiMode::transfer);
+};
+constexpr auto hasProbe = [](const Scene& s) { return !s.light.environment.file.empty(); };
+constexpr auto traces = [](const Scene& s) { return giChoiceOf(s).bounces > 0; };
+constexpr auto hasAlbedoMap = [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::map; };
+constexpr auto hasOwnAlbedo = [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; };
 constexpr auto isCombined = [](const Scene& s) { return s.source.csg != Csg::none; };
+
+#define ISOLUX_LAMP_RULES(n)                                                                               \
+  Rule{"lamp" #n ".kind", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                         \
+      Rule{"lamp" #n ".position", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                 \
+      Rule{"lamp" #n ".position", [](const Scene& s) { return s.lamp##n.kind != LampKind::directional; },  \
+           "the lamp is distant"},                                                                         \
+      Rule{"lamp" #n ".direction", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                \
+      Rule{"lamp" #n ".direction", [](const Scene& s) { return s.lamp##n.kind == LampKind::directional; }, \
+           "the lamp has a position"},                                                                     \
+      Rule{"lamp" #n ".radius", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                   \
+      Rule{"lamp" #n ".radius", [](const Scene& s) { return s.lamp##n.kind == LampKind::sphere; },         \
+           "the lamp is no sphere"},                                                                       \
+      Rule{"lamp" #n ".angle", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                    \
+      Rule{"lamp" #n ".angle", [](const Scene& s) { return s.lamp##n.kind == LampKind::directional; },     \
+           "the lamp is not distant"},                                                                     \
+      Rule{"lamp" #n ".color", [](const Scene& s) { return s.lamp##n.shown; }, noLamp}, Rule {             \
+    "lamp" #n ".intensity", [](const Scene& s) { return s.lamp##n.shown; }, noLamp                         \
+  }
 
 // All rules that cover a path must hold; the first that fails says why.
 const std::array rules = {
@@ -115,18 +158,29 @@ const std::array rules = {
 
     Rule{"isosurface.inside", needsGradient, "depth is the same from either side"},
     Rule{"isosurface.albedo", showsAlbedo, noAlbedo},
+    Rule{"isosurface.albedo", hasOwnAlbedo, "the albedo comes from a colour map"},
+    Rule{"isosurface.albedo_source", showsAlbedo, noAlbedo},
+    Rule{"isosurface.albedo_map", hasAlbedoMap, noAlbedoMap},
+    Rule{"isosurface.albedo_map", showsAlbedo, noAlbedo},
+    Rule{"isosurface.albedo_low", hasAlbedoMap, noAlbedoMap},
+    Rule{"isosurface.albedo_low", showsAlbedo, noAlbedo},
+    Rule{"isosurface.albedo_high", hasAlbedoMap, noAlbedoMap},
+    Rule{"isosurface.albedo_high", showsAlbedo, noAlbedo},
     Rule{"isosurface.layers", isTransparent, "every isosurface is opaque"},
     Rule{"isosurface2.value", isShown2, hidden},
     Rule{"isosurface2.albedo", isShown2, hidden},
     Rule{"isosurface2.albedo", showsAlbedo, noAlbedo},
+    Rule{"isosurface2.albedo", hasOwnAlbedo, "the albedo comes from a colour map"},
     Rule{"isosurface2.opacity", isShown2, hidden},
     Rule{"isosurface3.value", isShown3, hidden},
     Rule{"isosurface3.albedo", isShown3, hidden},
     Rule{"isosurface3.albedo", showsAlbedo, noAlbedo},
+    Rule{"isosurface3.albedo", hasOwnAlbedo, "the albedo comes from a colour map"},
     Rule{"isosurface3.opacity", isShown3, hidden},
     Rule{"isosurface4.value", isShown4, hidden},
     Rule{"isosurface4.albedo", isShown4, hidden},
     Rule{"isosurface4.albedo", showsAlbedo, noAlbedo},
+    Rule{"isosurface4.albedo", hasOwnAlbedo, "the albedo comes from a colour map"},
     Rule{"isosurface4.opacity", isShown4, hidden},
 
     Rule{"hit.rate", isSampled, exactHits},
@@ -143,9 +197,9 @@ const std::array rules = {
 
     Rule{"look.shading", [](const Scene& s) { return isColored(s.look.mode); },
          "this look is a shading itself, or shows a raw quantity"},
-    Rule{"look.ambient", isLit, unlit},
+    Rule{"look.ambient", hasLocalLight, notLocal},
     Rule{"look.ambient", hasBrightness, toneOnly},
-    Rule{"look.ambient_variation", isLit, unlit},
+    Rule{"look.ambient_variation", hasLocalLight, notLocal},
     Rule{"look.ambient_variation", hasBrightness, toneOnly},
     Rule{"look.specular", hasHighlight, noHighlight},
     Rule{"look.shininess", hasHighlight, noHighlight},
@@ -157,7 +211,7 @@ const std::array rules = {
     Rule{"look.texture_scale", showsAlbedo, noAlbedo},
     Rule{"look.texture_scale", [](const Scene& s) { return s.look.texture != SolidTexture::none; },
          "there is no texture"},
-    Rule{"look.shadow", isLit, unlit},
+    Rule{"look.shadow", hasLocalLight, notLocal},
     Rule{"look.fog", isNotPlain, plain},
     Rule{"look.fog_color", isNotPlain, plain},
     Rule{"look.fog_color", [](const Scene& s) { return s.look.fog > 0.0; }, "there is no fog"},
@@ -192,11 +246,55 @@ const std::array rules = {
     Rule{"flow.speed", showsFlow, noFlow},
     Rule{"flow.time", showsFlow, noFlow},
 
-    Rule{"light.", isLit, unlit},
+    Rule{"light.space", hasLocalLight, notLocal},
+    Rule{"light.direction", hasLocalLight, notLocal},
+    Rule{"light.color", hasLocalLight, notLocal},
     Rule{"light.color", hasBrightness, toneOnly},
+    Rule{"light.intensity", hasLocalLight, notLocal},
     Rule{"light.intensity", hasBrightness, toneOnly},
+    Rule{"light.headlight", hasLocalLight, notLocal},
     Rule{"light.headlight", hasBrightness, toneOnly},
 
+    Rule{"light.environment.", usesGi, noGi},
+    Rule{"light.environment.constant", [](const Scene& s) { return !hasProbe(s); }, "there is a light probe"},
+    Rule{"light.environment.rotation", hasProbe, "a sky of one colour looks the same however it is turned"},
+    Rule{"light.environment.moves", hasProbe, "a sky of one colour may change anyway"},
+    Rule{"light.environment.moves", [](const Scene& s) { return s.gi.mode == GiMode::automatic; },
+         "gi.mode says what is stored"},
+
+    Rule{"lamp1.", usesGi, noGi},
+    Rule{"lamp2.", usesGi, noGi},
+    Rule{"lamp3.", usesGi, noGi},
+    ISOLUX_LAMP_RULES(1),
+    ISOLUX_LAMP_RULES(2),
+    ISOLUX_LAMP_RULES(3),
+
+    Rule{"gi.", usesGi, noGi},
+    Rule{"gi.extent", storesLight, nothingStored},
+    Rule{"gi.band", storesLight, nothingStored},
+    Rule{"gi.band", [](const Scene& s) { return s.gi.extent == GiExtent::band; },
+         "texels are not chosen by isovalue"},
+    Rule{"gi.samples", storesLight, nothingStored},
+    Rule{"gi.sequence", storesLight, nothingStored},
+    Rule{"gi.bounces",
+         [](const Scene& s) { return s.gi.mode != GiMode::vicinity && s.gi.mode != GiMode::shadow; },
+         "gi.mode is direct light only"},
+    Rule{"gi.bounces", [](const Scene& s) { return s.gi.mode != GiMode::off; }, nothingStored},
+    Rule{"gi.roulette_depth", traces, "no bounces are traced"},
+    Rule{"gi.roulette_depth", [](const Scene& s) { return s.gi.rouletteDepth < s.gi.bounces; },
+         "paths end before that bounce"},
+    Rule{"gi.environment_share", storesIrradiance, "no irradiance is stored"},
+    Rule{"gi.environment_share", hasProbe, "a sky of one colour has no bright places"},
+    Rule{"gi.lattice_scale", storesLight, nothingStored},
+    Rule{"gi.interpolation", storesLight, nothingStored},
+    Rule{"gi.precision", storesIrradiance, "no irradiance is stored"},
+    Rule{"gi.sh_order", storesTransfer, noTransfer},
+    Rule{"gi.sh_window", storesTransfer, noTransfer},
+    Rule{"gi.components", storesTransfer, noTransfer},
+    Rule{"gi.component_bits", storesTransfer, noTransfer},
+    Rule{"gi.threads", storesLight, nothingStored},
+
+    Rule{"picture.exposure", usesGi, noGi},
     Rule{"picture.motion_target", [](const Scene& s) { return s.picture.adaptive; },
          "pictures in motion are not reduced"},
     Rule{"memory.gpu_budget_mb", [](const Scene& s) { return s.memory.layout != MemoryLayout::whole; },
@@ -213,6 +311,8 @@ Shading shadingOf(const Scene& scene) {
       return Shading::lambert;
     case LookMode::tone:
       return Shading::tone;
+    case LookMode::gi:
+      return Shading::gi;
     default:
       return isColored(scene.look.mode) ? scene.look.shading : Shading::unlit;
   }

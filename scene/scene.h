@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace isolux::scene {
 
@@ -37,10 +39,11 @@ enum class LookMode {
   curvature_2d,
   accessibility,
   flow,
+  gi,
   normal,
   depth
 };
-enum class Shading { unlit, lambert, blinn_phong, tone };
+enum class Shading { unlit, lambert, blinn_phong, tone, gi };  // gi: stored global illumination
 enum class SolidTexture { none, marble, wood, checker };
 enum class ColorMap {
   automatic,
@@ -55,6 +58,16 @@ enum class ColorMap {
 };
 enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa1 or kappa2
 enum class LightSpace { camera, world };
+enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
+enum class LampKind { point, directional, sphere };
+// What is stored of the light; automatic: the least that the scene needs (gi/light_plan.h).
+enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
+enum class GiExtent { full, band, view };  // which texels are lit
+enum class DirectionSequence { sobol_owen, r2, random };
+// How stored light is read between texels, Wyman et al. 2006 fig. 6; weighted: trilinear weights times how
+// well a texel's isosurface and normal fit those of the point.
+enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, weighted };
+enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
 enum class Projection { perspective, orthographic };
 enum class MemoryLayout { automatic, whole, bricks };
 
@@ -75,6 +88,9 @@ struct Isosurface {
   std::optional<double> value;  // data units
   Inside inside = Inside::above;
   glm::dvec3 albedo{0.70, 0.62, 0.50};
+  AlbedoSource albedoSource = AlbedoSource::color;  // of all isosurfaces
+  ColorMap albedoMap = ColorMap::viridis;
+  std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
   double opacity = 1.0;
   int layers = 8;  // crossings composited behind one another where surfaces are transparent
   bool operator==(const Isosurface&) const = default;
@@ -159,6 +175,19 @@ struct Flow {
   bool operator==(const Flow&) const = default;
 };
 
+// The sky of global illumination: a light probe or one colour, around everything.
+struct Environment {
+  std::string file;          // equirectangular, row 0 is up (+z); empty: `constant`
+  glm::dvec3 constant{1.0};  // radiance
+  glm::dvec4 rotation{1.0, 0.0, 0.0,
+                      0.0};  // quaternion (w, x, y, z) from its own frame to the world, any length
+  double exposure = 0.0;     // stops
+  bool moves = false;        // it will be turned or exchanged: light must be stored so that it may
+  bool visible = false;      // behind the surface, instead of the background
+  bool operator==(const Environment&) const = default;
+};
+
+// Of local looks; global illumination is lit by the environment and the lamps.
 struct Light {
   LightSpace space = LightSpace::camera;
   // Toward the light, in camera axes (right, up, toward the viewer) or world axes; need not have unit length.
@@ -166,7 +195,43 @@ struct Light {
   glm::dvec3 color{1.0};
   double intensity = 1.0;
   double headlight = 0.0;  // brightness of a second light at the eye
+  Environment environment;
   bool operator==(const Light&) const = default;
+};
+
+// A lamp of global illumination, standing in the world.
+struct Lamp {
+  bool shown = false;
+  LampKind kind = LampKind::point;
+  std::optional<glm::dvec3> position;     // mm; point and sphere
+  glm::dvec3 direction{-0.5, -0.7, 0.9};  // toward the lamp, world; directional
+  std::optional<double> radius;           // mm; sphere
+  double angle = 0.0;                     // degrees, diameter as seen from the volume; directional
+  glm::dvec3 color{1.0};
+  double intensity = 1.0;  // E / pi on a surface at the volume's centre that faces the lamp, unoccluded
+  bool operator==(const Lamp&) const = default;
+};
+
+// Global illumination, Wyman et al. 2006: light stored in a lattice whose texels are each lit on their own
+// isosurface.
+struct Gi {
+  GiMode mode = GiMode::automatic;
+  GiExtent extent = GiExtent::view;
+  std::optional<glm::dvec2> band;  // isovalues, data units; extent band
+  int samples = 100;               // paths per texel
+  DirectionSequence sequence = DirectionSequence::r2;
+  int bounces = 1;
+  int rouletteDepth = 3;                   // bounces before paths may end at random
+  std::optional<double> environmentShare;  // of directions that are drawn from the environment
+  double latticeScale = 1.0;               // texels per voxel and axis
+  GiInterpolation interpolation = GiInterpolation::trilinear;
+  GiPrecision precision = GiPrecision::r11g11b10;
+  int shOrder = 5;
+  double shWindow = 0.0;  // 0 none, 1 full: against ringing
+  int components = 24;    // of a compressed transfer vector
+  int componentBits = 8;  // 8 or 16
+  std::optional<int> threads;
+  bool operator==(const Gi&) const = default;
 };
 
 struct Camera {
@@ -179,9 +244,10 @@ struct Camera {
 };
 
 struct Picture {
-  int supersampling = 2;       // rays per pixel and axis of a picture at rest
-  bool adaptive = true;        // pictures in motion shrink until they are quick enough
-  double motionTarget = 50.0;  // milliseconds of a picture in motion
+  int supersampling = 2;           // rays per pixel and axis of a picture at rest
+  bool adaptive = true;            // pictures in motion shrink until they are quick enough
+  double motionTarget = 50.0;      // milliseconds of a picture in motion
+  std::optional<double> exposure;  // stops, of pictures lit by global illumination
   bool operator==(const Picture&) const = default;
 };
 
@@ -202,6 +268,8 @@ struct Scene {
   Look look;
   Flow flow;
   Light light;
+  Lamp lamp1, lamp2, lamp3;
+  Gi gi;
   Camera camera;
   Picture picture;
   Memory memory;

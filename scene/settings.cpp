@@ -50,8 +50,14 @@ std::string allowedText(const Setting& setting) {
     case SettingType::integer:
       text = "a whole number from " + rangeText(setting);
       break;
+    case SettingType::pair:
+      text = "two numbers, each from " + rangeText(setting);
+      break;
     case SettingType::vector:
       text = "three numbers, each from " + rangeText(setting);
+      break;
+    case SettingType::quaternion:
+      text = "four numbers, each from " + rangeText(setting);
       break;
     case SettingType::text:
       text = "a text";
@@ -93,10 +99,11 @@ void assignChecked(const Setting& setting, int& member, const json& value) {
   member = static_cast<int>(number);  // the ranges of integers lie within int
 }
 
-void assignChecked(const Setting& setting, glm::dvec3& member, const json& value) {
-  if (!value.is_array() || value.size() != 3) refuseValue(setting, value);
-  glm::dvec3 vector;
-  for (int i = 0; i < 3; ++i) vector[i] = checkedNumber(setting, value[static_cast<std::size_t>(i)], value);
+template <int N>
+void assignChecked(const Setting& setting, glm::vec<N, double>& member, const json& value) {
+  if (!value.is_array() || value.size() != N) refuseValue(setting, value);
+  glm::vec<N, double> vector;
+  for (int i = 0; i < N; ++i) vector[i] = checkedNumber(setting, value[static_cast<std::size_t>(i)], value);
   member = vector;
 }
 
@@ -160,8 +167,11 @@ json jsonOf(const std::vector<CurvaturePoint>& points) {
 json jsonOf(const std::string& value) {
   return value;
 }
-json jsonOf(const glm::dvec3& value) {
-  return json::array({value.x, value.y, value.z});
+template <int N>
+json jsonOf(const glm::vec<N, double>& value) {
+  json list = json::array();
+  for (int i = 0; i < N; ++i) list.push_back(value[i]);
+  return list;
 }
 template <class T>
 json jsonOf(const std::optional<T>& value) {
@@ -195,9 +205,11 @@ struct TypeOf<std::string> {
   static constexpr SettingType type = SettingType::text;
   static constexpr bool automatic = false;
 };
-template <>
-struct TypeOf<glm::dvec3> {
-  static constexpr SettingType type = SettingType::vector;
+template <int N>
+struct TypeOf<glm::vec<N, double>> {
+  static constexpr SettingType type = N == 2   ? SettingType::pair
+                                      : N == 3 ? SettingType::vector
+                                               : SettingType::quaternion;
   static constexpr bool automatic = false;
 };
 template <class T>
@@ -242,6 +254,33 @@ Setting directionEntry(std::string path, Member member, std::string unit, std::s
     checked(trial, value);
     const std::optional<glm::dvec3> direction = member(trial);
     if (direction && glm::length(*direction) < 1e-6) refuse(name, "a direction must not be zero");
+    member(scene) = member(trial);
+  };
+  return result;
+}
+
+// A rotation: a quaternion that must not be (nearly) zero.
+template <class Member>
+Setting rotationEntry(std::string path, Member member, std::string meaning) {
+  Setting result = entry(std::move(path), member, Range{-1e6, 1e6}, "quaternion w,x,y,z", std::move(meaning));
+  result.set = [checked = result.set, member, name = result.path](Scene& scene, const json& value) {
+    Scene trial;
+    checked(trial, value);
+    if (glm::length(member(trial)) < 1e-6) refuse(name, "a rotation must not be zero");
+    member(scene) = member(trial);
+  };
+  return result;
+}
+
+// A range: the first number must not be above the second.
+template <class Member>
+Setting bandEntry(std::string path, Member member, std::string unit, std::string meaning) {
+  Setting result = entry(std::move(path), member, Range{-1e38, 1e38}, std::move(unit), std::move(meaning));
+  result.set = [checked = result.set, member, name = result.path](Scene& scene, const json& value) {
+    Scene trial;
+    checked(trial, value);
+    const std::optional<glm::dvec2> band = member(trial);
+    if (band && band->x > band->y) refuse(name, "the lower end must not be above the upper end");
     member(scene) = member(trial);
   };
   return result;
@@ -303,12 +342,23 @@ std::vector<Setting> makeSettings() {
   add(entry("source.csg_value", ISOLUX_MEMBER(source.csgValue), {-1e38, 1e38}, "data units",
             "The isovalue of the second volume's surface, in its own units; auto takes the suggested one."));
 
+  const std::vector<std::string> colorMaps = {"auto",     "viridis",     "cividis",      "inferno", "gray",
+                                              "coolwarm", "blue_orange", "purple_green", "spectral"};
   add(entry("isosurface.value", ISOLUX_MEMBER(isosurface.value), {-1e38, 1e38}, "data units",
             "The isovalue; auto takes the one suggested by the histogram."));
   add(choiceEntry("isosurface.inside", ISOLUX_MEMBER(isosurface.inside), {"above", "below"},
                   "Which side of the isovalue is solid; the normal points away from it."));
   add(entry("isosurface.albedo", ISOLUX_MEMBER(isosurface.albedo), unitRange, "linear RGB",
             "The diffuse reflectance of the surface."));
+  add(choiceEntry("isosurface.albedo_source", ISOLUX_MEMBER(isosurface.albedoSource), {"color", "map"},
+                  "Whether isosurfaces have the reflectances given, or those of a colour map over the "
+                  "isovalue."));
+  add(choiceEntry("isosurface.albedo_map", ISOLUX_MEMBER(isosurface.albedoMap), colorMaps,
+                  "The colour map over the isovalue; auto is viridis."));
+  add(entry("isosurface.albedo_low", ISOLUX_MEMBER(isosurface.albedoLow), {-1e38, 1e38}, "data units",
+            "The isovalue at the lower end of that map; auto is the volume's minimum."));
+  add(entry("isosurface.albedo_high", ISOLUX_MEMBER(isosurface.albedoHigh), {-1e38, 1e38}, "data units",
+            "The isovalue at the upper end of that map; auto is the volume's maximum."));
   add(entry("isosurface.opacity", ISOLUX_MEMBER(isosurface.opacity), unitRange, "",
             "How much of what lies behind the surface it hides; 1 hides all."));
   add(entry("isosurface.layers", ISOLUX_MEMBER(isosurface.layers), {1, 64}, "",
@@ -360,11 +410,13 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry(
       "look.mode", ISOLUX_MEMBER(look.mode),
       {"blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature",
-       "shape_index", "curvedness", "curvature_2d", "accessibility", "flow", "normal", "depth"},
+       "shape_index", "curvedness", "curvature_2d", "accessibility", "flow", "gi", "normal", "depth"},
       "What the picture shows: the surface under a shading, or a measure of it in colour."));
-  add(choiceEntry(
-      "look.shading", ISOLUX_MEMBER(look.shading), {"unlit", "lambert", "blinn_phong", "tone"},
-      "The shading under the modes that give a colour: the curvature maps, accessibility and flow."));
+  add(choiceEntry("look.shading", ISOLUX_MEMBER(look.shading),
+                  {"unlit", "lambert", "blinn_phong", "tone", "gi"},
+                  "The shading under the modes that give a colour: the curvature maps, accessibility and "
+                  "flow; gi is stored "
+                  "global illumination."));
   add(entry("look.ambient", ISOLUX_MEMBER(look.ambient), unitRange, "",
             "Light from everywhere, as a fraction of the albedo."));
   add(entry("look.ambient_variation", ISOLUX_MEMBER(look.ambientVariation), unitRange, "",
@@ -385,9 +437,7 @@ std::vector<Setting> makeSettings() {
   add(entry("look.fog", ISOLUX_MEMBER(look.fog), unitRange, "", "How much the far end of the volume fades."));
   add(entry("look.fog_color", ISOLUX_MEMBER(look.fogColor), unitRange, "linear RGB",
             "What distant things fade to; auto is the background."));
-  add(choiceEntry("look.colormap", ISOLUX_MEMBER(look.colormap),
-                  {"auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green",
-                   "spectral"},
+  add(choiceEntry("look.colormap", ISOLUX_MEMBER(look.colormap), colorMaps,
                   "Colours of a measure; auto takes a diverging map for what has a sign, else viridis."));
   add(entry("look.range_low", ISOLUX_MEMBER(look.rangeLow), {-1e38, 1e38}, "1/mm, 1/mm² or 1",
             "The measure at the lower end of the colour map; auto from the surface's own values."));
@@ -443,6 +493,88 @@ std::vector<Setting> makeSettings() {
   add(entry("light.headlight", ISOLUX_MEMBER(light.headlight), {0, 1e6}, "",
             "Brightness of a second, white light at the eye."));
 
+  add(entry(
+      "light.environment.file", ISOLUX_MEMBER(light.environment.file), noRange, "",
+      "The light probe around everything, equirectangular, its first row up: .hdr, .exr, ...; empty is a "
+      "sky of one colour."));
+  add(entry("light.environment.constant", ISOLUX_MEMBER(light.environment.constant), {0, 1e6},
+            "linear RGB radiance", "The radiance of a sky of one colour; without a file only."));
+  add(rotationEntry("light.environment.rotation", ISOLUX_MEMBER(light.environment.rotation),
+                    "Turns the light probe: from its own axes to the world's."));
+  add(entry("light.environment.exposure", ISOLUX_MEMBER(light.environment.exposure), {-40, 40}, "stops",
+            "Multiplies the environment's radiance by 2 to this power."));
+  add(entry("light.environment.moves", ISOLUX_MEMBER(light.environment.moves), noRange, "",
+            "The environment will be turned or exchanged: gi.mode auto then stores light so that this costs "
+            "nothing anew."));
+  add(entry("light.environment.visible", ISOLUX_MEMBER(light.environment.visible), noRange, "",
+            "Shows the environment behind the surface."));
+#define ISOLUX_LAMP(n)                                                                                       \
+  add(entry("lamp" #n ".shown", ISOLUX_MEMBER(lamp##n.shown), noRange, "",                                   \
+            "Switches on a lamp of global illumination."));                                                  \
+  add(choiceEntry("lamp" #n ".kind", ISOLUX_MEMBER(lamp##n.kind), {"point", "directional", "sphere"},        \
+                  "A point, a distant lamp, or a luminous sphere."));                                        \
+  add(entry("lamp" #n ".position", ISOLUX_MEMBER(lamp##n.position), positionRange, "mm",                     \
+            "Where a point or sphere is; auto is above the volume, toward the front and the left."));        \
+  add(directionEntry("lamp" #n ".direction", ISOLUX_MEMBER(lamp##n.direction), "",                           \
+                     "Toward a distant lamp, world axes; any length but zero."));                            \
+  add(entry("lamp" #n ".radius", ISOLUX_MEMBER(lamp##n.radius), {1e-9, 1e9}, "mm",                           \
+            "Of a luminous sphere; larger gives softer shadows; auto is a tenth of the volume."));           \
+  add(entry("lamp" #n ".angle", ISOLUX_MEMBER(lamp##n.angle), {0, 90}, "degrees",                            \
+            "Diameter of a distant lamp as seen from the volume; the sun has 0.53, 0 gives hard shadows.")); \
+  add(entry("lamp" #n ".color", ISOLUX_MEMBER(lamp##n.color), unitRange, "linear RGB",                       \
+            "Colour of the lamp."));                                                                         \
+  add(entry("lamp" #n ".intensity", ISOLUX_MEMBER(lamp##n.intensity), {0, 1e6}, "",                          \
+            "Brightness of a white surface at the volume's centre that faces the lamp."))
+  ISOLUX_LAMP(1);
+  ISOLUX_LAMP(2);
+  ISOLUX_LAMP(3);
+#undef ISOLUX_LAMP
+
+  add(choiceEntry(
+      "gi.mode", ISOLUX_MEMBER(gi.mode), {"auto", "off", "irradiance", "transfer", "vicinity", "shadow"},
+      "What is stored of the light: irradiance (static light), transfer (spherical harmonics: the "
+      "environment may move), vicinity (a sky of one colour, no bounces), shadow (no bounces); auto "
+      "takes the least that the scene needs."));
+  add(choiceEntry("gi.extent", ISOLUX_MEMBER(gi.extent), {"full", "band", "view"},
+                  "Which texels are lit: all, those that isovalues of gi.band can show, or those that are "
+                  "seen."));
+  add(bandEntry("gi.band", ISOLUX_MEMBER(gi.band), "data units",
+                "The isovalues of interest, low and high; auto is a twentieth of the volume's range about "
+                "the isovalue."));
+  add(entry("gi.samples", ISOLUX_MEMBER(gi.samples), {1, 1000000}, "paths per texel",
+            "More have less noise: four times as many halve it."));
+  add(choiceEntry(
+      "gi.sequence", ISOLUX_MEMBER(gi.sequence), {"sobol_owen", "r2", "random"},
+      "The directions of a texel's paths: scrambled Sobol points, Roberts' R2 with a shift for each "
+      "texel, or independent random numbers."));
+  add(entry("gi.bounces", ISOLUX_MEMBER(gi.bounces), {0, 1000}, "",
+            "Diffuse reflections on a light's way to a texel; 0 is direct light only."));
+  add(entry("gi.roulette_depth", ISOLUX_MEMBER(gi.rouletteDepth), {0, 1000}, "bounces",
+            "From this bounce on paths end at random, with the probability that light is absorbed."));
+  add(entry(
+      "gi.environment_share", ISOLUX_MEMBER(gi.environmentShare), {0, 0.95}, "",
+      "The part of the directions that is drawn from the environment instead of the surface; auto is 0.5 "
+      "under a light probe."));
+  add(entry("gi.lattice_scale", ISOLUX_MEMBER(gi.latticeScale), {0.125, 4}, "texels per voxel and axis",
+            "How finely light is stored."));
+  add(choiceEntry(
+      "gi.interpolation", ISOLUX_MEMBER(gi.interpolation),
+      {"closest_isovalue", "nearest", "trilinear", "tricubic", "weighted"},
+      "How stored light is read between texels; weighted favours texels whose isosurface and normal "
+      "fit."));
+  add(choiceEntry("gi.precision", ISOLUX_MEMBER(gi.precision), {"r11g11b10", "half"},
+                  "Numbers in which irradiance is kept on the graphics card: 4 or 8 bytes per texel."));
+  add(entry("gi.sh_order", ISOLUX_MEMBER(gi.shOrder), {1, 8}, "",
+            "Bands of spherical harmonics of stored transfer; more follow sharper light."));
+  add(entry("gi.sh_window", ISOLUX_MEMBER(gi.shWindow), unitRange, "",
+            "Damps high bands of the environment against ringing."));
+  add(entry("gi.components", ISOLUX_MEMBER(gi.components), {4, 192}, "numbers per texel",
+            "Stored transfer is compressed to this many principal components."));
+  add(entry("gi.component_bits", ISOLUX_MEMBER(gi.componentBits), {8, 16}, "bits",
+            "Of each component: up to 8 are stored in 8 bits, more in 16."));
+  add(entry("gi.threads", ISOLUX_MEMBER(gi.threads), {1, 1024}, "",
+            "Threads that compute light; auto is one per core."));
+
   add(entry("camera.eye", ISOLUX_MEMBER(camera.eye), positionRange, "mm",
             "Where the viewer is; auto looks from the front, slightly above, at the whole volume."));
   add(entry("camera.target", ISOLUX_MEMBER(camera.target), positionRange, "mm",
@@ -461,6 +593,8 @@ std::vector<Setting> makeSettings() {
             "Pictures in motion shrink until they are quick enough; the full picture follows at rest."));
   add(entry("picture.motion_target", ISOLUX_MEMBER(picture.motionTarget), {5, 2000}, "ms",
             "How long a picture in motion may take."));
+  add(entry("picture.exposure", ISOLUX_MEMBER(picture.exposure), {-40, 40}, "stops",
+            "Brightness of pictures lit by global illumination; auto fits the lights."));
   add(entry("memory.gpu_budget_mb", ISOLUX_MEMBER(memory.gpuBudgetMb), {16, 1048576}, "MiB",
             "Graphics memory that the voxels may use."));
   add(choiceEntry(
@@ -473,6 +607,19 @@ std::vector<Setting> makeSettings() {
 #undef ISOLUX_MEMBER
 
 }  // namespace
+
+std::size_t componentsOf(SettingType type) {
+  switch (type) {
+    case SettingType::pair:
+      return 2;
+    case SettingType::vector:
+      return 3;
+    case SettingType::quaternion:
+      return 4;
+    default:
+      return 0;
+  }
+}
 
 std::span<const Setting> settings() {
   static const std::vector<Setting> list = makeSettings();

@@ -1,7 +1,8 @@
 // The list of settings: each member of Scene once, with path, type, default, range, unit and meaning.
 //
 // JSON, --set, undo, recordings, hashing, `isolux settings` and the documentation are made from this list.
-// Paths are "group.name" in snake_case. Errors are scene::Error of kind usage that name the path.
+// Paths are "group.name" or "group.subgroup.name" in snake_case. Errors are scene::Error of kind usage that
+// name the path.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,11 @@
 
 namespace isolux::scene {
 
-// vector: three numbers; points: a list of CurvaturePoint, each [kappa1, kappa2, r, g, b]
-enum class SettingType { number, integer, text, choice, vector, toggle, points };
+// pair, vector, quaternion: two, three, four numbers; points: a list of CurvaturePoint, each [kappa1, kappa2,
+// r, g, b]
+enum class SettingType { number, integer, text, choice, pair, vector, quaternion, toggle, points };
+// Numbers in a pair, vector or quaternion; 0 for other types.
+std::size_t componentsOf(SettingType type);
 
 struct Setting {
   std::string path;

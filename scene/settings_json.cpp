@@ -55,17 +55,18 @@ json valueOf(const Setting& target, std::string_view text) {
   // A strength from 0 to 1 is also switched by word.
   if (target.type == SettingType::number && target.minimum == 0.0 && target.maximum == 1.0 && (yes || no))
     return yes ? 1.0 : 0.0;
-  if (target.type != SettingType::vector) return numberOrWord(word);
+  const std::size_t components = componentsOf(target.type);
+  if (components == 0) return numberOrWord(word);
   json list = json::array();
   std::size_t begin = 0;
-  while (begin <= word.size() && list.size() <= 3) {
+  while (begin <= word.size() && list.size() <= components) {
     const std::size_t comma = std::min(word.find(',', begin), word.size());
     const std::optional<double> number = numberOf(word.substr(begin, comma - begin));
     if (!number) return std::string(word);
     list.push_back(*number);
     begin = comma + 1;
   }
-  return list.size() == 3 ? list : json(std::string(word));
+  return list.size() == components ? list : json(std::string(word));
 }
 
 // The groups of the list ("camera"), for telling an unknown key from a group.
@@ -85,6 +86,21 @@ void checkGroup(const std::string& name) {
                                  : "unknown group of settings, did you mean " + suggestion + "?");
 }
 
+// The members of a group, and those of the groups within it.
+void assignMembers(Scene& scene, const std::string& group, const json& members) {
+  for (const auto& [name, value] : members.items()) {
+    const std::string path = group + '.' + name;
+    const std::span<const Setting> all = settings();
+    const bool isGroup = value.is_object() && std::any_of(all.begin(), all.end(), [&](const Setting& s) {
+                           return s.path.starts_with(path + '.');
+                         });
+    if (isGroup)
+      assignMembers(scene, path, value);
+    else
+      setting(path).set(scene, value);
+  }
+}
+
 }  // namespace
 
 void applyAssignment(Scene& scene, std::string_view assignment) {
@@ -98,8 +114,13 @@ void applyAssignment(Scene& scene, std::string_view assignment) {
 nlohmann::json toJson(const Scene& scene) {
   json result = json::object();
   for (const Setting& s : settings()) {
-    const auto dot = s.path.find('.');
-    result[s.path.substr(0, dot)][s.path.substr(dot + 1)] = s.get(scene);
+    json* place = &result;
+    std::string_view rest = s.path;
+    for (auto dot = rest.find('.'); dot != std::string_view::npos; dot = rest.find('.')) {
+      place = &(*place)[std::string(rest.substr(0, dot))];
+      rest.remove_prefix(dot + 1);
+    }
+    (*place)[std::string(rest)] = s.get(scene);
   }
   return result;
 }
@@ -110,7 +131,7 @@ Scene fromJson(const nlohmann::json& json) {
   for (const auto& [group, members] : json.items()) {
     checkGroup(group);
     if (!members.is_object()) throw Error(ErrorKind::usage, "", group, "must be a JSON object");
-    for (const auto& [name, value] : members.items()) setting(group + '.' + name).set(scene, value);
+    assignMembers(scene, group, members);
   }
   return scene;
 }

@@ -110,7 +110,8 @@ void SettingEditor::explain() {
 
 bool SettingEditor::isWide() const {
   const bool position = setting_.type == scene::SettingType::vector && !isColour(setting_);
-  return setting_.type == scene::SettingType::points || (position && setting_.mayBeAutomatic);
+  return setting_.type == scene::SettingType::points || setting_.type == scene::SettingType::quaternion ||
+         (position && setting_.mayBeAutomatic);
 }
 
 void SettingEditor::resetToDefault() {

@@ -235,12 +235,13 @@ class VectorWidget : public ValueWidget {
   VectorWidget(const Setting& setting, QWidget* parent) : ValueWidget(parent) {
     auto* layout = rowLayout(this);
     layout->setSpacing(4);
-    const char* names[] = {"x", "y", "z"};
+    boxes_.resize(scene::componentsOf(setting.type));
+    const char* names[] = {"x", "y", "z", "w"};  // a quaternion's first is w
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       boxes_[i] = new NumberSpinBox(this);
       boxes_[i]->setRange(setting.minimum, setting.maximum);
       boxes_[i]->setSingleStep(0.05);
-      boxes_[i]->setAccessibleName(names[i]);
+      boxes_[i]->setAccessibleName(boxes_.size() == 4 ? names[(i + 3) % 4] : names[i]);
       boxes_[i]->setMinimumWidth(48);
       layout->addWidget(boxes_[i], 1);
       connect(boxes_[i], &NumberSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
@@ -250,10 +251,14 @@ class VectorWidget : public ValueWidget {
   void showValue(const json& value) override {
     for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i]->showValue(value[i].get<double>());
   }
-  json value() const override { return {boxes_[0]->value(), boxes_[1]->value(), boxes_[2]->value()}; }
+  json value() const override {
+    json list = json::array();
+    for (const NumberSpinBox* box : boxes_) list.push_back(box->value());
+    return list;
+  }
 
  private:
-  std::array<NumberSpinBox*, 3> boxes_{};
+  std::vector<NumberSpinBox*> boxes_;
 };
 
 }  // namespace
@@ -276,7 +281,9 @@ ValueWidget* makeValueWidget(const Setting& setting, QWidget* parent) {
       return new ToggleWidget(setting, parent);
     case SettingType::points:
       return new CurvatureMapEditor(parent);
+    case SettingType::pair:
     case SettingType::vector:
+    case SettingType::quaternion:
       break;
   }
   if (isColour(setting)) return new ColourWidget(setting, parent);

@@ -131,6 +131,7 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress
   const std::optional<double>& known = prepared->volume.isovalue;
   prepared->facts.suggestedIsovalue =
       known ? *known : suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
+  prepared->facts.minimum = prepared->grid().minimum();
   prepared->facts.maximum = prepared->grid().maximum();
   prepared->facts.typicalStep = typicalStep(prepared->grid());
   prepared->facts.noise = estimateNoise(prepared->grid());

@@ -26,6 +26,10 @@ std::string typeName(const Setting& setting) {
       return "true or false";
     case SettingType::points:
       return "list of points";
+    case SettingType::pair:
+      return "two numbers";
+    case SettingType::quaternion:
+      return "four numbers";
     case SettingType::vector:
       break;
   }
@@ -83,7 +87,7 @@ void printMarkdown(std::ostream& out) {
          "be given as `--set PATH=VALUE` on the command line; three numbers are written `x,y,z`.\n";
   std::string group;
   for (const Setting& setting : scene::settings()) {
-    const std::string itsGroup = setting.path.substr(0, setting.path.find('.'));
+    const std::string itsGroup = setting.path.substr(0, setting.path.rfind('.'));
     if (itsGroup != group) {
       group = itsGroup;
       out << "\n## " << group

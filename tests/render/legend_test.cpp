@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "render/color_maps.h"
+#include "scene/color_maps.h"
 #include "render/font.h"
 #include "scene/curvature_map.h"
 
@@ -93,7 +93,7 @@ Legend bar() {
   legend.unit = "1/mm";
   legend.low = -0.2;
   legend.high = 0.2;
-  legend.colors = colorMapSamples(scene::ColorMap::coolwarm, scene::LookMode::kappa1, 256);
+  legend.colors = scene::colorMapSamples(scene::ColorMap::coolwarm, scene::LookMode::kappa1, 256);
   return legend;
 }
 
@@ -108,7 +108,7 @@ double luminance(const LegendImage& image, std::size_t pixel, double background)
   const auto value = [&](std::size_t c) {
     return image.rgba[4 * pixel + c] / 255.0 + background * (1.0 - image.rgba[4 * pixel + 3] / 255.0);
   };
-  return 0.2126 * decodeSrgb(value(0)) + 0.7152 * decodeSrgb(value(1)) + 0.0722 * decodeSrgb(value(2));
+  return 0.2126 * scene::decodeSrgb(value(0)) + 0.7152 * scene::decodeSrgb(value(1)) + 0.0722 * scene::decodeSrgb(value(2));
 }
 
 TEST(LegendTest, ScalesWithThePictureAndFitsIt) {
@@ -160,7 +160,7 @@ TEST(LegendTest, TheBarShowsTheMapsEnds) {
       bool same = true;
       for (std::size_t c = 0; c < 3; ++c)
         same = same && std::fabs(image.rgba[i + c] -
-                                 255.0 * encodeSrgb(static_cast<double>(linear[static_cast<int>(c)]))) <= 1.0;
+                                 255.0 * scene::encodeSrgb(static_cast<double>(linear[static_cast<int>(c)]))) <= 1.0;
       if (same) return true;
     }
     return false;

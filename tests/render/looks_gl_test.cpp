@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/color_maps.h"
+#include "scene/color_maps.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
 
@@ -166,7 +166,7 @@ TEST_F(LooksGlTest, MeasuresOfABallAreTheMapsColors) {
          {"look.mode=" + name, "look.shading=unlit", "look.range_low=" + std::to_string(row.low),
           "look.range_high=" + std::to_string(row.high), "derivatives.field=cubic_interpolating"},
          1.0);
-    const auto map = render::colorMapSamples(scene::ColorMap::automatic, row.mode, 256);
+    const auto map = scene::colorMapSamples(scene::ColorMap::automatic, row.mode, 256);
     const double t = (row.value - row.low) / (row.high - row.low) * 255.0;
     const auto i = static_cast<std::size_t>(std::min(t, 254.0));
     const glm::dvec3 expected = glm::mix(glm::dvec3(map[i]), glm::dvec3(map[i + 1]),

@@ -30,6 +30,10 @@ json otherValue(const scene::Setting& s, const scene::Scene& scene) {
       return s.choices.back() == now ? s.choices.front() : s.choices.back();
     case scene::SettingType::vector:
       return {0.25, 0.5, 0.125};
+    case scene::SettingType::pair:
+      return {0.25, 0.5};
+    case scene::SettingType::quaternion:
+      return {0.25, 0.5, 0.125, 0.75};
     case scene::SettingType::toggle:
       return !now.get<bool>();
     case scene::SettingType::points:

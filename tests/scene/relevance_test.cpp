@@ -52,6 +52,7 @@ TEST(Relevance, OfEachLook) {
        lambert + "shadow fog range_low range_high curvature_points legend accessibility " + lines},
       {"accessibility", lambert + "texture shadow fog " + lines},
       {"flow", lambert + "texture shadow fog accessibility " + lines},
+      {"gi", "texture fog accessibility " + lines},
       {"normal", ""},
       {"depth", ""},
   };
@@ -65,7 +66,7 @@ TEST(Relevance, OfEachLook) {
 }
 
 TEST(Relevance, LightNeedsALitLook) {
-  const std::set<std::string> dark = {"normal", "depth"};
+  const std::set<std::string> dark = {"gi", "normal", "depth"};
   const scene::Setting& mode = scene::setting("look.mode");
   for (const std::string& name : mode.choices) {
     scene::Scene scene;
@@ -76,7 +77,7 @@ TEST(Relevance, LightNeedsALitLook) {
   scene::Scene unlit;
   unlit.look.mode = scene::LookMode::kappa1;
   unlit.look.shading = scene::Shading::unlit;
-  EXPECT_EQ(scene::whyInactive("light.space", unlit), "this look is not lit");
+  EXPECT_EQ(scene::whyInactive("light.space", unlit), "only local shading has this light");
 }
 
 TEST(Relevance, StrengthsBringTheirDetails) {

@@ -47,8 +47,16 @@ Scene randomScene(std::mt19937_64& random) {
       case SettingType::choice:
         s.set(scene, s.choices[random() % s.choices.size()]);
         break;
+      case SettingType::pair: {
+        const double a = number(), b = number();
+        s.set(scene, {std::min(a, b), std::max(a, b)});
+        break;
+      }
       case SettingType::vector:
         s.set(scene, {number(), number(), number()});
+        break;
+      case SettingType::quaternion:
+        s.set(scene, {number(), number(), number(), number()});
         break;
       case SettingType::toggle:
         s.set(scene, random() % 2 == 0);

@@ -40,8 +40,12 @@ json otherValue(const Setting& s) {
       return "other text";
     case SettingType::choice:
       return s.choices.back() == s.defaultValue() ? s.choices.front() : s.choices.back();
+    case SettingType::pair:
+      return {s.minimum, third};
     case SettingType::vector:
       return {s.minimum, third, s.maximum};
+    case SettingType::quaternion:
+      return {s.minimum, third, s.maximum, third};
     case SettingType::toggle:
       return !s.defaultValue().get<bool>();
     case SettingType::points:
@@ -53,11 +57,12 @@ json otherValue(const Setting& s) {
 TEST(Settings, CoversEveryMemberOfScene) {
   // A new member of a struct does not compile here until it is counted; then the list must grow with it.
   const Scene scene;
-  const auto& [source, isosurface, second, third, fourth, hit, derivatives, look, flow, light, camera,
-               picture, memory] = scene;
+  const auto& [source, isosurface, second, third, fourth, hit, derivatives, look, flow, light, lamp, lamp2,
+               lamp3, gi, camera, picture, memory] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, meshVoxels, csg, csgPath, csgValue] =
       source;
-  [[maybe_unused]] const auto& [value, inside, albedo, opacity, layers] = isosurface;
+  [[maybe_unused]] const auto& [value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
+                                opacity, layers] = isosurface;
   [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2] = second;
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise] = derivatives;
@@ -66,15 +71,33 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 legend, accessibility, ridges, ridgeThreshold, ridgeColor, valleyColor,
                                 contours, suggestive, contourWidth, contourColor, top, bottom] = look;
   [[maybe_unused]] const auto& [strength, flowDirection, length, grain, animate, speed, time] = flow;
-  [[maybe_unused]] const auto& [space, direction, color, intensity, headlight] = light;
+  [[maybe_unused]] const auto& [space, direction, color, intensity, headlight, environment] = light;
+  [[maybe_unused]] const auto& [file, constant, rotation, exposure, moves, visible] = environment;
+  [[maybe_unused]] const auto& [lampShown, kind, position, toward, radius, angle, lampColor, lampIntensity] =
+      lamp;
+  [[maybe_unused]] const auto& [giMode, extent, band, samples, sequence, bounces, rouletteDepth,
+                                environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
+                                components, componentBits, threads] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
-  [[maybe_unused]] const auto& [supersampling, adaptive, motionTarget] = picture;
+  [[maybe_unused]] const auto& [supersampling, adaptive, motionTarget, pictureExposure] = picture;
   [[maybe_unused]] const auto& [gpuBudgetMb, layout] = memory;
-  EXPECT_EQ(settings().size(), 9u + 5 + 3 * 4 + 6 + 3 + 29 + 7 + 5 + 5 + 3 + 2);
+  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 3 + 29 + 7 + 5 + 6 + 3 * 8 + 16 + 5 + 4 + 2);
 }
 
 TEST(Settings, ListsTheContractPaths) {
   for (const char* path : {"source.path",
+                           "light.environment.file",
+                           "light.environment.constant",
+                           "light.environment.rotation",
+                           "light.environment.exposure",
+                           "gi.mode",
+                           "gi.extent",
+                           "gi.band",
+                           "gi.samples",
+                           "gi.bounces",
+                           "gi.lattice_scale",
+                           "gi.interpolation",
+                           "gi.sh_order",
                            "source.raw",
                            "source.series",
                            "source.component",
@@ -114,7 +137,6 @@ TEST(Settings, PathsAreUniqueAndGrouped) {
   std::string group;
   for (const Setting& s : settings()) {
     EXPECT_TRUE(paths.insert(s.path).second) << s.path;
-    EXPECT_EQ(std::count(s.path.begin(), s.path.end(), '.'), 1) << s.path;
     EXPECT_FALSE(s.meaning.empty()) << s.path;
     EXPECT_EQ(s.meaning.back(), '.') << s.path;
     const std::string its = s.path.substr(0, s.path.find('.'));
@@ -147,11 +169,15 @@ TEST(Settings, DefaultsAreAllowedAndDoNothing) {
 
 TEST(Settings, RangesAreInclusiveAndEnforced) {
   for (const Setting& s : settings()) {
-    if (s.type != SettingType::number && s.type != SettingType::integer && s.type != SettingType::vector)
+    if (s.type != SettingType::number && s.type != SettingType::integer && componentsOf(s.type) == 0)
       continue;
     ASSERT_LT(s.minimum, s.maximum) << s.path;
     const auto shaped = [&](double value) {
-      return s.type == SettingType::vector ? json({value, s.maximum, s.minimum}) : json(value);
+      json list = json::array({value, s.maximum, s.minimum, 1.0});
+      if (s.type == SettingType::pair)
+        return value > s.maximum ? json({s.minimum, value}) : json({value, s.maximum});
+      if (componentsOf(s.type) > 0) list.get_ref<json::array_t&>().resize(componentsOf(s.type));
+      return componentsOf(s.type) > 0 ? list : json(value);
     };
     Scene scene;
     EXPECT_NO_THROW(s.set(scene, shaped(s.minimum))) << s.path;
@@ -179,7 +205,9 @@ TEST(Settings, TypesAreStrict) {
     const auto expectRefused = [&](const json& value, const std::string& part) {
       EXPECT_THAT(usageMessage([&] { s.set(scene, value); }), AllOf(HasSubstr(s.path), HasSubstr(part)));
     };
-    for (const json& value : wrong) expectRefused(value, "allowed is");
+    for (const json& value : wrong)
+      if (value.size() != componentsOf(s.type) || !value.is_array() || value.empty())
+        expectRefused(value, "allowed is");
     if (s.type != SettingType::toggle) expectRefused(true, "true is not allowed");
     const bool takesWords = s.type == SettingType::text || s.type == SettingType::choice;
     if (s.type != SettingType::text) expectRefused("nonsense", "\"nonsense\"");
@@ -204,11 +232,33 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
       EXPECT_THROW(s.set(scene, "auto"), Error) << s.path;
     }
   }
-  EXPECT_EQ(automatic, (std::set<std::string>{"source.csg_value", "isosurface.value", "isosurface2.value",
-                                              "isosurface3.value", "isosurface4.value", "hit.near_threshold",
-                                              "derivatives.noise", "look.texture_scale", "look.fog_color",
-                                              "look.range_low", "look.range_high", "look.ridge_threshold",
-                                              "camera.eye", "camera.target", "camera.up"}));
+  EXPECT_EQ(automatic, (std::set<std::string>{"source.csg_value",
+                                              "isosurface.value",
+                                              "isosurface2.value",
+                                              "isosurface.albedo_low",
+                                              "isosurface.albedo_high",
+                                              "lamp1.position",
+                                              "lamp1.radius",
+                                              "lamp2.position",
+                                              "lamp2.radius",
+                                              "lamp3.position",
+                                              "lamp3.radius",
+                                              "gi.band",
+                                              "gi.environment_share",
+                                              "gi.threads",
+                                              "picture.exposure",
+                                              "isosurface3.value",
+                                              "isosurface4.value",
+                                              "hit.near_threshold",
+                                              "derivatives.noise",
+                                              "look.texture_scale",
+                                              "look.fog_color",
+                                              "look.range_low",
+                                              "look.range_high",
+                                              "look.ridge_threshold",
+                                              "camera.eye",
+                                              "camera.target",
+                                              "camera.up"}));
 }
 
 TEST(Settings, ChoicesNameWhatIsAllowed) {

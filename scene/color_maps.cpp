@@ -1,4 +1,4 @@
-#include "render/color_maps.h"
+#include "scene/color_maps.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-namespace isolux::render {
+namespace isolux::scene {
 
 namespace {
 
@@ -94,30 +94,30 @@ glm::dvec3 fromGray(double t) {
   return linearOfLab({100.0 * t, 0.0, 0.0});
 }
 
-glm::dvec3 fromAutomatic(scene::LookMode mode, double t) {
-  if (mode == scene::LookMode::shape_index) return fromTable(shapeIndex, t);
+glm::dvec3 fromAutomatic(LookMode mode, double t) {
+  if (mode == LookMode::shape_index) return fromTable(shapeIndex, t);
   return isSignedMeasure(mode) ? fromDiverging(coolwarm, t) : fromTable(viridis, t);
 }
 
-glm::dvec3 colorOf(scene::ColorMap map, scene::LookMode mode, double t) {
+glm::dvec3 colorOf(ColorMap map, LookMode mode, double t) {
   switch (map) {
-    case scene::ColorMap::automatic:
+    case ColorMap::automatic:
       return fromAutomatic(mode, t);
-    case scene::ColorMap::viridis:
+    case ColorMap::viridis:
       return fromTable(viridis, t);
-    case scene::ColorMap::cividis:
+    case ColorMap::cividis:
       return fromTable(cividis, t);
-    case scene::ColorMap::inferno:
+    case ColorMap::inferno:
       return fromTable(inferno, t);
-    case scene::ColorMap::gray:
+    case ColorMap::gray:
       return fromGray(t);
-    case scene::ColorMap::coolwarm:
+    case ColorMap::coolwarm:
       return fromDiverging(coolwarm, t);
-    case scene::ColorMap::blue_orange:
+    case ColorMap::blue_orange:
       return fromDiverging(blueOrange, t);
-    case scene::ColorMap::purple_green:
+    case ColorMap::purple_green:
       return fromDiverging(purpleGreen, t);
-    case scene::ColorMap::spectral:
+    case ColorMap::spectral:
       return fromTable(spectral, t);
   }
   return glm::dvec3(0.0);
@@ -133,11 +133,11 @@ double decodeSrgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-bool isSignedMeasure(scene::LookMode mode) {
-  return mode != scene::LookMode::curvedness;
+bool isSignedMeasure(LookMode mode) {
+  return mode != LookMode::curvedness;
 }
 
-std::vector<glm::vec3> colorMapSamples(scene::ColorMap map, scene::LookMode mode, int size) {
+std::vector<glm::vec3> colorMapSamples(ColorMap map, LookMode mode, int size) {
   assert(size >= 2);
   std::vector<glm::vec3> samples;
   samples.reserve(static_cast<std::size_t>(size));
@@ -146,4 +146,4 @@ std::vector<glm::vec3> colorMapSamples(scene::ColorMap map, scene::LookMode mode
   return samples;
 }
 
-}  // namespace isolux::render
+}  // namespace isolux::scene

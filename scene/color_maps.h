@@ -16,16 +16,16 @@
 
 #include "scene/scene.h"
 
-namespace isolux::render {
+namespace isolux::scene {
 
 // Of an automatic choice: what fits the measure that `mode` shows.
-std::vector<glm::vec3> colorMapSamples(scene::ColorMap map, scene::LookMode mode, int size);
+std::vector<glm::vec3> colorMapSamples(ColorMap map, LookMode mode, int size);
 
 // Whether the measure of `mode` has a sign, so that its automatic range is symmetric around 0.
-bool isSignedMeasure(scene::LookMode mode);
+bool isSignedMeasure(LookMode mode);
 
 // The sRGB transfer function (IEC 61966-2-1), per component in [0, 1].
 double encodeSrgb(double linear);
 double decodeSrgb(double encoded);
 
-}  // namespace isolux::render
+}  // namespace isolux::scene

@@ -1,5 +1,5 @@
 // Colour maps: published values, even and monotone lightness, symmetric divergence.
-#include "render/color_maps.h"
+#include "scene/color_maps.h"
 
 #include <cmath>
 
@@ -8,11 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-namespace isolux::render {
+namespace isolux::scene {
 namespace {
-
-using scene::ColorMap;
-using scene::LookMode;
 
 std::vector<glm::vec3> samples(ColorMap map, LookMode mode = LookMode::kappa1) {
   return colorMapSamples(map, mode, 256);
@@ -98,4 +95,4 @@ TEST(ColorMapsTest, SrgbInvertsItself) {
 }
 
 }  // namespace
-}  // namespace isolux::render
+}  // namespace isolux::scene
