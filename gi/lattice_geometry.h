@@ -1,0 +1,40 @@
+// Where the texels of a light lattice are, and how they are grouped in blocks.
+//
+// Texels per axis: round((n - 1) * scale) + 1 of n voxels, at least 1. Texel 0 lies on voxel 0 and the last
+// on the last voxel, evenly spaced between: at scale 1 each texel lies on a voxel. Blocks are 8x8x8 texels;
+// those at the upper border may be partly outside. x varies fastest in indices of texels, within blocks, and
+// of blocks.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace isolux::gi {
+
+inline constexpr int kBlockTexels = 8;  // per axis
+inline constexpr int kTexelsOfBlock = kBlockTexels * kBlockTexels * kBlockTexels;
+
+struct LatticeGeometry {
+  glm::ivec3 dims{0};        // texels
+  glm::ivec3 volumeDims{0};  // voxels
+
+  static LatticeGeometry make(glm::ivec3 volumeDims, double scale);
+
+  glm::dvec3 voxelsPerTexel() const;  // per axis; 0 on an axis of one texel
+  glm::vec3 voxelOf(glm::ivec3 texel) const;
+  glm::dvec3 texelOf(glm::dvec3 voxel) const;  // continuous texel coordinates; 0 on an axis of one texel
+  bool contains(glm::ivec3 texel) const;
+
+  glm::ivec3 blockDims() const { return (dims + (kBlockTexels - 1)) / kBlockTexels; }
+  std::uint32_t blockCount() const;
+  std::uint32_t blockOf(glm::ivec3 texel) const;       // index of the block
+  glm::ivec3 firstTexelOf(std::uint32_t block) const;  // its lowest corner
+  static int indexInBlock(glm::ivec3 texel);           // 0 .. 511
+  glm::ivec3 texelOf(std::uint32_t block, int index) const;
+  std::uint64_t indexOf(glm::ivec3 texel) const;  // in the whole lattice
+
+  bool operator==(const LatticeGeometry&) const = default;
+};
+
+}  // namespace isolux::gi

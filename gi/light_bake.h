@@ -1,0 +1,84 @@
+// Fills a light lattice on background threads: what is wanted first comes first, in rounds of samples, so
+// that light is there soon and becomes better everywhere at once.
+//
+// Rounds end at 4, 16, 64, 256, ... samples per texel and at the number asked for. The unit of work is a
+// block and a round; no two threads work on one block. A texel's light depends only on its place and its
+// number of samples: the lattice is the same, bit for bit, for any number of threads, any order of wishes,
+// and after stopping and going on. Nothing calls back: owners poll counters() and
+// LightLattice::changedSince(). All members are safe from any thread. Exceptions of an estimator end the bake
+// and are kept as error().
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gi/light_lattice.h"
+#include "gi/texel_estimator.h"
+#include "scene/error.h"
+
+namespace isolux::gi {
+
+// Texels of one block.
+struct WantedBlock {
+  std::uint32_t block = 0;
+  std::bitset<kTexelsOfBlock> texels;
+};
+
+// In the order in which they are served.
+enum class Wish { visible, nearby, band, rest };
+
+struct BakeCounters {
+  std::uint64_t texelsWanted = 0, texelsDone = 0;    // done: have all samples
+  std::uint64_t texelsStarted = 0;                   // have any
+  std::uint64_t texelsLit = 0;                       // of all that are in the lattice
+  std::uint64_t samplesWanted = 0, samplesDone = 0;  // paths
+  std::uint64_t rays = 0;
+  double seconds = 0.0;        // at work, not paused or idle
+  double raysPerSecond = 0.0;  // of late
+  double secondsLeft = 0.0;    // at this rate
+  int threads = 0;
+  bool paused = false, idle = true;  // idle: every wish is fulfilled (or none was made)
+};
+
+class LightBake {
+ public:
+  struct Options {
+    std::uint32_t samples = 100;  // per texel in the end
+    int threads = 1;
+    // Threads run only when the processor has nothing else to do: for a window that must stay fluent.
+    bool background = false;
+  };
+  LightBake(std::shared_ptr<LightLattice> lattice, std::shared_ptr<const TexelEstimator> estimator,
+            Options options);
+  ~LightBake();  // stops and waits: at most 100 ms
+
+  // Replaces the wishes of that kind; within it, blocks are served in the order given. Texels of several
+  // kinds count as the first.
+  void want(Wish wish, std::vector<WantedBlock> blocks);
+  // More samples go on where the texels are; fewer leave what there is.
+  void setSamples(std::uint32_t samples);
+  void setThreads(int threads);
+  void setPaused(bool paused);
+  // Someone else needs the processor now (a frame is drawn): threads wait after what they are at.
+  void yield(bool yielding);
+
+  BakeCounters counters() const;
+  // Waits until every wish is fulfilled up to `samples` per texel (0: all), an error, or the timeout; true if
+  // fulfilled.
+  bool waitFor(std::uint32_t samples, double timeoutSeconds) const;
+  std::optional<scene::Error> error() const;
+  const std::shared_ptr<LightLattice>& lattice() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// Samples of the rounds up to `samples`: 4, 16, 64, ..., samples.
+std::vector<std::uint32_t> roundsUpTo(std::uint32_t samples);
+
+}  // namespace isolux::gi

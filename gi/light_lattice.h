@@ -1,0 +1,75 @@
+// Stored light: texels in blocks that exist only where something was lit. One thread at a time writes a
+// block, any number read; every write has a revision, so that readers take only what has changed.
+//
+// A texel holds the mean of its estimates so far and how many paths they are of (0: not baked). Contents:
+//   irradiance  E, rgb or one channel, for light of unit exposure                       (Wyman et al. 2006
+//   eq. 2) transfer    spherical harmonic coefficients of T, order^2 per channel; index channel * order^2 +
+//   i,
+//               E = sum T_i l_i with those of the environment                                        (eq. 5
+//               to 9)
+// Normals are the texel's own (unit, world, outward), 0 where its isosurface has none: such texels stay
+// unbaked.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "gi/lattice_geometry.h"
+
+namespace isolux::gi {
+
+struct LightContent {
+  enum class Kind { irradiance, transfer };
+  Kind kind = Kind::irradiance;
+  int channels = 3;  // 1 or 3
+  int order = 0;     // of transfer
+  int components() const { return kind == Kind::irradiance ? channels : channels * order * order; }
+  bool operator==(const LightContent&) const = default;
+};
+
+// Copy of a block.
+struct LatticeBlock {
+  std::array<std::uint32_t, kTexelsOfBlock> samples{};
+  std::array<glm::vec3, kTexelsOfBlock> normals{};
+  std::vector<float> means;  // kTexelsOfBlock x components, a texel's components side by side
+};
+
+class LightLattice {
+ public:
+  LightLattice(LatticeGeometry geometry, LightContent content, std::string key);
+
+  const LatticeGeometry& geometry() const { return geometry_; }
+  const LightContent& content() const { return content_; }
+  const std::string& key() const { return key_; }  // JSON of all that its light depends on
+
+  bool has(std::uint32_t block) const;
+  bool read(std::uint32_t block, LatticeBlock& out) const;  // false: nothing is lit there
+  void write(std::uint32_t block, const LatticeBlock& in);  // replaces the block, with a new revision
+  void clear();                                             // drops all light; revisions go on
+
+  std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
+  // Blocks written after `revision`, in the order of their last writing.
+  std::vector<std::uint32_t> changedSince(std::uint64_t revision) const;
+  std::uint64_t clearedAt() const;  // revision of the last clear()
+  std::uint64_t bakedTexels() const;
+  std::size_t bytes() const;
+
+ private:
+  LatticeGeometry geometry_;
+  LightContent content_;
+  std::string key_;
+  mutable std::mutex mutex_;  // of the table; blocks are shared immutable copies
+  std::vector<std::shared_ptr<const LatticeBlock>> blocks_;
+  std::vector<std::uint64_t> revisions_;
+  std::atomic<std::uint64_t> revision_{0};
+  std::uint64_t clearedAt_ = 0;
+};
+
+}  // namespace isolux::gi

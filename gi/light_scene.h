@@ -1,0 +1,68 @@
+// Everything that light depends on, gathered from a resolved Scene: immutable, shared by all threads.
+//
+// World: mm. Radiance is linear RGB. The environment's exposure is not in here: stored light is of exposure 0
+// and the picture multiplies. With GiChoice::unitSky the sky has radiance 1 and the picture lays its colour
+// on.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "gi/environment.h"
+#include "scene/albedo.h"
+#include "scene/gi_choice.h"
+#include "scene/scene.h"
+#include "volume/isosurface_tracer.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::gi {
+
+// A lamp by its physics, scaled so that it gives E = pi * intensity * color on a surface at the volume's
+// centre that faces it, with nothing between.
+struct LampLight {
+  scene::LampKind kind = scene::LampKind::point;
+  glm::dvec3 positionMm{0.0};
+  double radiusMm = 0.0;             // sphere
+  glm::dvec3 toward{0.0, 0.0, 1.0};  // directional: unit, world
+  double cosHalfAngle = 1.0;         // directional: of the disc in the sky; 1 is a point
+  // point: radiant intensity, mm^2 * radiance; sphere: radiance; directional: irradiance of a surface that
+  // faces it (cosHalfAngle 1), else radiance of the disc.
+  glm::dvec3 power{0.0};
+};
+
+struct LightScene {
+  std::shared_ptr<const volume::PreparedVolume> volume;
+  std::shared_ptr<const volume::IsosurfaceTracer> tracer;
+  scene::GiChoice choice;
+  std::shared_ptr<const Environment> environment;  // null: no sky
+  glm::mat3 worldFromEnvironment{1.0f};
+  std::vector<LampLight> lamps;
+  scene::AlbedoOfIsovalue albedo;
+  scene::Inside inside = scene::Inside::above;
+  scene::DirectionSequence sequence = scene::DirectionSequence::r2;
+  int bounces = 0;
+  int rouletteDepth = 3;
+  double environmentShare = 0.0;
+  int shOrder = 5;
+};
+
+// `environment` is what scene.light.environment names, loaded (loadEnvironment()); it stays shared.
+std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
+                                                 std::shared_ptr<const volume::PreparedVolume> volume,
+                                                 std::shared_ptr<const volume::IsosurfaceTracer> tracer,
+                                                 std::shared_ptr<const Environment> environment);
+// The file, or the constant sky. Throws scene::Error{input}.
+std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings);
+std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry);
+glm::dmat3 rotationOf(const glm::dvec4& wxyz);  // worldFromEnvironment
+
+// JSON of all that the stored light of the sky or of the lamps depends on, and of nothing else: equal keys,
+// equal light. Number of samples, view, look, exposure and what lights the other lattice are not in it.
+enum class LightPart { sky, lamps };
+std::string lightKey(const scene::Scene& resolved, const LightScene& light, LightPart part);
+
+}  // namespace isolux::gi

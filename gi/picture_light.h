@@ -1,0 +1,45 @@
+// Stored light as a picture reads it: lattices, what they are multiplied with, and the local light that
+// stands in where nothing is stored yet. Plain values; the lattices go on being filled while pictures are
+// drawn.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "gi/environment.h"
+#include "gi/light_lattice.h"
+#include "gi/light_scene.h"
+#include "gi/transfer_basis.h"
+
+namespace isolux::gi {
+
+struct PictureLight {
+  // Either may be null: nothing stored of it.
+  std::shared_ptr<const LightLattice> sky, lamps;
+  std::uint32_t samplesWanted = 100;
+  glm::vec3 skyScale{1.0f};  // E = skyScale * stored: exposure, and the colour of a unit sky
+  // Transfer: the environment's coefficients in the world's frame, windowed, with exposure; order^2 of rgb.
+  std::vector<glm::vec3> environment;
+  std::shared_ptr<const TransferBasis> basis;  // that transfer is compressed in; null until there is one
+
+  // Unoccluded light, for texels that are not there yet: E(n) = sum of irradianceSh[i] Y_i(n), order 3, with
+  // exposure; and the lamps without shadows.
+  std::array<glm::vec3, 9> irradianceSh{};
+  std::vector<LampLight> lampLights;
+
+  // The environment behind the surface.
+  std::shared_ptr<const Environment> background;  // null: not shown
+  glm::mat3 environmentFromWorld{1.0f};
+  float backgroundScale = 1.0f;
+
+  float automaticExposure = 0.0f;  // stops, where picture.exposure is automatic: a white surface in the open
+                                   // comes out nearly white
+  std::uint64_t version = 0;       // changes with anything above but the lattices' own revisions
+};
+
+}  // namespace isolux::gi

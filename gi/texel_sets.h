@@ -1,0 +1,28 @@
+// Which texels a picture, a band of isovalues, or a whole volume needs.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "gi/light_bake.h"
+#include "scene/progress.h"
+#include "volume/grid.h"
+
+namespace isolux::gi {
+
+// Texels that a lookup around any of `hits` (voxel coordinates; NaN is passed over) reads: 2 per axis, or 4
+// for tri-cubic lookups (`reach` 1 or 2). Blocks in the order in which the hits first touch them.
+std::vector<WantedBlock> texelsAround(const LatticeGeometry& lattice, std::span<const glm::vec3> hits,
+                                      int reach);
+// Those texels' neighbours within `texels` steps that are not in `inner`.
+std::vector<WantedBlock> texelsBeside(const LatticeGeometry& lattice, const std::vector<WantedBlock>& inner,
+                                      int texels);
+// Texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read.
+std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volume::Grid& grid, double low,
+                                      double high, int reach, scene::Progress& progress);
+std::vector<WantedBlock> allTexels(const LatticeGeometry& lattice);
+
+}  // namespace isolux::gi

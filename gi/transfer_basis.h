@@ -1,0 +1,51 @@
+// Compression of transfer vectors to a few principal components, in 8 or 16 bits each.
+//
+// A transfer vector of D = channels * order^2 numbers is written as mean + sum_k c_k B_k. Lighting then needs
+// no decompression: E = mean . l + sum_k c_k (B_k . l), with the dot products made once a frame (Sloan et al.
+// 2003, "Clustered Principal Components", with one cluster). Wyman et al. 2006 store D floats.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "gi/light_lattice.h"
+
+namespace isolux::gi {
+
+class TransferBasis {
+ public:
+  // From the baked texels of a lattice, at most `mostTexels` of them, evenly chosen. Null if there are none.
+  // `components` is cut to D. Weighted so that the error of E under a white environment counts most.
+  static std::shared_ptr<const TransferBasis> fit(const LightLattice& lattice, int components, int bits,
+                                                  std::size_t mostTexels = 20000);
+
+  int components() const;
+  int bits() const;  // 8 or 16
+  std::size_t bytesPerTexel() const;
+  const LightContent& content() const;
+
+  // Codes are unsigned integers: c_k = low_k + code * step_k. `codes`: bytesPerTexel() bytes, 16 bits little
+  // endian.
+  void encode(std::span<const float> transfer, std::span<std::uint8_t> codes) const;
+  void decode(std::span<const std::uint8_t> codes, std::span<float> transfer) const;
+
+  // What a picture needs under an environment of order^2 rgb coefficients: E = offset + sum_k code_k
+  // factor_k.
+  struct Lighting {
+    glm::vec3 offset{0.0f};
+    std::vector<glm::vec3> factors;  // of integer codes
+  };
+  Lighting under(std::span<const glm::vec3> environment) const;
+
+ private:
+  LightContent content_;
+  int bits_ = 8;
+  std::vector<float> mean_, basis_;  // D; components x D
+  std::vector<float> low_, step_;
+};
+
+}  // namespace isolux::gi
