@@ -1,0 +1,101 @@
+// Points of [0, 1)^2 for directions and other decisions of a light path, and their maps to the sphere.
+//
+// samplePair() and sampleOne() are functions of their arguments alone: the same on every machine, in any
+// order, from any number of threads. `seed` names the pattern (a texel or a pixel; neighbours may have
+// neighbouring seeds), `sample` the point of it, `pair` or `dimension` the decision of the path: 0 the first
+// direction, then the later ones. Every prefix of a pattern is well distributed, and any number of samples
+// may follow. Coordinates are odd multiples of 2^-24: never 0 or 1, so no direction lies in the surface.
+//
+// Sequences:
+//   sobol_owen: the first two dimensions of Sobol's sequence, a (0,2)-sequence: every 2^k first points put
+//     exactly one into each of the 2^k boxes of any shape a power of two wide and high. Owen scrambling by a
+//     hash (Laine & Karras 2011; Burley, JCGT 9(4), 2020; the hash is that of Vegdahl 2021, also in pbrt-v4).
+//     Pairs after the first are the same sequence in an order of their own, scrambled anew ("padded", Burley
+//     2020 sec. 5).
+//   r2: fractional parts of n (1/p, 1/p^2), p^3 = p + 1 (Roberts 2018), with a shift per seed (Cranley &
+//     Patterson 1976), in 64-bit integers: no drift at large n. Pairs after the first are sobol_owen: two
+//     shifted copies of one lattice would be the same in every pair.
+//   random: independent numbers, a hash of the counters.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace isolux::gi {
+
+using scene::DirectionSequence;
+
+glm::vec2 samplePair(DirectionSequence sequence, std::uint32_t seed, std::uint32_t sample,
+                     std::uint32_t pair);
+float sampleOne(DirectionSequence sequence, std::uint32_t seed, std::uint32_t sample,
+                std::uint32_t dimension);
+
+// The disc of radius 1 from the unit square, areas in proportion (Shirley & Chiu 1997). Without trigonometric
+// functions: the angle within an eighth of the disc has a polynomial, off by less than 1e-7.
+inline glm::vec2 concentricDisk(glm::vec2 u) {
+  const glm::vec2 square = 2.0f * u - 1.0f;
+  const bool wide = std::abs(square.x) > std::abs(square.y);
+  const float radius = wide ? square.x : square.y;
+  const float ratio = radius != 0.0f ? (wide ? square.y : square.x) / radius : 0.0f;
+  const float angle = 0.785398163f * ratio;  // in [-pi/4, pi/4]
+  const float a2 = angle * angle;
+  const float sine =
+      angle * (1.0f + a2 * (-1.0f / 6 + a2 * (1.0f / 120 + a2 * (-1.0f / 5040 + a2 * (1.0f / 362880)))));
+  const float cosine = 1.0f + a2 * (-0.5f + a2 * (1.0f / 24 + a2 * (-1.0f / 720 + a2 * (1.0f / 40320))));
+  return radius * (wide ? glm::vec2(cosine, sine) : glm::vec2(sine, cosine));
+}
+
+// Unit vectors about +z. Densities per steradian: z / pi, 1 / (4 pi), 1 / (2 pi oneMinusCosine).
+inline glm::vec3 cosineHemisphere(glm::vec2 u) {
+  const glm::vec2 disk = concentricDisk(u);
+  return {disk.x, disk.y, std::sqrt(std::max(0.0f, 1.0f - glm::dot(disk, disk)))};
+}
+
+// The cone of directions within an angle of +z, given as 1 - cos(angle) in [0, 2] so that narrow cones keep
+// their digits.
+inline glm::vec3 uniformCone(glm::vec2 u, float oneMinusCosine) {
+  const glm::vec2 disk = concentricDisk(u);
+  const float below = oneMinusCosine * std::min(1.0f, glm::dot(disk, disk));  // 1 - z, uniform
+  const float scale = std::sqrt(oneMinusCosine * (2.0f - below));
+  return {scale * disk.x, scale * disk.y, 1.0f - below};
+}
+
+inline glm::vec3 uniformSphere(glm::vec2 u) {
+  return uniformCone(u, 2.0f);
+}
+
+// 1 - cos of the half angle under which a ball is seen from `distance` of its centre; 2, all directions, from
+// inside it.
+inline float oneMinusCosineOfBall(float radius, float distance) {
+  if (!(distance > radius)) return 2.0f;
+  const float sine = radius / distance;
+  return sine * sine / (1.0f + std::sqrt((1.0f - sine) * (1.0f + sine)));
+}
+
+// A right-handed orthonormal basis about a unit normal, without a singular direction (Duff et al., JCGT 6(1),
+// 2017).
+struct Frame {
+  glm::vec3 tangent{1, 0, 0}, bitangent{0, 1, 0}, normal{0, 0, 1};
+
+  static Frame about(glm::vec3 n) {
+    const float sign = std::copysign(1.0f, n.z);
+    const float a = -1.0f / (sign + n.z);
+    const float b = n.x * n.y * a;
+    return {{1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+  }
+  glm::vec3 toWorld(glm::vec3 local) const {
+    return local.x * tangent + local.y * bitangent + local.z * normal;
+  }
+  glm::vec3 toLocal(glm::vec3 world) const {
+    return {glm::dot(world, tangent), glm::dot(world, bitangent), glm::dot(world, normal)};
+  }
+};
+
+}  // namespace isolux::gi
