@@ -1,0 +1,9 @@
+#include "volume/isosurface_tracer_kernels.h"
+
+namespace isolux::volume::tracing {
+
+const Kernels* simdKernels(TracerTarget) {
+  return nullptr;
+}
+
+}  // namespace isolux::volume::tracing
