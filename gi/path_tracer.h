@@ -4,10 +4,12 @@
 // al. 2006 sec. 4.1). Directions are cosine-distributed about the B-spline normal, mixed with directions
 // drawn from the environment (one-sample multiple importance sampling, balance heuristic: Veach 1997
 // sec. 9.2.4); lamps by shadow rays; paths go on in one direction, never branch, and end by Russian roulette.
-// Rays start off the surface by kOffsetVoxels along the normal. Stateless: the result for a point and a
-// sample number is always the same. Thread-safe.
+// Rays start off the surface by kOffsetVoxels along the normal; what a lamp gives is that of the point
+// itself. The result for a point and a sample number is always the same, whatever else is asked for. A path
+// that has not ended after kMostBounces (albedo 1 in a closed cavity) is ended and counted. Thread-safe.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -21,6 +23,9 @@
 namespace isolux::gi {
 
 inline constexpr float kOffsetVoxels = 0.1f;  // of the shortest voxel axis
+inline constexpr int kMostBounces = 1000;     // of any path; the largest gi.bounces
+
+struct PathSetup;  // gi/path_wave.h
 
 struct LightPoint {
   glm::vec3 voxel{0.0f};
@@ -43,10 +48,16 @@ class PathTracer {
   bool transfer(std::span<const LightPoint> points, SampleRange range, std::span<float> means,
                 std::uint64_t& rays, std::stop_token stop) const;
 
-  const LightScene& light() const { return *light_; }
+  // Outward unit normal, world, of a gradient of IsosurfaceTracer::gradients(); 0 where there is none.
+  glm::vec3 normalOf(glm::vec3 gradient) const;
+
+  const LightScene& light() const;
+  // Paths so far that were still under way after kMostBounces: light is missing there.
+  std::uint64_t cappedPaths() const { return capped_->load(std::memory_order_relaxed); }
 
  private:
-  std::shared_ptr<const LightScene> light_;
+  std::shared_ptr<const PathSetup> setup_;
+  std::shared_ptr<std::atomic<std::uint64_t>> capped_;  // of all copies
 };
 
 // The texels of a lattice as points: position, own isovalue, B-spline normal.

@@ -1,0 +1,132 @@
+// What stored light depends on, as text.
+#include <cstdio>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "gi/light_scene.h"
+
+namespace isolux::gi {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int formatVersion = 1;  // of the light itself: goes up when the same settings give other numbers
+
+std::string hexOf(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+template <class Vector>
+ordered_json arrayOf(const Vector& v) {
+  ordered_json array = ordered_json::array();
+  for (int i = 0; i < Vector::length(); ++i) array.push_back(v[i] == 0.0 ? 0.0 : v[i]);  // -0 is 0
+  return array;
+}
+
+const char* nameOf(scene::DirectionSequence sequence) {
+  switch (sequence) {
+    case scene::DirectionSequence::sobol_owen:
+      return "sobol_owen";
+    case scene::DirectionSequence::r2:
+      return "r2";
+    case scene::DirectionSequence::random:
+      return "random";
+  }
+  throw std::logic_error("a sequence without a name");
+}
+
+// q and -q, and those of any length, are one rotation.
+glm::dvec4 canonicalRotation(glm::dvec4 wxyz) {
+  const double length = glm::length(wxyz);
+  if (!(length > 0.0)) return {1.0, 0.0, 0.0, 0.0};
+  wxyz /= length;
+  for (int i = 0; i < 4; ++i)
+    if (wxyz[i] != 0.0) return wxyz[i] < 0.0 ? -wxyz : wxyz;
+  return wxyz;
+}
+
+ordered_json environmentJson(const scene::Scene& resolved, const LightScene& light) {
+  ordered_json json;
+  json["hash"] = hexOf(light.environment ? light.environment->hash() : 0);
+  if (!light.environment || light.environment->isConstant()) return json;
+  json["rotation"] = arrayOf(canonicalRotation(resolved.light.environment.rotation));
+  json["share"] = light.environmentShare;
+  return json;
+}
+
+ordered_json albedoJson(const scene::Scene& resolved, const LightScene& light) {
+  if (light.albedo.isConstant()) return arrayOf(light.albedo.at(0.0));
+  if (resolved.isosurface.albedoSource == scene::AlbedoSource::map)
+    return {{"map", static_cast<int>(resolved.isosurface.albedoMap)},
+            {"low", resolved.isosurface.albedoLow.value()},
+            {"high", resolved.isosurface.albedoHigh.value()}};
+  ordered_json json = ordered_json::array();
+  json.push_back(
+      {{"isovalue", resolved.isosurface.value.value()}, {"albedo", arrayOf(resolved.isosurface.albedo)}});
+  for (const scene::ExtraIsosurface* extra :
+       {&resolved.isosurface2, &resolved.isosurface3, &resolved.isosurface4})
+    if (extra->shown)
+      json.push_back({{"isovalue", extra->value.value()}, {"albedo", arrayOf(extra->albedo)}});
+  return json;
+}
+
+ordered_json lampJson(const LampLight& lamp) {
+  ordered_json json;
+  switch (lamp.kind) {
+    case scene::LampKind::point:
+      json["kind"] = "point";
+      break;
+    case scene::LampKind::directional:
+      json["kind"] = "directional";
+      break;
+    case scene::LampKind::sphere:
+      json["kind"] = "sphere";
+      break;
+  }
+  if (lamp.kind == scene::LampKind::directional) {
+    json["toward"] = arrayOf(lamp.toward);
+    json["cos_half_angle"] = lamp.cosHalfAngle;
+  } else {
+    json["position_mm"] = arrayOf(lamp.positionMm);
+    if (lamp.kind == scene::LampKind::sphere) json["radius_mm"] = lamp.radiusMm;
+  }
+  json["power"] = arrayOf(lamp.power);
+  return json;
+}
+
+}  // namespace
+
+std::string lightKey(const scene::Scene& resolved, const LightScene& light, LightPart part) {
+  const bool transfer = part == LightPart::sky && light.choice.sky == scene::GiMode::transfer;
+  ordered_json json;
+  json["format"] = formatVersion;
+  json["light"] = part == LightPart::lamps ? "lamps" : "sky";
+  json["content"] = transfer ? "transfer" : "irradiance";
+  json["channels"] = part == LightPart::lamps ? 3 : light.choice.channels;
+  if (transfer) json["sh_order"] = light.shOrder;
+  json["volume"] = hexOf(light.volume->grid().hash());
+  json["inside"] = light.inside == scene::Inside::above ? "above" : "below";
+  json["lattice_scale"] = resolved.gi.latticeScale;
+  json["sequence"] = nameOf(light.sequence);
+  json["bounces"] = light.bounces;
+  if (light.bounces > 0) {
+    json["albedo"] = albedoJson(resolved, light);
+    if (light.bounces >= light.rouletteDepth) json["roulette_depth"] = light.rouletteDepth;
+  }
+  if (part == LightPart::lamps) {
+    json["lamps"] = ordered_json::array();
+    for (const LampLight& lamp : light.lamps) json["lamps"].push_back(lampJson(lamp));
+  } else if (light.choice.unitSky) {
+    json["environment"] = "unit";
+  } else if (!transfer) {
+    json["environment"] = environmentJson(resolved, light);
+  }
+  return json.dump();
+}
+
+}  // namespace isolux::gi

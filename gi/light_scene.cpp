@@ -1,0 +1,92 @@
+#include "gi/light_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace isolux::gi {
+
+namespace {
+
+using scene::LampKind;
+
+constexpr double automaticEnvironmentShare = 0.5;  // measured: docs/accuracy.md
+// A lamp in the middle of the volume counts as this far away, in lengths of the diagonal: its brightness is
+// told by what it gives there.
+constexpr double nearestDistance = 0.01;
+
+bool shines(const scene::Lamp& lamp) {
+  return lamp.shown && lamp.intensity > 0.0 && lamp.color != glm::dvec3(0.0);
+}
+
+}  // namespace
+
+glm::dmat3 rotationOf(const glm::dvec4& wxyz) {
+  return worldFromEnvironment(glm::dquat(wxyz.x, wxyz.y, wxyz.z, wxyz.w));
+}
+
+std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings) {
+  if (settings.file.empty())
+    return std::make_shared<const Environment>(Environment::constant(settings.constant));
+  return std::make_shared<const Environment>(Environment::load(settings.file));
+}
+
+std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry) {
+  glm::dvec3 low, high;
+  geometry.worldBounds(low, high);
+  const glm::dvec3 centre = 0.5 * (low + high);
+  const double diagonal = std::max(glm::length(high - low), 1e-9);
+  std::vector<LampLight> lights;
+  for (const scene::Lamp* lamp : {&resolved.lamp1, &resolved.lamp2, &resolved.lamp3}) {
+    if (!shines(*lamp)) continue;
+    LampLight light;
+    light.kind = lamp->kind;
+    const glm::dvec3 brightness = lamp->intensity * lamp->color;
+    if (lamp->kind == LampKind::directional) {
+      light.toward = glm::normalize(lamp->direction);
+      light.cosHalfAngle = std::cos(0.5 * lamp->angle * std::numbers::pi / 180.0);
+      const double sine2 = (1.0 - light.cosHalfAngle) * (1.0 + light.cosHalfAngle);
+      light.power = sine2 > 0.0 ? brightness / sine2 : std::numbers::pi * brightness;
+    } else {
+      light.positionMm = lamp->position.value();
+      const double distance = std::max(glm::length(light.positionMm - centre), nearestDistance * diagonal);
+      if (lamp->kind == LampKind::point) {
+        light.power = std::numbers::pi * distance * distance * brightness;
+      } else {
+        light.radiusMm = lamp->radius.value();
+        const double apart = std::max(1.0, distance / light.radiusMm);  // 1: the centre is inside the sphere
+        light.power = apart * apart * brightness;
+      }
+    }
+    lights.push_back(light);
+  }
+  return lights;
+}
+
+std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
+                                                 std::shared_ptr<const volume::PreparedVolume> volume,
+                                                 std::shared_ptr<const volume::IsosurfaceTracer> tracer,
+                                                 std::shared_ptr<const Environment> environment) {
+  const scene::GiChoice choice = scene::giChoiceOf(resolved);
+  double share = 0.0;  // an even sky has no direction to prefer
+  if (environment && !choice.unitSky && !environment->isConstant() && choice.sky != scene::GiMode::transfer)
+    share = resolved.gi.environmentShare.value_or(automaticEnvironmentShare);
+  LightScene light{.volume = volume,
+                   .tracer = std::move(tracer),
+                   .choice = choice,
+                   .environment = std::move(environment),
+                   .worldFromEnvironment = glm::mat3(rotationOf(resolved.light.environment.rotation)),
+                   .lamps = lampsOf(resolved, volume->grid().geometry()),
+                   .albedo = scene::AlbedoOfIsovalue(resolved),
+                   .inside = resolved.isosurface.inside,
+                   .sequence = resolved.gi.sequence,
+                   .bounces = choice.bounces,
+                   .rouletteDepth = resolved.gi.rouletteDepth,
+                   .environmentShare = share,
+                   .shOrder = resolved.gi.shOrder};
+  return std::make_shared<const LightScene>(std::move(light));
+}
+
+}  // namespace isolux::gi
