@@ -1,0 +1,139 @@
+#include "tests/gi/light_fixture.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "gi/lamp_sampling.h"
+#include "volume/phantom.h"
+#include "volume/reconstruct.h"
+
+namespace isolux::test {
+
+namespace {
+
+constexpr double zLimit = 4.5;
+
+std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
+  scene::Progress progress;
+  volume::Volume volume;
+  volume.grid = std::make_shared<const volume::Grid>(std::move(grid));
+  return volume::prepareVolume(std::move(volume), progress);
+}
+
+}  // namespace
+
+std::shared_ptr<const volume::PreparedVolume> volumeOf(const volume::GridGeometry& geometry,
+                                                       const Field& field) {
+  std::vector<float> voxels(geometry.voxelCount());
+  std::size_t i = 0;
+  for (int z = 0; z < geometry.dims.z; ++z)
+    for (int y = 0; y < geometry.dims.y; ++y)
+      for (int x = 0; x < geometry.dims.x; ++x)
+        voxels[i++] =
+            static_cast<float>(field(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(x, y, z, 1.0))));
+  return prepared(volume::Grid(geometry, std::move(voxels)));
+}
+
+std::shared_ptr<const volume::PreparedVolume> phantomOf(const std::string& name, int size) {
+  scene::Progress progress;
+  volume::PhantomRequest request;
+  request.name = name;
+  request.size = size;
+  return prepared(volume::makePhantom(request, progress));
+}
+
+gi::LightScene lightSceneOf(std::shared_ptr<const volume::PreparedVolume> volume, scene::Inside inside,
+                            glm::dvec3 albedo) {
+  scene::Progress progress;
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene.isosurface.albedo = albedo;
+  auto tracer = std::make_shared<const volume::IsosurfaceTracer>(volume->volume.grid, inside, progress);
+  return {.volume = std::move(volume),
+          .tracer = std::move(tracer),
+          .choice = {},
+          .environment = nullptr,
+          .worldFromEnvironment = glm::mat3(1.0f),
+          .lamps = {},
+          .albedo = scene::AlbedoOfIsovalue(scene),
+          .inside = inside,
+          .sequence = scene::DirectionSequence::random,
+          .bounces = 0,
+          .rouletteDepth = 3,
+          .environmentShare = 0.0,
+          .shOrder = 5};
+}
+
+void setUnitSky(gi::LightScene& light) {
+  light.choice.unitSky = true;
+}
+
+std::shared_ptr<const gi::Environment> environmentOf(int width, int height,
+                                                     const std::function<double(glm::dvec3)>& radiance) {
+  std::vector<glm::vec3> pixels;
+  const gi::Environment black = gi::Environment::fromImage(
+      width, height, std::vector<glm::vec3>(static_cast<std::size_t>(width * height), glm::vec3(0.0f)));
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      pixels.emplace_back(static_cast<float>(radiance(black.directionOf(column + 0.5, row + 0.5))));
+  return std::make_shared<const gi::Environment>(
+      gi::Environment::fromImage(width, height, std::move(pixels)));
+}
+
+gi::PathTracer tracerOf(gi::LightScene light) {
+  return gi::PathTracer(std::make_shared<const gi::LightScene>(std::move(light)));
+}
+
+gi::LightPoint pointAt(const gi::PathTracer& tracer, glm::dvec3 world, std::uint32_t seed) {
+  const volume::Grid& grid = tracer.light().volume->grid();
+  const glm::dvec3 voxel(grid.geometry().voxelFromWorld() * glm::dvec4(world, 1.0));
+  gi::LightPoint point;
+  point.voxel = glm::vec3(voxel);
+  point.isovalue =
+      static_cast<float>(grid.storedOfValue(volume::sampleTrilinear(grid, glm::dvec3(point.voxel)).value));
+  glm::vec3 gradient;
+  tracer.light().tracer->gradients(std::span(&point.voxel, 1), std::span(&gradient, 1));
+  point.normal = tracer.normalOf(gradient);
+  point.seed = seed;
+  return point;
+}
+
+glm::dvec3 rayOrigin(const gi::PathTracer& tracer, const gi::LightPoint& point) {
+  const volume::GridGeometry& geometry = tracer.light().volume->grid().geometry();
+  const glm::dvec3 spacing = geometry.spacingMm();
+  const double offset = gi::kOffsetVoxels * std::min({spacing.x, spacing.y, spacing.z});
+  return glm::dvec3(geometry.worldFromVoxel * glm::dvec4(glm::dvec3(point.voxel), 1.0)) +
+         offset * glm::dvec3(point.normal);
+}
+
+Estimate estimate(const gi::PathTracer& tracer, gi::LightPart part, const gi::LightPoint& point,
+                  std::uint32_t samples, std::uint32_t first) {
+  Estimate result;
+  glm::vec3 mean;
+  float variance = 0.0f;
+  EXPECT_TRUE(tracer.irradiance(part, std::span(&point, 1), {first, samples}, std::span(&mean, 1),
+                                std::span(&variance, 1), result.rays, {}));
+  result.mean = glm::dvec3(mean);
+  result.luminance = static_cast<double>(gi::luminance(mean));
+  result.standardError = std::sqrt(static_cast<double>(variance) / samples);
+  return result;
+}
+
+::testing::AssertionResult agrees(const Estimate& estimate, double luminance) {
+  const double apart = estimate.luminance - luminance;
+  const double rounding = 1e-5 * std::abs(luminance);
+  if (std::abs(apart) <= zLimit * estimate.standardError + rounding) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << estimate.luminance << " +- " << estimate.standardError << " where "
+                                       << luminance << " is expected: z = " << apart / estimate.standardError;
+}
+
+::testing::AssertionResult agree(const Estimate& a, const Estimate& b) {
+  Estimate difference = a;
+  difference.luminance = a.luminance - b.luminance;
+  difference.standardError = std::hypot(a.standardError, b.standardError);
+  if (std::abs(difference.luminance) <= 1e-5 * std::abs(a.luminance)) return ::testing::AssertionSuccess();
+  return agrees(difference, 0.0) << " (" << a.luminance << " against " << b.luminance << ")";
+}
+
+}  // namespace isolux::test
