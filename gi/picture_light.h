@@ -42,4 +42,15 @@ struct PictureLight {
   std::uint64_t version = 0;       // changes with anything above but the lattices' own revisions
 };
 
+// An environment in spherical harmonics, in its own frame: order^2 coefficients for transfer, nine for local
+// light.
+struct EnvironmentProjection {
+  std::vector<glm::dvec3> transfer, local;
+};
+EnvironmentProjection projectEnvironment(const Environment& environment, int order);
+
+// All but the lattices, the basis and the version. `light.environment` must not be null.
+PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& light,
+                              const EnvironmentProjection& projection);
+
 }  // namespace isolux::gi

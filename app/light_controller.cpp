@@ -1,0 +1,299 @@
+#include "app/light_controller.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "app/light_planner.h"
+#include "gi/bake_file.h"
+
+namespace isolux::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+void add(gi::BakeCounters& sum, const gi::BakeCounters& one) {
+  sum.texelsWanted += one.texelsWanted;
+  sum.texelsDone += one.texelsDone;
+  sum.texelsStarted += one.texelsStarted;
+  sum.texelsLit += one.texelsLit;
+  sum.samplesWanted += one.samplesWanted;
+  sum.samplesDone += one.samplesDone;
+  sum.rays += one.rays;
+  sum.raysPerSecond += one.raysPerSecond;
+  sum.seconds = std::max(sum.seconds, one.seconds);
+  sum.secondsLeft = std::max(sum.secondsLeft, one.secondsLeft);
+  sum.threads = std::max(sum.threads, one.threads);
+  sum.paused = sum.paused || one.paused;
+  sum.idle = sum.idle && one.idle;
+}
+
+std::string nameOf(const scene::GiChoice& choice) {
+  static constexpr const char* names[] = {"auto", "off", "irradiance", "transfer", "vicinity", "shadow"};
+  const bool sky = choice.sky != scene::GiMode::off;
+  std::string name = sky ? names[static_cast<int>(choice.sky)] : choice.lamps ? "" : "off";
+  if (choice.lamps) name += sky ? " + lamps" : "lamps";
+  return name;
+}
+
+}  // namespace
+
+struct LightController::Parts {
+  explicit Parts(Options options) : planner(options.background) {}
+
+  // What the planner thread has to do; guarded by `mutex`.
+  mutable std::mutex mutex;
+  mutable std::condition_variable_any changed;
+  scene::Scene scene;
+  VolumePointer volume;
+  std::vector<glm::vec3> hits;
+  bool sceneTold = false, hitsTold = false, cancelTold = false, busy = false;
+
+  // What it has done; guarded by `mutex`.
+  LightPlan plan;
+  std::optional<scene::Error> error;
+  std::uint64_t planned = 0;
+  bool paused = false, yielding = false, cancelled = false;
+
+  LightPlanner planner;      // of the planner thread, and of load() while that sleeps
+  scene::Progress progress;  // stops the planner's long work
+  std::jthread thread;       // last: it ends before the rest goes
+
+  void run(const std::stop_token& stop);
+  void work(bool withScene, bool withHits, bool cancel, const scene::Scene& now, const VolumePointer& of,
+            const std::vector<glm::vec3>& seen);
+  void publish();
+  std::vector<std::shared_ptr<gi::LightBake>> bakes() const;
+};
+
+std::vector<std::shared_ptr<gi::LightBake>> LightController::Parts::bakes() const {
+  std::vector<std::shared_ptr<gi::LightBake>> list;
+  for (const auto& bake : {plan.sky, plan.lamps})
+    if (bake) list.push_back(bake);
+  return list;
+}
+
+void LightController::Parts::run(const std::stop_token& stop) {
+  std::unique_lock lock(mutex);
+  while (!stop.stop_requested()) {
+    const bool compresses = plan.light && plan.choice.sky == scene::GiMode::transfer;
+    const auto told = [this] { return sceneTold || hitsTold || cancelTold; };
+    if (compresses)
+      changed.wait_for(lock, stop, 100ms, told);
+    else
+      changed.wait(lock, stop, told);
+    if (stop.stop_requested()) return;
+    const bool withScene = std::exchange(sceneTold, false), withHits = std::exchange(hitsTold, false);
+    const bool cancel = std::exchange(cancelTold, false);
+    const scene::Scene now = scene;
+    const VolumePointer of = volume;
+    const std::vector<glm::vec3> seen = hits;
+    busy = withScene || withHits || cancel;
+    lock.unlock();
+    work(withScene, withHits, cancel, now, of, seen);
+    lock.lock();
+    busy = false;
+    changed.notify_all();
+  }
+}
+
+void LightController::Parts::work(bool withScene, bool withHits, bool cancel, const scene::Scene& now,
+                                  const VolumePointer& of, const std::vector<glm::vec3>& seen) {
+  std::optional<scene::Error> failure;
+  try {
+    if (withScene) planner.plan(now, of, progress);
+    if (withScene || withHits) planner.wish(seen, progress);
+    if (cancel) planner.wishNothing();
+    const bool compressed = planner.compress();
+    if (!withScene && !compressed) return;
+  } catch (const scene::Error& error) {
+    failure = error;
+  } catch (const std::bad_alloc&) {
+    failure.emplace(scene::ErrorKind::memory, "", "light", "not enough memory");
+  } catch (const std::exception& error) {
+    failure.emplace(scene::ErrorKind::input, "", "light", error.what());
+  }
+  const std::lock_guard guard(mutex);
+  error = std::move(failure);
+  publish();
+}
+
+void LightController::Parts::publish() {
+  plan = planner.current();
+  if (error) plan.light.reset();
+  ++planned;
+  for (const auto& bake : bakes()) {
+    bake->setPaused(paused);
+    bake->yield(yielding);
+  }
+}
+
+LightController::LightController(Options options) : parts_(std::make_unique<Parts>(options)) {
+  parts_->thread = std::jthread([parts = parts_.get()](const std::stop_token& stop) { parts->run(stop); });
+}
+
+LightController::~LightController() {
+  parts_->progress.requestStop();
+}
+
+void LightController::setScene(const scene::Scene& resolved,
+                               std::shared_ptr<const volume::PreparedVolume> volume) {
+  const std::lock_guard guard(parts_->mutex);
+  if (parts_->planned + (parts_->sceneTold || parts_->busy ? 1 : 0) > 0 && resolved == parts_->scene &&
+      volume == parts_->volume)
+    return;
+  if (volume != parts_->volume) parts_->hits.clear();
+  parts_->scene = resolved;
+  parts_->volume = std::move(volume);
+  parts_->sceneTold = true;
+  parts_->cancelled = false;
+  parts_->changed.notify_all();
+}
+
+void LightController::setVisible(std::vector<glm::vec3> hitVoxels) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->hits = std::move(hitVoxels);
+  parts_->hitsTold = true;
+  parts_->cancelled = false;
+  parts_->changed.notify_all();
+}
+
+void LightController::setPaused(bool paused) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->paused = paused;
+  for (const auto& bake : parts_->bakes()) bake->setPaused(paused);
+}
+
+bool LightController::paused() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->paused;
+}
+
+void LightController::yield(bool yielding) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->yielding = yielding;
+  for (const auto& bake : parts_->bakes()) bake->yield(yielding);
+}
+
+void LightController::cancel() {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->cancelTold = true;
+  parts_->cancelled = true;
+  parts_->changed.notify_all();
+}
+
+std::shared_ptr<const gi::PictureLight> LightController::light() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->plan.light;
+}
+
+std::uint64_t LightController::revision() const {
+  const std::lock_guard guard(parts_->mutex);
+  std::uint64_t revision = parts_->planned << 40u;
+  for (const auto& bake : parts_->bakes()) revision += bake->lattice()->revision();
+  return revision;
+}
+
+LightState LightController::state() const {
+  using Phase = LightState::Phase;
+  const std::lock_guard guard(parts_->mutex);
+  const Parts& parts = *parts_;
+  LightState state;
+  state.choice = parts.plan.choice;
+  state.mode = nameOf(state.choice);
+  state.error = parts.error;
+  state.warnings = parts.plan.warnings;
+  state.counters.idle = true;
+  for (const auto& bake : parts.bakes()) {
+    add(state.counters, bake->counters());
+    if (!state.error) state.error = bake->error();
+  }
+  if (state.error)
+    state.phase = Phase::failed;
+  else if (parts.sceneTold || (parts.busy && !parts.plan.light))
+    state.phase = Phase::preparing;
+  else if (!parts.plan.light || !state.choice.wanted)
+    state.phase = Phase::off;
+  else if (!state.counters.idle)
+    state.phase = parts.paused ? Phase::paused : Phase::baking;
+  else
+    state.phase = parts.hitsTold || parts.busy ? Phase::preparing : Phase::finished;
+  return state;
+}
+
+bool LightController::settle(double timeoutSeconds) const {
+  std::unique_lock lock(parts_->mutex);
+  return parts_->changed.wait_for(lock, std::chrono::duration<double>(timeoutSeconds), [this] {
+    return !parts_->sceneTold && !parts_->hitsTold && !parts_->cancelTold && !parts_->busy;
+  });
+}
+
+bool LightController::finish(scene::Progress& progress, std::uint32_t samples) const {
+  while (!settle(0.05))
+    if (progress.stopRequested()) return false;
+  std::vector<std::shared_ptr<gi::LightBake>> bakes;
+  {
+    const std::lock_guard guard(parts_->mutex);
+    if (parts_->error) throw *parts_->error;
+    bakes = parts_->bakes();
+  }
+  for (const auto& bake : bakes) {
+    while (!bake->waitFor(samples, 0.05)) {
+      if (const auto error = bake->error()) throw *error;
+      if (progress.stopRequested()) return false;
+      const gi::BakeCounters counters = state().counters;
+      const auto wanted = static_cast<double>(std::max<std::uint64_t>(counters.samplesWanted, 1));
+      progress.report(static_cast<double>(counters.samplesDone) / wanted, "tracing light");
+    }
+  }
+  // Compressed light of the last texels.
+  const bool compresses = state().choice.sky == scene::GiMode::transfer;
+  if (compresses) {
+    std::unique_lock lock(parts_->mutex);
+    const std::uint64_t before = parts_->planned;
+    parts_->hitsTold = true;  // the same wishes again: the planner looks whether to compress
+    parts_->changed.notify_all();
+    parts_->changed.wait_for(lock, 60s, [&] { return !parts_->hitsTold && !parts_->busy; });
+    (void)before;
+  }
+  return true;
+}
+
+void LightController::save(const std::filesystem::path& file) const {
+  std::shared_ptr<gi::LightLattice> sky, lamps;
+  VolumePointer volume;
+  {
+    const std::lock_guard guard(parts_->mutex);
+    if (parts_->plan.sky) sky = parts_->plan.sky->lattice();
+    if (parts_->plan.lamps) lamps = parts_->plan.lamps->lattice();
+    volume = parts_->volume;
+  }
+  gi::writeBake(file, volume->grid(), sky.get(), lamps.get());
+}
+
+void LightController::load(const std::filesystem::path& file) {
+  std::unique_lock lock(parts_->mutex);
+  parts_->changed.wait(lock, [this] { return !parts_->sceneTold && !parts_->hitsTold && !parts_->busy; });
+  if (parts_->error) throw *parts_->error;
+  // The planner thread sleeps while the mutex is held.
+  const LightPlan& plan = parts_->plan;
+  gi::BakeFile bake = gi::readBake(file, parts_->volume->grid());
+  const auto take = [&](const std::shared_ptr<gi::LightBake>& now, std::shared_ptr<gi::LightLattice> stored,
+                        gi::LightPart part) {
+    if (!now || !stored) return;
+    gi::requireSameKey(file, stored->key(), now->lattice()->key());
+    parts_->planner.adopt(std::move(stored), part);
+  };
+  take(plan.sky, std::move(bake.sky), gi::LightPart::sky);
+  take(plan.lamps, std::move(bake.lamps), gi::LightPart::lamps);
+  parts_->publish();
+  parts_->hitsTold = true;
+  parts_->changed.notify_all();
+}
+
+}  // namespace isolux::app
