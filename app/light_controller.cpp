@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/light_planner.h"
-#include "gi/bake_file.h"
 
 namespace isolux::app {
 
@@ -111,12 +110,12 @@ void LightController::Parts::work(bool withScene, bool withHits, bool cancel, co
     if (cancel) planner.wishNothing();
     const bool compressed = planner.compress();
     if (!withScene && !compressed) return;
-  } catch (const scene::Error& error) {
-    failure = error;
+  } catch (const scene::Error& caught) {
+    failure = caught;
   } catch (const std::bad_alloc&) {
     failure.emplace(scene::ErrorKind::memory, "", "light", "not enough memory");
-  } catch (const std::exception& error) {
-    failure.emplace(scene::ErrorKind::input, "", "light", error.what());
+  } catch (const std::exception& caught) {
+    failure.emplace(scene::ErrorKind::input, "", "light", caught.what());
   }
   const std::lock_guard guard(mutex);
   error = std::move(failure);
@@ -262,38 +261,6 @@ bool LightController::finish(scene::Progress& progress, std::uint32_t samples) c
     (void)before;
   }
   return true;
-}
-
-void LightController::save(const std::filesystem::path& file) const {
-  std::shared_ptr<gi::LightLattice> sky, lamps;
-  VolumePointer volume;
-  {
-    const std::lock_guard guard(parts_->mutex);
-    if (parts_->plan.sky) sky = parts_->plan.sky->lattice();
-    if (parts_->plan.lamps) lamps = parts_->plan.lamps->lattice();
-    volume = parts_->volume;
-  }
-  gi::writeBake(file, volume->grid(), sky.get(), lamps.get());
-}
-
-void LightController::load(const std::filesystem::path& file) {
-  std::unique_lock lock(parts_->mutex);
-  parts_->changed.wait(lock, [this] { return !parts_->sceneTold && !parts_->hitsTold && !parts_->busy; });
-  if (parts_->error) throw *parts_->error;
-  // The planner thread sleeps while the mutex is held.
-  const LightPlan& plan = parts_->plan;
-  gi::BakeFile bake = gi::readBake(file, parts_->volume->grid());
-  const auto take = [&](const std::shared_ptr<gi::LightBake>& now, std::shared_ptr<gi::LightLattice> stored,
-                        gi::LightPart part) {
-    if (!now || !stored) return;
-    gi::requireSameKey(file, stored->key(), now->lattice()->key());
-    parts_->planner.adopt(std::move(stored), part);
-  };
-  take(plan.sky, std::move(bake.sky), gi::LightPart::sky);
-  take(plan.lamps, std::move(bake.lamps), gi::LightPart::lamps);
-  parts_->publish();
-  parts_->hitsTold = true;
-  parts_->changed.notify_all();
 }
 
 }  // namespace isolux::app

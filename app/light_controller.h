@@ -9,7 +9,6 @@
 // from one owner thread.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,11 +66,6 @@ class LightController {
   bool finish(scene::Progress& progress, std::uint32_t samples = 0) const;
   // Keeps the light it has and stops wanting more, until the scene or the view changes.
   void cancel();
-
-  // The bake as a file (gi/bake_file.h). load() takes light over that fits the scene: throws scene::Error
-  // naming what differs; call it when settled.
-  void save(const std::filesystem::path& file) const;
-  void load(const std::filesystem::path& file);
 
  private:
   struct Parts;
