@@ -1,0 +1,208 @@
+// What a scene says about its light: lamps in physical units, shares, and the key of stored light.
+#include "gi/light_scene.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "gi/lamp_sampling.h"
+#include "scene/automatic.h"
+#include "tests/gi/light_fixture.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::gi {
+namespace {
+
+using namespace isolux::test;
+
+constexpr double pi = std::numbers::pi;
+
+scene::Scene giScene(const volume::PreparedVolume& volume) {
+  scene::Scene scene;
+  scene.look.mode = scene::LookMode::gi;
+  scene.isosurface.value = 0.0;
+  return scene::resolve(scene, volume.facts);
+}
+
+std::shared_ptr<const LightScene> lightOf(const scene::Scene& scene,
+                                          const std::shared_ptr<const volume::PreparedVolume>& volume,
+                                          std::shared_ptr<const Environment> environment = nullptr) {
+  scene::Progress progress;
+  auto tracer = std::make_shared<const volume::IsosurfaceTracer>(volume->volume.grid, scene.isosurface.inside,
+                                                                 progress);
+  if (!environment) environment = loadEnvironment(scene.light.environment);
+  return makeLightScene(scene, volume, tracer, environment);
+}
+
+// E = pi * intensity * color on a surface at the volume's centre that faces the lamp.
+TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
+  const auto volume = volumeOf(volume::GridGeometry::make({20, 24, 28}, {1.0, 0.8, 0.5}, {100.0, -50.0, 7.0}),
+                               [](glm::dvec3 p) { return p.x; });
+  scene::Scene scene = giScene(*volume);
+  glm::dvec3 low, high;
+  volume->grid().geometry().worldBounds(low, high);
+  const glm::dvec3 centre = 0.5 * (low + high);
+  scene.lamp1.shown = true;
+  scene.lamp1.color = {1.0, 0.5, 0.25};
+  scene.lamp1.intensity = 1.7;
+  const auto check = [&](const char* what) {
+    const std::vector<LampLight> lamps = lampsOf(scene, volume->grid().geometry());
+    ASSERT_EQ(lamps.size(), 1u);
+    const glm::dvec3 toward = scene.lamp1.kind == scene::LampKind::directional
+                                  ? glm::normalize(scene.lamp1.direction)
+                                  : glm::normalize(*scene.lamp1.position - centre);
+    const LampSampler sampler(lamps, volume->grid().geometry());
+    const glm::vec3 voxel(volume->grid().geometry().voxelFromWorld() * glm::dvec4(centre, 1.0));
+    glm::dvec3 mean(0.0);
+    constexpr int steps = 256;  // midpoints: off by the square of their distance
+    for (int i = 0; i < steps * steps; ++i) {
+      const glm::vec2 u((static_cast<float>(i % steps) + 0.5f) / steps,
+                        (static_cast<float>(i / steps) + 0.5f) / steps);
+      mean += glm::dvec3(sampler.sample(0, voxel, glm::vec3(toward), u).irradiance) / double(steps * steps);
+    }
+    for (int channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(mean[channel], pi * 1.7 * scene.lamp1.color[channel], 2e-4) << what;
+  };
+  for (const double distance : {0.5, 5.0, 500.0}) {
+    scene.lamp1.position = centre + distance * glm::normalize(glm::dvec3(1.0, 2.0, -2.0));
+    scene.lamp1.kind = scene::LampKind::point;
+    check("point");
+    scene.lamp1.kind = scene::LampKind::sphere;
+    scene.lamp1.radius = 3.0;  // at 0.5 the centre is inside
+    check("sphere");
+  }
+  scene.lamp1.kind = scene::LampKind::directional;
+  for (const double angle : {0.0, 1e-9, 0.53, 60.0}) {
+    scene.lamp1.angle = angle;
+    check("directional");
+  }
+}
+
+TEST(LightScene, OnlyLampsThatShineAreThere) {
+  const auto volume = phantomOf("ball", 12);
+  scene::Scene scene = giScene(*volume);
+  scene.lamp1.shown = scene.lamp2.shown = true;
+  scene.lamp2.intensity = 0.0;
+  scene.lamp3.shown = true;
+  scene.lamp3.color = glm::dvec3(0.0);
+  EXPECT_EQ(lampsOf(scene, volume->grid().geometry()).size(), 1u);
+}
+
+TEST(LightScene, DirectionsAreDrawnFromAProbeThatHasAny) {
+  const auto volume = phantomOf("ball", 12);
+  scene::Scene scene = giScene(*volume);
+  scene.light.environment.file = "probe.hdr";
+  const auto probe = environmentOf(8, 4, [](glm::dvec3 d) { return 1.0 + d.z; });
+  EXPECT_GT(lightOf(scene, volume, probe)->environmentShare, 0.0);
+  EXPECT_EQ(lightOf(scene, volume, environmentOf(8, 4, [](glm::dvec3) { return 2.0; }))->environmentShare,
+            0.0);
+  scene.gi.environmentShare = 0.125;
+  EXPECT_EQ(lightOf(scene, volume, probe)->environmentShare, 0.125);
+  scene.gi.mode = scene::GiMode::vicinity;
+  EXPECT_TRUE(lightOf(scene, volume, probe)->choice.unitSky);
+  EXPECT_EQ(lightOf(scene, volume, probe)->environmentShare, 0.0);
+}
+
+TEST(LightScene, AnUnreadableProbeIsRefusedByName) {
+  try {
+    scene::Environment settings;
+    settings.file = (temporaryFolder() / "none.hdr").string();
+    (void)loadEnvironment(settings);
+    FAIL();
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.kind(), scene::ErrorKind::input);
+    EXPECT_NE(std::string(error.what()).find("none.hdr"), std::string::npos);
+  }
+}
+
+// The keys of the sky and of the lamps after a change of the scene.
+class LightKey : public ::testing::Test {
+ protected:
+  LightKey() {
+    scene_.light.environment.file = "probe.hdr";
+    scene_.lamp1.shown = true;
+  }
+  std::string key(const scene::Scene& scene, LightPart part) const {
+    return lightKey(scene, *lightOf(scene, volume_, probe_), part);
+  }
+  // Which of the keys change: "sky", "lamps", "both" or "none".
+  template <class Edit>
+  std::string changed(const Edit& edit) const {
+    scene::Scene edited = scene_;
+    edit(edited);
+    const bool sky = key(scene_, LightPart::sky) != key(edited, LightPart::sky);
+    const bool lamps = key(scene_, LightPart::lamps) != key(edited, LightPart::lamps);
+    return sky ? (lamps ? "both" : "sky") : (lamps ? "lamps" : "none");
+  }
+
+  std::shared_ptr<const volume::PreparedVolume> volume_ = phantomOf("ball", 12);
+  std::shared_ptr<const Environment> probe_ = environmentOf(8, 4, [](glm::dvec3 d) { return 1.0 + d.z; });
+  scene::Scene scene_ = giScene(*volume_);
+};
+
+TEST_F(LightKey, IsJson) {
+  for (const LightPart part : {LightPart::sky, LightPart::lamps}) {
+    const auto json = nlohmann::json::parse(key(scene_, part));
+    EXPECT_EQ(json.at("volume").get<std::string>().size(), 16u);
+  }
+  EXPECT_NE(key(scene_, LightPart::sky), key(scene_, LightPart::lamps));
+}
+
+TEST_F(LightKey, KeepsWhatOnlyThePictureDependsOn) {
+  EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.value = 3.0; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.samples = 4; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.exposure = 3.0; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.visible = true; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.camera.fov = 12.0; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.interpolation = scene::GiInterpolation::nearest; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.extent = scene::GiExtent::full; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.shOrder = 3; }), "none");         // of transfer only
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamp2.intensity = 7.0; }), "none");  // is not shown
+  EXPECT_EQ(changed([](scene::Scene& s) {
+              s.gi.rouletteDepth = 9;
+              s.gi.bounces = 1;
+            }),
+            changed([](scene::Scene& s) { s.gi.bounces = 1; }));
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.rotation = {-2.0, 0.0, 0.0, 0.0}; }), "none");
+}
+
+TEST_F(LightKey, FollowsWhatLightDependsOn) {
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.bounces = 4; }), "both");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.sequence = scene::DirectionSequence::random; }), "both");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.latticeScale = 0.5; }), "both");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.inside = scene::Inside::below; }), "both");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.albedo = {0.9, 0.8, 0.7}; }), "both");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.albedoSource = scene::AlbedoSource::map; }), "both");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.rotation = {1.0, 1.0, 0.0, 0.0}; }), "sky");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.environmentShare = 0.1; }), "sky");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.mode = scene::GiMode::transfer; }), "sky");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamp1.intensity = 2.0; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamp1.kind = scene::LampKind::sphere; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamp2.shown = true; }), "lamps");
+}
+
+TEST_F(LightKey, WithoutBouncesTheSurfacesColourDoesNotMatter) {
+  scene_.gi.bounces = 0;
+  EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.albedo = {0.9, 0.8, 0.7}; }), "none");
+}
+
+TEST_F(LightKey, TransferAndAUnitSkyDoNotDependOnTheEnvironment) {
+  scene_.gi.mode = scene::GiMode::transfer;
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.rotation = {1.0, 1.0, 0.0, 0.0}; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.shOrder = 3; }), "sky");
+  scene_.gi.mode = scene::GiMode::automatic;
+  scene_.light.environment.file.clear();
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.constant = {3.0, 2.0, 1.0}; }), "none");
+}
+
+TEST_F(LightKey, AnotherProbeIsAnotherLight) {
+  const std::string before = key(scene_, LightPart::sky);
+  probe_ = environmentOf(8, 4, [](glm::dvec3 d) { return 1.0 + d.x; });
+  EXPECT_NE(key(scene_, LightPart::sky), before);
+}
+
+}  // namespace
+}  // namespace isolux::gi
