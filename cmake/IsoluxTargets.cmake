@@ -44,16 +44,19 @@ function(isolux_layer name)
   endif()
 endfunction()
 
-# isolux_tests(LAYER LINK ... LABELS ... ENVIRONMENT ...): one GoogleTest program from tests/LAYER/*_test.cpp, found by CTest
-# test by test. Tests read the shared data folder from ISOLUX_DATA (tests/support/test_data.h).
+# isolux_tests(LAYER [BARE] LINK ...): one GoogleTest program from tests/LAYER/*_test.cpp, found by CTest
+# test by test. BARE: without tests/support, which needs the volume. Tests read the shared data folder from ISOLUX_DATA (tests/support/test_data.h).
 function(isolux_tests layer)
-  cmake_parse_arguments(ARG "" "" "LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "BARE" "" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${layer}/*.cpp)
   if(NOT sources)
     return()
   endif()
   add_executable(${layer}_tests ${sources})
-  target_link_libraries(${layer}_tests PRIVATE ${ARG_LINK} isolux_test_support GTest::gtest_main GTest::gmock)
+  target_link_libraries(${layer}_tests PRIVATE ${ARG_LINK} GTest::gtest_main GTest::gmock)
+  if(NOT ARG_BARE)
+    target_link_libraries(${layer}_tests PRIVATE isolux_test_support)
+  endif()
   gtest_discover_tests(${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS "${layer}" TIMEOUT 300)
 endfunction()

@@ -1,11 +1,16 @@
 // Fills a light lattice on background threads: what is wanted first comes first, in rounds of samples, so
 // that light is there soon and becomes better everywhere at once.
 //
-// Rounds end at 4, 16, 64, 256, ... samples per texel and at the number asked for. The unit of work is a
-// block and a round; no two threads work on one block. A texel's light depends only on its place and its
-// number of samples: the lattice is the same, bit for bit, for any number of threads, any order of wishes,
-// and after stopping and going on. Nothing calls back: owners poll counters() and
-// LightLattice::changedSince(). All members are safe from any thread. Exceptions of an estimator end the bake
+// Rounds end at 4, 16, 64, 256, 1024, then every 1024 samples per texel, and at the number asked for. The
+// unit of work is a block and a round; no two threads work on one block. A texel's mean is updated once a
+// round, mean += (mean of the round - mean) * count / total, however the round is cut among calls of the
+// estimator. So the lattice is the same, bit for bit, for any number of threads, any order of wishes, and
+// after stopping and going on. A number of samples that no round ends at (100) is a round's end only while it
+// is asked for: raised later, texels go on from there, with the same samples as ever but summed in other
+// groups, so that the last bits may differ from those of a bake that had the higher number from the start.
+//
+// Nothing calls back: owners poll counters() and LightLattice::changedSince(). All members are safe from any
+// thread, and none but waitFor() and the destructor waits for work. Exceptions of an estimator end the bake
 // and are kept as error().
 #pragma once
 
@@ -26,12 +31,14 @@ namespace isolux::gi {
 struct WantedBlock {
   std::uint32_t block = 0;
   std::bitset<kTexelsOfBlock> texels;
+  bool operator==(const WantedBlock&) const = default;
 };
 
 // In the order in which they are served.
 enum class Wish { visible, nearby, band, rest };
 
 struct BakeCounters {
+  // Of all wishes, each texel once; those whose isosurface has no normal are wanted until that is known.
   std::uint64_t texelsWanted = 0, texelsDone = 0;    // done: have all samples
   std::uint64_t texelsStarted = 0;                   // have any
   std::uint64_t texelsLit = 0;                       // of all that are in the lattice
@@ -57,13 +64,14 @@ class LightBake {
   ~LightBake();  // stops and waits: at most 100 ms
 
   // Replaces the wishes of that kind; within it, blocks are served in the order given. Texels of several
-  // kinds count as the first.
+  // kinds count as the first; what is not in the lattice is passed over. Cheap enough for every frame.
   void want(Wish wish, std::vector<WantedBlock> blocks);
   // More samples go on where the texels are; fewer leave what there is.
   void setSamples(std::uint32_t samples);
   void setThreads(int threads);
   void setPaused(bool paused);
-  // Someone else needs the processor now (a frame is drawn): threads wait after what they are at.
+  // Someone else needs the processor now (a frame is drawn): threads wait after the call that they are at,
+  // until yield(false), but no longer than 250 ms after the first yield(true).
   void yield(bool yielding);
 
   BakeCounters counters() const;
@@ -78,7 +86,7 @@ class LightBake {
   std::unique_ptr<Parts> parts_;
 };
 
-// Samples of the rounds up to `samples`: 4, 16, 64, ..., samples.
+// Samples at the ends of the rounds up to `samples`: 4, 16, 64, ..., samples.
 std::vector<std::uint32_t> roundsUpTo(std::uint32_t samples);
 
 }  // namespace isolux::gi

@@ -1,19 +1,20 @@
 // Stored light: texels in blocks that exist only where something was lit. One thread at a time writes a
-// block, any number read; every write has a revision, so that readers take only what has changed.
+// block, any number read; every write has a revision, so that readers take only what has changed. A block is
+// immutable once written: writing exchanges it, and who still reads the old one keeps it.
 //
 // A texel holds the mean of its estimates so far and how many paths they are of (0: not baked). Contents:
-//   irradiance  E, rgb or one channel, for light of unit exposure                       (Wyman et al. 2006
-//   eq. 2) transfer    spherical harmonic coefficients of T, order^2 per channel; index channel * order^2 +
-//   i,
-//               E = sum T_i l_i with those of the environment                                        (eq. 5
-//               to 9)
+//   irradiance  E, rgb or one channel, for light of unit exposure (Wyman et al. 2006 eq. 2)
+//   transfer    spherical harmonic coefficients of T, order^2 per channel, index channel * order^2 + i:
+//               E = sum T_i l_i with those of the environment (eq. 5 to 9)
 // Normals are the texel's own (unit, world, outward), 0 where its isosurface has none: such texels stay
-// unbaked.
+// unbaked. Throws std::bad_alloc, and is then as before.
 #pragma once
 
 #include <array>
 #include <atomic>
+#include <bitset>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -34,11 +35,13 @@ struct LightContent {
   bool operator==(const LightContent&) const = default;
 };
 
-// Copy of a block.
 struct LatticeBlock {
   std::array<std::uint32_t, kTexelsOfBlock> samples{};
   std::array<glm::vec3, kTexelsOfBlock> normals{};
-  std::vector<float> means;  // kTexelsOfBlock x components, a texel's components side by side
+  std::bitset<kTexelsOfBlock> unlit;  // texels that were asked for and have no normal
+  std::vector<float> means;           // kTexelsOfBlock x components, a texel's components side by side
+
+  std::size_t bytes() const { return sizeof(LatticeBlock) + means.capacity() * sizeof(float); }
 };
 
 class LightLattice {
@@ -50,10 +53,13 @@ class LightLattice {
   const std::string& key() const { return key_; }  // JSON of all that its light depends on
 
   bool has(std::uint32_t block) const;
-  bool read(std::uint32_t block, LatticeBlock& out) const;  // false: nothing is lit there
-  void write(std::uint32_t block, const LatticeBlock& in);  // replaces the block, with a new revision
-  void clear();                                             // drops all light; revisions go on
+  std::shared_ptr<const LatticeBlock> at(std::uint32_t block) const;  // null: nothing is lit there
+  bool read(std::uint32_t block, LatticeBlock& out) const;            // a copy; false: nothing is lit there
+  void write(std::uint32_t block, LatticeBlock in);  // replaces the block, with a new revision
+  // Drops all light; revisions go on. A LightBake that fills the lattice must be gone before.
+  void clear();
 
+  // Of the newest write or clear(). Take it before changedSince(), so that nothing is missed.
   std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
   // Blocks written after `revision`, in the order of their last writing.
   std::vector<std::uint32_t> changedSince(std::uint64_t revision) const;
@@ -67,9 +73,12 @@ class LightLattice {
   std::string key_;
   mutable std::mutex mutex_;  // of the table; blocks are shared immutable copies
   std::vector<std::shared_ptr<const LatticeBlock>> blocks_;
-  std::vector<std::uint64_t> revisions_;
+  std::vector<std::uint64_t> revisions_;           // of each block's last writing
+  std::map<std::uint64_t, std::uint32_t> written_;  // blocks by revision
   std::atomic<std::uint64_t> revision_{0};
   std::uint64_t clearedAt_ = 0;
+  std::uint64_t bakedTexels_ = 0;
+  std::size_t blockBytes_ = 0;
 };
 
 }  // namespace isolux::gi
