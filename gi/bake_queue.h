@@ -76,8 +76,8 @@ class BakeQueue {
   std::array<std::vector<WantedBlock>, kWishes> wishes_;
   std::array<Heap, kWishes> heaps_;
   std::array<std::uint64_t, kWishes> generations_{};
-  std::uint64_t generation_ = 1;  // changes with any wish and with the number of samples
-  std::vector<Entry> entries_;    // of blocks
+  std::uint64_t generation_ = 1;      // changes with any wish and with the number of samples
+  std::vector<Entry> entries_;        // of blocks
   std::vector<std::uint32_t> place_;  // of blocks, for cleaned()
   // What came to its turn while its block was taken for another wish.
   std::vector<std::pair<std::size_t, std::uint32_t>> waiting_;

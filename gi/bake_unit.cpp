@@ -21,9 +21,9 @@ constexpr double kFewestPaths = 256.0, kMostPaths = 65536.0;
 void UnitRunner::run(const BakeQueue::Unit& unit, const std::stop_token& stop, const AfterCall& leave) {
   LatticeBlock block;
   if (!lattice_.read(unit.block, block))
-    block.means.assign(static_cast<std::size_t>(kTexelsOfBlock) *
-                           static_cast<std::size_t>(lattice_.content().components()),
-                       0.0f);
+    block.means.assign(
+        static_cast<std::size_t>(kTexelsOfBlock) * static_cast<std::size_t>(lattice_.content().components()),
+        0.0f);
   changed_ = false;
   try {
     findNormals(unit, block);
@@ -91,8 +91,7 @@ bool UnitRunner::bring(const BakeQueue::Unit& unit, LatticeBlock& block, const s
   const float weight = static_cast<float>(count) / static_cast<float>(unit.target);
   for (std::size_t t = 0; t < indices_.size(); ++t) {
     float* const mean = block.means.data() + indices_[t] * components;
-    for (std::size_t c = 0; c < components; ++c)
-      mean[c] += (means_[t * components + c] - mean[c]) * weight;
+    for (std::size_t c = 0; c < components; ++c) mean[c] += (means_[t * components + c] - mean[c]) * weight;
     block.samples[indices_[t]] = unit.target;
   }
   changed_ = true;

@@ -315,8 +315,8 @@ BakeCounters LightBake::counters() const {
 
 bool LightBake::waitFor(std::uint32_t samples, double timeoutSeconds) const {
   using Seconds = std::chrono::duration<double>;
-  const auto deadline =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(std::clamp(timeoutSeconds, 0.0, 1e8)));
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           Seconds(std::clamp(timeoutSeconds, 0.0, 1e8)));
   BakeQueue::Cursor cursor;
   for (;;) {
     std::uint64_t seen = 0;
@@ -343,6 +343,8 @@ std::optional<scene::Error> LightBake::error() const {
   return parts_->error;
 }
 
-const std::shared_ptr<LightLattice>& LightBake::lattice() const { return parts_->lattice; }
+const std::shared_ptr<LightLattice>& LightBake::lattice() const {
+  return parts_->lattice;
+}
 
 }  // namespace isolux::gi

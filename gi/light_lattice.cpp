@@ -28,7 +28,9 @@ std::shared_ptr<const LatticeBlock> LightLattice::at(std::uint32_t block) const 
   return blocks_[block];
 }
 
-bool LightLattice::has(std::uint32_t block) const { return at(block) != nullptr; }
+bool LightLattice::has(std::uint32_t block) const {
+  return at(block) != nullptr;
+}
 
 bool LightLattice::read(std::uint32_t block, LatticeBlock& out) const {
   const std::shared_ptr<const LatticeBlock> in = at(block);

@@ -73,7 +73,7 @@ class LightLattice {
   std::string key_;
   mutable std::mutex mutex_;  // of the table; blocks are shared immutable copies
   std::vector<std::shared_ptr<const LatticeBlock>> blocks_;
-  std::vector<std::uint64_t> revisions_;           // of each block's last writing
+  std::vector<std::uint64_t> revisions_;            // of each block's last writing
   std::map<std::uint64_t, std::uint32_t> written_;  // blocks by revision
   std::atomic<std::uint64_t> revision_{0};
   std::uint64_t clearedAt_ = 0;
