@@ -225,22 +225,22 @@ TEST(LightBake, EndsAtOnceWithAnEstimatorThatIsSlow) {
 
 TEST(LightBake, PauseLetsNoCallBegin) {
   const auto estimator = std::make_shared<FormulaEstimator>();
-  std::atomic<bool> pausing{false};
-  std::atomic<int> begun{0};
-  estimator->before = [&](std::span<const glm::ivec3>, SampleRange, std::stop_token) {
-    begun += pausing;
-    return true;
+  Gate gate;
+  estimator->before = [&](std::span<const glm::ivec3>, SampleRange, std::stop_token stop) {
+    return gate.pass(stop);
   };
   const auto lattice = makeLattice(*estimator);
   LightBake bake(lattice, estimator, {.samples = 256, .threads = 2});
   bake.want(Wish::rest, everything());
-  while (estimator->calls < 4) std::this_thread::yield();
+  gate.allow(4);
+  while (estimator->calls < 5) std::this_thread::yield();
+  gate.awaitCaller();
   bake.setPaused(true);
-  pausing = true;
+  const std::uint64_t calls = estimator->calls;
+  gate.allow(1 << 30);
   EXPECT_FALSE(bake.waitFor(0, 0.05));
-  EXPECT_LE(begun, 2);  // each thread may have been about to call
+  EXPECT_LE(estimator->calls, calls + 2);  // each thread may have been about to call
   EXPECT_TRUE(bake.counters().paused);
-  pausing = false;
   bake.setPaused(false);
   EXPECT_TRUE(bake.waitFor(0, kNeverSeconds));
   EXPECT_EQ(differenceFrom(*lattice, 256), "");
