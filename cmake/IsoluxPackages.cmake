@@ -7,6 +7,7 @@ find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 pkg_check_modules(glm REQUIRED IMPORTED_TARGET glm)
 pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
+pkg_check_modules(libhwy REQUIRED IMPORTED_TARGET libhwy)
 # OpenImageIO's CMake package wants OpenCV's headers; its pkg-config file does not.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOImage IOXML
@@ -16,6 +17,7 @@ find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets S
 find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
+find_package(embree 3 REQUIRED)  # of the benchmarks only
 # Teem's own CMake package changes the flags of the whole project.
 find_path(TEEM_INCLUDE_DIR teem/gage.h REQUIRED)
 find_library(TEEM_LIBRARY teem REQUIRED)

@@ -41,6 +41,14 @@ bool enterVolume(const View& view, const TraceRay& ray, glm::vec3& origin, float
 
 namespace {
 
+// SIMD kernels count bytes in 32 bits, from both tables' cells.
+bool simdCanTrace(const Grid& grid, const CellRanges& ranges) {
+  constexpr std::size_t most = std::size_t{1} << 31;
+  const std::size_t voxels = grid.geometry().voxelCount();
+  const bool floats = grid.storedType() == VoxelType::float32;
+  return ranges.bytes() - ranges.cellBytes() < most + 4 && (floats ? voxels : 2 * voxels) <= most;
+}
+
 const Kernels* kernelsOf(TracerTarget target) {
   if (target == TracerTarget::scalar) return &scalarKernels();
   if (target != TracerTarget::automatic) return simdKernels(target);
@@ -61,6 +69,7 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
       view_(std::make_unique<tracing::View>()),
       kernels_(tracing::kernelsOf(target)) {
   assert(kernels_);
+  if (!tracing::simdCanTrace(*grid_, ranges_)) kernels_ = &tracing::scalarKernels();
   view_->dims = grid_->dims();
   view_->blockDims = ranges_.blockDims();
   view_->scale = (inside == scene::Inside::above) == (grid_->slope() > 0.0) ? 1.0f : -1.0f;
