@@ -24,6 +24,7 @@ enum class Aov {
   direction1,
   direction2,
   curvature_confidence,
+  irradiance,
   hit
 };
 struct AovInfo {
@@ -44,6 +45,8 @@ struct FrameRequest {
   // Bricks uploaded in one frame, where the volume is in bricks; the next frames go on
   // (FrameReport::bricks.pending). 0: the frame takes as long as it takes to be complete.
   std::size_t brickUploadBytes = 0;
+  // Stored light uploaded in one frame; the next frames go on (FrameReport::light.pending). 0: all of it.
+  std::size_t lightUploadBytes = 0;
 };
 
 enum class PassState { ran, cached, skipped };
@@ -69,12 +72,23 @@ struct BrickReport {
   bool pending = false;  // the next frame gets further; otherwise what is missing does not fit
 };
 
+// Of stored light (Renderer::setLight), as far as the frame read it.
+struct LightReport {
+  bool stored = false;
+  std::size_t resident = 0, uploaded = 0;  // blocks of the lattices; in this frame
+  std::size_t withoutRoom = 0;             // blocks that do not fit into memory.gpu_budget_mb: local light
+  std::size_t bytes = 0;
+  bool pending = false;  // the next frame gets further
+};
+
 struct FrameReport {
   std::vector<PassReport> passes;
   double milliseconds = 0.0;  // wall time of the frame, GL finished
   std::size_t blocksActive = 0, blocksTotal = 0;
   BrickReport bricks;
-  std::size_t gpuBytes = 0;  // textures and buffers held by the renderer
+  LightReport light;
+  bool surfaceChanged = false;  // the surface points were found anew: Renderer::hitVoxels() differ
+  std::size_t gpuBytes = 0;     // textures and buffers held by the renderer
 };
 
 // Row 0 is the top row.

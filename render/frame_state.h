@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gi/picture_light.h"
 #include "render/frame.h"
 #include "render/gpu_volume.h"
 #include "render/image_pool.h"
@@ -33,10 +34,13 @@ struct FrameState {
   FrameRequest request;
   std::optional<ViewUniforms> view;
   std::vector<Surface> surfaces;
-  std::optional<GpuVolume> volume;  // none: nothing is loaded
+  std::optional<GpuVolume> volume;                // none: nothing is loaded
+  std::shared_ptr<const gi::PictureLight> light;  // null: nobody has said what it is
+  bool readsLight = false;                        // something in this frame reads light of the surface points
   ImagePool images;
   // Of the hits in bricks: nothing is cleared, what cannot be drawn anew stays (renderer.cpp).
   bool keepHits = false;
+  std::vector<glm::vec3> hitsBehind;  // of the layers, where the look reads stored light: voxel coordinates
   std::string layer;  // of the images drawn now: "" the first crossing, otherwise one behind (layers pass)
 
   glm::ivec2 raySize() const { return request.size * request.supersampling; }

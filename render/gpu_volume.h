@@ -26,6 +26,7 @@ class GpuVolume {
   GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
 
   const volume::Grid& grid() const { return volume_->grid(); }
+  std::shared_ptr<const volume::Grid> sharedGrid() const { return volume_->volume.grid; }
   bool hasCells() const;  // an axis of one voxel has none, and no surface
 
   // Makes room for what a scene's fields need and is not there yet, as one texture each or as bricks

@@ -19,7 +19,8 @@ enum Unit {
   directionUnit,
   colorMapUnit,
   shadowUnit,
-  flowUnit
+  flowUnit,
+  irradianceUnit
 };
 
 // The parts of shade.frag.glsl that this scene needs.
@@ -75,6 +76,9 @@ void LookPasses::setLight(FrameState& frame, Program& p) const {
   p.set("uToneWarm", glm::vec3(look.toneWarm));
   if (needsOf(*frame.scene).shadow) p.setTexture("uLit", shadowUnit, frame.image(pass::shadow));
   p.set("uShadow", static_cast<float>(look.shadow));
+  if (!needsOf(*frame.scene).light) return;
+  p.setTexture("uIrradiance", irradianceUnit, frame.image(pass::irradiance));
+  p.set("uExposure", exposureOf(*frame.scene, frame.light.get()));
 }
 
 void LookPasses::setMeasure(FrameState& frame, Program& p) {
@@ -149,14 +153,22 @@ void LookPasses::shade(FrameState& frame) {
     drawShading(frame);
 }
 
+void LookPasses::keepHits(FrameState& frame) {
+  constexpr std::size_t most = 1u << 20;
+  const std::vector<float> surface = frame.image(pass::refine).readFloats(4);
+  for (std::size_t i = 0; i < surface.size() && frame.hitsBehind.size() < most; i += 4)
+    if (surface[i + 3] >= 0.0f) frame.hitsBehind.emplace_back(surface[i], surface[i + 1], surface[i + 2]);
+}
+
 void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives,
-                        EffectPasses& effects) {
+                        EffectPasses& effects, LightPasses& light) {
   const Target& color = frame.target(pass::layers, {GL_RGBA16F});
   const Target& front = frame.images.at(pass::shade);
   const glm::ivec2 size = frame.raySize();
   const Gl& gl = *frame.gl;
   gl.BlitNamedFramebuffer(front.framebuffer.id(), color.framebuffer.id(), 0, 0, size.x, size.y, 0, 0, size.x,
                           size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  frame.hitsBehind.clear();
   if (frame.empty()) return;
   // Each layer reads the surface image of the one before it: two names in turn.
   const char* const names[2] = {" of a layer", " of the next layer"};
@@ -172,6 +184,10 @@ void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& de
       derivatives.gradient(frame);
     }
     const LookNeeds needs = needsOf(*frame.scene);
+    if (needs.light) {
+      light.irradiance(frame);
+      keepHits(frame);
+    }
     if (needs.shadow) effects.shadow(frame);
     if (needs.flow) {
       effects.flowField(frame);
@@ -188,10 +204,12 @@ void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& de
   frame.layer.clear();
 }
 
-void LookPasses::resolve(FrameState& frame) {
+void LookPasses::resolve(FrameState& frame, LightPasses& light) {
   const Target& target = frame.images.make(frame.gl, pass::resolve, frame.request.size, {GL_RGBA8});
   frame.begin(target, frame.request.size);
-  Program& p = frame.program("resolve.frag.glsl");
+  const bool environment = needsOf(*frame.scene).light && frame.light && frame.light->background;
+  Program& p = frame.program("resolve.frag.glsl", environment ? "#define ENVIRONMENT\n" : "");
+  if (environment) light.setBackground(frame, p, 1);
   p.setTexture("uColor", 0, frame.image(isTransparent(*frame.scene) ? pass::layers : pass::shade));
   p.set("uSupersampling", frame.request.supersampling);
   p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));

@@ -6,6 +6,7 @@
 #include "render/effect_passes.h"
 #include "render/frame_state.h"
 #include "render/hit_passes.h"
+#include "render/light_passes.h"
 #include "volume/curvature_statistics.h"
 
 namespace isolux::render {
@@ -15,10 +16,12 @@ class LookPasses {
   void ranges(FrameState& frame);
   void shade(FrameState& frame);
   // Crossings behind transparent surfaces, one after another until nothing is seen any more.
-  void layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives, EffectPasses& effects);
-  void resolve(FrameState& frame);
+  void layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives, EffectPasses& effects,
+              LightPasses& light);
+  void resolve(FrameState& frame, LightPasses& light);
 
  private:
+  static void keepHits(FrameState& frame);  // of the frame's layer, for the bake
   // Draws the look of the frame's layer into what is bound.
   void drawShading(FrameState& frame);
   void setSurfaces(FrameState& frame, Program& program) const;

@@ -74,7 +74,9 @@ LookNeeds needsOf(const scene::Scene& scene) {
   needs.gradient = scene.look.mode != scene::LookMode::depth;
   needs.curvature = needsCurvature(scene);
   needs.ranges = readsCurvatureRanges(scene);
-  needs.shadow = scene.look.shadow > 0.0 && scene::shadingOf(scene) != scene::Shading::unlit;
+  const scene::Shading shading = scene::shadingOf(scene);
+  needs.light = shading == scene::Shading::gi;
+  needs.shadow = scene.look.shadow > 0.0 && shading != scene::Shading::unlit && !needs.light;
   needs.flow = scene::showsFlow(scene);
   return needs;
 }
@@ -92,7 +94,7 @@ void addLight(Hasher& hash, const scene::Scene& scene) {
   const scene::Light& light = scene.light;
   const scene::Shading shading = scene::shadingOf(scene);
   hash.add(shading);
-  if (shading == scene::Shading::unlit) return;
+  if (shading == scene::Shading::unlit || shading == scene::Shading::gi) return;
   hash.add(light.space).add(light.direction).add(look.shadow);
   if (shading == scene::Shading::tone) {
     hash.add(look.toneCool).add(look.toneWarm);
@@ -161,7 +163,7 @@ std::uint64_t shadowHash(const scene::Scene& scene) {
 }
 
 bool readsGradient(Aov aov) {
-  return aov == Aov::normal || aov == Aov::gradient;
+  return aov == Aov::normal || aov == Aov::gradient || aov == Aov::irradiance;
 }
 
 std::uint64_t isovaluesHash(const scene::Scene& scene) {
@@ -176,20 +178,26 @@ std::uint64_t isovaluesHash(const scene::Scene& scene) {
 std::uint64_t surfacesHash(const scene::Scene& scene) {
   Hasher hash;
   const scene::Isosurface& first = scene.isosurface;
-  hash.add(first.opacity).add(first.albedoSource);
-  if (first.albedoSource == scene::AlbedoSource::map)
+  const bool colored = !isPlain(scene) && !isMeasure(scene.look.mode);
+  const bool mapped = colored && first.albedoSource == scene::AlbedoSource::map;
+  hash.add(first.opacity).add(mapped);
+  if (mapped)
     hash.add(first.albedoMap).add(first.albedoLow).add(first.albedoHigh).add(isovaluesHash(scene));
-  else
+  else if (colored)
     hash.add(first.albedo);
-  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    if (extra->shown) hash.add(extra->albedo).add(extra->opacity);
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4}) {
+    if (!extra->shown) continue;
+    hash.add(extra->opacity);
+    if (colored && !mapped) hash.add(extra->albedo);
+  }
   return hash;
 }
 
 }  // namespace
 
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
-                                           std::uint64_t volumeHash, const BrickState& bricks) {
+                                           std::uint64_t volumeHash, const BrickState& bricks,
+                                           const LightState& light) {
   const scene::Look& look = scene.look;
   const Parameter volume{"volume", Hasher().add(volumeHash)};
   const Parameter isovalue{"isovalue", isovaluesHash(scene)};
@@ -270,9 +278,32 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   if (needs.ranges) shade.reads.emplace_back(image::ranges);
   if (needs.shadow) shade.reads.emplace_back(image::shadow);
   if (needs.flow) shade.reads.emplace_back(image::flow);
+  const Parameter exposure{
+      "exposure",
+      needs.light ? Hasher().add(scene.picture.exposure.value_or(light.automaticExposure)) : Hasher()};
+  const Parameter lightOf{"light", Hasher().add(light.version)};
+  const Parameter interpolation{
+      "gi.interpolation", light.stored ? Hasher().add(light.storage).add(scene.gi.interpolation) : Hasher()};
+  PassDeclaration storedLight{pass::light,
+                              {},
+                              {image::light},
+                              {{"lattice", Hasher().add(light.storage)},
+                               {"stored light", Hasher().add(light.skyRevision).add(light.lampsRevision)},
+                               {"uploads left over", Hasher().add(light.unfinished)}},
+                              "no look reads stored light"};
+  PassDeclaration irradiance{pass::irradiance,
+                             {image::surface, image::gradient},
+                             {image::irradiance},
+                             {camera, inside, lightOf, interpolation},
+                             "no look reads light of the surface points"};
+  if (light.stored) irradiance.reads.emplace_back(image::light);
+  if (needs.light) {
+    shade.reads.emplace_back(image::irradiance);
+    shade.parameters.push_back(exposure);
+  }
   const Parameter splineOf{"derivatives.field",
                            Hasher().add(scene.derivatives.field == scene::Field::cubic_interpolating)};
-  const Parameter light{"light", needs.shadow ? shadowHash(scene) : Hasher()};
+  const Parameter keyLight{"key light", needs.shadow ? shadowHash(scene) : Hasher()};
   const scene::Flow& flow = scene.flow;
   const Parameter streaks{"flow field", needs.flow ? Hasher().add(flow.direction).add(flow.grain) : Hasher()};
   const Parameter pattern{
@@ -293,15 +324,21 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                           noise,
                           lookOf,
                           surfaces,
-                          light,
+                          keyLight,
                           streaks,
                           pattern,
                           {"isosurface.layers", Hasher().add(scene.isosurface.layers)}},
                          "every surface is opaque"};
   if (needs.ranges) layers.reads.emplace_back(image::ranges);
+  if (needs.light) {
+    layers.parameters.insert(layers.parameters.end(), {exposure, lightOf, interpolation});
+    if (light.stored) layers.reads.emplace_back(image::light);
+  }
   if (!transparent) layers.reads = {image::surface};
   PassDeclaration resolve{
       pass::resolve, {image::color}, {image::picture}, {size, background, {"legend", legendHash(scene)}}, ""};
+  if (needs.light && light.background)
+    resolve.parameters.insert(resolve.parameters.end(), {exposure, lightOf, camera});
   if (showsLegend(scene) && needs.ranges) resolve.reads.emplace_back(image::ranges);
 
   return {
@@ -317,7 +354,7 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
       {pass::shadow,
        {image::surface, image::gradient, image::activeBlocks},
        {image::shadow},
-       {camera, method, hitField, inside, light},
+       {camera, method, hitField, inside, keyLight},
        ""},
       {pass::flowField,
        {image::surface, image::gradient, image::curvature},
@@ -325,6 +362,8 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
        {camera, size, inside, streaks},
        ""},
       {pass::flow, {image::flowField}, {image::flow}, {size, pattern}, ""},
+      storedLight,
+      irradiance,
       shade,
       layers,
       resolve,
@@ -340,7 +379,9 @@ std::vector<std::string> wantedImages(const FrameRequest& request) {
   std::vector<std::string> wanted;
   if (request.color) wanted.emplace_back(image::picture);
   for (const Aov aov : request.aovs) {
-    if (readsGradient(aov))
+    if (aov == Aov::irradiance)
+      wanted.emplace_back(image::irradiance);
+    else if (readsGradient(aov))
       wanted.emplace_back(image::gradient);
     else if (aov == Aov::hessian)
       wanted.emplace_back(image::hessian);

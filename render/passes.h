@@ -12,6 +12,8 @@
 //   ranges     the surface's curvature as a whole, from the volume: numbers that are automatic   (no view)
 //   shadow     a second ray from each surface point to the key light
 //   flow field direction on screen and noise on the surface;  flow: streaks along it
+//   light      uploads of stored light that changed since the last frame
+//   irradiance stored light, looked up at the surface points; local light where nothing is stored
 //   shade      the look, linear colour, of the first crossing
 //   layers     the crossings behind transparent surfaces: cast to shade again for each, front to back
 //   resolve    background, supersamples averaged, sRGB encoded, legend
@@ -28,7 +30,8 @@ namespace pass {
 inline constexpr const char *blocks = "blocks", *segments = "segments", *bricks = "bricks", *cast = "cast",
                             *refine = "refine", *gradient = "gradient", *hessian = "hessian",
                             *curvature = "curvature", *ranges = "ranges", *shadow = "shadow",
-                            *flowField = "flow field", *flow = "flow", *shade = "shade", *layers = "layers",
+                            *flowField = "flow field", *flow = "flow", *light = "light",
+                            *irradiance = "irradiance", *shade = "shade", *layers = "layers",
                             *resolve = "resolve";
 }
 namespace image {
@@ -36,8 +39,9 @@ inline constexpr const char *activeBlocks = "active blocks", *faces = "block fac
                             *segments = "ray segments", *bricks = "resident bricks", *bracket = "brackets",
                             *surface = "surface points", *gradient = "gradients", *hessian = "Hessians",
                             *curvature = "curvatures", *ranges = "curvature ranges", *shadow = "shadows",
-                            *flowField = "flow fields", *flow = "streaks", *front = "front colour",
-                            *color = "colour", *picture = "picture";
+                            *flowField = "flow fields", *flow = "streaks", *light = "stored light",
+                            *irradiance = "irradiances", *front = "front colour", *color = "colour",
+                            *picture = "picture";
 }
 
 // What a look reads.
@@ -47,6 +51,7 @@ struct LookNeeds {
   bool ranges = false;  // numbers from the surface's curvature as a whole
   bool shadow = false;
   bool flow = false;
+  bool light = false;  // irradiance at the surface points
 };
 LookNeeds needsOf(const scene::Scene& scene);
 // Colours stand for numbers: kappas, mean, Gaussian, shape index, curvedness, and the (kappa1, kappa2)
@@ -69,9 +74,21 @@ struct BrickState {
   std::uint64_t asked = 0;  // changes when rays ask for bricks that the next frame can give
 };
 
+// The light of a picture (gi::PictureLight), as far as passes depend on it.
+struct LightState {
+  bool stored = false;        // there is a lattice, and the frame reads it
+  std::uint64_t storage = 0;  // changes when other lattices, or other contents of them, are held
+  std::uint64_t skyRevision = 0, lampsRevision = 0;  // of the lattices
+  std::uint64_t unfinished = 0;                      // changes with each frame that has left uploads over
+  std::uint64_t version = 0;                         // of all but the lattices; 0: nobody has said what it is
+  float automaticExposure = 0.0f;                    // stops
+  bool background = false;                           // the environment is there to be seen
+};
+
 // `volumeHash` identifies the voxels (0: none).
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
-                                           std::uint64_t volumeHash, const BrickState& bricks = {});
+                                           std::uint64_t volumeHash, const BrickState& bricks = {},
+                                           const LightState& light = {});
 // The images a request reads in the end. An opaque picture has no layers pass: shade writes its colour.
 std::vector<std::string> wantedImages(const FrameRequest& request);
 

@@ -49,6 +49,9 @@ Source sourceOf(const FrameState& frame, Aov aov) {
       source.gradient = frame.gradientImage().readFloats(4);
       source.second = frame.image(pass::curvature, 1).readFloats(4);
       break;
+    case Aov::irradiance:
+      source.first = frame.image(pass::irradiance).readFloats(4);
+      break;
     case Aov::hit:
     case Aov::voxel:
     case Aov::position:
@@ -148,6 +151,9 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
       case Aov::curvature_confidence:
         out[0] = source.first[4 * i + 2];
         break;
+      case Aov::irradiance:
+        if (drawn.lit) put(vectorAt(source.first, i));
+        break;
       case Aov::direction1:
         put(vectorAt(source.second, i));
         break;
@@ -157,6 +163,24 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
     }
   }
   return image;
+}
+
+std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
+  constexpr std::size_t most = 1u << 20;
+  std::vector<glm::vec3> hits;
+  if (drawn.raySize.x == 0 || !frame.images.has(pass::refine)) return hits;
+  const std::vector<float> surface = frame.images.at(pass::refine).images[0].readFloats(4);
+  const std::size_t width = static_cast<std::size_t>(drawn.raySize.x),
+                    height = static_cast<std::size_t>(drawn.raySize.y);
+  std::size_t step = 1;  // on both axes: what lies between is near
+  while ((width / step) * (height / step) > most) ++step;
+  for (std::size_t y = 0; y < height; y += step)
+    for (std::size_t x = 0; x < width; x += step) {
+      const float* s = &surface[4 * (y * width + x)];
+      if (s[3] >= 0.0f) hits.emplace_back(s[0], s[1], s[2]);
+    }
+  if (drawn.layered) hits.insert(hits.end(), frame.hitsBehind.begin(), frame.hitsBehind.end());
+  return hits;
 }
 
 std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::ivec2 pixel) {

@@ -15,11 +15,13 @@ struct DrawnFrame {
   double outward = -1.0;    // times the gradient: the outward normal
   scene::Field hitField = scene::Field::trilinear;
   bool layered = false;  // the layers pass wrote the colour
+  bool lit = false;      // somebody had said what the light is
 };
 
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
 LinearImage readLinear(const FrameState& frame, const DrawnFrame& drawn);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
+std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& drawn);
 std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::ivec2 pixel);
 
 }  // namespace isolux::render

@@ -12,6 +12,7 @@
 #include "render/effect_passes.h"
 #include "render/frame_state.h"
 #include "render/hit_passes.h"
+#include "render/light_passes.h"
 #include "render/look_passes.h"
 #include "render/readback.h"
 
@@ -94,12 +95,13 @@ class PassClock {
 }  // namespace
 
 struct Renderer::Parts {
-  explicit Parts(const GlPtr& gl) : frame(gl), hits(gl) {}
+  explicit Parts(const GlPtr& gl) : frame(gl), hits(gl), lights(gl) {}
 
   FrameState frame;
   HitPasses hits;
   DerivativePasses derivatives;
   EffectPasses effects;
+  LightPasses lights;
   LookPasses looks;
   FrameGraph graph;
   FrameReport report;
@@ -128,6 +130,10 @@ void Renderer::setVolume(std::shared_ptr<const volume::PreparedVolume> volume) {
   parts_->frame.volume.reset();
 }
 
+void Renderer::setLight(std::shared_ptr<const gi::PictureLight> light) {
+  parts_->frame.light = std::move(light);
+}
+
 void Renderer::invalidate() {
   parts_->graph.invalidate();
 }
@@ -138,13 +144,20 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   frame.surfaces = surfacesOf(scene);
   if (volume && !frame.volume) frame.volume.emplace(frame.gl, volume);
   if (frame.volume) frame.volume->require(scene);
+  frame.readsLight =
+      (request.color && needsOf(scene).light) ||
+      std::find(request.aovs.begin(), request.aovs.end(), Aov::irradiance) != request.aovs.end();
+  // What the volume leaves of the budget, but a quarter in any case: a cache of bricks takes all there is.
+  const std::size_t budget = static_cast<std::size_t>(scene.memory.gpuBudgetMb) << 20;
+  const std::size_t taken = frame.volume ? frame.volume->bytes() : 0;
+  lights.prepare(frame, std::max(budget / 4, budget - std::min(budget, taken)));
   const volume::GridGeometry none = volume::GridGeometry::make(glm::ivec3(2), glm::dvec3(1.0));
   frame.view.emplace(scene.camera, static_cast<double>(request.size.x) / request.size.y,
                      volume ? volume->grid().geometry() : none);
   // The size is a parameter of the passes, so that images of another size are drawn anew.
   if (drawn.raySize != frame.raySize()) frame.images.clear();
-  drawn = {frame.raySize(), request.size,    frame.view->rayStartMm,
-           frame.outward(), scene.hit.field, isTransparent(scene)};
+  drawn = {frame.raySize(), request.size,         frame.view->rayStartMm, frame.outward(),
+           scene.hit.field, isTransparent(scene), frame.light != nullptr};
 }
 
 void Renderer::Parts::run(const std::string& name) {
@@ -161,9 +174,11 @@ void Renderer::Parts::run(const std::string& name) {
       {pass::shadow, [](Parts& p) { p.effects.shadow(p.frame); }},
       {pass::flowField, [](Parts& p) { p.effects.flowField(p.frame); }},
       {pass::flow, [](Parts& p) { p.effects.flow(p.frame); }},
+      {pass::light, [](Parts& p) { p.lights.light(p.frame); }},
+      {pass::irradiance, [](Parts& p) { p.lights.irradiance(p.frame); }},
       {pass::shade, [](Parts& p) { p.looks.shade(p.frame); }},
-      {pass::layers, [](Parts& p) { p.looks.layers(p.frame, p.hits, p.derivatives, p.effects); }},
-      {pass::resolve, [](Parts& p) { p.looks.resolve(p.frame); }}};
+      {pass::layers, [](Parts& p) { p.looks.layers(p.frame, p.hits, p.derivatives, p.effects, p.lights); }},
+      {pass::resolve, [](Parts& p) { p.looks.resolve(p.frame, p.lights); }}};
   runs.at(name)(*this);
 }
 
@@ -221,6 +236,7 @@ std::size_t Renderer::Parts::bytesOf(const std::string& name) const {
   if (name == pass::blocks) return frame.volume ? frame.volume->blockBytes() : 0;
   if (name == pass::bricks)
     return frame.volume && frame.volume->bricks() ? frame.volume->bricks()->bytes() : 0;
+  if (name == pass::light) return lights.atlasBytes();
   // Exact hits are surface points without a bracket before.
   return frame.images.bytesOf(name == pass::cast && !frame.images.has(pass::cast) ? pass::refine : name);
 }
@@ -236,8 +252,8 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   try {
     parts.prepare(scene, request);
     Bricks* const bricks = parts.frame.volume ? parts.frame.volume->bricks() : nullptr;
-    const auto passes =
-        declarePasses(scene, request, parts.volume ? parts.volume->grid().hash() : 0, parts.brickState());
+    const auto passes = declarePasses(scene, request, parts.volume ? parts.volume->grid().hash() : 0,
+                                      parts.brickState(), parts.lights.state(parts.frame));
     const auto plan = parts.graph.plan(passes, wantedImages(request));
     parts.frame.withHessian = std::any_of(plan.begin(), plan.end(), [&](const PlannedPass& entry) {
       return passes[entry.index].name == pass::hessian && entry.state != PassState::skipped;
@@ -276,9 +292,11 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   gl.UseProgram(0);
   if (passRan(parts.report, pass::cast)) parts.complete = request.brickUploadBytes == 0;
   parts.reportBricks();
+  if (parts.frame.readsLight) parts.lights.report(parts.report.light);
+  parts.report.surfaceChanged = passRan(parts.report, pass::cast) || passRan(parts.report, pass::refine);
   parts.report.milliseconds = millisecondsSince(begin);
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;
-  parts.report.gpuBytes = parts.frame.images.bytes();
+  parts.report.gpuBytes = parts.frame.images.bytes() + parts.lights.bytes();
   if (parts.frame.volume) {
     parts.report.blocksActive = parts.frame.volume->activeBlocks();
     parts.report.gpuBytes += parts.frame.volume->bytes();
@@ -308,6 +326,10 @@ LinearImage Renderer::readLinear() {
 
 AovImage Renderer::readAov(Aov aov) {
   return render::readAov(parts_->frame, parts_->drawn, aov);
+}
+
+std::vector<glm::vec3> Renderer::hitVoxels() {
+  return render::hitVoxels(parts_->frame, parts_->drawn);
 }
 
 std::optional<Pick> Renderer::pick(glm::ivec2 pixel) {

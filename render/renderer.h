@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "gi/picture_light.h"
 #include "render/frame.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
@@ -26,6 +27,10 @@ class Renderer {
   // Uploads at the next render(). Null: the background only.
   void setVolume(std::shared_ptr<const volume::PreparedVolume> volume);
 
+  // The light of the next pictures; null: nobody has said what it is, and looks that read it show a neutral
+  // sky. Its lattices may go on being filled; each render() takes what is there.
+  void setLight(std::shared_ptr<const gi::PictureLight> light);
+
   // `scene` must be resolved (scene::resolve). Only what `request` needs is computed; what has not changed
   // since the last call is not computed again.
   const FrameReport& render(const scene::Scene& scene, const FrameRequest& request);
@@ -41,6 +46,9 @@ class Renderer {
   AovImage readAov(Aov aov);
   // pixel: (0,0) is the top left of the last picture's request.size. Empty where there is no surface.
   std::optional<Pick> pick(glm::ivec2 pixel);
+  // Voxel coordinates of the surface points of the last picture, those behind transparent surfaces too where
+  // the look reads stored light; about a million at most, evenly chosen. Pixels without one are left out.
+  std::vector<glm::vec3> hitVoxels();
 
  private:
   struct Parts;

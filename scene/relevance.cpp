@@ -297,7 +297,8 @@ const std::array rules = {
     Rule{"picture.exposure", usesGi, noGi},
     Rule{"picture.motion_target", [](const Scene& s) { return s.picture.adaptive; },
          "pictures in motion are not reduced"},
-    Rule{"memory.gpu_budget_mb", [](const Scene& s) { return s.memory.layout != MemoryLayout::whole; },
+    Rule{"memory.gpu_budget_mb",
+         [](const Scene& s) { return s.memory.layout != MemoryLayout::whole || storesLight(s); },
          "the volume is kept whole"},
 };
 

@@ -13,6 +13,14 @@ vec3 lighted(vec3 base, Point p, float lit) {
   // Squared: a surface lit from near the eye would show little of the cool side.
   return mix(mix(uToneCool, base, 0.25), mix(uToneWarm, base, 0.5), warmth * warmth);
 }
+#elif SHADING == SHADING_GI
+uniform sampler2D uIrradiance;
+uniform float uExposure;  // 2^stops
+
+vec3 lighted(vec3 base, Point p, float lit) {
+  const float pi = 3.14159265;
+  return base * texelFetch(uIrradiance, ivec2(gl_FragCoord.xy), 0).rgb * (uExposure / pi);
+}
 #elif SHADING == SHADING_UNLIT
 vec3 lighted(vec3 base, Point p, float lit) { return base; }
 #else

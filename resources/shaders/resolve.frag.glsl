@@ -1,5 +1,8 @@
 // The background behind what is shaded; supersamples averaged in linear light, encoded as sRGB, with a dither of one step against banding.
 #include "background.glsl"
+#ifdef ENVIRONMENT
+#include "environment.glsl"
+#endif
 uniform sampler2D uColor;  // premultiplied
 uniform int uSupersampling;
 layout(location = 0) out vec4 oPicture;
@@ -25,7 +28,12 @@ void main() {
     for (int x = 0; x < uSupersampling; ++x) {
       ivec2 ray = pixel * uSupersampling + ivec2(x, y);
       vec4 color = texelFetch(uColor, ray, 0);
-      sum += min(color.rgb + (1.0 - color.a) * backgroundAt((float(ray.y) + 0.5) / float(rays.y)), vec3(1.0));
+#ifdef ENVIRONMENT
+      vec3 behind = environmentAt((vec2(ray) + 0.5) / vec2(rays));
+#else
+      vec3 behind = backgroundAt((float(ray.y) + 0.5) / float(rays.y));
+#endif
+      sum += min(color.rgb + (1.0 - color.a) * behind, vec3(1.0));
     }
   float dither = (noise(uvec2(pixel)) - 0.5) / 255.0;
   oPicture = vec4(encoded(sum / float(uSupersampling * uSupersampling)) + dither, 1.0);

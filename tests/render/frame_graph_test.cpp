@@ -167,6 +167,7 @@ const std::vector<std::string> kShaded = {"gradient", "shade"};
 const std::vector<std::string> kCurved = {"hessian", "curvature", "shade"};
 const std::vector<std::string> kRanged = {"hessian", "curvature", "ranges", "shade"};
 const std::vector<std::string> kShadowed = {"gradient", "shadow", "shade"};
+const std::vector<std::string> kLit = {"gradient", "irradiance", "shade"};
 const std::vector<std::string> kFlowing = {"hessian", "curvature", "flow field", "flow", "shade"};
 
 const std::vector<LookRow> kLooks = {
@@ -182,6 +183,10 @@ const std::vector<LookRow> kLooks = {
     {{"look.mode=curvature_2d"}, kRanged},
     {{"look.mode=accessibility"}, kRanged},
     {{"look.mode=flow"}, kFlowing},
+    {{"look.mode=gi"}, kLit},
+    {{"look.mode=shape_index", "look.shading=gi"}, {"hessian", "curvature", "irradiance", "shade"}},
+    {{"look.mode=gi", "look.shadow=1"}, kLit},  // shadows are in the light
+    {{"look.mode=gi", "isosurface.opacity=0.5"}, {"gradient", "irradiance", "shade", "layers"}},
     {{"look.mode=normal"}, kShaded},
     {{"look.mode=depth"}, {"shade"}},
     // What is fixed is not measured.
@@ -263,6 +268,13 @@ const std::vector<ChangeRow> kChanges = {
     {{"look.shadow=1"}, "light.direction=1,0,0", {"shadow", "shade", "resolve"}},
     {{"look.shadow=1"}, "light.intensity=2", {"shade", "resolve"}},
     {{"look.shadow=1"}, "isosurface.albedo=1,0,0", {"shade", "resolve"}},
+    {{"look.mode=gi"}, "picture.exposure=2", {"shade", "resolve"}},
+    {{"look.mode=gi"}, "light.direction=1,0,0", {}},
+    {{"look.mode=gi"}, "isosurface.albedo=1,0,0", {"shade", "resolve"}},
+    {{"look.mode=gi"},
+     "camera.eye=5,-300,0",
+     {"segments", "cast", "gradient", "irradiance", "shade", "resolve"}},
+    {{}, "gi.interpolation=nearest", {}},
     {{"look.mode=flow"}, "flow.time=0.25", {"flow", "shade", "resolve"}},
     {{"look.mode=flow"}, "flow.time=1", {}},  // a whole period later
     {{"look.mode=flow"}, "flow.length=9", {"flow", "shade", "resolve"}},
@@ -292,6 +304,55 @@ TEST_F(FrameGraphTest, EachChangeOfALook) {
     scene::applyAssignment(scene, row.change);
     EXPECT_EQ(ran(scene, {}), row.passes) << named << "then " << row.change;
   }
+}
+
+// What of the light changes costs only the passes behind it, and only where a look reads it.
+TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
+  scene::Scene scene;
+  scene.isosurface.value = 1.0;
+  scene.look.mode = scene::LookMode::gi;
+  FrameRequest request;
+  LightState light;
+  light.stored = true;
+  light.version = 1;
+  const auto ranUnder = [&] {
+    const auto passes = declarePasses(scene, request, 1, {}, light);
+    return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
+  };
+  EXPECT_THAT(ranUnder(), ElementsAre("blocks", "segments", "cast", "gradient", "light", "irradiance",
+                                      "shade", "resolve"));
+  EXPECT_THAT(ranUnder(), ElementsAre());
+  for (std::uint64_t* changed :
+       {&light.skyRevision, &light.lampsRevision, &light.unfinished, &light.storage}) {
+    ++*changed;  // more of it is baked, or there is more to upload
+    EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance", "shade", "resolve"));
+  }
+  ++light.version;  // the environment turned
+  EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
+  light.automaticExposure = 1.0f;
+  EXPECT_THAT(ranUnder(), ElementsAre("shade", "resolve"));
+  scene.gi.interpolation = scene::GiInterpolation::nearest;
+  EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
+  scene.camera.eye = glm::dvec3(0.0, -300.0, 0.0);
+  EXPECT_THAT(ranUnder(), ElementsAre("segments", "cast", "gradient", "irradiance", "shade", "resolve"));
+  light.background = true;
+  EXPECT_THAT(ranUnder(), ElementsAre("resolve"));
+  ++light.version;
+  EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
+  scene.isosurface.opacity = 0.5;
+  EXPECT_THAT(ranUnder(), ElementsAre("shade", "layers", "resolve"));
+  ++light.skyRevision;
+  EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance", "shade", "layers", "resolve"));
+  scene.look.mode = scene::LookMode::lambert;
+  light.stored = false;
+  ranUnder();
+  ++light.version;
+  ++light.skyRevision;
+  EXPECT_THAT(ranUnder(), ElementsAre());
+  request.color = false;
+  request.aovs = {Aov::irradiance};
+  light.stored = true;
+  EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance"));
 }
 
 // In bricks: uploads only where rays asked, and nothing of it in a volume of one texture.

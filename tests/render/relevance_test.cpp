@@ -66,7 +66,7 @@ std::string declared(const scene::Scene& scene) {
 bool dependedOnNeedlessly(const scene::Setting& setting) {
   static const std::set<std::string> paths = {"look.texture", "look.texture_scale", "look.accessibility",
                                               "look.shininess", "flow.strength"};
-  return setting.path.ends_with(".albedo") || paths.contains(setting.path);
+  return paths.contains(setting.path);
 }
 
 // Scenes of every look, plain and with everything laid over it.
@@ -122,6 +122,8 @@ TEST(RelevanceOfPasses, WhatActsOnALookChangesAPass) {
       const std::string group = setting.path.substr(0, setting.path.find('.'));
       if (group != "look" && group != "flow" && group != "light" && group != "isosurface") continue;
       if (setting.path == "flow.animate") continue;  // the window's: it moves flow.time
+      // These reach the renderer as another gi::PictureLight (render::LightState).
+      if (setting.path.starts_with("light.environment.")) continue;
       if (!scene::whyInactive(setting.path, scene).empty()) continue;
       scene::Scene changed = scene;
       setting.set(changed, otherValue(setting, scene));
