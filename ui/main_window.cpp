@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -15,6 +16,7 @@
 #include "app/session.h"
 #include "scene/relevance.h"
 #include "scene/settings.h"
+#include "ui/environment_edit.h"
 #include "ui/info_panel.h"
 #include "ui/isovalue_panel.h"
 #include "ui/load_card.h"
@@ -144,8 +146,10 @@ void MainWindow::connectDocument() {
   connect(settings_, &SettingsPanel::failed, this, showError);
   connect(info_, &InfoPanel::failed, this, showError);
 
-  connect(viewport_, &Viewport::edited, document_, &Document::edit);
-  connect(viewport_, &Viewport::gestureEnded, document_, &Document::endGesture);
+  connect(viewport_, &Viewport::noted, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(viewport_, &Viewport::edited, this, &MainWindow::applyEdit);
+  connect(viewport_, &Viewport::gestureEnded, this, &MainWindow::endGesture);
   connect(viewport_, &Viewport::pointed, this, &MainWindow::showPointed);
   connect(viewport_, &Viewport::drawn, this, [this](double milliseconds, bool complete) {
     frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : " (draft)"));
@@ -156,17 +160,38 @@ void MainWindow::connectDocument() {
   });
   connect(viewport_, &Viewport::reported, passes_, &PassesPanel::setReport);
   connect(isovalue_, &IsovaluePanel::edited, document_, &Document::edit);
-  connect(settings_, &SettingsPanel::edited, document_, &Document::edit);
+  connect(settings_, &SettingsPanel::edited, this, &MainWindow::applyEdit);
   connect(info_, &InfoPanel::edited, document_, &Document::edit);
   const auto begin = [this] { viewport_->setInteracting(true); };
   const auto end = [this] {
     viewport_->setInteracting(false);
-    document_->endGesture();
+    endGesture();
   };
   connect(isovalue_, &IsovaluePanel::dragStarted, this, begin);
   connect(isovalue_, &IsovaluePanel::dragEnded, this, end);
   connect(settings_, &SettingsPanel::dragStarted, this, begin);
   connect(settings_, &SettingsPanel::dragEnded, this, end);
+}
+
+void MainWindow::applyEdit(const Edit& edit) {
+  const bool moves = letsEnvironmentMove(document_->scene(), edit);
+  document_->edit(edit);
+  if (!moves) return;
+  tellsOfMoving_ = true;
+  if (edit.endsAfterPause) tellOfMoving();
+}
+
+// Not during a drag: the bar would move the picture away under the pointer.
+void MainWindow::tellOfMoving() {
+  if (!std::exchange(tellsOfMoving_, false)) return;
+  message_->show(MessageBar::Kind::note,
+                 "Light is now stored so that the environment may turn: it is computed once more, "
+                 "then turning costs nothing");
+}
+
+void MainWindow::endGesture() {
+  document_->endGesture();
+  tellOfMoving();
 }
 
 void MainWindow::open(const app::WindowRequest& request) {

@@ -62,6 +62,9 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void makePanels();
   void connectDocument();
+  void applyEdit(const Edit& edit);
+  void endGesture();
+  void tellOfMoving();
   void showScene(const scene::Scene& scene, const scene::Scene& resolved);
   void showState();  // title, undo names, recording: what stateChanged() announces
   void showPointed(const std::optional<render::Pick>& pick);
@@ -98,6 +101,7 @@ class MainWindow : public QMainWindow {
   std::vector<QAction*> views_;
   QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
   bool awaitsFirstPicture_ = false;
+  bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time
 };
 
 }  // namespace isolux::ui

@@ -12,6 +12,9 @@
 
 namespace isolux::ui {
 
+// The title of the group that also shows the light probe (ui/environment_preview.h).
+inline constexpr const char* environmentGroup = "Environment";
+
 struct PanelGroup {
   QString title;
   bool open;  // at first

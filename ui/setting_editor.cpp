@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QSlider>
 #include <QToolButton>
 
 #include "scene/error.h"
@@ -14,7 +15,11 @@ namespace isolux::ui {
 
 namespace {
 QString nameOf(const scene::Setting& setting) {
-  return QString::fromStdString(setting.path).section('.', 1).replace('_', ' ');
+  const QString path = QString::fromStdString(setting.path);
+  // The lamps and the further isosurfaces have the same members: the group tells them apart.
+  const QString group = path.section('.', 0, 0);
+  const QString name = path.section('.', 1).replace('_', ' ').replace('.', ' ');
+  return group.back().isDigit() ? group + ' ' + name : name;
 }
 
 QString describe(const scene::Setting& setting) {
@@ -109,9 +114,11 @@ void SettingEditor::explain() {
 }
 
 bool SettingEditor::isWide() const {
-  const bool position = setting_.type == scene::SettingType::vector && !isColour(setting_);
+  const bool numbers = setting_.type == scene::SettingType::pair ||
+                       (setting_.type == scene::SettingType::vector && !isColour(setting_));
+  const bool slider = value_->findChild<QSlider*>() != nullptr;
   return setting_.type == scene::SettingType::points || setting_.type == scene::SettingType::quaternion ||
-         (position && setting_.mayBeAutomatic);
+         ((numbers || slider) && setting_.mayBeAutomatic);
 }
 
 void SettingEditor::resetToDefault() {

@@ -29,7 +29,7 @@ class ValueWidget : public QWidget {
   void dragEnded();
 };
 
-// A vector whose unit is "linear RGB".
+// A vector of linear RGB.
 bool isColour(const scene::Setting& setting);
 ValueWidget* makeValueWidget(const scene::Setting& setting, QWidget* parent);
 

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/environment_preview.h"
 #include "ui/setting_editor.h"
 #include "ui/style.h"
 
@@ -57,7 +58,8 @@ SettingsPanel::SettingsPanel(QWidget* parent)
     : QWidget(parent),
       search_(new QLineEdit(this)),
       scroll_(new QScrollArea(this)),
-      nothing_(new QLabel("No setting is called that.", this)) {
+      nothing_(new QLabel("No setting is called that.", this)),
+      environment_(new EnvironmentPreview(this)) {
   setMinimumWidth(330);
   search_->setPlaceholderText("Find a setting");
   search_->setClearButtonEnabled(true);
@@ -87,6 +89,10 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   layout->addLayout(searchBox);
   layout->addWidget(scroll_, 1);
   connect(search_, &QLineEdit::textChanged, this, &SettingsPanel::search);
+  connect(environment_, &EnvironmentPreview::edited, this, &SettingsPanel::edited);
+  connect(environment_, &EnvironmentPreview::dragStarted, this, &SettingsPanel::dragStarted);
+  connect(environment_, &EnvironmentPreview::dragEnded, this, &SettingsPanel::dragEnded);
+  connect(environment_, &EnvironmentPreview::failed, this, &SettingsPanel::failed);
 }
 
 void SettingsPanel::addGroup(const PanelGroup& plan, QVBoxLayout* layout) {
@@ -94,6 +100,7 @@ void SettingsPanel::addGroup(const PanelGroup& plan, QVBoxLayout* layout) {
   Group group{makeHeader(plan, this), box, makeForm(box), {}, plan.open};
   layout->addWidget(group.header);
   layout->addWidget(box);
+  if (plan.title == environmentGroup) group.form->addRow(environment_);
   for (const scene::Setting* setting : plan.settings) group.rows.push_back(addRow(*setting, group));
   groups_.push_back(std::move(group));
   connect(groups_.back().header, &QToolButton::clicked, this, [this, index = groups_.size() - 1](bool open) {
@@ -173,8 +180,10 @@ void SettingsPanel::search(const QString& text) {
 }
 
 void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  environment_->setScene(scene, resolved);
   for (Group& group : groups_) {
     for (const Row& row : group.rows) row.editor->setScene(scene, resolved);
+    if (group.header->text() == environmentGroup) group.form->setRowVisible(environment_, environment_->hasProbe());
     showGroup(group);
   }
 }

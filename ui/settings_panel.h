@@ -20,6 +20,7 @@ class QVBoxLayout;
 
 namespace isolux::ui {
 
+class EnvironmentPreview;
 class SettingEditor;
 
 class SettingsPanel : public QWidget {
@@ -31,6 +32,7 @@ class SettingsPanel : public QWidget {
   SettingEditor* editor(const QString& path) const;  // null: not edited here
   bool shows(const QString& path) const;             // the row is there, if its group is open
   QLineEdit* searchLine() const { return search_; }
+  EnvironmentPreview* environmentPreview() const { return environment_; }
   void focusSearch();
   void setGroupOpen(const QString& title, bool open);
 
@@ -65,6 +67,7 @@ class SettingsPanel : public QWidget {
   QLineEdit* search_;
   QScrollArea* scroll_;
   QLabel* nothing_;
+  EnvironmentPreview* environment_;
   std::vector<Group> groups_;
 };
 

@@ -14,8 +14,10 @@
 
 #include "ui/color_button.h"
 #include "ui/curvature_map_editor.h"
+#include "ui/file_widget.h"
 #include "ui/number_spin_box.h"
 #include "ui/number_text.h"
+#include "ui/rotation_widget.h"
 #include "ui/setting_editor.h"
 
 namespace isolux::ui {
@@ -236,12 +238,12 @@ class VectorWidget : public ValueWidget {
     auto* layout = rowLayout(this);
     layout->setSpacing(4);
     boxes_.resize(scene::componentsOf(setting.type));
-    const char* names[] = {"x", "y", "z", "w"};  // a quaternion's first is w
+    const char* names[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       boxes_[i] = new NumberSpinBox(this);
       boxes_[i]->setRange(setting.minimum, setting.maximum);
       boxes_[i]->setSingleStep(0.05);
-      boxes_[i]->setAccessibleName(boxes_.size() == 4 ? names[(i + 3) % 4] : names[i]);
+      boxes_[i]->setAccessibleName(names[i]);
       boxes_[i]->setMinimumWidth(48);
       layout->addWidget(boxes_[i], 1);
       connect(boxes_[i], &NumberSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
@@ -264,7 +266,7 @@ class VectorWidget : public ValueWidget {
 }  // namespace
 
 bool isColour(const Setting& setting) {
-  return setting.type == SettingType::vector && setting.unit == "linear RGB";
+  return setting.type == SettingType::vector && setting.unit.starts_with("linear RGB");
 }
 
 ValueWidget* makeValueWidget(const Setting& setting, QWidget* parent) {
@@ -274,6 +276,7 @@ ValueWidget* makeValueWidget(const Setting& setting, QWidget* parent) {
     case SettingType::integer:
       return new IntegerWidget(setting, parent);
     case SettingType::text:
+      if (setting.path.ends_with(".file")) return new FileWidget(parent);
       return new TextWidget(setting, parent);
     case SettingType::choice:
       return new ChoiceWidget(setting, parent);
@@ -281,9 +284,10 @@ ValueWidget* makeValueWidget(const Setting& setting, QWidget* parent) {
       return new ToggleWidget(setting, parent);
     case SettingType::points:
       return new CurvatureMapEditor(parent);
+    case SettingType::quaternion:
+      return new RotationWidget(parent);
     case SettingType::pair:
     case SettingType::vector:
-    case SettingType::quaternion:
       break;
   }
   if (isColour(setting)) return new ColourWidget(setting, parent);

@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QWheelEvent>
-
-#include <glm/geometric.hpp>
 
 #include "render/passes.h"
 #include "scene/automatic.h"
@@ -44,7 +39,16 @@ Motion motionBetween(const scene::Scene& from, scene::Scene to) {
   to.look = from.look;
   to.flow = from.flow;
   to.light = from.light;
+  to.lamp1 = from.lamp1;
+  to.lamp2 = from.lamp2;
+  to.lamp3 = from.lamp3;
+  to.gi = from.gi;
+  to.picture.exposure = from.picture.exposure;
   to.isosurface.albedo = from.isosurface.albedo;
+  to.isosurface.albedoSource = from.isosurface.albedoSource;
+  to.isosurface.albedoMap = from.isosurface.albedoMap;
+  to.isosurface.albedoLow = from.isosurface.albedoLow;
+  to.isosurface.albedoHigh = from.isosurface.albedoHigh;
   return to == from ? Motion::look : Motion::rays;
 }
 }  // namespace
@@ -124,6 +128,7 @@ void Viewport::resizeGL(int, int) {
 void Viewport::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
   overlay_->setGeometry(rect());
+  showLamps();
 }
 
 glm::ivec2 Viewport::pixelSize() const {
@@ -193,7 +198,11 @@ void Viewport::refine() {
 
 void Viewport::setInteracting(bool interacting) {
   interacting_ = interacting;
-  if (!interacting) refineTimer_.start(restMilliseconds);
+  if (!interacting) rest();
+}
+
+void Viewport::rest() {
+  refineTimer_.start(restMilliseconds);
 }
 
 void Viewport::setHint(const QString& text) {
@@ -215,6 +224,7 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
   scene_ = scene;
   resolved_ = resolved;
   overlay_->setScene(resolved, volume_ != nullptr);
+  showLamps();
   quality_.setPicture(resolved.picture);
   redraw(motion);
 }
@@ -265,146 +275,6 @@ std::optional<render::Pick> Viewport::pickAt(QPointF position) {
   }
   doneCurrent();
   return pick;
-}
-
-// ---- Views
-// --------------------------------------------------------------------------------------------------
-
-void Viewport::sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey,
-                          bool endsAfterPause) {
-  if (!volume_) return;
-  Edit edit{scene_, name, mergeKey, endsAfterPause};
-  edit.scene.camera = camera;
-  Q_EMIT edited(edit);
-}
-
-void Viewport::applyStandardView(scene::StandardView view) {
-  if (!volume_) return;
-  const auto name = scene::standardViewNames[static_cast<std::size_t>(view)];
-  sendCamera(
-      scene::standardView(resolved_.camera, view, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
-      (std::string(name) + " view").c_str(), "", false);
-}
-
-void Viewport::fitView() {
-  if (!volume_) return;
-  sendCamera(scene::fitted(resolved_.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
-             "Fit view", "", false);
-}
-
-void Viewport::resetView() {
-  scene::Camera camera = scene_.camera;
-  camera.eye.reset();
-  camera.target.reset();
-  camera.up.reset();
-  sendCamera(camera, "Reset view", "", false);
-}
-
-void Viewport::toggleProjection() {
-  scene::Camera camera = scene_.camera;
-  const bool perspective = camera.projection == scene::Projection::perspective;
-  camera.projection = perspective ? scene::Projection::orthographic : scene::Projection::perspective;
-  sendCamera(camera, perspective ? "Orthographic view" : "Perspective view", "", false);
-}
-
-// ---- Mouse
-// --------------------------------------------------------------------------------------------------
-
-void Viewport::mousePressEvent(QMouseEvent* event) {
-  if (drag_ != Drag::none) return;  // the first button decides
-  switch (event->button()) {
-    case Qt::LeftButton:
-      drag_ = event->modifiers() & Qt::ControlModifier ? Drag::roll
-              : event->modifiers() & Qt::ShiftModifier ? Drag::pan
-                                                       : Drag::orbit;
-      break;
-    case Qt::MiddleButton:
-      drag_ = Drag::pan;
-      break;
-    case Qt::RightButton:
-      drag_ = Drag::zoom;
-      break;
-    default:
-      return;
-  }
-  dragButton_ = event->button();
-  dragMoved_ = false;
-  last_ = event->position();
-}
-
-void Viewport::mouseMoveEvent(QMouseEvent* event) {
-  if (drag_ != Drag::none) {
-    dragTo(event->position());
-    return;
-  }
-  pointed_ = event->position();
-  if (!pointTimer_.isActive()) pointTimer_.start();
-}
-
-void Viewport::dragTo(QPointF position) {
-  const double unit = std::max(1, height());
-  const QPointF step = (position - last_) / unit;
-  if (step.isNull() || !volume_) return;
-  const scene::Camera& camera = resolved_.camera;
-  switch (drag_) {
-    case Drag::orbit:  // a drag across the picture's height turns by 180 degrees
-      sendCamera(scene::orbited(camera, -step.x() * std::numbers::pi, step.y() * std::numbers::pi), "Rotate",
-                 "rotate", false);
-      break;
-    case Drag::pan:
-      sendCamera(scene::panned(camera, {step.x(), -step.y()}), "Pan", "pan", false);
-      break;
-    case Drag::zoom:
-      sendCamera(scene::zoomed(camera, std::exp(-3.0 * step.y())), "Zoom", "zoom", false);
-      break;
-    case Drag::roll: {
-      const QPointF centre(0.5 * width(), 0.5 * height());
-      const QPointF from = last_ - centre, to = position - centre;
-      const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
-      sendCamera(scene::rolled(camera, angle), "Roll", "roll", false);
-      break;
-    }
-    case Drag::none:
-      return;
-  }
-  dragMoved_ = true;
-  last_ = position;
-}
-
-void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  if (drag_ == Drag::none || event->button() != dragButton_) return;
-  drag_ = Drag::none;
-  if (dragMoved_) Q_EMIT gestureEnded();
-  refineTimer_.start(restMilliseconds);
-}
-
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !volume_) return;
-  const auto pick = pickAt(event->position());
-  if (!pick) return;
-  // The point moves to the centre, the view direction and the eye's depth stay.
-  const scene::CameraFrame frame = scene::frameOf(resolved_.camera);
-  scene::Camera camera = resolved_.camera;
-  const glm::dvec3 shift = pick->worldMm - camera.target.value_or(pick->worldMm);
-  camera.eye = frame.eye + shift - glm::dot(shift, frame.back) * frame.back;
-  camera.target = pick->worldMm;
-  sendCamera(camera, "Centre on point", "", false);
-}
-
-void Viewport::wheelEvent(QWheelEvent* event) {
-  if (!volume_ || event->angleDelta().y() == 0) return;
-  const double notches = event->angleDelta().y() / 120.0;
-  sendCamera(scene::zoomed(resolved_.camera, std::pow(1.1, notches)), "Zoom", "wheel", true);
-  event->accept();
-}
-
-void Viewport::leaveEvent(QEvent*) {
-  pointTimer_.stop();
-  Q_EMIT pointed(std::nullopt);
-}
-
-void Viewport::reportPointed() {
-  if (drag_ == Drag::none && !interacting_) Q_EMIT pointed(pickAt(pointed_));
 }
 
 }  // namespace isolux::ui

@@ -1,7 +1,8 @@
 // The picture: draws the scene with the renderer, turns the mouse into edited cameras.
 //
 // Left drag rotates, middle or Shift+left pans, right drag or wheel zooms, Ctrl+left rolls, a double click
-// puts the picked surface point into the centre. The renderer is made with the GL context and dies with it.
+// puts the picked surface point into the centre. Under global illumination Shift+right turns the environment,
+// and lamps have handles. The renderer is made with the GL context and dies with it.
 #pragma once
 
 #include <memory>
@@ -17,6 +18,7 @@
 #include "scene/camera.h"
 #include "ui/document.h"
 #include "ui/edit.h"
+#include "ui/lamp_handles.h"
 #include "ui/picture_quality.h"
 
 namespace isolux::ui {
@@ -54,6 +56,7 @@ class Viewport : public QOpenGLWidget {
   void drawn(double milliseconds, bool complete);
   void reported(const isolux::render::FrameReport& report, const isolux::render::FrameRequest& request);
   void failed(const QString& message);
+  void noted(const QString& message);  // worth knowing, nothing has failed
 
  protected:
   void initializeGL() override;
@@ -69,11 +72,20 @@ class Viewport : public QOpenGLWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  enum class Drag { none, orbit, pan, zoom, roll };
+  enum class Drag { none, orbit, pan, zoom, roll, environment, lamp };
   void releaseRenderer();
   void fail(const QString& message);
   void redraw(Motion motion = Motion::rays);  // something changed: a quick picture now, a full one soon
   void refine();
+  void rest();  // a gesture has ended
+  LampStage lampStage() const;
+  std::vector<LampHandle> lamps() const;
+  std::optional<LampGrip> lampUnder(QPointF position) const;
+  void showLamps();
+  void hover(const std::optional<LampGrip>& grip);
+  void takeHold(QPointF position);
+  void dragLamp(QPointF position, bool inDepth);
+  void sendLamp(const LampGrip& grip, const scene::Lamp& moved, bool endsAfterPause);
   void dragTo(QPointF position);
   void reportPointed();
   void sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey, bool endsAfterPause);
@@ -96,7 +108,10 @@ class Viewport : public QOpenGLWidget {
   Drag drag_ = Drag::none;
   Qt::MouseButton dragButton_ = Qt::NoButton;
   bool dragMoved_ = false;
-  QPointF last_, pointed_;
+  QPointF pressed_, last_, pointed_;
+  glm::dvec4 turnedFrom_{1.0, 0.0, 0.0, 0.0};  // the environment when its drag began
+  std::optional<LampGrip> grip_;               // under the pointer, or being dragged
+  QPointF gripOffset_;
   ViewportOverlay* overlay_;
 };
 

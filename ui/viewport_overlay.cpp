@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "ui/lamp_painter.h"
 #include "ui/number_text.h"
 #include "ui/style.h"
 
@@ -65,6 +66,13 @@ void ViewportOverlay::setHint(const QString& text) {
   update();
 }
 
+void ViewportOverlay::setLamps(std::vector<LampHandle> lamps, const std::optional<LampGrip>& grip) {
+  if (lamps == lamps_ && grip == grip_) return;
+  lamps_ = std::move(lamps);
+  grip_ = grip;
+  update();
+}
+
 void ViewportOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
@@ -74,6 +82,7 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
     paintLetters(painter);
     paintCube(painter);
     paintScale(painter);
+    paintLamps(painter, lamps_, grip_);
     if (!note_.isEmpty()) paintNote(painter);
   } else if (!hint_.isEmpty()) {
     const QFontMetricsF metrics(font());

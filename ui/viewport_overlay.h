@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "scene/camera.h"
+#include "ui/lamp_handles.h"
 
 namespace isolux::ui {
 
@@ -17,6 +18,8 @@ class ViewportOverlay : public QWidget {
   void setScene(const scene::Scene& resolved, bool visible);
   void setProblem(const QString& text);  // empty: none
   void setNote(const QString& text);     // over a picture that is not all there; empty: none
+  // Lamps that can be dragged, and which of them the pointer holds or is over.
+  void setLamps(std::vector<LampHandle> lamps, const std::optional<LampGrip>& grip);
   void setHint(const QString& text);     // in place of a picture: what to do first
 
  protected:
@@ -40,6 +43,8 @@ class ViewportOverlay : public QWidget {
   scene::CameraFrame frame_{};
   bool visible_ = false;
   QString problem_, note_, hint_;
+  std::vector<LampHandle> lamps_;
+  std::optional<LampGrip> grip_;
 };
 
 }  // namespace isolux::ui

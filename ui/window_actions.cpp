@@ -15,6 +15,8 @@
 #include "app/image_io.h"
 #include "app/session.h"
 #include "app/version.h"
+#include "ui/environment_edit.h"
+#include "ui/file_widget.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/raw_import_dialog.h"
@@ -95,7 +97,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QString path = url.toLocalFile();
     // After the drop is answered: a dialog must not hold up the program that the file comes from.
     QMetaObject::invokeMethod(
-        this, [this, path] { openPath(path); }, Qt::QueuedConnection);
+        this,
+        [this, path] {
+          if (isLightProbe(path)) {
+            document_->edit(lightProbeChosen(document_->scene(), path));
+          } else {
+            openPath(path);
+          }
+        },
+        Qt::QueuedConnection);
     return;
   }
 }
@@ -227,6 +237,8 @@ void MainWindow::showHelp() {
     <tr><td><b>Right drag</b>, <b>wheel</b></td><td>zoom</td></tr>
     <tr><td><b>Ctrl+left drag</b></td><td>roll</td></tr>
     <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
+    <tr><td><b>Shift+right drag</b></td><td>turn the light probe (look GI)</td></tr>
+    <tr><td><b>Lamp handles</b></td><td>drag; with Ctrl, or by the wheel, nearer and farther (look GI)</td></tr>
     <tr><td><b>1 2 3 4 5 6</b></td><td>from anterior, posterior, left, right, superior, inferior</td></tr>
     <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset the view, fit the volume, orthographic</td></tr>
     <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>
