@@ -9,20 +9,24 @@
 
 #include "gi/light_bake.h"
 #include "scene/progress.h"
+#include "scene/scene.h"
 #include "volume/grid.h"
 
 namespace isolux::gi {
 
-// Texels that a lookup around any of `hits` (voxel coordinates; NaN is passed over) reads: 2 per axis, or 4
-// for tri-cubic lookups (`reach` 1 or 2). Blocks in the order in which the hits first touch them.
+// Texels that a lookup at any of `hits` (voxel coordinates; NaN and infinities are passed over) reads: 2 per
+// axis, or 4 for tri-cubic lookups (`reach` 1 or 2). Blocks in the order in which the hits first touch them.
 std::vector<WantedBlock> texelsAround(const LatticeGeometry& lattice, std::span<const glm::vec3> hits,
                                       int reach);
-// Those texels' neighbours within `texels` steps that are not in `inner`.
+// Those that are within `texels` steps along each axis of one of `inner`, and not in it.
 std::vector<WantedBlock> texelsBeside(const LatticeGeometry& lattice, const std::vector<WantedBlock>& inner,
                                       int texels);
-// Texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read.
+// Texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read, by the least and
+// greatest voxel around each: all of them, and few more. Of Field::cubic_interpolating, which overshoots its
+// voxels, some may be missing. Multithreaded; throws Error{interrupted}.
 std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volume::Grid& grid, double low,
-                                      double high, int reach, scene::Progress& progress);
+                                      double high, int reach, scene::Progress& progress,
+                                      scene::Field field = scene::Field::trilinear);
 std::vector<WantedBlock> allTexels(const LatticeGeometry& lattice);
 
 }  // namespace isolux::gi

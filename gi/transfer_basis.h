@@ -19,17 +19,21 @@ namespace isolux::gi {
 class TransferBasis {
  public:
   // From the baked texels of a lattice, at most `mostTexels` of them, evenly chosen. Null if there are none.
-  // `components` is cut to D. Weighted so that the error of E under a white environment counts most.
+  // `components` is cut to D. Errors count by what they do to E under usual environments, whose coefficients
+  // fall with the band of spherical harmonics.
   static std::shared_ptr<const TransferBasis> fit(const LightLattice& lattice, int components, int bits,
                                                   std::size_t mostTexels = 20000);
 
-  int components() const;
-  int bits() const;  // 8 or 16
-  std::size_t bytesPerTexel() const;
-  const LightContent& content() const;
+  int components() const { return static_cast<int>(low_.size()); }
+  int bits() const { return bits_; }  // 8 or 16
+  std::size_t bytesPerTexel() const { return low_.size() * static_cast<std::size_t>(bits_ / 8); }
+  const LightContent& content() const { return content_; }
+  // Of component k: c = low + code * step.
+  float low(int component) const { return low_[static_cast<std::size_t>(component)]; }
+  float step(int component) const { return step_[static_cast<std::size_t>(component)]; }
 
-  // Codes are unsigned integers: c_k = low_k + code * step_k. `codes`: bytesPerTexel() bytes, 16 bits little
-  // endian.
+  // Codes are unsigned integers: c_k = low_k + code * step_k, over the range of the texels that the basis is
+  // from and a little more; what is beyond is clamped. `codes`: bytesPerTexel() bytes, 16 bits little endian.
   void encode(std::span<const float> transfer, std::span<std::uint8_t> codes) const;
   void decode(std::span<const std::uint8_t> codes, std::span<float> transfer) const;
 
@@ -45,7 +49,8 @@ class TransferBasis {
   LightContent content_;
   int bits_ = 8;
   std::vector<float> mean_, basis_;  // D; components x D
-  std::vector<float> low_, step_;
+  std::vector<float> projection_;    // components x D: c = projection (transfer - mean)
+  std::vector<float> low_, step_;    // step 0: that component is the same in all texels
 };
 
 }  // namespace isolux::gi
