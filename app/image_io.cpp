@@ -53,6 +53,17 @@ void writeImage(const char* plugin, const OIIO::ImageSpec& spec, OIIO::TypeDesc 
   pending.commit();
 }
 
+// `values`: channels interleaved.
+void writeFloats(glm::ivec2 size, const std::vector<std::string>& names, const std::vector<float>& values,
+                 const fs::path& file, const std::string& session) {
+  OIIO::ImageSpec spec = makeSpec(size, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT, session);
+  spec.attribute("oiio:ColorSpace", "Linear");
+  spec.attribute("compression", "zip");
+  spec.alpha_channel = spec.z_channel = -1;
+  spec.channelnames = names;
+  writeImage("openexr", spec, OIIO::TypeDesc::FLOAT, values.data(), OIIO::AutoStride, file);
+}
+
 // IEC 61966-2-1.
 float linearOfSrgb(std::uint8_t stored) {
   const double s = stored / 255.0;
@@ -117,12 +128,22 @@ void writeExr(const render::ColorImage* color, const std::vector<render::AovImag
     }
   }
 
-  OIIO::ImageSpec spec = makeSpec(size, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT, session);
-  spec.attribute("oiio:ColorSpace", "Linear");
-  spec.attribute("compression", "zip");
-  spec.alpha_channel = spec.z_channel = -1;
-  for (std::size_t c = 0; c < channels.size(); ++c) spec.channelnames[c] = channels[c].name;
-  writeImage("openexr", spec, OIIO::TypeDesc::FLOAT, values.data(), OIIO::AutoStride, file);
+  std::vector<std::string> names;
+  for (const Channel& channel : channels) names.push_back(channel.name);
+  writeFloats(size, names, values, file, session);
+}
+
+void writeExr(glm::ivec2 size, const std::vector<FloatChannel>& channels, const fs::path& file,
+              const std::string& session) {
+  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  std::vector<std::string> names;
+  std::vector<float> values(pixels * channels.size());
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    if (channels[c].values.size() != pixels) throw std::logic_error("writeExr: sizes differ");
+    names.push_back(channels[c].name);
+    for (std::size_t p = 0; p < pixels; ++p) values[p * channels.size() + c] = channels[c].values[p];
+  }
+  writeFloats(size, names, values, file, session);
 }
 
 // Walks the chunks itself: libpng would print its own line about every broken file.

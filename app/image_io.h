@@ -14,6 +14,13 @@ void writePng(const render::ColorImage& image, const std::filesystem::path& file
 // float32 EXR: channels R G B (linear) of `color` unless null, and each AOV as "name" or "name.channel".
 void writeExr(const render::ColorImage* color, const std::vector<render::AovImage>& aovs,
               const std::filesystem::path& file, const std::string& session);
+// float32 EXR of these channels; values row by row, row 0 at the top.
+struct FloatChannel {
+  std::string name;
+  std::vector<float> values;
+};
+void writeExr(glm::ivec2 size, const std::vector<FloatChannel>& channels, const std::filesystem::path& file,
+              const std::string& session);
 // The session text of a PNG; empty when there is none. Throws Error{input} for anything but a PNG.
 std::string readSessionText(const std::filesystem::path& file);
 render::ColorImage readPng(const std::filesystem::path& file);

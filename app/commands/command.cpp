@@ -85,6 +85,10 @@ void addThreadsOption(CLI::App& parser) {
       ->check(CLI::Range(1, 1024).description(""));
 }
 
+int threadsInForce() {
+  return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
 std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
   auto choice = std::make_shared<render::ContextChoice>(render::ContextChoice::automatic);
   parser

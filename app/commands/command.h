@@ -27,6 +27,7 @@ struct Command {
 };
 Command makeInfo(CLI::App& program);
 Command makeRender(CLI::App& program);
+Command makeReference(CLI::App& program);
 Command makeReplay(CLI::App& program);
 Command makeStudy(CLI::App& program);
 Command makePhantom(CLI::App& program);
@@ -41,6 +42,7 @@ struct SceneOptions {
 std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser);
 // --threads N, in force as long as the returned value lives in the parser's callbacks.
 void addThreadsOption(CLI::App& parser);
+int threadsInForce();  // all of the machine's, or what --threads says
 std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser);
 
 // The session (or the default scene), then PATH (a volume, a session, or a picture with one; "": none), then

@@ -1,0 +1,173 @@
+// isolux reference PATH --out FILE.exr: every pixel path traced, without stored light.
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include "app/commands/command.h"
+#include "app/files.h"
+#include "app/image_io.h"
+#include "app/progress_bar.h"
+#include "app/session.h"
+#include "app/version.h"
+#include "gi/reference.h"
+#include "scene/automatic.h"
+#include "scene/error.h"
+
+namespace isolux::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using scene::Error;
+using scene::ErrorKind;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kSecondsBetweenWrites = 5.0;  // of the picture so far, which an interrupt leaves
+
+struct ReferenceOptions {
+  std::string path, out, size = "1024x768", stats;
+  std::uint32_t samples = 256;
+  std::shared_ptr<SceneOptions> scene;
+};
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void writePicture(const gi::ReferenceImage& image, const fs::path& out, const std::string& session) {
+  const std::size_t pixels = image.hit.size();
+  std::vector<FloatChannel> channels;
+  const auto add = [&](const char* name, const auto& valueOf) {
+    FloatChannel channel{name, std::vector<float>(pixels)};
+    for (std::size_t i = 0; i < pixels; ++i) channel.values[i] = valueOf(i);
+    channels.push_back(std::move(channel));
+  };
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  for (int c = 0; c < 3; ++c)
+    add(c == 0 ? "R" : c == 1 ? "G" : "B", [&](std::size_t i) { return image.color[i][c]; });
+  for (int c = 0; c < 3; ++c)
+    add(c == 0   ? "irradiance.R"
+        : c == 1 ? "irradiance.G"
+                 : "irradiance.B",
+        [&](std::size_t i) { return image.irradiance[i][c]; });
+  add("variance", [&](std::size_t i) { return image.variance[i]; });
+  add("samples", [&](std::size_t i) { return image.hit[i] ? static_cast<float>(image.samples[i]) : nan; });
+  add("hit", [&](std::size_t i) { return static_cast<float>(image.hit[i]); });
+  writeExr(image.size, channels, out, session);
+}
+
+ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage& image,
+                       std::size_t litPixels, int threads, double seconds,
+                       const volume::PreparedVolume& prepared) {
+  std::size_t hits = 0;
+  double sum = 0.0, variance = 0.0, errors = 0.0;
+  for (std::size_t i = 0; i < image.hit.size(); ++i) {
+    if (!image.hit[i]) continue;
+    ++hits;
+    const glm::dvec3 e(image.irradiance[i]);
+    sum += 0.2126 * e.x + 0.7152 * e.y + 0.0722 * e.z;
+    if (image.samples[i] < 2) continue;
+    variance += static_cast<double>(image.variance[i]);
+    errors += 1.0;
+  }
+  ordered_json json;
+  json["version"] = version();
+  json["size"] = {image.size.x, image.size.y};
+  json["samples"] = options.samples;
+  json["pixels_hit"] = hits;
+  json["pixels_traced"] = litPixels;
+  json["mean_irradiance"] = hits > 0 ? ordered_json(sum / static_cast<double>(hits)) : ordered_json();
+  // Root mean square over the pixels; luminance of E.
+  json["standard_error"] = errors > 0.0 ? ordered_json(std::sqrt(variance / errors)) : ordered_json();
+  json["rays"] = image.rays;
+  json["capped_paths"] = image.cappedPaths;
+  json["seconds"] = seconds;
+  json["threads"] = threads;
+  json["data_hash"] = hashText(prepared.grid().hash());
+  return json;
+}
+
+void runReference(const ReferenceOptions& options, scene::Progress& progress) {
+  const fs::path out(options.out);
+  if (out.extension() != ".exr")
+    throw Error(ErrorKind::usage, options.out, "", "the name of a reference picture must end in .exr");
+  scene::Scene scene = sceneOf(options.path, *options.scene);
+  gi::Reference::Options reference{parseSize(options.size), scene.gi.threads.value_or(threadsInForce())};
+  { const PendingFile writable{out}; }  // before anything slow starts
+  if (!options.stats.empty()) {
+    const PendingFile writable{fs::path(options.stats)};
+  }
+  const auto prepared = loadWithProgressBar(scene.source, progress);
+  scene = scene::resolve(std::move(scene), prepared->facts);
+  const std::string session = sessionText(scene, out.parent_path());
+  const Clock::time_point start = Clock::now();
+  double seconds = 0.0;
+  gi::ReferenceImage image;
+  std::size_t litPixels = 0;
+  {
+    progress.report(0.0, "preparing");
+    const ProgressBar bar(progress);
+    const auto environment = gi::loadEnvironment(scene.light.environment);
+    const auto tracer = std::make_shared<const volume::IsosurfaceTracer>(prepared->volume.grid,
+                                                                         scene.isosurface.inside, progress);
+    gi::Reference picture(prepared, tracer, environment, scene, reference, progress);
+    litPixels = picture.litPixels();
+    std::optional<Clock::time_point> written;
+    double done = 0.0;
+    for (const std::uint32_t round : gi::referenceRounds(options.samples)) {
+      const double to = static_cast<double>(round) / options.samples;
+      if (!picture.refineTo(round, progress, done, to)) break;
+      done = to;
+      if (round == options.samples || (written && secondsSince(*written) < kSecondsBetweenWrites)) continue;
+      writePicture(picture.image(), out, session);  // an interrupt leaves it
+      written = Clock::now();
+    }
+    seconds = secondsSince(start);
+    image = picture.image();
+    progress.report(1.0, "writing");
+    writePicture(image, out, session);
+  }
+  if (!options.stats.empty())
+    writeTextFile(options.stats,
+                  jsonText(statsJson(options, image, litPixels, reference.threads, seconds, *prepared)));
+  progress.throwIfStopped();
+  printWarnings(prepared->volume);
+  if (image.cappedPaths > 0)
+    std::fprintf(stderr,
+                 "isolux: note: %llu paths were ended after %d bounces: light is missing where they were\n",
+                 static_cast<unsigned long long>(image.cappedPaths), gi::kMostBounces);
+}
+
+}  // namespace
+
+Command makeReference(CLI::App& program) {
+  CLI::App* const parser = program.add_subcommand(
+      "reference", "Path trace every pixel, without stored light: the yardstick of look gi");
+  auto options = std::make_shared<ReferenceOptions>();
+  parser
+      ->add_option(
+          "PATH", options->path,
+          "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one")
+      ->required();
+  parser->add_option("--out", options->out, "The picture to write: .exr (docs/commands.md has its channels)")
+      ->type_name("FILE")
+      ->required();
+  parser->add_option("--spp", options->samples, "Light paths per pixel; default 256")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000).description(""));
+  parser->add_option("--size", options->size, "Pixels; default 1024x768")->type_name("WxH");
+  parser->add_option("--stats", options->stats, "Write what was computed and what it cost as JSON")
+      ->type_name("FILE");
+  addThreadsOption(*parser);
+  options->scene = addSceneOptions(*parser);
+  parser->footer(
+      "Ctrl-C leaves the picture as it was at most a few seconds before. Examples:\n"
+      "  isolux reference phantom:head --set light.environment.file=sky.hdr --out head.exr\n"
+      "  isolux reference picture.png --spp 4096 --set gi.bounces=4 --out truth.exr");
+  return {parser, [options](scene::Progress& progress) { runReference(*options, progress); }};
+}
+
+}  // namespace isolux::app
