@@ -131,7 +131,7 @@ TEST(ReferenceCommand, AClosedCavityOfAlbedoOneSaysThatPathsWereEnded) {
 TEST(ReferenceCommand, AnInterruptLeavesThePictureSoFar) {
   const fs::path folder = test::temporaryFolder(), file = folder / "a.exr";
   test::RunningIsolux running(
-      {"reference", "phantom:gyroid:48", "--size", "96x96", "--spp", "1000000", "--out", "a.exr"},
+      {"reference", "phantom:ball:48", "--size", "96x96", "--spp", "1000000", "--out", "a.exr"},
       {.folder = folder});
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!fs::exists(file) && std::chrono::steady_clock::now() < deadline)
