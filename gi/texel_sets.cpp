@@ -30,9 +30,17 @@ class Collector {
   const TexelWords& existing(std::uint32_t block) const { return words_[place_[block]]; }
   const std::vector<std::uint32_t>& blocks() const { return blocks_; }
 
-  void add(glm::ivec3 texel) {
-    at(lattice_->blockOf(texel))[static_cast<std::size_t>(texel.z % kBlockTexels)] |=
-        std::uint64_t{1} << (texel.y % kBlockTexels * kBlockTexels + texel.x % kBlockTexels);
+  // Texels from `from` to `to`, `to.x - from.x` below 8.
+  void add(glm::ivec3 from, glm::ivec3 to) {
+    const int low = from.x % kBlockTexels, count = to.x - from.x + 1;
+    const std::uint64_t bits = ((std::uint64_t{1} << count) - 1) << low;
+    for (int z = from.z; z <= to.z; ++z)
+      for (int y = from.y; y <= to.y; ++y) {
+        const auto slice = static_cast<std::size_t>(z % kBlockTexels);
+        const int row = y % kBlockTexels * kBlockTexels;
+        at(lattice_->blockOf({from.x, y, z}))[slice] |= (bits & 0xff) << row;
+        if (bits > 0xff) at(lattice_->blockOf({to.x, y, z}))[slice] |= (bits >> kBlockTexels) << row;
+      }
   }
 
  private:
@@ -122,11 +130,9 @@ std::vector<WantedBlock> texelsAround(const LatticeGeometry& lattice, std::span<
     previous = base;
     TexelWords& seen = bases.at(lattice.blockOf(base));
     if (isSet(seen, base)) continue;
-    bases.add(base);
+    bases.add(base, base);
     const glm::ivec3 from = glm::max(base - (reach - 1), 0), to = glm::min(base + reach, last);
-    for (int z = from.z; z <= to.z; ++z)
-      for (int y = from.y; y <= to.y; ++y)
-        for (int x = from.x; x <= to.x; ++x) texels.add({x, y, z});
+    texels.add(from, to);
   }
   std::vector<WantedBlock> wanted;
   wanted.reserve(texels.blocks().size());

@@ -1,0 +1,289 @@
+// Writing of bake files: the header with room for the places of the arrays, then the arrays, then the places.
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cerrno>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <new>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+#include <zlib.h>
+#include <nlohmann/json.hpp>
+
+#include "gi/bake_file.h"
+#include "gi/bake_layers.h"
+#include "scene/error.h"
+
+namespace isolux::gi {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+constexpr std::size_t kChunkBytes = std::size_t{1} << 20;  // that are compressed at a time
+
+[[noreturn]] void cannotWrite(const fs::path& path) {
+  scene::throwInput(path.string(), "",
+                    "cannot be written: " + std::generic_category().message(
+                                                errno != 0 ? errno : static_cast<int>(std::errc::io_error)));
+}
+
+// A file under construction beside its name; goes away unless committed.
+class PartFile {
+ public:
+  explicit PartFile(fs::path target) : target_(std::move(target)) {
+    static std::atomic<unsigned> count{0};
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    part_ = folder / ("." + target_.filename().string() + "." + std::to_string(::getpid()) + "-" +
+                      std::to_string(count++) + ".part");
+    errno = 0;
+    file_ = std::fopen(part_.c_str(), "wbx");
+    if (!file_) cannotWrite(target_);
+  }
+  ~PartFile() {
+    if (file_) std::fclose(file_);
+    std::error_code ignored;
+    if (!committed_) fs::remove(part_, ignored);
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  void write(const void* bytes, std::size_t count) {
+    if (std::fwrite(bytes, 1, count, file_) != count) cannotWrite(target_);
+  }
+  std::uint64_t at() const { return static_cast<std::uint64_t>(ftello(file_)); }
+  void go(std::uint64_t at) {
+    if (fseeko(file_, static_cast<off_t>(at), SEEK_SET) != 0) cannotWrite(target_);
+  }
+  void commit() {
+    const bool flushed = std::fflush(file_) == 0 && ::fsync(::fileno(file_)) == 0;
+    const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
+    if (!flushed || !closed || std::rename(part_.c_str(), target_.c_str()) != 0) cannotWrite(target_);
+    committed_ = true;
+  }
+
+ private:
+  fs::path target_, part_;
+  std::FILE* file_ = nullptr;
+  bool committed_ = false;
+};
+
+// VTK's compressed array: number of chunks, bytes of a chunk, bytes of a last shorter one, compressed sizes,
+// chunks.
+class CompressedArray {
+ public:
+  CompressedArray(PartFile& file, std::uint64_t bytes)
+      : file_(file),
+        chunkBytes_(static_cast<std::size_t>(std::min<std::uint64_t>(kChunkBytes, bytes))),
+        table_{(bytes + chunkBytes_ - 1) / chunkBytes_, chunkBytes_, bytes % chunkBytes_},
+        tableAt_(file.at()),
+        packed_(compressBound(chunkBytes_)) {
+    table_.resize(3 + table_[0]);
+    file_.write(table_.data(), table_.size() * 8);
+    chunk_.reserve(chunkBytes_);
+  }
+  void add(const void* bytes, std::size_t count) {
+    const auto* from = static_cast<const std::uint8_t*>(bytes);
+    while (count > 0) {
+      const std::size_t part = std::min(count, chunkBytes_ - chunk_.size());
+      chunk_.insert(chunk_.end(), from, from + part);
+      from += part;
+      count -= part;
+      if (chunk_.size() == chunkBytes_) pack();
+    }
+  }
+  void end() {
+    if (!chunk_.empty()) pack();
+    const std::uint64_t behind = file_.at();
+    file_.go(tableAt_);
+    file_.write(table_.data(), table_.size() * 8);
+    file_.go(behind);
+  }
+
+ private:
+  void pack() {
+    uLongf size = packed_.size();
+    if (compress2(packed_.data(), &size, chunk_.data(), chunk_.size(), Z_BEST_SPEED) != Z_OK)
+      throw std::bad_alloc();
+    file_.write(packed_.data(), size);
+    table_.at(next_++) = size;
+    chunk_.clear();
+  }
+
+  PartFile& file_;
+  std::size_t chunkBytes_;
+  std::vector<std::uint64_t> table_;
+  std::uint64_t tableAt_;
+  std::vector<std::uint8_t> packed_, chunk_;
+  std::size_t next_ = 3;
+};
+
+using Blocks = std::vector<std::shared_ptr<const LatticeBlock>>;
+
+struct Array {
+  std::string name;
+  const char* type;        // VTK's
+  std::size_t components;  // of 4 bytes
+  // Texel `i` of a block to `components` numbers; `block` is never null.
+  const Blocks* blocks;
+  std::function<void(const LatticeBlock& block, std::size_t i, std::uint32_t* out)> fill;
+};
+
+std::string exact(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+std::string textField(const std::string& name, const std::string& text) {
+  std::string xml =
+      "      <Array type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"1\" format=\"ascii\">\n       ";
+  for (const char c : text) xml += ' ' + std::to_string(static_cast<unsigned char>(c));
+  return xml + " 0\n      </Array>\n";
+}
+
+std::string contentText(const LightContent& content) {
+  return nlohmann::ordered_json{
+      {"kind", content.kind == LightContent::Kind::transfer ? "transfer" : "irradiance"},
+      {"channels", content.channels},
+      {"order", content.order}}
+      .dump();
+}
+
+void addArrays(std::vector<Array>& arrays, const LightLattice& lattice, const Blocks& blocks,
+               const std::string& suffix) {
+  const LightContent content = lattice.content();
+  const bool transfer = content.kind == LightContent::Kind::transfer;
+  const auto stored = static_cast<std::size_t>(content.components());
+  const std::size_t written = transfer ? stored : 3;
+  arrays.push_back({(transfer ? "transfer" : "irradiance") + suffix, "Float32", written, &blocks,
+                    [stored, written](const LatticeBlock& block, std::size_t i, std::uint32_t* out) {
+                      for (std::size_t c = 0; c < written; ++c)
+                        out[c] = block.samples[i] == 0 ? 0u
+                                                       : std::bit_cast<std::uint32_t>(
+                                                             block.means[i * stored + (stored == 1 ? 0 : c)]);
+                    }});
+  arrays.push_back(
+      {"samples" + suffix, "UInt32", 1, &blocks,
+       [](const LatticeBlock& block, std::size_t i, std::uint32_t* out) { *out = block.samples[i]; }});
+}
+
+std::string header(const volume::Grid& grid, const StoredLight& light, const std::vector<Array>& arrays,
+                   std::vector<std::size_t>& places) {
+  const LatticeGeometry& lattice = (light.sky ? light.sky : light.lamps)->geometry();
+  const volume::GridGeometry& g = grid.geometry();
+  std::string extent, spacing, origin, direction;
+  const glm::dmat3 directions = g.directions();
+  for (int a = 0; a < 3; ++a) {
+    const char* const gap = a > 0 ? " " : "";
+    const double step = lattice.dims[a] > 1 ? lattice.voxelsPerTexel()[a] : 1.0;
+    extent += gap + ("0 " + std::to_string(lattice.dims[a] - 1));
+    spacing += gap + exact(g.spacingMm()[a] * step);
+    origin += gap + exact(g.originMm()[a]);
+    for (int column = 0; column < 3; ++column)
+      direction += (direction.empty() ? "" : " ") + exact(directions[column][a]);
+  }
+  char hash[20];
+  std::snprintf(hash, sizeof hash, "%016" PRIx64, grid.hash());
+  std::string xml =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <ImageData WholeExtent=\"" +
+      extent + "\" Origin=\"" + origin + "\" Spacing=\"" + spacing + "\" Direction=\"" + direction +
+      "\">\n    <FieldData>\n" + textField("volume_hash", hash);
+  if (light.sky)
+    xml += textField("key", light.sky->key()) + textField("content", contentText(light.sky->content()));
+  if (light.lamps) xml += textField("key_lamps", light.lamps->key());
+  xml += "    </FieldData>\n    <Piece Extent=\"" + extent + "\">\n      <PointData Scalars=\"" +
+         arrays[0].name + "\">\n";
+  for (const Array& array : arrays) {
+    xml += "        <DataArray type=\"" + std::string(array.type) + "\" Name=\"" + array.name +
+           "\" NumberOfComponents=\"" + std::to_string(array.components) + "\" format=\"appended\" offset=\"";
+    places.push_back(xml.size());
+    xml += "0000000000000000\"/>\n";
+  }
+  return xml + "      </PointData>\n    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n_";
+}
+
+void write(const fs::path& path, const volume::Grid& grid, const StoredLight& light,
+           scene::Progress& progress) {
+  const LatticeGeometry& lattice = (light.sky ? light.sky : light.lamps)->geometry();
+  const auto snapshot = [](const std::shared_ptr<LightLattice>& from) {
+    Blocks blocks;
+    if (from)
+      for (std::uint32_t b = 0; b < from->geometry().blockCount(); ++b) blocks.push_back(from->at(b));
+    return blocks;
+  };
+  const Blocks sky = snapshot(light.sky), lamps = snapshot(light.lamps);
+  Blocks normals = light.sky ? sky : lamps;  // the same in both
+  for (std::size_t b = 0; b < lamps.size(); ++b)
+    if (!normals[b]) normals[b] = lamps[b];
+
+  std::vector<Array> arrays;
+  if (light.sky) addArrays(arrays, *light.sky, sky, "");
+  if (light.lamps) addArrays(arrays, *light.lamps, lamps, "_lamps");
+  const auto otherNormal = [&](std::uint32_t block, std::size_t i) {
+    return !lamps.empty() && lamps[block] ? lamps[block]->normals[i] : glm::vec3(0.0f);
+  };
+  arrays.push_back({"normal", "Float32", 3, &normals, nullptr});
+
+  PartFile file(path);
+  std::vector<std::size_t> places;
+  const std::string xml = header(grid, light, arrays, places);
+  file.write(xml.data(), xml.size());
+  const std::uint64_t texels = static_cast<std::uint64_t>(lattice.dims.x) *
+                               static_cast<std::uint64_t>(lattice.dims.y) *
+                               static_cast<std::uint64_t>(lattice.dims.z);
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t a = 0; a < arrays.size(); ++a) {
+    const Array& array = arrays[a];
+    char offset[20];
+    std::snprintf(offset, sizeof offset, "%016" PRIu64, file.at() - xml.size());
+    const std::uint64_t begin = file.at();
+    file.go(places[a]);
+    file.write(offset, 16);
+    file.go(begin);
+    CompressedArray out(file, texels * array.components * 4);
+    for (int layer = 0; layer < layersOf(lattice); ++layer) {
+      progress.throwIfStopped();
+      progress.report((static_cast<double>(a) + static_cast<double>(layer) / layersOf(lattice)) /
+                          static_cast<double>(arrays.size()),
+                      "writing light");
+      numbers.assign(layerOf(lattice, layer).count * array.components, 0);
+      forEachTexelOfLayer(lattice, layer, [&](std::uint32_t b, std::size_t i, std::size_t t) {
+        const LatticeBlock* const block = (*array.blocks)[b].get();
+        if (!block) return;
+        std::uint32_t* const to = numbers.data() + t * array.components;
+        if (array.fill) return array.fill(*block, i, to);
+        const glm::vec3 normal = block->normals[i] != glm::vec3(0.0f) ? block->normals[i] : otherNormal(b, i);
+        std::memcpy(to, &normal, sizeof normal);
+      });
+      out.add(numbers.data(), numbers.size() * 4);
+    }
+    out.end();
+  }
+  const std::string tail = "\n  </AppendedData>\n</VTKFile>\n";
+  file.write(tail.data(), tail.size());
+  file.commit();
+  progress.report(1.0, "writing light");
+}
+
+}  // namespace
+
+void writeBakeFile(const fs::path& path, const volume::Grid& grid, const StoredLight& light,
+                   scene::Progress& progress) {
+  try {
+    write(path, grid, light, progress);
+  } catch (const std::bad_alloc&) {
+    throw scene::Error(scene::ErrorKind::memory, path.string(), "", "out of memory while light is written");
+  }
+}
+
+}  // namespace isolux::gi
