@@ -76,10 +76,10 @@ TEST(TransferBasis, IsExactToHalfAStepWhereAllComponentsAreKept) {
     EXPECT_EQ(basis->components(), 9);
     EXPECT_EQ(basis->bytesPerTexel(), static_cast<std::size_t>(9 * bits / 8));
     // An error of half a step in every component, at most, through orthonormal axes that are stretched by
-    // the reciprocal of the weights: at most 3 at order 3.
+    // the reciprocal of the weights: at most sqrt(3) at order 3.
     double most = 0.0;
     for (int k = 0; k < 9; ++k) most += std::pow(0.5 * static_cast<double>(basis->step(k)), 2);
-    most = 3.0 * std::sqrt(most) + 1e-5;
+    most = std::sqrt(3.0 * most) + 1e-5;
     for (std::uint64_t t = 0; t < 990; ++t) {
       const auto in = vectorOf(t, 9), out = roundTrip(*basis, in);
       double error = 0.0;
