@@ -55,6 +55,11 @@ class Environment {
   Sample sample(glm::vec2 u) const;
   // The density of sample(): above 0 wherever the radiance is.
   float pdf(glm::vec3 direction) const;
+  // Radiance and density of a direction at once.
+  Sample lookUp(glm::vec3 direction) const {
+    const Pixel pixel = pixelOf(direction);
+    return {direction, pixels_[pixel.index], pdfOf(pixel.row, pixel.index)};
+  }
 
   // Spherical-harmonic coefficients of this order, 1 .. 8 (gi/spherical_harmonics.h), integrated exactly over
   // every pixel.
@@ -108,6 +113,12 @@ struct Sky {
     return s;
   }
   float pdf(glm::vec3 world) const { return environment->pdf(world * worldFromEnvironment); }
+  Environment::Sample lookUp(glm::vec3 world) const {
+    Environment::Sample s = environment->lookUp(world * worldFromEnvironment);
+    s.direction = world;
+    s.radiance *= scale;
+    return s;
+  }
 };
 
 // The rotation of a quaternion of any length above 0; that of (0, 0, 0, 0) is the identity. What the

@@ -1,9 +1,10 @@
 // Light of surface points by path tracing: irradiance or spherical harmonic transfer, unbiased.
 //
 // Each point is lit on its own isosurface: every ray of its paths is traced against that isovalue (Wyman et
-// al. 2006 sec. 4.1). Directions are cosine-distributed about the B-spline normal, mixed with directions
-// drawn from the environment (one-sample multiple importance sampling, balance heuristic: Veach 1997
-// sec. 9.2.4); lamps by shadow rays; paths go on in one direction, never branch, and end by Russian roulette.
+// al. 2006 sec. 4.1). Directions are cosine-distributed about the B-spline normal; a share of them are
+// shadow rays toward directions drawn from the environment instead, and direct light of it is weighted for
+// both (one-sample multiple importance sampling, balance heuristic: Veach 1997 sec. 9.2.4). Lamps by shadow
+// rays. Paths never branch, and end by Russian roulette.
 // Rays start off the surface by kOffsetVoxels along the normal; what a lamp gives is that of the point
 // itself. The result for a point and a sample number is always the same, whatever else is asked for. A path
 // that has not ended after kMostBounces (albedo 1 in a closed cavity) is ended and counted. Thread-safe.

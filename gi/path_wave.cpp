@@ -76,6 +76,7 @@ struct PathWave::Job {
   const Range& range;
   Counters& counters;
   const std::stop_token& stop;
+  float share;  // of directions drawn from the sky
 
   const LightPoint& pointOf(std::uint32_t path) const { return range.points[path / range.samples.count]; }
   std::uint32_t sampleOf(std::uint32_t path) const {
@@ -104,39 +105,36 @@ void PathWave::start(const Job& job) {
   }
 }
 
-// A direction for every vertex, by the mixture of cosine and sky (Veach 1997 eq. 9.15 with the balance
-// heuristic: the weight is cosine / density of the mixture).
+// A direction for every vertex: a shadow ray to the sky, or a departure.
 void PathWave::depart(const Job& job, std::uint32_t depth) {
   const PathSetup& setup = job.setup;
   departures_.clear();
-  radiances_.clear();
   rays_.clear();
-  const float share = setup.share;
+  toSky_.clear();
+  skyRays_.clear();
+  const float share = job.share;
   for (const Vertex& vertex : vertices_) {
     glm::vec2 u = job.pair(vertex.path, directionPair(depth));
-    glm::vec3 direction, throughput = vertex.throughput;
-    if (share > 0.0f && u.x < share) {
+    const float isovalue = job.pointOf(vertex.path).isovalue;
+    const auto rayTo = [&](glm::vec3 direction) {
+      return volume::TraceRay{vertex.voxel + setup.voxelsOfMm * (setup.offsetMm * vertex.normal),
+                              setup.voxelsOfMm * direction, isovalue, infinity};
+    };
+    if (u.x < share) {
       u.x = std::min(u.x / share, 1.0f - 0x1p-24f);
       const Environment::Sample sample = setup.sky.sample(u);
-      direction = sample.direction;
-      const float cosine = glm::dot(vertex.normal, direction);
+      const float cosine = glm::dot(vertex.normal, sample.direction);
       if (!(cosine > 0.0f)) continue;
-      throughput *= cosine / (share * sample.pdf + (1.0f - share) * cosine / pi);
-      radiances_.push_back(sample.radiance);
+      const float density = share * sample.pdf + (1.0f - share) * cosine / pi;
+      toSky_.push_back({vertex.path, finite(vertex.throughput * (cosine / density) * sample.radiance)});
+      skyRays_.push_back(rayTo(sample.direction));
     } else {
       if (share > 0.0f) u.x = std::min((u.x - share) / (1.0f - share), 1.0f - 0x1p-24f);
       const glm::vec3 local = cosineHemisphere(u);
-      direction = Frame::about(vertex.normal).toWorld(local);
-      if (share > 0.0f) {
-        throughput *= local.z / (share * setup.sky.pdf(direction) + (1.0f - share) * local.z / pi);
-        radiances_.push_back(setup.sky.radiance(direction));
-      } else {
-        throughput *= pi;
-      }
+      const glm::vec3 direction = Frame::about(vertex.normal).toWorld(local);
+      departures_.push_back({vertex.path, direction, vertex.throughput * (pi / (1.0f - share)), local.z});
+      rays_.push_back(rayTo(direction));
     }
-    departures_.push_back({vertex.path, direction, throughput});
-    rays_.push_back({vertex.voxel + setup.voxelsOfMm * (setup.offsetMm * vertex.normal),
-                     setup.voxelsOfMm * direction, job.pointOf(vertex.path).isovalue, infinity});
   }
 }
 
@@ -152,15 +150,14 @@ bool PathWave::traceFirst(const Job& job) {
   return true;
 }
 
-bool PathWave::traceAny(const Job& job) {
-  hit_.resize(rays_.size());
-  for (std::size_t i = 0; i < rays_.size(); i += kTracedAtOnce) {
+bool PathWave::traceAny(const Job& job, std::span<const volume::TraceRay> rays) {
+  hit_.resize(rays.size());
+  for (std::size_t i = 0; i < rays.size(); i += kTracedAtOnce) {
     if (job.stop.stop_requested()) return false;
-    const std::size_t count = std::min(kTracedAtOnce, rays_.size() - i);
-    job.setup.light->tracer->anyEntries(std::span(rays_).subspan(i, count),
-                                        std::span(hit_).subspan(i, count));
+    const std::size_t count = std::min(kTracedAtOnce, rays.size() - i);
+    job.setup.light->tracer->anyEntries(rays.subspan(i, count), std::span(hit_).subspan(i, count));
   }
-  job.counters.rays += rays_.size();
+  job.counters.rays += rays.size();
   return true;
 }
 
@@ -198,14 +195,20 @@ void PathWave::arrive(const Job& job, std::uint32_t depth) {
   }
 }
 
-template <class Escaped>
-bool PathWave::follow(const Job& job, const Escaped& escaped) {
+// Calls lit(i) for the rays to the sky, escaped(i) for the departures that nothing is in the way of.
+template <class Lit, class Escaped>
+bool PathWave::follow(const Job& job, const Lit& lit, const Escaped& escaped) {
   start(job);
   const auto end = static_cast<std::uint32_t>(job.setup.bounces);
   for (std::uint32_t depth = 0; !vertices_.empty(); ++depth) {
     const bool last = depth == end;
     depart(job, depth);
-    if (!(last ? traceAny(job) : traceFirst(job))) return false;
+    if (!toSky_.empty()) {
+      if (!traceAny(job, skyRays_)) return false;
+      for (std::size_t i = 0; i < toSky_.size(); ++i)
+        if (hit_[i] == 0) lit(i);
+    }
+    if (!(last ? traceAny(job, rays_) : traceFirst(job))) return false;
     for (std::size_t i = 0; i < departures_.size(); ++i)
       if (last ? hit_[i] == 0 : !(t_[i] < infinity))
         escaped(i);
@@ -220,23 +223,30 @@ bool PathWave::follow(const Job& job, const Escaped& escaped) {
 bool PathWave::skyLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light,
                         Counters& counters, const std::stop_token& stop) {
   std::fill(light.begin(), light.end(), glm::vec3(0.0f));
-  return follow({setup, range, counters, stop}, [&](std::size_t i) {
+  const auto lit = [&](std::size_t i) { light[toSky_[i].path] = toSky_[i].worth; };
+  const auto escaped = [&](std::size_t i) {
     const Departure& departure = departures_[i];
     glm::vec3 radiance(1.0f);
-    if (setup.share > 0.0f)
-      radiance = radiances_[i];
-    else if (setup.sky.environment)
+    if (setup.share > 0.0f) {
+      const Environment::Sample seen = setup.sky.lookUp(departure.direction);
+      const float byCosine = (1.0f - setup.share) * departure.cosine / pi;
+      radiance = seen.radiance * (byCosine / (byCosine + setup.share * seen.pdf));
+    } else if (setup.sky.environment) {
       radiance = setup.sky.radiance(departure.direction);
+    }
     light[departure.path] = finite(departure.throughput * radiance);
-  });
+  };
+  return follow({setup, range, counters, stop, setup.share}, lit, escaped);
 }
 
 bool PathWave::escapes(const PathSetup& setup, const Range& range, std::span<Escape> escapes,
                        Counters& counters, const std::stop_token& stop) {
   std::fill(escapes.begin(), escapes.end(), Escape{});
-  return follow({setup, range, counters, stop}, [&](std::size_t i) {
-    escapes[departures_[i].path] = {departures_[i].throughput, departures_[i].direction};
-  });
+  return follow(
+      {setup, range, counters, stop, 0.0f}, [](std::size_t) {},
+      [&](std::size_t i) {
+        escapes[departures_[i].path] = {departures_[i].throughput, departures_[i].direction};
+      });
 }
 
 // A shadow ray from the vertex to where the sample shines, and what it is worth.
@@ -246,14 +256,14 @@ void PathWave::aim(const PathSetup& setup, float isovalue, const Vertex& vertex,
   if (!(largest(worth) > 0.0f)) return;
   const glm::vec3 offset = setup.offsetMm * vertex.normal;
   const glm::vec3 toward = sample.distant ? sample.toward : sample.toward - offset;
-  departures_.push_back({vertex.path, toward, worth});
+  departures_.push_back({vertex.path, toward, worth, 0.0f});
   rays_.push_back({vertex.voxel + setup.voxelsOfMm * offset, setup.voxelsOfMm * toward, isovalue,
                    sample.distant ? infinity : 1.0f});
 }
 
 // Traces the shadow rays that are aimed.
 bool PathWave::lightUp(const Job& job, std::span<glm::vec3> light) {
-  if (!traceAny(job)) return false;
+  if (!traceAny(job, rays_)) return false;
   for (std::size_t i = 0; i < departures_.size(); ++i)
     if (hit_[i] == 0) light[departures_[i].path] += departures_[i].throughput;
   departures_.clear();
@@ -264,7 +274,7 @@ bool PathWave::lightUp(const Job& job, std::span<glm::vec3> light) {
 bool PathWave::directLight(const PathSetup& setup, std::span<const LightPoint> points,
                            std::span<glm::vec3> light, Counters& counters, const std::stop_token& stop) {
   const Range range{points, {0, 1}};
-  const Job job{setup, range, counters, stop};
+  const Job job{setup, range, counters, stop, 0.0f};
   std::fill(light.begin(), light.end(), glm::vec3(0.0f));
   start(job);
   departures_.clear();
@@ -281,7 +291,7 @@ bool PathWave::directLight(const PathSetup& setup, std::span<const LightPoint> p
 
 bool PathWave::lampLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light,
                          Counters& counters, const std::stop_token& stop) {
-  const Job job{setup, range, counters, stop};
+  const Job job{setup, range, counters, stop, 0.0f};
   const LampSampler& lamps = setup.lamps;
   std::fill(light.begin(), light.end(), glm::vec3(0.0f));
   start(job);

@@ -1,8 +1,12 @@
 // A wave of light paths that advance together, one segment at a time: rays are made, traced and shaded in
 // batches, so that the tracer's lanes stay full.
 //
-// Path i of a wave is sample samples.first + i % samples.count of point i / samples.count. At a bounce the
-// path goes on about the B-spline normal; where that does not face the arriving ray, or is 0, about the
+// Path i of a wave is sample samples.first + i % samples.count of point i / samples.count. At each vertex of
+// a path, direct light of the sky is estimated by one direction, drawn from the sky with a probability of
+// `share` and else from the cosine, and weighted for both (one-sample multiple importance sampling with the
+// balance heuristic, Veach 1997 eq. 9.15). A path goes on in directions of the cosine only: one that is drawn
+// from the sky is a shadow ray and ends it, and the others count 1 / (1 - share) times as much. At a bounce
+// the path goes on about the B-spline normal; where that does not face the arriving ray, or is 0, about the
 // normal of the trilinear cell, and where that does not either, straight back: a path is never dropped, so no
 // light vanishes. Lengths mm, positions voxel coordinates, directions and normals world. The decisions of a
 // path depend on its point's seed, its sample and its depth only: a path is the same in any wave.
@@ -82,15 +86,20 @@ class PathWave {
   struct Departure {
     std::uint32_t path;
     glm::vec3 direction, throughput;
+    float cosine;
+  };
+  struct SkyRay {  // to a direction that was drawn from the sky
+    std::uint32_t path;
+    glm::vec3 worth;  // if nothing is in its way
   };
   struct Job;  // what is constant during a call
 
   void start(const Job& job);
   void depart(const Job& job, std::uint32_t depth);
-  template <class Escaped>
-  bool follow(const Job& job, const Escaped& escaped);
+  template <class Lit, class Escaped>
+  bool follow(const Job& job, const Lit& lit, const Escaped& escaped);
   bool traceFirst(const Job& job);
-  bool traceAny(const Job& job);
+  bool traceAny(const Job& job, std::span<const volume::TraceRay> rays);
   void arrive(const Job& job, std::uint32_t depth);
   void aim(const PathSetup& setup, float isovalue, const Vertex& vertex, const LampSample& sample,
            glm::vec3 throughput);
@@ -98,8 +107,8 @@ class PathWave {
 
   std::vector<Vertex> vertices_;
   std::vector<Departure> departures_;
-  std::vector<glm::vec3> radiances_;  // of the departures' directions, where some are drawn from the sky
-  std::vector<volume::TraceRay> rays_;
+  std::vector<SkyRay> toSky_;
+  std::vector<volume::TraceRay> rays_, skyRays_;
   std::vector<float> t_;
   std::vector<std::uint8_t> hit_;
   std::vector<glm::vec3> voxels_, gradients_, albedos_;
