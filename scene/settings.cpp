@@ -553,8 +553,8 @@ std::vector<Setting> makeSettings() {
             "From this bounce on paths end at random, with the probability that light is absorbed."));
   add(entry(
       "gi.environment_share", ISOLUX_MEMBER(gi.environmentShare), {0, 0.95}, "",
-      "The part of the directions that is drawn from the environment instead of the surface; auto is 0.5 "
-      "under a light probe."));
+      "The part of the directions that is drawn from the environment instead of the surface; auto is 0.75 "
+      "under a light probe, 0.5 with more than one bounce."));
   add(entry("gi.lattice_scale", ISOLUX_MEMBER(gi.latticeScale), {0.125, 4}, "texels per voxel and axis",
             "How finely light is stored."));
   add(choiceEntry(
