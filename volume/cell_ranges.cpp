@@ -7,6 +7,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "volume/huge_pages.h"
+
 namespace isolux::volume {
 
 namespace {
@@ -194,6 +196,8 @@ CellRanges::CellRanges(const Grid& grid, scene::Progress& progress) : bins_(grid
                              static_cast<std::size_t>(blockDims_.z);
   cellBytes_ = 4 * blocks;
   // Two bytes more than the cells: kernels read four at a time.
+  table_.reserve(cellBytes_ + 128 * blocks + 2);
+  preferHugePages(table_.data(), table_.capacity());  // before resize() touches them
   table_.resize(cellBytes_ + 128 * blocks + 2);
   const std::vector<std::uint8_t> bins = binsOf(grid, bins_, progress);
   tbb::parallel_for(

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "volume/huge_pages.h"
 #include "volume/isosurface_tracer_kernels.h"
 
 namespace isolux::volume {
@@ -79,6 +80,7 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
   std::visit(
       [&](const auto& voxels) {
         using T = typename std::decay_t<decltype(voxels)>::value_type;
+        if constexpr (sizeof(T) > 1) preferHugePages(voxels.data(), voxels.size() * sizeof(T));
         if constexpr (std::is_same_v<T, float>) {
           view_->float32 = voxels.data();
           const double range = std::abs((grid_->maximum() - grid_->minimum()) / grid_->slope());
@@ -88,6 +90,8 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
         } else if constexpr (std::is_same_v<T, std::int16_t>) {
           view_->signed16 = voxels.data();
         } else {
+          widened_.reserve(voxels.size());
+          preferHugePages(widened_.data(), widened_.capacity() * sizeof widened_[0]);
           widened_.assign(voxels.begin(), voxels.end());
           view_->signed16 = widened_.data();
         }

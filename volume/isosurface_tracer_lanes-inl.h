@@ -1,0 +1,63 @@
+// The rays of a group, one per SIMD lane, and what is known of those that have entered. Included once per
+// instruction set by isosurface_tracer_simd.cpp.
+#if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H
+#undef ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H
+#else
+#define ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace isolux::volume::tracing {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::ScalableTag<float>;
+using I = hn::ScalableTag<std::int32_t>;
+using U = hn::ScalableTag<std::uint32_t>;
+using VF = hn::Vec<F>;
+using VI = hn::Vec<I>;
+using MF = hn::Mask<F>;
+using MI = hn::Mask<I>;
+constexpr std::size_t kLanes = hn::MaxLanes(F());
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// A first entry that is known but for its place: in s in [low, high], outside at low, inside at high.
+struct Found {
+  alignas(64) float b0[kLanes], b1[kLanes], b2[kLanes], b3[kLanes];
+  alignas(64) float low[kLanes], high[kLanes], atLow[kLanes], atHigh[kLanes];
+  alignas(64) float tIn[kLanes], tOut[kLanes];
+};
+
+// Rays that step together, one per lane (PreparedRay).
+struct Group {
+  alignas(64) float origin[3][kLanes] = {}, direction[3][kLanes] = {}, inverse[3][kLanes] = {};
+  alignas(64) float tEnd[kLanes] = {}, isovalue[kLanes] = {};
+  alignas(64) std::int32_t bin[kLanes] = {}, start[3][kLanes] = {};
+  alignas(64) std::int32_t offset[kLanes] = {}, word[kLanes] = {};
+  VI cx, cy, cz;
+  VF t;
+  MI alive, fine, hits, waits;  // fine: at single cells, else at blocks
+  MF outside;
+  float scale[kLanes] = {}, tBegin[kLanes] = {};
+  std::size_t ray[kLanes] = {};
+  bool busy[kLanes] = {};  // a result is not yet written
+  bool empty = false;
+  Found found = {};
+};
+
+#endif
+}  // namespace HWY_NAMESPACE
+}  // namespace isolux::volume::tracing
+HWY_AFTER_NAMESPACE();
+
+#endif
