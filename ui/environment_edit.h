@@ -10,8 +10,8 @@ namespace isolux::ui {
 // Why turning the environment would do nothing; empty: it turns.
 QString whyItCannotTurn(const scene::Scene& scene);
 
-// A part of one gesture. With gi.mode auto an environment that is turned is one that moves: from then on light
-// is stored so that turning costs nothing.
+// A part of one gesture. With gi.mode auto an environment that is turned is one that moves: from then on
+// light is stored so that turning costs nothing.
 Edit environmentTurned(const scene::Scene& scene, const glm::dvec4& rotation);
 // Whether `edit`, made of `before`, was what first let the environment move.
 bool letsEnvironmentMove(const scene::Scene& before, const Edit& edit);

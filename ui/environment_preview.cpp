@@ -195,8 +195,7 @@ void EnvironmentPreview::mouseMoveEvent(QMouseEvent* event) {
   last_ = event->position();
   // To the right is clockwise as seen from above.
   const double degrees = -360.0 * step / std::max(1, width());
-  Q_EMIT edited(
-      environmentTurned(scene_, withHeadingTurned(resolved_.light.environment.rotation, degrees)));
+  Q_EMIT edited(environmentTurned(scene_, withHeadingTurned(resolved_.light.environment.rotation, degrees)));
 }
 
 void EnvironmentPreview::mouseReleaseEvent(QMouseEvent* event) {

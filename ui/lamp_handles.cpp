@@ -11,10 +11,10 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr double margin = 20.0;      // pixels between a handle and the picture's edge
-constexpr double grabReach = 12.0;   // pixels about a handle
-constexpr double ringReach = 5.0;    // pixels to both sides of an outline
-constexpr double farthestMm = 1e9;   // the range of a lamp's position
+constexpr double margin = 26.0;     // pixels between a handle and the picture's edge
+constexpr double grabReach = 12.0;  // pixels about a handle
+constexpr double ringReach = 5.0;   // pixels to both sides of an outline
+constexpr double farthestMm = 1e9;  // the range of a lamp's position
 
 struct Projection {
   glm::dvec2 pixel{0.0};  // of what is before the eye
@@ -51,7 +51,8 @@ glm::dvec3 placeOf(const scene::Lamp& lamp, const LampStage& stage) {
 }
 
 bool inside(glm::dvec2 pixel, glm::dvec2 pixels) {
-  return pixel.x >= margin && pixel.y >= margin && pixel.x <= pixels.x - margin && pixel.y <= pixels.y - margin;
+  return pixel.x >= margin && pixel.y >= margin && pixel.x <= pixels.x - margin &&
+         pixel.y <= pixels.y - margin;
 }
 
 // Along the line from the picture's centre, to where it leaves the margin.

@@ -27,12 +27,12 @@ LampStage lampStageOf(const scene::Scene& resolved, const scene::VolumeFacts& fa
 struct LampHandle {
   int lamp = 0;  // 1 .. 3
   scene::LampKind kind = scene::LampKind::point;
-  glm::dvec3 color{1.0};     // linear RGB
-  glm::dvec2 pixel{0.0};     // where the handle is drawn: always on the picture
-  bool outside = false;      // the lamp itself is not on the picture: `toward` points to it
-  glm::dvec2 toward{0.0};    // unit, pixels
-  bool far = false;          // behind the volume's centre as the viewer sees it
-  double ringPixels = 0.0;   // outline about `ballPixel`: of a sphere, or of a distant lamp's ball; 0 none
+  glm::dvec3 color{1.0};    // linear RGB
+  glm::dvec2 pixel{0.0};    // where the handle is drawn: always on the picture
+  bool outside = false;     // the lamp itself is not on the picture: `toward` points to it
+  glm::dvec2 toward{0.0};   // unit, pixels
+  bool far = false;         // behind the volume's centre as the viewer sees it
+  double ringPixels = 0.0;  // outline about `ballPixel`: of a sphere, or of a distant lamp's ball; 0 none
   glm::dvec2 ballPixel{0.0};
   bool operator==(const LampHandle&) const = default;
 };

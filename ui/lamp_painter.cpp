@@ -10,7 +10,7 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr double discRadius = 10.0, arrowLength = 8.0;
+constexpr double discRadius = 10.0, arrowLength = 13.0;
 const QColor rim(0, 0, 0, 190);
 
 void strokeRing(QPainter& painter, QPointF centre, double radius, const QColor& colour, bool marked,
@@ -27,8 +27,8 @@ QPainterPath arrowFrom(QPointF centre, glm::dvec2 toward) {
   const QPointF along(toward.x, toward.y), across(-toward.y, toward.x);
   QPainterPath path;
   path.moveTo(centre + along * (discRadius + arrowLength));
-  path.lineTo(centre + along * (discRadius + 1.5) + across * 5.0);
-  path.lineTo(centre + along * (discRadius + 1.5) - across * 5.0);
+  path.lineTo(centre + along * (discRadius + 3.5) + across * 6.0);
+  path.lineTo(centre + along * (discRadius + 3.5) - across * 6.0);
   path.closeSubpath();
   return path;
 }

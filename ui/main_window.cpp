@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,9 +17,11 @@
 #include "app/session.h"
 #include "scene/relevance.h"
 #include "scene/settings.h"
+#include "ui/baked_light.h"
 #include "ui/environment_edit.h"
 #include "ui/info_panel.h"
 #include "ui/isovalue_panel.h"
+#include "ui/light_status.h"
 #include "ui/load_card.h"
 #include "ui/message_bar.h"
 #include "ui/number_text.h"
@@ -38,6 +41,7 @@ constexpr int panelWidth = 350;  // pixels, at first
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       document_(new Document(this)),
+      light_(new BakedLight(this)),
       viewport_(new Viewport(this)),
       isovalue_(new IsovaluePanel(this)),
       settings_(new SettingsPanel(this)),
@@ -45,6 +49,7 @@ MainWindow::MainWindow(QWidget* parent)
       passes_(new PassesPanel(this)),
       message_(new MessageBar(this)),
       loadCard_(new LoadCard(viewport_)),
+      lightStatus_(new LightStatus(this)),
       pointedLabel_(new QLabel(this)),
       recordingLabel_(new QLabel(this)),
       frameLabel_(new QLabel(this)) {
@@ -58,6 +63,7 @@ MainWindow::MainWindow(QWidget* parent)
   makeHelpMenu();
   makeToolBar();
   connectDocument();
+  connectLight();
   showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(openHint);
   showState();
@@ -104,14 +110,20 @@ void MainWindow::makePanels() {
   frameLabel_->setToolTip("Time for the last picture");
   pointedLabel_->setContentsMargins(10, 0, 0, 0);
   statusBar()->addWidget(pointedLabel_, 1);
+  // The text under the pointer gives way, so that the window can be as narrow as before.
+  pointedLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  statusBar()->addPermanentWidget(lightStatus_);
   statusBar()->addPermanentWidget(recordingLabel_);
   statusBar()->addPermanentWidget(frameLabel_);
   statusBar()->setSizeGripEnabled(false);
+  // Whatever comes and goes in it, the picture above keeps its size.
+  statusBar()->setFixedHeight(std::max(28, fontMetrics().height() + 12));
 }
 
 void MainWindow::connectDocument() {
   connect(document_, &Document::volumeChanged, this, [this](const VolumePointer& volume) {
     isovalue_->setVolume(volume);
+    light_->setVolume(volume);
     viewport_->setVolume(volume);
     info_->setVolume(volume);
     awaitsFirstPicture_ = true;
@@ -173,6 +185,21 @@ void MainWindow::connectDocument() {
   connect(settings_, &SettingsPanel::dragEnded, this, end);
 }
 
+void MainWindow::connectLight() {
+  connect(viewport_, &Viewport::drawing, light_, &BakedLight::setDrawing);
+  connect(viewport_, &Viewport::drawn, light_, &BakedLight::setDrawn);
+  connect(viewport_, &Viewport::seen, light_, &BakedLight::setVisible);
+  connect(light_, &BakedLight::lightChanged, viewport_, &Viewport::setLight);
+  connect(light_, &BakedLight::stateChanged, lightStatus_, &LightStatus::setState);
+  connect(light_, &BakedLight::failed, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
+  connect(light_, &BakedLight::noted, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(lightStatus_, &LightStatus::paused, light_, [this] { light_->setPaused(true); });
+  connect(lightStatus_, &LightStatus::goOn, light_, &BakedLight::goOn);
+  connect(lightStatus_, &LightStatus::cancelled, light_, &BakedLight::cancel);
+}
+
 void MainWindow::applyEdit(const Edit& edit) {
   const bool moves = letsEnvironmentMove(document_->scene(), edit);
   document_->edit(edit);
@@ -214,6 +241,7 @@ void MainWindow::open(const app::WindowRequest& request) {
 
 void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolved) {
   isovalue_->setScene(scene, resolved);
+  light_->setScene(resolved);
   viewport_->setScene(scene, resolved);
   settings_->setScene(scene, resolved);
   info_->setScene(scene);
@@ -234,7 +262,8 @@ void MainWindow::showState() {
   undo_->setText(history.canUndo() ? "&Undo " + QString::fromStdString(history.undoName()) : "&Undo");
   redo_->setText(history.canRedo() ? "&Redo " + QString::fromStdString(history.redoName()) : "&Redo");
   const bool loaded = document_->volume() != nullptr;
-  for (QAction* action : {save_, saveAs_, picture_, reset_, fit_, projection_}) action->setEnabled(loaded);
+  for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
+    action->setEnabled(loaded);
   for (QAction* action : views_) action->setEnabled(loaded);
   const bool recording = document_->recording();
   record_->setText(recording ? "Stop &recording" : "Start &recording…");

@@ -16,8 +16,10 @@ class QMenu;
 
 namespace isolux::ui {
 
+class BakedLight;
 class InfoPanel;
 class IsovaluePanel;
+class LightStatus;
 class LoadCard;
 class MessageBar;
 class PassesPanel;
@@ -43,6 +45,8 @@ class MainWindow : public QMainWindow {
   QComboBox* lookChoice() const { return look_; }
   MessageBar* messageBar() const { return message_; }
   LoadCard* loadCard() const { return loadCard_; }
+  BakedLight* light() const { return light_; }
+  LightStatus* lightStatus() const { return lightStatus_; }
 
   bool savePicture(const QString& file);  // .png (with the session inside) or .exr
   void showPanel(const QString& name);    // "settings", "volume" or "passes"
@@ -62,6 +66,7 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void makePanels();
   void connectDocument();
+  void connectLight();
   void applyEdit(const Edit& edit);
   void endGesture();
   void tellOfMoving();
@@ -76,6 +81,7 @@ class MainWindow : public QMainWindow {
   bool saveSession();
   bool saveSessionAs();
   void choosePicture();
+  void tracePicture();
   void toggleRecording();
   void toggleFullScreen(bool on);
   void chooseLook(int mode);
@@ -86,6 +92,7 @@ class MainWindow : public QMainWindow {
   bool mayDiscard();  // asks only when a session file has unsaved changes
 
   Document* document_;
+  BakedLight* light_;
   Viewport* viewport_;
   IsovaluePanel* isovalue_;
   SettingsPanel* settings_;
@@ -93,9 +100,10 @@ class MainWindow : public QMainWindow {
   PassesPanel* passes_;
   MessageBar* message_;
   LoadCard* loadCard_;
+  LightStatus* lightStatus_;
   QDockWidget *settingsDock_ = nullptr, *infoDock_ = nullptr, *passesDock_ = nullptr;
   QMenu* recentMenu_ = nullptr;
-  QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *record_;
+  QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_;
   QComboBox* look_;
   std::vector<QAction*> views_;

@@ -62,11 +62,20 @@ void PictureQuality::animated() {
   if (stage_ == Stage::full) changed(Motion::look);
 }
 
+void PictureQuality::setLightChanging(bool changing) {
+  lightChanging_ = changing;
+  if (changing && stage_ == Stage::full) stage_ = Stage::sharp;
+}
+
+bool PictureQuality::mayRefine() const {
+  return !complete() && !(lightChanging_ && stage_ == Stage::sharp);
+}
+
 bool PictureQuality::refine() {
-  if (complete()) return false;
+  if (!mayRefine()) return false;
   // From a small picture first to the full size at one ray per pixel, which costs a fraction of the last
   // step.
-  stage_ = level(motion_) < fullSize ? Stage::sharp : Stage::full;
+  stage_ = level(motion_) < fullSize || lightChanging_ ? Stage::sharp : Stage::full;
   return true;
 }
 

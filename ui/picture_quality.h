@@ -39,8 +39,12 @@ class PictureQuality {
   void changed(Motion motion);
   // An animation went on by itself: a look that moves, without waiting for a finer picture being put off.
   void animated();
-  // The next finer stage; false when the picture is already complete.
+  // Stored light comes in at rest: pictures follow one another, at the full size but with one ray per pixel,
+  // until it ends.
+  void setLightChanging(bool changing);
+  // The next finer stage; false when the picture is already complete, or while its light still changes.
   bool refine();
+  bool mayRefine() const;
   // The time of a picture that request() asked for; `motion`: rays when rays were cast for it.
   void measured(double milliseconds, Motion motion);
 
@@ -56,6 +60,7 @@ class PictureQuality {
   scene::Picture picture_;
   Stage stage_ = Stage::moving;
   Motion motion_ = Motion::rays;
+  bool lightChanging_ = false;
   // Indices into the levels of the .cpp file: what each Motion can afford, and what was on screen when the
   // look began to move.
   std::size_t levels_[2], ceiling_;

@@ -27,15 +27,17 @@ ProbeThumbnail reduced(const gi::Environment& environment) {
     return static_cast<int>(static_cast<std::int64_t>(i) * of / count);
   };
   for (int y = 0; y < small.size.y; ++y) {
-    const int top = first(y, small.size.y, from.y), bottom = std::max(first(y + 1, small.size.y, from.y), top + 1);
+    const int top = first(y, small.size.y, from.y),
+              bottom = std::max(first(y + 1, small.size.y, from.y), top + 1);
     for (int x = 0; x < small.size.x; ++x) {
       const int left = first(x, small.size.x, from.x),
                 right = std::max(first(x + 1, small.size.x, from.x), left + 1);
       glm::dvec3 sum(0.0);
       for (int row = top; row < bottom; ++row)
         for (int column = left; column < right; ++column)
-          sum += glm::dvec3(environment.pixels()[static_cast<std::size_t>(row) * static_cast<std::size_t>(from.x) +
-                                                 static_cast<std::size_t>(column)]);
+          sum += glm::dvec3(
+              environment.pixels()[static_cast<std::size_t>(row) * static_cast<std::size_t>(from.x) +
+                                   static_cast<std::size_t>(column)]);
       small.pixels.emplace_back(sum / static_cast<double>((bottom - top) * (right - left)));
     }
   }

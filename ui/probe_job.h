@@ -18,8 +18,8 @@ namespace isolux::ui {
 struct ProbeThumbnail {
   glm::ivec2 size{0};
   std::vector<glm::vec3> pixels;
-  double meanLuminance = 0.0;  // over the sphere
-  std::size_t badPixels = 0;   // of the file: not numbers
+  double meanLuminance = 0.0;                // over the sphere
+  std::size_t badPixels = 0;                 // of the file: not numbers
   glm::vec3 at(glm::dvec3 direction) const;  // in the environment's own axes (gi/environment.h)
 };
 

@@ -183,7 +183,8 @@ void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& reso
   environment_->setScene(scene, resolved);
   for (Group& group : groups_) {
     for (const Row& row : group.rows) row.editor->setScene(scene, resolved);
-    if (group.header->text() == environmentGroup) group.form->setRowVisible(environment_, environment_->hasProbe());
+    if (group.header->text() == environmentGroup)
+      group.form->setRowVisible(environment_, environment_->hasProbe());
     showGroup(group);
   }
 }

@@ -8,6 +8,7 @@
 
 #include "render/passes.h"
 #include "scene/automatic.h"
+#include "scene/relevance.h"
 #include "ui/gl_bridge.h"
 #include "ui/viewport_overlay.h"
 
@@ -16,6 +17,7 @@ namespace isolux::ui {
 namespace {
 constexpr int restMilliseconds = 200;                // after the last change, before the fine picture
 constexpr std::size_t brickBytesPerFrame = 8 << 20;  // a few milliseconds of uploads
+constexpr int seenMilliseconds = 200;                // what moves on is told at most this often
 constexpr int pointMilliseconds = 40;                // the pointer's value is looked up at most this often
 
 bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // null: any
@@ -147,8 +149,10 @@ void Viewport::paintGL() {
   try {
     if (!complete()) lastRequest_ = quality_.request(pixelSize());  // else the same picture is shown again
     lastRequest_.brickUploadBytes = brickBytesPerFrame;
+    Q_EMIT drawing(true);
     QElapsedTimer timer;
     timer.start();
+    renderer_->setLight(light_);
     const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);
     renderer_->present(defaultFramebufferObject(), pixelSize());
     current_ = true;
@@ -159,18 +163,34 @@ void Viewport::paintGL() {
       if (underMouse()) pointTimer_.start();  // another point may lie under a pointer that rests
     }
     const bool waits = refineTimer_.isActive();  // an animation draws while a finer picture is on its way
-    if (quality_.stage() == PictureQuality::Stage::sharp && !quality_.complete() && !waits) {
+    if (quality_.stage() == PictureQuality::Stage::sharp && quality_.mayRefine() && !waits) {
       refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
     }
     bricksPending_ = report.bricks.pending;
     overlay_->setNote(missingNote(report.bricks));
     if (bricksPending_) update();  // the next frame gets further
+    reportSeen();
+    Q_EMIT drawing(false);
     Q_EMIT reported(report, lastRequest_);
     Q_EMIT drawn(pictureMilliseconds_, complete());
   } catch (const scene::Error& error) {
+    Q_EMIT drawing(false);
     releaseRenderer();
     fail(QString::fromStdString(error.what()));
   }
+}
+
+// Light is wanted first where it is seen. A view that keeps turning is told a few times a second.
+void Viewport::reportSeen() {
+  if (!volume_ || bricksPending_ || scene::shadingOf(resolved_) != scene::Shading::gi) return;
+  // By pixels: what further rays of a pixel hit is in its texels' neighbourhood, which is wanted anyway.
+  const double pixels = static_cast<double>(lastRequest_.size.x) * lastRequest_.size.y;
+  if (pixels <= seenPixels_) return;
+  const bool moving = quality_.stage() == PictureQuality::Stage::moving;
+  if (moving && sinceSeen_.isValid() && sinceSeen_.elapsed() < seenMilliseconds) return;
+  sinceSeen_.start();
+  Q_EMIT seen(renderer_->hitVoxels(), seenPixels_ > 0.0);
+  seenPixels_ = pixels;
 }
 
 bool Viewport::complete() const {
@@ -180,6 +200,7 @@ bool Viewport::complete() const {
 
 void Viewport::redraw(Motion motion) {
   current_ = false;
+  if (motion == Motion::rays) seenPixels_ = 0.0;
   quality_.changed(motion);
   refineTimer_.start(restMilliseconds);
   update();
@@ -221,6 +242,9 @@ void Viewport::setVolume(VolumePointer volume) {
 
 void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   const Motion motion = motionBetween(resolved_, resolved);
+  const bool switchedOn =
+      scene::shadingOf(resolved) == scene::Shading::gi && scene::shadingOf(resolved_) != scene::Shading::gi;
+  if (switchedOn) seenPixels_ = 0.0;
   scene_ = scene;
   resolved_ = resolved;
   overlay_->setScene(resolved, volume_ != nullptr);
@@ -236,6 +260,14 @@ void Viewport::setFlowTime(double seconds) {
   update();
 }
 
+void Viewport::setLight(LightPointer light, bool changing) {
+  light_ = std::move(light);
+  quality_.setLightChanging(changing);
+  current_ = false;
+  if (!changing && !refineTimer_.isActive()) rest();
+  update();
+}
+
 render::ColorImage Viewport::picture() {
   if (!renderer_) throw scene::Error(scene::ErrorKind::graphics, "", "", "there is no picture to save");
   makeCurrent();
@@ -243,6 +275,7 @@ render::ColorImage Viewport::picture() {
     render::FrameRequest request;
     request.size = pixelSize();
     request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
+    renderer_->setLight(light_);
     renderer_->render(resolved_, request);
     lastRequest_ = request;  // what pick() reads from now on
     render::ColorImage image = renderer_->readColor();

@@ -16,6 +16,7 @@
 #include "render/frame.h"
 #include "render/renderer.h"
 #include "scene/camera.h"
+#include "ui/baked_light.h"
 #include "ui/document.h"
 #include "ui/edit.h"
 #include "ui/lamp_handles.h"
@@ -35,6 +36,9 @@ class Viewport : public QOpenGLWidget {
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   void setHint(const QString& text);  // shown while there is no volume
   void setFlowTime(double seconds);   // an animated flow has moved on
+  // Stored light to draw with from now on; null: none. `changing`: more is on its way, which pictures of one
+  // ray per pixel follow.
+  void setLight(LightPointer light, bool changing);
   // While true, pictures stay quick (the isovalue is being dragged).
   void setInteracting(bool interacting);
 
@@ -54,6 +58,10 @@ class Viewport : public QOpenGLWidget {
   void gestureEnded();
   void pointed(const std::optional<isolux::render::Pick>& pick);
   void drawn(double milliseconds, bool complete);
+  void drawing(bool begins);  // a frame, now
+  // The surface points of a picture that is lit by stored light, voxel coordinates; `finer`: of more pixels
+  // than those told of the same view.
+  void seen(const std::vector<glm::vec3>& hitVoxels, bool finer);
   void reported(const isolux::render::FrameReport& report, const isolux::render::FrameRequest& request);
   void failed(const QString& message);
   void noted(const QString& message);  // worth knowing, nothing has failed
@@ -78,6 +86,7 @@ class Viewport : public QOpenGLWidget {
   void redraw(Motion motion = Motion::rays);  // something changed: a quick picture now, a full one soon
   void refine();
   void rest();  // a gesture has ended
+  void reportSeen();
   LampStage lampStage() const;
   std::vector<LampHandle> lamps() const;
   std::optional<LampGrip> lampUnder(QPointF position) const;
@@ -97,12 +106,15 @@ class Viewport : public QOpenGLWidget {
   QString glDescription_;
   VolumePointer volume_;
   scene::Scene scene_, resolved_;
+  LightPointer light_;
   PictureQuality quality_;
   render::FrameRequest lastRequest_;
   double pictureMilliseconds_ = 0.0;
   bool current_ = false;        // nothing has changed since lastRequest_ was drawn
   bool bricksPending_ = false;  // the next frame gets further
   bool interacting_ = false;
+  double seenPixels_ = 0.0;  // of the finest picture of this view that was told by seen(); 0 none
+  QElapsedTimer sinceSeen_;
   QTimer refineTimer_, pointTimer_, contextTimer_;
 
   Drag drag_ = Drag::none;

@@ -134,8 +134,8 @@ void Viewport::dragTo(QPointF position) {
       const auto onBall = [&](QPointF p) {
         return glm::dvec2(p.x() - 0.5 * width(), 0.5 * height() - p.y()) / half;
       };
-      Q_EMIT edited(environmentTurned(scene_, turnedByDrag(turnedFrom_, scene::frameOf(camera),
-                                                           onBall(pressed_), onBall(position))));
+      Q_EMIT edited(environmentTurned(
+          scene_, turnedByDrag(turnedFrom_, scene::frameOf(camera), onBall(pressed_), onBall(position))));
       break;
     }
     case Drag::lamp:
@@ -219,8 +219,8 @@ void Viewport::hover(const std::optional<LampGrip>& grip) {
     setToolTip(QString("Lamp %1: drag its outline to make it larger or smaller").arg(grip->lamp));
   } else {
     setCursor(Qt::OpenHandCursor);
-    setToolTip(QString("Lamp %1: drag to move it; with Ctrl, or by the wheel, nearer and farther")
-                   .arg(grip->lamp));
+    setToolTip(
+        QString("Lamp %1: drag to move it; with Ctrl, or by the wheel, nearer and farther").arg(grip->lamp));
   }
   showLamps();
 }

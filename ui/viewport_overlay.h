@@ -20,7 +20,7 @@ class ViewportOverlay : public QWidget {
   void setNote(const QString& text);     // over a picture that is not all there; empty: none
   // Lamps that can be dragged, and which of them the pointer holds or is over.
   void setLamps(std::vector<LampHandle> lamps, const std::optional<LampGrip>& grip);
-  void setHint(const QString& text);     // in place of a picture: what to do first
+  void setHint(const QString& text);  // in place of a picture: what to do first
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -20,6 +20,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/raw_import_dialog.h"
+#include "ui/reference_dialog.h"
 #include "ui/settings_panel.h"
 #include "ui/viewport.h"
 
@@ -140,6 +141,14 @@ void MainWindow::choosePicture() {
   }
 }
 
+void MainWindow::tracePicture() {
+  const double ratio = viewport_->devicePixelRatioF();
+  auto* dialog = new ReferenceDialog(document_->volume(), document_->resolvedScene(),
+                                     (QSizeF(viewport_->size()) * ratio).toSize(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
+}
+
 bool MainWindow::savePicture(const QString& file) {
   try {
     const std::filesystem::path path = file.toStdString();
@@ -237,8 +246,8 @@ void MainWindow::showHelp() {
     <tr><td><b>Right drag</b>, <b>wheel</b></td><td>zoom</td></tr>
     <tr><td><b>Ctrl+left drag</b></td><td>roll</td></tr>
     <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
-    <tr><td><b>Shift+right drag</b></td><td>turn the light probe (look GI)</td></tr>
-    <tr><td><b>Lamp handles</b></td><td>drag; with Ctrl, or by the wheel, nearer and farther (look GI)</td></tr>
+    <tr><td><b>Shift+right drag</b></td><td>turn the light probe (global illumination)</td></tr>
+    <tr><td><b>Lamp handles</b></td><td>drag; with Ctrl, or by the wheel, nearer and farther (global illumination)</td></tr>
     <tr><td><b>1 2 3 4 5 6</b></td><td>from anterior, posterior, left, right, superior, inferior</td></tr>
     <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset the view, fit the volume, orthographic</td></tr>
     <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>

@@ -55,6 +55,9 @@ void MainWindow::makeFileMenu() {
   connect(saveAs_, &QAction::triggered, this, &MainWindow::saveSessionAs);
   picture_ = newAction(menu, "Save p&icture…", "picture", QKeySequence("Ctrl+E"), "Save the picture");
   connect(picture_, &QAction::triggered, this, &MainWindow::choosePicture);
+  trace_ = newAction(menu, "&Path trace picture…", "", {},
+                     "Trace every pixel of this view by itself, for a still without stored light");
+  connect(trace_, &QAction::triggered, this, &MainWindow::tracePicture);
   menu->addSeparator();
   record_ = newAction(menu, "Start &recording…", "record", QKeySequence("Ctrl+R"),
                       "Record every change, to replay it with `isolux replay`");

@@ -2,13 +2,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 
 #include "app/commands/command.h"
 #include "app/files.h"
 #include "app/image_io.h"
 #include "app/progress_bar.h"
+#include "app/reference_image.h"
 #include "app/session.h"
 #include "app/version.h"
 #include "gi/reference.h"
@@ -35,28 +35,6 @@ struct ReferenceOptions {
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-void writePicture(const gi::ReferenceImage& image, const fs::path& out, const std::string& session) {
-  const std::size_t pixels = image.hit.size();
-  std::vector<FloatChannel> channels;
-  const auto add = [&](const char* name, const auto& valueOf) {
-    FloatChannel channel{name, std::vector<float>(pixels)};
-    for (std::size_t i = 0; i < pixels; ++i) channel.values[i] = valueOf(i);
-    channels.push_back(std::move(channel));
-  };
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  for (int c = 0; c < 3; ++c)
-    add(c == 0 ? "R" : c == 1 ? "G" : "B", [&](std::size_t i) { return image.color[i][c]; });
-  for (int c = 0; c < 3; ++c)
-    add(c == 0   ? "irradiance.R"
-        : c == 1 ? "irradiance.G"
-                 : "irradiance.B",
-        [&](std::size_t i) { return image.irradiance[i][c]; });
-  add("variance", [&](std::size_t i) { return image.variance[i]; });
-  add("samples", [&](std::size_t i) { return image.hit[i] ? static_cast<float>(image.samples[i]) : nan; });
-  add("hit", [&](std::size_t i) { return static_cast<float>(image.hit[i]); });
-  writeExr(image.size, channels, out, session);
 }
 
 ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage& image,
@@ -122,13 +100,13 @@ void runReference(const ReferenceOptions& options, scene::Progress& progress) {
       if (!picture.refineTo(round, progress, done, to)) break;
       done = to;
       if (round == options.samples || (written && secondsSince(*written) < kSecondsBetweenWrites)) continue;
-      writePicture(picture.image(), out, session);  // an interrupt leaves it
+      writeReferenceExr(picture.image(), out, session);  // an interrupt leaves it
       written = Clock::now();
     }
     seconds = secondsSince(start);
     image = picture.image();
     progress.report(1.0, "writing");
-    writePicture(image, out, session);
+    writeReferenceExr(image, out, session);
   }
   if (!options.stats.empty())
     writeTextFile(options.stats,

@@ -187,4 +187,21 @@ TEST(PictureQuality, AnAnimationIsAsFineAsTheTargetAllowsAndWaitsForNothing) {
   EXPECT_EQ(quality.request(pixels).supersampling, 1);
 }
 
+TEST(PictureQuality, WhileLightComesInPicturesStaySharpAndTheFullOneFollows) {
+  PictureQuality quality;
+  quality.setPicture(picture(3));
+  quality.changed(Motion::look);
+  quality.setLightChanging(true);
+  while (quality.refine()) {
+  }
+  EXPECT_FALSE(quality.complete());
+  EXPECT_EQ(quality.scale(), 1.0);
+  EXPECT_EQ(quality.supersampling(), 1);
+  quality.setLightChanging(false);
+  EXPECT_TRUE(quality.refine());
+  EXPECT_TRUE(quality.complete());
+  quality.setLightChanging(true);  // a further view is lit
+  EXPECT_EQ(quality.supersampling(), 1);
+}
+
 }  // namespace isolux::test

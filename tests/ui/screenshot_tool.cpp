@@ -1,7 +1,8 @@
 // Makes a picture of the real window, for the README and the pages.
 //
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|volume|passes] [--find TEXT]
-//                     [--raw-dialog] [--histogram-zoom FACTOR] [--set PATH=VALUE]... PATH
+//                     [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
+//                     PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -18,6 +19,7 @@
 #include <QThread>
 
 #include "scene/settings.h"
+#include "ui/baked_light.h"
 #include "ui/histogram_slider.h"
 #include "ui/isovalue_panel.h"
 #include "ui/main_window.h"
@@ -82,7 +84,16 @@ int takePicture(const QCommandLineParser& options) {
   window.settingsPanel()->searchLine()->setText(options.value("find"));
   const double zoom = options.value("histogram-zoom").toDouble();
   if (zoom > 1.0) window.isovaluePanel()->slider()->zoomAtLine(zoom);
-  if (!waitUntil([&] { return window.viewport()->complete(); }))
+  const auto drawn = [&] { return !window.light()->changing() && window.viewport()->complete(); };
+  const QString at = options.value("light-at");  // per cent
+  if (!at.isEmpty()) {
+    const auto there = [&] {
+      const gi::BakeCounters& counters = window.light()->state().counters;
+      return counters.samplesWanted > 0 && 100.0 * static_cast<double>(counters.samplesDone) >=
+                                               at.toDouble() * static_cast<double>(counters.samplesWanted);
+    };
+    if (!waitUntil(there)) return fail("no light in two minutes");
+  } else if (!waitUntil(drawn))
     return fail("no full picture in two minutes");
   QElapsedTimer settle;
   settle.start();
@@ -107,6 +118,7 @@ int main(int argc, char** argv) {
                         {"panel", "settings, volume or passes.", "NAME", "settings"},
                         {"find", "Search the settings for this.", "TEXT"},
                         {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
+                        {"light-at", "As it is at so much of the stored light.", "PERCENT"},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
                         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");

@@ -1,0 +1,62 @@
+// Path traces the view pixel by pixel, for print: size and samples, a preview that becomes better, saving.
+//
+// Traces the scene as it was when tracing began; the window stays usable meanwhile.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QDialog>
+#include <QTimer>
+
+#include "ui/reference_job.h"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace isolux::ui {
+
+class ReferenceDialog : public QDialog {
+  Q_OBJECT
+ public:
+  // `session`: the text of the session that pictures carry.
+  ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved, QSize size,
+                  QWidget* parent = nullptr);
+  ~ReferenceDialog() override;  // stops
+
+  bool tracing() const { return job_ && !job_->finished(); }
+  ReferencePointer image() const { return image_; }
+  QSpinBox* samplesBox() const { return samples_; }
+  QSpinBox* widthBox() const { return width_; }
+  QSpinBox* heightBox() const { return height_; }
+  QPushButton* startButton() const { return start_; }  // also stops
+  QPushButton* saveButton() const { return save_; }
+  QString text() const;
+  bool saveAs(const QString& file);  // .exr (with the variance) or .png
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void startOrStop();
+  void poll();
+  void showImage();
+  void tell(const QString& text, bool wrong = false);
+  void choose();
+
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  scene::Scene resolved_;
+  std::unique_ptr<ReferenceJob> job_;
+  ReferencePointer image_;
+  QSpinBox *width_, *height_, *samples_;
+  QComboBox* shown_;
+  QLabel *preview_, *text_;
+  QProgressBar* bar_;
+  QPushButton *start_, *save_;
+  QTimer timer_;
+};
+
+}  // namespace isolux::ui

@@ -1,0 +1,136 @@
+#include "ui/reference_job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "gi/light_scene.h"
+#include "volume/isosurface_tracer.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
+constexpr double whiteNoise = 0.1;  // of noiseImage()
+
+std::uint8_t encoded(double c) {  // sRGB, IEC 61966-2-1
+  c = std::clamp(c, 0.0, 1.0);
+  const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255.0 * s));
+}
+
+bool isKnown(const gi::ReferenceImage& image, std::size_t pixel) {
+  return image.hit[pixel] != 0 && image.samples[pixel] >= 2 && std::isfinite(image.variance[pixel]);
+}
+
+double meanLuminance(const gi::ReferenceImage& image) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.hit.size(); ++i) {
+    if (image.hit[i] == 0 || std::isnan(image.irradiance[i].x)) continue;
+    sum += glm::dot(glm::dvec3(image.irradiance[i]), luminance);
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+render::ColorImage blank(glm::ivec2 size) {
+  render::ColorImage image;
+  image.size = size;
+  image.rgba.assign(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), 255);
+  return image;
+}
+
+}  // namespace
+
+ReferenceJob::ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
+                           glm::ivec2 size, std::uint32_t samples)
+    : volume_(std::move(volume)), resolved_(std::move(resolved)), size_(size), samples_(samples) {
+  thread_ = std::thread([this] {
+    try {
+      run();
+    } catch (const scene::Error& error) {
+      if (error.kind() != scene::ErrorKind::interrupted) error_ = error;
+    } catch (const std::bad_alloc&) {
+      error_.emplace(scene::ErrorKind::memory, "", "reference", "not enough memory");
+    } catch (const std::exception& error) {
+      error_.emplace(scene::ErrorKind::input, "", "reference", error.what());
+    }
+    finished_.store(true, std::memory_order_release);
+  });
+}
+
+ReferenceJob::~ReferenceJob() {
+  progress_.requestStop();
+  thread_.join();
+}
+
+void ReferenceJob::run() {
+  progress_.report(0.0, "preparing");
+  const auto environment = gi::loadEnvironment(resolved_.light.environment);
+  const auto tracer = std::make_shared<const volume::IsosurfaceTracer>(
+      volume_->volume.grid, resolved_.isosurface.inside, progress_);
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  gi::Reference picture(volume_, tracer, environment, resolved_,
+                        {size_, resolved_.gi.threads.value_or(cores)}, progress_);
+  double done = 0.0;
+  for (const std::uint32_t round : gi::referenceRounds(samples_)) {
+    const double to = static_cast<double>(round) / samples_;
+    const bool whole = picture.refineTo(round, progress_, done, to);
+    auto image = std::make_shared<const gi::ReferenceImage>(picture.image());
+    const std::lock_guard guard(mutex_);
+    image_ = std::move(image);
+    if (!whole) return;
+    done = to;
+  }
+}
+
+ReferencePointer ReferenceJob::image() const {
+  const std::lock_guard guard(mutex_);
+  return image_;
+}
+
+render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Look& look) {
+  render::ColorImage screen = blank(image.size);
+  for (int y = 0; y < image.size.y; ++y) {
+    const glm::dvec3 background =
+        glm::mix(look.backgroundTop, look.backgroundBottom, (y + 0.5) / image.size.y);
+    for (int x = 0; x < image.size.x; ++x) {
+      const std::size_t i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x);
+      const glm::dvec3 color = std::isnan(image.color[i].x) ? background : glm::dvec3(image.color[i]);
+      for (int c = 0; c < 3; ++c) screen.rgba[4 * i + static_cast<std::size_t>(c)] = encoded(color[c]);
+    }
+  }
+  return screen;
+}
+
+render::ColorImage noiseImage(const gi::ReferenceImage& image) {
+  render::ColorImage screen = blank(image.size);
+  const double mean = meanLuminance(image);
+  for (std::size_t i = 0; i < image.hit.size(); ++i) {
+    const double error = isKnown(image, i) && mean > 0.0 ? std::sqrt(image.variance[i]) / mean : 0.0;
+    std::fill_n(screen.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, encoded(error / whiteNoise));
+  }
+  return screen;
+}
+
+std::optional<double> noiseOf(const gi::ReferenceImage& image) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.hit.size(); ++i) {
+    if (!isKnown(image, i)) continue;
+    sum += static_cast<double>(image.variance[i]);
+    ++count;
+  }
+  const double mean = meanLuminance(image);
+  if (count == 0 || !(mean > 0.0)) return std::nullopt;
+  return std::sqrt(sum / static_cast<double>(count)) / mean;
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,66 @@
+// Path traces every pixel of the view on a background thread, without stored light; the owner polls.
+//
+// The picture becomes better round by round: image() is always the newest whole one.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <glm/vec2.hpp>
+
+#include "gi/reference.h"
+#include "render/frame.h"
+#include "scene/error.h"
+#include "scene/progress.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::ui {
+
+using ReferencePointer = std::shared_ptr<const gi::ReferenceImage>;
+
+class ReferenceJob {
+ public:
+  // Starts at once. `resolved` by scene::resolve of that volume.
+  ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved, glm::ivec2 size,
+               std::uint32_t samples);
+  ~ReferenceJob();  // stops and waits: at most 100 ms while paths are traced
+
+  const scene::Scene& resolved() const { return resolved_; }
+  std::uint32_t samples() const { return samples_; }
+  scene::Progress& progress() { return progress_; }
+  const scene::Progress& progress() const { return progress_; }
+  bool finished() const { return finished_.load(std::memory_order_acquire); }
+  ReferencePointer image() const;  // null before the first round
+  // After finished(): what went wrong; stopping is no error.
+  const std::optional<scene::Error>& error() const { return error_; }
+
+ private:
+  void run();
+
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  scene::Scene resolved_;
+  glm::ivec2 size_;
+  std::uint32_t samples_;
+  scene::Progress progress_;
+  mutable std::mutex mutex_;
+  ReferencePointer image_;  // guarded by mutex_
+  std::atomic<bool> finished_{false};
+  std::optional<scene::Error> error_;
+  std::thread thread_;
+};
+
+// As the window shows it: sRGB, before the scene's background where nothing else is.
+render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Look& look);
+// The standard error of each pixel's luminance of E, in parts of the picture's mean, as a brightness: white
+// is 10 % or more.
+render::ColorImage noiseImage(const gi::ReferenceImage& image);
+// Root mean square of the standard error over the pixels hit, in parts of their mean luminance of E; nothing
+// before the second sample.
+std::optional<double> noiseOf(const gi::ReferenceImage& image);
+
+}  // namespace isolux::ui
