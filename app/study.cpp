@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/light_study.h"
 #include "scene/error.h"
 
 namespace isolux::app {
 
-namespace {
-
 double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
 }
-
-}  // namespace
 
 double milliseconds(const StudySetting& setting, const Panel& panel) {
   double sum = 0.0;
@@ -25,22 +22,38 @@ double milliseconds(const StudySetting& setting, const Panel& panel) {
   return sum;
 }
 
+double costOf(const Knob& knob, const StudySetting& setting, const Panel& panel) {
+  switch (knob.cost) {
+    case Cost::passes:
+      break;
+    case Cost::bakeSeconds:
+      return setting.light.value().bakeSeconds;
+    case Cost::lookupMilliseconds:
+      return setting.light.value().lookupMilliseconds;
+    case Cost::gpuMegabytes:
+      return static_cast<double>(setting.light.value().gpuBytes) / (1024.0 * 1024.0);
+  }
+  return milliseconds(setting, panel);
+}
+
 const Errors& judged(const StudySetting& setting) {
   return setting.fieldErrors ? *setting.fieldErrors : setting.errors;
 }
 
 const StudySetting* cheapest(const KnobStudy& study, double error) {
-  const Panel& panel = panelsOf(study.knob.measure)[0];
+  const Panel& panel = panelsOf(study.knob)[0];
   const StudySetting* best = nullptr;
   for (const StudySetting& setting : study.settings) {
     if (setting.comparison || !(panel.error(judged(setting)) <= error)) continue;
-    if (!best || milliseconds(setting, panel) < milliseconds(*best, panel)) best = &setting;
+    if (!best || costOf(study.knob, setting, panel) < costOf(study.knob, *best, panel)) best = &setting;
   }
   return best;
 }
 
 const std::array<double, 3>& errorsToReach(Measure measure) {
-  static constexpr std::array<double, 3> voxels{0.1, 0.01, 0.001}, degrees{1.0, 0.1, 0.01};
+  static constexpr std::array<double, 3> voxels{0.1, 0.01, 0.001}, degrees{1.0, 0.1, 0.01},
+      partsOfMean{0.05, 0.02, 0.01};
+  if (measure == Measure::light) return partsOfMean;
   return measure == Measure::hits ? voxels : degrees;
 }
 
@@ -63,6 +76,8 @@ Studio::Studio(std::shared_ptr<const render::Gl> gl, std::shared_ptr<const volum
       reference_(volume_, scene::resolve(scene_, volume_->facts), size) {
   renderer_.setVolume(volume_);
 }
+
+Studio::~Studio() = default;
 
 // The look's picture with every pass; then a frame with second derivatives, after the same passes: those that
 // run alone find the volume in the caches.
@@ -144,6 +159,15 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, sce
 }
 
 KnobStudy Studio::study(const Knob& knob, scene::Progress& progress, double from, double to) {
+  if (knob.measure == Measure::light) {
+    KnobStudy skipped{.knob = knob, .settings = {}, .plot = {}, .skipped = whyWithoutEffect(knob, scene_)};
+    if (!skipped.skipped.empty()) return skipped;
+    requireSurface(turned(knob, knob.values.front(), scene_, volume_->facts), progress);
+    if (!light_)
+      light_ = std::make_unique<LightStudio>(renderer_, reference_, volume_, scene_, size_, repeat_);
+    drawnField_.reset();
+    return light_->study(knob, progress, from, to);
+  }
   std::vector<Alternative> alternatives;
   for (const char* const value : knob.values)
     alternatives.push_back({value, false, turned(knob, value, scene_, volume_->facts)});
@@ -155,7 +179,7 @@ KnobStudy Studio::study(const Knob& knob, scene::Progress& progress, double from
   requireSurface(alternatives.front().scene, progress);
   const double measured = from + 0.6 * (to - from);
   measure(alternatives, progress, from, measured);
-  KnobStudy result{knob, {}, {}};
+  KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
   for (const Alternative& alternative : alternatives) {
     result.settings.push_back(judge(knob, alternative, progress));
     const double part =

@@ -10,6 +10,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "app/light_errors.h"
+
 namespace isolux::app {
 
 // What a ray meets, in double precision.
@@ -57,7 +59,8 @@ struct Errors {
   std::size_t invented = 0;   // a hit where the reference has none, or clearly in front of its first
   std::size_t undecided = 0;  // would be one of these, but the reference's own answer hangs on a rounding
   Spread depthVoxels, depthMm, normalDegrees;
-  Spread curvature;  // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
+  Spread curvature;   // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
+  LightErrors light;  // of knobs of light, which have nothing of the above
 
   double missedPpm() const;  // of the picture's pixels
   double inventedPpm() const;

@@ -5,6 +5,7 @@
 
 #include "render/passes.h"
 #include "scene/error.h"
+#include "scene/relevance.h"
 #include "scene/settings.h"
 #include "scene/suggestion.h"
 
@@ -30,7 +31,7 @@ scene::Scene resolvedFirstSurface(scene::Scene scene, const scene::VolumeFacts& 
 
 }  // namespace
 
-const std::array<Panel, 2>& panelsOf(Measure measure) {
+const std::array<Panel, 2>& panelsOf(const Knob& knob) {
   static const std::array<Panel, 2> hits{Panel{"depth_rms_voxels",
                                                "depth error, RMS, voxels",
                                                {pass::cast, pass::refine},
@@ -48,10 +49,29 @@ const std::array<Panel, 2>& panelsOf(Measure measure) {
             "relative curvature error, median",
             {pass::hessian},
             [](const Errors& errors) { return errors.curvature.median; }}};
-  return measure == Measure::hits ? hits : shape;
+  static const std::array<Panel, 2> light{
+      Panel{"irradiance_rmse_relative",
+            "error of irradiance, RMSE / mean",
+            {pass::irradiance},
+            [](const Errors& errors) { return errors.light.relative(errors.light.rmse); }},
+      Panel{"irradiance_99_relative",
+            "error of irradiance, 99 % quantile / mean",
+            {pass::irradiance},
+            [](const Errors& errors) { return errors.light.relative(errors.light.most99); }}};
+  switch (knob.measure) {
+    case Measure::hits:
+      return hits;
+    case Measure::shape:
+      return shape;
+    case Measure::light:
+      break;
+  }
+  return light;
 }
 
-const std::vector<Knob>& knobs() {
+namespace {
+
+const std::vector<Knob>& surfaceKnobs() {
   static const std::vector<Knob> list{
       {"rate",
        "hit.rate",
@@ -96,6 +116,125 @@ const std::vector<Knob>& knobs() {
   return list;
 }
 
+const std::vector<Knob>& lightKnobs() {
+  constexpr Measure light = Measure::light;
+  static const std::vector<Knob> list{
+      {"samples",
+       "gi.samples",
+       "paths per texel",
+       light,
+       false,
+       false,
+       {"4", "16", "64", "100", "256", "1024"},
+       Cost::bakeSeconds,
+       true},
+      {"sequence",
+       "gi.sequence",
+       "directions",
+       light,
+       false,
+       false,
+       {"random", "r2", "sobol_owen"},
+       Cost::bakeSeconds},
+      {"environment_share",
+       "gi.environment_share",
+       "part of directions from the environment",
+       light,
+       false,
+       false,
+       {"0", "0.25", "auto", "0.75", "0.9"},
+       Cost::bakeSeconds},
+      {"bounces",
+       "gi.bounces",
+       "bounces",
+       light,
+       false,
+       false,
+       {"0", "1", "2", "3", "4", "8"},
+       Cost::bakeSeconds,
+       true},
+      {"lattice_scale",
+       "gi.lattice_scale",
+       "texels per voxel and axis",
+       light,
+       false,
+       false,
+       {"0.25", "0.5", "1", "1.5", "2"},
+       Cost::bakeSeconds,
+       true},
+      {"interpolation",
+       "gi.interpolation",
+       "interpolation between texels",
+       light,
+       false,
+       false,
+       {"nearest", "closest_isovalue", "trilinear", "tricubic", "weighted"},
+       Cost::lookupMilliseconds},
+      {"precision",
+       "gi.precision",
+       "numbers on the graphics card",
+       light,
+       false,
+       false,
+       {"r11g11b10", "half"},
+       Cost::gpuMegabytes},
+      {"sh_order",
+       "gi.sh_order",
+       "bands of spherical harmonics",
+       light,
+       false,
+       false,
+       {"1", "2", "3", "4", "5", "6", "7", "8"},
+       Cost::bakeSeconds,
+       true,
+       true},
+      {"sh_window",
+       "gi.sh_window",
+       "window of spherical harmonics",
+       light,
+       false,
+       false,
+       {"0", "0.25", "0.5", "0.75", "1"},
+       Cost::lookupMilliseconds,
+       false,
+       true},
+      {"components",
+       "gi.components",
+       "components of compressed transfer",
+       light,
+       false,
+       false,
+       {"4", "8", "12", "16", "24", "32", "48", "75"},
+       Cost::gpuMegabytes,
+       true,
+       true},
+      {"component_bits",
+       "gi.component_bits",
+       "bits per component",
+       light,
+       false,
+       false,
+       {"8", "16"},
+       Cost::gpuMegabytes,
+       false,
+       true},
+  };
+  return list;
+}
+
+std::vector<Knob> allKnobs() {
+  std::vector<Knob> list = surfaceKnobs();
+  list.insert(list.end(), lightKnobs().begin(), lightKnobs().end());
+  return list;
+}
+
+}  // namespace
+
+const std::vector<Knob>& knobs() {
+  static const std::vector<Knob> list = allKnobs();
+  return list;
+}
+
 std::vector<Knob> parseKnobs(const std::string& list) {
   if (list.empty()) return knobs();
   std::vector<std::string> known;
@@ -123,6 +262,7 @@ std::vector<Knob> parseKnobs(const std::string& list) {
 scene::Scene turned(const Knob& knob, const std::string& value, scene::Scene scene,
                     const scene::VolumeFacts& facts) {
   if (knob.sampled) scene.hit.method = scene::HitMethod::sampled;
+  if (knob.measure == Measure::light) scene = litScene(knob, std::move(scene));
   if (knob.name != kThreshold) {
     scene::applyAssignment(scene, std::string(knob.setting) + '=' + value);
     return resolvedFirstSurface(std::move(scene), facts);
@@ -142,6 +282,33 @@ std::string defaultValue(const Knob& knob) {
     if (setting.get(scene) == setting.defaultValue()) return value;
   }
   return {};
+}
+
+std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene) {
+  if (knob.measure != Measure::light) return {};
+  const scene::Scene lit = litScene(knob, scene);
+  if (knob.transfer && scene.light.environment.file.empty() && scene.gi.mode != scene::GiMode::off)
+    return "the sky has one colour, which one number of transfer says";
+  return std::string(scene::whyInactive(knob.setting, lit));
+}
+
+double effortOf(const Knob& knob, const scene::Scene& scene) {
+  if (!whyWithoutEffect(knob, scene).empty()) return 0.01;
+  const auto values = static_cast<double>(knob.values.size());
+  if (knob.measure != Measure::light) return values;
+  return knob.cost == Cost::bakeSeconds ? 6.0 * values : 2.0 * values;
+}
+
+scene::Scene litScene(const Knob& knob, scene::Scene scene) {
+  scene.look.mode = scene::LookMode::gi;
+  scene.hit.method = scene::HitMethod::exact;
+  scene.hit.field = scene::Field::trilinear;
+  scene.gi.extent = scene::GiExtent::view;
+  scene.isosurface.opacity = 1.0;
+  if (!knob.transfer || scene.gi.mode == scene::GiMode::off) return scene;
+  scene.gi.mode = scene::GiMode::automatic;
+  scene.light.environment.moves = true;
+  return scene;
 }
 
 }  // namespace isolux::app

@@ -25,7 +25,16 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-std::string timeLabel(const Panel& panel) {
+std::string costLabel(const Knob& knob, const Panel& panel) {
+  switch (knob.cost) {
+    case Cost::bakeSeconds:
+      return "time to bake what the view shows, s";
+    case Cost::gpuMegabytes:
+      return "light on the graphics card, MiB";
+    case Cost::passes:
+    case Cost::lookupMilliseconds:
+      break;
+  }
   std::string passes;
   for (const char* const pass : panel.passes) passes += (passes.empty() ? "" : " + ") + std::string(pass);
   return "time of " + passes + ", ms";
@@ -40,41 +49,46 @@ double heightOfZero(const KnobStudy& study, const Panel& panel) {
   return 0.3 * least;
 }
 
-void row(std::ostream& out, const StudySetting& setting, const Errors& errors,
-         const std::array<Panel, 2>& panels, const std::array<double, 2>& zeros) {
+void row(std::ostream& out, const Knob& knob, const StudySetting& setting, const Errors& errors,
+         const std::array<double, 2>& zeros) {
+  const auto& panels = panelsOf(knob);
   out << setting.value << '\t' << (setting.isDefault ? 1 : 0);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const double error = panels[p].error(errors);
-    out << '\t' << milliseconds(setting, panels[p]) << '\t';
+    out << '\t' << costOf(knob, setting, panels[p]) << '\t';
     if (std::isfinite(error))
       out << std::max(error, zeros[p]);
     else
       out << "NaN";
   }
+  // The standard error of the first panel.
+  if (setting.light) out << '\t' << errors.light.relative(errors.light.rmseStandardError);
   out << '\n';
 }
 
 }  // namespace
 
 std::string plotScript(const KnobStudy& study, const std::string& subject, const std::string& picture) {
-  const auto& panels = panelsOf(study.knob.measure);
+  const Knob& knob = study.knob;
+  const auto& panels = panelsOf(knob);
   const std::array<double, 2> zeros{heightOfZero(study, panels[0]), heightOfZero(study, panels[1])};
   std::ostringstream own, other;  // a knob has exact hits beside it, or other errors, or neither
   bool comparison = false, fields = false;
   for (const StudySetting& setting : study.settings) {
-    row(setting.comparison ? other : own, setting, setting.errors, panels, zeros);
+    row(setting.comparison ? other : own, knob, setting, setting.errors, zeros);
     // Its own truth: the same point again.
     if (setting.fieldErrors && setting.value != kTruth)
-      row(other, setting, *setting.fieldErrors, panels, zeros);
+      row(other, knob, setting, *setting.fieldErrors, zeros);
     comparison = comparison || setting.comparison;
     fields = fields || setting.fieldErrors.has_value();
   }
   std::ostringstream out;
   out << "picture = " << quoted(picture)
-      << "\ntitle = " << quoted(std::string(study.knob.setting) + " of " + subject)
-      << "\nseries = " << quoted(study.knob.field ? "against the same field" : study.knob.label)
-      << "\njoined = " << study.knob.sampled << "\ncomparison = " << comparison << "\nfields = " << fields
-      << "\narray xlabels[2] = [" << quoted(timeLabel(panels[0])) << ", " << quoted(timeLabel(panels[1]))
+      << "\ntitle = " << quoted(std::string(knob.setting) + " of " + subject)
+      << "\nseries = " << quoted(knob.field ? "against the same field" : knob.label)
+      << "\njoined = " << (knob.sampled || knob.ordered) << "\nbars = " << (knob.measure == Measure::light)
+      << "\ncomparison = " << comparison << "\nfields = " << fields << "\narray xlabels[2] = ["
+      << quoted(costLabel(knob, panels[0])) << ", " << quoted(costLabel(knob, panels[1]))
       << "]\narray ylabels[2] = [" << quoted(panels[0].label) << ", " << quoted(panels[1].label)
       << "]\narray zeros[2] = [" << zeros[0] << ", " << zeros[1] << "]\n$data << END_OF_DATA\n";
   out << own.str() << "\n\n" << other.str();

@@ -10,6 +10,8 @@
 
 #include "app/commands/command.h"
 #include "app/files.h"
+#include "app/study_light_report.h"
+#include "app/study_table.h"
 #include "app/version.h"
 #include "scene/settings.h"
 
@@ -51,7 +53,13 @@ ordered_json errorsJson(const Errors& errors) {
           {"curvature_relative", spreadJson(errors.curvature)}};
 }
 
-ordered_json settingJson(const StudySetting& setting) {
+ordered_json settingJson(const StudySetting& setting, glm::ivec2 size) {
+  if (setting.light)
+    return {{"value", setting.value},
+            {"default", setting.isDefault},
+            {"frame_milliseconds", setting.frameMilliseconds},
+            {"light", lightCostJson(*setting.light)},
+            {"errors", lightErrorsJson(setting.errors.light, size)}};
   ordered_json json{{"value", setting.value},
                     {"default", setting.isDefault},
                     {"comparison", setting.comparison},
@@ -62,15 +70,21 @@ ordered_json settingJson(const StudySetting& setting) {
   return json;
 }
 
-ordered_json knobJson(const KnobStudy& study) {
-  const auto& panels = panelsOf(study.knob.measure);
-  ordered_json json{{"name", study.knob.name},
-                    {"setting", study.knob.setting},
-                    {"label", study.knob.label},
-                    {"passes", panels[0].passes},
-                    {"method", study.knob.sampled ? "sampled" : "as in the scene"}};
+ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
+  const auto& panels = panelsOf(study.knob);
+  ordered_json json{{"name", study.knob.name}, {"setting", study.knob.setting}, {"label", study.knob.label}};
+  if (!study.skipped.empty()) {
+    json["skipped"] = study.skipped;
+    json["settings"] = ordered_json::array();
+    return json;
+  }
+  if (study.knob.measure == Measure::light)
+    json["truth"] = {{"samples", study.truthSamples}, {"bounces", study.truthBounces}};
+  else
+    json.update(
+        {{"passes", panels[0].passes}, {"method", study.knob.sampled ? "sampled" : "as in the scene"}});
   json["settings"] = ordered_json::array();
-  for (const StudySetting& setting : study.settings) json["settings"].push_back(settingJson(setting));
+  for (const StudySetting& setting : study.settings) json["settings"].push_back(settingJson(setting, size));
   json["reach"] = ordered_json::array();
   for (const double error : errorsToReach(study.knob.measure)) {
     const StudySetting* const setting = cheapest(study, error);
@@ -84,29 +98,18 @@ ordered_json knobJson(const KnobStudy& study) {
 
 // ---- Markdown
 
-std::string number(double value, int digits = 3) {
-  if (!std::isfinite(value)) return "–";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  return text.data();
-}
-
 std::string passNames(const Panel& panel) {
   std::string names;
   for (const char* const pass : panel.passes) names += (names.empty() ? "" : " + ") + std::string(pass);
   return names;
 }
 
-std::string marked(const StudySetting& setting) {
-  return setting.isDefault ? "**" + setting.value + "** (default)" : setting.value;
-}
-
 void errorCells(std::ostream& out, const Errors& errors) {
   out << errors.missed << " | " << errors.invented << " | " << errors.undecided << " | "
-      << number(errors.depthVoxels.median) << " | " << number(errors.depthVoxels.rms) << " | "
-      << number(errors.depthVoxels.most99) << " | " << number(errors.depthVoxels.maximum) << " | "
-      << number(errors.depthMm.rms) << " | " << number(errors.normalDegrees.rms) << " | "
-      << number(100.0 * errors.curvature.median) << " | " << number(100.0 * errors.curvature.most99)
+      << tableNumber(errors.depthVoxels.median) << " | " << tableNumber(errors.depthVoxels.rms) << " | "
+      << tableNumber(errors.depthVoxels.most99) << " | " << tableNumber(errors.depthVoxels.maximum) << " | "
+      << tableNumber(errors.depthMm.rms) << " | " << tableNumber(errors.normalDegrees.rms) << " | "
+      << tableNumber(100.0 * errors.curvature.median) << " | " << tableNumber(100.0 * errors.curvature.most99)
       << " |\n";
 }
 
@@ -117,15 +120,15 @@ constexpr const char* kErrorHeads =
 constexpr const char* kErrorRule = "---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
 
 void table(std::ostream& out, const KnobStudy& study) {
-  const auto& panels = panelsOf(study.knob.measure);
+  const auto& panels = panelsOf(study.knob);
   const bool twice = panels[0].passes != panels[1].passes;
   out << "| " << study.knob.label << " | frame, ms | " << passNames(panels[0]) << ", ms | ";
   if (twice) out << passNames(panels[1]) << ", ms | ";
   out << kErrorHeads << "|---|---:|---:|" << (twice ? "---:|" : "") << kErrorRule;
   for (const StudySetting& setting : study.settings) {
-    out << "| " << marked(setting) << " | " << number(setting.frameMilliseconds) << " | "
-        << number(milliseconds(setting, panels[0])) << " | ";
-    if (twice) out << number(milliseconds(setting, panels[1])) << " | ";
+    out << "| " << markedValue(setting) << " | " << tableNumber(setting.frameMilliseconds) << " | "
+        << tableNumber(milliseconds(setting, panels[0])) << " | ";
+    if (twice) out << tableNumber(milliseconds(setting, panels[1])) << " | ";
     errorCells(out, setting.errors);
   }
 }
@@ -136,24 +139,27 @@ void fieldTable(std::ostream& out, const KnobStudy& study) {
       << study.knob.label << " | " << kErrorHeads << "|---|" << kErrorRule;
   for (const StudySetting& setting : study.settings)
     if (setting.fieldErrors) {
-      out << "| " << marked(setting) << " | ";
+      out << "| " << markedValue(setting) << " | ";
       errorCells(out, *setting.fieldErrors);
     }
 }
 
 void reachLine(std::ostream& out, const KnobStudy& study) {
-  const Panel& panel = panelsOf(study.knob.measure)[0];
+  const Panel& panel = panelsOf(study.knob)[0];
   out << "\nThe cheapest with a " << panel.label << ", of at most ";
   bool first = true;
   for (const double error : errorsToReach(study.knob.measure)) {
     const StudySetting* const setting = cheapest(study, error);
     out << (first ? "" : "; ") << numberText(error) << ": ";
     first = false;
-    if (setting)
-      out << '`' << setting->value << "` (" << number(milliseconds(*setting, panel)) << " ms, "
-          << judged(*setting).missed << " missed)";
-    else
+    if (!setting)
       out << "none";
+    else if (setting->light)
+      out << '`' << setting->value << "` (" << costText(study.knob, costOf(study.knob, *setting, panel))
+          << ')';
+    else
+      out << '`' << setting->value << "` (" << tableNumber(milliseconds(*setting, panel)) << " ms, "
+          << judged(*setting).missed << " missed)";
   }
   out << ".\n";
 }
@@ -181,9 +187,11 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
                    {"depth_voxels", "voxels along the ray"},
                    {"depth_mm", "mm along the ray"},
                    {"normal_degrees", "degrees"},
-                   {"curvature_relative", "1"}};
+                   {"curvature_relative", "1"},
+                   {"rmse, bias, quantile_99, maximum", "irradiance, linear RGB radiance times steradian"},
+                   {"lookup_milliseconds", "ms of the pass irradiance, median"}};
   json["knobs"] = ordered_json::array();
-  for (const KnobStudy& study : studies) json["knobs"].push_back(knobJson(study));
+  for (const KnobStudy& study : studies) json["knobs"].push_back(knobJson(study, subject.size));
   json["scene"] = scene::toJson(subject.scene);
   return jsonText(json);
 }
@@ -193,7 +201,7 @@ std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStu
   std::ostringstream out;
   out << "# What accuracy costs: " << subject.volume->volume.name << "\n\n"
       << dims.x << " x " << dims.y << " x " << dims.z << " voxels, isovalue "
-      << number(*subject.scene.isosurface.value, 6) << ", picture " << subject.size.x << " x "
+      << tableNumber(*subject.scene.isosurface.value, 6) << ", picture " << subject.size.x << " x "
       << subject.size.y << ". " << subject.context.renderer << ", " << processorName() << "; medians of "
       << subject.repeat << " frames of each setting in turns.\n"
       << "Errors are against double precision on the same fields. Undecided: pixels whose answer hangs on "
@@ -202,11 +210,19 @@ std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStu
   if (!complete) out << "\n*Not complete: the study was stopped, or is still running.*\n";
   for (const KnobStudy& study : studies) {
     out << "\n## " << study.knob.name << " (`" << study.knob.setting << "`)\n\n";
-    table(out, study);
+    if (!study.skipped.empty()) {
+      out << "Not studied: " << study.skipped << ".\n";
+      continue;
+    }
+    if (study.knob.measure == Measure::light)
+      writeLightTable(out, study, subject.size);
+    else
+      table(out, study);
     if (study.knob.field) fieldTable(out, study);
     reachLine(out, study);
     if (!study.plot.empty()) out << "\n![" << study.knob.label << "](" << study.plot << ")\n";
   }
+  writeLightReach(out, studies);
   return out.str();
 }
 

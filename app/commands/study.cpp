@@ -42,7 +42,7 @@ class StudyFolder {
   }
 
   void add(KnobStudy study, bool complete, scene::Progress& progress) {
-    if (!gnuplot_.empty()) {
+    if (!gnuplot_.empty() && study.skipped.empty()) {
       const std::string name = std::string(study.knob.name) + ".svg";
       std::string reason;
       if (writePlot(gnuplot_, study, subject_.volume->volume.name, folder_ / name, progress, reason))
@@ -50,19 +50,22 @@ class StudyFolder {
       else
         note_ = "no plot of " + std::string(study.knob.name) + ": gnuplot failed: " + reason;
     }
+    if (!study.skipped.empty()) skipped_ += (skipped_.empty() ? "" : ", ") + std::string(study.knob.name);
     studies_.push_back(std::move(study));
     writeTextFile(folder_ / "study.md", studyMarkdown(subject_, studies_, complete));
     writeTextFile(folder_ / "study.json", studyJson(subject_, studies_, complete));
   }
 
   const std::string& note() const { return note_; }
+  const std::string& skipped() const { return skipped_; }
 
  private:
   fs::path folder_;
   StudySubject subject_;
   fs::path gnuplot_;
   std::vector<KnobStudy> studies_;
-  std::string note_;  // about plots that are not there
+  std::string note_;     // about plots that are not there
+  std::string skipped_;  // knobs, by comma
 };
 
 void runStudy(const StudyOptions& options, scene::Progress& progress) {
@@ -78,13 +81,17 @@ void runStudy(const StudyOptions& options, scene::Progress& progress) {
   {
     progress.report(0.0, "preparing");
     const ProgressBar bar(progress);
-    const double count = static_cast<double>(chosen.size());
+    double all = 0.0, done = 0.0;
+    for (const Knob& knob : chosen) all += effortOf(knob, scene);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-      const double from = static_cast<double>(i) / count, to = static_cast<double>(i + 1) / count;
-      output.add(studio.study(chosen[i], progress, from, to), i + 1 == chosen.size(), progress);
+      const double from = done / all;
+      done += effortOf(chosen[i], scene);
+      output.add(studio.study(chosen[i], progress, from, done / all), i + 1 == chosen.size(), progress);
     }
   }
   if (!output.note().empty()) std::cerr << "isolux: note: " << output.note() << '\n';
+  if (!output.skipped().empty())
+    std::cerr << "isolux: note: not studied, study.md says why: " << output.skipped() << '\n';
   printWarnings(prepared->volume);
 }
 
@@ -92,7 +99,8 @@ void runStudy(const StudyOptions& options, scene::Progress& progress) {
 
 Command makeStudy(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
-      "study", "Measure what accuracy costs: error against time of each quality setting");
+      "study",
+      "Measure what accuracy costs: error against time of each quality setting, of surfaces and light");
   auto options = std::make_shared<StudyOptions>();
   parser
       ->add_option(
@@ -118,7 +126,9 @@ Command makeStudy(CLI::App& program) {
       "What the figures mean: docs/accuracy.md. Examples:\n"
       "  isolux study phantom:head --out head_study\n"
       "  isolux study ct.nii.gz --isovalue 300 --knobs rate,method --size 512x512 --out hits\n"
-      "  isolux study picture.png --knobs derivatives_field,fetch --out shapes");
+      "  isolux study picture.png --knobs derivatives_field,fetch --out shapes\n"
+      "  isolux study ct.nii.gz --set light.environment.file=probe.hdr --knobs samples,interpolation --out "
+      "light");
   return {parser, [options](scene::Progress& progress) { runStudy(*options, progress); }};
 }
 

@@ -1,6 +1,6 @@
 # One knob of a study: two panels of error against time. What comes before this text sets `picture`, `title`,
 # `series` (the legend's name of the first), `joined` (the settings are numbers in order), `comparison` and `fields`
-# (there are such points, not both), arrays of two `xlabels`, `ylabels` and `zeros` (the height that stands for no
+# (there are such points, not both), `bars` (the first error has a standard error, column 7), arrays of two `xlabels`, `ylabels` and `zeros` (the height that stands for no
 # error), and $data: label, whether it is the default, then time and error of each panel; index 0: the knob's settings,
 # 1: exact hits for comparison, or the settings judged by another field.
 set terminal svg size 1040,480 noenhanced font "DejaVu Sans,12" background "#ffffff"
@@ -49,7 +49,8 @@ do for [p = 1:2] {
   set xlabel xlabels[p]
   set ylabel ylabels[p] offset 0.5,0
   if (p == 1) { set key at screen 0.985,0.955 right top horizontal samplen 1 font ",11" maxrows 1 } else { unset key }
-  plot $data index 0 using time:(joined ? column(error) : NaN) with lines ls 1 notitle, \
+  plot for [k = 1:(p == 1 ? bars : 0)] $data index 0 using time:error:7 with yerrorbars lc rgb "#9db8d8" lw 1.5 pt 0 notitle, \
+       $data index 0 using time:(joined ? column(error) : NaN) with lines ls 1 notitle, \
        $data index 0 using time:error with points ls 1 title series, \
        for [k = 1:fields] $data index 1 using time:error with points ls 2 title "against cubic_interpolating", \
        for [k = 1:comparison] $data index 1 using time:error with points ls 3 title "exact hits", \

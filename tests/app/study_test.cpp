@@ -159,8 +159,51 @@ TEST(StudyKnobs, AListIsCheckedWithASuggestion) {
   EXPECT_THROW(parseKnobs("rate,,method"), scene::Error);
 }
 
+scene::Scene underAProbe() {
+  scene::Scene scene;
+  scene.light.environment.file = "probe.hdr";
+  return scene;
+}
+
+TEST(StudyKnobs, LightIsLitByAllThereIsWhateverTheLook) {
+  const scene::VolumeFacts facts{.boundsMaxMm = glm::dvec3(9.0), .maximum = 5.0, .typicalStep = 8.0};
+  scene::Scene scene = underAProbe();
+  scene.look.mode = scene::LookMode::kappa1;
+  scene.hit.field = scene::Field::cubic;
+  scene.gi.extent = scene::GiExtent::full;
+  const scene::Scene lit = turned(parseKnobs("samples")[0], "16", scene, facts);
+  EXPECT_EQ(lit.look.mode, scene::LookMode::gi);
+  EXPECT_EQ(lit.hit.field, scene::Field::trilinear);
+  EXPECT_EQ(lit.gi.extent, scene::GiExtent::view);
+  EXPECT_EQ(lit.gi.samples, 16);
+  EXPECT_FALSE(lit.light.environment.moves);
+  const scene::Scene moving = turned(parseKnobs("sh_order")[0], "3", scene, facts);
+  EXPECT_TRUE(moving.light.environment.moves);
+  EXPECT_EQ(moving.gi.shOrder, 3);
+  EXPECT_EQ(turned(parseKnobs("environment_share")[0], "auto", scene, facts).gi.environmentShare,
+            std::nullopt);
+}
+
+TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
+  const auto why = [](const char* knob, const scene::Scene& scene) {
+    return whyWithoutEffect(parseKnobs(knob)[0], scene);
+  };
+  scene::Scene plain, probe = underAProbe();
+  for (const Knob& knob : knobs()) EXPECT_EQ(whyWithoutEffect(knob, probe), "") << knob.name;
+  for (const char* knob : {"samples", "sequence", "bounces", "interpolation", "precision"})
+    EXPECT_EQ(why(knob, plain), "") << knob;
+  for (const char* knob : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
+    EXPECT_THAT(why(knob, plain), HasSubstr("one colour")) << knob;
+  EXPECT_EQ(why("rate", plain), "");
+  probe.gi.mode = scene::GiMode::off;
+  for (const char* knob : {"samples", "bounces", "interpolation", "sh_order", "precision"})
+    EXPECT_THAT(why(knob, probe), HasSubstr("stored")) << knob;
+  plain.light.environment.constant = glm::dvec3(0.0);
+  EXPECT_THAT(why("samples", plain), HasSubstr("no light is stored"));
+}
+
 KnobStudy madeStudy() {
-  KnobStudy study{parseKnobs("rate")[0], {}, {}};
+  KnobStudy study{.knob = parseKnobs("rate")[0], .settings = {}, .plot = {}};
   const auto add = [&](const char* value, double time, double rms, bool comparison) {
     StudySetting setting;
     setting.value = value;
@@ -183,7 +226,7 @@ TEST(StudyReach, IsTheCheapestOfTheKnobItself) {
   EXPECT_EQ(cheapest(study, 0.5)->value, "1");
   EXPECT_EQ(cheapest(study, 0.1)->value, "4") << "cheaper than the less accurate 2, by these times";
   EXPECT_EQ(cheapest(study, 0.001), nullptr) << "exact hits are a comparison, no rate";
-  EXPECT_DOUBLE_EQ(milliseconds(study.settings[0], panelsOf(Measure::hits)[0]), 3.0);
+  EXPECT_DOUBLE_EQ(milliseconds(study.settings[0], panelsOf(study.knob)[0]), 3.0);
 }
 
 TEST(StudyPlot, HasEveryPointAndMarksTheDefault) {
@@ -194,6 +237,44 @@ TEST(StudyPlot, HasEveryPointAndMarksTheDefault) {
   EXPECT_THAT(script, HasSubstr("\n\n\nexact hits\t0\t2\t")) << "in a block of its own";
   EXPECT_THAT(script, testing::Not(HasSubstr("\t0\t2\t0\t")))
       << "no error is no point of a log axis: it is lifted";
+}
+
+KnobStudy madeLightStudy(const char* knob) {
+  KnobStudy study{.knob = parseKnobs(knob)[0], .settings = {}, .plot = {}};
+  const auto add = [&](const char* value, double seconds, double milliseconds, std::uint64_t bytes,
+                       double rmse) {
+    StudySetting setting;
+    setting.value = value;
+    setting.light = LightCost{.bakeSeconds = seconds, .lookupMilliseconds = milliseconds, .gpuBytes = bytes};
+    setting.errors.light.mean = 2.0;
+    setting.errors.light.rmse = rmse;
+    setting.errors.light.rmseStandardError = 0.02;
+    setting.errors.light.most99 = 3.0 * rmse;
+    study.settings.push_back(setting);
+  };
+  add("a", 8.0, 1.0, std::uint64_t{4} << 20u, 0.09);
+  add("b", 4.0, 2.0, std::uint64_t{3} << 20u, 0.03);
+  add("c", 6.0, 0.5, std::uint64_t{9} << 20u, 0.03);
+  return study;
+}
+
+TEST(StudyReach, OfLightIsByWhatTheKnobCosts) {
+  EXPECT_EQ(cheapest(madeLightStudy("samples"), 0.05)->value, "b") << "seconds of bake";
+  EXPECT_EQ(cheapest(madeLightStudy("interpolation"), 0.05)->value, "c") << "milliseconds of the lookup";
+  EXPECT_EQ(cheapest(madeLightStudy("precision"), 0.05)->value, "b") << "bytes";
+  EXPECT_EQ(cheapest(madeLightStudy("samples"), 0.01), nullptr);
+  EXPECT_EQ(errorsToReach(Measure::light)[0], 0.05);
+}
+
+TEST(StudyPlot, OfLightHasItsCostAndStandardError) {
+  std::string script = plotScript(madeLightStudy("samples"), "ct", ".part");
+  EXPECT_THAT(script, HasSubstr("bars = 1"));
+  EXPECT_THAT(script, HasSubstr("joined = 1"));
+  EXPECT_THAT(script, HasSubstr("a\t0\t8\t0.045\t8\t0.135\t0.01\n"));
+  EXPECT_THAT(script, HasSubstr("time to bake what the view shows, s"));
+  script = plotScript(madeLightStudy("component_bits"), "ct", ".part");
+  EXPECT_THAT(script, HasSubstr("a\t0\t4\t0.045\t4\t"));
+  EXPECT_THAT(script, HasSubstr("MiB"));
 }
 
 TEST(StudyCommand, WrongUseIsExit2) {
