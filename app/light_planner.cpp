@@ -90,7 +90,8 @@ void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const s
     part.bake->setThreads(threadsOf(scene_.gi));
     return;
   }
-  part = {};  // stops the old one before the new one starts
+  part = {};                                        // stops the old one before the new one starts
+  if (which == gi::LightPart::sky) basis_.reset();  // it was fitted to the old lattice
   const auto lattice = gi::LatticeGeometry::make(volume_->grid().dims(), scene_.gi.latticeScale);
   part.key = key;
   part.estimator = std::make_shared<gi::LatticeEstimator>(lightScene_, lattice, which);

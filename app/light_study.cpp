@@ -69,7 +69,7 @@ const LightTruth& LightStudio::truthOf(const scene::Scene& lit, int bounces, sce
   const glm::dvec3 skyScale = light->choice.unitSky ? exposure * environment_->mean() : glm::dvec3(exposure);
 
   std::vector<bool> isHit;
-  for (const ReferenceHit& hit : hits_) isHit.push_back(hit.hit);
+  for (const ReferenceHit& hit : hits_) isHit.push_back(hit.hit && hit.fromOutside);
   const std::vector<std::size_t> pixels = chosenPixels(isHit, kTruthPixels);
   std::vector<glm::vec3> voxels;
   for (const std::size_t pixel : pixels) voxels.push_back(hitVoxels_[pixel]);
@@ -83,6 +83,7 @@ void LightStudio::bake(Alternative& alternative, bool anew, scene::Progress& pro
     scene::Scene dark = alternative.scene;
     dark.gi.mode = scene::GiMode::off;
     controller_.setScene(dark, volume_);
+    while (!controller_.settle(0.05)) progress.throwIfStopped();  // or the planner sees the second alone
   }
   controller_.setScene(alternative.scene, volume_);
   controller_.setVisible(hitVoxels_);

@@ -3,7 +3,8 @@
 //
 // Bakes of a knob are made in turns with all others of it, anew each time; values that only change how the
 // same stored light is kept or read share one bake. The truth has the scene's bounces, for the knob `bounces`
-// kTruthBounces of them; it knows no lattice, no spherical harmonics and no compression.
+// kTruthBounces of them; it knows no lattice, no spherical harmonics and no compression. Pixels that show
+// the surface from inside are left out: no light is stored there.
 #pragma once
 
 #include <map>
@@ -18,7 +19,7 @@
 namespace isolux::app {
 
 inline constexpr int kTruthBounces = 64;
-inline constexpr std::size_t kTruthPixels = 2048;  // of the view's, at most
+inline constexpr std::size_t kTruthPixels = 1024;  // of the view's, at most
 
 class LightStudio {
  public:

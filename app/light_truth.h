@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kReplicates = 16;
 struct TruthOptions {
   std::uint32_t firstSamples = 256;  // paths of a replicate, a power of two; doubled until
   std::uint32_t mostSamples = 4096;
-  double relativeNoise = 0.004;  // RMS of the standard errors, in parts of the mean, is at most this
+  double relativeNoise = 0.006;  // RMS of the standard errors, in parts of the mean, is at most this
 };
 
 // E of the scene's light, with exposure, at points of its first isosurface. Voxel coordinates; those without

@@ -21,6 +21,7 @@ struct ReferenceHit {
   double nextMm = std::numeric_limits<double>::infinity();  // the crossing behind it, where there is one
   double voxelsPerMm = 1.0;                                 // along this ray
   glm::dvec3 voxel{0.0};
+  bool fromOutside = true;  // the ray enters the inside here; of the trilinear field
 };
 
 // The surface's shape where a ray meets it, in double precision.

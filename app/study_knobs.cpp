@@ -51,11 +51,11 @@ const std::array<Panel, 2>& panelsOf(const Knob& knob) {
             [](const Errors& errors) { return errors.curvature.median; }}};
   static const std::array<Panel, 2> light{
       Panel{"irradiance_rmse_relative",
-            "error of irradiance, RMSE / mean",
+            "relative error of irradiance, RMSE",
             {pass::irradiance},
             [](const Errors& errors) { return errors.light.relative(errors.light.rmse); }},
       Panel{"irradiance_99_relative",
-            "error of irradiance, 99 % quantile / mean",
+            "relative error of irradiance, 99 %",
             {pass::irradiance},
             [](const Errors& errors) { return errors.light.relative(errors.light.most99); }}};
   switch (knob.measure) {
@@ -116,6 +116,7 @@ const std::vector<Knob>& surfaceKnobs() {
   return list;
 }
 
+// Knobs that share a bake follow one another, and what reads the most texels of it is the last of them.
 const std::vector<Knob>& lightKnobs() {
   constexpr Measure light = Measure::light;
   static const std::vector<Knob> list{
@@ -125,7 +126,7 @@ const std::vector<Knob>& lightKnobs() {
        light,
        false,
        false,
-       {"4", "16", "64", "100", "256", "1024"},
+       {"4", "16", "64", "100", "256"},
        Cost::bakeSeconds,
        true},
       {"sequence",
@@ -150,7 +151,7 @@ const std::vector<Knob>& lightKnobs() {
        light,
        false,
        false,
-       {"0", "1", "2", "3", "4", "8"},
+       {"0", "1", "2", "4", "8"},
        Cost::bakeSeconds,
        true},
       {"lattice_scale",
@@ -159,17 +160,9 @@ const std::vector<Knob>& lightKnobs() {
        light,
        false,
        false,
-       {"0.25", "0.5", "1", "1.5", "2"},
+       {"0.25", "0.5", "1", "2"},
        Cost::bakeSeconds,
        true},
-      {"interpolation",
-       "gi.interpolation",
-       "interpolation between texels",
-       light,
-       false,
-       false,
-       {"nearest", "closest_isovalue", "trilinear", "tricubic", "weighted"},
-       Cost::lookupMilliseconds},
       {"precision",
        "gi.precision",
        "numbers on the graphics card",
@@ -178,13 +171,21 @@ const std::vector<Knob>& lightKnobs() {
        false,
        {"r11g11b10", "half"},
        Cost::gpuMegabytes},
+      {"interpolation",
+       "gi.interpolation",
+       "interpolation between texels",
+       light,
+       false,
+       false,
+       {"nearest", "closest_isovalue", "trilinear", "weighted", "tricubic"},
+       Cost::lookupMilliseconds},
       {"sh_order",
        "gi.sh_order",
        "bands of spherical harmonics",
        light,
        false,
        false,
-       {"1", "2", "3", "4", "5", "6", "7", "8"},
+       {"1", "2", "3", "4", "5", "6", "8"},
        Cost::bakeSeconds,
        true,
        true},

@@ -96,6 +96,10 @@ ReferenceHit ReferenceView::hitOf(Field field, std::size_t pixel) const {
   result.hit = true;
   result.depthMm = first->t;
   result.voxel = first->voxel;
+  if (field == Field::trilinear) {
+    const glm::dvec3 gradient = volume::sampleTrilinear(volume_->grid(), first->voxel).gradient;
+    result.fromOutside = outward_ * glm::dot(gradient, ray.direction) <= 0.0;
+  }
   ray.tMinimum = first->t + kBehindVoxels / result.voxelsPerMm;
   if (const auto next = cast(field, ray, isovalue_).hit) result.nextMm = next->t;
   return result;

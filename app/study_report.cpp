@@ -204,7 +204,9 @@ std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStu
       << tableNumber(*subject.scene.isosurface.value, 6) << ", picture " << subject.size.x << " x "
       << subject.size.y << ". " << subject.context.renderer << ", " << processorName() << "; medians of "
       << subject.repeat << " frames of each setting in turns.\n"
-      << "Errors are against double precision on the same fields. Undecided: pixels whose answer hangs on "
+      << "Errors of surfaces are against double precision on the same fields, those of light against path "
+         "tracing. "
+         "Undecided: pixels whose answer hangs on "
          "the "
          "rounding of the ray.\n";
   if (!complete) out << "\n*Not complete: the study was stopped, or is still running.*\n";
