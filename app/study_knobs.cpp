@@ -143,7 +143,7 @@ const std::vector<Knob>& lightKnobs() {
        light,
        false,
        false,
-       {"0", "0.25", "auto", "0.75", "0.9"},
+       {"0", "0.25", "0.5", "auto", "0.9"},
        Cost::bakeSeconds},
       {"bounces",
        "gi.bounces",
