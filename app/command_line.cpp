@@ -55,8 +55,8 @@ void declare(Program& program) {
       "memory,\n"
       "130 interrupted.\n\n"
       "Example:\n  isolux ct.nii.gz --isovalue 300");
-  for (const auto make :
-       {makeInfo, makeRender, makeReference, makeReplay, makeStudy, makePhantom, makeSettings, makeDoctor})
+  for (const auto make : {makeInfo, makeRender, makeBake, makeReference, makeReplay, makeStudy, makePhantom,
+                          makeSettings, makeDoctor})
     program.commands.push_back(make(parser));
 }
 

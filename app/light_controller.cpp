@@ -232,9 +232,15 @@ bool LightController::settle(double timeoutSeconds) const {
   });
 }
 
-bool LightController::finish(scene::Progress& progress, std::uint32_t samples) const {
-  while (!settle(0.05))
-    if (progress.stopRequested()) return false;
+bool LightController::finish(scene::Progress& progress, double timeoutSeconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto over = [&] {
+    return progress.stopRequested() ||
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > timeoutSeconds;
+  };
+  constexpr double slice = 0.05;  // seconds: how soon a stop is seen
+  while (!settle(slice))
+    if (over()) return false;
   std::vector<std::shared_ptr<gi::LightBake>> bakes;
   {
     const std::lock_guard guard(parts_->mutex);
@@ -242,24 +248,22 @@ bool LightController::finish(scene::Progress& progress, std::uint32_t samples) c
     bakes = parts_->bakes();
   }
   for (const auto& bake : bakes) {
-    while (!bake->waitFor(samples, 0.05)) {
-      if (const auto error = bake->error()) throw *error;
-      if (progress.stopRequested()) return false;
+    while (!bake->waitFor(0, slice)) {
+      if (const auto failed = bake->error()) throw *failed;
+      if (over()) return false;
       const gi::BakeCounters counters = state().counters;
       const auto wanted = static_cast<double>(std::max<std::uint64_t>(counters.samplesWanted, 1));
       progress.report(static_cast<double>(counters.samplesDone) / wanted, "tracing light");
     }
   }
-  // Compressed light of the last texels.
-  const bool compresses = state().choice.sky == scene::GiMode::transfer;
-  if (compresses) {
-    std::unique_lock lock(parts_->mutex);
-    const std::uint64_t before = parts_->planned;
-    parts_->hitsTold = true;  // the same wishes again: the planner looks whether to compress
+  // The planner compresses the last texels.
+  {
+    const std::lock_guard guard(parts_->mutex);
+    parts_->hitsTold = true;
     parts_->changed.notify_all();
-    parts_->changed.wait_for(lock, 60s, [&] { return !parts_->hitsTold && !parts_->busy; });
-    (void)before;
   }
+  while (!settle(slice))
+    if (over()) return false;
   return true;
 }
 

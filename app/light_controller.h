@@ -9,6 +9,7 @@
 // from one owner thread.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,9 +62,9 @@ class LightController {
 
   // Waits until the planner has taken in everything told so far; false at the timeout.
   bool settle(double timeoutSeconds) const;
-  // Waits until all that is wanted has `samples` paths a texel (0: all). Reports to `progress`, returns early
-  // when that is stopped: false.
-  bool finish(scene::Progress& progress, std::uint32_t samples = 0) const;
+  // Waits until all that is wanted has all its paths. Reports to `progress`; false when that is stopped, or
+  // at the timeout. Throws the scene::Error of a bake that failed.
+  bool finish(scene::Progress& progress, double timeoutSeconds = std::numeric_limits<double>::infinity());
   // Keeps the light it has and stops wanting more, until the scene or the view changes.
   void cancel();
 

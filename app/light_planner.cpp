@@ -2,8 +2,9 @@
 
 #include <filesystem>
 #include <system_error>
-#include <thread>
 #include <utility>
+
+#include <tbb/global_control.h>
 
 #include "gi/path_tracer.h"
 #include "gi/texel_sets.h"
@@ -13,6 +14,19 @@
 namespace isolux::app {
 
 namespace {
+
+// Nobody knows what is seen behind a transparent surface: whole isosurfaces are.
+std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
+  std::vector<double> isovalues = {*scene.isosurface.value};
+  bool transparent = scene.isosurface.opacity < 1.0;
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4}) {
+    if (!extra->shown) continue;
+    isovalues.push_back(*extra->value);
+    transparent = transparent || extra->opacity < 1.0;
+  }
+  if (!transparent) isovalues.clear();
+  return isovalues;
+}
 
 // A name that changes when the probe's file does.
 std::string nameOf(const scene::Environment& settings) {
@@ -26,7 +40,10 @@ std::string nameOf(const scene::Environment& settings) {
 }
 
 int threadsOf(const scene::Gi& gi) {
-  return gi.threads.value_or(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  // What --threads allows, else one per core.
+  const std::size_t allowed =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return gi.threads.value_or(static_cast<int>(std::max<std::size_t>(1, allowed)));
 }
 
 }  // namespace
@@ -109,7 +126,7 @@ void LightPlanner::adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPar
   Part& part = which == gi::LightPart::sky ? sky_ : lamps_;
   part.bake.reset();
   part.bake = makeBake(part, std::move(lattice));
-  part.extentAsked = false;
+  part.asked.reset();
   plan_.sky = sky_.bake;
   plan_.lamps = lamps_.bake;
   basis_.reset();
@@ -146,21 +163,23 @@ void LightPlanner::wish(Part& part, const std::vector<gi::WantedBlock>& visible,
   part.bake->want(gi::Wish::visible, visible);
   part.bake->want(gi::Wish::nearby, nearby);
   const scene::GiExtent extent = scene_.gi.extent;
-  const glm::dvec2 band = scene_.gi.band.value();
-  if (part.extentAsked && part.extent == extent && part.reach == reach() &&
-      (extent != scene::GiExtent::band || part.band == band))
-    return;
+  Asked asked{extent, reach(), {}, isovaluesBehindOthers(scene_)};
+  if (extent == scene::GiExtent::band) asked.band = scene_.gi.band.value();
+  if (part.asked == asked) return;
   const gi::LatticeGeometry& lattice = part.bake->lattice()->geometry();
-  part.bake->want(gi::Wish::band,
-                  extent == scene::GiExtent::band
-                      ? gi::texelsOfBand(lattice, volume_->grid(), band.x, band.y, reach(), progress)
-                      : std::vector<gi::WantedBlock>{});
+  const auto ofBand = [&](double low, double high) {
+    return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress);
+  };
+  std::vector<gi::WantedBlock> band;
+  if (extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);
+  for (const double isovalue : asked.behind) {
+    const std::vector<gi::WantedBlock> whole = ofBand(isovalue, isovalue);
+    band.insert(band.end(), whole.begin(), whole.end());
+  }
+  part.bake->want(gi::Wish::band, std::move(band));
   part.bake->want(gi::Wish::rest,
                   extent == scene::GiExtent::full ? gi::allTexels(lattice) : std::vector<gi::WantedBlock>{});
-  part.extent = extent;
-  part.band = band;
-  part.reach = reach();
-  part.extentAsked = true;
+  part.asked = std::move(asked);
 }
 
 void LightPlanner::wishNothing() {
@@ -168,7 +187,7 @@ void LightPlanner::wishNothing() {
     if (!part->bake) continue;
     for (const gi::Wish kind : {gi::Wish::visible, gi::Wish::nearby, gi::Wish::band, gi::Wish::rest})
       part->bake->want(kind, {});
-    part->extentAsked = false;
+    part->asked.reset();
   }
 }
 

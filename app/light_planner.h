@@ -51,15 +51,19 @@ class LightPlanner {
   const LightPlan& current() const { return plan_; }
 
  private:
+  // What a bake was asked for besides what is seen.
+  struct Asked {
+    scene::GiExtent extent = scene::GiExtent::view;
+    int reach = 0;
+    glm::dvec2 band{0.0};
+    std::vector<double> behind;  // isovalues of surfaces that may be seen through others
+    bool operator==(const Asked&) const = default;
+  };
   struct Part {
     std::string key;
     std::shared_ptr<const gi::TexelEstimator> estimator;
     std::shared_ptr<gi::LightBake> bake;
-    // What `rest` or `band` was asked of it.
-    scene::GiExtent extent = scene::GiExtent::view;
-    glm::dvec2 band{0.0};
-    int reach = 0;
-    bool extentAsked = false;
+    std::optional<Asked> asked;
   };
 
   void loadEnvironment(const scene::Environment& settings);

@@ -60,6 +60,8 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
       ->group("Scene");
   add("--isovalue", assign("isosurface.value"), "VALUE", "Short for --set isosurface.value=VALUE");
   add("--look", assign("look.mode"), "MODE", "Short for --set look.mode=MODE");
+  add("--environment", assign("light.environment.file"), "FILE",
+      "The light probe (.hdr, .exr): short for --set light.environment.file=FILE");
   add(
       "--camera", [options](const std::string& value) { addCamera(value, options->assignments); },
       "\"EYE TARGET UP FOV\"",

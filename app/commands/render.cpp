@@ -9,6 +9,8 @@
 #include "app/commands/command.h"
 #include "app/files.h"
 #include "app/image_io.h"
+#include "app/light_picture.h"
+#include "app/light_report.h"
 #include "app/progress_bar.h"
 #include "app/session.h"
 #include "app/version.h"
@@ -26,7 +28,7 @@ using scene::Error;
 using scene::ErrorKind;
 
 struct RenderOptions {
-  std::string path, out, size = "1024x768", aov, stats;
+  std::string path, light, out, size = "1024x768", aov, stats;
   bool explain = false;
   int repeat = 0;
   std::shared_ptr<render::ContextChoice> context;
@@ -87,7 +89,8 @@ std::uint64_t peakBytes() {
 
 ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
                        const render::FrameRequest& request, const volume::PreparedVolume& prepared,
-                       const render::ContextDescription& context, const Drawn& drawn) {
+                       const render::ContextDescription& context, const Drawn& drawn,
+                       const LightState& light) {
   ordered_json passes = ordered_json::array();
   for (const render::PassReport& pass : drawn.report.passes)
     passes.push_back({{"name", pass.name},
@@ -109,6 +112,7 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
   json["bricks"] = {{"active", bricks.active},   {"resident", bricks.resident}, {"uploaded", bricks.uploaded},
                     {"evicted", bricks.evicted}, {"slots", bricks.slots},       {"total", bricks.total},
                     {"missing", bricks.missing}};
+  json["bake"] = bakeJson(light);
   json["gpu_bytes"] = drawn.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["data_hash"] = hashText(prepared.grid().hash());
@@ -161,18 +165,30 @@ void runRender(const RenderOptions& options, scene::Progress& progress) {
   context->makeCurrent();
   render::Renderer renderer(context->gl());
   renderer.setVolume(prepared);
+  LightController light({});
   Drawn drawn;
   {
     progress.report(0.0, "drawing");
     const ProgressBar bar(progress);
+    if (!options.light.empty()) {
+      light.setScene(litScene(scene, request), prepared);
+      light.load(options.light);
+    }
+    lightPicture(light, renderer, scene, request, prepared, progress);
+    progress.report(0.0, "drawing");
     drawn = draw(renderer, scene, request, options.repeat, progress);
     progress.throwIfStopped();
     writePicture(renderer, request, options, scene);
   }
   if (!options.stats.empty())
-    writeTextFile(options.stats,
-                  jsonText(statsJson(options, scene, request, *prepared, context->description(), drawn)));
-  if (options.explain) printPasses(drawn.report);
+    writeTextFile(options.stats, jsonText(statsJson(options, scene, request, *prepared,
+                                                    context->description(), drawn, light.state())));
+  if (options.explain) {
+    printPasses(drawn.report);
+    printBake(light.state());
+  }
+  for (const std::string& warning : light.state().warnings)
+    std::fprintf(stderr, "isolux: note: %s\n", warning.c_str());
   printWarnings(prepared->volume);
   if (drawn.report.bricks.missing > 0.0)
     std::fprintf(
@@ -208,7 +224,12 @@ Command makeRender(CLI::App& program) {
       ->add_option("--stats", options->stats,
                    "Write what was computed and what it cost as JSON (docs/commands.md)")
       ->type_name("FILE");
-  parser->add_flag("--explain", options->explain, "Print each pass, whether it ran, and why");
+  parser
+      ->add_option("--light", options->light,
+                   "Take stored light from this file of `isolux bake`; what is missing is baked")
+      ->type_name("FILE");
+  parser->add_flag("--explain", options->explain,
+                   "Print each pass, whether it ran, and why; and what is stored of the light");
   parser
       ->add_option("--repeat", options->repeat,
                    "Draw N frames after one to warm up; --stats has their median time")

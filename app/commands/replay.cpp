@@ -10,6 +10,7 @@
 #include "app/external_program.h"
 #include "app/files.h"
 #include "app/image_io.h"
+#include "app/light_picture.h"
 #include "app/progress_bar.h"
 #include "app/recording.h"
 #include "app/session.h"
@@ -67,6 +68,7 @@ class FrameMaker {
     const scene::Scene resolved = scene::resolve(scene, prepared_->facts);
     if (!image_ || !(resolved == drawn_)) {
       request_.supersampling = resolved.picture.supersampling;
+      lightPicture(light_, *renderer_, resolved, request_, prepared_, progress);
       renderer_->render(resolved, request_);
       image_ = renderer_->readColor();
       drawn_ = resolved;
@@ -77,6 +79,7 @@ class FrameMaker {
  private:
   std::unique_ptr<render::OffscreenContext> context_;
   std::optional<render::Renderer> renderer_;
+  LightController light_{LightController::Options{}};
   render::FrameRequest request_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   scene::Source source_;

@@ -1,0 +1,149 @@
+// isolux bake PATH --out FILE.vti: the light of a volume's isosurfaces, as a file.
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "app/commands/command.h"
+#include "app/files.h"
+#include "app/light_picture.h"
+#include "app/light_report.h"
+#include "app/progress_bar.h"
+#include "app/version.h"
+#include "scene/automatic.h"
+#include "scene/error.h"
+#include "scene/relevance.h"
+
+namespace isolux::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr double checkpointSeconds = 60.0;
+
+struct BakeOptions {
+  std::string path, out, stats, size = "1024x768";
+  bool explain = false;
+  std::shared_ptr<render::ContextChoice> context;
+  std::shared_ptr<SceneOptions> scene;
+};
+
+// A bake is asked for: it needs no look that reads it, and where nobody has said which texels, it is all.
+scene::Scene bakeScene(const BakeOptions& options) {
+  scene::Scene scene = sceneOf(options.path, *options.scene);
+  if (scene::shadingOf(scene) != scene::Shading::gi) scene.look.mode = scene::LookMode::gi;
+  const auto& words = options.scene->assignments;
+  const bool said = std::any_of(words.begin(), words.end(),
+                                [](const std::string& word) { return word.starts_with("gi.extent"); });
+  if (!said && scene.gi.extent == scene::Gi{}.extent) scene.gi.extent = scene::GiExtent::full;
+  return scene;
+}
+
+void seeView(LightController& controller, const BakeOptions& options, const scene::Scene& scene,
+             const std::shared_ptr<const volume::PreparedVolume>& prepared) {
+  const auto context = render::OffscreenContext::create(*options.context);
+  context->makeCurrent();
+  render::Renderer renderer(context->gl());
+  renderer.setVolume(prepared);
+  render::FrameRequest request;
+  request.size = parseSize(options.size);
+  request.color = false;
+  request.aovs = {render::Aov::voxel};
+  renderer.render(scene, request);
+  controller.setVisible(renderer.hitVoxels());
+}
+
+// Goes on with a file of the same light; other light is replaced, as any picture would be. Returns why.
+std::string resume(LightController& controller, const fs::path& out, scene::Progress& progress) {
+  std::error_code missing;
+  if (!fs::exists(out, missing)) return {};
+  while (!controller.settle(0.05)) progress.throwIfStopped();
+  try {
+    controller.load(out);
+  } catch (const scene::Error& error) {
+    if (error.kind() != scene::ErrorKind::input) throw;
+    return error.reason();
+  }
+  return {};
+}
+
+void runBake(const BakeOptions& options, scene::Progress& progress) {
+  const fs::path out(options.out);
+  if (out.extension() != ".vti")
+    throw scene::Error(scene::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
+  scene::Scene scene = bakeScene(options);
+  if (!scene::giChoiceOf(scene).wanted)
+    throw scene::Error(scene::ErrorKind::usage, "", "gi.mode",
+                       "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
+  { const PendingFile writable(out); }
+  if (!options.stats.empty()) {
+    const PendingFile writable{fs::path(options.stats)};
+  }
+  const auto prepared = loadWithProgressBar(scene.source, progress);
+  scene = scene::resolve(std::move(scene), prepared->facts);
+
+  LightController controller({});
+  std::string replaced;
+  controller.setScene(scene, prepared);
+  {
+    const ProgressBar bar(progress);
+    replaced = resume(controller, out, progress);
+    if (scene.gi.extent == scene::GiExtent::view) seeView(controller, options, scene, prepared);
+    while (!controller.finish(progress, checkpointSeconds)) {
+      controller.save(out);  // what there is, also when it ends here
+      progress.throwIfStopped();
+    }
+    controller.save(out);
+  }
+  if (!replaced.empty())
+    std::fprintf(stderr, "isolux: note: %s held other light and was replaced: %s\n", options.out.c_str(),
+                 replaced.c_str());
+  const LightState state = controller.state();
+  if (!options.stats.empty()) {
+    ordered_json json;
+    json["version"] = version();
+    json["bake"] = bakeJson(state);
+    json["data_hash"] = hashText(prepared->grid().hash());
+    writeTextFile(options.stats, jsonText(json));
+  }
+  if (options.explain) printBake(state);
+  for (const std::string& warning : state.warnings)
+    std::fprintf(stderr, "isolux: note: %s\n", warning.c_str());
+  printWarnings(prepared->volume);
+}
+
+}  // namespace
+
+Command makeBake(CLI::App& program) {
+  CLI::App* const parser =
+      program.add_subcommand("bake", "Compute the light of a volume's isosurfaces and write it to a file");
+  auto options = std::make_shared<BakeOptions>();
+  parser
+      ->add_option("PATH", options->path, "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session")
+      ->required();
+  parser
+      ->add_option(
+          "--out", options->out,
+          "The file to write (.vti, opens in ParaView); an interrupted bake of the same light goes on "
+          "from it")
+      ->type_name("FILE")
+      ->required();
+  parser->add_option("--stats", options->stats, "Write what was computed and what it cost as JSON")
+      ->type_name("FILE");
+  parser->add_option("--size", options->size, "Pixels of the view, with gi.extent=view; default 1024x768")
+      ->type_name("WxH");
+  parser->add_flag("--explain", options->explain, "Print what is stored, and why");
+  options->context = addContextOption(*parser);
+  addThreadsOption(*parser);
+  options->scene = addSceneOptions(*parser);
+  parser->footer(
+      "All texels are lit unless gi.extent says otherwise.\n"
+      "Examples:\n"
+      "  isolux bake engine.nii.gz --environment studio.hdr --out engine_light.vti\n"
+      "  isolux bake ct.nii.gz --set gi.extent=band --set gi.band=200,400 --out bone.vti --stats bone.json\n"
+      "  isolux render ct.nii.gz --look gi --light bone.vti --out bone.png");
+  return {parser, [options](scene::Progress& progress) { runBake(*options, progress); }};
+}
+
+}  // namespace isolux::app

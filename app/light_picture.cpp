@@ -1,0 +1,34 @@
+#include "app/light_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/relevance.h"
+
+namespace isolux::app {
+
+scene::Scene litScene(scene::Scene resolved, const render::FrameRequest& request) {
+  const bool readsIrradiance =
+      std::find(request.aovs.begin(), request.aovs.end(), render::Aov::irradiance) != request.aovs.end();
+  if (readsIrradiance && scene::shadingOf(resolved) != scene::Shading::gi)
+    resolved.look.mode = scene::LookMode::gi;
+  return resolved;
+}
+
+void lightPicture(LightController& controller, render::Renderer& renderer, const scene::Scene& resolved,
+                  const render::FrameRequest& request,
+                  const std::shared_ptr<const volume::PreparedVolume>& volume, scene::Progress& progress) {
+  const scene::Scene lit = litScene(resolved, request);
+  controller.setScene(lit, volume);
+  if (scene::giChoiceOf(lit).wanted) {
+    render::FrameRequest surface = request;
+    surface.color = false;
+    surface.aovs = {render::Aov::voxel};
+    renderer.render(resolved, surface);
+    controller.setVisible(renderer.hitVoxels());
+  }
+  if (!controller.finish(progress)) progress.throwIfStopped();
+  renderer.setLight(controller.light());
+}
+
+}  // namespace isolux::app
