@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/light_planner.h"
+#include "gi/bake_file.h"
 
 namespace isolux::app {
 
@@ -265,6 +266,35 @@ bool LightController::finish(scene::Progress& progress, double timeoutSeconds) {
   while (!settle(slice))
     if (over()) return false;
   return true;
+}
+
+void LightController::save(const std::filesystem::path& file, scene::Progress& progress) const {
+  gi::StoredLight light;
+  VolumePointer volume;
+  {
+    const std::lock_guard guard(parts_->mutex);
+    if (parts_->plan.sky) light.sky = parts_->plan.sky->lattice();
+    if (parts_->plan.lamps) light.lamps = parts_->plan.lamps->lattice();
+    volume = parts_->volume;
+  }
+  gi::writeBakeFile(file, volume->grid(), light, progress);
+}
+
+void LightController::load(const std::filesystem::path& file, scene::Progress& progress) {
+  while (!settle(0.05)) progress.throwIfStopped();
+  // The planner thread sleeps while the mutex is held.
+  const std::lock_guard guard(parts_->mutex);
+  if (parts_->error) throw *parts_->error;
+  const auto keyOf = [](const std::shared_ptr<gi::LightBake>& bake) {
+    return bake ? bake->lattice()->key() : std::string();
+  };
+  gi::StoredLight stored = gi::readBakeFile(file, parts_->volume->grid(), keyOf(parts_->plan.sky),
+                                            keyOf(parts_->plan.lamps), progress);
+  if (stored.sky) parts_->planner.adopt(std::move(stored.sky), gi::LightPart::sky);
+  if (stored.lamps) parts_->planner.adopt(std::move(stored.lamps), gi::LightPart::lamps);
+  parts_->publish();
+  parts_->hitsTold = true;
+  parts_->changed.notify_all();
 }
 
 }  // namespace isolux::app

@@ -9,6 +9,7 @@
 // from one owner thread.
 #pragma once
 
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -67,6 +68,11 @@ class LightController {
   bool finish(scene::Progress& progress, double timeoutSeconds = std::numeric_limits<double>::infinity());
   // Keeps the light it has and stops wanting more, until the scene or the view changes.
   void cancel();
+
+  // The bake as a file (gi/bake_file.h). load() takes over light that fits the scene: throws scene::Error
+  // naming what differs.
+  void save(const std::filesystem::path& file, scene::Progress& progress) const;
+  void load(const std::filesystem::path& file, scene::Progress& progress);
 
  private:
   struct Parts;

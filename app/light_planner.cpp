@@ -41,8 +41,7 @@ std::string nameOf(const scene::Environment& settings) {
 
 int threadsOf(const scene::Gi& gi) {
   // What --threads allows, else one per core.
-  const std::size_t allowed =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   return gi.threads.value_or(static_cast<int>(std::max<std::size_t>(1, allowed)));
 }
 
@@ -163,12 +162,12 @@ void LightPlanner::wish(Part& part, const std::vector<gi::WantedBlock>& visible,
   part.bake->want(gi::Wish::visible, visible);
   part.bake->want(gi::Wish::nearby, nearby);
   const scene::GiExtent extent = scene_.gi.extent;
-  Asked asked{extent, reach(), {}, isovaluesBehindOthers(scene_)};
+  Asked asked{extent, reach(), scene_.hit.field, {}, isovaluesBehindOthers(scene_)};
   if (extent == scene::GiExtent::band) asked.band = scene_.gi.band.value();
   if (part.asked == asked) return;
   const gi::LatticeGeometry& lattice = part.bake->lattice()->geometry();
   const auto ofBand = [&](double low, double high) {
-    return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress);
+    return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress, scene_.hit.field);
   };
   std::vector<gi::WantedBlock> band;
   if (extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);

@@ -55,6 +55,7 @@ class LightPlanner {
   struct Asked {
     scene::GiExtent extent = scene::GiExtent::view;
     int reach = 0;
+    scene::Field field = scene::Field::trilinear;  // that is hit
     glm::dvec2 band{0.0};
     std::vector<double> behind;  // isovalues of surfaces that may be seen through others
     bool operator==(const Asked&) const = default;

@@ -58,9 +58,8 @@ void seeView(LightController& controller, const BakeOptions& options, const scen
 std::string resume(LightController& controller, const fs::path& out, scene::Progress& progress) {
   std::error_code missing;
   if (!fs::exists(out, missing)) return {};
-  while (!controller.settle(0.05)) progress.throwIfStopped();
   try {
-    controller.load(out);
+    controller.load(out, progress);
   } catch (const scene::Error& error) {
     if (error.kind() != scene::ErrorKind::input) throw;
     return error.reason();
@@ -90,11 +89,13 @@ void runBake(const BakeOptions& options, scene::Progress& progress) {
     const ProgressBar bar(progress);
     replaced = resume(controller, out, progress);
     if (scene.gi.extent == scene::GiExtent::view) seeView(controller, options, scene, prepared);
+    // What there is, also when it ends here: writing is not stopped.
+    scene::Progress writing;
     while (!controller.finish(progress, checkpointSeconds)) {
-      controller.save(out);  // what there is, also when it ends here
+      controller.save(out, writing);
       progress.throwIfStopped();
     }
-    controller.save(out);
+    controller.save(out, writing);
   }
   if (!replaced.empty())
     std::fprintf(stderr, "isolux: note: %s held other light and was replaced: %s\n", options.out.c_str(),

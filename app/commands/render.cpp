@@ -172,7 +172,7 @@ void runRender(const RenderOptions& options, scene::Progress& progress) {
     const ProgressBar bar(progress);
     if (!options.light.empty()) {
       light.setScene(litScene(scene, request), prepared);
-      light.load(options.light);
+      light.load(options.light, progress);
     }
     lightPicture(light, renderer, scene, request, prepared, progress);
     progress.report(0.0, "drawing");
