@@ -24,6 +24,26 @@ std::vector<glm::dvec3> rotated(const std::vector<glm::dvec3>& coefficients, int
   return result;
 }
 
+// A white surface in the open that faces where most light comes from is just white.
+float exposureFor(const PictureLight& light, const scene::Scene& resolved) {
+  constexpr int directions = 200;
+  constexpr double mostStops = 20.0, golden = 2.399963229728653;  // radians: a spiral over the sphere
+  double brightest = 0.0;
+  for (int i = 0; i < directions; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / directions, r = std::sqrt(1.0 - z * z);
+    const glm::dvec3 normal(r * std::cos(golden * i), r * std::sin(golden * i), z);
+    double basis[9];
+    evaluateSh(localOrder, normal, basis);
+    glm::dvec3 irradiance(0.0);
+    for (std::size_t k = 0; k < 9; ++k) irradiance += basis[k] * glm::dvec3(light.irradianceSh[k]);
+    brightest = std::max(brightest, luminance(irradiance) / std::numbers::pi);
+  }
+  for (const scene::Lamp* lamp : {&resolved.lamp1, &resolved.lamp2, &resolved.lamp3})
+    if (lamp->shown) brightest += lamp->intensity * luminance(lamp->color);
+  if (!(brightest > 0.0)) return 0.0f;
+  return static_cast<float>(std::clamp(-std::log2(brightest), -mostStops, mostStops));
+}
+
 }  // namespace
 
 PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& light,
@@ -56,13 +76,7 @@ PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& li
   result.environmentFromWorld = glm::mat3(glm::transpose(rotation));
   result.backgroundScale = static_cast<float>(exposure);
 
-  // A lamp lights what faces it; the sky lights all alike.
-  double brightness = exposure * luminance(mean);
-  for (const scene::Lamp* lamp : {&resolved.lamp1, &resolved.lamp2, &resolved.lamp3})
-    if (lamp->shown) brightness += 0.5 * lamp->intensity * luminance(lamp->color);
-  constexpr double mostStops = 20.0;
-  if (brightness > 0.0)
-    result.automaticExposure = static_cast<float>(std::clamp(-std::log2(brightness), -mostStops, mostStops));
+  result.automaticExposure = exposureFor(result, resolved);
   return result;
 }
 
