@@ -256,8 +256,6 @@ bool LightController::finish(scene::Progress& progress, double timeoutSeconds) {
       const auto wanted = static_cast<double>(std::max<std::uint64_t>(counters.samplesWanted, 1));
       progress.report(static_cast<double>(counters.samplesDone) / wanted, "tracing light");
     }
-    // Threads put down what they were at.
-    while (!bake->counters().idle && !over()) std::this_thread::sleep_for(1ms);
   }
   // The planner compresses the last texels.
   {
@@ -267,6 +265,9 @@ bool LightController::finish(scene::Progress& progress, double timeoutSeconds) {
   }
   while (!settle(slice))
     if (over()) return false;
+  // Threads put down what they were at, and see that the same wishes are fulfilled.
+  for (const auto& bake : bakes)
+    while (!bake->counters().idle && !over()) std::this_thread::sleep_for(1ms);
   return true;
 }
 
