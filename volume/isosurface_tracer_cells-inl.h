@@ -81,7 +81,8 @@ HWY_INLINE VF lerp(VF a, VF difference, VF t) {
   return hn::MulAdd(t, difference, a);
 }
 
-// Of every lane's cell, between its t and tOut; `known`: no corner is missing (set for floats).
+// Of the cells of lanes `known`, between their t and tOut; of floats, lanes with a missing corner become
+// unknown.
 template <class T>
 HWY_INLINE Cubic cubicOf(const View& view, const T* voxels, const Group& g, VF tOut, MF& known) {
   const F f;
@@ -90,8 +91,10 @@ HWY_INLINE Cubic cubicOf(const View& view, const T* voxels, const Group& g, VF t
   const VF tIn = g.t;
   const VI at =
       hn::Add(hn::Mul(hn::Add(hn::Mul(cz, hn::Set(i, view.dims.y)), cy), hn::Set(i, view.dims.x)), cx);
+  // The other lanes read one place that is always the same, not memory that nobody needs.
+  const VI needed = hn::IfThenElseZero(hn::RebindMask(i, known), at);
   const Corners corners =
-      loadCorners(voxels, at, static_cast<std::size_t>(view.dims.x),
+      loadCorners(voxels, needed, static_cast<std::size_t>(view.dims.x),
                   static_cast<std::size_t>(view.dims.x) * static_cast<std::size_t>(view.dims.y));
   const Edge &e00 = corners.e00, &e10 = corners.e10, &e01 = corners.e01, &e11 = corners.e11;
   if constexpr (std::is_same_v<T, float>) {

@@ -4,7 +4,8 @@
 // turn is asked of memory when its turn ends, so that no step waits for memory. A lane whose ray has ended
 // takes the next one (when an eighth of the lanes are idle). All lanes of a group step at once, each by its
 // own box of 1, 4^3 or 16^3 cells; lanes that stand in a cell that may hold their isovalue wait until half of
-// the lanes do. Nothing is accumulated: every t is that of an integer plane.
+// the lanes do and their corners have been asked for. Nothing is accumulated: every t is that of an integer
+// plane.
 #if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_STEPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_STEPS_INL_H
 #undef ISOLUX_VOLUME_ISOSURFACE_TRACER_STEPS_INL_H
@@ -232,7 +233,8 @@ HWY_INLINE void Tracer<T, any>::step(Group& g, const Write& write) {
   }
   outside = hn::Or(hn::AndNot(boxInside, passed), hn::AndNot(passed, outside));
 
-  const std::size_t waiting = hn::CountTrue(i, waits);
+  // Lanes that have begun to wait in this turn have only now asked for their corners.
+  const std::size_t waiting = hn::CountTrue(i, g.waits);
   g.waits = waits;
   if (waiting > 0 && 2 * waiting >= hn::CountTrue(i, alive)) {
     const MF here = hn::RebindMask(f, waits);
