@@ -117,6 +117,12 @@ void Buffer::write(std::size_t offset, const void* data, std::size_t bytes) {
     gl().NamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
+BufferTexture::BufferTexture(const Buffer& buffer, GLenum internalFormat)
+    : GlObject(buffer.pointer(),
+               created([&](GLuint* id) { buffer.gl().CreateTextures(GL_TEXTURE_BUFFER, 1, id); })) {
+  gl().TextureBuffer(id(), internalFormat, buffer.id());
+}
+
 VertexArray::VertexArray(const GlPtr& gl)
     : GlObject(gl, created([&](GLuint* id) { gl->CreateVertexArrays(1, id); })) {}
 
@@ -207,6 +213,11 @@ void Program::set(const char* name, const glm::mat3& v) {
 }
 void Program::set(const char* name, const glm::mat4& v) {
   gl().ProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
+}
+
+void Program::setTexture(const char* name, int unit, const BufferTexture& texture) {
+  gl().BindTextureUnit(static_cast<GLuint>(unit), texture.id());
+  set(name, unit);
 }
 
 void Program::setTexture(const char* name, int unit, const Texture& texture) {

@@ -38,6 +38,7 @@ class GlObject {
   GLuint id() const { return id_; }
   explicit operator bool() const { return id_ != 0; }
   const Gl& gl() const { return *gl_; }
+  const GlPtr& pointer() const { return gl_; }
 
  private:
   GlPtr gl_;
@@ -82,6 +83,13 @@ class Buffer : public GlObject<deleteBuffer> {
   std::size_t bytes_ = 0;
 };
 
+// A view of a buffer as a texture (usamplerBuffer): GL_R32UI, GL_RG32UI.
+class BufferTexture : public GlObject<deleteTexture> {
+ public:
+  BufferTexture() = default;
+  BufferTexture(const Buffer& buffer, GLenum internalFormat);
+};
+
 class VertexArray : public GlObject<deleteVertexArray> {
  public:
   VertexArray() = default;
@@ -121,6 +129,7 @@ class Program : public GlObject<deleteProgram> {
   void set(const char* name, const glm::mat4& value);
   // Binds `texture` to unit `unit` and points the sampler at it.
   void setTexture(const char* name, int unit, const Texture& texture);
+  void setTexture(const char* name, int unit, const BufferTexture& texture);
 
  private:
   GLint location(const char* name);

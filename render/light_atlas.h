@@ -15,6 +15,7 @@
 
 #include "gi/picture_light.h"
 #include "render/gl_objects.h"
+#include "render/light_filter.h"
 #include "render/light_texel.h"
 #include "volume/grid.h"
 
@@ -25,11 +26,12 @@ class LightAtlas {
   explicit LightAtlas(GlPtr gl);
 
   // What the atlas holds from now on. Where that differs in kind from what it held, it starts empty.
-  // `grid` is what texels take their isovalues from, where `isovalues` asks for them.
+  // `grid` is what texels take their isovalues from, where `isovalues` or `filtered` ask for them.
   struct Source {
     std::shared_ptr<const gi::PictureLight> light;  // null: nothing
     scene::GiPrecision precision = scene::GiPrecision::r11g11b10;
     bool isovalues = false;
+    bool filtered = false;  // irradiance without its noise (render/light_filter.h)
     std::shared_ptr<const volume::Grid> grid;
     std::size_t budgetBytes = 0;
   };
@@ -43,8 +45,8 @@ class LightAtlas {
   void update(std::size_t limitBytes);
   bool pending() const { return !queue_.empty(); }
 
-  // Binds page table and texels as storage buffers 1 and 2.
-  void bind() const;
+  // uLightPages and uLightTexels, in units `unit` and unit + 1.
+  void bind(Program& program, int unit) const;
 
   std::size_t bytes() const { return pages_.bytes() + texels_.bytes(); }
   std::size_t resident() const { return used_; }            // blocks
@@ -54,6 +56,10 @@ class LightAtlas {
  private:
   void start();  // empty
   void collect();
+  void queue(std::uint32_t block);
+  void queueNeighbours(std::uint32_t block);
+  float isovalueOf(glm::ivec3 texel) const;  // stored units
+  std::vector<FilterTexel> filteredBlock(std::uint32_t block) const;
   bool reserve(std::size_t slots);  // room for so many, false where that is not to be had
   std::size_t slotBytes() const;
   std::size_t mostSlots() const;
@@ -71,6 +77,7 @@ class LightAtlas {
   std::unordered_set<std::uint32_t> queued_, left_;
   std::vector<std::uint32_t> slots_;  // of each block, plus 1; 0: none
   Buffer pages_, texels_;
+  BufferTexture pagesTexture_, texelsTexture_;
   std::size_t capacity_ = 0, used_ = 0, uploaded_ = 0;  // slots; blocks
   std::size_t mostBufferBytes_ = 0;
 };

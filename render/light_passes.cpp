@@ -50,6 +50,10 @@ LocalLamp localLamp(const gi::LampLight& lamp, const glm::dvec3& originMm) {
   return {at, glm::dvec4(lamp.power, 0.0)};
 }
 
+std::size_t lampCount(const gi::PictureLight* light) {
+  return light ? std::min(light->lampLights.size(), kMostLamps) : 0;
+}
+
 }  // namespace
 
 float exposureOf(const scene::Scene& scene, const gi::PictureLight* light) {
@@ -65,8 +69,9 @@ void LightPasses::prepare(FrameState& frame, std::size_t budgetBytes) {
   if (frame.readsLight) source.light = frame.light;
   source.precision = frame.scene->gi.precision;
   source.isovalues = interpolation == scene::GiInterpolation::closest_isovalue;
-  if (source.isovalues && frame.volume) source.grid = frame.volume->sharedGrid();
-  source.isovalues = source.isovalues && source.grid;
+  source.filtered = interpolation == scene::GiInterpolation::weighted;
+  if (frame.volume) source.grid = frame.volume->sharedGrid();
+  if (!source.grid) source.isovalues = source.filtered = false;
   source.budgetBytes = budgetBytes;
   // A look that reads no stored light leaves what there is for the next that does.
   if (!frame.readsLight) return;
@@ -107,11 +112,12 @@ void LightPasses::report(LightReport& out) const {
 
 std::string LightPasses::definesOf(const FrameState& frame) const {
   const LightTexelLayout& layout = atlas_.layout();
-  if (!layout.stores()) return "";
   const auto number = [](const char* name, auto value) {
     return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
   };
-  return "#define STORED\n" + number("SKY", layout.sky) + number("LAMPS", layout.lamps) +
+  const std::string lamps = number("LAMP_COUNT", lampCount(frame.light.get()));
+  if (!layout.stores()) return lamps;
+  return lamps + "#define STORED\n" + number("SKY", layout.sky) + number("LAMPS", layout.lamps) +
          number("WORDS", layout.words()) + number("CODE_WORDS", layout.codeWords) +
          number("CODE_BITS", layout.codeBits) + number("INTERPOLATION", frame.scene->gi.interpolation);
 }
@@ -120,8 +126,7 @@ void LightPasses::setLocalLight(const FrameState& frame, Program& p) const {
   const std::array<glm::vec3, 9> sky = frame.light ? frame.light->irradianceSh : neutralSky();
   for (std::size_t i = 0; i < sky.size(); ++i)
     p.set(("uLocalSky[" + std::to_string(i) + "]").c_str(), kHarmonics[i] * sky[i]);
-  const std::size_t lamps = frame.light ? std::min(frame.light->lampLights.size(), kMostLamps) : 0;
-  p.set("uLampCount", static_cast<int>(lamps));
+  const std::size_t lamps = lampCount(frame.light.get());
   const glm::dvec3 origin(frame.volume->grid().geometry().worldFromVoxel[3]);
   for (std::size_t i = 0; i < lamps; ++i) {
     const LocalLamp lamp = localLamp(frame.light->lampLights[i], origin);
@@ -132,7 +137,7 @@ void LightPasses::setLocalLight(const FrameState& frame, Program& p) const {
 }
 
 void LightPasses::setLattice(const FrameState& frame, Program& p) {
-  atlas_.bind();
+  atlas_.bind(p, 3);
   const gi::LatticeGeometry& geometry = atlas_.geometry();
   p.set("uLatticeDims", geometry.dims);
   p.set("uLatticeBlocks", geometry.blockDims());
@@ -150,7 +155,6 @@ void LightPasses::setLattice(const FrameState& frame, Program& p) {
   p.set("uStoredIsovalues", isovalues);
   const LightTexelLayout& layout = atlas_.layout();
   if (layout.sky != LightPacking::codes) return;
-#if __has_include("gi/transfer_basis.cpp")
   const gi::TransferBasis::Lighting lighting = frame.light->basis->under(frame.light->environment);
   p.set("uTransferOffset", lighting.offset);
   if (factorsOf_ != frame.light) {
@@ -163,7 +167,6 @@ void LightPasses::setLattice(const FrameState& frame, Program& p) {
     factorsOf_ = frame.light;
   }
   frame.gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFactorsBinding, factors_.id());
-#endif
 }
 
 void LightPasses::irradiance(FrameState& frame) {

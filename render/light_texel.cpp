@@ -35,14 +35,9 @@ std::uint32_t fractionBits(float fraction) {
 
 LightPacking packingOf(const gi::LightContent* content, const gi::TransferBasis* basis,
                        scene::GiPrecision precision) {
-  static_cast<void>(basis);
   if (!content) return LightPacking::none;
-#if __has_include("gi/transfer_basis.cpp")
   if (content->kind == gi::LightContent::Kind::transfer)
     return basis && basis->content() == *content ? LightPacking::codes : LightPacking::none;
-#else
-  if (content->kind == gi::LightContent::Kind::transfer) return LightPacking::none;
-#endif
   if (content->channels == 1) return LightPacking::single;
   return precision == scene::GiPrecision::half ? LightPacking::half : LightPacking::r11g11b10;
 }
@@ -70,13 +65,11 @@ LightTexelLayout lightTexelLayout(const gi::LightContent* sky, const gi::LightCo
   LightTexelLayout layout;
   layout.sky = packingOf(sky, basis, precision);
   layout.lamps = packingOf(lamps, nullptr, precision);
-#if __has_include("gi/transfer_basis.cpp")
   if (layout.sky == LightPacking::codes) {
     layout.codeWords = static_cast<int>((basis->bytesPerTexel() + 3) / 4);
     layout.codeBits = basis->bits();
     layout.components = basis->components();
   }
-#endif
   layout.isovalue = isovalue && layout.stores();
   return layout;
 }
@@ -120,15 +113,12 @@ void packLight(LightPacking packing, const float* means, const gi::LightContent&
       return;
     }
     case LightPacking::codes: {
-      static_cast<void>(basis);
-#if __has_include("gi/transfer_basis.cpp")
       assert(basis);
       const auto bytes = static_cast<std::size_t>(basis->bytesPerTexel());
       std::uint8_t codes[2048] = {};
       assert(bytes <= sizeof codes);
       basis->encode({means, static_cast<std::size_t>(content.components())}, {codes, bytes});
       std::memcpy(out, codes, (bytes + 3) / 4 * 4);
-#endif
       return;
     }
   }

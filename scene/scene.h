@@ -65,7 +65,7 @@ enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
 enum class GiExtent { full, band, view };  // which texels are lit
 enum class DirectionSequence { sobol_owen, r2, random };
 // How stored light is read between texels, Wyman et al. 2006 fig. 6; weighted: trilinear weights times how
-// well a texel's isosurface and normal fit those of the point.
+// well a texel's normal fits that of the point, of texels whose noise is filtered along their own isosurface.
 enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, weighted };
 enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
 enum class Projection { perspective, orthographic };
@@ -224,7 +224,7 @@ struct Gi {
   int rouletteDepth = 3;                   // bounces before paths may end at random
   std::optional<double> environmentShare;  // of directions that are drawn from the environment
   double latticeScale = 1.0;               // texels per voxel and axis
-  GiInterpolation interpolation = GiInterpolation::trilinear;
+  GiInterpolation interpolation = GiInterpolation::weighted;
   GiPrecision precision = GiPrecision::r11g11b10;
   int shOrder = 5;
   double shWindow = 0.0;  // 0 none, 1 full: against ringing

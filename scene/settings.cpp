@@ -560,8 +560,8 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry(
       "gi.interpolation", ISOLUX_MEMBER(gi.interpolation),
       {"closest_isovalue", "nearest", "trilinear", "tricubic", "weighted"},
-      "How stored light is read between texels; weighted favours texels whose isosurface and normal "
-      "fit."));
+      "How stored light is read between texels; weighted favours texels whose normal fits, and takes the "
+      "noise out along their isosurfaces."));
   add(choiceEntry("gi.precision", ISOLUX_MEMBER(gi.precision), {"r11g11b10", "half"},
                   "Numbers in which irradiance is kept on the graphics card: 4 or 8 bytes per texel."));
   add(entry("gi.sh_order", ISOLUX_MEMBER(gi.shOrder), {1, 8}, "",

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "gi/spherical_harmonics.h"
+#include "gi/transfer_basis.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light_support.h"
@@ -406,6 +407,55 @@ TEST_F(LightGlTest, BricksShowTheSameLight) {
     for (std::size_t i = 0; i < whole.size(); ++i)
       ASSERT_TRUE(std::isnan(whole[i]) || whole[i] == irradiance_.values[i]) << i;
   }
+}
+
+// Codes on the GPU against the same codes decoded here; a turned environment is other coefficients.
+TEST_F(LightGlTest, TransferIsTheDotProductOfItsCodes) {
+  const auto volume = phantom("ball", 24);
+  for (const int channels : {1, 3})
+    for (const int bits : {8, 16}) {
+      const gi::LightContent content{gi::LightContent::Kind::transfer, channels, 3};
+      const auto components = static_cast<std::size_t>(content.components());
+      const auto lattice = emptyLattice(dimsOf(volume), 1.0, content);
+      const auto transfer = [&](glm::ivec3 t) {
+        std::vector<float> means(components);
+        for (std::size_t i = 0; i < components; ++i)
+          means[i] =
+              (i % 9 == 0 ? 1.0f : 0.0f) +
+              0.1f * std::sin(static_cast<float>(i + 1) * 0.3f * static_cast<float>(t.x + 2 * t.y + 3 * t.z));
+        return means;
+      };
+      writeAll(*lattice, [&](glm::ivec3 t) { return TexelLight{100, {0.0f, 0.0f, 1.0f}, transfer(t)}; });
+      auto light = pictureLight(lattice);
+      light->skyScale = glm::vec3(9.0f);  // the environment's coefficients have it already
+      light->basis = gi::TransferBasis::fit(*lattice, 7, bits);
+      ASSERT_NE(light->basis, nullptr);
+      for (int turn = 0; turn < 2; ++turn) {
+        light = std::make_shared<gi::PictureLight>(*light);
+        light->environment.assign(9, glm::vec3(0.0f));
+        light->environment[0] = glm::vec3(1.0f, 2.0f, 3.0f);
+        light->environment[turn == 0 ? 1 : 3] = glm::vec3(0.5f, 0.2f, 0.7f);
+        light->version = static_cast<std::uint64_t>(10 + turn);
+        draw(volume, light, {"gi.interpolation=nearest"});
+        EXPECT_EQ(stateOf("light"), turn == 0 ? render::PassState::ran : render::PassState::cached);
+        const gi::TransferBasis& basis = *light->basis;
+        expectIrradiance(
+            [&](glm::dvec3 voxel, auto) {
+              std::vector<std::uint8_t> codes(basis.bytesPerTexel());
+              std::vector<float> decoded(components);
+              basis.encode(transfer(glm::ivec3(voxel + 0.5)), codes);
+              basis.decode(codes, decoded);
+              glm::dvec3 e(0.0);
+              for (int c = 0; c < 3; ++c)
+                for (std::size_t i = 0; i < 9; ++i)
+                  e[c] += static_cast<double>(
+                              decoded[(channels == 1 ? 0 : static_cast<std::size_t>(c)) * 9 + i]) *
+                          static_cast<double>(light->environment[i][c]);
+              return glm::max(e, glm::dvec3(0.0));
+            },
+            1e-4, 1e-4);
+      }
+    }
 }
 
 // Colour = albedo E / pi 2^exposure.
