@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gi/reference.h"
+#include "render/frame.h"
 
 namespace isolux::app {
 
@@ -12,5 +13,8 @@ namespace isolux::app {
 // beside and renamed. Throws Error{input}.
 void writeReferenceExr(const gi::ReferenceImage& image, const std::filesystem::path& file,
                        const std::string& session);
+
+// As a screen shows it: sRGB, before the look's background where nothing else is.
+render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Look& look);
 
 }  // namespace isolux::app

@@ -144,7 +144,7 @@ void ReferenceDialog::poll() {
 void ReferenceDialog::showImage() {
   if (!image_) return;
   const render::ColorImage screen =
-      shown_->currentIndex() == 0 ? screenImage(*image_, resolved_.look) : noiseImage(*image_);
+      shown_->currentIndex() == 0 ? app::screenImage(*image_, resolved_.look) : noiseImage(*image_);
   const QImage image(screen.rgba.data(), screen.size.x, screen.size.y, 4 * screen.size.x,
                      QImage::Format_RGBA8888);
   preview_->setPixmap(
@@ -171,7 +171,7 @@ bool ReferenceDialog::saveAs(const QString& file) {
     const std::filesystem::path path = file.toStdString();
     const std::string session = app::sessionText(resolved_, path.parent_path());
     if (file.endsWith(".png", Qt::CaseInsensitive)) {
-      app::writePng(screenImage(*image_, resolved_.look), path, session);
+      app::writePng(app::screenImage(*image_, resolved_.look), path, session);
     } else {
       app::writeReferenceExr(*image_, path, session);
     }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "gi/light_scene.h"
+#include "scene/color_maps.h"
 #include "volume/isosurface_tracer.h"
 
 namespace isolux::ui {
@@ -18,10 +19,8 @@ namespace {
 constexpr glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
 constexpr double whiteNoise = 0.1;  // of noiseImage()
 
-std::uint8_t encoded(double c) {  // sRGB, IEC 61966-2-1
-  c = std::clamp(c, 0.0, 1.0);
-  const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255.0 * s));
+std::uint8_t encoded(double linear) {
+  return static_cast<std::uint8_t>(std::lround(255.0 * scene::encodeSrgb(std::clamp(linear, 0.0, 1.0))));
 }
 
 bool isKnown(const gi::ReferenceImage& image, std::size_t pixel) {
@@ -93,21 +92,6 @@ void ReferenceJob::run() {
 ReferencePointer ReferenceJob::image() const {
   const std::lock_guard guard(mutex_);
   return image_;
-}
-
-render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Look& look) {
-  render::ColorImage screen = blank(image.size);
-  for (int y = 0; y < image.size.y; ++y) {
-    const glm::dvec3 background =
-        glm::mix(look.backgroundTop, look.backgroundBottom, (y + 0.5) / image.size.y);
-    for (int x = 0; x < image.size.x; ++x) {
-      const std::size_t i =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x);
-      const glm::dvec3 color = std::isnan(image.color[i].x) ? background : glm::dvec3(image.color[i]);
-      for (int c = 0; c < 3; ++c) screen.rgba[4 * i + static_cast<std::size_t>(c)] = encoded(color[c]);
-    }
-  }
-  return screen;
 }
 
 render::ColorImage noiseImage(const gi::ReferenceImage& image) {

@@ -54,8 +54,6 @@ class ReferenceJob {
   std::thread thread_;
 };
 
-// As the window shows it: sRGB, before the scene's background where nothing else is.
-render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Look& look);
 // The standard error of each pixel's luminance of E, in parts of the picture's mean, as a brightness: white
 // is 10 % or more.
 render::ColorImage noiseImage(const gi::ReferenceImage& image);

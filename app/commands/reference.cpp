@@ -1,4 +1,4 @@
-// isolux reference PATH --out FILE.exr: every pixel path traced, without stored light.
+// isolux reference PATH --out FILE: every pixel path traced, without stored light.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -68,10 +68,19 @@ ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage
   return json;
 }
 
+void writePicture(const gi::ReferenceImage& image, const scene::Scene& scene, const fs::path& out,
+                  const std::string& session) {
+  if (out.extension() == ".png")
+    writePng(screenImage(image, scene.look), out, session);
+  else
+    writeReferenceExr(image, out, session);
+}
+
 void runReference(const ReferenceOptions& options, scene::Progress& progress) {
   const fs::path out(options.out);
-  if (out.extension() != ".exr")
-    throw Error(ErrorKind::usage, options.out, "", "the name of a reference picture must end in .exr");
+  if (out.extension() != ".exr" && out.extension() != ".png")
+    throw Error(ErrorKind::usage, options.out, "",
+                "the name of a reference picture must end in .exr or .png");
   scene::Scene scene = sceneOf(options.path, *options.scene);
   gi::Reference::Options reference{parseSize(options.size), scene.gi.threads.value_or(threadsInForce())};
   { const PendingFile writable{out}; }  // before anything slow starts
@@ -100,13 +109,13 @@ void runReference(const ReferenceOptions& options, scene::Progress& progress) {
       if (!picture.refineTo(round, progress, done, to)) break;
       done = to;
       if (round == options.samples || (written && secondsSince(*written) < kSecondsBetweenWrites)) continue;
-      writeReferenceExr(picture.image(), out, session);  // an interrupt leaves it
+      writePicture(picture.image(), scene, out, session);  // an interrupt leaves it
       written = Clock::now();
     }
     seconds = secondsSince(start);
     image = picture.image();
     progress.report(1.0, "writing");
-    writeReferenceExr(image, out, session);
+    writePicture(image, scene, out, session);
   }
   if (!options.stats.empty())
     writeTextFile(options.stats,
@@ -130,7 +139,10 @@ Command makeReference(CLI::App& program) {
           "PATH", options->path,
           "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one")
       ->required();
-  parser->add_option("--out", options->out, "The picture to write: .exr (docs/commands.md has its channels)")
+  parser
+      ->add_option(
+          "--out", options->out,
+          "The picture to write: .exr (float, docs/commands.md has its channels) or .png (8 bit sRGB)")
       ->type_name("FILE")
       ->required();
   parser->add_option("--spp", options->samples, "Light paths per pixel; default 256")
