@@ -132,8 +132,10 @@ TEST(StudyCommandGl, AConvexBodyUnderAnEvenSkyHasNoError) {
 
 // In a gyroid, which hides most of the sky from itself.
 TEST(StudyCommandGl, LightBecomesBetterByWhatMakesItBetter) {
+  // Trilinear: the weighted lookup takes out noise, which is what tells sequences apart.
   const json result = study(test::temporaryFolder(), {"phantom:gyroid:32", "--size", "64x64", "--knobs",
-                                                      "samples,sequence,bounces,interpolation"});
+                                                      "samples,sequence,bounces,interpolation", "--set",
+                                                      "gi.interpolation=trilinear"});
   EXPECT_GT(worseBy(settingOf(result, 0, "4"), settingOf(result, 0, "64")), 4.5);
   EXPECT_GT(worseBy(settingOf(result, 1, "random"), settingOf(result, 1, "sobol_owen")), 4.5);
   EXPECT_GT(worseBy(settingOf(result, 3, "nearest"), settingOf(result, 3, "trilinear")), 4.5);
