@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/image_io.h"
+#include "scene/color_maps.h"
 #include "tests/app/run_isolux.h"
 #include "tests/support/test_data.h"
 
@@ -98,6 +100,23 @@ TEST(ReferenceCommand, TheNumberOfThreadsDoesNotMatter) {
   }
 }
 
+TEST(ReferenceCommand, APngIsWhatAScreenShowsAndCarriesItsSession) {
+  const fs::path folder = test::temporaryFolder();
+  ASSERT_EQ(runIsolux({"reference", "phantom:ball:24", "--size", "24x24", "--spp", "4", "--look", "gi",
+                       "--set", "gi.bounces=0", "--set", "isosurface.albedo=0.2,0.5,1", "--out", "a.png"},
+                      {.folder = folder})
+                .exitCode,
+            0);
+  const render::ColorImage image = app::readPng(folder / "a.png");
+  ASSERT_EQ(image.size, glm::ivec2(24));
+  // A convex body under a sky of radiance 1 shows its albedo.
+  const std::size_t middle = 4 * (12 * 24 + 12);
+  EXPECT_NEAR(image.rgba[middle], 255.0 * scene::encodeSrgb(0.2), 2.0);
+  EXPECT_NEAR(image.rgba[middle + 1], 255.0 * scene::encodeSrgb(0.5), 2.0);
+  EXPECT_EQ(image.rgba[middle + 2], 255);
+  EXPECT_THAT(app::readSessionText(folder / "a.png"), HasSubstr("phantom:ball:24"));
+}
+
 TEST(ReferenceCommand, WrongUseIsOneLine) {
   const fs::path folder = test::temporaryFolder();
   const auto refused = [&](std::vector<std::string> options, int exitCode, const char* word) {
@@ -107,7 +126,7 @@ TEST(ReferenceCommand, WrongUseIsOneLine) {
     EXPECT_TRUE(result.isOneErrorLine()) << result.err;
     EXPECT_THAT(result.err, HasSubstr(word));
   };
-  refused({"--out", "a.png"}, 2, ".exr");
+  refused({"--out", "a.jpg"}, 2, ".exr");
   refused({"--out", "a.exr", "--spp", "0"}, 2, "--spp");
   refused({"--out", "a.exr", "--set", "isosurface.opacity=0.5"}, 2, "opaque");
   refused({"--out", "none/a.exr"}, 3, "none");
