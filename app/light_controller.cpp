@@ -41,6 +41,16 @@ std::string nameOf(const scene::GiChoice& choice) {
   return name;
 }
 
+// Without what the light does not depend on and a viewer changes from picture to picture: turning the view
+// plans nothing anew.
+scene::Scene lightOf(scene::Scene scene) {
+  scene.camera = {};
+  scene.flow = {};
+  scene.picture = {};
+  scene.memory = {};
+  return scene;
+}
+
 }  // namespace
 
 struct LightController::Parts {
@@ -58,7 +68,7 @@ struct LightController::Parts {
   LightPlan plan;
   std::optional<scene::Error> error;
   std::uint64_t planned = 0;
-  bool paused = false, yielding = false, cancelled = false;
+  bool paused = false, yielding = false;
 
   LightPlanner planner;      // of the planner thread, and of load() while that sleeps
   scene::Progress progress;  // stops the planner's long work
@@ -92,7 +102,8 @@ void LightController::Parts::run(const std::stop_token& stop) {
     const bool cancel = std::exchange(cancelTold, false);
     const scene::Scene now = scene;
     const VolumePointer of = volume;
-    const std::vector<glm::vec3> seen = hits;
+    // Looking whether to compress needs no points.
+    const std::vector<glm::vec3> seen = withScene || withHits ? hits : std::vector<glm::vec3>();
     busy = withScene || withHits || cancel;
     lock.unlock();
     work(withScene, withHits, cancel, now, of, seen);
@@ -143,15 +154,15 @@ LightController::~LightController() {
 
 void LightController::setScene(const scene::Scene& resolved,
                                std::shared_ptr<const volume::PreparedVolume> volume) {
+  const scene::Scene lit = lightOf(resolved);
   const std::lock_guard guard(parts_->mutex);
-  if (parts_->planned + (parts_->sceneTold || parts_->busy ? 1 : 0) > 0 && resolved == parts_->scene &&
+  if (parts_->planned + (parts_->sceneTold || parts_->busy ? 1 : 0) > 0 && lit == parts_->scene &&
       volume == parts_->volume)
     return;
   if (volume != parts_->volume) parts_->hits.clear();
-  parts_->scene = resolved;
+  parts_->scene = lit;
   parts_->volume = std::move(volume);
   parts_->sceneTold = true;
-  parts_->cancelled = false;
   parts_->changed.notify_all();
 }
 
@@ -159,7 +170,6 @@ void LightController::setVisible(std::vector<glm::vec3> hitVoxels) {
   const std::lock_guard guard(parts_->mutex);
   parts_->hits = std::move(hitVoxels);
   parts_->hitsTold = true;
-  parts_->cancelled = false;
   parts_->changed.notify_all();
 }
 
@@ -183,7 +193,6 @@ void LightController::yield(bool yielding) {
 void LightController::cancel() {
   const std::lock_guard guard(parts_->mutex);
   parts_->cancelTold = true;
-  parts_->cancelled = true;
   parts_->changed.notify_all();
 }
 

@@ -109,6 +109,11 @@ TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
     return controller.light();
   };
   auto now = change([](scene::Scene& s) {
+    s.camera.eye = glm::dvec3(10.0, -300.0, 40.0);
+    s.picture.supersampling = 3;
+  });
+  EXPECT_EQ(now, before) << "turning the view plans nothing anew";
+  now = change([](scene::Scene& s) {
     s.isosurface.value = 0.5 * *s.isosurface.value + 0.01;
     s.camera.fov = 20.0;
     s.look.fog = 0.5;
