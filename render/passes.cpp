@@ -196,10 +196,11 @@ std::uint64_t surfacesHash(const scene::Scene& scene) {
 }  // namespace
 
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
-                                           std::uint64_t volumeHash, const BrickState& bricks,
+                                           const VolumeState& volumeState, const BrickState& bricks,
                                            const LightState& light) {
   const scene::Look& look = scene.look;
-  const Parameter volume{"volume", Hasher().add(volumeHash)};
+  const Parameter volume{"volume", Hasher().add(volumeState.hash)};
+  const Parameter copy{"graphics copy of the volume", Hasher().add(volumeState.made)};
   const Parameter isovalue{"isovalue", isovaluesHash(scene)};
   const Parameter camera{"camera", Hasher()
                                        .add(scene.camera.eye)
@@ -240,7 +241,7 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                        ""};
   const bool gradientRead = (request.color && needs.gradient) ||
                             std::any_of(request.aovs.begin(), request.aovs.end(), readsGradient);
-  PassDeclaration residence{pass::bricks, {}, {image::bricks}, {volume}, "the volume is one texture"};
+  PassDeclaration residence{pass::bricks, {}, {image::bricks}, {volume, copy}, "the volume is one texture"};
   cast.parameters.push_back({"memory.layout", Hasher().add(bricks.inUse)});
   if (bricks.inUse) {
     residence.parameters.push_back({"graphics memory", Hasher().add(bricks.made)});
@@ -342,7 +343,7 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   if (showsLegend(scene) && needs.ranges) resolve.reads.emplace_back(image::ranges);
 
   return {
-      {pass::blocks, {}, {image::activeBlocks, image::faces}, {volume, isovalue, hitField}, ""},
+      {pass::blocks, {}, {image::activeBlocks, image::faces}, {volume, copy, isovalue, hitField}, ""},
       {pass::segments, {image::activeBlocks, image::faces}, {image::segments}, {camera, size}, ""},
       residence,
       cast,

@@ -66,6 +66,16 @@ bool isTransparent(const scene::Scene& scene);
 // The image comes from second derivatives.
 bool readsHessian(Aov aov);
 
+// The volume, as far as passes depend on it. Images that show the same voxels stay good when the GPU's copy
+// of them is made anew; what lives in that copy (active blocks, resident bricks) does not: its passes depend
+// on `made` too.
+struct VolumeState {
+  VolumeState(std::uint64_t hashOfVoxels = 0, std::uint64_t copiesMade = 0)  // NOLINT: a hash is a volume
+      : hash(hashOfVoxels), made(copiesMade) {}
+  std::uint64_t hash;  // of the voxels and where they lie; 0: none
+  std::uint64_t made;  // differs between any two GpuVolumes of one renderer
+};
+
 // A volume in bricks, as far as passes depend on it.
 struct BrickState {
   bool inUse = false;
@@ -85,9 +95,8 @@ struct LightState {
   bool background = false;                           // the environment is there to be seen
 };
 
-// `volumeHash` identifies the voxels (0: none).
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
-                                           std::uint64_t volumeHash, const BrickState& bricks = {},
+                                           const VolumeState& volumeState, const BrickState& bricks = {},
                                            const LightState& light = {});
 // The images a request reads in the end. An opaque picture has no layers pass: shade writes its colour.
 std::vector<std::string> wantedImages(const FrameRequest& request);

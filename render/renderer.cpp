@@ -107,11 +107,13 @@ struct Renderer::Parts {
   FrameReport report;
   DrawnFrame drawn;
   std::shared_ptr<const volume::PreparedVolume> volume;
+  std::uint64_t copiesMade = 0;   // VolumeState::made
   std::uint64_t bricksAsked = 0;  // BrickState::asked
   std::size_t waitingRays = 0;    // of the last frame that cast rays
   bool complete = true;           // the last frame had all the time it needed
 
   void prepare(const scene::Scene& scene, const FrameRequest& request);
+  VolumeState volumeState() const { return {volume ? volume->grid().hash() : 0, copiesMade}; }
   BrickState brickState();
   void run(const std::string& pass);
   // In bricks: `pass` casts rays, `planned` are the passes of this frame that run.
@@ -142,7 +144,10 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   frame.scene = &scene;
   frame.request = request;
   frame.surfaces = surfacesOf(scene);
-  if (volume && !frame.volume) frame.volume.emplace(frame.gl, volume);
+  if (volume && !frame.volume) {
+    frame.volume.emplace(frame.gl, volume);
+    ++copiesMade;
+  }
   if (frame.volume) frame.volume->require(scene);
   frame.readsLight =
       (request.color && needsOf(scene).light) ||
@@ -252,8 +257,8 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   try {
     parts.prepare(scene, request);
     Bricks* const bricks = parts.frame.volume ? parts.frame.volume->bricks() : nullptr;
-    const auto passes = declarePasses(scene, request, parts.volume ? parts.volume->grid().hash() : 0,
-                                      parts.brickState(), parts.lights.state(parts.frame));
+    const auto passes = declarePasses(scene, request, parts.volumeState(), parts.brickState(),
+                                      parts.lights.state(parts.frame));
     const auto plan = parts.graph.plan(passes, wantedImages(request));
     parts.frame.withHessian = std::any_of(plan.begin(), plan.end(), [&](const PlannedPass& entry) {
       return passes[entry.index].name == pass::hessian && entry.state != PassState::skipped;

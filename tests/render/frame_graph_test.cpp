@@ -355,6 +355,25 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance"));
 }
 
+// A new copy of equal voxels on the GPU has no active blocks and no resident bricks yet.
+TEST_F(FrameGraphTest, WhatLivesInTheGpusCopyIsMadeAnewWithIt) {
+  scene::Scene scene;
+  VolumeState volume{7, 1};
+  const auto ranWith = [&](const BrickState& bricks) {
+    const auto passes = declarePasses(scene, {}, volume, bricks);
+    return namesOf(passes, frame(passes, wantedImages({})), PassState::ran);
+  };
+  ranWith({});
+  ++volume.made;
+  EXPECT_THAT(ranWith({}), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ranWith({}), ElementsAre());
+  const BrickState bricks{true, false, 1, 0};
+  ranWith(bricks);
+  ++volume.made;
+  EXPECT_THAT(ranWith(bricks),
+              ElementsAre("blocks", "segments", "bricks", "cast", "gradient", "shade", "resolve"));
+}
+
 // In bricks: uploads only where rays asked, and nothing of it in a volume of one texture.
 TEST_F(FrameGraphTest, BricksRunWhereRaysAskForThem) {
   scene::Scene scene;
