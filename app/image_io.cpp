@@ -5,13 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
-#include <OpenImageIO/imageio.h>
-
-#include "app/files.h"
+#include "app/exr_file.h"
+#include "app/png_file.h"
 #include "app/version.h"
 #include "scene/error.h"
 
@@ -22,46 +21,18 @@ using scene::throwInput;
 
 namespace {
 
-// OpenImageIO passes text attributes of this name through PNG (a tEXt chunk) and EXR unchanged.
+// The name of the text that holds the session, in PNG (a tEXt chunk) and EXR (an attribute).
 constexpr const char* sessionKey = "isolux_session";
-constexpr int largestAxis = 32768;  // pixels
 
 std::string softwareName() {
   return "isolux " + std::string(version());
 }
 
-[[noreturn]] void cannotWrite(const fs::path& file, const std::string& reason) {
-  throwInput(file.string(), "", "cannot be written: " + (reason.empty() ? "unknown reason" : reason));
-}
-
-OIIO::ImageSpec makeSpec(glm::ivec2 size, int channels, OIIO::TypeDesc type, const std::string& session) {
-  OIIO::ImageSpec spec(size.x, size.y, channels, type);
-  spec.attribute("Software", softwareName());
-  if (!session.empty()) spec.attribute(sessionKey, session);
-  return spec;
-}
-
-// Writes pixels of `format` to a file beside `file`, then renames it.
-void writeImage(const char* plugin, const OIIO::ImageSpec& spec, OIIO::TypeDesc format, const void* pixels,
-                OIIO::stride_t pixelBytes, const fs::path& file) {
-  PendingFile pending(file);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
-  if (!output) cannotWrite(file, OIIO::geterror());
-  if (!output->open(pending.path().string(), spec)) cannotWrite(file, output->geterror());
-  if (!output->write_image(format, pixels, pixelBytes)) cannotWrite(file, output->geterror());
-  if (!output->close()) cannotWrite(file, output->geterror());
-  pending.commit();
-}
-
-// `values`: channels interleaved.
-void writeFloats(glm::ivec2 size, const std::vector<std::string>& names, const std::vector<float>& values,
-                 const fs::path& file, const std::string& session) {
-  OIIO::ImageSpec spec = makeSpec(size, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT, session);
-  spec.attribute("oiio:ColorSpace", "Linear");
-  spec.attribute("compression", "zip");
-  spec.alpha_channel = spec.z_channel = -1;
-  spec.channelnames = names;
-  writeImage("openexr", spec, OIIO::TypeDesc::FLOAT, values.data(), OIIO::AutoStride, file);
+// What every picture carries: who made it, and the session unless empty.
+std::vector<std::pair<std::string, std::string>> textsOf(const std::string& session) {
+  std::vector<std::pair<std::string, std::string>> texts{{"Software", softwareName()}};
+  if (!session.empty()) texts.emplace_back(sessionKey, session);
+  return texts;
 }
 
 // IEC 61966-2-1.
@@ -70,21 +41,12 @@ float linearOfSrgb(std::uint8_t stored) {
   return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
 }
 
-std::unique_ptr<OIIO::ImageInput> openPng(const fs::path& file) {
-  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("png");
-  OIIO::ImageSpec spec;
-  if (!input) throwInput(file.string(), "", "cannot be read: " + OIIO::geterror());
-  if (!input->open(file.string(), spec))
-    throwInput(file.string(), "", "cannot be read: " + input->geterror());
-  return input;
-}
-
 }  // namespace
 
 void writePng(const render::ColorImage& image, const fs::path& file, const std::string& session) {
-  OIIO::ImageSpec spec = makeSpec(image.size, 3, OIIO::TypeDesc::UINT8, session);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  writeImage("png", spec, OIIO::TypeDesc::UINT8, image.rgba.data(), 4, file);  // alpha is skipped
+  std::vector<PngText> texts;
+  for (const auto& [keyword, text] : textsOf(session)) texts.push_back({keyword, text});
+  writePngFile(image, texts, file);
 }
 
 void writeExr(const render::ColorImage* color, const std::vector<render::AovImage>& images,
@@ -130,7 +92,7 @@ void writeExr(const render::ColorImage* color, const std::vector<render::AovImag
 
   std::vector<std::string> names;
   for (const Channel& channel : channels) names.push_back(channel.name);
-  writeFloats(size, names, values, file, session);
+  writeExrFile(size, names, values, textsOf(session), file);
 }
 
 void writeExr(glm::ivec2 size, const std::vector<FloatChannel>& channels, const fs::path& file,
@@ -143,10 +105,10 @@ void writeExr(glm::ivec2 size, const std::vector<FloatChannel>& channels, const 
     names.push_back(channels[c].name);
     for (std::size_t p = 0; p < pixels; ++p) values[p * channels.size() + c] = channels[c].values[p];
   }
-  writeFloats(size, names, values, file, session);
+  writeExrFile(size, names, values, textsOf(session), file);
 }
 
-// Walks the chunks itself: libpng would print its own line about every broken file.
+// Walks the chunks itself: nothing of the picture need be decoded for its session.
 std::string readSessionText(const fs::path& file) {
   constexpr std::uint32_t longestText = std::uint32_t{16} << 20;
   std::ifstream stream(file, std::ios::binary);
@@ -177,18 +139,7 @@ std::string readSessionText(const fs::path& file) {
 }
 
 render::ColorImage readPng(const fs::path& file) {
-  const std::unique_ptr<OIIO::ImageInput> input = openPng(file);
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.width > largestAxis || spec.height > largestAxis)
-    throwInput(file.string(), "", "a picture of at most 32768 x 32768 pixels was expected");
-  if (spec.nchannels != 3 && spec.nchannels != 4)
-    throwInput(file.string(), "", "a colour picture was expected");
-  render::ColorImage image;
-  image.size = {spec.width, spec.height};
-  image.rgba.assign(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 4, 255);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.rgba.data(), 4))
-    throwInput(file.string(), "", "cannot be read: " + input->geterror());
-  return image;
+  return readPngFile(file);
 }
 
 }  // namespace isolux::app

@@ -1,4 +1,4 @@
-// Pictures and deferred images to files, written beside and renamed when complete (OpenImageIO).
+// Pictures and deferred images to files, written beside and renamed when complete (png_file.h, exr_file.h).
 #pragma once
 
 #include <filesystem>

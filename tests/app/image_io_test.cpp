@@ -1,8 +1,12 @@
 #include "app/image_io.h"
 
 #include <cmath>
+#include <csignal>
+#include <fstream>
 #include <limits>
 #include <memory>
+
+#include <sys/resource.h>
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -86,6 +90,70 @@ TEST(ImageIo, ExrColoursAreLinear) {
   EXPECT_NEAR(values[2], 0.5029, 1e-4);  // IEC 61966-2-1
   EXPECT_NEAR(values[3], 10 / 255.0 / 12.92, 1e-7);
   EXPECT_NEAR(values[4], 0.21586, 1e-5);
+}
+
+// No file of this process may grow beyond `bytes` while one lives: as on a disk that fills up.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+TEST(ImageIo, ADiskThatFillsUpIsReportedToTheLastByte) {
+  const fs::path folder = test::temporaryFolder();
+  const render::ColorImage image = gradientImage({64, 64});
+  writePng(image, folder / "whole.png", "session");
+  writeExr(&image, {}, folder / "whole.exr", "session");
+  const auto pngBytes = fs::file_size(folder / "whole.png"), exrBytes = fs::file_size(folder / "whole.exr");
+  const auto refused = [](auto&& write) {
+    try {
+      write();
+      return false;
+    } catch (const scene::Error& error) {
+      return error.kind() == scene::ErrorKind::input && !error.reason().empty();
+    }
+  };
+  for (const std::uintmax_t missing : {1, 100, 700}) {
+    const SmallDisk png(pngBytes - missing);
+    EXPECT_TRUE(refused([&] { writePng(image, folder / "a.png", "session"); })) << missing;
+    const SmallDisk exr(exrBytes - missing);
+    EXPECT_TRUE(refused([&] { writeExr(&image, {}, folder / "a.exr", "session"); })) << missing;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);
+}
+
+TEST(ImageIo, DamagedPngIsRefused) {
+  const fs::path file = test::temporaryFolder() / "a.png";
+  writePng(gradientImage({64, 48}), file, "");
+  const std::string whole = test::contentOf(file);
+  for (std::size_t length = 0; length + 12 < whole.size(); length += 7) {  // 12: what the end mark takes
+    std::ofstream(file, std::ios::binary) << whole.substr(0, length);
+    EXPECT_THROW(readPng(file), scene::Error) << length;
+  }
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+    std::ofstream(file, std::ios::binary) << damaged;
+    try {
+      readPng(file);
+    } catch (const scene::Error& error) {
+      EXPECT_EQ(error.kind(), scene::ErrorKind::input) << at;
+    }
+  }
 }
 
 TEST(ImageIo, FailuresLeaveNothingBehind) {
