@@ -58,6 +58,8 @@ void declare(Program& program) {
   for (const auto make : {makeInfo, makeRender, makeBake, makeReference, makeReplay, makeStudy, makePhantom,
                           makeSettings, makeDoctor})
     program.commands.push_back(make(parser));
+  addMemoryOption(parser);
+  for (const Command& command : program.commands) addMemoryOption(*command.parser);
 }
 
 std::vector<std::string> namesOf(const std::vector<Command>& commands) {

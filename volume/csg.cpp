@@ -132,6 +132,8 @@ CsgResult combined(const Volume& first, const Volume& second, scene::Csg op,
                    std::optional<double> secondIsovalue, scene::Progress& progress) {
   assert(op != scene::Csg::none);
   const Grid &f1 = *first.grid, &f2 = *second.grid;
+  scene::machineMemory().check(f1.geometry().voxelCount() * sizeof(float), "the combined volume",
+                               "a volume of fewer voxels needs less");
   const double v1 = isovalueOf(first), v2 = secondIsovalue ? *secondIsovalue : isovalueOf(second);
   double scale = 1.0;
   if (first.unit.empty() || first.unit != second.unit) {

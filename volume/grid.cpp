@@ -118,6 +118,7 @@ Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double interc
   hash_ = fnv1a(numbers, sizeof numbers, hash_);
   std::visit([&](const auto& array) { hash_ = fnv1a(array.data(), array.size() * sizeof array[0], hash_); },
              voxels_);
+  held_ = scene::machineMemory().count(bytes());
 }
 
 VoxelType Grid::storedType() const {

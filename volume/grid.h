@@ -19,6 +19,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene/memory_budget.h"
+
 namespace isolux::volume {
 
 // Types of files. Grids store only int8, uint8, int16, uint16 and float32.
@@ -89,6 +91,7 @@ class Grid {
   double minimum_ = 0.0, maximum_ = 0.0;
   std::size_t missing_ = 0;
   std::uint64_t hash_ = 0;
+  scene::MemoryBudget::Held held_;  // readers and makers ask before they allocate
 };
 
 }  // namespace isolux::volume

@@ -189,13 +189,14 @@ Grid makePhantom(const PhantomRequest& request, scene::Progress& progress) {
   if (!(request.noise >= 0.0) || !std::isfinite(request.noise))
     throw scene::Error(scene::ErrorKind::usage, "", "phantom noise", "must be 0 or more");
   progress.report(0.0, "making the phantom");
-  if (info.name == "head") {
-    const GridGeometry geometry = request.geometry ? *request.geometry : headGeometry(size);
-    return Grid(geometry, headVoxels(geometry, request.noise, request.seed, progress));
-  }
+  const bool head = info.name == "head";
   const GridGeometry geometry =
       request.geometry ? *request.geometry
+      : head           ? headGeometry(size)
                        : GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0), glm::dvec3(-0.5 * (size - 1)));
+  scene::machineMemory().check(geometry.voxelCount() * (head ? sizeof(std::int16_t) : sizeof(float)),
+                               "this phantom", "a smaller size needs less");
+  if (head) return Grid(geometry, headVoxels(geometry, request.noise, request.seed, progress));
   return Grid(geometry, closedForm(request, geometry, progress));
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/memory_budget.h"
 #include "scene/progress.h"
 #include "scene/scene.h"
 #include "volume/grid.h"
@@ -43,7 +44,8 @@ struct ReadOptions {
   std::optional<BoxMm> alsoHold;  // a mesh's grid is made large enough for this, too
   // Where things without a grid of their own are made: meshes if its voxels are cubes, phantoms without SIZE.
   std::optional<GridGeometry> grid;
-  std::size_t budgetBytes = std::size_t{8} << 30;  // no single volume above this
+  // No reading takes more: a volume above it is refused before anything is allocated.
+  std::size_t budgetBytes = scene::machineMemory().left();
 };
 ReadOptions readOptions(const scene::Source& source);
 

@@ -13,6 +13,7 @@
 #include "app/progress_bar.h"
 #include "app/session.h"
 #include "scene/error.h"
+#include "scene/memory_budget.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -85,6 +86,25 @@ void addThreadsOption(CLI::App& parser) {
           "How many CPU threads to use; default: all")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
+}
+
+void addMemoryOption(CLI::App& parser) {
+  // The limit from before comes back, so that one process may run several commands.
+  struct Limit {
+    std::size_t before = scene::machineMemory().limit();
+    ~Limit() { scene::machineMemory().setLimit(before); }
+  };
+  auto limit = std::make_shared<std::unique_ptr<Limit>>();
+  parser
+      .add_option_function<std::string>(
+          "--memory-budget",
+          [limit](const std::string& size) {
+            if (!*limit) *limit = std::make_unique<Limit>();
+            scene::machineMemory().setLimit(scene::parseMemorySize(size));
+          },
+          "How much memory volumes, light and pictures may take together, as 16G or 800M; default: what the "
+          "machine has left, less a reserve")
+      ->type_name("SIZE");
 }
 
 int threadsInForce() {
@@ -161,13 +181,7 @@ std::string numberText(double value) {
 }
 
 std::string bytesText(std::uint64_t bytes) {
-  constexpr std::array<const char*, 5> units{"bytes", "KiB", "MiB", "GiB", "TiB"};
-  auto value = static_cast<double>(bytes);
-  std::size_t unit = 0;
-  for (; value >= 1024.0 && unit + 1 < units.size(); ++unit) value /= 1024.0;
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", value, units[unit]);
-  return text.data();
+  return scene::memoryText(static_cast<std::size_t>(bytes));
 }
 
 void addContext(nlohmann::ordered_json& json, const render::ContextDescription& context) {

@@ -12,6 +12,7 @@
 #include "app/commands/command.h"
 #include "app/external_program.h"
 #include "app/version.h"
+#include "scene/memory_budget.h"
 
 namespace isolux::app {
 
@@ -52,6 +53,7 @@ void runDoctor(scene::Progress& progress) {
   row("compiler", __VERSION__);
   row("CPU threads", std::to_string(tbb::info::default_concurrency()));
   row("memory", memoryText());
+  row("memory budget", bytesText(scene::machineMemory().limit()));
   row("OpenImageIO", imageLibraryVersion());
   row("oneTBB", TBB_runtime_version());
   row("GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));

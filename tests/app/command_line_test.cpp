@@ -154,6 +154,31 @@ TEST(CommandLine, TooLittleMemoryIsExit5) {
   EXPECT_TRUE(result.isOneErrorLine()) << result.err;
 }
 
+TEST(CommandLine, TheMemoryBudgetRefusesWithTheSumAndTheSetting) {
+  const auto refused = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--memory-budget", "1M"});
+    const std::string line = failure(5, arguments);
+    EXPECT_THAT(line, AllOf(HasSubstr("would take"), HasSubstr("memory budget of 1.0 MiB"),
+                            HasSubstr("--memory-budget")));
+    return line;
+  };
+  EXPECT_THAT(refused({"info", "phantom:ball:256"}), HasSubstr("64.0 MiB"));
+  EXPECT_THAT(refused({"phantom", "ball", "--size", "128", "--out", "ball.mha"}),
+              HasSubstr("a smaller size needs less"));
+  const fs::path folder = test::temporaryFolder();
+  std::ofstream(folder / "v.raw") << std::string(2000000, 'x');
+  refused({"info", (folder / "v.raw").string(), "--raw", "200x100x100 uint8"});
+  success({"info", (folder / "v.raw").string(), "--raw", "200x100x100 uint8", "--memory-budget", "64M"});
+}
+
+TEST(CommandLine, TheMemoryBudgetIsASizeAndHoldsForOneCommand) {
+  for (const char* wrong : {"none", "0", "-5G", "12Q"})
+    EXPECT_THAT(failure(2, {"info", "phantom:ball:8", "--memory-budget", wrong}), HasSubstr("is not a size"));
+  failure(5, {"info", "phantom:ball:64", "--memory-budget", "10K"});
+  success({"info", "phantom:ball:64"});
+  EXPECT_THAT(success({"doctor", "--memory-budget", "3 GiB"}).out, HasSubstr("memory budget 3.0 GiB"));
+}
+
 TEST(CommandLine, HelpCoversEveryCommandAndOption) {
   const std::string help = success({"--help"}).out;
   for (const char* name : {"info", "render", "replay", "phantom", "settings", "doctor"}) {

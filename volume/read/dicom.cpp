@@ -312,11 +312,7 @@ Volume readDicom(const fs::path& path, const ReadOptions& options, scene::Progre
   const std::uint64_t decoded =
       static_cast<std::uint64_t>(sources.size()) * static_cast<std::uint64_t>(first.columns) *
       static_cast<std::uint64_t>(first.rows) * static_cast<std::uint64_t>(first.samples) * bytesOf(*type);
-  if (decoded > options.budgetBytes)
-    throw scene::Error(scene::ErrorKind::memory, name, "",
-                       "the series takes " + std::to_string(decoded >> 20) +
-                           " MiB, more than the budget of " + std::to_string(options.budgetBytes >> 20) +
-                           " MiB");
+  checkBudget(decoded, "the series", "", name, options);
   checkBudget(header, name, options);
 
   const VtkMessages messages;

@@ -3,6 +3,7 @@
 #include "scene/error.h"
 #include "volume/mesh_repair.h"
 #include "volume/read/mesh_formats.h"
+#include "volume/read/payload.h"
 #include "volume/read/text.h"
 
 namespace isolux::volume {
@@ -25,9 +26,7 @@ std::optional<MeshFormat> formatOf(const std::string& head, const std::string& e
 
 // Points, triangles and their sides take about ten times the bytes of the densest file.
 void checkFileSize(const Bytes& bytes, const ReadOptions& options) {
-  if (bytes.size() > options.budgetBytes / 10)
-    throw scene::Error(scene::ErrorKind::memory, bytes.name(), "",
-                       "this mesh would need more than the memory budget");
+  checkBudget(10 * bytes.size(), "this mesh", "", bytes.name(), options);
 }
 
 struct MeshFile {
@@ -99,9 +98,8 @@ Volume readMesh(const std::filesystem::path& path, const ReadOptions& options, s
   volume.isovalue = 0.0;
   volume.warnings.emplace_back("a mesh: turned into its signed distance, positive inside; 1 unit = 1 mm");
   const GridGeometry geometry = geometryFor(file.mesh, options);
-  if (geometry.voxelCount() > options.budgetBytes / sizeof(float))
-    throw scene::Error(scene::ErrorKind::memory, path.string(), "",
-                       "the distance field would need more than the memory budget; lower source.mesh_voxels");
+  checkBudget(geometry.voxelCount() * sizeof(float), "the distance field",
+              "a lower source.mesh_voxels needs less", path.string(), options);
   const TriangleMesh closed = closedMesh(std::move(file.mesh), volume.warnings, progress);
   if (closed.triangles.empty()) throwInput(path.string(), "", "no triangle has an area");
   volume.grid = std::make_shared<Grid>(signedDistance(closed, geometry, progress));

@@ -279,11 +279,18 @@ void checkChoices(const ImageHeader& header, const std::string& file, const Read
 }
 
 void checkBudget(const ImageHeader& header, const std::string& file, const ReadOptions& options) {
-  const std::uint64_t bytes = header.voxels() * bytesOf(header.type);
-  if (bytes > options.budgetBytes)
-    throw scene::Error(scene::ErrorKind::memory, file, "",
-                       "the volume takes " + std::to_string(bytes >> 20) + " MiB, more than the budget of " +
-                           std::to_string(options.budgetBytes >> 20) + " MiB");
+  const VoxelType type = header.type;
+  const bool wide = type >= VoxelType::int32 && type != VoxelType::float32;  // another type is made of it
+  checkBudget(header.voxels() * (bytesOf(type) + (wide ? sizeof(float) : 0)), "the volume", "", file,
+              options);
+}
+
+void checkBudget(std::uint64_t bytes, std::string_view what, std::string_view remedy, const std::string& file,
+                 const ReadOptions& options) {
+  if (bytes <= options.budgetBytes) return;
+  const std::size_t held = scene::machineMemory().held();
+  throw scene::Error(scene::ErrorKind::memory, file, "",
+                     scene::overBudgetText(bytes, held, options.budgetBytes + held, what, remedy));
 }
 
 FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const OpenBeside& beside,

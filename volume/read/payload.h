@@ -29,6 +29,9 @@ Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOp
 
 // Throws as decodePayload() does.
 void checkChoices(const ImageHeader& header, const std::string& file, const ReadOptions& options);
+// The second: of anything else that reading makes; `remedy` as in scene::MemoryBudget.
 void checkBudget(const ImageHeader& header, const std::string& file, const ReadOptions& options);
+void checkBudget(std::uint64_t bytes, std::string_view what, std::string_view remedy, const std::string& file,
+                 const ReadOptions& options);
 
 }  // namespace isolux::volume

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "scene/error.h"
+#include "volume/read/payload.h"
 #include "volume/read/text.h"
 #include "volume/read/vti.h"
 #include "volume/read/xml_tags.h"
@@ -79,8 +80,7 @@ void Check::load(const ReadOptions& options) {
     layout_.appendedAt = mark + 1;
     text_.resize(mark);
   } else if (bytes_.size() > text_.size()) {
-    if (bytes_.size() > options.budgetBytes)
-      throw scene::Error(scene::ErrorKind::memory, file_, "", "the file is larger than the memory budget");
+    checkBudget(bytes_.size(), "the file", "", file_, options);
     text_ = bytes_.head(static_cast<std::size_t>(bytes_.size()));
   }
 }
