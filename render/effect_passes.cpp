@@ -51,7 +51,7 @@ void EffectPasses::flowField(FrameState& frame) {
   frame.setPoint(p, 0);
   p.setTexture("uKappa", 3, frame.image(pass::curvature, 0));
   p.setTexture("uDirection", 4, frame.image(pass::curvature, 1));
-  p.set("uGrain", static_cast<float>(flow.grain * frame.request.supersampling));
+  p.set("uGrain", static_cast<float>(flow.grain * frame.raysPerWidth()));
   frame.drawFullscreen(p);
 }
 
@@ -59,7 +59,7 @@ void EffectPasses::flow(FrameState& frame) {
   const Target& target = frame.target(pass::flow, {GL_R16F});
   frame.begin(target);
   const scene::Flow& flow = frame.scene->flow;
-  const double raysPerPixel = frame.request.supersampling, grain = flow.grain * raysPerPixel;
+  const double raysPerPixel = frame.raysPerWidth(), grain = flow.grain * raysPerPixel;
   // Steps of half a grain miss nothing; long streaks of fine grain take at most 128 a way.
   const double half = 0.5 * flow.length * raysPerPixel;
   const double step = std::max({1.0, 0.5 * grain, half / 128.0});

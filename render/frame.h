@@ -42,6 +42,9 @@ struct FrameRequest {
   bool color = true;          // the shaded picture
   std::vector<Aov> aovs;      // deferred images; then supersampling must be 1
   int supersampling = 1;      // rays per pixel and axis, 1..4
+  // Pixels of the picture per pixel that settings mean (look.contour_width, flow.grain, flow.length): 2 on a
+  // screen that is drawn at 200 %.
+  double pixelRatio = 1.0;
   // Bricks uploaded in one frame, where the volume is in bricks; the next frames go on
   // (FrameReport::bricks.pending). 0: the frame takes as long as it takes to be complete.
   std::size_t brickUploadBytes = 0;
@@ -89,6 +92,8 @@ struct FrameReport {
   LightReport light;
   bool surfaceChanged = false;  // the surface points were found anew: Renderer::hitVoxels() differ
   std::size_t gpuBytes = 0;     // textures and buffers held by the renderer
+  // What the driver called an error in this frame (render/gl_messages.h): the picture may be wrong.
+  std::vector<std::string> glErrors;
 };
 
 // Row 0 is the top row.

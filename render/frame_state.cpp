@@ -59,7 +59,7 @@ void FrameState::setView(Program& program) const {
 
 void FrameState::setPoint(Program& program, int unit) const {
   program.setTexture("uSurface", unit, image(pass::refine, 0));
-  if (needsOf(*scene).gradient) program.setTexture("uGradient", unit + 1, gradientImage());
+  if (withGradient) program.setTexture("uGradient", unit + 1, gradientImage());
   program.setTexture("uInfo", unit + 2, image(pass::refine, 1));
   program.set("uRightWorld", glm::vec3(view->rightWorld));
   program.set("uUpWorld", glm::vec3(view->upWorld));

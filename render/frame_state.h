@@ -44,6 +44,8 @@ struct FrameState {
   std::string layer;  // of the images drawn now: "" the first crossing, otherwise one behind (layers pass)
 
   glm::ivec2 raySize() const { return request.size * request.supersampling; }
+  // Rays per pixel that settings mean: widths and lengths given in pixels are this many rays.
+  double raysPerWidth() const { return request.supersampling * request.pixelRatio; }
   bool empty() const { return !volume || volume->faceCount() == 0; }  // no ray can hit anything
   double outward() const {
     return scene->isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
@@ -58,7 +60,7 @@ struct FrameState {
   }
 
   // The gradients of whichever pass wrote them.
-  bool withHessian = false;
+  bool withGradient = false, withHessian = false;  // they are drawn in this frame
   const Texture& gradientImage() const { return image(withHessian ? pass::hessian : pass::gradient); }
 
   // A fullscreen pass: its program (made once for each set of defines; BRICKS is one where the volume is in

@@ -1,5 +1,6 @@
 #include "render/gl.h"
 
+#include "render/gl_messages.h"
 #include "scene/error.h"
 
 namespace isolux::render {
@@ -34,6 +35,7 @@ std::shared_ptr<const Gl> Gl::load(const GlLoader& loader) {
 #undef ISOLUX_GL
   gl->software = isSoftware(gl->string(GL_RENDERER));
   gl->GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &gl->max3dTexture);
+  listenToGl(*gl);
   return gl;
 }
 

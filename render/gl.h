@@ -21,8 +21,8 @@ struct Gl {
   bool software = true;    // a CPU rasteriser (llvmpipe, softpipe, swrast)
   GLint max3dTexture = 0;  // texels per axis
 
-  // Loads every function and checks the version; the context must be current. Throws
-  // scene::Error{graphics} naming the first missing function or the version found.
+  // Loads every function, checks the version and listens to errors (render/gl_messages.h); the context must
+  // be current. Throws scene::Error{graphics} naming the first missing function or the version found.
   static std::shared_ptr<const Gl> load(const GlLoader& loader);
 
   std::string string(GLenum name) const;  // GetString, "" if null

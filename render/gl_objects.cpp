@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "render/gl_messages.h"
 #include "render/shader_library.h"
 #include "scene/error.h"
 
@@ -24,6 +25,9 @@ void deleteProgram(const Gl& gl, GLuint id) {
 }
 void deleteQuery(const Gl& gl, GLuint id) {
   gl.DeleteQueries(1, &id);
+}
+void deleteShader(const Gl& gl, GLuint id) {
+  gl.DeleteShader(id);
 }
 
 namespace {
@@ -60,9 +64,10 @@ std::size_t texelBytes(GLenum internalFormat) {
 }
 
 void checkMemory(const Gl& gl, const char* what, std::size_t bytes) {
-  if (gl.GetError() == GL_OUT_OF_MEMORY)
-    throw scene::Error(scene::ErrorKind::memory, "", "graphics memory",
-                       "no room for " + std::string(what) + " of " + std::to_string(bytes >> 20) + " MiB");
+  if (gl.GetError() != GL_OUT_OF_MEMORY) return;
+  forgetGlErrors();  // it is answered here
+  throw scene::Error(scene::ErrorKind::memory, "", "graphics memory",
+                     "no room for " + std::string(what) + " of " + std::to_string(bytes >> 20) + " MiB");
 }
 
 }  // namespace
@@ -143,18 +148,20 @@ Query::Query(const GlPtr& gl, GLenum kind)
 
 namespace {
 
-GLuint compiled(const Gl& gl, GLenum stage, const std::string& name, const std::string& defines) {
+using Shader = GlObject<deleteShader>;
+
+Shader compiled(const GlPtr& pointer, GLenum stage, const std::string& name, const std::string& defines) {
+  const Gl& gl = *pointer;
   const std::string source = shaderSource(name, defines);
   const char* text = source.c_str();
-  const GLuint shader = gl.CreateShader(stage);
-  gl.ShaderSource(shader, 1, &text, nullptr);
-  gl.CompileShader(shader);
+  Shader shader(pointer, gl.CreateShader(stage));
+  gl.ShaderSource(shader.id(), 1, &text, nullptr);
+  gl.CompileShader(shader.id());
   GLint good = 0;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &good);
   if (!good) {
     char log[4096] = "";
-    gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
-    gl.DeleteShader(shader);
+    gl.GetShaderInfoLog(shader.id(), sizeof log, nullptr, log);
     throw std::logic_error("shader " + name + " does not compile: " + log);
   }
   return shader;
@@ -165,13 +172,13 @@ GLuint compiled(const Gl& gl, GLenum stage, const std::string& name, const std::
 Program::Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
                  const std::string& defines)
     : GlObject(gl, gl->CreateProgram()) {
-  const GLuint vertexShader = compiled(*gl, GL_VERTEX_SHADER, vertex, defines);
-  const GLuint fragmentShader = compiled(*gl, GL_FRAGMENT_SHADER, fragment, defines);
-  gl->AttachShader(id(), vertexShader);
-  gl->AttachShader(id(), fragmentShader);
+  const Shader vertexShader = compiled(gl, GL_VERTEX_SHADER, vertex, defines);
+  const Shader fragmentShader = compiled(gl, GL_FRAGMENT_SHADER, fragment, defines);
+  gl->AttachShader(id(), vertexShader.id());
+  gl->AttachShader(id(), fragmentShader.id());
   gl->LinkProgram(id());
-  gl->DeleteShader(vertexShader);
-  gl->DeleteShader(fragmentShader);
+  gl->DetachShader(id(), vertexShader.id());
+  gl->DetachShader(id(), fragmentShader.id());
   GLint good = 0;
   gl->GetProgramiv(id(), GL_LINK_STATUS, &good);
   if (!good) {

@@ -35,6 +35,9 @@ bool GpuVolume::fitsWhole(std::size_t budgetBytes) const {
 
 void GpuVolume::makeWhole(std::size_t budgetBytes) {
   bricks_.reset();
+  if (samples_->bytes() + (coefficientTexels_ ? coefficientTexels_->bytes() : 0) > budgetBytes)
+    for (Texture* const texture : {&samplesTexture_, &coefficientsTexture_})
+      *texture = Texture();  // made under a larger budget: refused now, too
   if (!samplesTexture_) samplesTexture_ = uploadWhole(gl_, *samples_, budgetBytes);
   if (coefficientTexels_ && !coefficientsTexture_)
     coefficientsTexture_ =

@@ -1,6 +1,6 @@
 #include "render/image_pool.h"
 
-#include <cassert>
+#include <stdexcept>
 
 namespace isolux::render {
 
@@ -27,7 +27,8 @@ Target& ImagePool::make(const GlPtr& gl, const std::string& pass, glm::ivec2 siz
 
 const Target& ImagePool::at(const std::string& pass) const {
   const auto found = entries_.find(pass);
-  assert(found != entries_.end() && "a pass reads an image that was never drawn");
+  if (found == entries_.end())
+    throw std::logic_error("images of pass " + pass + " are read, but were never drawn");
   return found->second.target;
 }
 

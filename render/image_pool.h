@@ -21,7 +21,7 @@ class ImagePool {
   // The target of `pass`, made (anew) where there is none of this size and these formats.
   // Throws scene::Error{memory, graphics}.
   Target& make(const GlPtr& gl, const std::string& pass, glm::ivec2 size, const std::vector<GLenum>& formats);
-  // What make() has made; asserts that it has.
+  // What make() has made. Throws std::logic_error where it has not.
   const Target& at(const std::string& pass) const;
   bool has(const std::string& pass) const { return entries_.count(pass) > 0; }
 

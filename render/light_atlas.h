@@ -39,6 +39,7 @@ class LightAtlas {
   bool stores() const { return layout_.stores(); }
   const LightTexelLayout& layout() const { return layout_; }
   const gi::LatticeGeometry& geometry() const { return geometry_; }
+  const std::shared_ptr<const volume::Grid>& grid() const { return source_.grid; }
 
   // Uploads what has changed, at most `limitBytes` but at least one block (0: all of it). Throws
   // scene::Error{memory}.

@@ -73,8 +73,9 @@ void LightPasses::prepare(FrameState& frame, std::size_t budgetBytes) {
   if (frame.volume) source.grid = frame.volume->sharedGrid();
   if (!source.grid) source.isovalues = source.filtered = false;
   source.budgetBytes = budgetBytes;
-  // A look that reads no stored light leaves what there is for the next that does.
-  if (!frame.readsLight) return;
+  // A look that reads no stored light leaves what there is for the next that does; that of another volume
+  // goes.
+  if (!frame.readsLight && (!atlas_.stores() || atlas_.grid() == source.grid)) return;
   if (atlas_.setSource(source)) ++storage_;
 }
 

@@ -2,12 +2,15 @@
 
 #include "render/curvature_ranges.h"
 #include "render/legend_overlay.h"
+#include "render/readback.h"
 #include "scene/relevance.h"
 
 namespace isolux::render {
 
 namespace {
 
+// Of all layers together.
+constexpr std::size_t kMostHitsBehind = 1u << 20;
 constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 
 // Texture units of shade.frag.glsl.
@@ -109,7 +112,7 @@ void LookPasses::setLines(FrameState& frame, Program& p) const {
   p.set("uValleyColor", glm::vec3(look.valleyColor));
   p.set("uContours", static_cast<float>(look.contours));
   p.set("uSuggestiveContours", static_cast<float>(look.suggestiveContours));
-  p.set("uContourWidth", static_cast<float>(look.contourWidth * frame.request.supersampling));
+  p.set("uContourWidth", static_cast<float>(look.contourWidth * frame.raysPerWidth()));
   p.set("uContourColor", glm::vec3(look.contourColor));
   p.set("uCurvatureScale", static_cast<float>(curvatureScale(statistics_, frame.flatCurvature())));
 }
@@ -153,13 +156,6 @@ void LookPasses::shade(FrameState& frame) {
     drawShading(frame);
 }
 
-void LookPasses::keepHits(FrameState& frame) {
-  constexpr std::size_t most = 1u << 20;
-  const std::vector<float> surface = frame.image(pass::refine).readFloats(4);
-  for (std::size_t i = 0; i < surface.size() && frame.hitsBehind.size() < most; i += 4)
-    if (surface[i + 3] >= 0.0f) frame.hitsBehind.emplace_back(surface[i], surface[i + 1], surface[i + 2]);
-}
-
 void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives,
                         EffectPasses& effects, LightPasses& light) {
   const Target& color = frame.target(pass::layers, {GL_RGBA16F});
@@ -180,13 +176,14 @@ void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& de
     if (frame.withHessian) {
       derivatives.hessian(frame);
       derivatives.curvature(frame);
-    } else if (needsOf(*frame.scene).gradient) {
+    } else if (frame.withGradient) {
       derivatives.gradient(frame);
     }
     const LookNeeds needs = needsOf(*frame.scene);
     if (needs.light) {
       light.irradiance(frame);
-      keepHits(frame);
+      appendHits(frame, kMostHitsBehind / static_cast<std::size_t>(frame.scene->isosurface.layers),
+                 frame.hitsBehind);
     }
     if (needs.shadow) effects.shadow(frame);
     if (needs.flow) {

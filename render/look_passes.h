@@ -21,7 +21,6 @@ class LookPasses {
   void resolve(FrameState& frame, LightPasses& light);
 
  private:
-  static void keepHits(FrameState& frame);  // of the frame's layer, for the bake
   // Draws the look of the frame's layer into what is bound.
   void drawShading(FrameState& frame);
   void setSurfaces(FrameState& frame, Program& program) const;

@@ -119,14 +119,14 @@ void addMeasure(Hasher& hash, const scene::Look& look) {
     hash.add(point.kappa1).add(point.kappa2).add(point.color);
 }
 
-void addLines(Hasher& hash, const scene::Look& look) {
+void addLines(Hasher& hash, const scene::Look& look, double pixelRatio) {
   hash.add(look.accessibility).add(look.ridges).add(look.contours).add(look.suggestiveContours);
   if (look.ridges > 0.0) hash.add(look.ridgeThreshold).add(look.ridgeColor).add(look.valleyColor);
   if (look.contours > 0.0 || look.suggestiveContours > 0.0)
-    hash.add(look.contourWidth).add(look.contourColor);
+    hash.add(look.contourWidth).add(pixelRatio).add(look.contourColor);
 }
 
-std::uint64_t lookHash(const scene::Scene& scene) {
+std::uint64_t lookHash(const scene::Scene& scene, double pixelRatio) {
   const scene::Look& look = scene.look;
   Hasher hash;
   hash.add(look.mode);
@@ -134,7 +134,7 @@ std::uint64_t lookHash(const scene::Scene& scene) {
   if (isPlain(scene)) return hash;
   addLight(hash, scene);
   addMeasure(hash, look);
-  addLines(hash, look);
+  addLines(hash, look, pixelRatio);
   hash.add(look.texture);
   if (look.texture != scene::SolidTexture::none) hash.add(look.textureScale);
   hash.add(look.fog);
@@ -228,7 +228,7 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   const Parameter inside{"isosurface.inside", Hasher().add(scene.isosurface.inside)};
   const Parameter background{"background", Hasher().add(look.backgroundTop).add(look.backgroundBottom)};
   const Parameter surfaces{"surface colours", surfacesHash(scene)};
-  const Parameter lookOf{"look", lookHash(scene)};
+  const Parameter lookOf{"look", lookHash(scene, request.pixelRatio)};
 
   const LookNeeds needs = needsOf(scene);
   const bool transparent = isTransparent(scene);
@@ -306,9 +306,13 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                            Hasher().add(scene.derivatives.field == scene::Field::cubic_interpolating)};
   const Parameter keyLight{"key light", needs.shadow ? shadowHash(scene) : Hasher()};
   const scene::Flow& flow = scene.flow;
-  const Parameter streaks{"flow field", needs.flow ? Hasher().add(flow.direction).add(flow.grain) : Hasher()};
+  const Parameter streaks{
+      "flow field",
+      needs.flow ? Hasher().add(flow.direction).add(flow.grain).add(request.pixelRatio) : Hasher()};
   const Parameter pattern{
-      "flow", needs.flow ? Hasher().add(flow.length).add(flow.grain).add(flowPhase(flow)) : Hasher()};
+      "flow", needs.flow
+                  ? Hasher().add(flow.length).add(flow.grain).add(request.pixelRatio).add(flowPhase(flow))
+                  : Hasher()};
   PassDeclaration layers{pass::layers,
                          {image::front, image::surface, image::activeBlocks, image::segments},
                          {transparent ? image::color : "layers"},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "volume/reconstruct.h"
@@ -165,20 +166,31 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
   return image;
 }
 
+void appendHits(const FrameState& frame, std::size_t most, std::vector<glm::vec3>& hits) {
+  const Target& surface = frame.images.at(pass::refine + frame.layer);
+  const glm::ivec2 size(surface.images[0].size());
+  glm::ivec2 grid = size;
+  for (int step = 1; static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y) > most;)
+    grid = glm::max(size / ++step, glm::ivec2(1));
+  std::vector<float> points;
+  if (grid == size) {
+    points = surface.images[0].readFloats(4);
+  } else {
+    const Texture some = Texture::make2D(frame.gl, GL_RGBA32F, grid);
+    const Framebuffer target(frame.gl, {&some});
+    frame.gl->BlitNamedFramebuffer(surface.framebuffer.id(), target.id(), 0, 0, size.x, size.y, 0, 0, grid.x,
+                                   grid.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    points = some.readFloats(4);
+  }
+  for (std::size_t i = 0; i < points.size(); i += 4)
+    if (points[i + 3] >= 0.0f) hits.emplace_back(points[i], points[i + 1], points[i + 2]);
+}
+
 std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
   constexpr std::size_t most = 1u << 20;
   std::vector<glm::vec3> hits;
   if (drawn.raySize.x == 0 || !frame.images.has(pass::refine)) return hits;
-  const std::vector<float> surface = frame.images.at(pass::refine).images[0].readFloats(4);
-  const std::size_t width = static_cast<std::size_t>(drawn.raySize.x),
-                    height = static_cast<std::size_t>(drawn.raySize.y);
-  std::size_t step = 1;  // on both axes: what lies between is near
-  while ((width / step) * (height / step) > most) ++step;
-  for (std::size_t y = 0; y < height; y += step)
-    for (std::size_t x = 0; x < width; x += step) {
-      const float* s = &surface[4 * (y * width + x)];
-      if (s[3] >= 0.0f) hits.emplace_back(s[0], s[1], s[2]);
-    }
+  appendHits(frame, most, hits);
   if (drawn.layered) hits.insert(hits.end(), frame.hitsBehind.begin(), frame.hitsBehind.end());
   return hits;
 }

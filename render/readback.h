@@ -21,6 +21,9 @@ struct DrawnFrame {
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
 LinearImage readLinear(const FrameState& frame, const DrawnFrame& drawn);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
+// The surface points, voxel coordinates, of every n-th ray on both axes, with n so that there are at most
+// `most`: spread evenly over the picture. Only those are read back. Of the layer that `frame` draws now.
+void appendHits(const FrameState& frame, std::size_t most, std::vector<glm::vec3>& hits);
 std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& drawn);
 std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::ivec2 pixel);
 

@@ -11,6 +11,7 @@
 #include "render/derivative_passes.h"
 #include "render/effect_passes.h"
 #include "render/frame_state.h"
+#include "render/gl_messages.h"
 #include "render/hit_passes.h"
 #include "render/light_passes.h"
 #include "render/look_passes.h"
@@ -28,9 +29,31 @@ double millisecondsSince(Clock::time_point begin) {
 
 // Others draw between our frames: every state a pass relies on is set here.
 void setKnownState(const Gl& gl) {
-  for (const GLenum off : {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DITHER,
-                           GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
-                           GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL})
+  for (const GLenum off : {GL_BLEND,
+                           GL_DEPTH_TEST,
+                           GL_CULL_FACE,
+                           GL_SCISSOR_TEST,
+                           GL_STENCIL_TEST,
+                           GL_DITHER,
+                           GL_FRAMEBUFFER_SRGB,
+                           GL_RASTERIZER_DISCARD,
+                           GL_SAMPLE_ALPHA_TO_COVERAGE,
+                           GL_COLOR_LOGIC_OP,
+                           GL_POLYGON_OFFSET_FILL,
+                           GL_DEPTH_CLAMP,
+                           GL_PRIMITIVE_RESTART,
+                           GL_PRIMITIVE_RESTART_FIXED_INDEX,
+                           GL_SAMPLE_COVERAGE,
+                           GL_SAMPLE_MASK,
+                           GL_MULTISAMPLE,
+                           GL_CLIP_DISTANCE0,
+                           GL_CLIP_DISTANCE1,
+                           GL_CLIP_DISTANCE2,
+                           GL_CLIP_DISTANCE3,
+                           GL_CLIP_DISTANCE4,
+                           GL_CLIP_DISTANCE5,
+                           GL_CLIP_DISTANCE6,
+                           GL_CLIP_DISTANCE7})
     gl.Disable(off);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.BlendEquation(GL_FUNC_ADD);
@@ -38,8 +61,11 @@ void setKnownState(const Gl& gl) {
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   for (const GLenum store :
        {GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS,
-        GL_UNPACK_SKIP_IMAGES, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS})
+        GL_UNPACK_SKIP_IMAGES, GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_PACK_ROW_LENGTH,
+        GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_IMAGES, GL_PACK_SWAP_BYTES,
+        GL_PACK_LSB_FIRST})
     gl.PixelStorei(store, 0);
+  for (const GLenum buffer : {GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_PACK_BUFFER}) gl.BindBuffer(buffer, 0);
   constexpr GLuint textureUnits = 16;
   for (GLuint unit = 0; unit < textureUnits; ++unit) gl.BindSampler(unit, 0);
 }
@@ -252,6 +278,7 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   Parts& parts = *parts_;
   const Gl& gl = *parts.frame.gl;
   const Clock::time_point begin = Clock::now();
+  const std::size_t errorsBefore = glErrors().size();
   setKnownState(gl);
   parts.report = {};
   try {
@@ -260,6 +287,10 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     const auto passes = declarePasses(scene, request, parts.volumeState(), parts.brickState(),
                                       parts.lights.state(parts.frame));
     const auto plan = parts.graph.plan(passes, wantedImages(request));
+    parts.frame.withGradient = std::any_of(plan.begin(), plan.end(), [&](const PlannedPass& entry) {
+      const std::string& name = passes[entry.index].name;
+      return (name == pass::gradient || name == pass::hessian) && entry.state != PassState::skipped;
+    });
     parts.frame.withHessian = std::any_of(plan.begin(), plan.end(), [&](const PlannedPass& entry) {
       return passes[entry.index].name == pass::hessian && entry.state != PassState::skipped;
     });
@@ -291,6 +322,9 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     parts.drawn = {};
     parts.graph.invalidate();
     parts.frame.scene = nullptr;
+    parts.frame.layer.clear();
+    gl.BindVertexArray(0);
+    gl.UseProgram(0);
     throw;
   }
   gl.BindVertexArray(0);
@@ -307,6 +341,9 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     parts.report.gpuBytes += parts.frame.volume->bytes();
   }
   parts.frame.scene = nullptr;
+  const std::vector<std::string>& errors = glErrors();
+  if (errors.size() > errorsBefore)
+    parts.report.glErrors.assign(errors.begin() + static_cast<std::ptrdiff_t>(errorsBefore), errors.end());
   return parts.report;
 }
 

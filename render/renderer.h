@@ -47,7 +47,8 @@ class Renderer {
   // pixel: (0,0) is the top left of the last picture's request.size. Empty where there is no surface.
   std::optional<Pick> pick(glm::ivec2 pixel);
   // Voxel coordinates of the surface points of the last picture, those behind transparent surfaces too where
-  // the look reads stored light; about a million at most, evenly chosen. Pixels without one are left out.
+  // the look reads stored light; about a million at most of the first crossings and of
+  // those behind, spread evenly over the picture. Pixels without one are left out.
   std::vector<glm::vec3> hitVoxels();
 
  private:

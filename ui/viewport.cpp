@@ -17,6 +17,7 @@ namespace isolux::ui {
 namespace {
 constexpr int restMilliseconds = 200;                // after the last change, before the fine picture
 constexpr std::size_t brickBytesPerFrame = 8 << 20;  // a few milliseconds of uploads
+constexpr std::size_t lightBytesPerFrame = 1 << 20;  // so are these: texels are filtered on their way
 constexpr int seenMilliseconds = 200;                // what moves on is told at most this often
 constexpr int pointMilliseconds = 40;                // the pointer's value is looked up at most this often
 
@@ -35,6 +36,24 @@ QString missingNote(const render::BrickReport& bricks) {
              : QString("%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view")
                    .arg(percent);
 }
+
+QString reasonOf(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const scene::Error& error) {
+    return QString::fromStdString(error.what());
+  } catch (const std::bad_alloc&) {
+    return "there is not enough memory for this picture";
+  } catch (const std::exception& error) {
+    return QString("a mistake in Isolux itself: ") + error.what();
+  } catch (...) {
+    return "a mistake in Isolux itself";
+  }
+}
+
+const QString needsOpenGl = "Isolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.";
+const QString comesBack =
+    "It is tried again when something changes: undo the last step, or choose other settings.";
 
 // Whether two scenes differ in nothing but how a surface that is hit already is shown.
 Motion motionBetween(const scene::Scene& from, scene::Scene to) {
@@ -71,7 +90,8 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), overlay_(new Viewpo
   contextTimer_.setSingleShot(true);
   contextTimer_.setInterval(500);
   connect(&contextTimer_, &QTimer::timeout, this, [this] {
-    if (isVisible() && !isValid() && !problem_) fail("no OpenGL context could be made for the window");
+    if (isVisible() && !isValid() && !problem_)
+      fail("no OpenGL context could be made for the window", needsOpenGl);
   });
 }
 
@@ -89,33 +109,32 @@ void Viewport::initializeGL() {
     // The context can go away before this widget does (moved to another window or screen).
     connect(current, &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseRenderer,
             static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::UniqueConnection));
-    const auto gl = loadGl(
+    gl_ = loadGl(
         [current](const char* name) { return reinterpret_cast<void*>(current->getProcAddress(name)); });
-    glDescription_ = QString::fromStdString(describeGl(*gl));
-    quality_ = PictureQuality(isSoftware(*gl));
+    glDescription_ = QString::fromStdString(describeGl(*gl_));
+    quality_ = PictureQuality(isSoftware(*gl_));
     quality_.setPicture(resolved_.picture);
-    renderer_ = std::make_unique<render::Renderer>(gl);
-    renderer_->setVolume(volume_);
-    problem_.reset();
-    overlay_->setProblem({});
     redraw();
-  } catch (const scene::Error& error) {
-    renderer_.reset();
-    fail(QString::fromStdString(error.what()));
+  } catch (...) {
+    gl_.reset();
+    fail(reasonOf(std::current_exception()), needsOpenGl);
   }
 }
 
 void Viewport::releaseRenderer() {
+  gl_.reset();
   if (!renderer_) return;
   makeCurrent();
   renderer_.reset();
   doneCurrent();
 }
 
-void Viewport::fail(const QString& message) {
-  problem_ = message;
-  overlay_->setProblem(message);
-  Q_EMIT failed(message);
+void Viewport::fail(const QString& reason, const QString& advice) {
+  const bool news = problem_ != reason;
+  failed_ = true;
+  problem_ = reason;
+  overlay_->setProblem(reason, advice);
+  if (news) Q_EMIT failed(reason);
 }
 
 void Viewport::showEvent(QShowEvent* event) {
@@ -140,44 +159,71 @@ glm::ivec2 Viewport::pixelSize() const {
 }
 
 void Viewport::paintGL() {
-  if (!renderer_) {
-    QOpenGLFunctions* functions = context()->functions();
-    functions->glClearColor(0.09F, 0.10F, 0.12F, 1.0F);
-    functions->glClear(GL_COLOR_BUFFER_BIT);
-    return;
-  }
-  try {
-    if (!complete()) lastRequest_ = quality_.request(pixelSize());  // else the same picture is shown again
-    lastRequest_.brickUploadBytes = brickBytesPerFrame;
+  const render::FrameReport* report = nullptr;
+  QElapsedTimer timer;
+  timer.start();
+  if (gl_ && !failed_) {
     Q_EMIT drawing(true);
-    QElapsedTimer timer;
-    timer.start();
-    renderer_->setLight(light_);
-    const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);
-    renderer_->present(defaultFramebufferObject(), pixelSize());
-    current_ = true;
-    const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    if (ran(report)) {  // not when the same picture is only shown again
-      quality_.measured(milliseconds, ran(report, render::pass::cast) ? Motion::rays : Motion::look);
-      pictureMilliseconds_ = milliseconds;
-      if (underMouse()) pointTimer_.start();  // another point may lie under a pointer that rests
+    try {
+      report = &drawPicture();
+    } catch (const scene::Error&) {  // the renderer is as good as before
+      fail(reasonOf(std::current_exception()), comesBack);
+    } catch (...) {  // and here nobody knows
+      renderer_.reset();
+      fail(reasonOf(std::current_exception()), comesBack);
     }
-    const bool waits = refineTimer_.isActive();  // an animation draws while a finer picture is on its way
-    if (quality_.stage() == PictureQuality::Stage::sharp && quality_.mayRefine() && !waits) {
-      refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
-    }
-    bricksPending_ = report.bricks.pending;
-    overlay_->setNote(missingNote(report.bricks));
-    if (bricksPending_) update();  // the next frame gets further
-    reportSeen();
     Q_EMIT drawing(false);
-    Q_EMIT reported(report, lastRequest_);
-    Q_EMIT drawn(pictureMilliseconds_, complete());
-  } catch (const scene::Error& error) {
-    Q_EMIT drawing(false);
-    releaseRenderer();
-    fail(QString::fromStdString(error.what()));
   }
+  if (report)
+    showed(*report, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+  else
+    clearPicture();
+}
+
+const render::FrameReport& Viewport::drawPicture() {
+  if (!renderer_) {
+    renderer_ = std::make_unique<render::Renderer>(gl_);
+    renderer_->setVolume(volume_);
+    current_ = false;
+  }
+  if (!complete()) lastRequest_ = quality_.request(pixelSize());  // else the same picture is shown again
+  lastRequest_.pixelRatio = devicePixelRatioF();
+  lastRequest_.brickUploadBytes = brickBytesPerFrame;
+  lastRequest_.lightUploadBytes = lightBytesPerFrame;
+  renderer_->setLight(light_);
+  const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);
+  renderer_->present(defaultFramebufferObject(), pixelSize());
+  return report;
+}
+
+void Viewport::clearPicture() {
+  QOpenGLFunctions* functions = context()->functions();
+  functions->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  functions->glClearColor(0.09F, 0.10F, 0.12F, 1.0F);
+  functions->glClear(GL_COLOR_BUFFER_BIT);
+}
+
+// A picture is on screen: what follows from it.
+void Viewport::showed(const render::FrameReport& report, double milliseconds) {
+  problem_.reset();
+  overlay_->setProblem({});
+  current_ = true;
+  if (ran(report)) {  // not when the same picture is only shown again
+    quality_.measured(milliseconds, ran(report, render::pass::cast) ? Motion::rays : Motion::look);
+    pictureMilliseconds_ = milliseconds;
+    if (underMouse()) pointTimer_.start();  // another point may lie under a pointer that rests
+  }
+  const bool waits = refineTimer_.isActive();  // an animation draws while a finer picture is on its way
+  if (quality_.stage() == PictureQuality::Stage::sharp && quality_.mayRefine() && !waits) {
+    refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
+  }
+  bricksPending_ = report.bricks.pending;
+  lightPending_ = report.light.pending;
+  overlay_->setNote(missingNote(report.bricks));
+  if (bricksPending_ || lightPending_) update();  // the next frame gets further
+  reportSeen();
+  Q_EMIT reported(report, lastRequest_);
+  Q_EMIT drawn(pictureMilliseconds_, complete());
 }
 
 // Light is wanted first where it is seen. A view that keeps turning is told a few times a second.
@@ -194,12 +240,13 @@ void Viewport::reportSeen() {
 }
 
 bool Viewport::complete() const {
-  return renderer_ && current_ && !bricksPending_ && lastRequest_.size == pixelSize() &&
+  return renderer_ && current_ && !bricksPending_ && !lightPending_ && lastRequest_.size == pixelSize() &&
          lastRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
 }
 
 void Viewport::redraw(Motion motion) {
   current_ = false;
+  failed_ = false;
   if (motion == Motion::rays) seenPixels_ = 0.0;
   quality_.changed(motion);
   refineTimer_.start(restMilliseconds);
@@ -275,15 +322,20 @@ render::ColorImage Viewport::picture() {
     render::FrameRequest request;
     request.size = pixelSize();
     request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
+    request.pixelRatio = devicePixelRatioF();
     renderer_->setLight(light_);
     renderer_->render(resolved_, request);
     lastRequest_ = request;  // what pick() reads from now on
     render::ColorImage image = renderer_->readColor();
     doneCurrent();
     return image;
-  } catch (...) {
+  } catch (const scene::Error&) {
     doneCurrent();
     throw;
+  } catch (...) {
+    renderer_.reset();
+    doneCurrent();
+    throw scene::Error(scene::ErrorKind::graphics, "", "", reasonOf(std::current_exception()).toStdString());
   }
 }
 
@@ -303,7 +355,7 @@ std::optional<render::Pick> Viewport::pickAt(QPointF position) {
   std::optional<render::Pick> pick;
   try {
     pick = renderer_->pick(pixel);
-  } catch (const scene::Error&) {
+  } catch (...) {
     pick.reset();  // nothing to read yet
   }
   doneCurrent();

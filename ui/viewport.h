@@ -2,7 +2,11 @@
 //
 // Left drag rotates, middle or Shift+left pans, right drag or wheel zooms, Ctrl+left rolls, a double click
 // puts the picked surface point into the centre. Under global illumination Shift+right turns the environment,
-// and lamps have handles. The renderer is made with the GL context and dies with it.
+// and lamps have handles.
+//
+// The renderer is made with the GL context and dies with it. A picture that fails (no room on the GPU, a
+// fault of the driver or of ours) costs that picture only: the reason stands in its place until something
+// changes, and then it is tried again.
 #pragma once
 
 #include <memory>
@@ -21,6 +25,10 @@
 #include "ui/edit.h"
 #include "ui/lamp_handles.h"
 #include "ui/picture_quality.h"
+
+namespace isolux::render {
+struct Gl;
+}
 
 namespace isolux::ui {
 
@@ -51,7 +59,7 @@ class Viewport : public QOpenGLWidget {
   render::ColorImage picture();
   bool complete() const;        // the picture on screen is the full one
   QString description() const;  // GL strings, or why there is no picture
-  const std::optional<QString>& problem() const { return problem_; }
+  const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);
@@ -82,7 +90,10 @@ class Viewport : public QOpenGLWidget {
  private:
   enum class Drag { none, orbit, pan, zoom, roll, environment, lamp };
   void releaseRenderer();
-  void fail(const QString& message);
+  const render::FrameReport& drawPicture();
+  void clearPicture();
+  void showed(const render::FrameReport& report, double milliseconds);
+  void fail(const QString& reason, const QString& advice);
   void redraw(Motion motion = Motion::rays);  // something changed: a quick picture now, a full one soon
   void refine();
   void rest();  // a gesture has ended
@@ -101,6 +112,7 @@ class Viewport : public QOpenGLWidget {
   std::optional<render::Pick> pickAt(QPointF position);
   glm::ivec2 pixelSize() const;
 
+  std::shared_ptr<const render::Gl> gl_;  // null: no usable context
   std::unique_ptr<render::Renderer> renderer_;
   std::optional<QString> problem_;
   QString glDescription_;
@@ -111,7 +123,9 @@ class Viewport : public QOpenGLWidget {
   render::FrameRequest lastRequest_;
   double pictureMilliseconds_ = 0.0;
   bool current_ = false;        // nothing has changed since lastRequest_ was drawn
+  bool failed_ = false;         // the last try to draw it: nothing is tried until something changes
   bool bricksPending_ = false;  // the next frame gets further
+  bool lightPending_ = false;   // so it does, with stored light
   bool interacting_ = false;
   double seenPixels_ = 0.0;  // of the finest picture of this view that was told by seen(); 0 none
   QElapsedTimer sinceSeen_;

@@ -56,8 +56,11 @@ void ViewportOverlay::setScene(const scene::Scene& resolved, bool visible) {
   update();
 }
 
-void ViewportOverlay::setProblem(const QString& text) {
-  problem_ = text;
+void ViewportOverlay::setProblem(const QString& reason, const QString& advice) {
+  if (reason == problem_ && advice == advice_) return;
+  problem_ = reason;
+  advice_ = advice;
+  setAccessibleDescription(reason.isEmpty() ? QString() : reason + "\n\n" + advice);
   update();
 }
 
@@ -204,7 +207,7 @@ void ViewportOverlay::paintProblem(QPainter& painter) const {
   painter.setPen(colours::quietText);
   painter.setFont(font());
   painter.drawText(box.adjusted(0, 0.5 * height() + 8.0, 0, 0), Qt::AlignHCenter | Qt::TextWordWrap,
-                   problem_ + "\n\nIsolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.");
+                   problem_ + "\n\n" + advice_);
 }
 
 }  // namespace isolux::ui

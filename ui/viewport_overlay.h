@@ -16,8 +16,10 @@ class ViewportOverlay : public QWidget {
 
   // Letters and lines are light on a dark background and dark on a light one.
   void setScene(const scene::Scene& resolved, bool visible);
-  void setProblem(const QString& text);  // empty: none
-  void setNote(const QString& text);     // over a picture that is not all there; empty: none
+  // Why there is no picture, and what can be done; empty: there is one. Both are the widget's accessible
+  // description.
+  void setProblem(const QString& reason, const QString& advice = {});
+  void setNote(const QString& text);  // over a picture that is not all there; empty: none
   // Lamps that can be dragged, and which of them the pointer holds or is over.
   void setLamps(std::vector<LampHandle> lamps, const std::optional<LampGrip>& grip);
   void setHint(const QString& text);  // in place of a picture: what to do first
@@ -42,7 +44,7 @@ class ViewportOverlay : public QWidget {
   glm::dvec3 backgroundTop_{0.0}, backgroundBottom_{0.0};
   scene::CameraFrame frame_{};
   bool visible_ = false;
-  QString problem_, note_, hint_;
+  QString problem_, advice_, note_, hint_;
   std::vector<LampHandle> lamps_;
   std::optional<LampGrip> grip_;
 };

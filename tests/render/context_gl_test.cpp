@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/gl.h"
+#include "render/gl_objects.h"
 #include "scene/error.h"
 #include "tests/render/gl_fixture.h"
 
@@ -102,8 +103,13 @@ TEST_F(RendererGlTest, KeepsNoStateBetweenFrames) {
   // What Qt or anybody may leave behind.
   const render::Gl& gl = *context_->gl();
   for (const GLenum on : {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST,
-                          GL_FRAMEBUFFER_SRGB, GL_COLOR_LOGIC_OP})
+                          GL_FRAMEBUFFER_SRGB, GL_COLOR_LOGIC_OP, GL_DEPTH_CLAMP, GL_PRIMITIVE_RESTART,
+                          GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE3, GL_SAMPLE_MASK})
     gl.Enable(on);
+  const render::Buffer theirs(context_->gl());
+  for (const GLenum buffer : {GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER})
+    gl.BindBuffer(buffer, theirs.id());
+  for (const GLenum swap : {GL_PACK_SWAP_BYTES, GL_UNPACK_SWAP_BYTES}) gl.PixelStorei(swap, 1);
   gl.BlendEquation(GL_MAX);
   gl.ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 7);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "render/gl_context.h"
+#include "render/gl_messages.h"
 #include "render/renderer.h"
 #include "scene/automatic.h"
 #include "scene/camera.h"
@@ -38,16 +39,21 @@ inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& 
   return prepared(volume::makePhantom(request, progress));
 }
 
-// Tests with this fixture need GL (OSMesa) and nothing else; their names end in "GlTest".
+// Tests with this fixture need GL (OSMesa) and nothing else; their names end in "GlTest". An error that the
+// driver reports fails the test, wherever it comes from.
 class RenderGlTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { context_ = render::OffscreenContext::create(render::ContextChoice::osmesa); }
   static void TearDownTestSuite() { context_.reset(); }
   void SetUp() override {
     context_->makeCurrent();
+    render::forgetGlErrors();
     renderer_ = std::make_unique<render::Renderer>(context_->gl());
   }
-  void TearDown() override { renderer_.reset(); }
+  void TearDown() override {
+    renderer_.reset();
+    for (const std::string& error : render::glErrors()) ADD_FAILURE() << "OpenGL: " << error;
+  }
 
   struct Images {
     render::AovImage hit, position, voxel, depth, normal, error;

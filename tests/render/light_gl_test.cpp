@@ -2,6 +2,7 @@
 // formulas.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include "gi/spherical_harmonics.h"
@@ -330,6 +331,46 @@ TEST_F(LightGlTest, ChangesAreTakenOverAndNothingElse) {
   EXPECT_TRUE(report_.surfaceChanged);
   EXPECT_EQ(stateOf("light"), render::PassState::cached);
   EXPECT_EQ(stateOf("irradiance"), render::PassState::ran);
+}
+
+// A look that reads no gradients leaves them to those who do.
+TEST_F(LightGlTest, IrradianceIsTheSameUnderEveryLook) {
+  const auto volume = phantom("ball", 24);
+  auto light = pictureLight(nullptr);
+  light->irradianceSh[2] = glm::vec3(0.5f, 1.0f, 2.0f);  // by where the normal looks
+  draw(volume, light, {"look.mode=gi"});
+  const std::vector<float> expected = irradiance_.values;
+  for (const char* look : {"depth", "normal", "lambert", "mean_curvature", "flow"})
+    for (const char* opacity : {"1", "0.5"}) {
+      draw(volume, light, {std::string("look.mode=") + look, std::string("isosurface.opacity=") + opacity});
+      std::size_t differing = 0;
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        if (std::memcmp(&irradiance_.values[i], &expected[i], sizeof(float)) != 0) ++differing;
+      EXPECT_EQ(differing, 0u) << look << " at opacity " << opacity;
+    }
+}
+
+TEST_F(LightGlTest, LightOfAVolumeGoesWithItUnderAnyLook) {
+  auto lattice = emptyLattice(glm::ivec3(24), 1.0);
+  writeAll(*lattice, [](glm::ivec3) { return constant(glm::vec3(1.0f)); });
+  const std::weak_ptr<gi::LightLattice> watched = lattice;
+  draw(phantom("ball", 24), pictureLight(lattice), kHalf);
+  lattice.reset();
+  ASSERT_FALSE(watched.expired());
+  const auto drawLambert = [this](const std::shared_ptr<const volume::PreparedVolume>& volume) {
+    scene::Scene scene;
+    scene.look.mode = scene::LookMode::lambert;
+    scene.isosurface.value = 0.0;
+    renderer_->setVolume(volume);
+    renderer_->setLight(nullptr);
+    render::FrameRequest request;
+    request.size = {32, 32};
+    return renderer_->render(scene::resolve(scene, volume->facts), request).gpuBytes;
+  };
+  const std::size_t before = report_.light.bytes;
+  ASSERT_GT(before, 0u);
+  drawLambert(phantom("torus", 24));
+  EXPECT_TRUE(watched.expired());
 }
 
 // More blocks than the first slots, a few in each frame.

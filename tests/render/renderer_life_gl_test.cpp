@@ -1,4 +1,11 @@
 // The renderer through its life: volumes exchanged for equal ones, errors survived.
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include <glm/common.hpp>
+
+#include "render/gl.h"
 #include "scene/error.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
@@ -51,6 +58,72 @@ TEST_F(RendererLifeGlTest, AnEqualVolumeInBricksHasItsDerivativesToo) {
   renderer_ = std::make_unique<render::Renderer>(context_->gl());
   picture(first, lambert);
   EXPECT_EQ(picture(second, curvature).rgba, expected.rgba);
+}
+
+// More points than are told, in front and behind: none of the picture is left out for it.
+TEST_F(RendererLifeGlTest, PointsToldOfALargePictureAreSpreadEvenly) {
+  const auto volume = phantom("ball", 24);
+  scene::Scene scene;
+  scene.look.mode = scene::LookMode::gi;
+  scene.isosurface.opacity = 0.5;
+  scene.camera.projection = scene::Projection::orthographic;
+  const glm::dvec3 centre = 0.5 * (volume->facts.boundsMinMm + volume->facts.boundsMaxMm);
+  scene.camera.target = centre;
+  scene.camera.eye = centre - glm::dvec3(0.0, 400.0, 0.0);
+  scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
+  scene.camera.fov = 1.0;  // the ball fills the picture
+  scene = scene::resolve(scene, volume->facts);
+  renderer_->setVolume(volume);
+  render::FrameRequest request;
+  request.size = {1088, 1040};
+  renderer_->render(scene, request);
+  const std::vector<glm::vec3> hits = renderer_->hitVoxels();
+  EXPECT_GT(hits.size(), 300000u);
+  EXPECT_LE(hits.size(), 2u << 20);
+  // Each of 4 x 4 parts of the picture (the view is along y) has its share in front and behind.
+  glm::vec3 low(1e9f), high(-1e9f);
+  for (const glm::vec3& hit : hits) {
+    low = glm::min(low, hit);
+    high = glm::max(high, hit);
+  }
+  std::map<int, int> front, behind;
+  for (const glm::vec3& hit : hits) {
+    const glm::ivec3 part = glm::min(glm::ivec3(4.0f * (hit - low) / (high - low)), glm::ivec3(3));
+    ++(hit.y < 0.5f * (low.y + high.y) ? front : behind)[4 * part.z + part.x];
+  }
+  for (const auto* side : {&front, &behind}) {
+    ASSERT_EQ(side->size(), 16u);
+    int least = std::numeric_limits<int>::max(), most = 0;
+    for (const auto& [part, count] : *side) {
+      least = std::min(least, count);
+      most = std::max(most, count);
+    }
+    EXPECT_GT(least, 0.9 * most);
+  }
+}
+
+TEST_F(RendererLifeGlTest, AFrameThatFailsLeavesTheNextAsItWas) {
+  const auto volume = phantom("ball", 96);
+  const Settings transparent = {"isosurface.opacity=0.5", "look.mode=curvature_2d"};
+  const render::ColorImage before = picture(volume, transparent);
+  Settings tooMuch = transparent;
+  tooMuch.insert(tooMuch.end(),
+                 {"memory.layout=whole", "memory.gpu_budget_mb=16", "hit.field=cubic_interpolating"});
+  EXPECT_NO_THROW(picture(volume, transparent));
+  EXPECT_THROW(picture(phantom("ball", 180), tooMuch), scene::Error);
+  EXPECT_EQ(picture(volume, transparent).rgba, before.rgba);
+}
+
+// In every test of this fixture: what the driver calls an error is told, with the frame and to the test.
+TEST_F(RendererLifeGlTest, ErrorsOfTheDriverAreSeen) {
+  const render::Gl& gl = *context_->gl();
+  EXPECT_TRUE(render::glErrors().empty());
+  gl.Enable(GL_TEXTURE_3D);  // no such switch in a core profile
+  ASSERT_EQ(render::glErrorCount(), 1u);
+  EXPECT_NE(render::glErrors()[0].find("GL_INVALID_ENUM"), std::string::npos) << render::glErrors()[0];
+  picture(phantom("ball", 16));
+  EXPECT_TRUE(report_.glErrors.empty());  // it was not of this frame
+  render::forgetGlErrors();
 }
 
 }  // namespace

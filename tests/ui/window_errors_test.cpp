@@ -16,6 +16,7 @@
 #include "ui/message_bar.h"
 #include "ui/raw_import_dialog.h"
 #include "ui/viewport.h"
+#include "ui/viewport_overlay.h"
 
 namespace isolux::test {
 
@@ -83,6 +84,63 @@ TEST_F(WindowTest, ALostContextIsReplacedAndThePictureComesBack) {
   EXPECT_NE(viewport->context(), context);
   EXPECT_EQ(differingPixels(before, fullPicture(*window_)), 0.0);
   viewport->setParent(home);
+}
+
+// What one picture costs must not cost the next: the viewport comes back without another volume or window.
+TEST_F(WindowTest, APictureThatFailsIsSaidAndComesBackWithUndo) {
+  ASSERT_TRUE(load(*window_, "phantom:ball:132"));
+  ui::Viewport* viewport = window_->viewport();
+  const QImage before = fullPicture(*window_);
+  ui::Edit edit{window_->document()->scene(), "Little memory", {}, false};
+  edit.scene.memory.layout = scene::MemoryLayout::whole;
+  edit.scene.memory.gpuBudgetMb = 16;  // for 17.5 MiB
+  edit.scene.hit.field = scene::Field::cubic_interpolating;
+  int drawing = 0;
+  const auto counts =
+      QObject::connect(viewport, &ui::Viewport::drawing, [&](bool begins) { drawing += begins ? 1 : -1; });
+  window_->document()->edit(edit);
+  ASSERT_TRUE(waitUntil([&] { return viewport->problem().has_value(); }))
+      << window_->messageBar()->text().toStdString();
+  EXPECT_TRUE(viewport->problem()->contains("memory.gpu_budget_mb")) << viewport->problem()->toStdString();
+  EXPECT_TRUE(window_->messageBar()->isVisible());
+  const auto* overlay = viewport->findChild<ui::ViewportOverlay*>();
+  EXPECT_TRUE(overlay->accessibleDescription().contains("undo"));
+  EXPECT_FALSE(overlay->accessibleDescription().contains("OpenGL"));  // which is not to blame
+  EXPECT_EQ(drawing, 0);                                              // light goes on
+  EXPECT_THROW(viewport->picture(), scene::Error);
+  window_->document()->undo();
+  window_->messageBar()->hide();
+  EXPECT_EQ(differingPixels(before, fullPicture(*window_), 0), 0.0);
+  EXPECT_FALSE(viewport->problem().has_value());
+  EXPECT_TRUE(overlay->accessibleDescription().isEmpty());
+  window_->document()->edit(edit);
+  ASSERT_TRUE(waitUntil([&] { return viewport->problem().has_value(); }));
+  ASSERT_TRUE(load(*window_, "phantom:torus:24"));  // another volume, which fits
+  fullPicture(*window_);
+  EXPECT_FALSE(viewport->problem().has_value());
+  QObject::disconnect(counts);
+}
+
+TEST_F(WindowTest, AMistakeOfOurOwnCostsOnePictureAndNotTheWork) {
+  ASSERT_TRUE(load(*window_, "phantom:ball:32"));
+  ui::Viewport* viewport = window_->viewport();
+  const QImage before = fullPicture(*window_);
+  int drawing = 0;
+  const auto counts =
+      QObject::connect(viewport, &ui::Viewport::drawing, [&](bool begins) { drawing += begins ? 1 : -1; });
+  const scene::Scene good = window_->document()->resolvedScene();
+  scene::Scene bad = good;
+  bad.isosurface2.shown = true;  // and nobody has said where it is: std::bad_optional_access
+  bad.isosurface2.value.reset();
+  viewport->setScene(bad, bad);
+  ASSERT_TRUE(waitUntil([&] { return viewport->problem().has_value(); }));
+  EXPECT_TRUE(viewport->problem()->contains("mistake in Isolux")) << viewport->problem()->toStdString();
+  EXPECT_EQ(drawing, 0);
+  viewport->setScene(good, good);
+  window_->messageBar()->hide();
+  EXPECT_EQ(differingPixels(before, fullPicture(*window_), 0), 0.0);
+  EXPECT_FALSE(viewport->problem().has_value());
+  QObject::disconnect(counts);
 }
 
 TEST_F(WindowTest, ASettingOutOfRangeIsRefusedWithAMessage) {

@@ -13,6 +13,7 @@
 #include <QThread>
 #include <QWheelEvent>
 
+#include "render/gl_messages.h"
 #include "tests/support/test_data.h"
 #include "ui/viewport.h"
 
@@ -91,11 +92,13 @@ QString writeBall(int size, glm::dvec3 spacingMm) {
 
 void WindowTest::SetUp() {
   QSettings().clear();
+  render::forgetGlErrors();
   window_ = makeWindow();
 }
 
 void WindowTest::TearDown() {
   window_.reset();
+  for (const std::string& error : render::glErrors()) ADD_FAILURE() << "OpenGL: " << error;
 }
 
 std::unique_ptr<ui::MainWindow> WindowTest::makeWindow() {
