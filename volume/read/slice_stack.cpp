@@ -44,6 +44,49 @@ void separateRepeats(const std::vector<double>& along, SliceStack& stack, const 
     for (const auto& group : groups) stack.order.push_back(group[step]);
 }
 
+bool sameDistance(double a, double b) {
+  return std::abs(a - b) <= toleratedUnevenness * std::max(a, b);
+}
+
+// Distances that hold for a while, as a series of several blocks has them; empty where single gaps break the
+// sequence, unless they lie between the distances of two blocks.
+std::vector<double> blocksOf(const std::vector<double>& gaps) {
+  struct Run {
+    double distance;
+    std::size_t length;
+  };
+  std::vector<Run> runs;
+  for (const double gap : gaps) {
+    if (!runs.empty() && sameDistance(gap, runs.back().distance))
+      ++runs.back().length;
+    else
+      runs.push_back({gap, 1});
+  }
+  std::vector<double> blocks;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].length > 1) {
+      blocks.push_back(runs[i].distance);
+      continue;
+    }
+    if (i == 0 || i + 1 == runs.size()) return {};
+    const auto [low, high] = std::minmax(runs[i - 1].distance, runs[i + 1].distance);
+    if (runs[i].distance < low || runs[i].distance > high) return {};
+  }
+  return blocks;
+}
+
+// What distances well above the median mean: another distance for a part of the series, or missing slices.
+std::string wideGapsText(const std::vector<double>& gaps, double median) {
+  const auto wide = std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return gap > 1.5 * median; });
+  if (wide == 0) return {};
+  if (const std::vector<double> blocks = blocksOf(gaps); blocks.size() > 1 && blocks.size() < 6) {
+    std::string text = "slice distance changes from " + shortText(blocks[0]);
+    for (std::size_t i = 1; i < blocks.size(); ++i) text += " to " + shortText(blocks[i]);
+    return text + " mm";
+  }
+  return "slices are missing in " + std::to_string(wide) + " places; what is shown there is interpolated";
+}
+
 }  // namespace
 
 SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
@@ -109,13 +152,11 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
       const double fraction = (at - (along[stack.order[source]] - begin)) / gaps[source];
       stack.resampled.push_back({source, std::clamp(fraction, 0.0, 1.0)});
     }
-    const auto wide = std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return gap > 1.5 * median; });
     stack.warnings.push_back("slice distances are uneven (" + shortText(*least) + " to " + shortText(*most) +
                              " mm): resampled linearly from " + std::to_string(count) + " onto " +
                              std::to_string(slices) + " slices every " + shortText(distance) + " mm");
-    if (wide > 0)
-      stack.warnings.push_back("slices are missing in " + std::to_string(wide) +
-                               " places; what is shown there is interpolated");
+    if (const std::string gapsText = wideGapsText(gaps, median); !gapsText.empty())
+      stack.warnings.push_back(gapsText);
   } else if (uneven > silentUnevenness * median) {
     stack.warnings.push_back("slice positions deviate by up to " + shortText(uneven) +
                              " mm from even distances; taken as even");
