@@ -7,11 +7,10 @@
 #include <limits>
 #include <map>
 
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStaticPointLocator.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "volume/merge_points.h"
 
 namespace isolux::volume {
 
@@ -35,25 +34,15 @@ double areaOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 }
 
 // Points at (nearly) the same place become one; triangles that lose a corner by that are dropped.
-void mergePoints(TriangleMesh& mesh) {
+void mergePoints(TriangleMesh& mesh, const scene::Progress& progress) {
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    points->SetPoint(static_cast<vtkIdType>(i), &mesh.points[i].x);
-    low = glm::min(low, mesh.points[i]);
-    high = glm::max(high, mesh.points[i]);
+  for (const glm::dvec3& p : mesh.points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
   }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(data);
-  locator->BuildLocator();
-  std::vector<vtkIdType> mergedTo(mesh.points.size());
-  locator->MergePoints(1e-6 * glm::length(high - low), mergedTo.data());
+  const std::vector<int> mergedTo = mergedPoints(mesh.points, 1e-6 * glm::length(high - low), progress);
   for (Triangle& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) t[i] = static_cast<int>(mergedTo[static_cast<std::size_t>(t[i])]);
+    for (int i = 0; i < 3; ++i) t[i] = mergedTo[static_cast<std::size_t>(t[i])];
   std::erase_if(mesh.triangles, [](const Triangle& t) { return t.x == t.y || t.y == t.z || t.z == t.x; });
 }
 
@@ -243,7 +232,7 @@ TriangleMesh closedMesh(TriangleMesh mesh, std::vector<std::string>& warnings,
                         const scene::Progress& progress) {
   constexpr std::size_t longestSpanned = 400;
   const std::size_t before = mesh.triangles.size();
-  mergePoints(mesh);
+  mergePoints(mesh, progress);
   const auto flat = static_cast<std::size_t>(
       std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
         return areaOf(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) == 0.0;
