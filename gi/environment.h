@@ -22,6 +22,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene/progress.h"
+
 namespace isolux::gi {
 
 class Environment {
@@ -32,8 +34,10 @@ class Environment {
   static Environment fromImage(int width, int height, std::vector<glm::vec3> pixels);
   // Whatever OpenImageIO reads: .hdr, .exr and others of one channel (grey) or more. Integer samples and
   // those marked sRGB are decoded from the sRGB curve. Alpha is left out. Throws scene::Error of kind input,
-  // naming file, place and reason, and of kind memory.
+  // naming file, place and reason, and of kind memory. The file is parsed in a process of its own
+  // (volume/read/foreign.h).
   static Environment load(const std::string& path);
+  static Environment load(const std::string& path, scene::Progress& progress);  // Error{interrupted}, too
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -5,7 +5,8 @@
 #include "scene/error.h"
 #include "volume/phantom.h"
 #include "volume/read/bytes.h"
-#include "volume/read/dicom.h"
+#include "volume/read/dicom_files.h"
+#include "volume/read/foreign.h"
 #include "volume/read/mesh.h"
 #include "volume/read/meta_image.h"
 #include "volume/read/nifti.h"
@@ -14,7 +15,6 @@
 #include "volume/read/streams.h"
 #include "volume/read/text.h"
 #include "volume/read/tiff.h"
-#include "volume/read/vti.h"
 #include "volume/read/vtk_legacy.h"
 
 namespace isolux::volume {

@@ -7,7 +7,6 @@
 #include <map>
 #include <sstream>
 
-#include <OpenImageIO/imageio.h>
 #include <tbb/global_control.h>
 
 #include "app/progress_bar.h"
@@ -81,7 +80,6 @@ void addThreadsOption(CLI::App& parser) {
             const auto count = static_cast<std::size_t>(threads);
             *limit =
                 std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
-            OIIO::attribute("threads", threads);
           },
           "How many CPU threads to use; default: all")
       ->type_name("N")

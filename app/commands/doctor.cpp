@@ -4,7 +4,6 @@
 #include <iostream>
 #include <thread>
 
-#include <OpenImageIO/imageio.h>
 #include <tbb/info.h>
 #include <tbb/version.h>
 #include <glm/glm.hpp>
@@ -13,6 +12,7 @@
 #include "app/external_program.h"
 #include "app/version.h"
 #include "scene/memory_budget.h"
+#include "volume/read/foreign.h"
 
 namespace isolux::app {
 
@@ -34,12 +34,6 @@ std::string dotted(int major, int minor, int patch) {
   return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
 }
 
-// OpenImageIO packs its version as 10000 * major + 100 * minor + patch.
-std::string imageLibraryVersion() {
-  const int packed = OIIO::openimageio_version();
-  return dotted(packed / 10000, packed / 100 % 100, packed % 100);
-}
-
 std::string movieText(scene::Progress& progress) {
   const std::filesystem::path ffmpeg = findProgram("ffmpeg");
   if (ffmpeg.empty()) return "not found: replay writes frames but no movie";
@@ -54,7 +48,7 @@ void runDoctor(scene::Progress& progress) {
   row("CPU threads", std::to_string(tbb::info::default_concurrency()));
   row("memory", memoryText());
   row("memory budget", bytesText(scene::machineMemory().limit()));
-  row("OpenImageIO", imageLibraryVersion());
+  for (const std::string& version : volume::readerVersions(progress)) row("file reader", version);
   row("oneTBB", TBB_runtime_version());
   row("GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));
   row("JSON", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));

@@ -1,5 +1,5 @@
 // Reads every #include of the tree: a layer may include only itself and what stands below it, Qt only ui/,
-// GL headers only render/ and ui/.
+// GL headers only render/ and ui/, the libraries that parse other people's files only readers/.
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -41,10 +41,22 @@ bool isGlHeader(const std::string& name) {
   return std::regex_match(name, gl);
 }
 
+// Of libraries that end the program on damaged files: they belong into the readers' processes.
+bool isParserHeader(const std::string& name) {
+  static const std::regex parser(R"((vtk[A-Z][A-Za-z0-9]*\.h)|((OpenImageIO|gdcm)[A-Za-z0-9.-]*/.*))");
+  return std::regex_match(name, parser);
+}
+
+// The readers are programs of their own: they stand beside gi and may include what it may.
+std::size_t rankOf(std::string_view path) {
+  return path.starts_with("readers/") ? layerOf("gi/").value() : layerOf(path).value();
+}
+
 // One line for each include of `path` (relative to the tree, inside a layer) that points the wrong way.
 std::vector<std::string> wrongIncludes(const std::string& path, const std::string& content) {
   static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^">]+)[">])re");
-  const std::size_t own = layerOf(path).value();
+  const bool isReader = path.starts_with("readers/");
+  const std::size_t own = rankOf(path);
   std::vector<std::string> wrong;
   std::istringstream stream(content);
   std::string line;
@@ -58,13 +70,17 @@ std::vector<std::string> wrongIncludes(const std::string& path, const std::strin
     const std::optional<std::size_t> target = layerOf(name);
     if (target && *target > own)
       complain(std::string(layers[own]) + " must not include " + std::string(layers[*target]));
+    if (name.starts_with("gi/") && isReader) complain("readers must not include gi");
+    if (name.starts_with("readers/") && !isReader) complain("only readers include readers");
+    if (isParserHeader(name) && !isReader) complain("parsers of other people's files only in readers");
     if (name.starts_with("tests/") || name.starts_with("bench/"))
       complain("the program must not include its tests");
     if (name.find("..") != std::string::npos) complain("include from the root of the tree");
     if (isQtHeader(name) && layers[own] != "ui") complain("Qt only in ui");
     if (isGlHeader(name) && layers[own] != "render" && layers[own] != "ui")
       complain("GL only in render and ui");
-    if (match[1] == "\"" && !target && fs::path(name).has_parent_path()) complain("no such layer");
+    if (match[1] == "\"" && !target && !name.starts_with("readers/") && fs::path(name).has_parent_path())
+      complain("no such layer");
   }
   return wrong;
 }
@@ -78,7 +94,9 @@ bool isSource(const fs::path& path) {
 TEST(IncludeDirection, NoFileOfTheTreePointsTheWrongWay) {
   const fs::path root(ISOLUX_SOURCE_DIR);
   int files = 0;
-  for (const std::string_view layer : layers) {
+  std::vector<std::string_view> folders(layers.begin(), layers.end());
+  folders.emplace_back("readers");
+  for (const std::string_view layer : folders) {
     if (!fs::exists(root / layer)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / layer)) {
       if (!entry.is_regular_file() || !isSource(entry.path())) continue;
@@ -100,6 +118,10 @@ TEST(IncludeDirection, AcceptsWhatIsAllowed) {
   EXPECT_THAT(wrongIncludes("render/gl.h", "#include <GL/glcorearb.h>\n#include \"volume/grid.h\"\n"),
               IsEmpty());
   EXPECT_THAT(wrongIncludes("scene/scene.h", "#include <string>\n#include <glm/vec3.hpp>\n"), IsEmpty());
+  EXPECT_THAT(
+      wrongIncludes("readers/vtk/vti.cpp",
+                    "#include <vtkNew.h>\n#include \"volume/grid.h\"\n#include \"readers/limits.h\"\n"),
+      IsEmpty());
   EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/window.h\"\n"), IsEmpty());
 }
 
@@ -115,6 +137,13 @@ TEST(IncludeDirection, FindsEachKindOfFault) {
     EXPECT_THAT(wrongIncludes("app/a.h", line), ElementsAre(HasSubstr("Qt only in ui"))) << line;
   for (const char* line : {"#include <GL/gl.h>", "#include <EGL/egl.h>", "#include <GL/osmesa.h>"})
     EXPECT_THAT(wrongIncludes("app/a.h", line), ElementsAre(HasSubstr("GL only"))) << line;
+  for (const char* line :
+       {"#include <vtkNew.h>", "#include <OpenImageIO/imageio.h>", "#include <gdcm-3.0/gdcmTag.h>"})
+    EXPECT_THAT(wrongIncludes("volume/a.h", line), ElementsAre(HasSubstr("only in readers"))) << line;
+  EXPECT_THAT(wrongIncludes("volume/a.h", "#include \"readers/limits.h\""),
+              ElementsAre(HasSubstr("only readers include readers")));
+  EXPECT_THAT(wrongIncludes("readers/serve.h", "#include \"gi/environment.h\""),
+              ElementsAre(HasSubstr("readers must not include gi")));
   EXPECT_THAT(wrongIncludes("app/a.h", "#include \"../ui/window.h\""), testing::Contains(HasSubstr("root")));
   EXPECT_THAT(wrongIncludes("app/a.h", "#include \"tests/support/test_data.h\""), testing::Not(IsEmpty()));
 }

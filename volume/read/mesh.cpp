@@ -2,6 +2,7 @@
 
 #include "scene/error.h"
 #include "volume/mesh_repair.h"
+#include "volume/read/foreign.h"
 #include "volume/read/mesh_formats.h"
 #include "volume/read/payload.h"
 #include "volume/read/text.h"
@@ -61,7 +62,7 @@ MeshFile readTriangles(const std::filesystem::path& path, const ReadOptions& opt
       file = {readPlyMesh(bytes, progress), "PLY mesh"};
       break;
     case MeshFormat::polyData:
-      file = {readPolyDataMesh(path, progress), "VTK PolyData mesh"};
+      file = {readPolyDataMesh(path, options.budgetBytes, progress), "VTK PolyData mesh"};
       break;
   }
   checkMesh(file.mesh, bytes.name());

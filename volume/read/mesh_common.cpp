@@ -46,4 +46,12 @@ void addPolygon(TriangleMesh& mesh, const std::vector<std::int64_t>& corners, co
                                 static_cast<int>(corners[i]));
 }
 
+bool looksLikePolyData(const std::string& head) {
+  const std::size_t tag = head.find("<VTKFile");
+  if (tag == std::string::npos) return false;
+  const std::string_view attributes = std::string_view(head).substr(tag, head.find('>', tag) - tag);
+  return attributes.find("\"PolyData\"") != std::string_view::npos ||
+         attributes.find("'PolyData'") != std::string_view::npos;
+}
+
 }  // namespace isolux::volume

@@ -2,10 +2,10 @@
 // PolyData (.vtp).
 //
 // STL, OBJ and PLY are parsed here: VTK 9.1 ends the program on damaged PLY files, takes point numbers out
-// of range from OBJ, and reads truncated binary STL without a word. PolyData are read by VTK after a check
-// of what they claim. Polygons become fans, strips become triangles; lines, vertices and attributes are
-// passed over. All points of the result are finite and all indices in range. Errors: scene::Error{input}
-// with line or byte.
+// of range from OBJ, and reads truncated binary STL without a word. PolyData are read by VTK, in a process of
+// its own (foreign.h), after a check of what they claim. Polygons become fans, strips become triangles;
+// lines, vertices and attributes are passed over. All points of the result are finite and all indices in
+// range. Errors: scene::Error{input} with line or byte.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,6 @@ bool looksLikeStlText(const std::string& head);
 TriangleMesh readStlMesh(const Bytes& bytes, const scene::Progress& progress);
 TriangleMesh readObjMesh(const Bytes& bytes, const scene::Progress& progress);
 TriangleMesh readPlyMesh(const Bytes& bytes, const scene::Progress& progress);
-TriangleMesh readPolyDataMesh(const std::filesystem::path& path, scene::Progress& progress);
 
 // What the readers share.
 std::string wholeText(const Bytes& bytes);

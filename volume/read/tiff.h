@@ -1,8 +1,9 @@
 // TIFF stacks: a file with several pages, or a folder of numbered files in natural order ("2" before "10").
 //
-// Decoded by OpenImageIO, which knows the compressions; before it sees a file, our own walk over the page
-// directories checks sizes against the file. All full-resolution pages must agree in size and type.
-// TIFF states no distance of slices: the spacing is 1 mm, with a warning. Throws scene::Error{input}.
+// Decoded by OpenImageIO (readers/images), which knows the compressions; before it sees a file, our own walk
+// over the page directories, here, checks sizes against the file. All full-resolution pages must agree in
+// size and type. TIFF states no distance of slices: the spacing is 1 mm, with a warning. Throws
+// scene::Error{input}.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,6 @@
 #include <vector>
 
 #include "volume/read/bytes.h"
-#include "volume/reader.h"
 
 namespace isolux::volume {
 
@@ -32,8 +32,5 @@ std::vector<TiffPage> tiffPages(const Bytes& bytes);
 bool naturalLess(std::string_view a, std::string_view b);
 // TIFF files of a folder, in natural order.
 std::vector<std::filesystem::path> tiffFilesIn(const std::filesystem::path& folder);
-
-// `path` is a file or a folder.
-Volume readTiff(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress);
 
 }  // namespace isolux::volume

@@ -9,6 +9,7 @@
 
 namespace isolux::volume {
 
+namespace fs = std::filesystem;
 using scene::throwInput;
 
 namespace {
@@ -221,6 +222,22 @@ bool naturalLess(std::string_view a, std::string_view b) {
   }
   if ((i < a.size()) != (j < b.size())) return j < b.size();
   return a < b;  // "01" and "1": any fixed order
+}
+
+std::vector<fs::path> tiffFilesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string extension = lowered(entry.path().extension().string());
+    std::error_code ignored;
+    if ((extension == ".tif" || extension == ".tiff") && entry.is_regular_file(ignored))
+      files.push_back(entry.path());
+  }
+  if (error) throwInput(folder.string(), "", "cannot be listed: " + error.message());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return naturalLess(a.filename().string(), b.filename().string());
+  });
+  return files;
 }
 
 }  // namespace isolux::volume

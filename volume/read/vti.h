@@ -1,8 +1,8 @@
 // VTK XML image data (.vti): inline or appended, text, base64 or raw, with any of VTK's compressors.
 //
-// Read by VTK's own reader, which gets this format right (also the Direction matrix), but only after our own
-// check of the header has passed: extents, array size, and the block table of compressed data against the
-// size of the file. VTK alone allocates whatever the extents claim. Its messages are caught.
+// Read by VTK's own reader (readers/vtk), which gets this format right (also the Direction matrix), but only
+// after our own check of the header, here, has passed: extents, array size, and the block table of compressed
+// data against the size of the file. VTK alone allocates whatever the extents claim.
 //
 // One piece that is the whole extent. The array named by Scalars=, else the first, of the point data (else
 // of the cell data). Throws scene::Error{input} naming element and attribute.
@@ -21,7 +21,5 @@ struct VtiHeader {
 
 // Everything that is checked before VTK sees the file.
 VtiHeader parseVtiHeader(const Bytes& bytes, const ReadOptions& options);
-
-Volume readVti(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress);
 
 }  // namespace isolux::volume

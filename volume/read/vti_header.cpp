@@ -50,6 +50,8 @@ class Check {
 
  private:
   void load(const ReadOptions& options);
+  void loadRest();
+  void checkText(std::size_t begin) const;
   std::array<std::int64_t, 6> extentOf(const Tag& tag, std::string_view key) const;
   glm::dvec3 threeReals(const Tag& tag, std::string_view key, double otherwise) const;
   void readImageTag(const Tag& tag);
@@ -81,8 +83,28 @@ void Check::load(const ReadOptions& options) {
     text_.resize(mark);
   } else if (bytes_.size() > text_.size()) {
     checkBudget(bytes_.size(), "the file", "", file_, options);
-    text_ = bytes_.head(static_cast<std::size_t>(bytes_.size()));
+    loadRest();
+  } else {
+    checkText(0);
   }
+}
+
+// A large file without appended data, piece by piece: what is no text is found before all of it is read.
+void Check::loadRest() {
+  checkText(0);
+  while (text_.size() < bytes_.size()) {
+    const std::size_t have = text_.size();
+    const auto rest = static_cast<std::size_t>(bytes_.size() - have);
+    text_.resize(have + std::min(rest, std::size_t{64} << 20));
+    bytes_.read(have, std::as_writable_bytes(std::span(text_)).subspan(have));
+    checkText(have);
+  }
+}
+
+void Check::checkText(std::size_t begin) const {
+  const std::size_t zero = text_.find('\0', begin);
+  if (zero != std::string::npos)
+    throwInput(file_, "byte " + std::to_string(zero), "is a zero byte, which XML does not have");
 }
 
 std::array<std::int64_t, 6> Check::extentOf(const Tag& tag, std::string_view key) const {
@@ -134,6 +156,7 @@ VtiHeader Check::run() {
   std::string wanted[2];
   std::vector<Array> arrays;
   while (const auto tag = tags.next()) {
+    if (tag->name == "DataArray" || tag->name == "Array") checkArrayClaims(*tag, bytes_);
     if (tag->name == "VTKFile") {
       const auto type = tag->find("type");
       if (!type || *type != "ImageData") throwInput(file_, "VTKFile type", "is not ImageData");

@@ -69,4 +69,21 @@ Tag Tags::parse(std::size_t begin, std::size_t end) const {
   return tag;
 }
 
+void checkArrayClaims(const Tag& tag, const Bytes& bytes) {
+  constexpr std::uint64_t bestRatio = 1032, mostComponents = 65536;
+  const std::string place = std::string(tag.name) + " ";
+  const auto check = [&](const char* key, std::uint64_t least, std::uint64_t most) {
+    const auto text = tag.find(key);
+    if (!text) return;
+    const auto count = integerOf(*text);
+    if (!count || *count < static_cast<std::int64_t>(least))
+      scene::throwInput(bytes.name(), place + key, inQuotes(*text) + " is no number of things");
+    if (static_cast<std::uint64_t>(*count) > most)
+      scene::throwInput(bytes.name(), place + key,
+                        "truncated: the file is too short for " + std::string(*text));
+  };
+  check("NumberOfComponents", 0, mostComponents);
+  check("NumberOfTuples", 0, bytes.size() * bestRatio);
+}
+
 }  // namespace isolux::volume

@@ -1,4 +1,5 @@
-// Just enough XML to check what a VTK file claims before VTK reads it: tags and their attributes.
+// Just enough XML to check what a VTK file claims before VTK reads it: tags, their attributes, sizes of
+// arrays.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "volume/read/bytes.h"
 
 namespace isolux::volume {
 
@@ -34,5 +37,9 @@ class Tags {
   const std::string& file_;
   std::size_t at_ = 0;
 };
+
+// Components and tuples that an array's tag announces must be counts, and no more than the file can hold: VTK
+// believes them. Throws scene::Error{input}.
+void checkArrayClaims(const Tag& tag, const Bytes& bytes);
 
 }  // namespace isolux::volume

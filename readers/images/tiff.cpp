@@ -1,16 +1,18 @@
-#include "volume/read/tiff.h"
-
 #include <algorithm>
 #include <optional>
 
 #include <OpenImageIO/imageio.h>
 
+#include "readers/images/images.h"
+#include "readers/limits.h"
 #include "scene/error.h"
 #include "volume/read/payload.h"
 #include "volume/read/text.h"
+#include "volume/read/tiff.h"
 
-namespace isolux::volume {
+namespace isolux::readers {
 
+using namespace volume;
 namespace fs = std::filesystem;
 using scene::throwInput;
 
@@ -126,32 +128,24 @@ std::vector<PageOfFile> pagesOf(const std::vector<fs::path>& files, scene::Progr
   return pages;
 }
 
-}  // namespace
-
-std::vector<fs::path> tiffFilesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string extension = lowered(entry.path().extension().string());
-    std::error_code ignored;
-    if ((extension == ".tif" || extension == ".tiff") && entry.is_regular_file(ignored))
-      files.push_back(entry.path());
-  }
-  if (error) throwInput(folder.string(), "", "cannot be listed: " + error.message());
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return naturalLess(a.filename().string(), b.filename().string());
-  });
-  return files;
+std::uint64_t bytesOfAll(const std::vector<fs::path>& files) {
+  std::uint64_t bytes = 0;
+  for (const fs::path& file : files) bytes += FileBytes(file).size();
+  return bytes;
 }
 
-Volume readTiff(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
+}  // namespace
+
+DecodedVolume decodeTiff(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
   progress.report(0.0, "reading");
   const std::vector<fs::path> files =
       fs::is_directory(path) ? tiffFilesIn(path) : std::vector<fs::path>{path};
   if (files.empty()) throwInput(path.string(), "", "has no TIFF files");
   ImageHeader header;
   header.format = "TIFF";
+  allowHeaders(files.size(), bytesOfAll(files));
   const std::vector<PageOfFile> pages = pagesOf(files, progress, header.warnings);
+  allowDecoding(bytesOfAll(files));
   const TiffPage& first = pages.front().page;
   PageReader reader;
   const OIIO::ImageSpec spec = reader.open(pages.front());
@@ -180,8 +174,8 @@ Volume readTiff(const fs::path& path, const ReadOptions& options, scene::Progres
   }
   FileVoxels voxels = decodePayload(header, MemoryBytes(path.string(), pixels), openBeside(path), options,
                                     progress, header.warnings);
-  std::vector<std::byte>().swap(pixels);  // before the conversion allocates
-  return finishVolume(header, std::move(voxels), options, progress);
+  std::vector<std::byte>().swap(pixels);  // before the voxels are handed over
+  return {std::move(header), std::move(voxels), {}, {}};
 }
 
-}  // namespace isolux::volume
+}  // namespace isolux::readers

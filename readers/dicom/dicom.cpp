@@ -1,4 +1,4 @@
-#include "volume/read/dicom.h"
+#include "readers/dicom/dicom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,17 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
+#include "readers/limits.h"
+#include "readers/vtk_messages.h"
 #include "scene/error.h"
+#include "volume/read/bytes.h"
 #include "volume/read/payload.h"
 #include "volume/read/slice_stack.h"
 #include "volume/read/text.h"
-#include "volume/read/vtk_messages.h"
 
-namespace isolux::volume {
+namespace isolux::readers {
 
+using namespace volume;
 namespace fs = std::filesystem;
 using scene::throwInput;
 
@@ -267,7 +270,7 @@ void decode(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const s
 
 }  // namespace
 
-Volume readDicom(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
+DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
   progress.report(0.0, "reading");
   const bool isFolder = fs::is_directory(path);
   const fs::path folder = isFolder ? path : (path.has_parent_path() ? path.parent_path() : fs::path("."));
@@ -315,6 +318,9 @@ Volume readDicom(const fs::path& path, const ReadOptions& options, scene::Progre
   checkBudget(decoded, "the series", "", name, options);
   checkBudget(header, name, options);
 
+  std::uint64_t fileBytes = 0;
+  for (const DicomFile& file : files) fileBytes += FileBytes(file.path).size();
+  allowDecoding(fileBytes);
   const VtkMessages messages;
   vtkNew<vtkDICOMReader> reader;
   decode(reader, files, name, messages, progress);
@@ -346,11 +352,8 @@ Volume readDicom(const fs::path& path, const ReadOptions& options, scene::Progre
                         static_cast<std::size_t>(first.samples), static_cast<std::size_t>(options.timeStep),
                         progress);
   });
-  reader->SetOutput(nullptr);
-  Volume volume = finishVolume(header, std::move(voxels), options, progress);
-  volume.seriesChoices = std::move(choices);
-  volume.name = first.description;
-  return volume;
+  reader->SetOutput(nullptr);  // before the voxels are handed over
+  return {std::move(header), std::move(voxels), first.description, std::move(choices)};
 }
 
-}  // namespace isolux::volume
+}  // namespace isolux::readers

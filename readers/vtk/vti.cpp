@@ -1,5 +1,3 @@
-#include "volume/read/vti.h"
-
 #include <optional>
 
 #include <vtkCallbackCommand.h>
@@ -11,13 +9,17 @@
 #include <vtkPointData.h>
 #include <vtkXMLImageDataReader.h>
 
+#include "readers/limits.h"
+#include "readers/vtk/vtk_files.h"
+#include "readers/vtk_messages.h"
 #include "scene/error.h"
 #include "volume/read/payload.h"
 #include "volume/read/text.h"
-#include "volume/read/vtk_messages.h"
+#include "volume/read/vti.h"
 
-namespace isolux::volume {
+namespace isolux::readers {
 
+using namespace volume;
 using scene::throwInput;
 
 namespace {
@@ -37,17 +39,20 @@ void select(vtkDataArraySelection* selection, const char* name) {
 
 }  // namespace
 
-Volume readVti(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress) {
+DecodedVolume decodeVti(const std::filesystem::path& path, const ReadOptions& options,
+                        scene::Progress& progress) {
   progress.report(0.0, "reading");
   std::optional<FileBytes> file(std::in_place, path);
   const std::string name = file->name();
   VtiHeader header = parseVtiHeader(*file, options);
+  const std::uint64_t fileBytes = file->size();
   file.reset();
   checkChoices(header.image, name, options);
   ReadOptions whole = options;  // VTK holds all components at once
   whole.budgetBytes /= static_cast<std::size_t>(header.image.components);
   checkBudget(header.image, name, whole);
 
+  allowDecoding(fileBytes);
   VtkMessages messages;
   vtkNew<vtkXMLImageDataReader> reader;
   vtkNew<vtkCallbackCommand> observer;
@@ -79,8 +84,8 @@ Volume readVti(const std::filesystem::path& path, const ReadOptions& options, sc
   FileVoxels voxels = decodePayload(
       header.image, MemoryBytes(name, {static_cast<const std::byte*>(array->GetVoidPointer(0)), bytes}),
       openBeside(path), options, progress, header.image.warnings);
-  image->ReleaseData();  // before the conversion allocates
-  return finishVolume(header.image, std::move(voxels), options, progress);
+  image->ReleaseData();  // before the voxels are handed over
+  return {std::move(header.image), std::move(voxels), {}, {}};
 }
 
-}  // namespace isolux::volume
+}  // namespace isolux::readers

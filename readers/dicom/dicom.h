@@ -13,15 +13,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "scene/progress.h"
-#include "volume/reader.h"
+#include "volume/read/reader_messages.h"
 
-namespace isolux::volume {
+namespace isolux::readers {
 
 // One image of a file, and where it lies.
 struct DicomFrame {
@@ -41,17 +40,12 @@ struct DicomFile {
   std::vector<DicomFrame> frames;
 };
 
-// Does `head` (the first 132 bytes or more) carry the DICOM mark?
-bool looksLikeDicom(std::string_view head);
-
 // Headers of all DICOM files in `folder` and its direct subfolders, sorted by path.
 std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, scene::Progress& progress,
                                        std::vector<std::string>& warnings);
 
-// True when `folder` or a direct subfolder has a DICOM file.
-bool hasDicomFiles(const std::filesystem::path& folder);
-
 // `path` is a folder or a file.
-Volume readDicom(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress);
+volume::DecodedVolume decodeDicom(const std::filesystem::path& path, const volume::ReadOptions& options,
+                                  scene::Progress& progress);
 
-}  // namespace isolux::volume
+}  // namespace isolux::readers

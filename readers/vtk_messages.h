@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace isolux::volume {
+namespace isolux::readers {
 
 class VtkMessages {
  public:
@@ -24,4 +24,4 @@ class VtkMessages {
   std::vector<std::string> errors_, warnings_;
 };
 
-}  // namespace isolux::volume
+}  // namespace isolux::readers

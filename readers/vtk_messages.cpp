@@ -1,4 +1,4 @@
-#include "volume/read/vtk_messages.h"
+#include "readers/vtk_messages.h"
 
 #include <algorithm>
 #include <mutex>
@@ -8,7 +8,9 @@
 
 #include "volume/read/text.h"
 
-namespace isolux::volume {
+namespace isolux::readers {
+
+using volume::trimmed;
 
 namespace {
 
@@ -67,4 +69,4 @@ void VtkMessages::add(const char* text, bool isError) {
   if (list.size() < most) list.push_back(reasonOf(text));
 }
 
-}  // namespace isolux::volume
+}  // namespace isolux::readers

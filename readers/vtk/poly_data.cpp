@@ -9,14 +9,17 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include "readers/limits.h"
+#include "readers/vtk/vtk_files.h"
+#include "readers/vtk_messages.h"
 #include "scene/error.h"
 #include "volume/read/mesh_formats.h"
 #include "volume/read/text.h"
-#include "volume/read/vtk_messages.h"
 #include "volume/read/xml_tags.h"
 
-namespace isolux::volume {
+namespace isolux::readers {
 
+using namespace volume;
 using scene::throwInput;
 
 namespace {
@@ -31,6 +34,7 @@ void checkClaims(const Bytes& bytes) {
   while (const auto tag = tags.next()) {
     if (tag->name == "VTKFile" && tag->find("type") != "PolyData")
       throwInput(bytes.name(), "VTKFile type", "is not PolyData");
+    if (tag->name == "DataArray" || tag->name == "Array") checkArrayClaims(*tag, bytes);
     if (tag->name != "Piece") continue;
     hasPiece = true;
     for (const char* key :
@@ -75,17 +79,13 @@ void forEachCell(vtkCellArray* cells, const std::string& file, const char* name,
 
 }  // namespace
 
-bool looksLikePolyData(const std::string& head) {
-  const std::size_t tag = head.find("<VTKFile");
-  if (tag == std::string::npos) return false;
-  const std::string_view attributes = std::string_view(head).substr(tag, head.find('>', tag) - tag);
-  return attributes.find("\"PolyData\"") != std::string_view::npos ||
-         attributes.find("'PolyData'") != std::string_view::npos;
-}
-
-TriangleMesh readPolyDataMesh(const std::filesystem::path& path, scene::Progress& progress) {
+TriangleMesh decodePolyData(const std::filesystem::path& path, scene::Progress& progress) {
   const std::string file = path.string();
-  checkClaims(FileBytes(path));
+  {
+    const FileBytes bytes(path);
+    checkClaims(bytes);
+    allowDecoding(bytes.size());
+  }
   VtkMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
   vtkNew<vtkCallbackCommand> observer;
@@ -116,4 +116,4 @@ TriangleMesh readPolyDataMesh(const std::filesystem::path& path, scene::Progress
   return mesh;
 }
 
-}  // namespace isolux::volume
+}  // namespace isolux::readers

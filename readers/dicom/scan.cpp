@@ -1,63 +1,30 @@
 // Headers of DICOM files: what a slice is and where it lies.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <vtkDICOMMetaData.h>
 #include <vtkDICOMParser.h>
 #include <vtkDICOMValue.h>
 #include <vtkNew.h>
 
+#include "readers/dicom/dicom.h"
+#include "readers/limits.h"
+#include "readers/serve.h"
+#include "readers/vtk_messages.h"
 #include "scene/error.h"
 #include "volume/read/bytes.h"
-#include "volume/read/dicom.h"
+#include "volume/read/dicom_files.h"
 #include "volume/read/text.h"
-#include "volume/read/vtk_messages.h"
 
-namespace isolux::volume {
+namespace isolux::readers {
 
+using namespace volume;
 namespace fs = std::filesystem;
 using scene::throwInput;
 
 namespace {
 
 constexpr int mostFrames = 65535;
-constexpr std::size_t mostFiles = 100000;
-
-// Regular files of the folder and its direct subfolders, sorted; `use` returns false to stop.
-void visitFiles(const fs::path& folder, const std::function<bool(const fs::path&)>& use) {
-  std::error_code error;
-  std::vector<fs::path> files, folders;
-  for (const auto& entry :
-       fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
-    std::error_code ignored;
-    if (entry.is_regular_file(ignored)) files.push_back(entry.path());
-    if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) folders.push_back(entry.path());
-    if (files.size() > mostFiles) throwInput(folder.string(), "", "the folder has more than 100000 files");
-  }
-  if (error) throwInput(folder.string(), "", "cannot be listed: " + error.message());
-  std::sort(folders.begin(), folders.end());
-  for (const fs::path& sub : folders)
-    for (const auto& entry :
-         fs::directory_iterator(sub, fs::directory_options::skip_permission_denied, error)) {
-      std::error_code ignored;
-      if (entry.is_regular_file(ignored)) files.push_back(entry.path());
-      if (files.size() > mostFiles) throwInput(folder.string(), "", "the folder has more than 100000 files");
-    }
-  std::sort(files.begin(), files.end());
-  for (const fs::path& file : files)
-    if (!use(file)) return;
-}
-
-bool isDicomFile(const fs::path& path) {
-  if (path.filename() == "DICOMDIR") return false;  // an index, without pixels
-  try {
-    if (looksLikeDicom(FileBytes(path).head(132))) return true;
-  } catch (const scene::Error&) {
-    return false;
-  }
-  return sameIgnoringCase(path.extension().string(), ".dcm");  // old files lack the mark
-}
 
 bool numbers(const vtkDICOMValue& value, std::size_t count, double* out) {
   if (!value.IsValid() || value.GetNumberOfValues() < count) return false;
@@ -156,24 +123,18 @@ DicomFile headerOf(const fs::path& path) {
 
 }  // namespace
 
-bool looksLikeDicom(std::string_view head) {
-  return head.size() >= 132 && head.substr(128, 4) == "DICM";
-}
-
-bool hasDicomFiles(const fs::path& folder) {
-  bool found = false;
-  visitFiles(folder, [&](const fs::path& file) { return !(found = isDicomFile(file)); });
-  return found;
-}
-
 std::vector<DicomFile> scanDicomFolder(const fs::path& folder, scene::Progress& progress,
                                        std::vector<std::string>& warnings) {
   std::vector<DicomFile> files;
   int broken = 0;
   std::string firstReason;
-  visitFiles(folder, [&](const fs::path& path) {
+  const std::vector<fs::path> paths = dicomFilesIn(folder);
+  std::uint64_t bytes = 0;
+  for (const fs::path& path : paths) bytes += FileBytes(path).size();
+  allowHeaders(paths.size(), bytes);
+  for (const fs::path& path : paths) {
     progress.throwIfStopped();
-    if (!isDicomFile(path)) return true;
+    nowReading(path);
     const VtkMessages messages;
     try {
       DicomFile file = headerOf(path);
@@ -183,8 +144,7 @@ std::vector<DicomFile> scanDicomFolder(const fs::path& folder, scene::Progress& 
       if (error.kind() != scene::ErrorKind::input) throw;
       if (broken++ == 0) firstReason = error.what();
     }
-    return true;
-  });
+  }
   if (files.empty() && broken > 0) throwInput(folder.string(), "", "no usable DICOM image; " + firstReason);
   if (files.empty()) throwInput(folder.string(), "", "has no DICOM images");
   if (broken > 0)
@@ -193,4 +153,4 @@ std::vector<DicomFile> scanDicomFolder(const fs::path& folder, scene::Progress& 
   return files;
 }
 
-}  // namespace isolux::volume
+}  // namespace isolux::readers

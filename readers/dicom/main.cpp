@@ -1,0 +1,13 @@
+// isolux-reader-dicom: what vtk-dicom and GDCM parse.
+#include <vtkDICOMConfig.h>
+
+#include "readers/dicom/dicom.h"
+#include "readers/serve.h"
+
+int main() {
+  using namespace isolux;
+  readers::Abilities abilities;
+  abilities.volume = readers::decodeDicom;
+  abilities.versions = [] { return std::string("vtk-dicom ") + DICOM_SHORT_VERSION; };
+  return readers::serve(abilities);
+}

@@ -1,0 +1,26 @@
+// isolux-reader-images: what OpenImageIO parses.
+#include <OpenImageIO/imageio.h>
+
+#include "readers/images/images.h"
+#include "readers/serve.h"
+
+namespace {
+
+// OpenImageIO packs its version as 10000 * major + 100 * minor + patch.
+std::string versions() {
+  const int packed = OIIO::openimageio_version();
+  return "OpenImageIO " + std::to_string(packed / 10000) + '.' + std::to_string(packed / 100 % 100) + '.' +
+         std::to_string(packed % 100);
+}
+
+}  // namespace
+
+int main() {
+  using namespace isolux;
+  OIIO::attribute("threads", 1);  // rows are decoded one after the other
+  readers::Abilities abilities;
+  abilities.volume = readers::decodeTiff;
+  abilities.image = readers::decodeImage;
+  abilities.versions = versions;
+  return readers::serve(abilities);
+}

@@ -1,0 +1,30 @@
+// The reader's end of the exchange with the program (volume/read/reader_messages.h): takes one request, lets
+// a library parse the file, hands over what came of it, and ends.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scene/progress.h"
+#include "volume/read/reader_messages.h"
+
+namespace isolux::readers {
+
+// What a reader can do; null for what it cannot. They throw scene::Error; any other exception is taken as
+// damage to the file.
+struct Abilities {
+  volume::DecodedVolume (*volume)(const std::filesystem::path&, const volume::ReadOptions&,
+                                  scene::Progress&) = nullptr;
+  volume::TriangleMesh (*mesh)(const std::filesystem::path&, scene::Progress&) = nullptr;
+  volume::DecodedImage (*image)(const std::filesystem::path&, scene::Progress&) = nullptr;
+  std::string (*versions)() = nullptr;
+};
+
+// Tells the program which of many files is read from here on, so that it can name the one that ends the
+// reader.
+void nowReading(const std::filesystem::path& file);
+
+// The whole of a reader's main(): its exit code.
+int serve(const Abilities& abilities);
+
+}  // namespace isolux::readers
