@@ -1,15 +1,10 @@
 #include "app/files.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
-#include <mutex>
 #include <system_error>
-#include <vector>
-
-#include <unistd.h>
 
 #include "scene/error.h"
 
@@ -20,75 +15,35 @@ using scene::throwInput;
 
 namespace {
 
-struct Pending {
-  std::mutex mutex;
-  std::vector<fs::path> paths;
-};
-
-// Never destroyed: an interrupt may come while the program's statics go away.
-Pending& pending() {
-  static Pending* const list = new Pending;
-  return *list;
-}
-
 std::string systemReason(int code) {
   return code ? std::generic_category().message(code) : "input/output error";
 }
 
 }  // namespace
 
-PendingFile::PendingFile(fs::path target) : target_(std::move(target)) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(target_, ignored);
-  if (fs::is_directory(status)) throwInput(target_.string(), "", "is a folder, not a file to write");
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    throwInput(target_.string(), "", "is not a regular file");
-  if (target_.filename().empty()) throwInput(target_.string(), "", "is not the name of a file");
-  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, ignored))
-    throwInput(target_.string(), "", "cannot be written: its folder does not exist");
-  if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    throwInput(target_.string(), "", "cannot be written: " + systemReason(errno));
-
-  static std::atomic<unsigned> count{0};
-  path_ = folder / ("." + target_.filename().string() + "." + std::to_string(::getpid()) + "-" +
-                    std::to_string(count++) + ".part");
-  const std::lock_guard lock(pending().mutex);
-  pending().paths.push_back(path_);
-}
-
-PendingFile::~PendingFile() {
-  const std::lock_guard lock(pending().mutex);
-  const auto found = std::find(pending().paths.begin(), pending().paths.end(), path_);
-  if (found == pending().paths.end()) return;  // committed
-  pending().paths.erase(found);
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-void PendingFile::commit() {
-  const std::lock_guard lock(pending().mutex);
+MadeFolder::MadeFolder(fs::path folder) : path_(std::move(folder)) {
   std::error_code error;
-  fs::rename(path_, target_, error);
-  if (error) throwInput(target_.string(), "", "cannot be written: " + error.message());
-  std::erase(pending().paths, path_);
+  for (fs::path level = path_; !level.empty() && !fs::exists(level, error); level = level.parent_path())
+    if (level.has_filename()) made_.push_back(level);
+  fs::create_directories(path_, error);
+  if (error || !fs::is_directory(path_, error)) {
+    removeMade();
+    throwInput(path_.string(), "", "is not a folder and cannot be made one");
+  }
 }
 
-void removePendingFiles() noexcept {
-  // Not waiting: the thread that holds the lock may be in a slow rename, and its file is then complete.
-  const std::unique_lock lock(pending().mutex, std::try_to_lock);
-  std::error_code ignored;
-  if (lock.owns_lock())
-    for (const fs::path& path : pending().paths) fs::remove_all(path, ignored);
+MadeFolder::~MadeFolder() {
+  removeMade();
+}
+
+void MadeFolder::removeMade() const noexcept {
+  std::error_code notEmpty;  // a folder with something in it stays
+  for (const fs::path& level : made_) fs::remove(level, notEmpty);
 }
 
 void writeTextFile(const fs::path& file, std::string_view text) {
-  PendingFile output(file);
-  errno = 0;
-  std::ofstream stream(output.path(), std::ios::binary);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  if (!stream) throwInput(file.string(), "", "cannot be written: " + systemReason(errno));
+  scene::OutputFile output(file);
+  output.write(text);
   output.commit();
 }
 

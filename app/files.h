@@ -1,4 +1,4 @@
-// Files of the program: read whole, written beside their name and renamed when complete.
+// Files of the program: read whole, and written whole (scene/pending_file.h).
 //
 // Errors: scene::Error{input} naming the file and the system's reason. All functions may be called from any
 // thread.
@@ -8,29 +8,31 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "scene/pending_file.h"
 
 namespace isolux::app {
 
-// A file (or folder) under construction. Until commit() it lives beside its name as ".NAME.PID-N.part"; the
-// destructor removes it, so a failure leaves the old file, or none.
-class PendingFile {
- public:
-  // Throws when the folder does not exist or the target is something other than a regular file.
-  explicit PendingFile(std::filesystem::path target);
-  ~PendingFile();
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
+using scene::PendingFile;
+using scene::removePendingFiles;
 
-  const std::filesystem::path& path() const { return path_; }      // write here
-  const std::filesystem::path& target() const { return target_; }  // the name it will have
-  void commit();
+// A folder for results. What had to be made of it goes away again if nothing comes to lie in it.
+class MadeFolder {
+ public:
+  explicit MadeFolder(std::filesystem::path folder);  // with its parents; throws where that cannot be
+  ~MadeFolder();
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path target_, path_;
-};
+  void removeMade() const noexcept;
 
-// Removes every PendingFile that is not committed: for the way out after an interrupt.
-void removePendingFiles() noexcept;
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_;  // the innermost first
+};
 
 void writeTextFile(const std::filesystem::path& file, std::string_view text);
 // Throws also when the file is longer than `longest` bytes.

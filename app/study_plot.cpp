@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 
@@ -66,6 +65,14 @@ void row(std::ostream& out, const Knob& knob, const StudySetting& setting, const
   out << '\n';
 }
 
+// gnuplot does not look whether its output could be written.
+bool isWholeSvg(const fs::path& file) {
+  constexpr std::size_t longest = std::size_t{64} << 20;
+  const std::string text = readTextFile(file, longest);
+  const std::size_t end = text.find_last_not_of(" \n\r\t");
+  return end != std::string::npos && std::string_view(text).substr(0, end + 1).ends_with("</svg>");
+}
+
 }  // namespace
 
 std::string plotScript(const KnobStudy& study, const std::string& subject, const std::string& picture) {
@@ -99,16 +106,16 @@ std::string plotScript(const KnobStudy& study, const std::string& subject, const
 bool writePlot(const fs::path& gnuplot, const KnobStudy& study, const std::string& subject,
                const fs::path& picture, scene::Progress& progress, std::string& reason) {
   PendingFile plot(picture);
-  const PendingFile script(fs::path(picture).replace_extension(".gp"));  // never committed: removed after use
-  std::ofstream(script.path()) << plotScript(study, subject, plot.path().filename().string());
+  scene::OutputFile script(fs::path(picture).replace_extension(".gp"));  // never committed: removed after use
+  script.write(plotScript(study, subject, fs::absolute(plot.path()).string()));
+  script.finish();
   const ProgramResult result =
-      runProgram(gnuplot, {script.path().filename().string()}, picture.parent_path(), progress);
-  std::error_code missing;
-  if (result.exitCode == 0 && fs::file_size(plot.path(), missing) > 0 && !missing) {
+      runProgram(gnuplot, {fs::absolute(script.path()).string()}, picture.parent_path(), progress);
+  if (result.exitCode == 0 && isWholeSvg(plot.path())) {
     plot.commit();
     return true;
   }
-  reason = result.output;
+  reason = result.exitCode == 0 ? "the plot is not whole (is the disk full?)" : result.output;
   while (!reason.empty() && std::isspace(static_cast<unsigned char>(reason.back()))) reason.pop_back();
   reason = reason.substr(reason.rfind('\n') + 1);
   return false;

@@ -35,6 +35,9 @@ void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, 
 StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,
                          const std::string& skyKey, const std::string& lampsKey, scene::Progress& progress);
 
+// True for files that begin as writeBakeFile() begins them, whole or not. No errors.
+bool looksLikeBakeFile(const std::filesystem::path& path);
+
 // What differs between two keys of light, in words ("albedo differs"); empty where nothing does.
 std::string keyDifference(const std::string& stored, const std::string& wanted);
 

@@ -1,24 +1,21 @@
 // Writing of bake files: the header with room for the places of the arrays, then the arrays, then the places.
 #include <algorithm>
-#include <atomic>
 #include <bit>
-#include <cerrno>
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <new>
-#include <system_error>
-#include <utility>
 #include <vector>
 
-#include <unistd.h>
 #include <zlib.h>
 #include <nlohmann/json.hpp>
 
 #include "gi/bake_file.h"
 #include "gi/bake_layers.h"
 #include "scene/error.h"
+#include "scene/pending_file.h"
 
 namespace isolux::gi {
 
@@ -28,59 +25,14 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
+constexpr const char* kFirstField = "<Array type=\"String\" Name=\"volume_hash\"";
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;  // that are compressed at a time
-
-[[noreturn]] void cannotWrite(const fs::path& path) {
-  scene::throwInput(path.string(), "",
-                    "cannot be written: " + std::generic_category().message(
-                                                errno != 0 ? errno : static_cast<int>(std::errc::io_error)));
-}
-
-// A file under construction beside its name; goes away unless committed.
-class PartFile {
- public:
-  explicit PartFile(fs::path target) : target_(std::move(target)) {
-    static std::atomic<unsigned> count{0};
-    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-    part_ = folder / ("." + target_.filename().string() + "." + std::to_string(::getpid()) + "-" +
-                      std::to_string(count++) + ".part");
-    errno = 0;
-    file_ = std::fopen(part_.c_str(), "wbx");
-    if (!file_) cannotWrite(target_);
-  }
-  ~PartFile() {
-    if (file_) std::fclose(file_);
-    std::error_code ignored;
-    if (!committed_) fs::remove(part_, ignored);
-  }
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-
-  void write(const void* bytes, std::size_t count) {
-    if (std::fwrite(bytes, 1, count, file_) != count) cannotWrite(target_);
-  }
-  std::uint64_t at() const { return static_cast<std::uint64_t>(ftello(file_)); }
-  void go(std::uint64_t at) {
-    if (fseeko(file_, static_cast<off_t>(at), SEEK_SET) != 0) cannotWrite(target_);
-  }
-  void commit() {
-    const bool flushed = std::fflush(file_) == 0 && ::fsync(::fileno(file_)) == 0;
-    const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
-    if (!flushed || !closed || std::rename(part_.c_str(), target_.c_str()) != 0) cannotWrite(target_);
-    committed_ = true;
-  }
-
- private:
-  fs::path target_, part_;
-  std::FILE* file_ = nullptr;
-  bool committed_ = false;
-};
 
 // VTK's compressed array: number of chunks, bytes of a chunk, bytes of a last shorter one, compressed sizes,
 // chunks.
 class CompressedArray {
  public:
-  CompressedArray(PartFile& file, std::uint64_t bytes)
+  CompressedArray(scene::OutputFile& file, std::uint64_t bytes)
       : file_(file),
         chunkBytes_(static_cast<std::size_t>(std::min<std::uint64_t>(kChunkBytes, bytes))),
         table_{(bytes + chunkBytes_ - 1) / chunkBytes_, chunkBytes_, bytes % chunkBytes_},
@@ -118,7 +70,7 @@ class CompressedArray {
     chunk_.clear();
   }
 
-  PartFile& file_;
+  scene::OutputFile& file_;
   std::size_t chunkBytes_;
   std::vector<std::uint64_t> table_;
   std::uint64_t tableAt_;
@@ -197,7 +149,7 @@ std::string header(const volume::Grid& grid, const StoredLight& light, const std
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <ImageData WholeExtent=\"" +
       extent + "\" Origin=\"" + origin + "\" Spacing=\"" + spacing + "\" Direction=\"" + direction +
-      "\">\n    <FieldData>\n" + textField("volume_hash", hash);
+      "\">\n    <FieldData>\n" + textField("volume_hash", hash);  // kFirstField
   if (light.sky)
     xml += textField("key", light.sky->key()) + textField("content", contentText(light.sky->content()));
   if (light.lamps) xml += textField("key_lamps", light.lamps->key());
@@ -234,10 +186,10 @@ void write(const fs::path& path, const volume::Grid& grid, const StoredLight& li
   };
   arrays.push_back({"normal", "Float32", 3, &normals, nullptr});
 
-  PartFile file(path);
+  scene::OutputFile file(path);
   std::vector<std::size_t> places;
   const std::string xml = header(grid, light, arrays, places);
-  file.write(xml.data(), xml.size());
+  file.write(xml);
   const std::uint64_t texels = static_cast<std::uint64_t>(lattice.dims.x) *
                                static_cast<std::uint64_t>(lattice.dims.y) *
                                static_cast<std::uint64_t>(lattice.dims.z);
@@ -269,8 +221,7 @@ void write(const fs::path& path, const volume::Grid& grid, const StoredLight& li
     }
     out.end();
   }
-  const std::string tail = "\n  </AppendedData>\n</VTKFile>\n";
-  file.write(tail.data(), tail.size());
+  file.write("\n  </AppendedData>\n</VTKFile>\n");
   file.commit();
   progress.report(1.0, "writing light");
 }
@@ -284,6 +235,17 @@ void writeBakeFile(const fs::path& path, const volume::Grid& grid, const StoredL
   } catch (const std::bad_alloc&) {
     throw scene::Error(scene::ErrorKind::memory, path.string(), "", "out of memory while light is written");
   }
+}
+
+bool looksLikeBakeFile(const fs::path& path) {
+  constexpr std::size_t searched = 4096;  // the volume's hash is the first field
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;
+  std::string beginning(searched, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return beginning.find("<VTKFile type=\"ImageData\"") != std::string::npos &&
+         beginning.find(kFirstField) != std::string::npos;
 }
 
 }  // namespace isolux::gi

@@ -1,17 +1,13 @@
 #include "volume/writer.h"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <memory>
-#include <optional>
 #include <vector>
 
-#include <unistd.h>
-
 #include "scene/error.h"
+#include "scene/pending_file.h"
 #include "volume/read/text.h"
 
 namespace isolux::volume {
@@ -155,47 +151,6 @@ std::string vtiHeader(const Grid& grid, VoxelType type, std::uint64_t bytes) {
   return text + std::string(size, 8);
 }
 
-// Written beside its place and renamed there by finish(); removed when that does not happen.
-class NewFile {
- public:
-  explicit NewFile(fs::path path) : path_(std::move(path)), beside_(path_) {
-    beside_ += ".part" + std::to_string(::getpid());
-    out_.open(beside_, std::ios::binary | std::ios::trunc);
-    check();
-  }
-  ~NewFile() {
-    std::error_code ignored;
-    if (!finished_) fs::remove(beside_, ignored);
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-
-  void write(std::span<const std::byte> bytes) {
-    out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    check();
-  }
-  void write(const std::string& text) { write(std::as_bytes(std::span(text))); }
-  void close() {
-    out_.close();
-    check();
-  }
-  void finish() {
-    std::error_code error;
-    fs::rename(beside_, path_, error);
-    if (error) scene::throwInput(path_.string(), "", "cannot be written: " + error.message());
-    finished_ = true;
-  }
-
- private:
-  void check() {
-    if (!out_)
-      scene::throwInput(path_.string(), "", std::string("cannot be written: ") + std::strerror(errno));
-  }
-  fs::path path_, beside_;
-  std::ofstream out_;
-  bool finished_ = false;
-};
-
 }  // namespace
 
 void writeVolume(const Grid& grid, const fs::path& path) {
@@ -205,25 +160,24 @@ void writeVolume(const Grid& grid, const fs::path& path) {
                        "volumes are written as .mhd, .mha, .nrrd or .vti, not as " + inQuotes(extension));
   Values values;
   fill(grid, values);
-  NewFile file(path);
+  scene::OutputFile file(path);
   if (extension == ".mhd") {
     fs::path data = path;
     data.replace_extension(".raw");
-    NewFile raw(data);
-    raw.write(values.bytes);
-    raw.close();
+    scene::OutputFile raw(data);
+    raw.write(values.bytes.data(), values.bytes.size());
+    raw.finish();
     file.write(metaImageHeader(grid, values.type, data.filename().string()));
-    file.close();
-    raw.finish();  // the voxels first: a header never stands without them
+    file.finish();
+    raw.commit();  // the voxels first: a header never stands without them
   } else {
     if (extension == ".mha") file.write(metaImageHeader(grid, values.type, "LOCAL"));
     if (extension == ".nrrd") file.write(nrrdHeader(grid, values.type));
     if (extension == ".vti") file.write(vtiHeader(grid, values.type, values.bytes.size()));
-    file.write(values.bytes);
-    if (extension == ".vti") file.write(std::string("\n  </AppendedData>\n</VTKFile>\n"));
-    file.close();
+    file.write(values.bytes.data(), values.bytes.size());
+    if (extension == ".vti") file.write("\n  </AppendedData>\n</VTKFile>\n");
   }
-  file.finish();
+  file.commit();
 }
 
 }  // namespace isolux::volume

@@ -45,7 +45,6 @@ TEST(PendingFile, IsRemovedOnTheWayOut) {
   const fs::path folder = test::temporaryFolder();
   PendingFile first(folder / "a.txt"), second(folder / "b.txt");
   std::ofstream(first.path()) << "half";
-  fs::create_directories(second.path() / "inside");
   removePendingFiles();
   EXPECT_TRUE(fs::is_empty(folder));
 }
@@ -56,6 +55,20 @@ TEST(PendingFile, RefusesWhatCannotBeReplaced) {
   EXPECT_THROW(PendingFile{folder}, scene::Error);
   EXPECT_THROW(PendingFile(folder / "no" / "a"), scene::Error);
   EXPECT_THROW(PendingFile("/dev/null"), scene::Error) << "a rename would replace the device";
+}
+
+TEST(MadeFolder, StaysOnlyWithSomethingInIt) {
+  const fs::path folder = test::temporaryFolder();
+  { const MadeFolder made(folder / "a" / "b"); }
+  EXPECT_TRUE(fs::is_empty(folder));
+  {
+    const MadeFolder made(folder / "a" / "b");
+    writeTextFile(made.path() / "x.txt", "x");
+  }
+  EXPECT_EQ(test::contentOf(folder / "a" / "b" / "x.txt"), "x");
+  { const MadeFolder there(folder / "a"); }
+  EXPECT_TRUE(fs::exists(folder / "a" / "b"));
+  EXPECT_THROW(MadeFolder(folder / "a" / "b" / "x.txt" / "c"), scene::Error);
 }
 
 TEST(TextFile, ReadsWithALimit) {

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -44,6 +45,10 @@ RunningIsolux::RunningIsolux(const std::vector<std::string>& arguments, const Ru
     const rlimit limit{settings.addressSpace, settings.addressSpace};
     ::setrlimit(RLIMIT_AS, &limit);
   }
+  if (settings.fileSize > 0) {
+    const rlimit limit{settings.fileSize, settings.fileSize};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
   for (std::string& variable : environment) ::putenv(variable.data());
   const int outFile = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600),
             errFile = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
@@ -62,6 +67,13 @@ RunningIsolux::~RunningIsolux() {
 
 void RunningIsolux::signal(int number) const {
   ::kill(pid_, number);
+}
+
+double RunningIsolux::processorSeconds() const {
+  clockid_t clock{};
+  timespec used{};
+  if (::clock_getcpuclockid(pid_, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0.0;
+  return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
 }
 
 RunResult RunningIsolux::wait() {

@@ -20,6 +20,7 @@ struct RunSettings {
   std::filesystem::path folder{};          // working directory; empty: a fresh one
   std::vector<std::string> environment{};  // "NAME=VALUE", beside that of the test
   std::size_t addressSpace = 0;            // bytes, 0: no limit
+  std::size_t fileSize = 0;                // bytes of any file it writes, 0: no limit
 };
 
 // Starts now, finished by wait(). Output goes to files, so nothing can block.
@@ -31,6 +32,7 @@ class RunningIsolux {
   RunningIsolux& operator=(const RunningIsolux&) = delete;
 
   void signal(int number) const;
+  double processorSeconds() const;  // that it has used so far, on all cores
   RunResult wait();
 
  private:
