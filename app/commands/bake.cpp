@@ -9,6 +9,7 @@
 #include "app/light_report.h"
 #include "app/progress_bar.h"
 #include "app/version.h"
+#include "gi/bake_file.h"
 #include "scene/automatic.h"
 #include "scene/error.h"
 #include "scene/relevance.h"
@@ -24,7 +25,7 @@ constexpr double checkpointSeconds = 60.0;
 
 struct BakeOptions {
   std::string path, out, stats, size = "1024x768";
-  bool explain = false;
+  bool explain = false, overwrite = false;
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
 };
@@ -71,14 +72,17 @@ void runBake(const BakeOptions& options, scene::Progress& progress) {
   const fs::path out(options.out);
   if (out.extension() != ".vti")
     throw scene::Error(scene::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
+  requireSource(options.path, *options.scene);
   scene::Scene scene = bakeScene(options);
   if (!scene::giChoiceOf(scene).wanted)
     throw scene::Error(scene::ErrorKind::usage, "", "gi.mode",
                        "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
-  { const PendingFile writable(out); }
-  if (!options.stats.empty()) {
-    const PendingFile writable{fs::path(options.stats)};
-  }
+  OutputGuard guard = outputGuard(options.path, *options.scene, scene);
+  checkOutput(guard, options.out, "--out");
+  checkOutput(guard, options.stats, "--stats");
+  std::error_code missing;
+  if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
+    scene::throwInput(options.out, "", "holds something other than stored light; --overwrite replaces it");
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
 
@@ -97,9 +101,7 @@ void runBake(const BakeOptions& options, scene::Progress& progress) {
     }
     controller.save(out, writing);
   }
-  if (!replaced.empty())
-    std::fprintf(stderr, "isolux: note: %s held other light and was replaced: %s\n", options.out.c_str(),
-                 replaced.c_str());
+  if (!replaced.empty()) printNote(options.out + " held other light and was replaced: " + replaced);
   const LightState state = controller.state();
   if (!options.stats.empty()) {
     ordered_json json;
@@ -109,8 +111,7 @@ void runBake(const BakeOptions& options, scene::Progress& progress) {
     writeTextFile(options.stats, jsonText(json));
   }
   if (options.explain) printBake(state);
-  for (const std::string& warning : state.warnings)
-    std::fprintf(stderr, "isolux: note: %s\n", warning.c_str());
+  for (const std::string& warning : state.warnings) printNote(warning);
   printWarnings(prepared->volume);
 }
 
@@ -120,9 +121,8 @@ Command makeBake(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("bake", "Compute the light of a volume's isosurfaces and write it to a file");
   auto options = std::make_shared<BakeOptions>();
-  parser
-      ->add_option("PATH", options->path, "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session")
-      ->required();
+  parser->add_option("PATH", options->path,
+                     "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
   parser
       ->add_option(
           "--out", options->out,
@@ -134,6 +134,8 @@ Command makeBake(CLI::App& program) {
       ->type_name("FILE");
   parser->add_option("--size", options->size, "Pixels of the view, with gi.extent=view; default 1024x768")
       ->type_name("WxH");
+  parser->add_flag("--overwrite", options->overwrite,
+                   "Replace --out also where it is something other than stored light");
   parser->add_flag("--explain", options->explain, "Print what is stored, and why");
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);

@@ -46,21 +46,14 @@ void checkName(const std::string& name) {
                                  : "no such phantom, did you mean " + suggestion + "?");
 }
 
-// Some formats are two files, and the writer knows nothing of interrupts: so it writes into a pending folder,
-// from which the finished files are renamed, the named one last.
-void writeWhole(const volume::Grid& grid, const fs::path& out) {
-  const PendingFile staging(out);
-  try {
-    fs::create_directory(staging.path());
-    volume::writeVolume(grid, staging.path() / out.filename());
-  } catch (const Error& error) {
-    throw Error(error.kind(), out.string(), "", error.reason());
-  }
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(staging.path()))
-    if (entry.path().filename() != out.filename()) files.push_back(entry.path().filename());
-  files.push_back(out.filename());
-  for (const fs::path& name : files) fs::rename(staging.path() / name, out.parent_path() / name);
+// The voxels of NAME.mhd go to NAME.raw, which nobody has named: if it is not that of an older NAME.mhd, it
+// may be a scan.
+void checkVoxelFile(const fs::path& out) {
+  if (out.extension() != ".mhd") return;
+  const fs::path voxels = fs::path(out).replace_extension(".raw");
+  std::error_code ignored;
+  if (fs::exists(voxels, ignored) && !fs::exists(out, ignored))
+    scene::throwInput(out.string(), "", "its voxels would replace the file " + voxels.filename().string());
 }
 
 void runPhantom(const PhantomOptions& options, scene::Progress& progress) {
@@ -72,10 +65,11 @@ void runPhantom(const PhantomOptions& options, scene::Progress& progress) {
   if (options.out.empty()) throw Error(ErrorKind::usage, "", "--out", "is required");
   if (!std::isfinite(options.request.noise)) throw Error(ErrorKind::usage, "", "--noise", "must be finite");
   { const PendingFile writable{fs::path(options.out)}; }
+  checkVoxelFile(options.out);
   const ProgressBar bar(progress);
   const volume::Grid grid = volume::makePhantom(options.request, progress);
   progress.throwIfStopped();
-  writeWhole(grid, options.out);
+  volume::writeVolume(grid, options.out);
 }
 
 }  // namespace
