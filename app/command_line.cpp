@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "app/session.h"
 #include "app/version.h"
 #include "scene/error.h"
+#include "scene/printable.h"
 #include "scene/suggestion.h"
 
 namespace isolux::app {
@@ -82,6 +84,7 @@ void checkWord(const std::string& word, const Program& program) {
 
 std::string firstLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
+  text = scene::printable(std::move(text));
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
 }
@@ -143,10 +146,12 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
   if (!session.empty() && isSession(session))
     request.sessionFile = fs::absolute(session).lexically_normal().string();
   request.recordFile = options.record;
+  OutputGuard guard = outputGuard(options.path, *options.scene, request.scene);
+  checkOutput(guard, options.record, "--record");
   return openWindow(request);
 }
 
-void checkOutput() {
+void checkStandardOutput() {
   std::cout.flush();
   if (!std::cout || std::fflush(stdout) != 0) scene::throwInput("standard output", "", "cannot be written");
 }
@@ -172,7 +177,10 @@ int guarded(Body body, const std::function<bool()>& mayReport) {
     line = "not enough memory";
     exitCode = static_cast<int>(ErrorKind::memory);
   } catch (const fs::filesystem_error& error) {
-    line = error.what();
+    // Only the question for the working folder fails without a path: it was deleted.
+    line = Error(ErrorKind::input, error.path1().empty() ? "the working folder" : error.path1().string(), "",
+                 error.code().message())
+               .what();
     exitCode = static_cast<int>(ErrorKind::input);
   } catch (const std::exception& error) {
     line = std::string("a mistake in Isolux itself: ") + error.what();
@@ -184,12 +192,13 @@ int guarded(Body body, const std::function<bool()>& mayReport) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of size is an error of its write, not the end
   return guarded(
       [&] {
         Program program;
         declare(program);
         if (!parse(program, argc, argv)) {
-          checkOutput();
+          checkStandardOutput();
           return 0;
         }
         const auto chosen = std::find_if(program.commands.begin(), program.commands.end(),
@@ -201,7 +210,7 @@ int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
         return guarded(
             [&] {
               chosen->run(progress);
-              checkOutput();
+              checkStandardOutput();
               return 0;
             },
             [&] { return watcher.claimReport(); });

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -20,9 +19,6 @@ namespace fs = std::filesystem;
 using scene::throwInput;
 
 namespace {
-
-// The name of the text that holds the session, in PNG (a tEXt chunk) and EXR (an attribute).
-constexpr const char* sessionKey = "isolux_session";
 
 std::string softwareName() {
   return "isolux " + std::string(version());
@@ -106,36 +102,6 @@ void writeExr(glm::ivec2 size, const std::vector<FloatChannel>& channels, const 
     for (std::size_t p = 0; p < pixels; ++p) values[p * channels.size() + c] = channels[c].values[p];
   }
   writeExrFile(size, names, values, textsOf(session), file);
-}
-
-// Walks the chunks itself: nothing of the picture need be decoded for its session.
-std::string readSessionText(const fs::path& file) {
-  constexpr std::uint32_t longestText = std::uint32_t{16} << 20;
-  std::ifstream stream(file, std::ios::binary);
-  std::array<char, 8> bytes{};
-  const auto readBytes = [&] { return static_cast<bool>(stream.read(bytes.data(), bytes.size())); };
-  if (!readBytes() || std::string_view(bytes.data(), bytes.size()) != "\x89PNG\r\n\x1a\n")
-    throwInput(file.string(), "", "is not a PNG picture");
-  const std::string wanted = std::string(sessionKey) + '\0';
-  while (readBytes()) {  // length and type of a chunk; its data and 4 bytes of CRC follow
-    std::uint32_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<std::uint8_t>(bytes[i]);
-    const std::string_view type(bytes.data() + 4, 4);
-    if (type == "IEND") break;
-    if (type != "tEXt" || length > longestText) {
-      stream.seekg(std::streamoff{length} + 4, std::ios::cur);
-      continue;
-    }
-    std::string text;
-    for (std::array<char, 4096> part{}; text.size() < length;) {  // a false length costs nothing
-      const std::size_t size = std::min<std::size_t>(part.size(), length - text.size());
-      if (!stream.read(part.data(), static_cast<std::streamsize>(size))) return {};
-      text.append(part.data(), size);
-    }
-    if (text.starts_with(wanted)) return text.substr(wanted.size());
-    stream.seekg(4, std::ios::cur);
-  }
-  return {};
 }
 
 render::ColorImage readPng(const fs::path& file) {

@@ -1,6 +1,7 @@
 #include "app/recording.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <utility>
 
@@ -10,7 +11,6 @@
 #include "app/stored_scene.h"
 #include "app/version.h"
 #include "scene/error.h"
-#include "scene/flow_clock.h"
 
 namespace isolux::app {
 
@@ -76,14 +76,13 @@ Recording::Step stepOf(const json& entry, const std::string& file, const std::st
 }  // namespace
 
 Recorder::Recorder(const fs::path& file, const scene::Scene& start)
-    : stream_(file, std::ios::binary), folder_(file.parent_path()), begin_(std::chrono::steady_clock::now()) {
-  if (!stream_) throwInput(file.string(), "", "cannot be written");
+    : file_(file), stream_(file, std::ios::binary), begin_(std::chrono::steady_clock::now()) {
+  if (!stream_) scene::throwCannotWrite(file_, errno);
   json header;
   header["isolux_recording"] = recordingVersion;
   header["program"] = version();
-  header["scene"] = storedScene(start, folder_);
-  stream_ << line(header) << std::flush;
-  if (!stream_) throwInput(file.string(), "", "cannot be written");
+  header["scene"] = storedScene(start, file_.parent_path());
+  write(line(header));
 }
 
 void Recorder::add(const scene::SceneDiff& diff) {
@@ -99,25 +98,42 @@ void Recorder::add(const scene::SceneDiff& diff, double seconds) {
   json& set = entry["set"] = json::object();
   for (const scene::SceneChange& change : diff.changes) {
     const bool path = isStoredPath(change.path) && change.value.is_string();
-    set[change.path] = path ? json(storedSourcePath(change.value.get<std::string>(), folder_)) : change.value;
+    set[change.path] =
+        path ? json(storedSourcePath(change.value.get<std::string>(), file_.parent_path())) : change.value;
   }
-  stream_ << line(entry) << std::flush;
+  write(line(entry));
+}
+
+void Recorder::write(const std::string& text) {
+  errno = 0;
+  stream_ << text << std::flush;
+  if (!stream_) scene::throwCannotWrite(file_, errno);
 }
 
 scene::Scene Recording::sceneAt(double seconds) const {
-  scene::Scene scene = start;
-  scene::FlowClock clock(scene);
-  double now = 0.0;
-  for (const Step& step : steps) {
-    if (step.seconds > seconds) break;
-    clock.advance(step.seconds - now);
-    now = step.seconds;
-    scene = scene::applied(std::move(scene), step.diff);
-    clock.setScene(scene);
+  return Playback(*this).at(seconds);
+}
+
+Playback::Playback(const Recording& recording)
+    : recording_(recording), scene_(recording.start), clock_(recording.start) {}
+
+const scene::Scene& Playback::at(double seconds) {
+  constexpr double slack =
+      1e-9;  // a change at exactly n/fps is in frame n for every rounding of the quotient
+  const std::vector<Recording::Step>& steps = recording_.steps;
+  const auto advanceTo = [this](double time) {
+    clock_.advance(std::max(time - now_, 0.0));
+    now_ = std::max(time, now_);
+  };
+  for (; next_ < steps.size() && steps[next_].seconds <= seconds + slack; ++next_) {
+    advanceTo(steps[next_].seconds);
+    scene_ = scene::applied(std::move(scene_), steps[next_].diff);
+    clock_.setScene(scene_);
   }
-  clock.advance(std::max(seconds - now, 0.0));
-  scene.flow.time = clock.seconds();
-  return scene;
+  advanceTo(seconds);
+  shown_ = scene_;
+  shown_.flow.time = clock_.seconds();
+  return shown_;
 }
 
 Recording loadRecording(const fs::path& file) {
@@ -131,6 +147,8 @@ Recording loadRecording(const fs::path& file) {
     begin = end + 1;
     const std::string place = "line " + std::to_string(++number);
     if (number > 1 && lineText.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const bool cutOff = number > 1 && end == text.size() && !json::accept(lineText);
+    if (cutOff) break;
     const json entry = parseJson(lineText, name, place);
     if (number == 1) {
       recording.start = startOf(entry, name, file.parent_path());

@@ -8,22 +8,27 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <vector>
 
+#include "scene/flow_clock.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
 
 class Recorder {
  public:
-  // Starts the file at once, each add() is flushed: a crash loses nothing. Throws Error{input}.
+  // Starts the file at once, each add() is flushed: a crash loses nothing. Both throw Error{input} when the
+  // system cannot write; what was recorded before can still be replayed.
   Recorder(const std::filesystem::path& file, const scene::Scene& start);
   void add(const scene::SceneDiff& diff);                  // at the time since the start
   void add(const scene::SceneDiff& diff, double seconds);  // at a given time (tests)
 
  private:
+  void write(const std::string& text);
+
+  std::filesystem::path file_;
   std::ofstream stream_;
-  std::filesystem::path folder_;  // of the file: source.path is stored relative to it
   std::chrono::steady_clock::time_point begin_;
 };
 
@@ -38,6 +43,23 @@ struct Recording {
   // As the window showed it then: an animated flow has moved on.
   scene::Scene sceneAt(double seconds) const;
 };
-Recording loadRecording(const std::filesystem::path& file);  // Error{input} with the line number
+// The same for times that do not decrease, such as the frames of a movie: each step is applied once. The
+// recording must live as long.
+class Playback {
+ public:
+  explicit Playback(const Recording& recording);
+  const scene::Scene& at(double seconds);
+
+ private:
+  const Recording& recording_;
+  scene::Scene scene_;  // with the flow's time of the recording
+  scene::Scene shown_;  // with that of the clock
+  scene::FlowClock clock_;
+  std::size_t next_ = 0;  // step
+  double now_ = 0.0;      // seconds
+};
+// Throws Error{input} with the line number. A last line that was cut off (no newline, no JSON) is left out:
+// the system or the disk ended the recording there.
+Recording loadRecording(const std::filesystem::path& file);
 
 }  // namespace isolux::app

@@ -23,7 +23,6 @@ namespace {
 
 constexpr std::size_t longestSession = std::size_t{16} << 20;  // bytes
 constexpr std::string_view versionKey = "isolux_session";
-constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 
 // Version 1 was flat: {"isolux_session": 1, "settings": {"isosurface.value": 300, ...}}.
 json upgradeFrom1(json session, const std::string& file) {
@@ -88,7 +87,7 @@ void saveSession(const scene::Scene& scene, const fs::path& file) {
 }
 
 scene::Scene loadSession(const fs::path& file) {
-  const bool picture = readBeginning(file, pngSignature.size()) == pngSignature;
+  const bool picture = looksLikePicture(readBeginning(file, 8));
   const std::string text = picture ? readSessionText(file) : readTextFile(file, longestSession);
   if (picture && text.empty()) throwInput(file.string(), "", "this picture carries no session");
   if (text.size() > longestSession) throwInput(file.string(), "", "the session in this picture is too long");
@@ -98,7 +97,7 @@ scene::Scene loadSession(const fs::path& file) {
 bool isSession(const fs::path& file) {
   constexpr std::size_t searched = std::size_t{1} << 20;
   const std::string beginning = readBeginning(file, searched);
-  if (beginning.starts_with(pngSignature)) {
+  if (looksLikePicture(beginning)) {
     try {
       return !readSessionText(file).empty();
     } catch (const scene::Error&) {

@@ -1,4 +1,4 @@
-// Sessions: a Scene as versioned JSON, in a .isolux file or inside a PNG picture.
+// Sessions: a Scene as versioned JSON, in a .isolux file or inside a PNG or EXR picture.
 //
 // {"isolux_session": 2, "program": "0.1.0", "scene": {...}}. An unknown key fails with its path, an older
 // version is upgraded, a missing key takes its default. source.path is stored relative to the session file
@@ -20,7 +20,7 @@ scene::Scene parseSession(const std::string& text, const std::string& file,
                           const std::filesystem::path& folder);
 
 void saveSession(const scene::Scene& scene, const std::filesystem::path& file);  // beside, then renamed
-scene::Scene loadSession(const std::filesystem::path& file);                     // .isolux, .json or .png
+scene::Scene loadSession(const std::filesystem::path& file);  // .isolux, .json, .png or .exr
 
 // True for files that loadSession() should be tried on (by content).
 bool isSession(const std::filesystem::path& file);

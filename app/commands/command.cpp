@@ -9,10 +9,13 @@
 
 #include <tbb/global_control.h>
 
+#include "app/files.h"
+#include "app/image_io.h"
 #include "app/progress_bar.h"
 #include "app/session.h"
 #include "scene/error.h"
 #include "scene/memory_budget.h"
+#include "scene/printable.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -125,6 +128,11 @@ std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
   return choice;
 }
 
+void requireSource(const std::string& path, const SceneOptions& options) {
+  if (path.empty() && options.session.empty())
+    throw Error(ErrorKind::usage, "", "PATH", "is required, or --session FILE");
+}
+
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
   scene::Scene scene;
   if (!options.session.empty()) scene = loadSession(options.session);
@@ -142,6 +150,20 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
   return scene;
 }
 
+OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene) {
+  OutputGuard guard;
+  guard.reads(options.session, "the session");
+  if (!path.empty() && isSession(path)) guard.reads(path, "the session");
+  guard.reads(scene);
+  return guard;
+}
+
+void checkOutput(OutputGuard& guard, const std::string& file, const std::string& option) {
+  if (file.empty()) return;
+  guard.writes(file, option);
+  const PendingFile writable{fs::path(file)};
+}
+
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
                                                                   scene::Progress& progress) {
   const ProgressBar bar(progress);
@@ -149,11 +171,15 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
 }
 
 void printWarnings(const volume::Volume& volume) {
-  for (const std::string& warning : volume.warnings) std::cerr << "isolux: note: " << warning << '\n';
+  for (const std::string& warning : volume.warnings) printNote(warning);
+}
+
+void printNote(const std::string& text) {
+  std::cerr << "isolux: note: " << scene::printable(text) << '\n';
 }
 
 glm::ivec2 parseSize(const std::string& text) {
-  constexpr int largest = 16384;
+  constexpr int largest = kLargestPicture;
   glm::ivec2 size{0};
   const char* const end = text.data() + text.size();
   const auto width = std::from_chars(text.data(), end, size.x);
@@ -164,6 +190,13 @@ glm::ivec2 parseSize(const std::string& text) {
       return size;
   }
   throw Error(ErrorKind::usage, "", "--size", '"' + text + "\" is not WxH, 1 to 16384 pixels each");
+}
+
+glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string& path,
+                       const SceneOptions& options) {
+  if (text) return parseSize(*text);
+  const glm::ivec2 own = pngSize(path.empty() || !options.session.empty() ? options.session : path);
+  return own.x > 0 ? own : glm::ivec2(1024, 768);
 }
 
 std::string hashText(std::uint64_t hash) {

@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/output_guard.h"
 #include "render/gl_context.h"
 #include "scene/progress.h"
 #include "scene/scene.h"
@@ -48,17 +50,28 @@ void addMemoryOption(CLI::App& parser);
 int threadsInForce();  // all of the machine's, or what --threads says
 std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser);
 
+// Throws Error{usage} where neither PATH nor a session says what to open.
+void requireSource(const std::string& path, const SceneOptions& options);
 // The session (or the default scene), then PATH (a volume, a session, or a picture with one; "": none), then
 // the assignments.
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options);
+// Knows all files that `scene`, made by sceneOf() of the same arguments, is read from.
+OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene);
+// Refuses `file` if the guard does, and throws if it cannot be written. An empty name: nothing to check.
+void checkOutput(OutputGuard& guard, const std::string& file, const std::string& option);
 
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
                                                                   scene::Progress& progress);
+// "isolux: note: TEXT" on stderr, one line whatever the text holds.
+void printNote(const std::string& text);
 // What the reader had to do, as notes on stderr: after success only, so that a failure stays one line.
 void printWarnings(const volume::Volume& volume);
 
 // "WxH", 1 to 16384 each; throws Error{usage}.
 glm::ivec2 parseSize(const std::string& text);
+// What --size says; without it the size of the picture that the session comes from, else 1024x768.
+glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string& path,
+                       const SceneOptions& options);
 std::string hashText(std::uint64_t hash);                  // 16 hex digits
 std::string numberText(double value);                      // shortest that reads back the same
 std::string bytesText(std::uint64_t bytes);                // "13.5 MiB"

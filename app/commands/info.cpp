@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/commands/command.h"
+#include "scene/printable.h"
 
 namespace isolux::app {
 
@@ -118,8 +119,8 @@ void printText(const PreparedVolume& prepared, std::ostream& out) {
   const double isovalue = prepared.facts.suggestedIsovalue;
   const std::string unit = v.unit.empty() ? "" : " " + v.unit;
   const auto row = [&out](const char* name, const std::string& text) {
-    out << name << std::string(std::max<std::size_t>(14 - std::string_view(name).size(), 1), ' ') << text
-        << '\n';
+    out << name << std::string(std::max<std::size_t>(14 - std::string_view(name).size(), 1), ' ')
+        << scene::printable(text) << '\n';
   };
   row("name", v.name);
   row("format", v.format);
@@ -159,14 +160,14 @@ Command makeInfo(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("info", "Say what a volume is: size, spacing, orientation, values");
   auto options = std::make_shared<InfoOptions>();
-  parser
-      ->add_option("PATH", options->path, "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session")
-      ->required();
+  parser->add_option("PATH", options->path,
+                     "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
   parser->add_flag("--json", options->json, "Print one JSON object instead of text (docs/commands.md)");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux info head.nii.gz --json");
   return {parser, [options, sceneOptions](scene::Progress& progress) {
+            requireSource(options->path, *sceneOptions);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             const auto prepared = loadWithProgressBar(scene.source, progress);
             if (options->json)

@@ -28,7 +28,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kSecondsBetweenWrites = 5.0;  // of the picture so far, which an interrupt leaves
 
 struct ReferenceOptions {
-  std::string path, out, size = "1024x768", stats;
+  std::string path, out, stats;
+  std::optional<std::string> size;
   std::uint32_t samples = 256;
   std::shared_ptr<SceneOptions> scene;
 };
@@ -81,12 +82,13 @@ void runReference(const ReferenceOptions& options, scene::Progress& progress) {
   if (out.extension() != ".exr" && out.extension() != ".png")
     throw Error(ErrorKind::usage, options.out, "",
                 "the name of a reference picture must end in .exr or .png");
+  requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
-  gi::Reference::Options reference{parseSize(options.size), scene.gi.threads.value_or(threadsInForce())};
-  { const PendingFile writable{out}; }  // before anything slow starts
-  if (!options.stats.empty()) {
-    const PendingFile writable{fs::path(options.stats)};
-  }
+  gi::Reference::Options reference{pictureSize(options.size, options.path, *options.scene),
+                                   scene.gi.threads.value_or(threadsInForce())};
+  OutputGuard guard = outputGuard(options.path, *options.scene, scene);  // before anything slow starts
+  checkOutput(guard, options.out, "--out");
+  checkOutput(guard, options.stats, "--stats");
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
   const std::string session = sessionText(scene, out.parent_path());
@@ -134,11 +136,9 @@ Command makeReference(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
       "reference", "Path trace every pixel, without stored light: the yardstick of look gi");
   auto options = std::make_shared<ReferenceOptions>();
-  parser
-      ->add_option(
-          "PATH", options->path,
-          "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one")
-      ->required();
+  parser->add_option(
+      "PATH", options->path,
+      "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
   parser
       ->add_option(
           "--out", options->out,
@@ -148,7 +148,10 @@ Command makeReference(CLI::App& program) {
   parser->add_option("--spp", options->samples, "Light paths per pixel; default 256")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000).description(""));
-  parser->add_option("--size", options->size, "Pixels; default 1024x768")->type_name("WxH");
+  parser
+      ->add_option("--size", options->size,
+                   "Pixels; default: those of the .png that the session comes from, else 1024x768")
+      ->type_name("WxH");
   parser->add_option("--stats", options->stats, "Write what was computed and what it cost as JSON")
       ->type_name("FILE");
   addThreadsOption(*parser);

@@ -28,7 +28,8 @@ using scene::Error;
 using scene::ErrorKind;
 
 struct RenderOptions {
-  std::string path, light, out, size = "1024x768", aov, stats;
+  std::string path, light, out, aov, stats;
+  std::optional<std::string> size;
   bool explain = false;
   int repeat = 0;
   std::shared_ptr<render::ContextChoice> context;
@@ -41,7 +42,7 @@ render::FrameRequest requestOf(const RenderOptions& options, const scene::Scene&
   if (extension != ".png" && extension != ".exr")
     throw Error(ErrorKind::usage, options.out, "", "the name of a picture must end in .png or .exr");
   render::FrameRequest request;
-  request.size = parseSize(options.size);
+  request.size = pictureSize(options.size, options.path, *options.scene);
   request.supersampling = scene.picture.supersampling;
   if (!options.aov.empty()) {
     request.aovs = render::parseAovList(options.aov);
@@ -152,12 +153,13 @@ void writePicture(render::Renderer& renderer, const render::FrameRequest& reques
 }
 
 void runRender(const RenderOptions& options, scene::Progress& progress) {
+  requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
   const render::FrameRequest request = requestOf(options, scene);
-  { const PendingFile writable{fs::path(options.out)}; }  // before anything slow starts
-  if (!options.stats.empty()) {
-    const PendingFile writable{fs::path(options.stats)};
-  }
+  OutputGuard guard = outputGuard(options.path, *options.scene, scene);  // before anything slow starts
+  guard.reads(options.light, "the stored light");
+  checkOutput(guard, options.out, "--out");
+  checkOutput(guard, options.stats, "--stats");
 
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
@@ -187,8 +189,7 @@ void runRender(const RenderOptions& options, scene::Progress& progress) {
     printPasses(drawn.report);
     printBake(light.state());
   }
-  for (const std::string& warning : light.state().warnings)
-    std::fprintf(stderr, "isolux: note: %s\n", warning.c_str());
+  for (const std::string& warning : light.state().warnings) printNote(warning);
   printWarnings(prepared->volume);
   if (drawn.report.bricks.missing > 0.0)
     std::fprintf(
@@ -202,17 +203,18 @@ void runRender(const RenderOptions& options, scene::Progress& progress) {
 Command makeRender(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand("render", "Draw one picture to a file, without a window");
   auto options = std::make_shared<RenderOptions>();
-  parser
-      ->add_option(
-          "PATH", options->path,
-          "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one")
-      ->required();
+  parser->add_option(
+      "PATH", options->path,
+      "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
   parser
       ->add_option("--out", options->out,
                    "The picture to write: .png (8 bit sRGB, with its session) or .exr (float)")
       ->type_name("FILE")
       ->required();
-  parser->add_option("--size", options->size, "Pixels; default 1024x768")->type_name("WxH");
+  parser
+      ->add_option("--size", options->size,
+                   "Pixels; default: those of the .png that the session comes from, else 1024x768")
+      ->type_name("WxH");
   std::string known;
   for (const render::AovInfo& info : render::aovs())
     known += (known.empty() ? "" : ",") + std::string(info.name);

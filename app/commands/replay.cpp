@@ -96,7 +96,7 @@ std::string lastLine(std::string text) {
 void makeMovie(const fs::path& folder, int frames, double fps, scene::Progress& progress) {
   const fs::path ffmpeg = findProgram("ffmpeg");
   if (ffmpeg.empty()) {
-    std::cerr << "isolux: note: no movie.mp4: ffmpeg was not found\n";
+    printNote("no movie.mp4: ffmpeg was not found");
     return;
   }
   PendingFile movie(folder / "movie.mp4");
@@ -105,46 +105,57 @@ void makeMovie(const fs::path& folder, int frames, double fps, scene::Progress& 
       ffmpeg,
       {"-nostdin", "-loglevel", "error", "-y", "-framerate", numberText(fps), "-start_number", "0", "-i",
        "frame_%05d.png", "-frames:v", std::to_string(frames), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-       "-pix_fmt", "yuv420p", "-f", "mp4", movie.path().filename().string()},
+       "-pix_fmt", "yuv420p", "-f", "mp4", fs::absolute(movie.path()).string()},
       folder, progress);
   std::error_code missing;
   if (result.exitCode == 0 && fs::file_size(movie.path(), missing) > 0 && !missing) {
     movie.commit();
     return;
   }
-  std::cerr << "isolux: note: no movie.mp4: ffmpeg failed (" << result.exitCode
-            << "): " << lastLine(result.output) << '\n';
+  printNote("no movie.mp4: ffmpeg failed (" + std::to_string(result.exitCode) +
+            "): " + lastLine(result.output));
 }
 
 void noteOlderFrames(const fs::path& folder, int frames) {
   std::error_code ignored;
   if (frames < mostFrames && fs::exists(folder / frameName(frames), ignored))
-    std::cerr << "isolux: note: " << folder.string() << " holds more frames, of an older replay\n";
+    printNote(folder.string() + " holds more frames, of an older replay");
+}
+
+// Every scene of the recording may name files of its own.
+void checkOutputs(const fs::path& folder, int frames, const std::string& file, const Recording& recording) {
+  OutputGuard guard;
+  guard.reads(file, "the recording");
+  scene::Scene scene = recording.start;
+  guard.reads(scene);
+  for (const Recording::Step& step : recording.steps) {
+    scene::Scene next = scene::applied(scene, step.diff);
+    if (!(next.source == scene.source) || next.light.environment.file != scene.light.environment.file)
+      guard.reads(next);
+    scene = std::move(next);
+  }
+  checkOutput(guard, (folder / frameName(0)).string(), "--out");
+  for (int frame = 1; frame < frames; ++frame)
+    if (std::error_code ignored; fs::exists(folder / frameName(frame), ignored))
+      guard.writes(folder / frameName(frame), "--out");
+  guard.writes(folder / "movie.mp4", "--out");
 }
 
 void runReplay(const ReplayOptions& options, scene::Progress& progress) {
   const glm::ivec2 size = parseSize(options.size);
   const Recording recording = loadRecording(options.recording);
   const int frames = frameCount(recording, options.fps, options.recording);
-  const fs::path folder(options.out);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    scene::throwInput(options.out, "", "is not a folder and cannot be made one");
-  { const PendingFile writable(folder / frameName(0)); }
+  const MadeFolder made(options.out);
+  const fs::path& folder = made.path();
+  checkOutputs(folder, frames, options.recording, recording);
 
   {
     FrameMaker maker(*options.context, size);
     const ProgressBar bar(progress);
-    scene::Scene scene = recording.start;
-    std::size_t next = 0;
+    Playback playback(recording);
     for (int frame = 0; frame < frames; ++frame) {
       progress.throwIfStopped();
-      // The small slack keeps a change at exactly n/fps in frame n for every rounding of the quotient.
-      const double until = frame / options.fps + 1e-9;
-      for (; next < recording.steps.size() && recording.steps[next].seconds <= until; ++next)
-        scene = scene::applied(std::move(scene), recording.steps[next].diff);
-      maker.write(scene, folder / frameName(frame), progress);
+      maker.write(playback.at(frame / options.fps), folder / frameName(frame), progress);
       progress.report((frame + 1.0) / frames, "drawing frames");
     }
   }

@@ -1,4 +1,4 @@
-// isolux settings [--markdown]: every setting, from the one list.
+// isolux settings [WORD] [--markdown|--json]: every setting, from the one list.
 #include <cmath>
 #include <iostream>
 
@@ -11,6 +11,11 @@ namespace {
 
 using scene::Setting;
 using scene::SettingType;
+
+struct SettingsOptions {
+  std::string word;
+  bool markdown = false, json = false;
+};
 
 std::string typeName(const Setting& setting) {
   switch (setting.type) {
@@ -65,8 +70,34 @@ std::string allowedText(const Setting& setting) {
   return setting.mayBeAutomatic ? text + ", or auto" : text;
 }
 
-void printText(std::ostream& out) {
+bool matches(const Setting& setting, const std::string& word) {
+  return setting.path.find(word) != std::string::npos || setting.meaning.find(word) != std::string::npos;
+}
+
+nlohmann::ordered_json settingsJson(const std::string& word) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Setting& setting : scene::settings()) {
+    if (!matches(setting, word)) continue;
+    nlohmann::ordered_json entry{{"path", setting.path},
+                                 {"type", typeName(setting)},
+                                 {"default", setting.defaultValue()},
+                                 {"automatic", setting.mayBeAutomatic},
+                                 {"unit", setting.unit},
+                                 {"meaning", setting.meaning}};
+    if (setting.type == SettingType::choice) {
+      entry["choices"] = setting.choices;
+    } else if (setting.type != SettingType::text && setting.type != SettingType::toggle) {
+      entry["minimum"] = setting.minimum;
+      entry["maximum"] = setting.maximum;
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+void printText(std::ostream& out, const std::string& word) {
+  for (const Setting& setting : scene::settings()) {
+    if (!matches(setting, word)) continue;
     out << setting.path << "\n    " << setting.meaning << "\n    " << typeName(setting);
     if (const std::string allowed = allowedText(setting); !allowed.empty()) out << ": " << allowed;
     if (!setting.unit.empty()) out << " (" << setting.unit << ')';
@@ -105,14 +136,19 @@ void printMarkdown(std::ostream& out) {
 Command makeSettings(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("settings", "List every setting: path, type, default, range, unit, meaning");
-  auto markdown = std::make_shared<bool>(false);
-  parser->add_flag("--markdown", *markdown, "As the page docs/settings.md");
-  parser->footer("Example:\n  isolux settings | grep -A2 camera");
-  return {parser, [markdown](scene::Progress&) {
-            if (*markdown)
+  auto options = std::make_shared<SettingsOptions>();
+  parser->add_option("WORD", options->word, "Only settings whose path or meaning contains this");
+  CLI::Option* const markdown =
+      parser->add_flag("--markdown", options->markdown, "All of them as the page docs/settings.md");
+  parser->add_flag("--json", options->json, "As a JSON list")->excludes(markdown);
+  parser->footer("Examples:\n  isolux settings camera\n  isolux settings --json > settings.json");
+  return {parser, [options](scene::Progress&) {
+            if (options->markdown)
               printMarkdown(std::cout);
+            else if (options->json)
+              std::cout << jsonText(settingsJson(options->word));
             else
-              printText(std::cout);
+              printText(std::cout, options->word);
           }};
 }
 

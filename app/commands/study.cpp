@@ -23,14 +23,10 @@ struct StudyOptions {
   std::shared_ptr<SceneOptions> scene;
 };
 
-fs::path madeFolder(const std::string& name) {
-  fs::path folder = name;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    scene::throwInput(name, "", "is not a folder and cannot be made one");
-  { const PendingFile writable(folder / "study.json"); }
-  return folder;
+// Nothing that the study writes may be what it reads, say a session beside older results.
+void checkOutputs(const fs::path& folder, const std::vector<Knob>& chosen, OutputGuard guard) {
+  for (const char* name : {"study.json", "study.md"}) guard.writes(folder / name, "--out");
+  for (const Knob& knob : chosen) guard.writes(folder / (std::string(knob.name) + ".svg"), "--out");
 }
 
 // Writes what is finished after every knob, so that a stop leaves it.
@@ -69,14 +65,17 @@ class StudyFolder {
 };
 
 void runStudy(const StudyOptions& options, scene::Progress& progress) {
+  requireSource(options.path, *options.scene);
   const std::vector<Knob> chosen = parseKnobs(options.knobs);
   const glm::ivec2 size = parseSize(options.size);
   const scene::Scene scene = sceneOf(options.path, *options.scene);
+  checkOutputs(options.out, chosen, outputGuard(options.path, *options.scene, scene));
   const auto prepared = loadWithProgressBar(scene.source, progress);
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
-  StudyFolder output(madeFolder(options.out), {prepared, scene::resolve(scene, prepared->facts),
-                                               context->description(), size, options.repeat});
+  const MadeFolder folder(options.out);
+  StudyFolder output(folder.path(), {prepared, scene::resolve(scene, prepared->facts), context->description(),
+                                     size, options.repeat});
   Studio studio(context->gl(), prepared, scene, size, options.repeat);
   {
     progress.report(0.0, "preparing");
@@ -89,9 +88,8 @@ void runStudy(const StudyOptions& options, scene::Progress& progress) {
       output.add(studio.study(chosen[i], progress, from, done / all), i + 1 == chosen.size(), progress);
     }
   }
-  if (!output.note().empty()) std::cerr << "isolux: note: " << output.note() << '\n';
-  if (!output.skipped().empty())
-    std::cerr << "isolux: note: not studied, study.md says why: " << output.skipped() << '\n';
+  if (!output.note().empty()) printNote(output.note());
+  if (!output.skipped().empty()) printNote("not studied, study.md says why: " + output.skipped());
   printWarnings(prepared->volume);
 }
 
@@ -102,11 +100,9 @@ Command makeStudy(CLI::App& program) {
       "study",
       "Measure what accuracy costs: error against time of each quality setting, of surfaces and light");
   auto options = std::make_shared<StudyOptions>();
-  parser
-      ->add_option(
-          "PATH", options->path,
-          "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one")
-      ->required();
+  parser->add_option(
+      "PATH", options->path,
+      "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
   parser
       ->add_option("--out", options->out,
                    "The folder for study.md, study.json and a plot per knob; made if missing")

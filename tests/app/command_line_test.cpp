@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line.h"
+#include "app/image_io.h"
 #include "app/session.h"
 #include "scene/settings.h"
 #include "tests/app/run_isolux.h"
@@ -137,6 +138,77 @@ TEST(CommandLine, BadSessionsNameTheKey) {
     EXPECT_TRUE(result.isOneErrorLine()) << result.err;
     EXPECT_THAT(result.err, AllOf(HasSubstr("s.isolux"), HasSubstr("scene.camera.fow")));
   }
+}
+
+TEST(CommandLine, ASessionAloneSaysWhatToOpen) {
+  const fs::path folder = test::temporaryFolder();
+  scene::Scene scene;
+  scene.source.path = "phantom:torus:12";
+  saveSession(scene, folder / "s.isolux");
+  EXPECT_EQ(json::parse(success({"info", "--session", "s.isolux", "--json"}, folder).out)["dims"][0], 12);
+  success({"reference", "--session", "s.isolux", "--spp", "1", "--size", "8x6", "--out", "a.png"}, folder);
+  success({"bake", "--session", "s.isolux", "--set", "gi.samples=1", "--out", "a.vti"}, folder);
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"info"},
+                                             {"render", "--out", "a.png"},
+                                             {"bake", "--out", "a.vti"},
+                                             {"reference", "--out", "a.exr"},
+                                             {"study", "--out", "d"}})
+    EXPECT_THAT(failure(2, words), HasSubstr("PATH"));
+}
+
+TEST(CommandLine, APictureWithASessionIsMadeAgainInItsSize) {
+  const fs::path folder = test::temporaryFolder();
+  const auto reference = [&](const std::string& path, const char* out, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"reference", path, "--spp", "1", "--out", out});
+    success(more, folder);
+    return pngSize(folder / out);
+  };
+  EXPECT_EQ(reference("phantom:ball:8", "a.png", {"--size", "21x17"}), glm::ivec2(21, 17));
+  EXPECT_EQ(reference("a.png", "b.png"), glm::ivec2(21, 17));
+  EXPECT_EQ(reference("a.png", "c.png", {"--size", "9x8"}), glm::ivec2(9, 8));
+  success({"reference", "a.png", "--spp", "1", "--size", "9x8", "--out", "a.exr"}, folder);
+  EXPECT_EQ(json::parse(success({"info", "a.exr", "--json"}, folder).out)["dims"][0], 8)
+      << "its session, too";
+}
+
+TEST(CommandLine, WhatFilesSayReachesTheTerminalWithoutControlCharacters) {
+  const fs::path folder = test::temporaryFolder();
+  const std::string name =
+      "a\x1b]0;title\x07\xc2\x9b"
+      "31m.nrrd";
+  std::ofstream(folder / name) << "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n"
+                                  "space: \x1b[31mred\n\n01234567 and more";
+  std::ofstream(folder / "b.nrrd") << "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\n"
+                                      "01234567";
+  const auto clean = [](const std::string& text) {
+    return text.find_first_of("\x1b\x07\x7f") == std::string::npos &&
+           text.find("\xc2\x9b") == std::string::npos;
+  };
+  const RunResult read = callIsolux({"info", name}, folder);
+  EXPECT_TRUE(clean(read.out)) << read.out;
+  EXPECT_TRUE(clean(read.err)) << read.err;
+  fs::rename(folder / "b.nrrd", folder / ("b" + name));
+  const RunResult named = success({"info", "b" + name}, folder);
+  EXPECT_THAT(named.out, HasSubstr("ba?]0;title??31m.nrrd"));
+  EXPECT_TRUE(clean(named.out));
+}
+
+TEST(CommandLine, ADeletedWorkingFolderIsAPlainLine) {
+  const fs::path folder = test::temporaryFolder() / "gone";
+  fs::create_directory(folder);
+  const fs::path before = fs::current_path();
+  fs::current_path(folder);
+  fs::remove(folder);
+  testing::internal::CaptureStderr();
+  std::vector<std::string> words{"isolux", "info", "v.vti"};
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  const int exitCode = runCommandLine(3, argv.data(), [](const WindowRequest&) { return 0; });
+  const std::string text = testing::internal::GetCapturedStderr();
+  fs::current_path(before);
+  EXPECT_EQ(exitCode, 3);
+  EXPECT_EQ(text, "isolux: v.vti: No such file or directory\n");
 }
 
 TEST(CommandLine, MessagesAreOneLineWhateverTheInput) {
@@ -290,6 +362,23 @@ TEST(SettingsCommand, ListsEachSetting) {
   }
 }
 
+TEST(SettingsCommand, ListsAsJsonAndByWord) {
+  const json all = json::parse(success({"settings", "--json"}).out);
+  ASSERT_EQ(all.size(), scene::settings().size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const scene::Setting& setting = scene::settings()[i];
+    EXPECT_EQ(all[i]["path"], setting.path);
+    EXPECT_EQ(all[i]["default"], setting.defaultValue());
+    EXPECT_EQ(all[i]["unit"], setting.unit);
+    EXPECT_EQ(all[i].contains("choices"), setting.type == scene::SettingType::choice);
+  }
+  const json some = json::parse(success({"settings", "camera.fov", "--json"}).out);
+  ASSERT_GE(some.size(), 1u);
+  EXPECT_EQ(some[0]["path"], "camera.fov");
+  EXPECT_THAT(success({"settings", "camera.fov"}).out, testing::Not(HasSubstr("isosurface.opacity")));
+  failure(2, {"settings", "--json", "--markdown"});
+}
+
 TEST(SettingsCommand, TheDocumentationIsUpToDate) {
   EXPECT_EQ(test::contentOf(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "settings.md"),
             success({"settings", "--markdown"}).out)
@@ -302,11 +391,19 @@ TEST(DoctorCommand, SaysWhatIsThere) {
                           HasSubstr("ffmpeg"), HasSubstr("OSMesa")));
 }
 
+// Until it has used a second of the processor: the command line is behind it then, whatever else the machine
+// does.
+void waitUntilItWorks(const test::RunningIsolux& running) {
+  const auto giveUp = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+  while (running.processorSeconds() < 1.0 && std::chrono::steady_clock::now() < giveUp)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
 TEST(Interrupt, StopsWithoutATrace) {
   for (const int number : {SIGINT, SIGTERM}) {
     const fs::path folder = test::temporaryFolder();
     test::RunningIsolux running({"phantom", "head", "--size", "1024", "--out", "a.mha"}, {.folder = folder});
-    std::this_thread::sleep_for(std::chrono::milliseconds(sanitized ? 3000 : 1500));
+    waitUntilItWorks(running);
     const auto begin = std::chrono::steady_clock::now();
     running.signal(number);
     const RunResult result = running.wait();
@@ -315,7 +412,7 @@ TEST(Interrupt, StopsWithoutATrace) {
     EXPECT_EQ(result.exitCode, 130);
     EXPECT_EQ(result.err, "isolux: interrupted\n");
     EXPECT_THAT(test::filesIn(folder), IsEmpty());
-    EXPECT_LT(seconds, 2.0) << "0.1 s on an idle machine";
+    EXPECT_LT(seconds, 30.0) << "0.1 s on an idle machine; the whole phantom takes minutes of the processor";
   }
 }
 

@@ -161,6 +161,28 @@ TEST(ReplayCommandGl, ReplayingTwiceGivesIdenticalFrames) {
   EXPECT_NE(pixels(4), pixels(5)) << "the last change is in the last frame";
 }
 
+TEST(ReplayCommandGl, AnAnimatedFlowRunsOnFromFrameToFrame) {
+  const fs::path folder = test::temporaryFolder();
+  {
+    scene::Scene start;
+    start.source.path = "phantom:torus:16";
+    start.look.mode = scene::LookMode::flow;
+    start.flow.time = 2.0;
+    Recorder recorder(folder / "r.jsonl", start);
+    recorder.add({"Animate", {{"flow.animate", true}}}, 0.1);
+    recorder.add({"Zoom", {{"camera.fov", 40.0}}}, 0.4);
+  }
+  succeed({"replay", "r.jsonl", "--out", "frames", "--fps", "10", "--size", "45x35"}, folder);
+  std::vector<double> times;
+  for (int frame = 0; frame < 5; ++frame)
+    times.push_back(
+        loadSession(folder / "frames" / ("frame_0000" + std::to_string(frame) + ".png")).flow.time);
+  EXPECT_THAT(times, testing::Pointwise(testing::DoubleNear(1e-12), {2.0, 2.0, 2.1, 2.2, 2.3}));
+  EXPECT_NE(readPng(folder / "frames" / "frame_00002.png").rgba,
+            readPng(folder / "frames" / "frame_00003.png").rgba)
+      << "the streaks move though nothing was changed";
+}
+
 TEST(ReplayCommandGl, AFrameIsThePictureOfItsSession) {
   const fs::path folder = test::temporaryFolder();
   writeRecording(folder / "r.jsonl");
