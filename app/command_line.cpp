@@ -10,6 +10,7 @@
 
 #include "app/commands/command.h"
 #include "app/interrupt.h"
+#include "app/recording.h"
 #include "app/session.h"
 #include "app/version.h"
 #include "scene/error.h"
@@ -141,10 +142,14 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
   std::error_code ignored;  // a shell is the better place for this message than an empty window
   if (!options.path.empty() && !options.path.starts_with("phantom:") && !fs::exists(options.path, ignored))
     scene::throwInput(options.path, "", "does not exist");
+  if (!options.path.empty() && isRecording(options.path))
+    scene::throwInput(options.path, "",
+                      "is a recording: `isolux replay " + options.path + " --out DIR` makes pictures of it");
   // A volume given beside a session makes another document, without a file of its own.
   const std::string session = options.path.empty() ? options.scene->session : options.path;
   if (!session.empty() && isSession(session))
     request.sessionFile = fs::absolute(session).lexically_normal().string();
+  if (!options.record.empty()) checkMayRecordInto(options.record);
   request.recordFile = options.record;
   OutputGuard guard = outputGuard(options.path, *options.scene, request.scene);
   checkOutput(guard, options.record, "--record");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -28,7 +29,7 @@ std::string line(const json& json) {
   return json.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
-scene::Scene startOf(const json& header, const std::string& file, const fs::path& folder) {
+scene::Scene startOf(const json& header, const std::string& file, const StoredFolders& folders) {
   const std::string place = "line 1";
   checkKeys(header, {"isolux_recording", "program", "scene"}, file, place);
   const auto found = header.find("isolux_recording");
@@ -36,11 +37,11 @@ scene::Scene startOf(const json& header, const std::string& file, const fs::path
   if (!found->is_number_integer() || *found != recordingVersion)
     throwInput(file, place, "this Isolux reads recordings of version 1 only");
   const auto scene = header.find("scene");
-  return scene == header.end() ? scene::Scene{} : sceneFromStored(*scene, file, place + ", scene", folder);
+  return scene == header.end() ? scene::Scene{} : sceneFromStored(*scene, file, place + ", scene", folders);
 }
 
 Recording::Step stepOf(const json& entry, const std::string& file, const std::string& place,
-                       const fs::path& folder) {
+                       const StoredFolders& folders) {
   checkKeys(entry, {"time", "name", "set"}, file, place);
   Recording::Step step{};
   const auto time = entry.find("time");
@@ -67,7 +68,7 @@ Recording::Step stepOf(const json& entry, const std::string& file, const std::st
     }
     if (isStoredPath(path)) {
       json& stored = step.diff.changes.back().value;
-      stored = sourcePathFromStored(stored.get<std::string>(), folder);
+      stored = pathFromStored(stored.get<std::string>(), folders);
     }
   }
   return step;
@@ -75,9 +76,15 @@ Recording::Step stepOf(const json& entry, const std::string& file, const std::st
 
 }  // namespace
 
+void checkMayRecordInto(const fs::path& file) {
+  if (!readBeginning(file, 1).empty() && !isRecording(file))
+    throwInput(file.string(), "", "is no recording: Isolux does not write one over it");
+}
+
 Recorder::Recorder(const fs::path& file, const scene::Scene& start)
-    : file_(file), stream_(file, std::ios::binary), begin_(std::chrono::steady_clock::now()) {
-  if (!stream_) scene::throwCannotWrite(file_, errno);
+    : file_(file), begin_(std::chrono::steady_clock::now()) {
+  checkMayRecordInto(file);
+  stream_.open(file, std::ios::binary);
   json header;
   header["isolux_recording"] = recordingVersion;
   header["program"] = version();
@@ -99,13 +106,13 @@ void Recorder::add(const scene::SceneDiff& diff, double seconds) {
   for (const scene::SceneChange& change : diff.changes) {
     const bool path = isStoredPath(change.path) && change.value.is_string();
     set[change.path] =
-        path ? json(storedSourcePath(change.value.get<std::string>(), file_.parent_path())) : change.value;
+        path ? json(storedPath(change.value.get<std::string>(), file_.parent_path())) : change.value;
   }
   write(line(entry));
 }
 
 void Recorder::write(const std::string& text) {
-  errno = 0;
+  if (stream_.is_open()) errno = 0;  // else why it could not be opened
   stream_ << text << std::flush;
   if (!stream_) scene::throwCannotWrite(file_, errno);
 }
@@ -139,6 +146,7 @@ const scene::Scene& Playback::at(double seconds) {
 Recording loadRecording(const fs::path& file) {
   const std::string name = file.string();
   const std::string text = readTextFile(file, longestFile);
+  const StoredFolders folders = foldersOf(file);
   Recording recording;
   std::size_t number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -147,20 +155,32 @@ Recording loadRecording(const fs::path& file) {
     begin = end + 1;
     const std::string place = "line " + std::to_string(++number);
     if (number > 1 && lineText.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const bool cutOff = number > 1 && end == text.size() && !json::accept(lineText);
-    if (cutOff) break;
+    const bool mayBeCut = number > 1 && end == text.size();  // no line's end behind it
+    if (mayBeCut && !json::accept(lineText)) {
+      recording.warnings.push_back(place + " is cut short and is left out");
+      break;
+    }
     const json entry = parseJson(lineText, name, place);
     if (number == 1) {
-      recording.start = startOf(entry, name, file.parent_path());
+      recording.start = startOf(entry, name, folders);
       continue;
     }
-    recording.steps.push_back(stepOf(entry, name, place, file.parent_path()));
+    recording.steps.push_back(stepOf(entry, name, place, folders));
     const auto& steps = recording.steps;
     if (steps.size() > 1 && steps.back().seconds < steps[steps.size() - 2].seconds)
       throwInput(name, place, "\"time\" is before that of the line above");
   }
   if (number == 0) throwInput(name, "line 1", "the file is empty");
   return recording;
+}
+
+bool isRecording(const fs::path& file) {
+  constexpr std::size_t searched = std::size_t{1} << 20;
+  const std::string beginning = readBeginning(file, searched);
+  const std::string first = beginning.substr(0, beginning.find('\n'));
+  const auto brace = first.find_first_not_of(" \t\r");
+  return brace != std::string::npos && first[brace] == '{' &&
+         first.find("\"isolux_recording\"") != std::string::npos;
 }
 
 }  // namespace isolux::app

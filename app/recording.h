@@ -1,8 +1,8 @@
 // Recordings: JSON Lines of Scene diffs with times.
 //
 // Line 1: {"isolux_recording": 1, "program": "...", "scene": {...}} - the scene at time 0. Each further line:
-// {"time": seconds, "name": "Rotate", "set": {"camera.eye": [...], ...}}, times not decreasing. source.path
-// is stored as in sessions (app/stored_scene.h).
+// {"time": seconds, "name": "Rotate", "set": {"camera.eye": [...], ...}}, times not decreasing. Paths
+// are stored as in sessions (app/stored_scene.h).
 #pragma once
 
 #include <chrono>
@@ -16,10 +16,13 @@
 
 namespace isolux::app {
 
+// Throws Error{input} when `file` holds something that is no recording: it is not written over.
+void checkMayRecordInto(const std::filesystem::path& file);
+
 class Recorder {
  public:
-  // Starts the file at once, each add() is flushed: a crash loses nothing. Both throw Error{input} when the
-  // system cannot write; what was recorded before can still be replayed.
+  // Starts the file at once, in place of an older recording; each add() is flushed: a crash loses nothing.
+  // All throw Error{input}, also when the disk is full.
   Recorder(const std::filesystem::path& file, const scene::Scene& start);
   void add(const scene::SceneDiff& diff);                  // at the time since the start
   void add(const scene::SceneDiff& diff, double seconds);  // at a given time (tests)
@@ -39,6 +42,7 @@ struct Recording {
     scene::SceneDiff diff;
   };
   std::vector<Step> steps;
+  std::vector<std::string> warnings;  // a last line that was cut short
   double duration() const { return steps.empty() ? 0.0 : steps.back().seconds; }
   // As the window showed it then: an animated flow has moved on.
   scene::Scene sceneAt(double seconds) const;
@@ -58,8 +62,11 @@ class Playback {
   std::size_t next_ = 0;  // step
   double now_ = 0.0;      // seconds
 };
-// Throws Error{input} with the line number. A last line that was cut off (no newline, no JSON) is left out:
-// the system or the disk ended the recording there.
+// Error{input} with the line number. A last line that was cut short, as a crash or a full disk leaves it, is
+// left out.
 Recording loadRecording(const std::filesystem::path& file);
+
+// True for files that loadRecording() should be tried on (by content).
+bool isRecording(const std::filesystem::path& file);
 
 }  // namespace isolux::app

@@ -8,7 +8,6 @@
 
 #include "app/files.h"
 #include "app/image_io.h"
-#include "app/stored_scene.h"
 #include "app/version.h"
 #include "scene/error.h"
 #include "scene/settings.h"
@@ -43,9 +42,15 @@ json upgradeFrom1(json session, const std::string& file) {
   return session;
 }
 
+// Version 2 knew no "places".
+json upgradeFrom2(json session, const std::string& file) {
+  checkKeys(session, {versionKey, "program", "scene"}, file, "");
+  return session;
+}
+
 // upgrades[i] turns version i+1 into version i+2.
 using Upgrade = json (*)(json session, const std::string& file);
-constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1};
+constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1, upgradeFrom2};
 
 int versionOf(const json& session, const std::string& file) {
   const auto found = session.find(versionKey);
@@ -62,24 +67,36 @@ int versionOf(const json& session, const std::string& file) {
   return found->get<int>();
 }
 
-}  // namespace
-
-std::string sessionText(const scene::Scene& scene, const fs::path& folder) {
-  json session;
+std::string textOf(json session) {
   session[std::string(versionKey)] = sessionVersion;
   session["program"] = version();
-  session["scene"] = storedScene(scene, folder);
   return session.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
-scene::Scene parseSession(const std::string& text, const std::string& file, const fs::path& folder) {
+}  // namespace
+
+std::string sessionText(const scene::Scene& scene, const fs::path& folder) {
+  return textOf({{"scene", storedScene(scene, folder)}});
+}
+
+std::string pictureSessionText(const scene::Scene& scene, const fs::path& folder) {
+  SharedScene shared = sharedScene(scene, folder);
+  json session{{"scene", std::move(shared.scene)}};
+  if (!shared.places.empty()) session["places"] = std::move(shared.places);
+  return textOf(std::move(session));
+}
+
+scene::Scene parseSession(const std::string& text, const std::string& file, const StoredFolders& folders) {
   json session = parseJson(text, file, "");
   if (!session.is_object()) throwInput(file, "", "is not a session: it should be a JSON object");
   for (int from = versionOf(session, file); from < sessionVersion; ++from)
     session = upgrades[static_cast<std::size_t>(from - 1)](std::move(session), file);
-  checkKeys(session, {versionKey, "program", "scene"}, file, "");
+  checkKeys(session, {versionKey, "program", "scene", "places"}, file, "");
   const auto found = session.find("scene");
-  return found == session.end() ? scene::Scene{} : sceneFromStored(*found, file, "scene", folder);
+  scene::Scene scene =
+      found == session.end() ? scene::Scene{} : sceneFromStored(*found, file, "scene", folders);
+  if (const auto places = session.find("places"); places != session.end()) applyPlaces(scene, *places, file);
+  return scene;
 }
 
 void saveSession(const scene::Scene& scene, const fs::path& file) {
@@ -91,7 +108,7 @@ scene::Scene loadSession(const fs::path& file) {
   const std::string text = picture ? readSessionText(file) : readTextFile(file, longestSession);
   if (picture && text.empty()) throwInput(file.string(), "", "this picture carries no session");
   if (text.size() > longestSession) throwInput(file.string(), "", "the session in this picture is too long");
-  return parseSession(text, file.string(), file.parent_path());
+  return parseSession(text, file.string(), foldersOf(file));
 }
 
 bool isSession(const fs::path& file) {

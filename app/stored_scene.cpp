@@ -1,7 +1,9 @@
 #include "app/stored_scene.h"
 
 #include <algorithm>
+#include <array>
 
+#include "app/places.h"
 #include "scene/error.h"
 
 namespace isolux::app {
@@ -10,6 +12,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
+
+constexpr std::array<std::string_view, 3> pathSettings{"source.path", "source.csg_path",
+                                                       "light.environment.file"};
 
 bool namesFile(const std::string& path) {
   return !path.empty() && !path.starts_with("phantom:");
@@ -22,10 +27,18 @@ fs::path absoluteFolder(const fs::path& folder) {
 }  // namespace
 
 bool isStoredPath(std::string_view setting) {
-  return setting == "source.path" || setting == "source.csg_path" || setting == "light.environment.file";
+  return std::find(pathSettings.begin(), pathSettings.end(), setting) != pathSettings.end();
 }
 
-std::string storedSourcePath(const std::string& path, const fs::path& folder) {
+StoredFolders foldersOf(const fs::path& file) {
+  StoredFolders folders{absoluteFolder(file.parent_path())};
+  std::error_code error;
+  const fs::path target = fs::canonical(file, error).parent_path();
+  if (!error && target != folders.front()) folders.push_back(target);
+  return folders;
+}
+
+std::string storedPath(const std::string& path, const fs::path& folder) {
   if (!namesFile(path)) return path;
   const fs::path file = fs::absolute(path).lexically_normal();
   const fs::path relative = file.lexically_relative(absoluteFolder(folder));
@@ -33,24 +46,63 @@ std::string storedSourcePath(const std::string& path, const fs::path& folder) {
   return relative.string();
 }
 
-std::string sourcePathFromStored(const std::string& stored, const fs::path& folder) {
+std::string pathFromStored(const std::string& stored, const StoredFolders& folders) {
   if (!namesFile(stored)) return stored;
-  return (absoluteFolder(folder) / stored).lexically_normal().string();
+  std::vector<fs::path> candidates;
+  for (const fs::path& folder : folders)
+    candidates.push_back((absoluteFolder(folder) / stored).lexically_normal());
+  std::error_code ignored;
+  const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                  [&](const fs::path& candidate) { return fs::exists(candidate, ignored); });
+  return (found == candidates.end() ? candidates.front() : *found).string();
 }
 
 json storedScene(const scene::Scene& scene, const fs::path& folder) {
   scene::Scene stored = scene;
-  stored.source.path = storedSourcePath(scene.source.path, folder);
-  stored.source.csgPath = storedSourcePath(scene.source.csgPath, folder);
+  for (const std::string_view path : pathSettings) {
+    const scene::Setting& setting = scene::setting(path);
+    setting.set(stored, storedPath(setting.get(scene).get<std::string>(), folder));
+  }
   return scene::toJson(stored);
 }
 
+SharedScene sharedScene(const scene::Scene& scene, const fs::path& folder) {
+  SharedScene shared{{}, json::object()};
+  scene::Scene named = scene;
+  for (const std::string_view path : pathSettings) {
+    const scene::Setting& setting = scene::setting(path);
+    const fs::path stored = storedPath(setting.get(scene).get<std::string>(), folder);
+    if (!stored.is_absolute()) {
+      setting.set(named, stored.string());
+      continue;
+    }
+    const std::string token = placeToken(stored);
+    if (!token.empty()) shared.places[std::string(path)] = token;
+    setting.set(named, stored.filename().string());
+  }
+  shared.scene = scene::toJson(named);
+  return shared;
+}
+
+void applyPlaces(scene::Scene& scene, const json& places, const std::string& file) {
+  checkKeys(places, {pathSettings[0], pathSettings[1], pathSettings[2]}, file, "places");
+  for (const auto& [path, token] : places.items()) {
+    if (!token.is_string()) scene::throwInput(file, "places, " + path, "must be a text");
+    const scene::Setting& setting = scene::setting(path);
+    const fs::path known = placeOf(token.get<std::string>());
+    const fs::path named = setting.get(scene).get<std::string>();
+    if (!known.empty() && known.filename() == named.filename()) setting.set(scene, known.string());
+  }
+}
+
 scene::Scene sceneFromStored(const json& stored, const std::string& file, const std::string& place,
-                             const fs::path& folder) {
+                             const StoredFolders& folders) {
   try {
     scene::Scene scene = scene::fromJson(stored);
-    scene.source.path = sourcePathFromStored(scene.source.path, folder);
-    scene.source.csgPath = sourcePathFromStored(scene.source.csgPath, folder);
+    for (const std::string_view path : pathSettings) {
+      const scene::Setting& setting = scene::setting(path);
+      setting.set(scene, pathFromStored(setting.get(scene).get<std::string>(), folders));
+    }
     return scene;
   } catch (const scene::Error& error) {
     std::string where = place;

@@ -144,6 +144,8 @@ void checkOutputs(const fs::path& folder, int frames, const std::string& file, c
 void runReplay(const ReplayOptions& options, scene::Progress& progress) {
   const glm::ivec2 size = parseSize(options.size);
   const Recording recording = loadRecording(options.recording);
+  for (const std::string& warning : recording.warnings)
+    std::cerr << "isolux: note: " << options.recording << ": " << warning << '\n';
   const int frames = frameCount(recording, options.fps, options.recording);
   const MadeFolder made(options.out);
   const fs::path& folder = made.path();

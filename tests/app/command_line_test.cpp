@@ -458,5 +458,23 @@ TEST(CommandLine, WithoutASubcommandTheWindowIsAskedFor) {
   EXPECT_EQ(other.sessionFile, "");
 }
 
+TEST(CommandLine, RecordRefusesWhatIsNoRecordingBeforeTheWindowOpens) {
+  const fs::path folder = test::temporaryFolder();
+  std::ofstream(folder / "scan.nii") << "precious voxels";
+  const auto result = test::callIsolux({"phantom:ball:8", "--record", "scan.nii"}, folder);
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_TRUE(result.isOneErrorLine());
+  EXPECT_THAT(result.err, HasSubstr("scan.nii"));
+  EXPECT_EQ(test::contentOf(folder / "scan.nii"), "precious voxels");
+}
+
+TEST(CommandLine, ARecordingIsKnownAndSaysHowItIsReplayed) {
+  const fs::path folder = test::temporaryFolder();
+  std::ofstream(folder / "r.jsonl") << "{\"isolux_recording\": 1, \"scene\": {}}\n";
+  const auto result = test::callIsolux({"r.jsonl"}, folder);
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_THAT(result.err, HasSubstr("isolux replay r.jsonl --out"));
+}
+
 }  // namespace
 }  // namespace isolux::app

@@ -9,6 +9,7 @@
 
 #include "app/files.h"
 #include "scene/error.h"
+#include "tests/app/run_isolux.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -79,16 +80,20 @@ TEST(Recording, MovesWithItsFolder) {
   fs::create_directories(folder / "old");
   Scene start;
   start.source.path = (folder / "old" / "ct.nii").string();
+  start.light.environment.file = (folder / "old" / "a.hdr").string();
   {
     Recorder recorder(folder / "old" / "r.jsonl", start);
     recorder.add({"Open", {{"source.path", (folder / "old" / "b.nii").string()}}}, 1);
     recorder.add({"Cut", {{"source.csg_path", (folder / "old" / "c.stl").string()}}}, 2);
+    recorder.add({"Light", {{"light.environment.file", (folder / "old" / "b.hdr").string()}}}, 3);
   }
   fs::rename(folder / "old", folder / "new");
   const Recording recording = loadRecording(folder / "new" / "r.jsonl");
   EXPECT_EQ(recording.start.source.path, (folder / "new" / "ct.nii").string());
   EXPECT_EQ(recording.sceneAt(1).source.path, (folder / "new" / "b.nii").string());
   EXPECT_EQ(recording.sceneAt(2).source.csgPath, (folder / "new" / "c.stl").string());
+  EXPECT_EQ(recording.sceneAt(2).light.environment.file, (folder / "new" / "a.hdr").string());
+  EXPECT_EQ(recording.sceneAt(3).light.environment.file, (folder / "new" / "b.hdr").string());
 }
 
 TEST(Recording, EveryStepIsOnDiskAtOnce) {
@@ -166,7 +171,8 @@ TEST(Recording, BadLinesAreNamed) {
   EXPECT_THAT(refusal(header + "{\"time\": 1, \"set\": {\"camera.fov\": 1000}}\n"),
               AllOf(HasSubstr("line 2"), HasSubstr("camera.fov"), HasSubstr("160")));
   EXPECT_THAT(refusal(header + "{\"time\": 1, \"set\": {\"camera.fov\": 10}\n"),
-              AllOf(HasSubstr("line 2"), HasSubstr("byte")));
+              AllOf(HasSubstr("line 2"), HasSubstr("byte")))
+      << "broken, and not by a cut: the line has its end";
   for (const char* time : {"-1", "\"1\"", "1e300", "null"})
     EXPECT_THAT(refusal(header + "{\"time\": " + time + ", \"set\": {}}\n"),
                 AllOf(HasSubstr("line 2"), HasSubstr("time")));
@@ -176,6 +182,60 @@ TEST(Recording, BadLinesAreNamed) {
               AllOf(HasSubstr("line 2"), HasSubstr("more")));
   EXPECT_THAT(refusal(header + "{\"time\": 1, \"set\": {}, \"name\": 1}\n"), HasSubstr("name"));
   EXPECT_THAT(refusal(header + "[]\n"), HasSubstr("line 2"));
+}
+
+TEST(Recording, ALastLineThatWasCutShortIsLeftOut) {
+  const fs::path file = test::temporaryFolder() / "r.jsonl";
+  const std::string header = "{\"isolux_recording\": 1, \"scene\": {}}\n";
+  const std::string first = "{\"time\": 1, \"set\": {\"camera.fov\": 10}}\n";
+  const std::string last = "{\"time\": 2, \"name\": \"Zoom\", \"set\": {\"camera.fov\": 20}}";
+  for (std::size_t length = 0; length <= last.size(); ++length) {
+    std::ofstream(file, std::ios::binary) << header << first << last.substr(0, length);
+    const Recording recording = loadRecording(file);
+    const bool whole = length == last.size();
+    EXPECT_EQ(recording.steps.size(), whole ? 2u : 1u) << length;
+    EXPECT_EQ(recording.warnings.size(), length == 0 || whole ? 0u : 1u) << length;
+    if (!recording.warnings.empty()) {
+      EXPECT_THAT(recording.warnings[0], HasSubstr("line 3"));
+    }
+  }
+  std::ofstream(file, std::ios::binary) << header.substr(0, 20);
+  EXPECT_THROW(loadRecording(file), scene::Error) << "of a cut first line nothing can be shown";
+}
+
+TEST(Recording, WritesOverRecordingsOnly) {
+  const fs::path folder = test::temporaryFolder();
+  for (const char* content :
+       {"NRRD0004\nsome voxels", "{\"isolux_session\": 2, \"scene\": {}}\n", "\n", "x"}) {
+    const fs::path file = folder / "precious";
+    std::ofstream(file, std::ios::binary) << content;
+    EXPECT_THROW(Recorder(file, Scene{}), scene::Error) << content;
+    EXPECT_EQ(test::contentOf(file), content);
+  }
+  std::ofstream(folder / "empty").close();
+  EXPECT_NO_THROW(Recorder(folder / "empty", Scene{}));
+  EXPECT_NO_THROW(Recorder(folder / "empty", Scene{})) << "a recording by now";
+  EXPECT_TRUE(isRecording(folder / "empty"));
+  EXPECT_FALSE(isRecording(folder / "missing"));
+  EXPECT_FALSE(isRecording(folder));
+}
+
+TEST(Recording, AFullDiskIsAnError) {
+  const fs::path file = test::temporaryFolder() / "r.jsonl";
+  Recorder recorder(file, Scene{});
+  // A limit on the size of files stands for the disk.
+  const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit little = before;
+  little.rlim_cur = fs::file_size(file) + 20;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &little), 0);
+  EXPECT_THROW(recorder.add({"Zoom", {{"camera.fov", 40.0}}}, 1), scene::Error);
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, ignored);
+  const Recording recording = loadRecording(file);  // what came before is whole
+  EXPECT_TRUE(recording.start == Scene{});
+  EXPECT_TRUE(recording.steps.empty());
 }
 
 TEST(Recording, MissingFilesAndFoldersAreErrors) {

@@ -1,5 +1,6 @@
 #include "app/session.h"
 
+#include <cstdlib>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -35,7 +36,7 @@ void writeFile(const fs::path& file, const std::string& text) {
 
 std::string refusal(const std::string& text) {
   try {
-    parseSession(text, "some.isolux", "/data");
+    parseSession(text, "some.isolux", {"/data"});
   } catch (const scene::Error& error) {
     EXPECT_EQ(error.kind(), scene::ErrorKind::input);
     EXPECT_EQ(error.file(), "some.isolux");
@@ -58,7 +59,7 @@ TEST(Session, RoundTripsThroughAFile) {
 
 TEST(Session, IsVersionedJson) {
   const json stored = json::parse(sessionText(someScene(), "/data"));
-  EXPECT_EQ(stored["isolux_session"], 2);
+  EXPECT_EQ(stored["isolux_session"], 3);
   EXPECT_TRUE(stored["program"].is_string());
   EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
 }
@@ -79,7 +80,7 @@ TEST(Session, PathsAreRelativeBelowTheFolderOnly) {
 
   const auto parsed = [](const std::string& path, const char* folder) {
     return parseSession(json{{"isolux_session", 2}, {"scene", {{"source", {{"path", path}}}}}}.dump(), "x",
-                        folder)
+                        {folder})
         .source.path;
   };
   EXPECT_EQ(parsed("ct.nii", "/data"), "/data/ct.nii");
@@ -101,18 +102,48 @@ TEST(Session, AMovedFolderStillFindsItsVolume) {
   EXPECT_EQ(loadSession(folder / "new" / "s.isolux").source.csgPath, (folder / "new" / "cut.stl").string());
 }
 
+TEST(Session, ALightProbeIsFoundInAMovedFolderFromAnywhere) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directories(folder / "old" / "light");
+  Scene scene;
+  scene.light.environment.file = (folder / "old" / "light" / "probe.hdr").string();
+  saveSession(scene, folder / "old" / "s.isolux");
+  EXPECT_EQ(test::contentOf(folder / "old" / "s.isolux").find(folder.string()), std::string::npos);
+  fs::rename(folder / "old", folder / "new");
+  const fs::path expected = folder / "new" / "light" / "probe.hdr";
+  EXPECT_EQ(loadSession(folder / "new" / "s.isolux").light.environment.file, expected.string());
+  const fs::path before = fs::current_path();
+  fs::current_path(folder / "new" / "light");
+  EXPECT_EQ(loadSession("../s.isolux").light.environment.file, expected.string());
+  fs::current_path(before);
+}
+
+TEST(Session, ALinkFindsItsVolumeBesideItselfOrBesideTheSession) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directories(folder / "data");
+  fs::create_directories(folder / "desk");
+  writeFile(folder / "data" / "ct.nii", "x");
+  Scene scene;
+  scene.source.path = (folder / "data" / "ct.nii").string();
+  saveSession(scene, folder / "data" / "s.isolux");
+  fs::create_symlink("../data/s.isolux", folder / "desk" / "link.isolux");
+  EXPECT_EQ(loadSession(folder / "desk" / "link.isolux").source.path, (folder / "data" / "ct.nii").string());
+  writeFile(folder / "desk" / "ct.nii", "x");
+  EXPECT_EQ(loadSession(folder / "desk" / "link.isolux").source.path, (folder / "desk" / "ct.nii").string());
+}
+
 TEST(Session, UpgradesVersion1) {
   const Scene scene = parseSession(
       R"({"isolux_session": 1, "program": "0.0.9",
           "settings": {"isosurface.value": 300, "camera.eye": [1, 2, 3], "source.path": "ct.nii", "look.mode": "depth"}})",
-      "old.isolux", "/data");
+      "old.isolux", {"/data"});
   Scene expected;
   expected.isosurface.value = 300;
   expected.camera.eye = glm::dvec3(1, 2, 3);
   expected.source.path = "/data/ct.nii";
   expected.look.mode = scene::LookMode::depth;
   EXPECT_TRUE(scene == expected);
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 1})", "", "/data") == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 1})", "", {"/data"}) == Scene{});
 }
 
 TEST(Session, RefusesBadVersion1WithThePath) {
@@ -124,8 +155,8 @@ TEST(Session, RefusesBadVersion1WithThePath) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 2})", "", "/") == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", "/") == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 2})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", {"/"}) == Scene{});
 }
 
 TEST(Session, UnknownKeysFailWithTheirPath) {
@@ -147,8 +178,8 @@ TEST(Session, ValuesAreCheckedWithTheirPath) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 3, "scene": {"new": 1}})"),
-              AllOf(HasSubstr("version 3"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 4, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 4"), HasSubstr("newer Isolux")));
   EXPECT_THAT(refusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 
@@ -179,6 +210,73 @@ TEST(Session, TravelsInAPicture) {
   EXPECT_THROW(loadSession(folder / "plain.png"), scene::Error);
   writePng(image, folder / "broken.png", "{\"isolux_session\": 99}");
   EXPECT_THROW(loadSession(folder / "broken.png"), scene::Error);
+}
+
+// The state folder of the running test, in place of the user's.
+class OwnStateFolder {
+ public:
+  OwnStateFolder() {
+    if (const char* old = std::getenv("XDG_STATE_HOME")) old_ = old;
+    ::setenv("XDG_STATE_HOME", (test::temporaryFolder() / "state").c_str(), 1);
+  }
+  ~OwnStateFolder() {
+    old_.empty() ? ::unsetenv("XDG_STATE_HOME") : ::setenv("XDG_STATE_HOME", old_.c_str(), 1);
+  }
+
+ private:
+  std::string old_;
+};
+
+TEST(Session, OfASharedPictureNamesNoFolderAndFindsItsFilesAgain) {
+  const fs::path folder = test::temporaryFolder();
+  for (const char* name : {"patients/doe", "probes", "pictures", "elsewhere"})
+    fs::create_directories(folder / name);
+  const OwnStateFolder state;
+  Scene scene;
+  scene.source.path = (folder / "patients" / "doe" / "ct.nii").string();
+  scene.source.csgPath = (folder / "pictures" / "cut.stl").string();  // beside the picture
+  scene.light.environment.file = (folder / "probes" / "sky.hdr").string();
+  for (const std::string& file : {scene.source.path, scene.source.csgPath, scene.light.environment.file})
+    writeFile(file, "x");
+
+  const std::string text = pictureSessionText(scene, folder / "pictures");
+  EXPECT_EQ(text.find(folder.string()), std::string::npos) << text;
+  EXPECT_EQ(text.find("doe"), std::string::npos) << text;
+  EXPECT_EQ(text.find(".."), std::string::npos) << text;
+  EXPECT_EQ(text, pictureSessionText(scene, folder / "pictures")) << "a path's token is always the same";
+
+  EXPECT_TRUE(parseSession(text, "a.png", {folder / "pictures"}) == scene);
+  const Scene moved = parseSession(text, "a.png", {folder / "elsewhere"});
+  EXPECT_EQ(moved.source.path, scene.source.path) << "the picture moved, the volume did not";
+  EXPECT_EQ(moved.source.csgPath, (folder / "elsewhere" / "cut.stl").string());
+
+  // On another machine the token says nothing: what lies beside the picture counts.
+  fs::remove_all(folder / "state");
+  const Scene given = parseSession(text, "a.png", {folder / "elsewhere"});
+  EXPECT_EQ(given.source.path, (folder / "elsewhere" / "ct.nii").string());
+  EXPECT_EQ(given.light.environment.file, (folder / "elsewhere" / "sky.hdr").string());
+}
+
+TEST(Session, AnotherVolumeOfTheSameNameBesideThePictureIsNotTaken) {
+  const fs::path folder = test::temporaryFolder();
+  const OwnStateFolder state;
+  for (const char* name : {"a", "b", "pictures"}) {
+    fs::create_directories(folder / name);
+    writeFile(folder / name / "ct.nii", name);
+  }
+  for (const char* name : {"a", "b"}) {
+    Scene scene;
+    scene.source.path = (folder / name / "ct.nii").string();
+    const std::string text = pictureSessionText(scene, folder / "pictures");
+    EXPECT_EQ(parseSession(text, "a.png", {folder / "pictures"}).source.path, scene.source.path);
+  }
+}
+
+TEST(Session, PlacesThatAreNoneAreRefused) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": 7})"), HasSubstr("places"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": {"source.path": 7}})"), HasSubstr("source.path"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": {"camera.fov": "a"}})"), HasSubstr("camera.fov"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "places": {}})"), HasSubstr("places"));
 }
 
 TEST(Session, BrokenPicturesCarryNone) {

@@ -11,9 +11,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace isolux;
   const std::string text(data, data + size);
   try {
-    const scene::Scene scene = app::parseSession(text, "fuzz.isolux", "/folder");
+    const scene::Scene scene = app::parseSession(text, "fuzz.isolux", {"/folder"});
     const scene::Scene again =
-        app::parseSession(app::sessionText(scene, "/folder"), "again.isolux", "/folder");
+        app::parseSession(app::sessionText(scene, "/folder"), "again.isolux", {"/folder"});
     if (!(again == scene)) std::abort();
   } catch (const scene::Error& error) {
     if (error.kind() != scene::ErrorKind::input) std::abort();
