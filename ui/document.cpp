@@ -85,6 +85,13 @@ void Document::open(const QString& path) {
         openScene(app::loadSession(pathOf(absolute)), absolute);
         return;
       }
+      if (app::isRecording(pathOf(absolute))) {
+        const QString name = QFileInfo(absolute).fileName();
+        scene::throwInput(name.toStdString(), "",
+                          QString("is a recording: isolux replay %1 --out FOLDER makes pictures of it")
+                              .arg(name)
+                              .toStdString());
+      }
       if (volume::needsRawDescription(pathOf(absolute))) {
         Q_EMIT rawDescriptionNeeded(absolute);
         return;
@@ -115,9 +122,21 @@ void Document::openScene(const scene::Scene& scene, const QString& sessionFile) 
   startLoading(scene, After::replaceDocument);
 }
 
+app::OpenDocument Document::kept() const {
+  return {name().toStdString(), history_, savedScene_, sessionFile_.toStdString(),
+          recording() ? recordingFile_.toStdString() : std::string()};
+}
+
+void Document::restore(const app::OpenDocument& kept) {
+  pendingOpened_.clear();
+  startLoading(kept.history.scene(), After::restoreDocument);
+  pendingKept_ = kept;
+}
+
 void Document::startLoading(const scene::Scene& scene, After after) {
   cancelLoading();
   after_ = after;
+  pendingKept_.reset();
   pendingScene_ = scene;
   loadBegin_ = std::chrono::steady_clock::now();
   job_ = std::make_unique<app::LoadJob>(scene.source);
@@ -129,15 +148,18 @@ void Document::cancelLoading() {
   if (!job_) return;
   job_->progress().requestStop();
   stopping_.push_back(std::move(job_));
-  if (after_ == After::keepScene && scene().source != loadedSource_) {
-    // Undo had already gone to the other source: stay with the volume that is on screen.
-    const scene::Scene before = scene();
-    scene::Scene next = before;
-    next.source = loadedSource_;
-    history_.edit(next, "Keep the volume");
-    commit(before, "Keep the volume");
-  }
+  keepLoadedSource();
   Q_EMIT loadEnded(false);
+}
+
+// Undo had already gone to another source, which is not to be had: stay with the volume that is on screen.
+void Document::keepLoadedSource() {
+  if (after_ != After::keepScene || scene().source == loadedSource_) return;
+  const scene::Scene before = scene();
+  scene::Scene next = before;
+  next.source = loadedSource_;
+  history_.edit(next, "Keep the volume");
+  commit(before, "Keep the volume");
 }
 
 void Document::poll() {
@@ -153,13 +175,7 @@ void Document::finishLoading() {
   const std::unique_ptr<app::LoadJob> job = std::move(job_);
   const QString openedPath = std::exchange(pendingOpened_, {});
   if (job->error() || !job->volume()) {
-    if (after_ == After::keepScene && scene().source != loadedSource_) {
-      const scene::Scene before = scene();
-      scene::Scene next = before;
-      next.source = loadedSource_;
-      history_.edit(next, "Keep the volume");
-      commit(before, "Keep the volume");
-    }
+    keepLoadedSource();
     announce();  // the widgets show again what holds
     Q_EMIT loadEnded(false);
     if (!job->error()) {
@@ -174,19 +190,12 @@ void Document::finishLoading() {
   loadedSource_ = job->source();
   QString name = "Open " + shortName(loadedSource_.path);
   if (after_ == After::replaceDocument) {
-    sessionFile_ = pendingSessionFile_;
-    history_.reset(pendingScene_);
-    savedScene_ = pendingScene_;
+    replaceDocument();
+  } else if (after_ == After::restoreDocument) {
+    restoreDocument();
   } else if (after_ == After::editSource) {
-    scene::Scene next = before;  // edits made while it loaded stay
-    next.source = loadedSource_;
-    if (before.source.series != next.source.series) makeAutomatic(next);
-    if (next.isosurface.value && (*next.isosurface.value <= volume->grid().minimum() ||
-                                  *next.isosurface.value >= volume->grid().maximum())) {
-      next.isosurface.value.reset();
-    }
+    changeSource(*volume);
     name = pendingName_;
-    history_.edit(next, name.toStdString());
   }
   volume_ = volume;
   Q_EMIT volumeChanged(volume_);
@@ -197,6 +206,32 @@ void Document::finishLoading() {
   }
   Q_EMIT loadEnded(true);
   if (!openedPath.isEmpty() && after_ == After::replaceDocument) Q_EMIT opened(openedPath);
+  if (after_ == After::restoreDocument) Q_EMIT restored();
+}
+
+void Document::replaceDocument() {
+  sessionFile_ = pendingSessionFile_;
+  history_.reset(pendingScene_);
+  savedScene_ = pendingScene_;
+}
+
+void Document::restoreDocument() {
+  sessionFile_ = QString::fromStdString(pendingKept_->sessionFile);
+  history_ = std::move(pendingKept_->history);
+  savedScene_ = pendingKept_->saved;
+  pendingKept_.reset();
+}
+
+void Document::changeSource(const volume::PreparedVolume& volume) {
+  scene::Scene next = scene();  // edits made while it loaded stay
+  const bool otherSeries = next.source.series != loadedSource_.series;
+  next.source = loadedSource_;
+  if (otherSeries) makeAutomatic(next);
+  if (next.isosurface.value && (*next.isosurface.value <= volume.grid().minimum() ||
+                                *next.isosurface.value >= volume.grid().maximum())) {
+    next.isosurface.value.reset();
+  }
+  history_.edit(next, pendingName_.toStdString());
 }
 
 // ---- Editing
@@ -320,6 +355,7 @@ bool Document::saveSession(const QString& file) {
 bool Document::startRecording(const QString& file) {
   try {
     recorder_ = std::make_unique<app::Recorder>(pathOf(file), shownScene());
+    recordingFile_ = QFileInfo(file).absoluteFilePath();
   } catch (const scene::Error& error) {
     recorder_.reset();
     Q_EMIT failed(textOf(error));

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -14,9 +15,10 @@
 #include <QString>
 #include <QTimer>
 
-#include "app/history.h"
+#include "app/autosave.h"
 #include "app/load_job.h"
 #include "app/recording.h"
+#include "app/unsaved_work.h"
 #include "scene/flow_clock.h"
 #include "ui/edit.h"
 
@@ -39,7 +41,9 @@ class Document : public QObject {
 
   bool loading() const { return job_ != nullptr; }
   bool recording() const { return recorder_ != nullptr; }
+  const QString& recordingFile() const { return recordingFile_; }  // of the recording that runs, or ran last
   bool modified() const { return scene() != savedScene_; }
+  app::UnsavedWork unsavedWork() const { return app::unsavedWork(savedScene_, scene()); }
   const QString& sessionFile() const { return sessionFile_; }  // empty: not saved yet
   QString name() const;                                        // for the title bar
   // Since the volume's bytes were read; for the time to the first picture.
@@ -51,6 +55,10 @@ class Document : public QObject {
   // Loads scene.source and then shows exactly this scene, with an empty history.
   void openScene(const scene::Scene& scene, const QString& sessionFile);
   void openRaw(const QString& path, const QString& description);
+  // All but the volume, as an autosave holds it.
+  app::OpenDocument kept() const;
+  // Loads the kept document's volume and goes on with its scene and undo list; then emits restored().
+  void restore(const app::OpenDocument& kept);
   void cancelLoading();
 
   void edit(const Edit& edit);  // a changed source is loaded first and takes effect when it is there
@@ -71,6 +79,7 @@ class Document : public QObject {
   void loadStarted(const QString& name);
   void loadProgress(double fraction, const QString& stage);
   void loadEnded(bool success);
+  void restored();
   void opened(const QString& path);  // for the recent files: a volume or session the user asked for
   void failed(const QString& message);
   void rawDescriptionNeeded(const QString& path);
@@ -79,13 +88,17 @@ class Document : public QObject {
   // What to do when the running job has succeeded.
   enum class After {
     replaceDocument,  // a new document shows pendingScene_
+    restoreDocument,  // an autosaved one, pendingKept_, is continued
     editSource,       // one undoable step: another series, component or time step
     keepScene         // undo or redo came to another source; the scene says so already
   };
   void startLoading(const scene::Scene& scene, After after);
   void poll();
   void finishLoading();
-  void adoptVolume(VolumePointer volume);
+  void keepLoadedSource();
+  void replaceDocument();
+  void restoreDocument();
+  void changeSource(const volume::PreparedVolume& volume);
   void commit(const scene::Scene& before, const QString& name);
   void announce();
   void reloadIfSourceChanged();
@@ -101,11 +114,13 @@ class Document : public QObject {
   std::vector<std::unique_ptr<app::LoadJob>> stopping_;  // cancelled, still finding their way out
   After after_ = After::replaceDocument;
   scene::Scene pendingScene_;
+  std::optional<app::OpenDocument> pendingKept_;
   QString pendingName_, pendingSessionFile_, pendingOpened_;
   QTimer pollTimer_, pauseTimer_, flowTimer_;
   std::chrono::steady_clock::time_point loadBegin_;
 
   std::unique_ptr<app::Recorder> recorder_;
+  QString recordingFile_;
 
   scene::FlowClock flow_;
   QElapsedTimer sinceFlowMoved_;

@@ -84,6 +84,15 @@ QString durationText(double seconds) {
   return QString("%1 h").arg(numberText(seconds / 3600.0, 2));
 }
 
+QString unfinishedLightText(const app::LightState& state, bool cancelled) {
+  const bool onItsWay = state.phase == Phase::preparing || state.phase == Phase::baking ||
+                        state.phase == Phase::paused || cancelled;
+  if (!onItsWay || state.phase == Phase::off) return {};
+  // While it is prepared nothing is counted yet: no texel is there.
+  const double fraction = state.phase == Phase::preparing ? 0.0 : fractionOf(state.counters);
+  return fraction < 1.0 ? "light was at " + percentText(fraction) : QString();
+}
+
 LightStatus::LightStatus(QWidget* parent)
     : QWidget(parent),
       label_(new QLabel(this)),

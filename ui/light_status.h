@@ -34,6 +34,10 @@ class LightStatus : public QWidget {
   bool halted_ = false;  // the first button goes on
 };
 
+// "light was at 9 %" while light is on its way or stopped on it; "" when a picture shows all of it, or has
+// none.
+QString unfinishedLightText(const app::LightState& state, bool cancelled);
+
 // "1.2 million rays/s", "45 s", "12 min": as people read them.
 QString rateText(double raysPerSecond);
 QString durationText(double seconds);

@@ -54,7 +54,7 @@ MainWindow::MainWindow(QWidget* parent)
       recordingLabel_(new QLabel(this)),
       frameLabel_(new QLabel(this)) {
   setAcceptDrops(true);
-  setWindowTitle("Isolux");
+  setWindowTitle("Isolux[*]");
   resize(1280, 800);
   makePanels();
   makeFileMenu();
@@ -168,6 +168,7 @@ void MainWindow::connectDocument() {
     if (awaitsFirstPicture_) {
       awaitsFirstPicture_ = false;
       info_->setFirstPicture(document_->secondsSinceRead());
+      showState();  // the title names what is on show
     }
   });
   connect(viewport_, &Viewport::reported, passes_, &PassesPanel::setReport);
@@ -227,13 +228,15 @@ void MainWindow::open(const app::WindowRequest& request) {
     const QString path = QString::fromStdString(scene.source.path);
     const bool builtIn = path.startsWith("phantom:");
     if (!builtIn) scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
-    if (!request.recordFile.empty()) document_->startRecording(QString::fromStdString(request.recordFile));
-    if (request.sessionFile.empty() && scene.source.raw.empty() && !builtIn &&
-        volume::needsRawDescription(scene.source.path)) {
+    const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
+                                 !volume::needsRawDescription(scene.source.path);
+    if (describesItself) {
+      document_->openScene(scene, QString::fromStdString(request.sessionFile));
+    } else {
       chooseRaw(QString::fromStdString(scene.source.path));
-      return;
     }
-    document_->openScene(scene, QString::fromStdString(request.sessionFile));
+    // Not before: what opening begins with takes the message away that it cannot be recorded.
+    if (!request.recordFile.empty()) document_->startRecording(QString::fromStdString(request.recordFile));
   } catch (const scene::Error& error) {
     message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
   }
@@ -253,8 +256,10 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
 }
 
 void MainWindow::showState() {
+  const bool pictureComes =
+      awaitsFirstPicture_ && viewport_->isVisible() && !isMinimized() && !viewport_->problem();
   const QString name = document_->name();
-  setWindowTitle(name.isEmpty() ? "Isolux" : name + "[*] – Isolux");
+  if (!pictureComes) setWindowTitle(name.isEmpty() ? "Isolux[*]" : name + "[*] – Isolux");
   setWindowModified(document_->modified());
   const app::History& history = document_->history();
   undo_->setEnabled(history.canUndo());

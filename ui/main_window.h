@@ -1,6 +1,7 @@
 // The window: picture, isovalue, settings and facts about the volume, all fed by one Document.
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include <QAction>
@@ -13,10 +14,12 @@
 class QComboBox;
 class QLabel;
 class QMenu;
+class QSessionManager;
 
 namespace isolux::ui {
 
 class BakedLight;
+class DocumentKeeper;
 class InfoPanel;
 class IsovaluePanel;
 class LightStatus;
@@ -35,8 +38,16 @@ class MainWindow : public QMainWindow {
   void open(const app::WindowRequest& request);
   // File, folder, session, picture with a session, or "phantom:NAME"; asks first for a raw file.
   void openPath(const QString& path);
+  // From now on the document is autosaved in `folder`; offers to continue what a killed window has left
+  // there.
+  void keepDocument(const std::filesystem::path& folder);
+  // The desktop's session ends: asks about unsaved work where that is allowed, and may hold up the end.
+  void commitData(QSessionManager& manager);
+  // The same without the manager: whether the session may end.
+  bool endSession(bool mayAsk);
 
   Document* document() const { return document_; }
+  DocumentKeeper* keeper() const { return keeper_; }  // null until keepDocument()
   Viewport* viewport() const { return viewport_; }
   IsovaluePanel* isovaluePanel() const { return isovalue_; }
   SettingsPanel* settingsPanel() const { return settings_; }
@@ -48,8 +59,9 @@ class MainWindow : public QMainWindow {
   BakedLight* light() const { return light_; }
   LightStatus* lightStatus() const { return lightStatus_; }
 
-  bool savePicture(const QString& file);  // .png (with the session inside) or .exr
-  void showPanel(const QString& name);    // "settings", "volume" or "passes"
+  // .png or .exr; tells what was saved, or why not.
+  bool savePicture(const QString& file, bool withSession = true);
+  void showPanel(const QString& name);  // "settings", "volume" or "passes"
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -80,6 +92,11 @@ class MainWindow : public QMainWindow {
   void chooseRaw(const QString& path);
   bool saveSession();
   bool saveSessionAs();
+  bool saveSessionTo(const QString& file);
+  QString proposedFile(const QString& suffix) const;
+  void tellSaved(const QString& file, const QString& more);
+  void tellRecorded();
+  void offerLost();
   void choosePicture();
   void tracePicture();
   void toggleRecording();
@@ -89,9 +106,11 @@ class MainWindow : public QMainWindow {
   void findSetting();
   void showHelp();
   void showAbout();
-  bool mayDiscard();  // asks only when a session file has unsaved changes
+  // True when there is no unsaved work, or the user has saved or discarded it.
+  bool mayDiscard();
 
   Document* document_;
+  DocumentKeeper* keeper_ = nullptr;
   BakedLight* light_;
   Viewport* viewport_;
   IsovaluePanel* isovalue_;

@@ -1,7 +1,10 @@
 #include "ui/message_bar.h"
 
+#include <utility>
+
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 #include "ui/icons.h"
@@ -10,7 +13,7 @@
 namespace isolux::ui {
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), symbol_(new QLabel(this)), label_(new QLabel(this)) {
+    : QFrame(parent), symbol_(new QLabel(this)), label_(new QLabel(this)), layout_(new QHBoxLayout(this)) {
   setObjectName("messageBar");
   label_->setWordWrap(true);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -19,39 +22,70 @@ MessageBar::MessageBar(QWidget* parent)
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
   close->setToolTip("Close this message");
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 7, 8, 7);
-  layout->setSpacing(10);
-  layout->addWidget(symbol_);
-  layout->addWidget(label_, 1);
-  layout->addWidget(close);
+  layout_->setContentsMargins(12, 7, 8, 7);
+  layout_->setSpacing(10);
+  layout_->addWidget(symbol_);
+  layout_->addWidget(label_, 1);
+  layout_->addWidget(close);
   timer_.setSingleShot(true);
   timer_.setInterval(8000);
   connect(&timer_, &QTimer::timeout, this, &MessageBar::clear);
-  connect(close, &QToolButton::clicked, this, &MessageBar::clear);
+  connect(close, &QToolButton::clicked, this, &MessageBar::close);
   QFrame::hide();
 }
 
-void MessageBar::show(Kind kind, const QString& text) {
-  kind_ = kind;
-  label_->setText(text);
-  const bool error = kind == Kind::error;
+void MessageBar::show(Kind kind, const QString& text, std::vector<Answer> answers) {
+  Message message{kind, text, std::move(answers)};
+  if (kind == Kind::question) question_ = message;
+  present(std::move(message));
+}
+
+void MessageBar::present(Message message) {
+  shown_ = std::move(message);
+  label_->setText(shown_.text);
+  makeButtons();
+  const bool error = shown_.kind == Kind::error;
   const QColor colour = error ? colours::error : colours::accent;
   symbol_->setPixmap(iconPixmap(error ? "error" : "info", 18, colour, devicePixelRatioF()));
   setStyleSheet(QString("#messageBar { background: %1; border: 0; border-left: 4px solid %2; "
                         "border-bottom: 1px solid %3; }")
                     .arg(error ? "#3a2829" : "#26323d", colour.name(), colours::border.name()));
-  if (error) {
-    timer_.stop();
-  } else {
+  if (shown_.kind == Kind::note) {
     timer_.start();
+  } else {
+    timer_.stop();
   }
   QFrame::show();
 }
 
+void MessageBar::makeButtons() {
+  for (QPushButton* button : std::exchange(buttons_, {})) button->deleteLater();
+  for (const Answer& answer : shown_.answers) {
+    auto* button = new QPushButton(answer.text, this);
+    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys with the picture
+    layout_->insertWidget(layout_->count() - 1, button);
+    connect(button, &QPushButton::clicked, this, [this, chosen = answer.chosen] {
+      close();
+      if (chosen) chosen();
+    });
+    buttons_.push_back(button);
+  }
+}
+
+void MessageBar::close() {
+  if (shown_.kind == Kind::question) question_.reset();
+  clear();
+}
+
 void MessageBar::clear() {
   timer_.stop();
+  if (question_) {
+    if (shown_.kind != Kind::question) present(*question_);
+    return;
+  }
+  shown_ = {};
   label_->clear();
+  makeButtons();
   hide();
 }
 

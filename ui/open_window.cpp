@@ -13,6 +13,7 @@
 #include <QLocale>
 #include <QSurfaceFormat>
 
+#include "app/state_folder.h"
 #include "app/version.h"
 #include "ui/icons.h"
 #include "ui/main_window.h"
@@ -101,8 +102,11 @@ int openWindow(const app::WindowRequest& request) {
   finishApplication();
 
   MainWindow window;
+  QObject::connect(&application, &QGuiApplication::commitDataRequest, &window, &MainWindow::commitData,
+                   Qt::DirectConnection);
   window.show();
   window.open(request);
+  if (const auto folder = app::stateFolder(); !folder.empty()) window.keepDocument(folder / "autosave");
   return QApplication::exec();
 }
 

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -18,6 +17,7 @@
 #include "app/reference_image.h"
 #include "app/session.h"
 #include "ui/number_text.h"
+#include "ui/save_dialog.h"
 #include "ui/style.h"
 
 namespace isolux::ui {
@@ -157,20 +157,26 @@ void ReferenceDialog::resizeEvent(QResizeEvent* event) {
 }
 
 void ReferenceDialog::choose() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, "Save path traced picture", QSettings().value("lastFolder").toString() + "/reference.exr",
-      "OpenEXR, linear colours, irradiance and variance (*.exr);;PNG, carries the session (*.png)");
-  if (file.isEmpty()) return;
-  QSettings().setValue("lastFolder", QFileInfo(file).absolutePath());
-  saveAs(QFileInfo(file).suffix().isEmpty() ? file + ".exr" : file);
+  const SaveAnswer answer = askForFileToSave(
+      this,
+      {"Save path traced picture",
+       QSettings().value("lastFolder").toString() + "/reference.exr",
+       {"OpenEXR, linear colours, irradiance and variance (*.exr)", "PNG, carries the session (*.png)"}});
+  if (answer.file.isEmpty()) return;
+  QSettings().setValue("lastFolder", QFileInfo(answer.file).absolutePath());
+  saveAs(answer.file);
 }
 
 bool ReferenceDialog::saveAs(const QString& file) {
   if (!image_) return false;
   try {
     const std::filesystem::path path = file.toStdString();
-    const std::string session = app::sessionText(resolved_, path.parent_path());
-    if (file.endsWith(".png", Qt::CaseInsensitive)) {
+    const std::string session = app::pictureSessionText(resolved_, path.parent_path());
+    const bool png = file.endsWith(".png", Qt::CaseInsensitive);
+    if (!png && !file.endsWith(".exr", Qt::CaseInsensitive))
+      scene::throwInput(path.filename().string(), "",
+                        "is not written: the name of a picture ends in .png or .exr");
+    if (png) {
       app::writePng(app::screenImage(*image_, resolved_.look), path, session);
     } else {
       app::writeReferenceExr(*image_, path, session);

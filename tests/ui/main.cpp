@@ -1,4 +1,5 @@
-// Runs the window's tests in one QApplication, with settings of its own instead of the user's.
+// Runs the window's tests in one QApplication, with settings and a state folder of its own instead of the
+// user's.
 #include <cstdio>
 
 #include <QApplication>
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                      QString::fromStdString(isolux::test::temporaryFolder().string()));
+  qputenv("XDG_STATE_HOME", QByteArray::fromStdString(isolux::test::temporaryFolder().string()));
   const QApplication application(argc, argv);
   isolux::ui::finishApplication();
   return RUN_ALL_TESTS();
