@@ -1,6 +1,6 @@
 // What global illumination a scene calls for: the least that gives its picture, and why.
 //
-// A pure function of the Scene (resolved or not). The bake plan (gi/light_plan.h), the renderer, `--explain`
+// A pure function of the Scene (resolved or not). Who plans the bake, the renderer, `--explain`
 // and the settings that act all ask here, so that they agree. Wyman et al. 2006 has irradiance, transfer and
 // vicinity as separate choices of its user.
 #pragma once

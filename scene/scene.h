@@ -60,7 +60,7 @@ enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa
 enum class LightSpace { camera, world };
 enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
 enum class LampKind { point, directional, sphere };
-// What is stored of the light; automatic: the least that the scene needs (gi/light_plan.h).
+// What is stored of the light; automatic: the least that the scene needs (scene/gi_choice.h).
 enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
 enum class GiExtent { full, band, view };  // which texels are lit
 enum class DirectionSequence { sobol_owen, r2, random };

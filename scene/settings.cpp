@@ -66,7 +66,7 @@ std::string allowedText(const Setting& setting) {
       text = "true or false";
       break;
     case SettingType::points:
-      text = "a list of up to 64 points [kappa1, kappa2, r, g, b], kappas from -1 to 1, colours from 0 to 1";
+      text = "a list of 1 to 64 points [kappa1, kappa2, r, g, b], kappas from -1 to 1, colours from 0 to 1";
       break;
     case SettingType::choice: {
       text = "one of ";

@@ -282,6 +282,14 @@ TEST(Settings, TextsAreBounded) {
   EXPECT_THROW(setting("source.path").set(scene, std::string("a\0b", 3)), Error);
 }
 
+TEST(Settings, AnEmptyListOfPointsIsRefusedAndOneIsTheLeast) {
+  Scene scene;
+  EXPECT_THAT(usageMessage([&] { setting("look.curvature_points").set(scene, nlohmann::json::array()); }),
+              AllOf(HasSubstr("a list of 0 is not allowed"), HasSubstr("a list of 1 to 64 points")));
+  setting("look.curvature_points").set(scene, {{0.0, 0.0, 0.5, 0.5, 0.5}});
+  EXPECT_EQ(scene.look.curvaturePoints.size(), 1u);
+}
+
 TEST(Settings, UnknownPathsGetASuggestion) {
   EXPECT_THAT(usageMessage([] { setting("isosurface.valeu"); }),
               AllOf(HasSubstr("isosurface.valeu"), HasSubstr("did you mean isosurface.value?")));
