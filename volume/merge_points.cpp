@@ -1,100 +1,90 @@
 #include "volume/merge_points.h"
 
-#include <array>
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "volume/parallel_steps.h"
+#include "volume/phantom_noise.h"
 
 namespace isolux::volume {
 
 namespace {
 
-using Cell = std::array<std::int64_t, 3>;
+using Cell = glm::i64vec3;
 
-// The points that are kept, in cells of several tolerances: kept points are farther apart than one, so that a
-// cell holds a bounded number of them, and most points look into their own cell only.
-class KeptPoints {
+constexpr double kCellTolerances =
+    4.0;  // width of a cell: few points need to look into a second one per axis
+
+// A hash table of cells, each a chain of the points in it that stand for themselves.
+class CellTable {
  public:
-  KeptPoints(const std::vector<glm::dvec3>& points, double tolerance)
-      : points_(points),
-        tolerance_(tolerance),
-        low_(points.front()),
-        firstInCell_(std::bit_ceil(2 * points.size() + 1), -1),
-        nextInCell_(points.size(), -1) {
-    glm::dvec3 high = low_;
-    for (const glm::dvec3& p : points) {
-      low_ = glm::min(low_, p);
-      high = glm::max(high, p);
-    }
-    // Never so small that the numbers of cells leave the range of doubles' whole numbers.
-    const double extent = glm::length(high - low_);
-    cellSize_ = std::max(4.0 * tolerance, extent * 0x1p-40);
-    if (!(cellSize_ > 0.0)) cellSize_ = 1.0;
+  CellTable(std::span<const glm::dvec3> points, double tolerance, const scene::Progress& progress)
+      : points_(points), tolerance_(tolerance), low_(std::numeric_limits<double>::infinity()) {
+    for (const glm::dvec3& p : points) low_ = glm::min(low_, p);
+    const std::size_t slots = std::bit_ceil(std::max<std::size_t>(points.size(), 2));
+    shift_ = 64 - std::countr_zero(slots);
+    resizeStoppably(first_, slots, progress);
+    resizeStoppably(next_, points.size(), progress);
   }
 
-  // The first kept point within the tolerance of this one; -1: none.
-  int nearest(std::size_t point) const {
-    const glm::dvec3& p = points_[point];
+  // The point that stands for this one; itself, which then does for others, where there is none yet.
+  int representativeOf(int point) {
+    const glm::dvec3& p = points_[static_cast<std::size_t>(point)];
     const Cell low = cellOf(p - tolerance_), high = cellOf(p + tolerance_);
-    int found = -1;
-    for (std::int64_t z = low[2]; z <= high[2]; ++z)
-      for (std::int64_t y = low[1]; y <= high[1]; ++y)
-        for (std::int64_t x = low[0]; x <= high[0]; ++x)
-          for (int i = firstInCell_[slotOf({x, y, z})]; i >= 0; i = nextInCell_[static_cast<std::size_t>(i)])
-            if ((found < 0 || i < found) && near(p, points_[static_cast<std::size_t>(i)])) found = i;
+    int found = point;
+    for (std::int64_t z = low.z; z <= high.z; ++z)
+      for (std::int64_t y = low.y; y <= high.y; ++y)
+        for (std::int64_t x = low.x; x <= high.x; ++x)
+          for (int other = first_[slotOf({x, y, z})] - 1; other >= 0;
+               other = next_[static_cast<std::size_t>(other)] - 1)
+            if (other < found && isNear(p, points_[static_cast<std::size_t>(other)])) found = other;
+    if (found == point) {
+      int& head = first_[slotOf(cellOf(p))];
+      next_[static_cast<std::size_t>(point)] = head;
+      head = point + 1;
+    }
     return found;
   }
 
-  void keep(std::size_t point) {
-    int& first = firstInCell_[slotOf(cellOf(points_[point]))];
-    nextInCell_[point] = first;
-    first = static_cast<int>(point);
-  }
-
  private:
-  bool near(const glm::dvec3& a, const glm::dvec3& b) const {
-    const glm::dvec3 d = a - b;
-    return d.x * d.x + d.y * d.y + d.z * d.z <= tolerance_ * tolerance_;
-  }
-
   Cell cellOf(const glm::dvec3& p) const {
-    const glm::dvec3 cell = glm::floor((p - low_) / cellSize_);
-    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
-            static_cast<std::int64_t>(cell.z)};
+    return Cell(glm::floor((p - low_) / (kCellTolerances * tolerance_)));
   }
-
-  // Cells share the slots of a table; points of other cells are told apart by their distance.
   std::size_t slotOf(const Cell& cell) const {
-    std::uint64_t hash = 0;
-    for (const std::int64_t axis : cell) {
-      hash = (hash ^ static_cast<std::uint64_t>(axis)) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 29;
-    }
-    return static_cast<std::size_t>(hash) & (firstInCell_.size() - 1);
+    const std::uint64_t key =
+        counterHash(static_cast<std::uint64_t>(cell.x),
+                    counterHash(static_cast<std::uint64_t>(cell.y), static_cast<std::uint64_t>(cell.z)));
+    return static_cast<std::size_t>(key >> shift_);
+  }
+  bool isNear(const glm::dvec3& a, const glm::dvec3& b) const {
+    return glm::dot(a - b, a - b) <= tolerance_ * tolerance_;
   }
 
-  const std::vector<glm::dvec3>& points_;
-  double tolerance_, cellSize_ = 1.0;
+  std::span<const glm::dvec3> points_;
+  double tolerance_;
   glm::dvec3 low_;
-  std::vector<int> firstInCell_, nextInCell_;
+  int shift_ = 0;
+  std::vector<int> first_, next_;  // number of a point + 1; 0 ends a chain
 };
 
 }  // namespace
 
-std::vector<int> mergedPoints(const std::vector<glm::dvec3>& points, double tolerance,
+std::vector<int> mergedPoints(std::span<const glm::dvec3> points, double tolerance,
                               const scene::Progress& progress) {
-  std::vector<int> mergedTo(points.size());
-  if (points.empty()) return mergedTo;
-  KeptPoints kept(points, tolerance);
+  CellTable table(points, tolerance, progress);
+  std::vector<int> result;
+  result.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % 65536 == 0) progress.throwIfStopped();
-    const int found = kept.nearest(i);
-    mergedTo[i] = found >= 0 ? found : static_cast<int>(i);
-    if (found < 0) kept.keep(i);
+    if (i % 4096 == 0) progress.throwIfStopped();
+    result.push_back(table.representativeOf(static_cast<int>(i)));
   }
-  return mergedTo;
+  return result;
 }
 
 }  // namespace isolux::volume

@@ -1,7 +1,7 @@
-// Points of a mesh at (nearly) the same place, found in time proportional to their number.
+// Points that lie at (nearly) the same place, as meshes whose triangles share no points have them.
 #pragma once
 
-#include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -10,10 +10,10 @@
 
 namespace isolux::volume {
 
-// For each point the one it becomes: the first one of the list that is kept and not farther than `tolerance`
-// (at least 0; in the points' unit), or itself, which is kept then. Points must be finite. Throws
-// Error{interrupted}.
-std::vector<int> mergedPoints(const std::vector<glm::dvec3>& points, double tolerance,
+// For each point the first one that it lies within `tolerance` of and that stands for itself, or its own
+// number. Points are taken in their order, so the result depends on nothing else. At most 2^31 - 1 points,
+// finite; tolerance > 0. Time proportional to the points. Throws Error{interrupted}.
+std::vector<int> mergedPoints(std::span<const glm::dvec3> points, double tolerance,
                               const scene::Progress& progress);
 
 }  // namespace isolux::volume

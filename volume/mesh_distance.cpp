@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "volume/parallel_steps.h"
 #include "volume/triangle_tree.h"
 
 namespace isolux::volume {
@@ -49,9 +50,12 @@ void measureBlock(const TriangleTree& tree, glm::ivec3 first, glm::ivec3 dims, f
 std::vector<float> unsignedDistance(const TriangleMesh& voxelMesh, glm::ivec3 dims,
                                     scene::Progress& progress) {
   progress.report(0.0, "measuring distances");
-  const TriangleTree tree(voxelMesh);
-  std::vector<float> values(static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
-                            static_cast<std::size_t>(dims.z));
+  const TriangleTree tree(voxelMesh, progress);
+  std::vector<float> values;
+  resizeStoppably(
+      values,
+      static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z),
+      progress);
   const glm::ivec3 blocks = (dims + kBlock - 1) / kBlock;
   const int count = blocks.x * blocks.y * blocks.z;
   std::atomic<int> done{0};
@@ -188,6 +192,7 @@ Grid signedDistance(const TriangleMesh& closed, const GridGeometry& geometry, sc
   const glm::ivec3 dims = geometry.dims;
   std::vector<float> values = unsignedDistance(mesh, dims, progress);
   const Slices slices(mesh, dims.z);
+  progress.throwIfStopped();
   const auto sliceVoxels = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
   const auto spacing = static_cast<float>(geometry.spacingMm().x);
   tbb::parallel_for(0, dims.z, [&](int z) {
@@ -197,7 +202,7 @@ Grid signedDistance(const TriangleMesh& closed, const GridGeometry& geometry, sc
     for (std::size_t i = 0; i < sliceVoxels; ++i) slice[i] *= spacing;
   });
   progress.throwIfStopped();
-  return {geometry, std::move(values)};
+  return {geometry, std::move(values), 1.0, 0.0, progress};
 }
 
 }  // namespace isolux::volume

@@ -6,15 +6,19 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "volume/merge_points.h"
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
 namespace {
+
+constexpr std::size_t kPolled = 1 << 14;  // elements between looks at the stop
 
 // A side of a triangle; (low, high) are its points in the order of their numbers.
 struct Side {
@@ -36,35 +40,54 @@ double areaOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 // Points at (nearly) the same place become one; triangles that lose a corner by that are dropped.
 void mergePoints(TriangleMesh& mesh, const scene::Progress& progress) {
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-  for (const glm::dvec3& p : mesh.points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
+  for (const glm::dvec3& point : mesh.points) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
   }
-  const std::vector<int> mergedTo = mergedPoints(mesh.points, 1e-6 * glm::length(high - low), progress);
+  const std::vector<int> mergedTo =
+      mergedPoints(mesh.points, std::max(1e-6 * glm::length(high - low), 1e-300), progress);
+  progress.throwIfStopped();
   for (Triangle& t : mesh.triangles)
     for (int i = 0; i < 3; ++i) t[i] = mergedTo[static_cast<std::size_t>(t[i])];
   std::erase_if(mesh.triangles, [](const Triangle& t) { return t.x == t.y || t.y == t.z || t.z == t.x; });
 }
 
-// Sorted, so that the sides of one edge stand together.
-std::vector<Side> sidesOf(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const int a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
+// So that the sides of one edge stand together: by low, then high, then triangle. Those of each low point are
+// counted and put into its place first, in the order of their triangles, so that only few are sorted at a
+// time.
+std::vector<Side> sidesOf(const TriangleMesh& mesh, const scene::Progress& progress) {
+  std::vector<std::size_t> places(mesh.points.size() + 1);
+  const auto forEachSide = [&](const auto& f) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (t % kPolled == 0) progress.throwIfStopped();
+      for (int i = 0; i < 3; ++i) {
+        const int a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
+        f(Side{std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
+      }
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
+  };
+  forEachSide([&](const Side& side) { ++places[static_cast<std::size_t>(side.low) + 1]; });
+  for (std::size_t i = 1; i < places.size(); ++i) places[i] += places[i - 1];
+  std::vector<std::size_t> next = places;
+  std::vector<Side> sides;
+  resizeStoppably(sides, places.back(), progress);
+  forEachSide([&](const Side& side) { sides[next[static_cast<std::size_t>(side.low)]++] = side; });
+  for (std::size_t low = 0; low < mesh.points.size(); ++low) {
+    if (low % kPolled == 0) progress.throwIfStopped();
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(places[low]),
+              sides.begin() + static_cast<std::ptrdiff_t>(places[low + 1]), [](const Side& a, const Side& b) {
+                return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
+              });
+  }
   return sides;
 }
 
 // Calls f(begin, end) for the sides of each edge.
 template <typename F>
-void forEachEdge(const std::vector<Side>& sides, F&& f) {
+void forEachEdge(const std::vector<Side>& sides, const scene::Progress& progress, F&& f) {
+  std::size_t edges = 0;
   for (auto begin = sides.begin(); begin != sides.end();) {
+    if (edges++ % kPolled == 0) progress.throwIfStopped();
     const auto end = std::find_if(
         begin, sides.end(), [&](const Side& s) { return s.low != begin->low || s.high != begin->high; });
     f(begin, end);
@@ -81,9 +104,9 @@ struct Neighbours {
   std::vector<std::array<Link, 3>> links;
   bool allAgree = true;
 
-  explicit Neighbours(const TriangleMesh& mesh, const std::vector<Side>& sides)
+  Neighbours(const TriangleMesh& mesh, const std::vector<Side>& sides, const scene::Progress& progress)
       : links(mesh.triangles.size()) {
-    forEachEdge(sides, [&](auto begin, auto end) {
+    forEachEdge(sides, progress, [&](auto begin, auto end) {
       if (end - begin != 2) return;
       const Side &a = *begin, &b = *(begin + 1);
       const bool disagrees = a.forward == b.forward;
@@ -121,6 +144,7 @@ Turned orient(TriangleMesh& mesh, const Neighbours& neighbours, const scene::Pro
     state[seed] = kept;
     std::size_t flips = 0;
     for (std::size_t next = 0; next < part.size(); ++next) {
+      if (next % kPolled == kPolled - 1) progress.throwIfStopped();
       const std::size_t t = part[next];
       for (const Neighbours::Link& link : neighbours.links[t]) {
         if (link.triangle < 0) continue;
@@ -146,9 +170,9 @@ Turned orient(TriangleMesh& mesh, const Neighbours& neighbours, const scene::Pro
 }
 
 // What the triangles leave open, as loops without a repeated point, run through against the triangles.
-std::vector<Loop> openLoops(const std::vector<Side>& sides) {
+std::vector<Loop> openLoops(const std::vector<Side>& sides, const scene::Progress& progress) {
   std::map<int, std::vector<int>> next;  // as many edges leave a point as arrive
-  forEachEdge(sides, [&](auto begin, auto end) {
+  forEachEdge(sides, progress, [&](auto begin, auto end) {
     int net = 0;
     for (auto side = begin; side != end; ++side) net += side->forward ? 1 : -1;
     for (int i = 0; i < std::abs(net); ++i)
@@ -157,7 +181,8 @@ std::vector<Loop> openLoops(const std::vector<Side>& sides) {
   std::vector<Loop> loops;
   std::map<int, std::size_t> position;  // of the points on the path
   Loop path;
-  while (!next.empty()) {
+  for (std::size_t step = 0; !next.empty(); ++step) {
+    if (step % kPolled == 0) progress.throwIfStopped();
     int at = path.empty() ? next.begin()->first : path.back();
     if (path.empty()) {
       path.push_back(at);
@@ -188,12 +213,13 @@ std::vector<Loop> openLoops(const std::vector<Side>& sides) {
 
 // Triangulates a loop with the smallest area, Barequet & Sharir 1995: the best of every stretch of it, from
 // the shortest on; O(n^3).
-void spanSmallest(TriangleMesh& mesh, const Loop& loop) {
+void spanSmallest(TriangleMesh& mesh, const Loop& loop, const scene::Progress& progress) {
   const std::size_t n = loop.size();
   const auto point = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(loop[i])]; };
   std::vector<double> area(n * n, 0.0);
   std::vector<std::size_t> apex(n * n, 0);
-  for (std::size_t length = 2; length < n; ++length)
+  for (std::size_t length = 2; length < n; ++length) {
+    progress.throwIfStopped();
     for (std::size_t i = 0; i + length < n; ++i) {
       const std::size_t k = i + length;
       area[i * n + k] = std::numeric_limits<double>::infinity();
@@ -205,6 +231,7 @@ void spanSmallest(TriangleMesh& mesh, const Loop& loop) {
         }
       }
     }
+  }
   std::deque<std::array<std::size_t, 2>> stretches{{0, n - 1}};
   for (; !stretches.empty(); stretches.pop_front()) {
     const auto [i, k] = stretches.front();
@@ -240,31 +267,30 @@ TriangleMesh closedMesh(TriangleMesh mesh, std::vector<std::string>& warnings,
   if (const std::size_t degenerate = before - mesh.triangles.size() + flat; degenerate > 0)
     warnings.push_back(counted(degenerate, "triangle") + " without area");
 
-  std::vector<Side> sides = sidesOf(mesh);
-  progress.throwIfStopped();
-  if (const Neighbours neighbours(mesh, sides); !neighbours.allAgree) {
+  std::vector<Side> sides = sidesOf(mesh, progress);
+  if (const Neighbours neighbours(mesh, sides, progress); !neighbours.allAgree) {
     const Turned turned = orient(mesh, neighbours, progress);
     warnings.push_back(counted(turned.triangles, "triangle") +
                        " faced the other way than their neighbours and were turned");
     if (turned.oneSided) warnings.push_back("the surface has only one side: what is inside is a guess");
-    sides = sidesOf(mesh);
+    sides = sidesOf(mesh, progress);
   }
   std::size_t boundary = 0, crowded = 0;
-  forEachEdge(sides, [&](auto begin, auto end) {
+  forEachEdge(sides, progress, [&](auto begin, auto end) {
     boundary += end - begin == 1;
     crowded += end - begin > 2;
   });
   if (crowded > 0)
     warnings.push_back(counted(crowded, "edge") +
                        " with more than two triangles: inside is where the surface winds round");
-  const std::vector<Loop> loops = openLoops(sides);
+  const std::vector<Loop> loops = openLoops(sides, progress);
   if (!loops.empty())
     warnings.push_back(counted(boundary, "boundary edge") + " in " + counted(loops.size(), "loop") +
                        ": the surface has holes; each is closed with a smallest patch to decide the inside");
   for (const Loop& loop : loops) {
     progress.throwIfStopped();
     if (loop.size() <= longestSpanned)
-      spanSmallest(mesh, loop);
+      spanSmallest(mesh, loop, progress);
     else
       spanFan(mesh, loop);
   }

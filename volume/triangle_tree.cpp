@@ -4,9 +4,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
+#include <tbb/parallel_invoke.h>
 #include <glm/geometric.hpp>
 
 namespace isolux::volume {
@@ -48,53 +50,103 @@ glm::dvec3 closestPoint(const glm::dvec3& p, const glm::dvec3& a, const glm::dve
   return sum > 0.0 ? a + ab * (vb / sum) + ac * (vc / sum) : closestOnEdge(p, a, b);
 }
 
-TriangleTree::TriangleTree(const TriangleMesh& mesh) {
-  assert(!mesh.triangles.empty());
-  std::vector<int> order(mesh.triangles.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::vector<glm::dvec3> middles;
-  middles.reserve(order.size());
-  triangles_.reserve(order.size());
-  for (const Triangle& t : mesh.triangles) {
-    const Corners& corners = triangles_.emplace_back(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    middles.push_back((corners.a + corners.b + corners.c) / 3.0);
+// Halves the triangles at the median along the longest axis of their middles, again and again. How many nodes
+// a half becomes is known by its number of triangles, so both can be built at the same time in their places.
+class TriangleTree::Builder {
+ public:
+  Builder(std::vector<Corners>& triangles, std::vector<Node>& nodes, const scene::Progress& progress)
+      : triangles_(triangles), nodes_(nodes), progress_(progress), order_(triangles.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    middles_.reserve(triangles.size());
+    for (const Corners& t : triangles) middles_.push_back((t.a + t.b + t.c) / 3.0);
   }
-  nodes_.reserve(order.size());
-  build(order, middles, 0, static_cast<int>(order.size()));
-  std::vector<Corners> sorted;
-  sorted.reserve(order.size());
-  for (const int i : order) sorted.push_back(triangles_[static_cast<std::size_t>(i)]);
-  triangles_ = std::move(sorted);
-}
 
-// Halves the triangles at the median along the longest axis of their middles.
-int TriangleTree::build(std::vector<int>& order, const std::vector<glm::dvec3>& middles, int begin, int end) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Node node{glm::dvec3(infinity), glm::dvec3(-infinity), begin, end - begin};
-  glm::dvec3 low(infinity), high(-infinity);
-  for (int i = begin; i < end; ++i) {
-    const auto index = static_cast<std::size_t>(order[static_cast<std::size_t>(i)]);
-    const Corners& t = triangles_[index];
-    node.low = glm::min(node.low, glm::min(t.a, glm::min(t.b, t.c)));
-    node.high = glm::max(node.high, glm::max(t.a, glm::max(t.b, t.c)));
-    low = glm::min(low, middles[index]);
-    high = glm::max(high, middles[index]);
+  void build() {
+    const int count = static_cast<int>(order_.size());
+    nodes_.resize(static_cast<std::size_t>(nodesOf(count)));
+    build(0, 0, count);
+    progress_.throwIfStopped();
+    std::vector<Corners> sorted;
+    sorted.reserve(order_.size());
+    for (const int i : order_) sorted.push_back(triangles_[static_cast<std::size_t>(i)]);
+    triangles_ = std::move(sorted);
   }
-  const int self = static_cast<int>(nodes_.size());
-  nodes_.push_back(node);
-  if (end - begin <= kLeafTriangles) return self;
-  const glm::dvec3 extent = high - low;
-  int axis = extent.y > extent.x ? 1 : 0;
-  if (extent.z > extent[axis]) axis = 2;
-  const int middle = begin + (end - begin) / 2;
-  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end, [&](int a, int b) {
-    return middles[static_cast<std::size_t>(a)][axis] < middles[static_cast<std::size_t>(b)][axis];
-  });
-  build(order, middles, begin, middle);
-  const int right = build(order, middles, middle, end);
-  nodes_[static_cast<std::size_t>(self)].first = right;
-  nodes_[static_cast<std::size_t>(self)].count = 0;
-  return self;
+
+ private:
+  // On each level there are but two neighbouring numbers of triangles, `few` and one more, times how often.
+  static std::int64_t nodesOf(int triangles) {
+    std::int64_t nodes = 0, few = triangles, ofFew = 1, ofMore = 0;
+    while (ofFew + ofMore > 0) {
+      nodes += ofFew + ofMore;
+      if (few <= kLeafTriangles) ofFew = 0;
+      if (few + 1 <= kLeafTriangles) ofMore = 0;
+      // few = 2 h: h, h; few + 1: h, h + 1.  few = 2 h + 1: h, h + 1; few + 1: h + 1, h + 1.
+      const bool even = few % 2 == 0;
+      const std::int64_t half = even ? 2 * ofFew + ofMore : ofFew,
+                         halfMore = even ? ofMore : ofFew + 2 * ofMore;
+      few /= 2;
+      ofFew = half;
+      ofMore = halfMore;
+    }
+    return nodes;
+  }
+
+  void build(std::int64_t self, int begin, int end) {
+    if (progress_.stopRequested()) return;
+    const int count = end - begin;
+    int axis = 0;
+    nodes_[static_cast<std::size_t>(self)] = bounded(begin, end, axis);
+    if (count <= kLeafTriangles) return;
+    const int middle = begin + count / 2;
+    std::nth_element(
+        order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](int a, int b) {
+          return middles_[static_cast<std::size_t>(a)][axis] < middles_[static_cast<std::size_t>(b)][axis];
+        });
+    const std::int64_t left = self + 1, right = left + nodesOf(middle - begin);
+    nodes_[static_cast<std::size_t>(self)].first = static_cast<int>(right);
+    nodes_[static_cast<std::size_t>(self)].count = 0;
+    constexpr int worthSharing = 4096;
+    if (count < worthSharing) {
+      build(left, begin, middle);
+      build(right, middle, end);
+    } else {
+      tbb::parallel_invoke([&] { build(left, begin, middle); }, [&] { build(right, middle, end); });
+    }
+  }
+
+  // A leaf of these triangles, and the longest axis of their middles.
+  Node bounded(int begin, int end, int& axis) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Node node{glm::dvec3(infinity), glm::dvec3(-infinity), begin, end - begin};
+    glm::dvec3 low(infinity), high(-infinity);
+    for (int i = begin; i < end; ++i) {
+      const auto index = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
+      const Corners& t = triangles_[index];
+      node.low = glm::min(node.low, glm::min(t.a, glm::min(t.b, t.c)));
+      node.high = glm::max(node.high, glm::max(t.a, glm::max(t.b, t.c)));
+      low = glm::min(low, middles_[index]);
+      high = glm::max(high, middles_[index]);
+    }
+    const glm::dvec3 extent = high - low;
+    axis = extent.y > extent.x ? 1 : 0;
+    if (extent.z > extent[axis]) axis = 2;
+    return node;
+  }
+
+  std::vector<Corners>& triangles_;
+  std::vector<Node>& nodes_;
+  const scene::Progress& progress_;
+  std::vector<int> order_;
+  std::vector<glm::dvec3> middles_;
+};
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh, const scene::Progress& progress) {
+  assert(!mesh.triangles.empty());
+  triangles_.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+    triangles_.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+  progress.throwIfStopped();
+  Builder(triangles_, nodes_, progress).build();
 }
 
 double TriangleTree::distance(const glm::dvec3& p, double limit, int& nearest) const {

@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "scene/progress.h"
 #include "volume/triangle_mesh.h"
 
 namespace isolux::volume {
@@ -17,7 +18,8 @@ glm::dvec3 closestPoint(const glm::dvec3& p, const glm::dvec3& a, const glm::dve
 
 class TriangleTree {
  public:
-  explicit TriangleTree(const TriangleMesh& mesh);  // at least one triangle
+  // At least one triangle. On all cores; throws Error{interrupted}.
+  TriangleTree(const TriangleMesh& mesh, const scene::Progress& progress);
 
   // The smaller of `limit` and the distance from p to the surface. `nearest` is the nearest triangle of a
   // point near by, or -1: a good one is fast, any is right. It becomes p's where that is nearer than `limit`.
@@ -32,7 +34,7 @@ class TriangleTree {
   struct Corners {
     glm::dvec3 a, b, c;
   };
-  int build(std::vector<int>& order, const std::vector<glm::dvec3>& middles, int begin, int end);
+  class Builder;
 
   std::vector<Corners> triangles_;  // in the order of the leaves
   std::vector<Node> nodes_;

@@ -25,9 +25,9 @@ using scene::throwInput;
 namespace {
 
 // VTK allocates what the pieces announce: no more than the file can hold at the best ratio of compression.
-void checkClaims(const Bytes& bytes) {
+void checkClaims(const Bytes& bytes, const scene::Progress& progress) {
   constexpr std::uint64_t bestRatio = 1032;  // of zlib; a point has 12 bytes at least, a cell 8
-  const std::string text = wholeText(bytes);
+  const std::string text = wholeText(bytes, progress);
   const std::string_view tagged = std::string_view(text).substr(0, text.find("<AppendedData"));
   Tags tags(tagged, bytes.name());
   bool hasPiece = false;
@@ -83,7 +83,7 @@ TriangleMesh decodePolyData(const std::filesystem::path& path, scene::Progress& 
   const std::string file = path.string();
   {
     const FileBytes bytes(path);
-    checkClaims(bytes);
+    checkClaims(bytes, progress);
     allowDecoding(bytes.size());
   }
   VtkMessages messages;

@@ -65,7 +65,6 @@ MeshFile readTriangles(const std::filesystem::path& path, const ReadOptions& opt
       file = {readPolyDataMesh(path, options.budgetBytes, progress), "VTK PolyData mesh"};
       break;
   }
-  checkMesh(file.mesh, bytes.name());
   return file;
 }
 
@@ -87,22 +86,30 @@ bool isMesh(const std::string& head, const std::string& extension) {
 
 BoxMm readMeshBounds(const std::filesystem::path& path, const ReadOptions& options,
                      scene::Progress& progress) {
-  return boundsOf(readTriangles(path, options, progress).mesh);
+  const TriangleMesh mesh = readTriangles(path, options, progress).mesh;
+  checkMesh(mesh, path.string());
+  return boundsOf(mesh);
 }
 
 Volume readMesh(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress) {
   MeshFile file = readTriangles(path, options, progress);
+  return distanceVolume(std::move(file.mesh), file.format, path.string(), options, progress);
+}
+
+Volume distanceVolume(TriangleMesh mesh, const std::string& format, const std::string& file,
+                      const ReadOptions& options, scene::Progress& progress) {
+  checkMesh(mesh, file);
   Volume volume;
-  volume.format = file.format;
+  volume.format = format;
   volume.fileType = VoxelType::float32;
   volume.unit = "mm";
   volume.isovalue = 0.0;
   volume.warnings.emplace_back("a mesh: turned into its signed distance, positive inside; 1 unit = 1 mm");
-  const GridGeometry geometry = geometryFor(file.mesh, options);
+  const GridGeometry geometry = geometryFor(mesh, options);
   checkBudget(geometry.voxelCount() * sizeof(float), "the distance field",
-              "a lower source.mesh_voxels needs less", path.string(), options);
-  const TriangleMesh closed = closedMesh(std::move(file.mesh), volume.warnings, progress);
-  if (closed.triangles.empty()) throwInput(path.string(), "", "no triangle has an area");
+              "a lower source.mesh_voxels needs less", file, options);
+  const TriangleMesh closed = closedMesh(std::move(mesh), volume.warnings, progress);
+  if (closed.triangles.empty()) throwInput(file, "", "no triangle has an area");
   volume.grid = std::make_shared<Grid>(signedDistance(closed, geometry, progress));
   if (volume.grid->maximum() <= 0.0) {
     volume.isovalue = -2.0 * geometry.spacingMm().x;

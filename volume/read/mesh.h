@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "volume/mesh_distance.h"
 #include "volume/reader.h"
@@ -15,6 +16,10 @@ namespace isolux::volume {
 bool isMesh(const std::string& head, const std::string& extension);
 
 Volume readMesh(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress);
+
+// The volume of triangles that a file held; `file` is for messages.
+Volume distanceVolume(TriangleMesh mesh, const std::string& format, const std::string& file,
+                      const ReadOptions& options, scene::Progress& progress);
 
 // The box of the triangles of a file that isMesh().
 BoxMm readMeshBounds(const std::filesystem::path& path, const ReadOptions& options,

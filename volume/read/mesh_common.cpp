@@ -1,4 +1,5 @@
 // What the readers of meshes share.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,9 +10,17 @@ namespace isolux::volume {
 
 using scene::throwInput;
 
-std::string wholeText(const Bytes& bytes) {
-  std::string text(static_cast<std::size_t>(bytes.size()), '\0');
-  bytes.read(0, std::as_writable_bytes(std::span(text)));
+std::string wholeText(const Bytes& bytes, const scene::Progress& progress) {
+  constexpr std::size_t piece = std::size_t{4} << 20;
+  const auto size = static_cast<std::size_t>(bytes.size());
+  std::string text;
+  text.reserve(size);
+  while (text.size() < size) {
+    progress.throwIfStopped();
+    const std::size_t done = text.size(), count = std::min(piece, size - done);
+    text.resize(done + count);
+    bytes.read(done, std::as_writable_bytes(std::span(text).subspan(done)));
+  }
   return text;
 }
 

@@ -26,7 +26,7 @@ TriangleMesh readObjMesh(const Bytes& bytes, const scene::Progress& progress);
 TriangleMesh readPlyMesh(const Bytes& bytes, const scene::Progress& progress);
 
 // What the readers share.
-std::string wholeText(const Bytes& bytes);
+std::string wholeText(const Bytes& bytes, const scene::Progress& progress);  // throws Error{interrupted}
 std::string_view nextWord(std::string_view& line);  // taken off the line; empty at its end
 // Throws naming `place` unless finite.
 void addPoint(TriangleMesh& mesh, const glm::dvec3& point, const std::string& file, const std::string& place);

@@ -20,17 +20,18 @@ std::int64_t pointOf(std::string_view corner, std::size_t points, const std::str
 }  // namespace
 
 TriangleMesh readObjMesh(const Bytes& bytes, const scene::Progress& progress) {
-  const std::string text = wholeText(bytes);
+  const std::string text = wholeText(bytes, progress);
   const std::string& file = bytes.name();
   TriangleMesh mesh;
   Lines lines(text);
   std::string joined;
   std::vector<std::int64_t> corners;
-  while (auto line = lines.next()) {
-    if (lines.number() % 16384 == 0) progress.throwIfStopped();
+  for (std::size_t passed = 0; auto line = lines.next(); ++passed) {
+    if (passed % 16384 == 0) progress.throwIfStopped();
     if (line->ends_with('\\')) {  // goes on in the next line
       joined.clear();
       while (line && line->ends_with('\\')) {
+        if (joined.size() / 65536 != (joined.size() + line->size()) / 65536) progress.throwIfStopped();
         joined.append(line->substr(0, line->size() - 1)).append(1, ' ');
         line = lines.next();
       }

@@ -114,10 +114,14 @@ PlyHeader parseHeader(std::string_view data, const std::string& file) {
 // The values behind the header, one after the other.
 class Values {
  public:
-  Values(std::string_view data, PlyEncoding encoding, const std::string& file)
-      : data_(data), encoding_(encoding), file_(file) {}
+  Values(std::string_view data, PlyEncoding encoding, const std::string& file,
+         const scene::Progress& progress)
+      : data_(data), encoding_(encoding), file_(file), progress_(progress) {}
 
-  double next(VoxelType type) { return encoding_ == PlyEncoding::text ? nextText() : nextBinary(type); }
+  double next(VoxelType type) {
+    if (++passed_ % 65536 == 0) progress_.throwIfStopped();
+    return encoding_ == PlyEncoding::text ? nextText() : nextBinary(type);
+  }
   // A claim of `count` values more must fit what is left of the file.
   void expect(std::uint64_t count, VoxelType type) const {
     const std::uint64_t least = encoding_ == PlyEncoding::text ? 1 : bytesOf(type);
@@ -152,6 +156,8 @@ class Values {
   std::string_view data_;
   PlyEncoding encoding_;
   const std::string& file_;
+  const scene::Progress& progress_;
+  std::uint64_t passed_ = 0;
 };
 
 // One row of an element: its scalars, and its list of corners.
@@ -210,11 +216,11 @@ bool looksLikePly(const std::string& head) {
 }
 
 TriangleMesh readPlyMesh(const Bytes& bytes, const scene::Progress& progress) {
-  const std::string data = wholeText(bytes);
+  const std::string data = wholeText(bytes, progress);
   const std::string& file = bytes.name();
   if (!looksLikePly(data)) throwInput(file, "line 1", "is not \"ply\"");
   const PlyHeader header = parseHeader(data, file);
-  Values values(std::string_view(data).substr(header.end), header.encoding, file);
+  Values values(std::string_view(data).substr(header.end), header.encoding, file, progress);
   TriangleMesh mesh;
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;
@@ -224,7 +230,6 @@ TriangleMesh readPlyMesh(const Bytes& bytes, const scene::Progress& progress) {
     const auto xyz = isVertex ? coordinatesOf(element, file) : std::array<std::size_t, 3>{};
     Rows row(element, values, file);
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      if (i % 16384 == 0) progress.throwIfStopped();
       const std::string place = element.name + " " + std::to_string(i);
       row.read(place);
       if (isVertex) addPoint(mesh, {row.scalar(xyz[0]), row.scalar(xyz[1]), row.scalar(xyz[2])}, file, place);

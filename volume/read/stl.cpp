@@ -92,7 +92,7 @@ bool looksLikeStlText(const std::string& head) {
 }
 
 TriangleMesh readStlMesh(const Bytes& bytes, const scene::Progress& progress) {
-  const std::string data = wholeText(bytes);
+  const std::string data = wholeText(bytes, progress);
   // Binary files may begin with "solid" too, but their count of facets has a zero byte.
   const std::string_view beginning = std::string_view(data).substr(0, 1024);
   const bool text = trimmed(beginning).starts_with("solid") && beginning.find('\0') == std::string_view::npos;
