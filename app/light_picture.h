@@ -10,8 +10,9 @@ namespace isolux::app {
 // The scene whose light a request reads: with deferred irradiance, any look's.
 scene::Scene litScene(scene::Scene resolved, const render::FrameRequest& request);
 
-// Bakes what the picture of `resolved` shows, as far as gi.extent says, and gives it to `renderer`; nothing
-// is baked for pictures that read no light. Throws scene::Error, also when `progress` is stopped.
+// Makes what the fields of `resolved` need (volume/cubic_fields.h). Bakes what the picture of `resolved`
+// shows, as far as gi.extent says, and gives it to `renderer`; nothing is baked for pictures that read no
+// light. Throws scene::Error, also when `progress` is stopped.
 void lightPicture(LightController& controller, render::Renderer& renderer, const scene::Scene& resolved,
                   const render::FrameRequest& request,
                   const std::shared_ptr<const volume::PreparedVolume>& volume, scene::Progress& progress);

@@ -124,6 +124,7 @@ void Studio::measure(std::vector<Alternative>& alternatives, scene::Progress& pr
   for (int round = 0; round <= repeat_; ++round)
     for (Alternative& alternative : alternatives) {
       progress.throwIfStopped();
+      volume_->cubicFields->makeFor(alternative.scene, progress);
       drawOnce(alternative, round > 0);  // the first round warms up, and its pictures are compared
       if (round == 0) alternative.images = imagesOf(alternative.scene);
       progress.report(from + (to - from) * ++done / frames, "measuring");

@@ -66,24 +66,17 @@ volume::Ray ReferenceView::rayOf(std::size_t pixel, glm::dvec2 offset) const {
 }
 
 void ReferenceView::prepare(Field field, scene::Progress& progress) {
-  const volume::Grid& grid = volume_->grid();
-  if (field == Field::cubic_interpolating && coefficients_.empty())
-    coefficients_ = volume::interpolatingCoefficients(grid);
-  auto& blocks = blocks_[indexOf(field)];
-  if (field == Field::trilinear || blocks) return;
-  blocks = field == Field::cubic
-               ? volume::MinMaxBlocks::ofCubic(grid, volume::kBlockCells, progress)
-               : volume::MinMaxBlocks::ofCubic(coefficients_, grid, volume::kBlockCells, progress);
+  cubic_[indexOf(field)] = volume_->cubicFields->make(field, progress);
 }
 
 ReferenceView::Cast ReferenceView::cast(Field field, const volume::Ray& ray, double isovalue) const {
   const volume::Grid& grid = volume_->grid();
   if (field == Field::trilinear)
     return {volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum)};
-  const volume::MinMaxBlocks& blocks = blocks_[indexOf(field)].value();
-  const volume::CubicHit hit = field == Field::cubic
-                                   ? volume::firstHitCubic(grid, blocks, isovalue, ray)
-                                   : volume::firstHitCubic(coefficients_, grid, blocks, isovalue, ray);
+  const volume::CubicField& cubic = *cubic_[indexOf(field)];
+  const volume::CubicHit hit =
+      field == Field::cubic ? volume::firstHitCubic(grid, cubic.blocks, isovalue, ray)
+                            : volume::firstHitCubic(*cubic.coefficients, grid, cubic.blocks, isovalue, ray);
   return {hit.hit, hit.certain};
 }
 
@@ -118,8 +111,9 @@ const ReferenceView::Hits& ReferenceView::hitsOf(Field field, scene::Progress& p
 ReferenceShape ReferenceView::shapeAt(Field field, const glm::dvec3& voxel) const {
   const volume::Grid& grid = volume_->grid();
   volume::FieldSample sample = field == Field::trilinear ? volume::sampleTrilinear(grid, voxel)
-                               : field == Field::cubic   ? volume::sampleCubic(grid, voxel)
-                                                         : volume::sampleCubic(coefficients_, grid, voxel);
+                               : field == Field::cubic
+                                   ? volume::sampleCubic(grid, voxel)
+                                   : volume::sampleCubic(*cubic_[indexOf(field)]->coefficients, grid, voxel);
   const bool known = std::isfinite(sample.value);
   // As the shader: next to missing voxels the cell's own gradient, and no curvature.
   if (!known) sample = volume::sampleTrilinear(grid, voxel);

@@ -53,8 +53,8 @@ class ReferenceView {
   glm::ivec2 size_;
   scene::CameraFrame frame_;
   double rayStartMm_, isovalue_, outward_, noise_;
-  std::vector<float> coefficients_;                                  // of cubic_interpolating, once asked for
-  std::array<std::optional<volume::MinMaxBlocks>, kFields> blocks_;  // of the cubic fields
+  std::array<std::shared_ptr<const volume::CubicField>, kFields>
+      cubic_;  // of the cubic fields, once asked for
   std::array<Hits, kFields> hits_;
   std::array<std::array<Shapes, kFields>, kFields> shapes_;  // [hit field][shape field]
 };

@@ -286,8 +286,12 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
   const Header header = readHeader(bytes);
   char hash[20];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(grid.hash()));
-  if (header.fields.at("volume_hash") != hash)
+  if (header.fields.at("volume_hash") != hash) {
+    // Other versions of the light may have hashed the same volume in another way: that is said instead.
+    for (const auto& [field, key] : {std::pair("key", &skyKey), std::pair("key_lamps", &lampsKey)})
+      if (!key->empty() && header.fields.contains(field)) checkKey(header, file, field, *key);
     throwInput(file, "Array volume_hash", "the volume is another one");
+  }
   const LatticeGeometry geometry{header.dims, grid.dims()};
   for (int a = 0; a < 3; ++a)
     if (geometry.dims[a] > (geometry.volumeDims[a] - 1) * kMostTexelsPerVoxel + 1)
@@ -323,6 +327,7 @@ std::string keyDifference(const std::string& stored, const std::string& wanted) 
   const auto differs = [&](const std::string& name) {
     return a.contains(name) != b.contains(name) || (a.contains(name) && a[name] != b[name]);
   };
+  if (differs("format")) return "was baked by another version of Isolux, whose light is not that of this one";
   if (differs("volume")) return "the volume is another one";
   for (const json* keys : {&b, &a})
     for (const auto& [name, value] : keys->items())

@@ -13,7 +13,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int formatVersion = 1;  // of the light itself: goes up when the same settings give other numbers
+// Of the light itself: goes up when the same settings give other numbers. 2: other hashes of volumes.
+constexpr int formatVersion = 2;
 
 std::string hexOf(std::uint64_t hash) {
   char text[17];

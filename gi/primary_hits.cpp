@@ -49,13 +49,7 @@ PrimaryHits::PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, c
        {&resolved.isosurface2, &resolved.isosurface3, &resolved.isosurface4})
     if (extra->shown) add(extra->value.value(), extra->albedo);
 
-  const volume::Grid& grid = volume_->grid();
-  if (field_ == scene::Field::cubic)
-    blocksOfCubic_ = volume::MinMaxBlocks::ofCubic(grid, volume::kBlockCells, progress);
-  if (field_ == scene::Field::cubic_interpolating) {
-    coefficients_ = volume::interpolatingCoefficients(grid);
-    blocksOfCubic_ = volume::MinMaxBlocks::ofCubic(coefficients_, grid, volume::kBlockCells, progress);
-  }
+  cubic_ = volume_->cubicFields->make(field_, progress);
 }
 
 glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {
@@ -64,10 +58,10 @@ glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {
 
 std::optional<volume::RayHit> PrimaryHits::cast(double isovalue, const volume::Ray& ray) const {
   const volume::Grid& grid = volume_->grid();
-  if (!blocksOfCubic_)
+  if (!cubic_)
     return volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum);
-  if (field_ == scene::Field::cubic) return volume::firstHitCubic(grid, *blocksOfCubic_, isovalue, ray).hit;
-  return volume::firstHitCubic(coefficients_, grid, *blocksOfCubic_, isovalue, ray).hit;
+  if (field_ == scene::Field::cubic) return volume::firstHitCubic(grid, cubic_->blocks, isovalue, ray).hit;
+  return volume::firstHitCubic(*cubic_->coefficients, grid, cubic_->blocks, isovalue, ray).hit;
 }
 
 std::optional<PrimaryHit> PrimaryHits::at(glm::ivec2 pixel) const {

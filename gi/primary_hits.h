@@ -57,8 +57,7 @@ class PrimaryHits {
   bool insideAbove_;
   scene::Field field_;
   std::vector<Surface> surfaces_;
-  std::vector<float> coefficients_;                    // of cubic_interpolating
-  std::optional<volume::MinMaxBlocks> blocksOfCubic_;  // of the cubic fields
+  std::shared_ptr<const volume::CubicField> cubic_;  // of the cubic fields
 };
 
 }  // namespace isolux::gi

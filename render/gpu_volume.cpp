@@ -22,9 +22,9 @@ bool GpuVolume::hasCells() const {
   return glm::all(glm::greaterThan(volume_->blocks->dims(), glm::ivec3(0)));
 }
 
-const std::vector<float>& GpuVolume::coefficients() {
-  if (coefficients_.empty()) coefficients_ = volume::interpolatingCoefficients(grid());
-  return coefficients_;
+const volume::CubicField& GpuVolume::cubic(scene::Field field) const {
+  scene::Progress unwatched;
+  return *volume_->cubicFields->make(field, unwatched);  // which keeps it
 }
 
 bool GpuVolume::fitsWhole(std::size_t budgetBytes) const {
@@ -60,7 +60,8 @@ void GpuVolume::require(const scene::Scene& scene) {
   if (!samples_) samples_.emplace(grid());
   if (scene.hit.field == scene::Field::cubic_interpolating ||
       scene.derivatives.field == scene::Field::cubic_interpolating)
-    if (!coefficientTexels_) coefficientTexels_.emplace(coefficients(), grid().dims());
+    if (!coefficientTexels_)
+      coefficientTexels_.emplace(*cubic(scene::Field::cubic_interpolating).coefficients, grid().dims());
   const Layout wanted{scene.memory, coefficientTexels_.has_value()};
   if (layout_ == wanted) return;
   layout_.reset();
@@ -129,16 +130,12 @@ void GpuVolume::setField(scene::Field field) {
   using volume::BoxBounds;
   using volume::MinMaxBlocks;
   if (activeField_ == field) return;
-  scene::Progress unwatched;
-  const int cells = volume_->blocks->blockCells();
   std::shared_ptr<const MinMaxBlocks> blocks = volume_->blocks;
   boxes_ = volume_->boxes;
-  if (field == scene::Field::cubic) {
-    blocks = std::make_shared<MinMaxBlocks>(MinMaxBlocks::ofCubic(grid(), cells, unwatched));
-    boxes_ = std::make_shared<BoxBounds>(BoxBounds::ofCubic(grid(), unwatched));
-  } else if (field == scene::Field::cubic_interpolating) {
-    blocks = std::make_shared<MinMaxBlocks>(MinMaxBlocks::ofCubic(coefficients(), grid(), cells, unwatched));
-    boxes_ = std::make_shared<BoxBounds>(BoxBounds::ofCubic(coefficients(), grid(), unwatched));
+  if (field != scene::Field::trilinear) {
+    const volume::CubicField& made = cubic(field);
+    blocks = {volume_, &made.blocks};
+    boxes_ = {volume_, &made.boxes};
   }
   active_ = std::make_unique<volume::ActiveBlocks>(blocks);
   faces_ = std::make_unique<BlockFaceSet>(blocks->dims());
@@ -166,7 +163,10 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   setField(field);
   if (!hasCells()) return;
   std::vector<float> stored;
-  for (const double value : values) stored.push_back(static_cast<float>(grid().storedOfValue(value)));
+  // Blocks and boxes of coefficients lack the coefficients' offset.
+  const double offset = field == scene::Field::cubic_interpolating ? cubic(field).coefficients->offset : 0.0;
+  for (const double value : values)
+    stored.push_back(static_cast<float>(grid().storedOfValue(value) - offset));
   const bool fresh = faceCapacity_ == 0;
   const std::span<const std::uint32_t> changed = active_->update(stored);
   faces_->update(active_->flags(), changed);
@@ -188,8 +188,8 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
 
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(scene::Field field, double value, double outward) {
   if (!hasCells()) return {};
-  const std::vector<float>* const spline =
-      field == scene::Field::cubic_interpolating ? &coefficients() : nullptr;
+  const volume::Coefficients* const spline =
+      field == scene::Field::cubic_interpolating ? &*cubic(field).coefficients : nullptr;
   return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, spline);
 }
 

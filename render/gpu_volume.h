@@ -76,13 +76,13 @@ class GpuVolume {
   void makeWhole(std::size_t budgetBytes);
   void makeBricks(std::size_t budgetBytes);
   const TexelSource& sourceOf(scene::Field field) const;
-  const std::vector<float>& coefficients();
+  // What a cubic field needs; makes it where nobody has (see volume/cubic_fields.h: takes long).
+  const volume::CubicField& cubic(scene::Field field) const;
   void setField(scene::Field field);  // whose blocks are kept
   void updateMasks(const std::vector<float>& storedIsovalues);
 
   GlPtr gl_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
-  std::vector<float> coefficients_;  // of the interpolating spline, once asked for
   std::optional<TexelSource> samples_, coefficientTexels_;
   std::optional<Layout> layout_;                  // that is made
   Texture samplesTexture_, coefficientsTexture_;  // of a whole volume

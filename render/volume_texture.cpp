@@ -11,12 +11,10 @@ namespace isolux::render {
 namespace {
 
 // Of the largest magnitude, as a power of two.
-int exponentOf(const std::vector<float>& values) {
-  float largest = 0.0f;
-  for (const float v : values)
-    if (std::fabs(v) > largest) largest = std::fabs(v);
+int exponentOf(double least, double most) {
+  const double largest = std::max(std::fabs(least), std::fabs(most));
   int exponent = 0;
-  if (largest > 0.0f) std::frexp(largest, &exponent);
+  if (largest > 0.0) std::frexp(largest, &exponent);
   return std::clamp(exponent, -126, 127);
 }
 
@@ -54,15 +52,18 @@ TexelSource::TexelSource(const volume::Grid& grid) : dims_(grid.dims()), voxels_
       scale_ = 65535.0;
       break;
     default:
-      exponent_ = exponentOf(std::get<std::vector<float>>(*voxels_));
+      exponent_ = exponentOf(grid.storedMinimum(), grid.storedMaximum());
       scale_ = std::ldexp(1.0, exponent_);
   }
   if (grid.storedType() == VoxelType::int8) offset_ = -128.0;
   if (grid.storedType() == VoxelType::int16) offset_ = -32768.0;
 }
 
-TexelSource::TexelSource(const std::vector<float>& coefficients, glm::ivec3 dims)
-    : dims_(dims), coefficients_(&coefficients), exponent_(exponentOf(coefficients)) {
+TexelSource::TexelSource(const volume::Coefficients& coefficients, glm::ivec3 dims)
+    : dims_(dims),
+      coefficients_(&coefficients.values),
+      offset_(coefficients.offset),
+      exponent_(exponentOf(static_cast<double>(coefficients.least), static_cast<double>(coefficients.most))) {
   scale_ = std::ldexp(1.0, exponent_);
 }
 

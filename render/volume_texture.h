@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/gl_objects.h"
+#include "volume/coefficients.h"
 #include "volume/grid.h"
 
 namespace isolux::render {
@@ -17,8 +18,9 @@ namespace isolux::render {
 class TexelSource {
  public:
   explicit TexelSource(const volume::Grid& grid);
-  // Float coefficients on the axes of a grid (volume::interpolatingCoefficients), as a float32 volume.
-  TexelSource(const std::vector<float>& coefficients, glm::ivec3 dims);
+  // Coefficients on the axes of a grid (volume::interpolatingCoefficients): texels are those of their values,
+  // as of a float32 volume, and offset() is theirs.
+  TexelSource(const volume::Coefficients& coefficients, glm::ivec3 dims);
 
   glm::ivec3 dims() const { return dims_; }
   double scale() const { return scale_; }

@@ -36,12 +36,19 @@ HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent) {
   });
 }
 
-HistogramSlider::~HistogramSlider() = default;
+HistogramSlider::~HistogramSlider() {
+  stopDetail();
+}
+
+void HistogramSlider::stopDetail() {
+  detailTimer_.stop();
+  if (detailProgress_) detailProgress_->requestStop();
+  detailJob_ = {};  // waits for a count that is still running: it ends within milliseconds
+}
 
 void HistogramSlider::setVolume(VolumePointer volume) {
   volume_ = std::move(volume);
-  detailTimer_.stop();
-  detailJob_ = {};  // waits for a count that is still running: a fraction of a second
+  stopDetail();
   detail_ = {};
   pending_.reset();
   hovered_.reset();
@@ -80,8 +87,10 @@ void HistogramSlider::wantDetail() {
   const double bins = static_cast<double>(volume_->histogram.counts.size());
   const double shown = bins * plot_.shownRange() / (plot_.maximum() - plot_.minimum());
   if (shown > plotArea().width()) return;  // still more bins than pixels
-  detailJob_ = std::async(std::launch::async,
-                          [volume = volume_] { return volume::makeHistogram(volume->grid(), detailBins); });
+  detailProgress_ = std::make_shared<scene::Progress>();
+  detailJob_ = std::async(std::launch::async, [volume = volume_, progress = detailProgress_] {
+    return volume::makeHistogram(volume->grid(), detailBins, *progress);
+  });
   detailTimer_.start();
 }
 

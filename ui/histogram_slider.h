@@ -58,6 +58,7 @@ class HistogramSlider : public QWidget {
   void nudge(double steps);   // wheel and keys
   void sendPending();
   void zoomed();
+  void stopDetail();
   void wantDetail();  // a finer histogram, counted on another thread
   void paintColumns(QPainter& painter, const QRectF& area) const;
   void paintAxis(QPainter& painter, const QRectF& area) const;
@@ -68,6 +69,7 @@ class HistogramSlider : public QWidget {
   HistogramPlot plot_;
   volume::Histogram detail_;  // finer than the volume's own; empty until somebody zooms in
   std::future<volume::Histogram> detailJob_;
+  std::shared_ptr<scene::Progress> detailProgress_;
   QTimer detailTimer_, sendTimer_;
   double isovalue_ = 0.0;
   bool insideAbove_ = true;

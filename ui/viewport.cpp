@@ -19,7 +19,8 @@ constexpr int restMilliseconds = 200;                // after the last change, b
 constexpr std::size_t brickBytesPerFrame = 8 << 20;  // a few milliseconds of uploads
 constexpr std::size_t lightBytesPerFrame = 1 << 20;  // so are these: texels are filtered on their way
 constexpr int seenMilliseconds = 200;                // what moves on is told at most this often
-constexpr int pointMilliseconds = 40;                // the pointer's value is looked up at most this often
+constexpr int fieldPollMilliseconds = 50;
+constexpr int pointMilliseconds = 40;  // the pointer's value is looked up at most this often
 
 bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // null: any
   return std::any_of(report.passes.begin(), report.passes.end(), [pass](const render::PassReport& entry) {
@@ -28,6 +29,12 @@ bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // nu
 }
 
 // What to say of a picture of which something is missing.
+QString fieldNote(const FieldJob& job) {
+  if (job.finished() && job.error()) return QString::fromStdString(job.error()->what());
+  return QString("Interpolating the volume: %1 %; until then another field is shown")
+      .arg(std::lround(100.0 * job.progress().fraction()));
+}
+
 QString missingNote(const render::BrickReport& bricks) {
   if (bricks.missing <= 0.0) return {};
   const QString percent = QString::number(100.0 * bricks.missing, 'g', 2);
@@ -86,6 +93,8 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), overlay_(new Viewpo
   pointTimer_.setSingleShot(true);
   pointTimer_.setInterval(pointMilliseconds);
   connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
+  fieldTimer_.setInterval(fieldPollMilliseconds);
+  connect(&fieldTimer_, &QTimer::timeout, this, &Viewport::pollFields);
   // Without any context initializeGL() is never called; half a second after showing it would have been.
   contextTimer_.setSingleShot(true);
   contextTimer_.setInterval(500);
@@ -191,7 +200,7 @@ const render::FrameReport& Viewport::drawPicture() {
   lastRequest_.brickUploadBytes = brickBytesPerFrame;
   lastRequest_.lightUploadBytes = lightBytesPerFrame;
   renderer_->setLight(light_);
-  const render::FrameReport& report = renderer_->render(resolved_, lastRequest_);
+  const render::FrameReport& report = renderer_->render(drawable(), lastRequest_);
   renderer_->present(defaultFramebufferObject(), pixelSize());
   return report;
 }
@@ -219,7 +228,7 @@ void Viewport::showed(const render::FrameReport& report, double milliseconds) {
   }
   bricksPending_ = report.bricks.pending;
   lightPending_ = report.light.pending;
-  overlay_->setNote(missingNote(report.bricks));
+  overlay_->setNote(fieldsPending_ ? fieldNote(*fieldJob_) : missingNote(report.bricks));
   if (bricksPending_ || lightPending_) update();  // the next frame gets further
   reportSeen();
   Q_EMIT reported(report, lastRequest_);
@@ -240,7 +249,8 @@ void Viewport::reportSeen() {
 }
 
 bool Viewport::complete() const {
-  return renderer_ && current_ && !bricksPending_ && !lightPending_ && lastRequest_.size == pixelSize() &&
+  return renderer_ && current_ && !bricksPending_ && !lightPending_ && !fieldsPending_ &&
+         lastRequest_.size == pixelSize() &&
          lastRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
 }
 
@@ -277,7 +287,29 @@ void Viewport::setHint(const QString& text) {
   overlay_->setHint(text);
 }
 
+scene::Scene Viewport::drawable() {
+  fieldsPending_ = volume_ && !volume_->cubicFields->readyFor(resolved_);
+  if (!fieldsPending_) return resolved_;
+  if (!fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_)))
+    fieldJob_ = std::make_unique<FieldJob>(volume_, resolved_);
+  if (!fieldTimer_.isActive()) fieldTimer_.start();
+  return withReadyFields(resolved_, *volume_->cubicFields);
+}
+
+void Viewport::pollFields() {
+  if (!fieldJob_ || !volume_ || volume_->cubicFields->readyFor(resolved_)) {
+    fieldTimer_.stop();
+    if (fieldsPending_) redraw();
+    return;
+  }
+  overlay_->setNote(fieldNote(*fieldJob_));
+  if (!fieldJob_->finished()) return;
+  fieldTimer_.stop();
+  if (!fieldJob_->isFor(resolved_)) redraw();  // the next one's turn
+}
+
 void Viewport::setVolume(VolumePointer volume) {
+  fieldJob_.reset();
   volume_ = std::move(volume);
   if (renderer_) {
     makeCurrent();
@@ -323,6 +355,12 @@ render::ColorImage Viewport::picture() {
     request.size = pixelSize();
     request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
     request.pixelRatio = devicePixelRatioF();
+    const bool ready = !volume_ || volume_->cubicFields->readyFor(resolved_);
+    if (!ready && fieldJob_ && fieldJob_->finished() && fieldJob_->error())
+      throw scene::Error(*fieldJob_->error());
+    if (!ready)
+      throw scene::Error(scene::ErrorKind::graphics, "", "",
+                         "the volume is still being interpolated for this picture; save it in a moment");
     renderer_->setLight(light_);
     renderer_->render(resolved_, request);
     lastRequest_ = request;  // what pick() reads from now on

@@ -23,6 +23,7 @@
 #include "ui/baked_light.h"
 #include "ui/document.h"
 #include "ui/edit.h"
+#include "ui/field_job.h"
 #include "ui/lamp_handles.h"
 #include "ui/picture_quality.h"
 
@@ -98,6 +99,8 @@ class Viewport : public QOpenGLWidget {
   void refine();
   void rest();  // a gesture has ended
   void reportSeen();
+  scene::Scene drawable();  // what of the scene can be drawn by now; has the rest made
+  void pollFields();
   LampStage lampStage() const;
   std::vector<LampHandle> lamps() const;
   std::optional<LampGrip> lampUnder(QPointF position) const;
@@ -126,10 +129,12 @@ class Viewport : public QOpenGLWidget {
   bool failed_ = false;         // the last try to draw it: nothing is tried until something changes
   bool bricksPending_ = false;  // the next frame gets further
   bool lightPending_ = false;   // so it does, with stored light
+  bool fieldsPending_ = false;  // the picture is drawn with other fields than the scene asks for
+  std::unique_ptr<FieldJob> fieldJob_;
   bool interacting_ = false;
   double seenPixels_ = 0.0;  // of the finest picture of this view that was told by seen(); 0 none
   QElapsedTimer sinceSeen_;
-  QTimer refineTimer_, pointTimer_, contextTimer_;
+  QTimer refineTimer_, pointTimer_, contextTimer_, fieldTimer_;
 
   Drag drag_ = Drag::none;
   Qt::MouseButton dragButton_ = Qt::NoButton;

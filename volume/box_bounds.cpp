@@ -8,7 +8,8 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
+
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -26,22 +27,9 @@ struct Range {
   }
 };
 
-template <class T>
-Range rangeOf(const std::vector<T>& voxels) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, voxels.size(), 1 << 16), Range{},
-      [&](const tbb::blocked_range<std::size_t>& part, Range range) {
-        for (std::size_t i = part.begin(); i < part.end(); ++i) {
-          const auto v = static_cast<float>(voxels[i]);
-          range.low = v < range.low ? v : range.low;  // false for missing voxels
-          range.high = v > range.high ? v : range.high;
-        }
-        return range;
-      },
-      [](Range a, Range b) {
-        a.add(b);
-        return a;
-      });
+Range rangeOf(const Grid& grid) {
+  if (grid.missingCount() == grid.geometry().voxelCount()) return {};
+  return {static_cast<float>(grid.storedMinimum()), static_cast<float>(grid.storedMaximum())};
 }
 
 // The ranges of the boxes of one block, one axis after the other: rows to boxes along x, then along y, then
@@ -101,39 +89,44 @@ class BlockScan {
 
 }  // namespace
 
-BoxBounds::BoxBounds(glm::ivec3 voxels) {
+BoxBounds::BoxBounds(glm::ivec3 voxels, const scene::Progress& progress) {
   const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
   dims_ = (cells + kBlockCells - 1) / kBlockCells;
-  bounds_.resize(static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
-                 static_cast<std::size_t>(dims_.z));
+  resizeStoppably(bounds_,
+                  static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
+                      static_cast<std::size_t>(dims_.z),
+                  progress);
 }
 
-BoxBounds::BoxBounds(const Grid& grid, scene::Progress& progress) : BoxBounds(grid.dims()) {
-  std::visit([&](const auto& voxels) { fill(voxels, grid.dims(), 0, progress); }, grid.voxels());
+BoxBounds::BoxBounds(const Grid& grid, scene::Progress& progress) : BoxBounds(grid.dims(), progress) {
+  const Range range = rangeOf(grid);
+  std::visit([&](const auto& voxels) { fill(voxels, range.low, range.high, grid.dims(), 0, progress); },
+             grid.voxels());
 }
 
 BoxBounds BoxBounds::ofCubic(const Grid& grid, scene::Progress& progress) {
-  BoxBounds result(grid.dims());
-  std::visit([&](const auto& voxels) { result.fill(voxels, grid.dims(), 1, progress); }, grid.voxels());
+  BoxBounds result(grid.dims(), progress);
+  const Range range = rangeOf(grid);
+  std::visit(
+      [&](const auto& voxels) { result.fill(voxels, range.low, range.high, grid.dims(), 1, progress); },
+      grid.voxels());
   return result;
 }
 
-BoxBounds BoxBounds::ofCubic(const std::vector<float>& coefficients, const Grid& grid,
-                             scene::Progress& progress) {
-  assert(coefficients.size() == grid.geometry().voxelCount());
-  BoxBounds result(grid.dims());
-  result.fill(coefficients, grid.dims(), 1, progress);
+BoxBounds BoxBounds::ofCubic(const Coefficients& coefficients, const Grid& grid, scene::Progress& progress) {
+  assert(coefficients.values.size() == grid.geometry().voxelCount());
+  BoxBounds result(grid.dims(), progress);
+  result.fill(coefficients.values, coefficients.least, coefficients.most, grid.dims(), 1, progress);
   return result;
 }
 
 template <class T>
-void BoxBounds::fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apron,
-                     scene::Progress& progress) {
+void BoxBounds::fill(const std::vector<T>& voxels, float lowest, float highest, glm::ivec3 voxelDims,
+                     int apron, scene::Progress& progress) {
   constexpr double steps = 65535.0;
-  const Range all = rangeOf(voxels);
-  origin_ = static_cast<double>(all.low);
-  const double width = static_cast<double>(all.high) - origin_;
-  if (!(width > 0.0)) {  // constant or missing: nothing can be crossed
+  origin_ = static_cast<double>(lowest);
+  const double extent = static_cast<double>(highest) - origin_;
+  if (!(extent > 0.0)) {  // constant or missing: nothing can be crossed
     origin_ = 0.0;
     for (Bounds& bounds : bounds_) {
       std::fill(std::begin(bounds.low), std::end(bounds.low), std::uint16_t{1});
@@ -141,30 +134,25 @@ void BoxBounds::fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apr
     }
     return;
   }
-  scale_ = steps / width;
+  scale_ = steps / extent;
   const auto quantised = [&](float v, bool up) {
     const double q = (static_cast<double>(v) - origin_) * scale_;
     return static_cast<std::uint16_t>(
         std::clamp(up ? std::ceil(q + 1e-6) : std::floor(q - 1e-6), 0.0, steps));
   };
-  const int rows = dims_.y * dims_.z;
-  tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
-    for (int row = range.begin(); row != range.end(); ++row) {
-      if (progress.stopRequested()) return;
-      for (int x = 0; x < dims_.x; ++x) {
-        const glm::ivec3 first = glm::ivec3(x, row % dims_.y, row / dims_.y) * kBlockCells;
-        const auto boxes = BlockScan<T>(voxels, voxelDims, first, apron).boxes();
-        Bounds& bounds = bounds_[static_cast<std::size_t>(row) * static_cast<std::size_t>(dims_.x) +
-                                 static_cast<std::size_t>(x)];
-        for (int i = 0; i < kBoxesPerBlock; ++i) {
-          const Range& box = boxes[static_cast<std::size_t>(i)];
-          bounds.low[i] = quantised(box.low, false);
-          bounds.high[i] = quantised(box.high, true);
-        }
+  const auto width = static_cast<std::size_t>(dims_.x), height = static_cast<std::size_t>(dims_.y);
+  parallelSteps(height * static_cast<std::size_t>(dims_.z), progress, {}, [&](std::size_t row) {
+    for (int x = 0; x < dims_.x; ++x) {
+      const glm::ivec3 block(x, static_cast<int>(row % height), static_cast<int>(row / height));
+      const auto boxes = BlockScan<T>(voxels, voxelDims, block * kBlockCells, apron).boxes();
+      Bounds& bounds = bounds_[row * width + static_cast<std::size_t>(x)];
+      for (int i = 0; i < kBoxesPerBlock; ++i) {
+        const Range& box = boxes[static_cast<std::size_t>(i)];
+        bounds.low[i] = quantised(box.low, false);
+        bounds.high[i] = quantised(box.high, true);
       }
     }
   });
-  progress.throwIfStopped();
 }
 
 void BoxBounds::masks(std::span<const float> storedIsovalues, const std::vector<std::uint8_t>& flags,

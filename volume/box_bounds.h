@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/progress.h"
+#include "volume/coefficients.h"
 #include "volume/grid.h"
 
 namespace isolux::volume {
@@ -24,10 +25,10 @@ class BoxBounds {
   // Of the trilinear field. Multithreaded; 256 bytes for each block of 8x8x8 cells; throws
   // Error{interrupted}.
   BoxBounds(const Grid& grid, scene::Progress& progress);
-  // Of the cubic B-spline whose coefficients are the samples themselves, or those given.
+  // Of the cubic B-spline whose coefficients are the samples themselves, or those given (without
+  // their offset).
   static BoxBounds ofCubic(const Grid& grid, scene::Progress& progress);
-  static BoxBounds ofCubic(const std::vector<float>& coefficients, const Grid& grid,
-                           scene::Progress& progress);
+  static BoxBounds ofCubic(const Coefficients& coefficients, const Grid& grid, scene::Progress& progress);
 
   glm::ivec3 blockDims() const { return dims_; }
   // Of each block a mask: bit x + 4 y + 16 z is set where that box can hold a crossing of one of the
@@ -41,9 +42,10 @@ class BoxBounds {
   struct Bounds {  // of a block's boxes; low > high where there is no box
     std::uint16_t low[kBoxesPerBlock], high[kBoxesPerBlock];
   };
-  explicit BoxBounds(glm::ivec3 voxels);
+  BoxBounds(glm::ivec3 voxels, const scene::Progress& progress);
   template <class T>
-  void fill(const std::vector<T>& voxels, glm::ivec3 voxelDims, int apron, scene::Progress& progress);
+  void fill(const std::vector<T>& voxels, float lowest, float highest, glm::ivec3 voxelDims, int apron,
+            scene::Progress& progress);
 
   glm::ivec3 dims_;
   double origin_ = 0.0, scale_ = 1.0;  // quantised = (stored - origin) * scale

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "volume/huge_pages.h"
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -111,7 +112,8 @@ class BlockRow {
 };
 
 std::vector<std::uint8_t> binsOf(const Grid& grid, const ValueBins& bins, scene::Progress& progress) {
-  std::vector<std::uint8_t> result(grid.geometry().voxelCount());
+  std::vector<std::uint8_t> result;
+  resizeStoppably(result, grid.geometry().voxelCount(), progress);
   std::visit(
       [&](const auto& voxels) {
         using T = typename std::decay_t<decltype(voxels)>::value_type;
@@ -139,14 +141,15 @@ std::vector<std::uint8_t> binsOf(const Grid& grid, const ValueBins& bins, scene:
 }
 
 // The last two bytes of every word: the range of its block of 4^3 words.
-void fillLargeBlocks(std::uint8_t* words, glm::ivec3 dims) {
+void fillLargeBlocks(std::uint8_t* words, glm::ivec3 dims, scene::Progress& progress) {
   const auto word = [=](int x, int y, int z) {
     return words + 4 * ((static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) +
                          static_cast<std::size_t>(y)) *
                             static_cast<std::size_t>(dims.x) +
                         static_cast<std::size_t>(x));
   };
-  for (int z = 0; z < dims.z; z += 4)
+  parallelSteps(static_cast<std::size_t>((dims.z + 3) / 4), progress, {}, [&](std::size_t layer) {
+    const int z = 4 * static_cast<int>(layer);
     for (int y = 0; y < dims.y; y += 4)
       for (int x = 0; x < dims.x; x += 4) {
         const int ex = std::min(x + 4, dims.x), ey = std::min(y + 4, dims.y), ez = std::min(z + 4, dims.z);
@@ -164,6 +167,7 @@ void fillLargeBlocks(std::uint8_t* words, glm::ivec3 dims) {
               word(i, j, k)[3] = most;
             }
       }
+  });
 }
 
 }  // namespace
@@ -197,8 +201,8 @@ CellRanges::CellRanges(const Grid& grid, scene::Progress& progress) : bins_(grid
   cellBytes_ = 4 * blocks;
   // Two bytes more than the cells: kernels read four at a time.
   table_.reserve(cellBytes_ + 128 * blocks + 2);
-  preferHugePages(table_.data(), table_.capacity());  // before resize() touches them
-  table_.resize(cellBytes_ + 128 * blocks + 2);
+  preferHugePages(table_.data(), table_.capacity(), progress);  // before anything touches them
+  resizeStoppably(table_, cellBytes_ + 128 * blocks + 2, progress);
   const std::vector<std::uint8_t> bins = binsOf(grid, bins_, progress);
   tbb::parallel_for(
       tbb::blocked_range<int>(0, blockDims_.y * blockDims_.z), [&](const tbb::blocked_range<int>& range) {
@@ -211,7 +215,7 @@ CellRanges::CellRanges(const Grid& grid, scene::Progress& progress) : bins_(grid
         }
       });
   progress.throwIfStopped();
-  fillLargeBlocks(table_.data(), blockDims_);
+  fillLargeBlocks(table_.data(), blockDims_, progress);
 }
 
 }  // namespace isolux::volume

@@ -1,49 +1,95 @@
 #include "volume/csg.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
-#include <tbb/parallel_for.h>
+#include <tbb/combinable.h>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "volume/histogram.h"
+#include "volume/parallel_steps.h"
 #include "volume/reconstruct.h"
 
 namespace isolux::volume {
 
 namespace {
 
-double isovalueOf(const Volume& volume) {
+double isovalueOf(const Volume& volume, scene::Progress& progress) {
   if (volume.isovalue) return *volume.isovalue;
-  return suggestIsovalue(*volume.grid, makeHistogram(*volume.grid), volume.unit);
+  return suggestIsovalue(*volume.grid, makeHistogram(*volume.grid, 512, progress), volume.unit);
+}
+
+// Calls visit(slope) for each pair of neighbouring voxels that the surface separates, slope in data units per
+// mm, on all cores.
+template <class Visit>
+void forEachCut(const Grid& grid, double isovalue, scene::Progress& progress, const Visit& visit) {
+  const glm::dvec3 spacing = grid.geometry().spacingMm();
+  const auto nx = static_cast<std::size_t>(grid.dims().x), ny = static_cast<std::size_t>(grid.dims().y),
+             rows = ny * static_cast<std::size_t>(grid.dims().z);
+  const auto look = [&](const auto& voxels) {
+    const auto value = [&](std::size_t i) { return grid.valueOfStored(static_cast<double>(voxels[i])); };
+    parallelPieces(rows, 16, progress, {}, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row)
+        for (std::size_t x = 0; x < nx; ++x) {
+          const std::size_t i = row * nx + x;
+          const double here = value(i);
+          const auto compare = [&](double there, double distance) {
+            if ((here >= isovalue) != (there >= isovalue) && std::isfinite(here) && std::isfinite(there))
+              visit(static_cast<float>(std::abs(here - there) / distance));
+          };
+          if (x > 0) compare(value(i - 1), spacing.x);
+          if (row % ny > 0) compare(value(i - nx), spacing.y);
+          if (row >= ny) compare(value(i - nx * ny), spacing.z);
+        }
+    });
+  };
+  std::visit(look, grid.voxels());
+}
+
+// How many of the cuts' slopes have each key, which keyOf() tells (below 2^16, or none).
+template <class KeyOf>
+std::vector<std::uint64_t> countCuts(const Grid& grid, double isovalue, scene::Progress& progress,
+                                     const KeyOf& keyOf) {
+  tbb::combinable<std::vector<std::uint64_t>> partial([] { return std::vector<std::uint64_t>(1 << 16); });
+  forEachCut(grid, isovalue, progress, [&](float slope) {
+    const std::uint32_t key = keyOf(std::bit_cast<std::uint32_t>(slope));
+    if (key < 1 << 16) ++partial.local()[key];
+  });
+  std::vector<std::uint64_t> sum(1 << 16);
+  partial.combine_each([&](const std::vector<std::uint64_t>& counts) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
+  });
+  return sum;
+}
+
+// The key of the element with this rank; `rank` becomes that among the elements of this key.
+std::uint32_t keyOfRank(const std::vector<std::uint64_t>& counts, std::uint64_t& rank) {
+  std::uint32_t key = 0;
+  for (; key + 1 < counts.size() && rank >= counts[key]; ++key) rank -= counts[key];
+  return key;
 }
 
 // Data units per mm across the surface: the median over the pairs of neighbouring voxels that it separates;
-// 0 without a surface.
-double steepness(const Grid& grid, double isovalue) {
-  std::vector<float> slopes;
-  const glm::dvec3 spacing = grid.geometry().spacingMm();
-  const glm::ivec3 dims = grid.dims();
-  const auto add = [&](double here, double there, double distance) {
-    if ((here >= isovalue) != (there >= isovalue) && std::isfinite(here) && std::isfinite(there))
-      slopes.push_back(static_cast<float>(std::abs(here - there) / distance));
-  };
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x) {
-        const double here = grid.value(x, y, z);
-        if (x > 0) add(here, grid.value(x - 1, y, z), spacing.x);
-        if (y > 0) add(here, grid.value(x, y - 1, z), spacing.y);
-        if (z > 0) add(here, grid.value(x, y, z - 1), spacing.z);
-      }
-  if (slopes.empty()) return 0.0;
-  const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
-  std::nth_element(slopes.begin(), middle, slopes.end());
-  return *middle;
+// 0 without a surface. The bits of positive floats are in the order of their values, so the median's upper
+// and then its lower half is found by counting: whatever the number of pairs, memory stays the same.
+double steepness(const Grid& grid, double isovalue, scene::Progress& progress) {
+  const std::vector<std::uint64_t> upper =
+      countCuts(grid, isovalue, progress, [](std::uint32_t bits) { return bits >> 16; });
+  std::uint64_t total = 0;
+  for (const std::uint64_t count : upper) total += count;
+  if (total == 0) return 0.0;
+  std::uint64_t rank = total / 2;
+  const std::uint32_t high = keyOfRank(upper, rank);
+  const std::vector<std::uint64_t> lower = countCuts(grid, isovalue, progress, [high](std::uint32_t bits) {
+    return bits >> 16 == high ? bits & 0xffffu : 1u << 16;
+  });
+  return static_cast<double>(std::bit_cast<float>(high << 16 | keyOfRank(lower, rank)));
 }
 
 bool sameGeometry(const GridGeometry& a, const GridGeometry& b) {
@@ -99,19 +145,19 @@ struct Combination {
 Grid combine(const Grid& first, const Resampled& second, const Combination& combination,
              scene::Progress& progress) {
   const glm::ivec3 dims = first.dims();
-  std::vector<float> values(first.geometry().voxelCount());
-  progress.report(0.0, "combining");
-  tbb::parallel_for(0, dims.z, [&](int z) {
-    if (progress.stopRequested()) return;
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x) {
-        const double f1 = first.value(x, y, z);
-        values[first.index(x, y, z)] =
-            static_cast<float>(std::isnan(f1) ? f1 : combination(f1, second.at(x, y, z)));
-      }
-  });
-  progress.throwIfStopped();
-  return {first.geometry(), std::move(values)};
+  std::vector<float> values;
+  resizeStoppably(values, first.geometry().voxelCount(), progress);
+  const auto ny = static_cast<std::size_t>(dims.y);
+  parallelSteps(ny * static_cast<std::size_t>(dims.z), progress, {0.0, 1.0, "combining"},
+                [&](std::size_t row) {
+                  const auto y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
+                  for (int x = 0; x < dims.x; ++x) {
+                    const double f1 = first.value(x, y, z);
+                    values[first.index(x, y, z)] =
+                        static_cast<float>(std::isnan(f1) ? f1 : combination(f1, second.at(x, y, z)));
+                  }
+                });
+  return {first.geometry(), std::move(values), 1.0, 0.0, progress};
 }
 
 const char* signOf(scene::Csg op) {
@@ -134,10 +180,11 @@ CsgResult combined(const Volume& first, const Volume& second, scene::Csg op,
   const Grid &f1 = *first.grid, &f2 = *second.grid;
   scene::machineMemory().check(f1.geometry().voxelCount() * sizeof(float), "the combined volume",
                                "a volume of fewer voxels needs less");
-  const double v1 = isovalueOf(first), v2 = secondIsovalue ? *secondIsovalue : isovalueOf(second);
+  const double v1 = isovalueOf(first, progress),
+               v2 = secondIsovalue ? *secondIsovalue : isovalueOf(second, progress);
   double scale = 1.0;
   if (first.unit.empty() || first.unit != second.unit) {
-    const double steep1 = steepness(f1, v1), steep2 = steepness(f2, v2);
+    const double steep1 = steepness(f1, v1, progress), steep2 = steepness(f2, v2, progress);
     if (steep1 > 0.0 && steep2 > 0.0) scale = steep1 / steep2;
   }
   const Resampled sampled(f2, f1.geometry());

@@ -43,7 +43,7 @@ Quantiles quantilesOf(std::vector<double>& values) {
 }  // namespace
 
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward, const std::vector<float>* coefficients,
+                                        double outward, const Coefficients* coefficients,
                                         std::size_t wanted) {
   CurvatureStatistics result;
   std::vector<std::uint32_t> active;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "volume/coefficients.h"
 #include "volume/grid.h"
 #include "volume/min_max_blocks.h"
 
@@ -25,8 +26,7 @@ struct CurvatureStatistics {
 // depends on its slant (1 to sqrt 3). `blocks` are those of the samples. Curvature is that of the B-spline of
 // the samples, or of the `coefficients` where given; `outward` as in volume/curvature.h. A few milliseconds.
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward = -1.0,
-                                        const std::vector<float>* coefficients = nullptr,
+                                        double outward = -1.0, const Coefficients* coefficients = nullptr,
                                         std::size_t wanted = 2000);
 
 }  // namespace isolux::volume

@@ -1,11 +1,14 @@
 #include "volume/grid.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstring>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -80,45 +83,83 @@ std::uint64_t fnv1a(const void* data, std::size_t bytes, std::uint64_t hash) {
   return hash;
 }
 
+constexpr std::uint64_t kHashStart = 0xcbf29ce484222325ull;
+constexpr std::size_t kPieceBytes = std::size_t{1} << 20;  // part of the definition of the hash
+
+// What is known of some consecutive voxels.
+struct Piece {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  std::size_t missing = 0;
+  std::uint64_t hash = 0;
+};
+
+// Makes +-Inf NaN on the way.
+template <class T>
+Piece scanPiece(std::span<T> voxels) {
+  Piece piece;
+  T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
+  for (T& v : voxels) {
+    if constexpr (std::is_same_v<T, float>) {
+      if (!std::isfinite(v)) {
+        v = std::numeric_limits<float>::quiet_NaN();
+        ++piece.missing;
+        continue;
+      }
+    }
+    least = v < least ? v : least;
+    most = v > most ? v : most;
+  }
+  if (piece.missing < voxels.size()) {
+    piece.least = static_cast<double>(least);
+    piece.most = static_cast<double>(most);
+  }
+  piece.hash = fnv1a(voxels.data(), voxels.size_bytes(), kHashStart);
+  return piece;
+}
+
+template <class T>
+std::vector<Piece> scanPieces(std::vector<T>& voxels, scene::Progress& progress) {
+  constexpr std::size_t length = kPieceBytes / sizeof(T);
+  std::vector<Piece> pieces((voxels.size() + length - 1) / length);
+  parallelSteps(pieces.size(), progress, {0.0, 1.0, "scanning voxels"}, [&](std::size_t i) {
+    const std::size_t first = i * length;
+    pieces[i] = scanPiece(std::span<T>(voxels).subspan(first, std::min(length, voxels.size() - first)));
+  });
+  return pieces;
+}
+
 }  // namespace
 
 Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept)
+    : Grid(geometry, std::move(voxels), slope, intercept, *std::make_unique<scene::Progress>()) {}
+
+Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept,
+           scene::Progress& progress)
     : geometry_(geometry), voxels_(std::move(voxels)), slope_(slope), intercept_(intercept) {
   assert(std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept));
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  std::visit(
+  const std::vector<Piece> pieces = std::visit(
       [&](auto& array) {
         assert(array.size() == geometry_.voxelCount());
-        using T = typename std::decay_t<decltype(array)>::value_type;
-        T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
-        for (T& v : array) {
-          if constexpr (std::is_same_v<T, float>) {
-            if (!std::isfinite(v)) {
-              v = std::numeric_limits<float>::quiet_NaN();
-              ++missing_;
-              continue;
-            }
-          }
-          least = v < least ? v : least;
-          most = v > most ? v : most;
-        }
-        if (missing_ < array.size()) {
-          low = static_cast<double>(least);
-          high = static_cast<double>(most);
-        }
+        return scanPieces(array, progress);
       },
       voxels_);
-  if (low <= high) {
-    minimum_ = valueOfStored(slope_ > 0 ? low : high);
-    maximum_ = valueOfStored(slope_ > 0 ? high : low);
-  }
-  hash_ = fnv1a(&geometry_.dims, sizeof geometry_.dims, 0xcbf29ce484222325ull);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  hash_ = fnv1a(&geometry_.dims, sizeof geometry_.dims, kHashStart);
   hash_ = fnv1a(&geometry_.worldFromVoxel, sizeof geometry_.worldFromVoxel, hash_);
   const double numbers[] = {slope_, intercept_, static_cast<double>(voxels_.index())};
   hash_ = fnv1a(numbers, sizeof numbers, hash_);
-  std::visit([&](const auto& array) { hash_ = fnv1a(array.data(), array.size() * sizeof array[0], hash_); },
-             voxels_);
   held_ = scene::machineMemory().count(bytes());
+  for (const Piece& piece : pieces) {
+    low = std::min(low, piece.least);
+    high = std::max(high, piece.most);
+    missing_ += piece.missing;
+    hash_ = fnv1a(&piece.hash, sizeof piece.hash, hash_);
+  }
+  if (low > high) return;
+  storedMinimum_ = low;
+  storedMaximum_ = high;
+  minimum_ = valueOfStored(slope_ > 0 ? low : high);
+  maximum_ = valueOfStored(slope_ > 0 ? high : low);
 }
 
 VoxelType Grid::storedType() const {

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,6 +21,10 @@
 #include <glm/vec3.hpp>
 
 #include "scene/memory_budget.h"
+
+namespace isolux::scene {
+class Progress;
+}
 
 namespace isolux::volume {
 
@@ -53,14 +58,17 @@ using VoxelArray = std::variant<std::vector<std::int8_t>, std::vector<std::uint8
 
 class Grid {
  public:
-  // Counts missing voxels (NaN; +-Inf become NaN), finds the range and the hash. `voxels` must hold
-  // geometry.voxelCount() entries; slope must be finite and not 0.
+  // Counts missing voxels (NaN; +-Inf become NaN), finds the range and the hash: one pass, on all cores.
+  // `voxels` must hold geometry.voxelCount() entries; slope must be finite and not 0. With `progress` it
+  // reports how far it is and throws Error{interrupted} once a stop was requested.
   Grid(GridGeometry geometry, VoxelArray voxels, double slope = 1.0, double intercept = 0.0);
+  Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept, scene::Progress& progress);
 
   const GridGeometry& geometry() const { return geometry_; }
   glm::ivec3 dims() const { return geometry_.dims; }
   VoxelType storedType() const;
   const VoxelArray& voxels() const { return voxels_; }
+  VoxelArray takeVoxels() && { return std::move(voxels_); }
 
   double slope() const { return slope_; }
   double intercept() const { return intercept_; }
@@ -79,9 +87,14 @@ class Grid {
   // Range of the values of voxels that are not missing; {0, 0} when all are missing.
   double minimum() const { return minimum_; }
   double maximum() const { return maximum_; }
+  // The same as stored, exactly. storedOfValue(minimum()) is not: where |slope| is small against |intercept|
+  // nothing of the stored number is left in the value.
+  double storedMinimum() const { return storedMinimum_; }
+  double storedMaximum() const { return storedMaximum_; }
   std::size_t missingCount() const { return missing_; }
   std::size_t bytes() const;
-  // 64-bit hash (FNV-1a over 8-byte words) of dims, worldFromVoxel, slope, intercept, type and voxels.
+  // 64-bit hash of dims, worldFromVoxel, slope, intercept, type and voxels: FNV-1a over 8-byte words, of the
+  // header and then of the hashes of the voxels' pieces of 1 MiB, so that cores can share the work.
   std::uint64_t hash() const { return hash_; }
 
  private:
@@ -89,6 +102,7 @@ class Grid {
   VoxelArray voxels_;
   double slope_, intercept_;
   double minimum_ = 0.0, maximum_ = 0.0;
+  double storedMinimum_ = 0.0, storedMaximum_ = 0.0;
   std::size_t missing_ = 0;
   std::uint64_t hash_ = 0;
   scene::MemoryBudget::Held held_;  // readers and makers ask before they allocate

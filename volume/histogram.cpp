@@ -4,9 +4,9 @@
 #include <cmath>
 #include <type_traits>
 
-#include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
+
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -19,20 +19,25 @@ constexpr double kSkinHu = -300.0;
 
 using Counts = std::vector<std::uint64_t>;
 
+double between(double low, double high, double t) {
+  const double range = high - low;  // overflows for float64 data of both signs near the largest number
+  return std::isfinite(range) ? low + t * range : (1.0 - t) * low + t * high;
+}
+
 // Calls binOf(voxel) for every voxel that is not missing, on all cores, and adds up the bins.
 template <class T, class BinOf>
-Counts countVoxels(const std::vector<T>& voxels, std::size_t bins, const BinOf& binOf) {
+Counts countVoxels(const std::vector<T>& voxels, std::size_t bins, scene::Progress& progress,
+                   const BinOf& binOf) {
   tbb::combinable<Counts> partial([bins] { return Counts(bins, 0); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, voxels.size(), std::size_t{1} << 16),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      Counts& counts = partial.local();
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        if constexpr (std::is_floating_point_v<T>) {
-                          if (std::isnan(voxels[i])) continue;
-                        }
-                        ++counts[binOf(voxels[i])];
-                      }
-                    });
+  parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
+    Counts& counts = partial.local();
+    for (std::size_t i = begin; i != end; ++i) {
+      if constexpr (std::is_floating_point_v<T>) {
+        if (std::isnan(voxels[i])) continue;
+      }
+      ++counts[std::min(binOf(voxels[i]), bins - 1)];
+    }
+  });
   Counts sum(bins, 0);
   partial.combine_each([&](const Counts& counts) {
     for (std::size_t i = 0; i < bins; ++i) sum[i] += counts[i];
@@ -150,27 +155,29 @@ std::size_t otsuSplit(const Histogram& histogram, const Counts& counts) {
 
 double Histogram::binCentre(std::size_t bin) const {
   const auto bins = static_cast<double>(counts.size());
-  return minimum + (maximum - minimum) * ((static_cast<double>(bin) + 0.5) / bins);
+  return between(minimum, maximum, (static_cast<double>(bin) + 0.5) / bins);
 }
 
 Histogram makeHistogram(const Grid& grid, int bins) {
+  scene::Progress unwatched;
+  return makeHistogram(grid, bins, unwatched);
+}
+
+Histogram makeHistogram(const Grid& grid, int bins, scene::Progress& progress) {
   Histogram histogram;
   const std::size_t limit = static_cast<std::size_t>(std::max(bins, 1));
   std::visit(
       [&](const auto& voxels) {
         using T = typename std::decay_t<decltype(voxels)>::value_type;
-        const double storedA = grid.storedOfValue(grid.minimum()),
-                     storedB = grid.storedOfValue(grid.maximum());
-        double low = std::min(storedA, storedB), high = std::max(storedA, storedB);
+        double low = grid.storedMinimum(), high = grid.storedMaximum();
         if constexpr (std::is_integral_v<T>) {
           // Whole values per bin, or some bins would hold one value more than others and show as a comb.
-          const auto first = static_cast<std::int64_t>(std::llround(low));
-          const auto last = static_cast<std::int64_t>(std::llround(high));
+          const auto first = static_cast<std::int64_t>(low), last = static_cast<std::int64_t>(high);
           const std::int64_t values = last - first + 1;
           const std::int64_t perBin =
               (values + static_cast<std::int64_t>(limit) - 1) / static_cast<std::int64_t>(limit);
           const std::size_t used = static_cast<std::size_t>((values + perBin - 1) / perBin);
-          histogram.counts = countVoxels(voxels, used, [first, perBin](T v) {
+          histogram.counts = countVoxels(voxels, used, progress, [first, perBin](T v) {
             return static_cast<std::size_t>((static_cast<std::int64_t>(v) - first) / perBin);
           });
           low = static_cast<double>(first) - 0.5;
@@ -178,9 +185,8 @@ Histogram makeHistogram(const Grid& grid, int bins) {
         } else {
           const std::size_t used = high > low ? limit : 1;
           const double scale = high > low ? static_cast<double>(used) / (high - low) : 0.0;
-          histogram.counts = countVoxels(voxels, used, [low, scale, used](T v) {
-            const double bin = (static_cast<double>(v) - low) * scale;
-            return std::min(static_cast<std::size_t>(std::max(bin, 0.0)), used - 1);
+          histogram.counts = countVoxels(voxels, used, progress, [low, scale](T v) {
+            return static_cast<std::size_t>(std::max((static_cast<double>(v) - low) * scale, 0.0));
           });
         }
         histogram.minimum = grid.valueOfStored(low);
@@ -213,10 +219,9 @@ double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::
   if (left < 2) counts = histogram.counts;  // nothing but background: split that
   const std::size_t split = otsuSplit(histogram, counts);
   const double bins = static_cast<double>(histogram.counts.size());
-  const double edge =
-      histogram.minimum + (histogram.maximum - histogram.minimum) * (static_cast<double>(split + 1) / bins);
+  const double edge = between(histogram.minimum, histogram.maximum, static_cast<double>(split + 1) / bins);
   if (low < edge && edge < high) return edge;
-  return low + 0.5 * (high - low);
+  return between(low, high, 0.5);
 }
 
 }  // namespace isolux::volume

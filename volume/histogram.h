@@ -14,8 +14,10 @@ struct Histogram {
   std::vector<double> peaks;            // data units, most prominent first, at most 8
   double binCentre(std::size_t bin) const;
 };
-// At most `bins` bins over [grid.minimum, grid.maximum]; missing voxels do not count. Multithreaded.
+// At most `bins` bins over [grid.minimum, grid.maximum]; missing voxels do not count. Multithreaded. With
+// `progress` it throws Error{interrupted} once a stop was requested.
 Histogram makeHistogram(const Grid& grid, int bins = 512);
+Histogram makeHistogram(const Grid& grid, int bins, scene::Progress& progress);
 
 // A first isovalue that shows an object, not noise or the border: for CT in HU the skin (-300 HU) when
 // the range holds it, else Otsu's threshold of the histogram without its background peak. Always strictly

@@ -239,10 +239,11 @@ CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isov
       grid.voxels());
 }
 
-CubicHit firstHitCubic(const std::vector<float>& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
+CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
                        double isovalue, const Ray& ray) {
   const bool gaps = grid.missingCount() > 0;
-  return firstHitOf(coefficients, grid, blocks, isovalue, ray,
+  // Values and blocks lack the offset: so does what they are compared with.
+  return firstHitOf(coefficients.values, grid, blocks, isovalue - grid.slope() * coefficients.offset, ray,
                     [&](glm::ivec3 cell) { return !gaps || !hasMissingCorner(grid, cell); });
 }
 

@@ -18,9 +18,9 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "volume/cell_walk.h"
+#include "volume/coefficients.h"
 #include "volume/grid.h"
 #include "volume/intersect.h"
 #include "volume/min_max_blocks.h"
@@ -39,7 +39,7 @@ struct CubicHit {
 // MinMaxBlocks::ofCubic() of the same field.
 CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray);
 // `coefficients`: interpolatingCoefficients(grid).
-CubicHit firstHitCubic(const std::vector<float>& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
+CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
                        double isovalue, const Ray& ray);
 
 // The polynomial of degree 9 along the straight line from `from` to `to`, both in [0,1]^3 of a cell, of the

@@ -6,6 +6,7 @@
 
 #include "volume/huge_pages.h"
 #include "volume/isosurface_tracer_kernels.h"
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -80,10 +81,10 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
   std::visit(
       [&](const auto& voxels) {
         using T = typename std::decay_t<decltype(voxels)>::value_type;
-        if constexpr (sizeof(T) > 1) preferHugePages(voxels.data(), voxels.size() * sizeof(T));
+        if constexpr (sizeof(T) > 1) preferHugePages(voxels.data(), voxels.size() * sizeof(T), progress);
         if constexpr (std::is_same_v<T, float>) {
           view_->float32 = voxels.data();
-          const double range = std::abs((grid_->maximum() - grid_->minimum()) / grid_->slope());
+          const double range = grid_->storedMaximum() - grid_->storedMinimum();
           if (range > 0.0) view_->scale *= std::ldexp(1.0f, std::clamp(-std::ilogb(range), -126, 126));
         } else if constexpr (std::is_same_v<T, std::uint16_t>) {
           view_->unsigned16 = voxels.data();
@@ -91,12 +92,17 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
           view_->signed16 = voxels.data();
         } else {
           widened_.reserve(voxels.size());
-          preferHugePages(widened_.data(), widened_.capacity() * sizeof widened_[0]);
-          widened_.assign(voxels.begin(), voxels.end());
+          preferHugePages(widened_.data(), widened_.capacity() * sizeof widened_[0], progress);
+          resizeStoppably(widened_, voxels.size(), progress);
+          parallelPieces(voxels.size(), std::size_t{1} << 20, progress, {},
+                         [&](std::size_t begin, std::size_t end) {
+                           for (std::size_t i = begin; i < end; ++i) widened_[i] = voxels[i];
+                         });
           view_->signed16 = widened_.data();
         }
       },
       grid_->voxels());
+  progress.throwIfStopped();
 }
 
 IsosurfaceTracer::~IsosurfaceTracer() = default;

@@ -54,11 +54,11 @@ MinMaxBlocks MinMaxBlocks::ofCubic(const Grid& grid, int blockCells, scene::Prog
   return blocks;
 }
 
-MinMaxBlocks MinMaxBlocks::ofCubic(const std::vector<float>& coefficients, const Grid& grid, int blockCells,
+MinMaxBlocks MinMaxBlocks::ofCubic(const Coefficients& coefficients, const Grid& grid, int blockCells,
                                    scene::Progress& progress) {
-  assert(coefficients.size() == grid.geometry().voxelCount());
+  assert(coefficients.values.size() == grid.geometry().voxelCount());
   MinMaxBlocks blocks(grid.dims(), blockCells);
-  blocks.fill(coefficients, grid, 1, progress);
+  blocks.fill(coefficients.values, grid, 1, progress);
   return blocks;
 }
 

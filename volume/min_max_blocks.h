@@ -18,6 +18,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/progress.h"
+#include "volume/coefficients.h"
 #include "volume/grid.h"
 
 namespace isolux::volume {
@@ -27,10 +28,10 @@ class MinMaxBlocks {
   // blockCells: 4 or 8. Multithreaded; throws Error{interrupted}.
   MinMaxBlocks(const Grid& grid, int blockCells, scene::Progress& progress);
 
-  // Bounds of the cubic B-spline whose coefficients are the samples themselves, or those given (stored units,
-  // one per voxel of `grid`: interpolatingCoefficients()).
+  // Bounds of the cubic B-spline whose coefficients are the samples themselves, or those given (one per
+  // voxel of `grid`: interpolatingCoefficients()): stored units, of those without their offset.
   static MinMaxBlocks ofCubic(const Grid& grid, int blockCells, scene::Progress& progress);
-  static MinMaxBlocks ofCubic(const std::vector<float>& coefficients, const Grid& grid, int blockCells,
+  static MinMaxBlocks ofCubic(const Coefficients& coefficients, const Grid& grid, int blockCells,
                               scene::Progress& progress);
 
   int blockCells() const { return blockCells_; }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "volume/parallel_steps.h"
 #include "volume/phantom_noise.h"
 
 namespace isolux::volume {
@@ -18,8 +19,7 @@ constexpr std::uint64_t kPlaces = 60000;
 double storageNoise(const Grid& grid) {
   const double uniform = 1.0 / std::sqrt(12.0);
   if (grid.storedType() != VoxelType::float32) return std::abs(grid.slope()) * uniform;
-  const double largest =
-      std::max(std::abs(grid.storedOfValue(grid.minimum())), std::abs(grid.storedOfValue(grid.maximum())));
+  const double largest = std::max(std::abs(grid.storedMinimum()), std::abs(grid.storedMaximum()));
   return std::abs(grid.slope()) * largest * static_cast<double>(std::numeric_limits<float>::epsilon()) *
          uniform;
 }
@@ -52,15 +52,20 @@ double differenceAt(const Grid& grid, int axis, std::uint64_t place) {
 }  // namespace
 
 double estimateNoise(const Grid& grid) {
+  scene::Progress unwatched;
+  return estimateNoise(grid, unwatched);
+}
+
+double estimateNoise(const Grid& grid, scene::Progress& progress) {
   if (grid.missingCount() == grid.geometry().voxelCount()) return 0.0;
   const std::uint64_t places = std::min<std::uint64_t>(kPlaces, 4 * grid.geometry().voxelCount());
-  std::vector<double> sizes;
-  for (std::uint64_t place = 0; place < places; ++place) {
-    const int axis = static_cast<int>(place % 3);
-    if (grid.dims()[axis] < 3) continue;
-    const double difference = std::abs(differenceAt(grid, axis, place));
-    if (!std::isnan(difference)) sizes.push_back(difference);
-  }
+  std::vector<double> sizes(places, std::nan(""));
+  parallelPieces(places, 1024, progress, {}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place)
+      if (const int axis = static_cast<int>(place % 3); grid.dims()[axis] >= 3)
+        sizes[place] = std::abs(differenceAt(grid, axis, place));
+  });
+  std::erase_if(sizes, [](double size) { return std::isnan(size); });
   const double least = storageNoise(grid);
   if (sizes.empty()) return least;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);

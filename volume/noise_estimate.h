@@ -1,6 +1,7 @@
 // How noisy a volume's values are: what decides where gradients and curvatures mean something.
 #pragma once
 
+#include "scene/progress.h"
 #include "volume/grid.h"
 
 namespace isolux::volume {
@@ -12,5 +13,7 @@ namespace isolux::volume {
 // cost: a step / sqrt(12) for integers, the rounding of the largest value for floats; 0 for a grid without
 // values.
 double estimateNoise(const Grid& grid);
+// The same; throws Error{interrupted} once a stop was requested.
+double estimateNoise(const Grid& grid, scene::Progress& progress);
 
 }  // namespace isolux::volume

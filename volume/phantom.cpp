@@ -1,16 +1,14 @@
 #include "volume/phantom.h"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "volume/parallel_steps.h"
 #include "volume/phantom_head.h"
 #include "volume/phantom_noise.h"
 #include "volume/reconstruct.h"
@@ -73,28 +71,21 @@ template <class Field>
 std::vector<float> fill(const GridGeometry& geometry, const PhantomRequest& request,
                         scene::Progress& progress, const Field& field) {
   const glm::ivec3 dims = geometry.dims;
-  std::vector<float> values(geometry.voxelCount());
+  std::vector<float> values;
+  resizeStoppably(values, geometry.voxelCount(), progress);
   const glm::dvec3 origin = geometry.originMm();
   const glm::dmat3 linear(geometry.worldFromVoxel);
-  const int rows = dims.y * dims.z;
-  std::atomic<int> rowsDone{0};
-  tbb::parallel_for(tbb::blocked_range<int>(0, rows, 8), [&](const tbb::blocked_range<int>& range) {
-    for (int row = range.begin(); row != range.end(); ++row) {
-      if (progress.stopRequested()) return;
-      const int y = row % dims.y, z = row / dims.y;
-      std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(dims.x);
-      const glm::dvec3 start =
-          origin + linear[1] * static_cast<double>(y) + linear[2] * static_cast<double>(z);
-      for (int x = 0; x < dims.x; ++x, ++i) {
-        double value = field(start + linear[0] * static_cast<double>(x), i);
-        if (request.noise > 0.0) value += request.noise * normalNoise(request.seed, i);
-        values[i] = static_cast<float>(value);
-      }
+  const auto ny = static_cast<std::size_t>(dims.y), rows = ny * static_cast<std::size_t>(dims.z);
+  parallelSteps(rows, progress, {0.0, 1.0, "making the phantom"}, [&](std::size_t row) {
+    std::size_t i = row * static_cast<std::size_t>(dims.x);
+    const glm::dvec3 start =
+        origin + linear[1] * static_cast<double>(row % ny) + linear[2] * static_cast<double>(row / ny);
+    for (int x = 0; x < dims.x; ++x, ++i) {
+      double value = field(start + linear[0] * static_cast<double>(x), i);
+      if (request.noise > 0.0) value += request.noise * normalNoise(request.seed, i);
+      values[i] = static_cast<float>(value);
     }
-    const int done = rowsDone += static_cast<int>(range.size());
-    progress.report(static_cast<double>(done) / rows, "making the phantom");
   });
-  progress.throwIfStopped();
   return values;
 }
 
@@ -196,8 +187,12 @@ Grid makePhantom(const PhantomRequest& request, scene::Progress& progress) {
                        : GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0), glm::dvec3(-0.5 * (size - 1)));
   scene::machineMemory().check(geometry.voxelCount() * (head ? sizeof(std::int16_t) : sizeof(float)),
                                "this phantom", "a smaller size needs less");
-  if (head) return Grid(geometry, headVoxels(geometry, request.noise, request.seed, progress));
-  return Grid(geometry, closedForm(request, geometry, progress));
+  VoxelArray voxels;
+  if (head)
+    voxels = headVoxels(geometry, request.noise, request.seed, progress);
+  else
+    voxels = closedForm(request, geometry, progress);
+  return Grid(geometry, std::move(voxels), 1.0, 0.0, progress);
 }
 
 PhantomRequest parsePhantom(std::string_view text) {

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "volume/parallel_steps.h"
 #include "volume/phantom_anatomy.h"
 #include "volume/phantom_noise.h"
 
@@ -137,7 +138,8 @@ GridGeometry headGeometry(int size) {
 std::vector<std::int16_t> headVoxels(const GridGeometry& geometry, double noise, std::uint64_t seed,
                                      scene::Progress& progress) {
   const glm::ivec3 dims = geometry.dims;
-  std::vector<std::int16_t> voxels(geometry.voxelCount());
+  std::vector<std::int16_t> voxels;
+  resizeStoppably(voxels, geometry.voxelCount(), progress);
   const Anatomy anatomy = makeAnatomy();
   const glm::dvec3 origin = geometry.originMm(), spacing = geometry.spacingMm();
   const glm::dmat3 linear(geometry.worldFromVoxel);

@@ -7,8 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include <tbb/combinable.h>
+
 #include "volume/csg.h"
 #include "volume/noise_estimate.h"
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -20,13 +23,42 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+struct BlockBox {
+  glm::ivec3 first, last;  // of blocks; last.x < 0 when there is none
+};
+
+// The smallest box with all blocks for which isWanted(index) holds.
+template <class IsWanted>
+BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, scene::Progress& progress) {
+  const glm::ivec3 dims = blocks.dims();
+  const BlockBox nothing{dims, glm::ivec3(-1)};
+  tbb::combinable<BlockBox> partial([&] { return nothing; });
+  parallelSteps(static_cast<std::size_t>(dims.z), progress, {}, [&](std::size_t layer) {
+    BlockBox& box = partial.local();
+    const auto z = static_cast<int>(layer);
+    std::size_t i = blocks.index({0, 0, z});
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x, ++i)
+        if (isWanted(i)) {
+          box.first = glm::min(box.first, glm::ivec3(x, y, z));
+          box.last = glm::max(box.last, glm::ivec3(x, y, z));
+        }
+  });
+  BlockBox all = nothing;
+  partial.combine_each([&](const BlockBox& box) {
+    all.first = glm::min(all.first, box.first);
+    all.last = glm::max(all.last, box.last);
+  });
+  return all;
+}
+
 // Where the user will look: the world box of the blocks with structure in them, i.e. a surface of the
 // suggested isovalue, or of the one half-way from the most frequent value (the background) to it, or a tenth
 // of the whole range of values. So dragging the isovalue from bone down to skin stays in the picture, while
 // noise in air does not count. The whole domain when there is no such block. An axis along which the box has
 // no extent (a single slice) gets half a voxel on both sides, so that a camera can be placed before any
 // volume.
-void setBounds(PreparedVolume& prepared) {
+void setBounds(PreparedVolume& prepared, scene::Progress& progress) {
   const Grid& grid = prepared.grid();
   const MinMaxBlocks& blocks = *prepared.blocks;
   const Histogram& histogram = prepared.histogram;
@@ -41,16 +73,14 @@ void setBounds(PreparedVolume& prepared) {
     const auto lower = static_cast<float>(grid.storedOfValue(0.5 * (background + facts.suggestedIsovalue)));
     const auto contrast =
         static_cast<float>(0.1 * (grid.maximum() - grid.minimum()) / std::abs(grid.slope()));
-    glm::ivec3 first = blocks.dims(), last(-1);
-    std::size_t i = 0;
-    for (int z = 0; z < blocks.dims().z; ++z)
-      for (int y = 0; y < blocks.dims().y; ++y)
-        for (int x = 0; x < blocks.dims().x; ++x, ++i)
-          if (blocks.active(i, upper) || blocks.active(i, lower) ||
-              blocks.maximum(i) - blocks.minimum(i) > contrast) {
-            first = glm::min(first, glm::ivec3(x, y, z));
-            last = glm::max(last, glm::ivec3(x, y, z));
-          }
+    const BlockBox box = boxOfBlocks(
+        blocks,
+        [&](std::size_t i) {
+          return blocks.active(i, upper) || blocks.active(i, lower) ||
+                 blocks.maximum(i) - blocks.minimum(i) > contrast;
+        },
+        progress);
+    const glm::ivec3 first = box.first, last = box.last;
     if (last.x >= 0) {
       low = first * blocks.blockCells();
       high = glm::min((last + 1) * blocks.blockCells(), high);
@@ -77,13 +107,14 @@ void setBounds(PreparedVolume& prepared) {
 
 // What neighbouring voxels differ by where they differ, along any axis: the 90 % quantile over an even
 // subsample of the rows.
-double typicalStep(const Grid& grid) {
+double typicalStep(const Grid& grid, const scene::Progress& progress) {
   const glm::ivec3 n = grid.dims();
   constexpr std::ptrdiff_t enough = 1 << 16;
   const std::ptrdiff_t rows = std::ptrdiff_t{n.y} * n.z,
                        stride = std::max<std::ptrdiff_t>(1, rows * n.x / enough);
   std::vector<double> steps;
   for (std::ptrdiff_t row = 0; row < rows; row += stride) {
+    progress.throwIfStopped();
     const int y = static_cast<int>(row % n.y), z = static_cast<int>(row / n.y);
     for (int x = 0; x < n.x; ++x) {
       for (int axis = 0; axis < 3; ++axis) {
@@ -124,18 +155,19 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress
   prepared->volume = std::move(volume);
   progress.report(0.0, "building blocks");
   prepared->blocks = std::make_shared<MinMaxBlocks>(prepared->grid(), kBlockCells, progress);
+  progress.report(0.3, "building blocks");
   prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
-  progress.report(0.6, "counting values");
-  prepared->histogram = makeHistogram(prepared->grid());
-  progress.throwIfStopped();
+  prepared->cubicFields = std::make_shared<CubicFields>(prepared->volume.grid);
+  progress.report(0.7, "counting values");
+  prepared->histogram = makeHistogram(prepared->grid(), 512, progress);
   const std::optional<double>& known = prepared->volume.isovalue;
   prepared->facts.suggestedIsovalue =
       known ? *known : suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
   prepared->facts.minimum = prepared->grid().minimum();
   prepared->facts.maximum = prepared->grid().maximum();
-  prepared->facts.typicalStep = typicalStep(prepared->grid());
-  prepared->facts.noise = estimateNoise(prepared->grid());
-  setBounds(*prepared);
+  prepared->facts.typicalStep = typicalStep(prepared->grid(), progress);
+  prepared->facts.noise = estimateNoise(prepared->grid(), progress);
+  setBounds(*prepared, progress);
   prepared->prepareSeconds = secondsSince(start);
   progress.report(1.0, "ready");
   return prepared;

@@ -5,6 +5,7 @@
 
 #include "scene/automatic.h"
 #include "volume/box_bounds.h"
+#include "volume/cubic_fields.h"
 #include "volume/histogram.h"
 #include "volume/min_max_blocks.h"
 #include "volume/reader.h"
@@ -17,7 +18,8 @@ inline constexpr int kBlockCells = 8;
 struct PreparedVolume {
   Volume volume;
   std::shared_ptr<const MinMaxBlocks> blocks;
-  std::shared_ptr<const BoxBounds> boxes;  // of the trilinear field, for blocks of BoxBounds::kBlockCells
+  std::shared_ptr<const BoxBounds> boxes;    // of the trilinear field, for blocks of BoxBounds::kBlockCells
+  std::shared_ptr<CubicFields> cubicFields;  // made when first asked for
   Histogram histogram;
   scene::VolumeFacts facts;
   double readSeconds = 0.0, prepareSeconds = 0.0;

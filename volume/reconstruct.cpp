@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/matrix.hpp>
 
 namespace isolux::volume {
@@ -76,77 +74,6 @@ void toDataUnits(FieldSample& sample, const Grid& grid) {
   sample.value = grid.valueOfStored(sample.value);
   sample.gradient *= grid.slope();
   sample.hessian *= grid.slope();
-}
-
-// Missing voxels become the mean of their finite neighbours, ring by ring until none is left.
-void fillMissing(std::vector<float>& values, glm::ivec3 dims) {
-  const auto at = [dims](int x, int y, int z) {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(dims.x) +
-           static_cast<std::size_t>(x);
-  };
-  struct Fill {
-    std::size_t index;
-    float value;
-  };
-  std::vector<glm::ivec3> missing;
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x)
-        if (std::isnan(values[at(x, y, z)])) missing.emplace_back(x, y, z);
-  while (!missing.empty()) {
-    std::vector<Fill> fills;
-    std::vector<glm::ivec3> left;
-    for (const glm::ivec3& p : missing) {
-      double sum = 0.0;
-      int count = 0;
-      for (int z = std::max(p.z - 1, 0); z <= std::min(p.z + 1, dims.z - 1); ++z)
-        for (int y = std::max(p.y - 1, 0); y <= std::min(p.y + 1, dims.y - 1); ++y)
-          for (int x = std::max(p.x - 1, 0); x <= std::min(p.x + 1, dims.x - 1); ++x)
-            if (const float v = values[at(x, y, z)]; !std::isnan(v)) sum += static_cast<double>(v), ++count;
-      if (count > 0)
-        fills.push_back({at(p.x, p.y, p.z), static_cast<float>(sum / count)});
-      else
-        left.push_back(p);
-    }
-    if (fills.empty()) {  // nothing is known at all
-      std::fill(values.begin(), values.end(), 0.0f);
-      return;
-    }
-    for (const Fill& fill : fills) values[fill.index] = fill.value;
-    missing = std::move(left);
-  }
-}
-
-const double kPole = std::sqrt(3.0) - 2.0;
-
-// Turns samples into cubic B-spline coefficients in place (Unser, Aldroubi & Eden 1993, part II, box 2): one
-// causal and one anticausal first-order recursion. Both boundaries are mirrors half a sample beyond the
-// border sample, c[-1] = c[0] and c[n] = c[n-1], because that is what clamped lookups see: so the spline
-// interpolates at the border samples too.
-void prefilterLine(std::vector<double>& c) {
-  const std::size_t n = c.size();
-  if (n < 2) return;
-  // c+[0] = f[0] + sum_{m>=1} z^m f[-m], the mirrored signal having period 2n.
-  double sum = 0.0, power = kPole;
-  const double wrap = std::pow(kPole, 2.0 * static_cast<double>(n));
-  for (std::size_t k = 0; k < n; ++k) {
-    sum += power * c[k];
-    power *= kPole;
-    if (std::abs(power) < 1e-30) break;
-  }
-  if (std::abs(wrap) > 1e-30) {
-    double back = wrap;
-    for (std::size_t k = 0; k < n; ++k) {
-      sum += back * c[k];
-      back /= kPole;
-    }
-  }
-  c[0] += sum / (1.0 - wrap);
-  for (std::size_t k = 1; k < n; ++k) c[k] += kPole * c[k - 1];
-  c[n - 1] *= kPole / (kPole - 1.0);
-  for (std::size_t k = n - 1; k-- > 0;) c[k] = kPole * (c[k + 1] - c[k]);
-  for (double& value : c) value *= 6.0;
 }
 
 }  // namespace
@@ -227,44 +154,13 @@ FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel) {
   return out;
 }
 
-FieldSample sampleCubic(const std::vector<float>& coefficients, const Grid& grid, glm::dvec3 voxel) {
+FieldSample sampleCubic(const Coefficients& coefficients, const Grid& grid, glm::dvec3 voxel) {
   FieldSample out = tensorCubic(grid.dims(), voxel, [&](int x, int y, int z) {
-    return static_cast<double>(coefficients[grid.index(x, y, z)]);
+    return static_cast<double>(coefficients.values[grid.index(x, y, z)]);
   });
+  out.value += coefficients.offset;  // the weights sum to 1, their derivatives to 0
   toDataUnits(out, grid);
   return out;
-}
-
-std::vector<float> interpolatingCoefficients(const Grid& grid) {
-  const glm::ivec3 dims = grid.dims();
-  std::vector<float> values = std::visit(
-      [](const auto& voxels) { return std::vector<float>(voxels.begin(), voxels.end()); }, grid.voxels());
-  if (grid.missingCount() > 0) fillMissing(values, dims);
-
-  for (int axis = 0; axis < 3; ++axis) {
-    const int n = dims[axis];
-    if (n < 2) continue;
-    const int a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;  // the two other axes
-    const std::size_t stride = axis == 0 ? 1
-                               : axis == 1
-                                   ? static_cast<std::size_t>(dims.x)
-                                   : static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
-    tbb::parallel_for(tbb::blocked_range<int>(0, dims[b]), [&](const tbb::blocked_range<int>& range) {
-      std::vector<double> line(static_cast<std::size_t>(n));
-      for (int q = range.begin(); q != range.end(); ++q) {
-        for (int p = 0; p < dims[a]; ++p) {
-          glm::ivec3 start(0);
-          start[a] = p;
-          start[b] = q;
-          float* first = values.data() + grid.index(start.x, start.y, start.z);
-          for (std::size_t i = 0; i < line.size(); ++i) line[i] = static_cast<double>(first[i * stride]);
-          prefilterLine(line);
-          for (std::size_t i = 0; i < line.size(); ++i) first[i * stride] = static_cast<float>(line[i]);
-        }
-      }
-    });
-  }
-  return values;
 }
 
 glm::dvec3 worldGradient(const GridGeometry& geometry, glm::dvec3 voxelGradient) {

@@ -7,12 +7,10 @@
 // Samples beyond the border repeat the border sample (clamp), on CPU and GPU alike.
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "volume/coefficients.h"
 #include "volume/grid.h"
 
 namespace isolux::volume {
@@ -31,13 +29,8 @@ CubicWeights cubicWeights(double t);
 
 FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel);  // hessian: only the mixed terms are not 0
 FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel);  // B-spline of the samples themselves (smooths)
-FieldSample sampleCubic(const std::vector<float>& coefficients, const Grid& grid, glm::dvec3 voxel);
-
-// B-spline coefficients whose spline passes through the samples: the recursive prefilter per axis. The
-// boundary is a mirror half a voxel beyond the border samples (c[-1] = c[0]): what clamped lookups see, so
-// that the border samples are interpolated too. Stored units. Missing voxels are replaced by the mean of
-// their finite neighbours first. Multithreaded, float result, double arithmetic.
-std::vector<float> interpolatingCoefficients(const Grid& grid);
+// The spline that passes through the samples: interpolatingCoefficients(grid).
+FieldSample sampleCubic(const Coefficients& coefficients, const Grid& grid, glm::dvec3 voxel);
 
 glm::dvec3 worldGradient(const GridGeometry& geometry, glm::dvec3 voxelGradient);
 glm::dmat3 worldHessian(const GridGeometry& geometry, const glm::dmat3& voxelHessian);

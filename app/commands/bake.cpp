@@ -42,7 +42,8 @@ scene::Scene bakeScene(const BakeOptions& options) {
 }
 
 void seeView(LightController& controller, const BakeOptions& options, const scene::Scene& scene,
-             const std::shared_ptr<const volume::PreparedVolume>& prepared) {
+             const std::shared_ptr<const volume::PreparedVolume>& prepared, scene::Progress& progress) {
+  prepared->cubicFields->makeFor(scene, progress);
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
   render::Renderer renderer(context->gl());
@@ -92,7 +93,7 @@ void runBake(const BakeOptions& options, scene::Progress& progress) {
   {
     const ProgressBar bar(progress);
     replaced = resume(controller, out, progress);
-    if (scene.gi.extent == scene::GiExtent::view) seeView(controller, options, scene, prepared);
+    if (scene.gi.extent == scene::GiExtent::view) seeView(controller, options, scene, prepared, progress);
     // What there is, also when it ends here: writing is not stopped.
     scene::Progress writing;
     while (!controller.finish(progress, checkpointSeconds)) {

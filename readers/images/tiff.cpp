@@ -115,7 +115,7 @@ std::vector<PageOfFile> pagesOf(const std::vector<fs::path>& files, scene::Progr
   std::size_t others = 0;
   for (const fs::path& file : files) {
     progress.throwIfStopped();
-    for (const TiffPage& page : tiffPages(FileBytes(file))) {
+    for (const TiffPage& page : tiffPages(FileBytes(file), progress)) {
       if (pages.empty() || page.sameLayoutAs(pages.front().page))
         pages.push_back({file, page});
       else

@@ -173,6 +173,8 @@ TEST_F(BakeFile, OtherLightIsRefusedByName) {
       HasSubstr("sh order differs"));
   grid_ = volume::Grid(grid_.geometry(), std::vector<std::uint8_t>(12 * 9 * 11, 4));
   EXPECT_THAT(refusal(), HasSubstr("the volume is another one"));
+  EXPECT_THAT(refusal(R"({"format":3,"volume":"1","lattice_scale":1.5,"bounces":1,"albedo":[0.5,0.5,0.5]})"),
+              HasSubstr("another version of Isolux"));
 }
 
 TEST_F(BakeFile, WhatIsNoSuchFileIsRefused) {

@@ -58,7 +58,7 @@ TEST_F(DerivativesGlTest, AgreeWithDoublePrecision) {
         scene.derivatives.fetch = fetch;
         const CurvatureImages seen = curvatureImages(volume, scene);
         const volume::Grid& grid = volume->grid();
-        const std::vector<float> coefficients = volume::interpolatingCoefficients(grid);
+        const volume::Coefficients coefficients = volume::interpolatingCoefficients(grid);
         const double typical = volume->facts.typicalStep;  // per voxel
         int count = 0;
         double worstGradient = 0.0, worstHessian = 0.0, worstKappa = 0.0, worstDirection = 0.0;
@@ -287,7 +287,7 @@ TEST_F(DerivativesGlTest, HitsLieOnTheSurfaceWithinTheirStatedError) {
     scene.camera.target = middle;
     scene.camera.eye = middle + 40.0 * glm::dvec3(uniform(random), uniform(random), uniform(random));
     if (trial % 2) scene.camera.projection = scene::Projection::orthographic;
-    const std::vector<float> coefficients = volume::interpolatingCoefficients(volume->grid());
+    const volume::Coefficients coefficients = volume::interpolatingCoefficients(volume->grid());
     for (const auto field : {scene::Field::trilinear, scene::Field::cubic, scene::Field::cubic_interpolating})
       for (const auto method : {scene::HitMethod::exact, scene::HitMethod::sampled}) {
         scene.hit.field = field;

@@ -139,7 +139,7 @@ TEST_F(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
     for (const auto field : {scene::Field::cubic, scene::Field::cubic_interpolating}) {
       const auto volume = phantom(name, 40);
       const volume::Grid& grid = volume->grid();
-      const std::vector<float> coefficients = volume::interpolatingCoefficients(grid);
+      const volume::Coefficients coefficients = volume::interpolatingCoefficients(grid);
       scene::Progress progress;
       const bool interpolating = field == scene::Field::cubic_interpolating;
       const auto blocks = interpolating ? volume::MinMaxBlocks::ofCubic(coefficients, grid, 8, progress)

@@ -40,7 +40,7 @@ Figures measure(const std::string& name, const GridGeometry& geometry, double is
   request.geometry = geometry;
   const Grid grid = makePhantom(request, progress);
   const MinMaxBlocks blocks(grid, 8, progress);
-  const std::vector<float> coefficients = interpolatingCoefficients(grid);
+  const Coefficients coefficients = interpolatingCoefficients(grid);
   const auto field = test::analyticField(name, geometry);
   const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
   const glm::dmat3 linear(voxelFromWorld);

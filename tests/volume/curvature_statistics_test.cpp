@@ -38,7 +38,7 @@ void expectAll(const Quantiles& q, double value, double tolerance) {
 TEST(CurvatureStatistics, OfABallAreItsRadius) {
   for (const GridGeometry& geometry : {test::isotropicGeometry(96), test::obliqueLeftHandedGeometry(96)}) {
     const Subject ball("ball", geometry);
-    const std::vector<float> coefficients = interpolatingCoefficients(ball.grid);
+    const Coefficients coefficients = interpolatingCoefficients(ball.grid);
     const CurvatureStatistics s = curvatureStatistics(ball.grid, ball.blocks, 0.0, -1.0, &coefficients);
     const glm::dvec3 spacing = geometry.spacingMm();
     const double k = 1.0 / (0.35 * 95.0 * std::min({spacing.x, spacing.y, spacing.z}));

@@ -181,7 +181,7 @@ TEST(CurvatureScale, GradientNoiseIsThatOfFieldsOfNoise) {
     std::vector<float> voxels(geometry.voxelCount());
     for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<float>(3.0 * normalNoise(5, i));
     const Grid grid(geometry, std::move(voxels));
-    const std::vector<float> coefficients = interpolatingCoefficients(grid);
+    const Coefficients coefficients = interpolatingCoefficients(grid);
     double sums[3] = {0, 0, 0};
     constexpr int count = 20000;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -207,7 +207,7 @@ TEST(CurvatureScale, HessianNoiseIsThatOfFieldsOfNoise) {
   std::vector<float> voxels(geometry.voxelCount());
   for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<float>(3.0 * normalNoise(6, i));
   const Grid grid(geometry, std::move(voxels));
-  const std::vector<float> coefficients = interpolatingCoefficients(grid);
+  const Coefficients coefficients = interpolatingCoefficients(grid);
   double sums[3] = {0, 0, 0};
   constexpr int count = 20000;
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -299,7 +299,7 @@ Errors curvatureErrors(const std::string& name, const GridGeometry& geometry, do
                        double isovalue = 0.0) {
   scene::Progress progress;
   const Grid grid = phantom(name, geometry);
-  const std::vector<float> coefficients = interpolatingCoefficients(grid);
+  const Coefficients coefficients = interpolatingCoefficients(grid);
   const MinMaxBlocks blocks = MinMaxBlocks::ofCubic(coefficients, grid, 8, progress);
   const auto truth = test::analyticField(name, geometry);
   const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic_interpolating, 1e-6);

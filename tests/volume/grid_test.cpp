@@ -1,11 +1,14 @@
 #include "volume/grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 #include <glm/geometric.hpp>
 
+#include "scene/progress.h"
 #include "tests/support/analytic_fields.h"
 
 namespace isolux::volume {
@@ -70,6 +73,46 @@ TEST(Grid, HashTellsVoxelsGeometryTypeAndScaleApart) {
   EXPECT_NE(grid.hash(), Grid(geometry, std::vector<std::uint8_t>{1, 2}, 2.0).hash());
   EXPECT_NE(grid.hash(),
             Grid(GridGeometry::make({2, 1, 1}, glm::dvec3(2)), std::vector<std::uint8_t>{1, 2}).hash());
+}
+
+// Pieces of 1 MiB are hashed on any core in any order.
+TEST(Grid, HashSeesEveryPieceAndItsPlaceAndDoesNotDependOnThreads) {
+  const GridGeometry geometry = GridGeometry::make({1024, 1024, 3}, glm::dvec3(1));
+  std::vector<std::uint8_t> voxels(geometry.voxelCount());
+  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<std::uint8_t>(i * i >> 7);
+  const std::uint64_t hash = Grid(geometry, voxels).hash();
+  tbb::task_arena alone(1);
+  alone.execute([&] { EXPECT_EQ(Grid(geometry, voxels).hash(), hash); });
+  std::vector<std::uint8_t> swapped = voxels;
+  std::swap_ranges(swapped.begin(), swapped.begin() + (1 << 20), swapped.begin() + (2 << 20));
+  EXPECT_NE(Grid(geometry, swapped).hash(), hash);
+  for (const std::size_t at : {std::size_t{0}, std::size_t{(1 << 20) - 1}, voxels.size() - 1}) {
+    std::vector<std::uint8_t> other = voxels;
+    ++other[at];
+    EXPECT_NE(Grid(geometry, std::move(other)).hash(), hash);
+  }
+}
+
+TEST(Grid, RangeAndMissingVoxelsAreThoseOfAllPieces) {
+  const GridGeometry geometry = GridGeometry::make({700, 800, 1}, glm::dvec3(1));
+  std::vector<float> voxels(700 * 800, 1.0f);
+  voxels[0] = -7.0f;
+  voxels[300000] = std::numeric_limits<float>::quiet_NaN();
+  voxels[400000] = std::numeric_limits<float>::infinity();
+  voxels[559999] = 9.0f;
+  const Grid grid(geometry, std::move(voxels), -2.0, 1.0);
+  EXPECT_EQ(grid.storedMinimum(), -7.0);
+  EXPECT_EQ(grid.storedMaximum(), 9.0);
+  EXPECT_EQ(grid.minimum(), -17.0);
+  EXPECT_EQ(grid.maximum(), 15.0);
+  EXPECT_EQ(grid.missingCount(), 2u);
+}
+
+TEST(Grid, AStopEndsTheScan) {
+  scene::Progress progress;
+  progress.requestStop();
+  const GridGeometry geometry = GridGeometry::make({64, 64, 64}, glm::dvec3(1));
+  EXPECT_THROW(Grid(geometry, std::vector<float>(geometry.voxelCount()), 1.0, 0.0, progress), scene::Error);
 }
 
 }  // namespace

@@ -54,6 +54,26 @@ TEST(Histogram, FloatsAreSpreadOverTheRangeAndMissingOnesLeftOut) {
   EXPECT_EQ(histogram.counts, (std::vector<std::uint64_t>{2, 1, 0, 2}));
 }
 
+// Nothing of the stored numbers is left in the values: bins must come from the numbers themselves.
+TEST(Histogram, CountsEveryVoxelWhereTheScalingMapsAllValuesToOne) {
+  for (const double slope : {1e-20, -1e-20, 1e-17}) {
+    std::vector<std::int16_t> integers(65536);
+    std::vector<float> floats;
+    for (std::size_t i = 0; i < integers.size(); ++i) {
+      integers[i] = static_cast<std::int16_t>(static_cast<int>(i) - 32768);
+      floats.push_back(static_cast<float>(integers[i]));
+    }
+    for (const Grid& grid :
+         {lineOf(std::move(integers), slope, 1.0), lineOf(std::move(floats), slope, 1.0)}) {
+      EXPECT_EQ(grid.storedMinimum(), -32768.0);
+      EXPECT_EQ(grid.storedMaximum(), 32767.0);
+      const Histogram histogram = makeHistogram(grid);
+      EXPECT_EQ(histogram.counts.size(), 512u);
+      for (const std::uint64_t count : histogram.counts) EXPECT_NEAR(static_cast<double>(count), 128.0, 1.0);
+    }
+  }
+}
+
 TEST(Histogram, ConstantEmptyTinyAndHugeValuesWork) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(), most = std::numeric_limits<float>::max();
   const Grid constant = lineOf(std::vector<float>{2.5f, 2.5f});

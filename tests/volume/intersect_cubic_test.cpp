@@ -31,7 +31,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Field {
   Field(Grid samples, bool interpolating)
       : grid(std::move(samples)),
-        coefficients(interpolating ? interpolatingCoefficients(grid) : std::vector<float>()),
+        coefficients(interpolating ? interpolatingCoefficients(grid) : Coefficients()),
         blocks(interpolating ? MinMaxBlocks::ofCubic(coefficients, grid, 8, progress)
                              : MinMaxBlocks::ofCubic(grid, 8, progress)) {}
 
@@ -46,12 +46,13 @@ struct Field {
     at = glm::clamp(at, glm::ivec3(0), grid.dims() - 1);
     return coefficients.empty()
                ? grid.value(at.x, at.y, at.z)
-               : grid.valueOfStored(static_cast<double>(coefficients[grid.index(at.x, at.y, at.z)]));
+               : grid.valueOfStored(coefficients.offset +
+                                    static_cast<double>(coefficients.values[grid.index(at.x, at.y, at.z)]));
   }
 
   scene::Progress progress;
   Grid grid;
-  std::vector<float> coefficients;
+  Coefficients coefficients;
   MinMaxBlocks blocks;
 };
 

@@ -99,7 +99,7 @@ TEST(MinMaxBlocks, OnlyBlocksThatACrossingCanBeInAreActive) {
 }
 
 // Every coefficient of every cell, and the field itself at random points of the block.
-void compareCubicWithCells(const Grid& grid, const std::vector<float>* coefficients, int blockCells) {
+void compareCubicWithCells(const Grid& grid, const Coefficients* coefficients, int blockCells) {
   scene::Progress progress;
   const MinMaxBlocks blocks = coefficients ? MinMaxBlocks::ofCubic(*coefficients, grid, blockCells, progress)
                                            : MinMaxBlocks::ofCubic(grid, blockCells, progress);
@@ -113,8 +113,9 @@ void compareCubicWithCells(const Grid& grid, const std::vector<float>* coefficie
         for (int tap = 0; tap < 64; ++tap) {
           const glm::ivec3 at = glm::clamp(
               glm::ivec3(x, y, z) + glm::ivec3(tap & 3, tap >> 2 & 3, tap >> 4) - 1, glm::ivec3(0), last);
-          const double v = coefficients ? static_cast<double>((*coefficients)[grid.index(at.x, at.y, at.z)])
-                                        : grid.stored(at.x, at.y, at.z);
+          const double v = coefficients
+                               ? static_cast<double>(coefficients->values[grid.index(at.x, at.y, at.z)])
+                               : grid.stored(at.x, at.y, at.z);
           if (std::isnan(v)) continue;
           const std::size_t block = blocks.index(glm::ivec3(x, y, z) / blockCells);
           low[block] = std::min(low[block], static_cast<float>(v));
@@ -133,7 +134,7 @@ void compareCubicWithCells(const Grid& grid, const std::vector<float>* coefficie
         glm::dvec3(uniformNoise(4, i), uniformNoise(5, i), uniformNoise(6, i)) * glm::dvec3(last);
     const double value = (coefficients ? sampleCubic(*coefficients, grid, p) : sampleCubic(grid, p)).value;
     if (std::isnan(value)) continue;
-    const double stored = grid.storedOfValue(value);
+    const double stored = grid.storedOfValue(value) - (coefficients ? coefficients->offset : 0.0);
     const std::size_t block = blocks.index(glm::ivec3(p) / blockCells);
     const double rounding = 1e-12 * std::max(std::abs(low[block]), std::abs(high[block]));
     EXPECT_GE(stored, static_cast<double>(blocks.minimum(block)) - rounding);
@@ -148,7 +149,7 @@ TEST(MinMaxBlocks, OfACubicFieldHoldEveryCoefficientAndSoTheField) {
     compareCubicWithCells(randomGrid<float>({19, 25, 12}, 0.4), nullptr, blockCells);
     for (const double missing : {0.0, 0.3}) {
       const Grid grid = randomGrid<float>({18, 12, 21}, missing);
-      const std::vector<float> coefficients = interpolatingCoefficients(grid);
+      const Coefficients coefficients = interpolatingCoefficients(grid);
       compareCubicWithCells(grid, &coefficients, blockCells);
     }
   }

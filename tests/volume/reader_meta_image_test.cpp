@@ -112,6 +112,16 @@ TEST(MetaImage, ListsAndPatterns) {
   expectError(folder / "evil.mhd", "no pattern");
 }
 
+TEST(MetaImage, RangesOfFileNumbersEndAtTheGreatestNumber) {
+  const auto folder = test::temporaryFolder();
+  const std::string header = "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n";
+  writeFile(folder / "last.mhd",
+            header + "ElementDataFile = s%d.raw 9223372036854775806 9223372036854775807\n");
+  writeFile(folder / "s9223372036854775806.raw", bytesOf(ramp<std::uint8_t>(4)));
+  writeFile(folder / "s9223372036854775807.raw", bytesOf(ramp<std::uint8_t>(4, 4)));
+  EXPECT_EQ(valuesOf(readFile(folder / "last.mhd")), zeroToSeven);
+}
+
 TEST(MetaImage, DegenerateGeometryHasDocumentedDefaults) {
   const auto path = test::temporaryFolder() / "volume.mha";
   const auto with = [&](const std::string& fields) {

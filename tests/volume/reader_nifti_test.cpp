@@ -109,6 +109,16 @@ TEST(Nifti, SlopeAndIntercept) {
   EXPECT_EQ(read(file).grid->maximum(), 14.0);
 }
 
+TEST(Nifti, AScalingThatMapsAllValuesToOneIsLeftOut) {
+  NiftiFile file = small();
+  file.slope = 1e-20f;
+  file.intercept = 1;
+  const auto volume = read(file);
+  EXPECT_EQ(volume.grid->minimum(), 0.0);
+  EXPECT_EQ(volume.grid->maximum(), 7.0);
+  EXPECT_TRUE(test::warns(volume, "too extreme to apply"));
+}
+
 TEST(Nifti, BigEndianGzipAndPairs) {
   NiftiFile file;
   file.big = true;

@@ -120,38 +120,6 @@ TEST(Reconstruct, CubicDerivativesAgreeWithDifferencesOfItsValue) {
   }
 }
 
-TEST(Reconstruct, PrefilteredSplinePassesThroughAllSamplesAtTheBorderToo) {
-  for (const glm::ivec3& dims : {glm::ivec3(17, 9, 12), glm::ivec3(1, 8, 2), glm::ivec3(2, 2, 2),
-                                 glm::ivec3(1, 1, 1), glm::ivec3(3, 1, 40)}) {
-    const Grid grid = sampled(GridGeometry::make(dims, glm::dvec3(1)), [](glm::dvec3 p) {
-      return uniformNoise(5, static_cast<std::uint64_t>(p.x + 50 * p.y + 2500 * p.z)) * 100.0 - 30.0;
-    });
-    const std::vector<float> coefficients = interpolatingCoefficients(grid);
-    for (int z = 0; z < dims.z; ++z)
-      for (int y = 0; y < dims.y; ++y)
-        for (int x = 0; x < dims.x; ++x)
-          ASSERT_NEAR(sampleCubic(coefficients, grid, {x, y, z}).value, grid.value(x, y, z), 1e-3)
-              << x << ' ' << y << ' ' << z;
-  }
-}
-
-TEST(Reconstruct, InterpolatingSplineReproducesCubicPolynomialsAwayFromTheBorder) {
-  const auto f = [](glm::dvec3 p) {
-    const glm::dvec3 q = (p - 20.0) / 10.0;
-    return q.x * q.x * q.x - 2.0 * q.y * q.y * q.x + q.z * q.z * q.z * q.y;
-  };
-  const Grid grid = sampled(cube(41), f);
-  const std::vector<float> coefficients = interpolatingCoefficients(grid);
-  for (std::uint64_t i = 0; i < 100; ++i) {
-    const glm::dvec3 p = randomPoint(i, glm::dvec3(15), glm::dvec3(25));  // the border is damped by |pole|^15
-    const FieldSample s = sampleCubic(coefficients, grid, p);
-    const test::Derivatives d = test::differences(f, p, 1e-3);
-    EXPECT_NEAR(s.value, f(p), 1e-5);
-    EXPECT_LT(glm::distance(s.gradient, d.gradient), 1e-5);
-    for (int c = 0; c < 3; ++c) EXPECT_LT(glm::distance(s.hessian[c], d.hessian[c]), 1e-4);
-  }
-}
-
 TEST(Reconstruct, OutsideTheDomainPositionsAreClamped) {
   const Grid grid = sampled(cube(5), [](glm::dvec3 p) { return p.x * p.y + p.z; });
   const glm::dvec3 outside(-3.0, 9.0, 2.5), border(0.0, 4.0, 2.5);
@@ -183,20 +151,6 @@ TEST(Reconstruct, SlopeAndInterceptScaleValuesAndDerivatives) {
   EXPECT_NEAR(sampleCubic(scaled, p).value, 100.0 - 0.5 * sampleCubic(plain, p).value, 1e-9);
   EXPECT_LT(glm::length(sampleCubic(scaled, p).gradient + 0.5 * sampleCubic(plain, p).gradient), 1e-9);
   EXPECT_NEAR(sampleTrilinear(scaled, p).value, 100.0 - 0.5 * sampleTrilinear(plain, p).value, 1e-9);
-}
-
-TEST(Reconstruct, MissingVoxelsAreFilledBeforeThePrefilterAndNowhereElse) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const Grid grid = sampled(cube(9), [nan](glm::dvec3 p) {
-    return glm::distance(p, glm::dvec3(4)) < 2.0 ? static_cast<double>(nan) : 5.0;
-  });
-  EXPECT_GT(grid.missingCount(), 20u);
-  for (const float c : interpolatingCoefficients(grid)) EXPECT_NEAR(static_cast<double>(c), 5.0, 1e-5);
-  EXPECT_TRUE(std::isnan(sampleTrilinear(grid, {4, 4, 4}).value));
-  EXPECT_TRUE(std::isnan(sampleCubic(grid, {4, 4, 1.5}).value));
-  EXPECT_NEAR(sampleTrilinear(grid, {0.5, 0.5, 0.5}).value, 5.0, 1e-12);
-  const Grid none = sampled(cube(3), [nan](glm::dvec3) { return static_cast<double>(nan); });
-  for (const float c : interpolatingCoefficients(none)) EXPECT_EQ(c, 0.0f);
 }
 
 TEST(Reconstruct, WorldDerivativesFollowTheAffine) {

@@ -172,8 +172,8 @@ void readDataFile(const Fields& fields, std::string_view text, const std::string
     if (!first || !last || !step || *first < 0 || *step < 1 || *last < *first ||
         (*last - *first) / *step >= static_cast<std::int64_t>(mostFiles))
       throwInput(file, field.place(), "the range of file numbers is wrong");
-    for (std::int64_t number = *first; number <= *last; number += *step)
-      payload.files.push_back(numberedName(words[0], number, file, field.place()));
+    for (std::int64_t i = 0; i <= (*last - *first) / *step; ++i)
+      payload.files.push_back(numberedName(words[0], *first + i * *step, file, field.place()));
     return;
   }
   payload.files.emplace_back(field.value);

@@ -93,8 +93,9 @@ void checkClaim(const Payload& payload, const Bytes& bytes, std::uint64_t begin,
 // The voxel stream of the whole payload, file after file.
 class PayloadStream {
  public:
-  PayloadStream(const ImageHeader& header, const Bytes& own, const OpenBeside& beside)
-      : header_(header), own_(own), beside_(beside) {
+  PayloadStream(const ImageHeader& header, const Bytes& own, const OpenBeside& beside,
+                const scene::Progress& progress)
+      : header_(header), own_(own), beside_(beside), progress_(progress) {
     const std::uint64_t files = std::max<std::uint64_t>(1, header.payload.files.size());
     const std::uint64_t total = header.elements() * bytesOf(header.type);
     if (header.elements() % files != 0)
@@ -117,7 +118,7 @@ class PayloadStream {
   }
 
   // Passes over bytes; without reading them where the file allows it.
-  void skip(std::uint64_t bytes, const scene::Progress& progress) {
+  void skip(std::uint64_t bytes) {
     std::vector<std::byte> scratch;
     while (bytes > 0) {
       if (left_ == 0) open(file_ + 1);
@@ -130,7 +131,7 @@ class PayloadStream {
       }
       scratch.resize(chunkBytes);
       for (std::uint64_t rest = part; rest > 0;) {
-        progress.throwIfStopped();
+        progress_.throwIfStopped();
         const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(rest, scratch.size()));
         stream_->read(std::span(scratch).first(count));
         rest -= count;
@@ -145,6 +146,7 @@ class PayloadStream {
 
  private:
   void open(std::uint64_t file) {
+    progress_.throwIfStopped();
     const Payload& payload = header_.payload;
     file_ = file;
     if (!payload.files.empty()) opened_ = beside_(payload.files[file]);
@@ -163,8 +165,9 @@ class PayloadStream {
         const std::uint64_t length =
             payload.compressedBytes > 0 ? payload.compressedBytes : bytes_->size() - begin_;
         stream_ = inflateStream(*bytes_, begin_, length);
-        std::byte scratch[4096];
+        std::byte scratch[16384];
         for (std::uint64_t rest = payload.skipDecoded; rest > 0;) {
+          progress_.throwIfStopped();
           const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(rest, sizeof scratch));
           stream_->read({scratch, count});
           rest -= count;
@@ -177,6 +180,7 @@ class PayloadStream {
   const ImageHeader& header_;
   const Bytes& own_;
   const OpenBeside& beside_;
+  const scene::Progress& progress_;
   std::unique_ptr<Bytes> opened_;
   const Bytes* bytes_ = nullptr;
   std::unique_ptr<VoxelStream> stream_;
@@ -214,7 +218,7 @@ FileVoxels decodeAs(const ImageHeader& header, PayloadStream& stream, const Read
   const auto slow = static_cast<std::uint64_t>(header.slowComponents);
   std::uint64_t position = 0;  // volumes passed
   const auto seekVolume = [&](std::uint64_t volume) {
-    stream.skip((volume - position) * volumeBytes, progress);
+    stream.skip((volume - position) * volumeBytes);
     position = volume + 1;
   };
   std::size_t done = 0;
@@ -298,7 +302,7 @@ FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const Open
                          std::vector<std::string>& warnings) {
   checkChoices(header, own.name(), options);
   progress.report(0.0, "reading");
-  PayloadStream stream(header, own, beside);  // compares the claim with the files
+  PayloadStream stream(header, own, beside, progress);  // compares the claim with the files
   checkBudget(header, own.name(), options);
   bool dataFollow = false;
   FileVoxels voxels = withType(header.type, [&](auto zero) {
@@ -308,6 +312,18 @@ FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const Open
     warnings.push_back("the file holds more data than the header announces; the rest is ignored");
   return voxels;
 }
+
+namespace {
+
+constexpr const char* kScalingLeftOut = "slope and intercept are too extreme to apply; left out";
+
+// Values are finite, also their differences, and the stored range is not mapped to a single one.
+bool scalingIsUsable(const Grid& grid) {
+  const double range = grid.maximum() - grid.minimum();
+  return std::isfinite(range) && (range > 0.0 || grid.storedMinimum() == grid.storedMaximum());
+}
+
+}  // namespace
 
 Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOptions& options,
                     scene::Progress& progress) {
@@ -342,7 +358,7 @@ Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOp
   }
   double combinedSlope = slope * stored.slope, combinedIntercept = slope * stored.intercept + intercept;
   if (!std::isfinite(combinedSlope) || combinedSlope == 0.0 || !std::isfinite(combinedIntercept)) {
-    volume.warnings.push_back("slope and intercept are too extreme to apply; left out");
+    volume.warnings.emplace_back(kScalingLeftOut);
     combinedSlope = stored.slope;
     combinedIntercept = stored.intercept;
   }
@@ -351,7 +367,14 @@ Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOp
   geometry.dims = {static_cast<int>(header.dims[0]), static_cast<int>(header.dims[1]),
                    static_cast<int>(header.dims[2])};
   geometry.worldFromVoxel = header.worldFromVoxel;
-  auto grid = std::make_shared<Grid>(geometry, std::move(stored.voxels), combinedSlope, combinedIntercept);
+  auto grid =
+      std::make_shared<Grid>(geometry, std::move(stored.voxels), combinedSlope, combinedIntercept, progress);
+  const bool scaled = combinedSlope != stored.slope || combinedIntercept != stored.intercept;
+  if (scaled && !scalingIsUsable(*grid)) {
+    volume.warnings.emplace_back(kScalingLeftOut);
+    grid = std::make_shared<Grid>(geometry, std::move(*grid).takeVoxels(), stored.slope, stored.intercept,
+                                  progress);
+  }
   if (grid->missingCount() > 0)
     volume.warnings.push_back(std::to_string(grid->missingCount()) + " of " +
                               std::to_string(geometry.voxelCount()) +

@@ -26,7 +26,7 @@ struct TiffPage {
 
 bool looksLikeTiff(std::string_view head);
 // The full-resolution pages; throws for directories that lead nowhere or claims the file cannot hold.
-std::vector<TiffPage> tiffPages(const Bytes& bytes);
+std::vector<TiffPage> tiffPages(const Bytes& bytes, const scene::Progress& progress);
 
 // "slice2" before "slice10": runs of digits compare as numbers.
 bool naturalLess(std::string_view a, std::string_view b);

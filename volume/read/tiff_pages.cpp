@@ -19,7 +19,7 @@ constexpr std::uint64_t mostEntries = 4096;
 
 class Walk {
  public:
-  explicit Walk(const Bytes& bytes) : bytes_(bytes) {
+  Walk(const Bytes& bytes, const scene::Progress& progress) : bytes_(bytes), progress_(progress) {
     const std::string head = bytes.head(16);
     if (!looksLikeTiff(head)) throwInput(bytes.name(), "byte 0", "is no TIFF header");
     swap_ = head[0] == 'M';
@@ -64,18 +64,30 @@ class Walk {
     return number(elsewhere ? number(field, static_cast<std::size_t>(room)) : field, width);
   }
 
+  // Directories and tables are looked at once each. Pages that share theirs would make the walk as long as
+  // the file times the pages: four times the file is more than any writer needs.
+  void spend(std::uint64_t bytes, const std::string& place) {
+    progress_.throwIfStopped();
+    spent_ += bytes;
+    if (spent_ / 4 > bytes_.size())
+      throwInput(bytes_.name(), place, "its directories and tables of strips lie over one another");
+  }
+
   // The values of an entry; `place` names the page when there are too many.
-  std::vector<std::uint64_t> valuesOf(std::uint64_t entry, const std::string& place) const {
+  std::vector<std::uint64_t> valuesOf(std::uint64_t entry, const std::string& place) {
     const std::uint64_t type = number(entry + 2, 2), count = number(entry + 4, wide_ ? 8 : 4);
     const std::size_t width = type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
     if (width == 0 || count > bytes_.size() / width)
       throwInput(bytes_.name(), place, "truncated: its table of strips is longer than the file");
+    spend(count * width, place);
     const std::uint64_t field = entry + (wide_ ? 12 : 8), room = wide_ ? 8 : 4;
     const std::uint64_t at = count > room / width ? number(field, static_cast<std::size_t>(room)) : field;
     std::vector<std::byte> raw(static_cast<std::size_t>(count) * width);
     bytes_.read(at, raw);
     std::vector<std::uint64_t> values;
+    values.reserve(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < raw.size(); i += width) {
+      if (i % (std::size_t{1} << 20) == 0) progress_.throwIfStopped();
       if (swap_)
         std::reverse(raw.begin() + static_cast<std::ptrdiff_t>(i),
                      raw.begin() + static_cast<std::ptrdiff_t>(i + width));
@@ -87,7 +99,7 @@ class Walk {
   }
 
   // Each strip or tile must lie in the file; OpenImageIO shows zeros for those that do not.
-  void checkStrips(std::uint64_t offsets, std::uint64_t counts, const std::string& place) const {
+  void checkStrips(std::uint64_t offsets, std::uint64_t counts, const std::string& place) {
     if (offsets == 0 || counts == 0) throwInput(bytes_.name(), place, "does not say where its pixels are");
     const auto at = valuesOf(offsets, place), sizes = valuesOf(counts, place);
     if (at.size() != sizes.size()) throwInput(bytes_.name(), place, "its tables of strips disagree");
@@ -104,6 +116,7 @@ class Walk {
     const std::uint64_t entries = number(at, wide_ ? 8 : 2);
     if (entries > mostEntries)
       throwInput(bytes_.name(), place, "has " + std::to_string(entries) + " entries");
+    spend(entries * entryBytes, place);
     std::uint64_t entry = at + (wide_ ? 8 : 2), compression = 1, kind = 0, offsets = 0, counts = 0;
     for (std::uint64_t i = 0; i < entries; ++i, entry += entryBytes) {
       const std::uint64_t tag = number(entry, 2);
@@ -183,8 +196,9 @@ class Walk {
   }
 
   const Bytes& bytes_;
+  const scene::Progress& progress_;
   bool swap_ = false, wide_ = false;
-  std::uint64_t total_ = 0;
+  std::uint64_t total_ = 0, spent_ = 0;
 };
 
 }  // namespace
@@ -196,8 +210,8 @@ bool looksLikeTiff(std::string_view head) {
   return mark == "II*\0"sv || mark == "MM\0*"sv || mark == "II+\0"sv || mark == "MM\0+"sv;
 }
 
-std::vector<TiffPage> tiffPages(const Bytes& bytes) {
-  return Walk(bytes).pages();
+std::vector<TiffPage> tiffPages(const Bytes& bytes, const scene::Progress& progress) {
+  return Walk(bytes, progress).pages();
 }
 
 bool naturalLess(std::string_view a, std::string_view b) {
