@@ -1,18 +1,34 @@
-// What the volume fuzz targets share: read an in-memory file as far as its header allows.
+// What the volume fuzz targets share: read an in-memory file as far as its header allows, and prepare what
+// was read as every opened volume is.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <string_view>
 
 #include "scene/error.h"
+#include "volume/prepared_volume.h"
 #include "volume/read/payload.h"
 
 namespace isolux::fuzz {
 
 inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
+}
+
+constexpr std::size_t budgetBytes = std::size_t{1} << 20;
+
+// What pictures start from must be numbers, whatever the voxels and their scaling are.
+inline void prepare(volume::Volume volume, scene::Progress& progress) {
+  const auto prepared = volume::prepareVolume(std::move(volume), progress);
+  const scene::VolumeFacts& facts = prepared->facts;
+  for (const double number : {facts.suggestedIsovalue, facts.minimum, facts.maximum, facts.noise,
+                              facts.boundsMinMm.x, facts.boundsMinMm.y, facts.boundsMinMm.z,
+                              facts.boundsMaxMm.x, facts.boundsMaxMm.y, facts.boundsMaxMm.z})
+    if (!std::isfinite(number)) std::abort();
 }
 
 // Decodes with a budget of 1 MiB; no other file can be opened. Errors are the expected end of most inputs.
@@ -27,9 +43,9 @@ void readInMemory(const std::uint8_t* data, std::size_t size, Parse&& parse) {
   for (const int component : {0, -1}) {
     ReadOptions options;
     options.component = component;
-    options.budgetBytes = std::size_t{1} << 20;
+    options.budgetBytes = budgetBytes;
     try {
-      volumeFrom(parse(bytes), bytes, nothing, options, progress);
+      prepare(volumeFrom(parse(bytes), bytes, nothing, options, progress), progress);
     } catch (const scene::Error&) {
       continue;
     }

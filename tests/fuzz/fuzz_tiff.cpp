@@ -5,8 +5,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isolux;
   const volume::MemoryBytes bytes("input", std::as_bytes(std::span(data, size)));
+  const scene::Progress progress;
   try {
-    volume::tiffPages(bytes);
+    volume::tiffPages(bytes, progress);
   } catch (const scene::Error&) {
     return 0;
   }
