@@ -2,9 +2,12 @@
 // something else by menu, recent files and drop.
 #include "tests/ui/window_fixture.h"
 
-#include <fstream>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDropEvent>
 #include <QMenu>
 #include <QMenuBar>

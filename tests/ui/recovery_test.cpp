@@ -2,6 +2,7 @@
 #include "tests/ui/window_fixture.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include <QCoreApplication>
@@ -104,7 +105,8 @@ TEST_F(WindowTest, ADiscardedAutosaveIsGoneAndAnUnansweredOneIsOfferedAgain) {
   const std::filesystem::path folder = temporaryFolder() / "autosave";
   const auto leaveOne = [&] {  // as a killed window would: a file whose lock nobody holds
     std::filesystem::create_directories(folder);
-    app::OpenDocument document{"head phantom", {}, {}, {}, {}};
+    app::OpenDocument document;
+    document.name = "head phantom";
     scene::Scene scene;
     scene.source.path = "phantom:head:16";
     document.history.reset(scene);

@@ -9,6 +9,8 @@
 #include <sys/resource.h>
 
 #include <QAction>
+#include <QFile>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
@@ -35,8 +37,8 @@ void trigger(ui::MainWindow& window, const QString& text) {
 }
 
 std::string contentOf(const QString& file) {
-  std::ifstream stream(file.toStdString(), std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  QFile stream(file);
+  return stream.open(QIODevice::ReadOnly) ? stream.readAll().toStdString() : std::string();
 }
 
 std::string barText(const ui::MainWindow& window) {

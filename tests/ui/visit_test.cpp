@@ -5,12 +5,14 @@
 #include "tests/ui/window_fixture.h"
 
 #include <cstdlib>
+#include <iterator>
 #include <random>
 
 #include <QProcess>
 #include <QTest>
 
 #include "scene/settings.h"
+#include "tests/support/test_data.h"
 #include "tests/ui/dialog_answers.h"
 #include "ui/message_bar.h"
 #include "ui/viewport.h"
