@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include "app/commands/command.h"
@@ -187,6 +188,9 @@ int guarded(Body body, const std::function<bool()>& mayReport) {
                  error.code().message())
                .what();
     exitCode = static_cast<int>(ErrorKind::input);
+  } catch (const std::system_error& error) {  // threads, above all
+    line = "the system gives no more threads or memory: " + error.code().message();
+    exitCode = static_cast<int>(ErrorKind::memory);
   } catch (const std::exception& error) {
     line = std::string("a mistake in Isolux itself: ") + error.what();
     exitCode = 1;
@@ -215,6 +219,7 @@ int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
         return guarded(
             [&] {
               chosen->run(progress);
+              printThreadsNote(*chosen->parser);
               checkStandardOutput();
               return 0;
             },

@@ -82,6 +82,11 @@ const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePo
   if (environment_->badPixels() > 0)
     plan_.warnings.push_back(std::to_string(environment_->badPixels()) +
                              " pixels of the light probe are no numbers or negative: replaced");
+  if (tracer_ && tracer_->beyondSimd())
+    plan_.warnings.emplace_back(
+        "light is traced at about a third of the speed: the volume has more voxels than the SIMD tracer "
+        "reaches "
+        "(about 1600 x 1600 x 1600)");
   publish();
   return plan_;
 }
@@ -169,6 +174,8 @@ void LightPlanner::wish(Part& part, const std::vector<gi::WantedBlock>& visible,
   const auto ofBand = [&](double low, double high) {
     return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress, scene_.hit.field);
   };
+  // A command that asks for all light hears at once that it does not fit; a window's grows as far as it goes.
+  if (extent == scene::GiExtent::full && !background_) part.bake->lattice()->checkThatAllFits();
   std::vector<gi::WantedBlock> band;
   if (extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);
   for (const double isovalue : asked.behind) {

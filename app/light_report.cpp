@@ -14,7 +14,8 @@ nlohmann::ordered_json bakeJson(const LightState& state) {
           {"samples", counters.samplesDone},
           {"rays", counters.rays},
           {"seconds", counters.seconds},
-          {"threads", counters.threads}};
+          {"threads", counters.threads},
+          {"notes", state.warnings}};
 }
 
 void printBake(const LightState& state) {
@@ -24,6 +25,7 @@ void printBake(const LightState& state) {
               static_cast<unsigned long long>(counters.texelsLit),
               static_cast<unsigned long long>(counters.samplesDone),
               static_cast<unsigned long long>(counters.rays), counters.seconds, counters.threads);
+  for (const std::string& warning : state.warnings) std::printf("light: %s\n", warning.c_str());
   std::fflush(stdout);
 }
 

@@ -7,8 +7,8 @@
 
 namespace isolux::app {
 
-// The key "bake": mode, reason, texels, samples, rays, seconds, threads.
+// The key "bake": mode, reason, texels, samples, rays, seconds, threads, notes (lines).
 nlohmann::ordered_json bakeJson(const LightState& state);
-void printBake(const LightState& state);  // one line on stdout
+void printBake(const LightState& state);  // on stdout: one line, and one for each note
 
 }  // namespace isolux::app

@@ -8,8 +8,8 @@
 //
 // Written beside its name, flushed to the disk and renamed: whenever the program ends, the file is the old
 // one or the new one, whole. Lattices may go on being filled meanwhile; each block is as it was at one
-// moment. Memory: a few layers of blocks. Errors: scene::Error{input} naming the file, the array and the
-// reason; {memory}; {interrupted}.
+// moment. Memory: a few layers of blocks as plain arrays, and the old state of blocks that a bake replaces
+// meanwhile. Errors: scene::Error{input} naming the file, the array and the reason; {memory}; {interrupted}.
 #pragma once
 
 #include <filesystem>

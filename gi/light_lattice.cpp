@@ -13,12 +13,24 @@ std::uint64_t bakedOf(const LatticeBlock& block) {
       std::count_if(block.samples.begin(), block.samples.end(), [](std::uint32_t n) { return n > 0; }));
 }
 
+// What the user can do about light that does not fit.
+std::string_view remedyFor(const LightContent& content) {
+  return content.kind == LightContent::Kind::transfer
+             ? "gi.extent=view, or a lower gi.lattice_scale or gi.sh_order, needs less"
+             : "gi.extent=view, or a lower gi.lattice_scale, needs less";
+}
+
+constexpr std::size_t kTableEntry =
+    sizeof(std::shared_ptr<const LatticeBlock>) + sizeof(std::uint64_t) + 48;  // a node of the map
+
 }  // namespace
 
 LightLattice::LightLattice(LatticeGeometry geometry, LightContent content, std::string key)
     : geometry_(geometry),
       content_(content),
       key_(std::move(key)),
+      held_(scene::machineMemory().reserve(geometry.blockCount() * kTableEntry, "the table of stored light",
+                                           remedyFor(content))),
       blocks_(geometry.blockCount()),
       revisions_(geometry.blockCount(), 0) {}
 
@@ -42,6 +54,8 @@ void LightLattice::write(std::uint32_t block, LatticeBlock in) {
   assert(block < blocks_.size());
   assert(in.means.size() ==
          static_cast<std::size_t>(kTexelsOfBlock) * static_cast<std::size_t>(content_.components()));
+  if (in.held.bytes() == 0)
+    in.held = scene::machineMemory().reserve(in.bytes(), "more stored light", remedyFor(content_));
   const std::uint64_t baked = bakedOf(in);
   auto fresh = std::make_shared<const LatticeBlock>(std::move(in));
   const std::lock_guard lock(mutex_);
@@ -89,10 +103,25 @@ std::uint64_t LightLattice::bakedTexels() const {
   return bakedTexels_;
 }
 
+std::size_t LightLattice::bytesToFill() const {
+  const std::lock_guard lock(mutex_);
+  return (blocks_.size() - written_.size()) * LatticeBlock::bytesOf(content_);
+}
+
+void LightLattice::checkThatAllFits() const {
+  const glm::ivec3 dims = geometry_.dims;
+  std::string what = "light at all " + std::to_string(dims.x) + " x " + std::to_string(dims.y) + " x " +
+                     std::to_string(dims.z) + " texels (";
+  if (content_.kind == LightContent::Kind::transfer)
+    what += "transfer of order " + std::to_string(content_.order) + ", ";
+  what += std::to_string(content_.channels) + (content_.channels == 1 ? " channel)" : " channels)");
+  scene::machineMemory().check(bytesToFill(), what, remedyFor(content_));
+}
+
 std::size_t LightLattice::bytes() const {
   const std::lock_guard lock(mutex_);
   return sizeof(*this) + blockBytes_ + blocks_.capacity() * sizeof(blocks_[0]) +
-         revisions_.capacity() * sizeof(revisions_[0]) + written_.size() * 48;  // a node of the map
+         revisions_.capacity() * sizeof(revisions_[0]) + written_.size() * 48;
 }
 
 }  // namespace isolux::gi

@@ -7,7 +7,8 @@
 //   transfer    spherical harmonic coefficients of T, order^2 per channel, index channel * order^2 + i:
 //               E = sum T_i l_i with those of the environment (eq. 5 to 9)
 // Normals are the texel's own (unit, world, outward), 0 where its isosurface has none: such texels stay
-// unbaked. Throws std::bad_alloc, and is then as before.
+// unbaked. Throws std::bad_alloc, or Error{memory} where the memory budget has no room for a new block, and
+// is then as before: what is lit stays.
 #pragma once
 
 #include <array>
@@ -23,6 +24,7 @@
 #include <glm/vec3.hpp>
 
 #include "gi/lattice_geometry.h"
+#include "scene/memory_budget.h"
 
 namespace isolux::gi {
 
@@ -40,7 +42,12 @@ struct LatticeBlock {
   std::array<glm::vec3, kTexelsOfBlock> normals{};
   std::bitset<kTexelsOfBlock> unlit;  // texels that were asked for and have no normal
   std::vector<float> means;           // kTexelsOfBlock x components, a texel's components side by side
+  scene::MemoryBudget::Held held{};   // by write(), for as long as anybody keeps the block
 
+  static std::size_t bytesOf(const LightContent& content) {
+    return sizeof(LatticeBlock) + static_cast<std::size_t>(kTexelsOfBlock) *
+                                      static_cast<std::size_t>(content.components()) * sizeof(float);
+  }
   std::size_t bytes() const { return sizeof(LatticeBlock) + means.capacity() * sizeof(float); }
 };
 
@@ -66,12 +73,17 @@ class LightLattice {
   std::uint64_t clearedAt() const;  // revision of the last clear()
   std::uint64_t bakedTexels() const;
   std::size_t bytes() const;
+  // What is still to come if every texel becomes lit.
+  std::size_t bytesToFill() const;
+  // Throws Error{memory} where that does not fit into the memory budget. Holds nothing.
+  void checkThatAllFits() const;
 
  private:
   LatticeGeometry geometry_;
   LightContent content_;
   std::string key_;
-  mutable std::mutex mutex_;  // of the table; blocks are shared immutable copies
+  scene::MemoryBudget::Held held_;  // for the table
+  mutable std::mutex mutex_;        // of the table; blocks are shared immutable copies
   std::vector<std::shared_ptr<const LatticeBlock>> blocks_;
   std::vector<std::uint64_t> revisions_;            // of each block's last writing
   std::map<std::uint64_t, std::uint32_t> written_;  // blocks by revision

@@ -74,11 +74,20 @@ void Reference::Estimate::merge(glm::vec3 roundMean, float roundVariance, std::u
   count = all;
 }
 
+std::size_t Reference::bytesOf(glm::ivec2 size) {
+  constexpr std::size_t point = sizeof(LightPoint) + 2 * sizeof(Estimate);
+  constexpr std::size_t own = sizeof(int) + sizeof(glm::vec3) + sizeof(std::uint32_t);
+  constexpr std::size_t image = 2 * sizeof(glm::vec3) + sizeof(float) + sizeof(std::uint32_t) + 1;
+  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * (point + own + image);
+}
+
 Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
                      std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                      std::shared_ptr<const Environment> environment, const scene::Scene& resolved,
                      Options options, scene::Progress& progress)
-    : scene_(checked(resolved)),
+    : held_(scene::machineMemory().reserve(bytesOf(options.size), "a path traced picture of this size",
+                                           "a smaller one needs less")),
+      scene_(checked(resolved)),
       volume_(std::move(volume)),
       size_(options.size),
       threads_(std::max(1, options.threads)),

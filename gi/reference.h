@@ -24,6 +24,7 @@
 #include "gi/path_tracer.h"
 #include "gi/picture_light.h"
 #include "gi/primary_hits.h"
+#include "scene/memory_budget.h"
 #include "scene/progress.h"
 
 namespace isolux::gi {
@@ -48,7 +49,8 @@ class Reference {
     int threads = 1;
   };
   // Finds what the pixels see. `environment`: what light.environment names; `tracer`: of the volume and
-  // isosurface.inside. Throws Error: usage where a surface is transparent, interrupted.
+  // isosurface.inside. Throws Error: usage where a surface is transparent,
+  // memory before anything is made, interrupted.
   Reference(std::shared_ptr<const volume::PreparedVolume> volume,
             std::shared_ptr<const volume::IsosurfaceTracer> tracer,
             std::shared_ptr<const Environment> environment, const scene::Scene& resolved, Options options,
@@ -72,6 +74,9 @@ class Reference {
   glm::vec3 localLight(glm::vec3 normal, glm::dvec3 worldMm) const;
   bool refineTask(std::size_t task, std::uint32_t samples, std::uint64_t& rays, std::stop_token stop);
 
+  static std::size_t bytesOf(glm::ivec2 size);  // of all that there is per pixel, with an image()
+
+  scene::MemoryBudget::Held held_;
   scene::Scene scene_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
   glm::ivec2 size_;

@@ -9,9 +9,8 @@ namespace {
 
 constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
 
-PackedFace packed(glm::ivec3 block, int axis, bool high) {
-  return static_cast<PackedFace>(block.x | block.y << 9 | block.z << 18) |
-         static_cast<PackedFace>(axis) << 27 | (high ? 1u << 29 : 0u);
+PackedFace packed(std::size_t block, int axis, bool high) {
+  return static_cast<PackedFace>(6 * block + static_cast<std::size_t>(2 * axis + (high ? 1 : 0)));
 }
 
 }  // namespace
@@ -29,9 +28,9 @@ std::vector<PackedFace> boundaryFaces(const std::vector<std::uint8_t>& active, g
           const auto neighbour = [&](std::ptrdiff_t step) {
             return active[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + step)] != 0;
           };
-          if (block[axis] == 0 || !neighbour(-strides[axis])) faces.push_back(packed(block, axis, false));
+          if (block[axis] == 0 || !neighbour(-strides[axis])) faces.push_back(packed(i, axis, false));
           if (block[axis] == dims[axis] - 1 || !neighbour(strides[axis]))
-            faces.push_back(packed(block, axis, true));
+            faces.push_back(packed(i, axis, true));
         }
       }
   return faces;
@@ -53,10 +52,10 @@ void BlockFaceSet::update(const std::vector<std::uint8_t>& active, std::span<con
 }
 
 void BlockFaceSet::rebuild(const std::vector<std::uint8_t>& active) {
-  for (const PackedFace face : faces_) placeOf(face) = kNoPlace;
+  for (const PackedFace face : faces_) places_[face] = kNoPlace;
   faces_ = boundaryFaces(active, dims_);
   for (std::size_t place = 0; place < faces_.size(); ++place)
-    placeOf(faces_[place]) = static_cast<std::uint32_t>(place);
+    places_[faces_[place]] = static_cast<std::uint32_t>(place);
   dirtyPages_.assign((faces_.size() + kPageFaces - 1) / kPageFaces, 1);
 }
 
@@ -71,30 +70,27 @@ void BlockFaceSet::updateBlock(const std::vector<std::uint8_t>& active, std::uin
       bool there = false;
       if (at[axis] != (high ? dims_[axis] - 1 : 0)) {
         const std::uint32_t neighbour = high ? block + strides[axis] : block - strides[axis];
-        glm::ivec3 next = at;
-        next[axis] += high ? 1 : -1;
         there = active[neighbour] != 0;
-        setFace(neighbour, next, axis, !high, there && !here);
+        setFace(packed(neighbour, axis, !high), there && !here);
       }
-      setFace(block, at, axis, high, here && !there);
+      setFace(packed(block, axis, high), here && !there);
     }
 }
 
-void BlockFaceSet::setFace(std::uint32_t block, glm::ivec3 at, int axis, bool high, bool wanted) {
-  std::uint32_t& place =
-      places_[6 * static_cast<std::size_t>(block) + static_cast<std::size_t>(2 * axis + high)];
+void BlockFaceSet::setFace(PackedFace face, bool wanted) {
+  std::uint32_t& place = places_[face];
   if (wanted == (place != kNoPlace)) return;
   if (wanted) {
     place = static_cast<std::uint32_t>(faces_.size());
     faces_.push_back(0);
-    write(place, packed(at, axis, high));
+    write(place, face);
     return;
   }
   // The last face takes the place of the one that goes.
   const PackedFace last = faces_.back();
   faces_.pop_back();
   if (place < faces_.size()) {
-    placeOf(last) = place;
+    places_[last] = place;
     write(place, last);
   }
   place = kNoPlace;
@@ -105,13 +101,6 @@ void BlockFaceSet::write(std::size_t place, PackedFace face) {
   const std::size_t page = place / kPageFaces;
   if (page >= dirtyPages_.size()) dirtyPages_.resize(page + 1, 0);
   dirtyPages_[page] = 1;
-}
-
-std::uint32_t& BlockFaceSet::placeOf(PackedFace face) {
-  const std::size_t x = face & 511u, y = face >> 9 & 511u, z = face >> 18 & 511u;
-  const std::size_t block =
-      (z * static_cast<std::size_t>(dims_.y) + y) * static_cast<std::size_t>(dims_.x) + x;
-  return places_[6 * block + 2 * (face >> 27 & 3u) + (face >> 29 & 1u)];
 }
 
 std::vector<BlockFaceSet::Range> BlockFaceSet::takeDirty() {

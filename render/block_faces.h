@@ -10,10 +10,10 @@
 
 namespace isolux::render {
 
-// One face, packed: bits 0-8, 9-17, 18-26: block coordinates (so at most 512 blocks per axis); bits 27-28:
-// axis of the normal; bit 29: set when the face is on the block's high side.
+// One face as a number: 6 * index of the block (x fastest) + 2 * axis of the normal + 1 when the face is on
+// the block's high side.
 using PackedFace = std::uint32_t;
-constexpr int maxBlocksPerAxis = 512;
+constexpr std::size_t kMostFaceBlocks = (std::size_t{1} << 32) / 6;  // that have such numbers
 
 // Outward faces of the active blocks toward inactive blocks and toward the volume's outside.
 // `active`: one byte per block, x fastest.
@@ -45,13 +45,12 @@ class BlockFaceSet {
  private:
   void rebuild(const std::vector<std::uint8_t>& active);
   void updateBlock(const std::vector<std::uint8_t>& active, std::uint32_t block);
-  void setFace(std::uint32_t block, glm::ivec3 at, int axis, bool high, bool wanted);
+  void setFace(PackedFace face, bool wanted);
   void write(std::size_t place, PackedFace face);
-  std::uint32_t& placeOf(PackedFace face);
 
   glm::ivec3 dims_;
   std::vector<PackedFace> faces_;
-  std::vector<std::uint32_t> places_;  // six per block: where its face stands in faces_
+  std::vector<std::uint32_t> places_;  // of every face that there can be: where it stands in faces_
   std::vector<std::uint8_t> dirtyPages_;
 };
 

@@ -26,7 +26,8 @@ class OffscreenContext {
   virtual std::shared_ptr<const Gl> gl() const = 0;
 
   // A current GL 4.5 core context. automatic: a hardware EGL device, else OSMesa, else software EGL.
-  // Throws scene::Error{graphics} with what was tried and why each failed.
+  // Throws scene::Error: memory where drivers would not find enough of it, before any is loaded; graphics
+  // with what was tried and why each failed.
   static std::unique_ptr<OffscreenContext> create(ContextChoice choice);
 };
 

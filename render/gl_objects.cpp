@@ -70,13 +70,24 @@ void checkMemory(const Gl& gl, const char* what, std::size_t bytes) {
                      "no room for " + std::string(what) + " of " + std::to_string(bytes >> 20) + " MiB");
 }
 
+// Asks for what a software driver is about to allocate; nothing for a GPU, which has memory of its own.
+scene::MemoryBudget::Held ownMemory(const Gl& gl, std::size_t bytes, const char* what, const char* remedy) {
+  if (!gl.software) return {};
+  return scene::machineMemory().reserve(bytes, what, remedy);
+}
+
+constexpr const char* kSmallerPicture = "a smaller picture or a lower picture.supersampling needs less";
+constexpr const char* kLessOnGpu = "a lower memory.gpu_budget_mb needs less";
+
 }  // namespace
 
 Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size) {
   const std::size_t bytes =
       static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * texelBytes(internalFormat);
+  auto held = ownMemory(*gl, bytes, "an image of the picture", kSmallerPicture);
   Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_2D, 1, id); }), {size, 1},
                   bytes);
+  texture.held_ = std::move(held);
   gl->TextureStorage2D(texture.id(), 1, internalFormat, size.x, size.y);
   checkMemory(*gl, "an image", bytes);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -89,7 +100,9 @@ Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size)
 Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear) {
   const std::size_t bytes = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                             static_cast<std::size_t>(size.z) * texelBytes(internalFormat);
+  auto held = ownMemory(*gl, bytes, "the volume's texture", kLessOnGpu);
   Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_3D, 1, id); }), size, bytes);
+  texture.held_ = std::move(held);
   gl->TextureStorage3D(texture.id(), 1, internalFormat, size.x, size.y, size.z);
   checkMemory(*gl, "a volume", bytes);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -101,8 +114,10 @@ Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size,
 
 std::vector<float> Texture::readFloats(int channels) const {
   constexpr GLenum formats[] = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
-  std::vector<float> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
-                            static_cast<std::size_t>(channels));
+  const std::size_t count = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                            static_cast<std::size_t>(channels);
+  scene::machineMemory().check(count * sizeof(float), "a copy of the picture", kSmallerPicture);
+  std::vector<float> values(count);
   gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl().GetTextureImage(id(), 0, formats[channels], GL_FLOAT,
                        static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
@@ -112,6 +127,10 @@ std::vector<float> Texture::readFloats(int channels) const {
 Buffer::Buffer(const GlPtr& gl) : GlObject(gl, created([&](GLuint* id) { gl->CreateBuffers(1, id); })) {}
 
 void Buffer::setData(const void* data, std::size_t bytes) {
+  if (bytes > bytes_) {
+    held_.release();
+    held_ = ownMemory(gl(), bytes, "a buffer of the renderer", kLessOnGpu);
+  }
   gl().NamedBufferData(id(), static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
   checkMemory(gl(), "a buffer", bytes);
   bytes_ = bytes;

@@ -15,6 +15,7 @@
 #include <glm/vec4.hpp>
 
 #include "render/gl.h"
+#include "scene/memory_budget.h"
 
 namespace isolux::render {
 
@@ -69,6 +70,7 @@ class Texture : public GlObject<deleteTexture> {
       : GlObject(std::move(gl), id), size_(size), bytes_(bytes) {}
   glm::ivec3 size_{0};
   std::size_t bytes_ = 0;
+  scene::MemoryBudget::Held held_;  // of a software driver, whose textures lie in our memory
 };
 
 class Buffer : public GlObject<deleteBuffer> {
@@ -81,6 +83,7 @@ class Buffer : public GlObject<deleteBuffer> {
 
  private:
   std::size_t bytes_ = 0;
+  scene::MemoryBudget::Held held_;  // as of textures
 };
 
 // A view of a buffer as a texture (usamplerBuffer): GL_R32UI, GL_RG32UI.

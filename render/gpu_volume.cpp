@@ -10,12 +10,29 @@
 
 namespace isolux::render {
 
+namespace {
+
+// The masks of the blocks are a texture, the faces have numbers.
+void checkBlocks(const Gl& gl, const volume::MinMaxBlocks& blocks, const std::string& name) {
+  const glm::ivec3 dims = blocks.dims();
+  const int longest = std::max({dims.x, dims.y, dims.z});
+  if (longest > gl.max3dTexture)
+    throw scene::Error(scene::ErrorKind::memory, name, "graphics memory",
+                       "an axis of " + std::to_string(longest * blocks.blockCells()) +
+                           " voxels cannot be drawn with this driver, which takes up to " +
+                           std::to_string(gl.max3dTexture * blocks.blockCells()) +
+                           "; read a part of the volume");
+  if (blocks.count() > kMostFaceBlocks)
+    throw scene::Error(scene::ErrorKind::memory, name, "graphics memory",
+                       "Isolux draws at most " + std::to_string(kMostFaceBlocks) + " blocks of " +
+                           std::to_string(blocks.blockCells()) + "^3 voxels; read a part of the volume");
+}
+
+}  // namespace
+
 GpuVolume::GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume)
     : gl_(std::move(gl)), volume_(std::move(volume)), faceBuffer_(gl_) {
-  const glm::ivec3 blocks = volume_->blocks->dims();
-  if (std::max({blocks.x, blocks.y, blocks.z}) > maxBlocksPerAxis)
-    throw scene::Error(scene::ErrorKind::memory, volume_->volume.name, "graphics memory",
-                       "the volume has more than " + std::to_string(maxBlocksPerAxis) + " blocks on an axis");
+  checkBlocks(*gl_, *volume_->blocks, volume_->volume.name);
 }
 
 bool GpuVolume::hasCells() const {

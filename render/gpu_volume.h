@@ -22,7 +22,8 @@ namespace isolux::render {
 
 class GpuVolume {
  public:
-  // Nothing is uploaded yet. Throws scene::Error{memory} for more than maxBlocksPerAxis blocks on an axis.
+  // Nothing is uploaded yet. Throws scene::Error{memory} where the driver or this program cannot draw as
+  // many blocks.
   GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
 
   const volume::Grid& grid() const { return volume_->grid(); }

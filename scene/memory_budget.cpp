@@ -100,14 +100,32 @@ void MemoryBudget::Held::release() noexcept {
   bytes_ = 0;
 }
 
+void MemoryBudget::Held::add(Held other) noexcept {
+  if (!budget_) std::swap(budget_, other.budget_);
+  bytes_ += std::exchange(other.bytes_, 0);
+}
+
+void MemoryBudget::Held::shrinkTo(std::size_t bytes) noexcept {
+  if (bytes >= bytes_) return;
+  budget_->held_.fetch_sub(bytes_ - bytes, std::memory_order_relaxed);
+  bytes_ = bytes;
+}
+
+bool MemoryBudget::systemHas(std::size_t bytes) const {
+  constexpr std::size_t reserve = std::size_t{32} << 20;
+  return !systemLeft_ || bytes <= lessOf(systemLeft_(), reserve);
+}
+
 std::size_t MemoryBudget::left() const noexcept {
   return lessOf(limit(), held());
 }
 
-std::optional<MemoryBudget::Held> MemoryBudget::tryReserve(std::size_t bytes) noexcept {
+std::optional<MemoryBudget::Held> MemoryBudget::tryReserve(std::size_t bytes) {
   std::size_t before = held_.load(std::memory_order_relaxed);
   do {
     if (bytes > lessOf(limit(), before)) return std::nullopt;
+    constexpr std::size_t step = std::size_t{64} << 20;
+    if (before / step != (before + bytes) / step && !systemHas(bytes)) return std::nullopt;
   } while (!held_.compare_exchange_weak(before, before + bytes, std::memory_order_relaxed));
   Held held;
   held.budget_ = this;
@@ -122,11 +140,16 @@ MemoryBudget::Held MemoryBudget::reserve(std::size_t bytes, std::string_view wha
 }
 
 void MemoryBudget::check(std::size_t bytes, std::string_view what, std::string_view remedy) const {
-  if (bytes > left()) throw refusal(bytes, what, remedy);
+  if (bytes > left() || !systemHas(bytes)) throw refusal(bytes, what, remedy);
 }
 
 Error MemoryBudget::refusal(std::size_t bytes, std::string_view what, std::string_view remedy) const {
-  return {ErrorKind::memory, "", "", overBudgetText(bytes, held(), limit(), what, remedy)};
+  if (bytes > left())
+    return {ErrorKind::memory, "", "", overBudgetText(bytes, held(), limit(), what, remedy)};
+  std::string text = std::string(what) + " would take " + memoryText(bytes) + ", more than the " +
+                     memoryText(systemLeft_ ? systemLeft_() : 0) + " that the system has left";
+  if (!remedy.empty()) text += "; " + std::string(remedy);
+  return {ErrorKind::memory, "", "", text};
 }
 
 std::string overBudgetText(std::size_t bytes, std::size_t held, std::size_t limit, std::string_view what,
@@ -139,19 +162,30 @@ std::string overBudgetText(std::size_t bytes, std::size_t held, std::size_t limi
 }
 
 MemoryBudget& machineMemory() {
-  static MemoryBudget budget(allowedMemory());
+  static MemoryBudget budget(allowedMemory(), systemMemoryLeft);
   return budget;
 }
 
-std::size_t allowedMemory() {
+std::size_t addressSpaceLeft() {
 #ifdef __linux__
-  const std::size_t left = std::min({leftOfMachine(), leftOfAddressSpace(), leftOfGroups()});
+  return leftOfAddressSpace();
 #else
-  const std::size_t left = kUnknown;
+  return kUnknown;
 #endif
-  constexpr std::size_t where = std::size_t{8} << 30;  // nothing is known of the machine
-  if (left == kUnknown) return where;
+}
+
+std::size_t systemMemoryLeft() {
+  std::size_t left = kUnknown;
+#ifdef __linux__
+  left = std::min({leftOfMachine(), leftOfAddressSpace(), leftOfGroups()});
+#endif
+  constexpr std::size_t unknownMachine = std::size_t{8} << 30;
+  return left == kUnknown ? unknownMachine : left;
+}
+
+std::size_t allowedMemory() {
   constexpr std::size_t leastReserve = std::size_t{64} << 20, mostReserve = std::size_t{1} << 30;
+  const std::size_t left = systemMemoryLeft();
   return lessOf(left, std::clamp(left / 8, leastReserve, mostReserve));
 }
 

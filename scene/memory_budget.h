@@ -22,7 +22,10 @@ namespace isolux::scene {
 
 class MemoryBudget {
  public:
-  explicit MemoryBudget(std::size_t limit) : limit_(limit) {}
+  // `systemLeft`, where given, says what the system has left now; it is asked with every 64 MiB, because
+  // others take memory, too.
+  explicit MemoryBudget(std::size_t limit, std::size_t (*systemLeft)() = nullptr)
+      : limit_(limit), systemLeft_(systemLeft) {}
   MemoryBudget(const MemoryBudget&) = delete;
   MemoryBudget& operator=(const MemoryBudget&) = delete;
 
@@ -42,6 +45,10 @@ class MemoryBudget {
     }
     std::size_t bytes() const noexcept { return bytes_; }
     void release() noexcept;
+    // Holds what `other` held, too; both are of one budget.
+    void add(Held other) noexcept;
+    // Gives back what is above `bytes`.
+    void shrinkTo(std::size_t bytes) noexcept;
 
    private:
     friend class MemoryBudget;
@@ -55,7 +62,7 @@ class MemoryBudget {
   // left.
   [[nodiscard]] Held reserve(std::size_t bytes, std::string_view what, std::string_view remedy);
   // Nothing where the budget has less left.
-  [[nodiscard]] std::optional<Held> tryReserve(std::size_t bytes) noexcept;
+  [[nodiscard]] std::optional<Held> tryReserve(std::size_t bytes);
   // As reserve(), but holds nothing: for work whose parts ask again.
   void check(std::size_t bytes, std::string_view what, std::string_view remedy) const;
   // Of memory that is there already: counted, never refused.
@@ -71,7 +78,9 @@ class MemoryBudget {
   Error refusal(std::size_t bytes, std::string_view what, std::string_view remedy) const;
 
  private:
+  bool systemHas(std::size_t bytes) const;
   std::atomic<std::size_t> limit_;
+  std::size_t (*systemLeft_)();
   std::atomic<std::size_t> held_{0};
 };
 
@@ -83,9 +92,13 @@ MemoryBudget& machineMemory();
 std::string overBudgetText(std::size_t bytes, std::size_t held, std::size_t limit, std::string_view what,
                            std::string_view remedy);
 
-// What the system says that this process may still take, less a reserve for all that is not counted: the
-// least of the memory that is available, the address space (ulimit -v) and the control groups it is in.
+// What the system says that this process may still take: the least of the memory that is available, the
+// address space (ulimit -v) and the control groups it is in.
+std::size_t systemMemoryLeft();
+// The same less a reserve for all that is not counted: an eighth, 64 MiB to 1 GiB.
 std::size_t allowedMemory();
+// Of the address space alone; the greatest number where it has no limit.
+std::size_t addressSpaceLeft();
 
 // "512M", "16 GiB", "1.5g", "200000000": bytes; K, M, G, T are powers of 1024. Throws Error{usage}.
 std::size_t parseMemorySize(const std::string& text);

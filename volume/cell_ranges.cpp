@@ -192,17 +192,33 @@ ValueBins::ValueBins(const Grid& grid) : table_(static_cast<std::size_t>(last_) 
   }
 }
 
+namespace {
+
+glm::ivec3 blocksOf(glm::ivec3 dims) {
+  return dims.x < 2 || dims.y < 2 || dims.z < 2 ? glm::ivec3(0) : (dims + 2) / 4;
+}
+
+std::size_t productOf(glm::ivec3 dims) {
+  return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
+         static_cast<std::size_t>(dims.z);
+}
+
+}  // namespace
+
+std::size_t CellRanges::bytesOf(glm::ivec3 dims) {
+  const std::size_t blocks = productOf(blocksOf(dims));
+  // Two bytes more than the cells: kernels read four at a time.
+  return blocks == 0 ? 0 : 4 * blocks + 128 * blocks + 2;
+}
+
 CellRanges::CellRanges(const Grid& grid, scene::Progress& progress) : bins_(grid) {
   const glm::ivec3 dims = grid.dims();
-  if (dims.x < 2 || dims.y < 2 || dims.z < 2) return;
-  blockDims_ = (dims + 2) / 4;
-  const std::size_t blocks = static_cast<std::size_t>(blockDims_.x) * static_cast<std::size_t>(blockDims_.y) *
-                             static_cast<std::size_t>(blockDims_.z);
-  cellBytes_ = 4 * blocks;
-  // Two bytes more than the cells: kernels read four at a time.
-  table_.reserve(cellBytes_ + 128 * blocks + 2);
+  blockDims_ = blocksOf(dims);
+  cellBytes_ = 4 * productOf(blockDims_);
+  if (cellBytes_ == 0) return;
+  table_.reserve(bytesOf(dims));
   preferHugePages(table_.data(), table_.capacity(), progress);  // before anything touches them
-  resizeStoppably(table_, cellBytes_ + 128 * blocks + 2, progress);
+  resizeStoppably(table_, bytesOf(dims), progress);
   const std::vector<std::uint8_t> bins = binsOf(grid, bins_, progress);
   tbb::parallel_for(
       tbb::blocked_range<int>(0, blockDims_.y * blockDims_.z), [&](const tbb::blocked_range<int>& range) {

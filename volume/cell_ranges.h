@@ -42,6 +42,8 @@ class CellRanges {
   // Multithreaded. Throws Error{interrupted}. Grids without cells have an empty table.
   CellRanges(const Grid& grid, scene::Progress& progress);
 
+  static std::size_t bytesOf(glm::ivec3 dims);  // of the table for so many voxels
+
   const ValueBins& bins() const { return bins_; }
   glm::ivec3 blockDims() const { return blockDims_; }          // blocks of 4^3 cells
   std::size_t cellBytes() const { return cellBytes_; }         // where the cells begin in the table

@@ -43,14 +43,6 @@ bool enterVolume(const View& view, const TraceRay& ray, glm::vec3& origin, float
 
 namespace {
 
-// SIMD kernels count bytes in 32 bits, from both tables' cells.
-bool simdCanTrace(const Grid& grid, const CellRanges& ranges) {
-  constexpr std::size_t most = std::size_t{1} << 31;
-  const std::size_t voxels = grid.geometry().voxelCount();
-  const bool floats = grid.storedType() == VoxelType::float32;
-  return ranges.bytes() - ranges.cellBytes() < most + 4 && (floats ? voxels : 2 * voxels) <= most;
-}
-
 const Kernels* kernelsOf(TracerTarget target) {
   if (target == TracerTarget::scalar) return &scalarKernels();
   if (target != TracerTarget::automatic) return simdKernels(target);
@@ -64,14 +56,30 @@ const Kernels* kernelsOf(TracerTarget target) {
 
 }  // namespace tracing
 
+namespace {
+
+// While it is made: the bins of all voxels, beside what stays.
+std::size_t bytesToMake(const Grid& grid) {
+  const std::size_t voxels = grid.geometry().voxelCount();
+  const std::size_t widened = bytesOf(grid.storedType()) == 1 ? voxels * sizeof(std::int16_t) : 0;
+  return CellRanges::bytesOf(grid.dims()) + std::max(voxels, widened);
+}
+
+}  // namespace
+
 IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside,
-                                   scene::Progress& progress, TracerTarget target)
-    : grid_(std::move(grid)),
+                                   scene::Progress& progress, TracerTarget target, TracerReach reach)
+    : held_(scene::machineMemory().reserve(bytesToMake(*grid), "what light is traced by",
+                                           "a volume of fewer voxels or gi.mode=off needs less")),
+      grid_(std::move(grid)),
       ranges_(*grid_, progress),
       view_(std::make_unique<tracing::View>()),
       kernels_(tracing::kernelsOf(target)) {
   assert(kernels_);
-  if (!tracing::simdCanTrace(*grid_, ranges_)) kernels_ = &tracing::scalarKernels();
+  const tracing::Kernels* const wanted = kernels_;
+  if (grid_->geometry().voxelCount() > reach.voxels || ranges_.bytes() > reach.tableBytes)
+    kernels_ = &tracing::scalarKernels();
+  beyondSimd_ = kernels_ != wanted;
   view_->dims = grid_->dims();
   view_->blockDims = ranges_.blockDims();
   view_->scale = (inside == scene::Inside::above) == (grid_->slope() > 0.0) ? 1.0f : -1.0f;
@@ -103,6 +111,7 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
       },
       grid_->voxels());
   progress.throwIfStopped();
+  held_.shrinkTo(bytes());
 }
 
 IsosurfaceTracer::~IsosurfaceTracer() = default;

@@ -16,6 +16,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "scene/memory_budget.h"
 #include "scene/progress.h"
 #include "scene/scene.h"
 #include "volume/cell_ranges.h"
@@ -38,12 +39,19 @@ struct TraceRay {
 // Instruction sets the tracer is compiled for.
 enum class TracerTarget { automatic, scalar, sse4, avx2, avx512, neon };
 
+// The largest volumes whose places have the 32 bits of a SIMD lane: about 1600^3 voxels. Larger ones are
+// traced by the scalar kernels, at a third of the speed. Smaller numbers are for tests.
+struct TracerReach {
+  std::size_t voxels = std::size_t{1} << 32;
+  std::size_t tableBytes = std::size_t{1} << 33;  // of CellRanges
+};
+
 class IsosurfaceTracer {
  public:
-  // Builds what rays skip by, on all threads. Throws Error{interrupted}. `target`: automatic is the widest of
-  // this machine; one of availableTargets() for tests and benchmarks.
+  // Builds what rays skip by, on all threads. Throws Error: interrupted; memory, before anything is made.
+  // `target`: automatic is the widest of this machine; one of availableTargets() for tests and benchmarks.
   IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside, scene::Progress& progress,
-                   TracerTarget target = TracerTarget::automatic);
+                   TracerTarget target = TracerTarget::automatic, TracerReach reach = {});
   ~IsosurfaceTracer();
   IsosurfaceTracer(const IsosurfaceTracer&) = delete;
   IsosurfaceTracer& operator=(const IsosurfaceTracer&) = delete;
@@ -62,15 +70,18 @@ class IsosurfaceTracer {
   void gradients(std::span<const glm::vec3> voxels, std::span<glm::vec3> gradients) const;
 
   const Grid& grid() const { return *grid_; }
-  std::size_t bytes() const;   // beside the grid
-  const char* target() const;  // "AVX-512", "AVX2", "SSE4", "NEON" or "scalar"
+  std::size_t bytes() const;                       // beside the grid
+  const char* target() const;                      // "AVX-512", "AVX2", "SSE4", "NEON" or "scalar"
+  bool beyondSimd() const { return beyondSimd_; }  // scalar only because of TracerReach
 
  private:
+  scene::MemoryBudget::Held held_;
   std::shared_ptr<const Grid> grid_;
   CellRanges ranges_;
   std::vector<std::int16_t> widened_;  // the voxels of 8-bit grids
   std::unique_ptr<tracing::View> view_;
   const tracing::Kernels* kernels_;
+  bool beyondSimd_ = false;
 };
 
 }  // namespace isolux::volume

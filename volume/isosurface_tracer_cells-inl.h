@@ -49,9 +49,9 @@ HWY_INLINE Edge edgeOf(const float*, const std::int64_t* pairs) {
 template <class T>
 HWY_INLINE Corners loadCorners(const T* voxels, VI index, std::size_t row, std::size_t slice) {
   using Pair = std::conditional_t<std::is_same_v<T, float>, std::int64_t, std::int32_t>;
-  alignas(64) std::int32_t at[kLanes];
+  alignas(64) std::uint32_t at[kLanes];
   alignas(64) Pair pairs[4][kLanes];
-  hn::Store(index, I(), at);
+  hn::Store(hn::BitCast(U(), index), U(), at);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const T* corner = voxels + at[lane];
     std::memcpy(&pairs[0][lane], corner, sizeof(Pair));

@@ -43,7 +43,8 @@ struct Group {
   alignas(64) float origin[3][kLanes] = {}, direction[3][kLanes] = {}, inverse[3][kLanes] = {};
   alignas(64) float tEnd[kLanes] = {}, isovalue[kLanes] = {};
   alignas(64) std::int32_t bin[kLanes] = {}, start[3][kLanes] = {};
-  alignas(64) std::int32_t offset[kLanes] = {}, word[kLanes] = {};
+  alignas(64) std::uint32_t offset[kLanes] = {};  // of the words, in pairs of bytes from the table's begin
+  alignas(64) std::int32_t word[kLanes] = {};
   VI cx, cy, cz;
   VF t;
   MI alive, fine, hits, waits;  // fine: at single cells, else at blocks

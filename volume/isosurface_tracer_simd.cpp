@@ -1,5 +1,5 @@
 // The isosurface tracer with one ray per SIMD lane, compiled for every instruction set and chosen at run
-// time. Needs voxels and cell ranges of less than 2 GiB each (simdCanTrace()).
+// time. Indices of voxels, and offsets of pairs of bytes in the table, have 32 bits (TracerReach).
 //
 // Groups of rays take turns (isosurface_tracer_steps-inl.h), cells are tested by
 // isosurface_tracer_cells-inl.h.

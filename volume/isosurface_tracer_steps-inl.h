@@ -130,8 +130,8 @@ HWY_INLINE void Tracer<T, any>::refill(Group& g, const Write& write) {
 // Copies what the boxes of the lanes hold, where aim() asked for it.
 template <class T, bool any>
 HWY_INLINE void Tracer<T, any>::fetch(Group& g) const {
-  const std::uint8_t* cells = view_.table + view_.cellBytes;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) std::memcpy(g.word + lane, cells + g.offset[lane], 4);
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    std::memcpy(g.word + lane, view_.table + 2 * static_cast<std::size_t>(g.offset[lane]), 4);
 }
 
 // Where the words of the boxes are that the lanes stand in; asks memory for them.
@@ -141,18 +141,19 @@ HWY_INLINE void Tracer<T, any>::aim(Group& g) const {
   const VI three = hn::Set(i, 3);
   const VI blockRow = hn::Set(i, view_.blockDims.x),
            blockSlice = hn::Set(i, view_.blockDims.x * view_.blockDims.y);
-  const VI toBlocks = hn::Set(i, -static_cast<std::int32_t>(view_.cellBytes));
+  // Sums modulo 2^32, so signed vectors give unsigned offsets.
+  const VI toCells = hn::Set(i, static_cast<std::int32_t>(static_cast<std::uint32_t>(view_.cellBytes / 2)));
   const VI block = hn::Add(
       hn::Add(hn::Mul(hn::ShiftRight<2>(g.cz), blockSlice), hn::Mul(hn::ShiftRight<2>(g.cy), blockRow)),
       hn::ShiftRight<2>(g.cx));
   const VI local =
-      hn::Add(hn::Add(hn::ShiftLeft<5>(hn::And(g.cz, three)), hn::ShiftLeft<3>(hn::And(g.cy, three))),
-              hn::Add(hn::And(g.cx, three), hn::And(g.cx, three)));
-  hn::Store(hn::IfThenElse(g.fine, hn::Add(hn::ShiftLeft<7>(block), local),
-                           hn::Add(hn::ShiftLeft<2>(block), toBlocks)),
-            i, g.offset);
-  const std::uint8_t* cells = view_.table + view_.cellBytes;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) hwy::Prefetch(cells + g.offset[lane]);
+      hn::Add(hn::Add(hn::ShiftLeft<4>(hn::And(g.cz, three)), hn::ShiftLeft<2>(hn::And(g.cy, three))),
+              hn::And(g.cx, three));
+  const VI pairs = hn::IfThenElse(g.fine, hn::Add(hn::Add(hn::ShiftLeft<6>(block), local), toCells),
+                                  hn::ShiftLeft<1>(block));
+  hn::Store(hn::BitCast(U(), pairs), U(), g.offset);
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    hwy::Prefetch(view_.table + 2 * static_cast<std::size_t>(g.offset[lane]));
 }
 
 template <class T, bool any>
@@ -187,10 +188,10 @@ HWY_INLINE void Tracer<T, any>::step(Group& g, const Write& write) {
     hn::StoreMaskBits(i, fresh, bytes);
     std::uint64_t bits;
     std::memcpy(&bits, bytes, 8);
-    alignas(64) std::int32_t index[kLanes];
-    hn::Store(
-        hn::Add(hn::Mul(hn::Add(hn::Mul(cz, hn::Set(i, view_.dims.y)), cy), hn::Set(i, view_.dims.x)), cx), i,
-        index);
+    alignas(64) std::uint32_t index[kLanes];
+    const VI at =
+        hn::Add(hn::Mul(hn::Add(hn::Mul(cz, hn::Set(i, view_.dims.y)), cy), hn::Set(i, view_.dims.x)), cx);
+    hn::Store(hn::BitCast(U(), at), U(), index);
     const std::size_t row = static_cast<std::size_t>(view_.dims.x);
     const std::size_t slice = row * static_cast<std::size_t>(view_.dims.y);
     for (; bits != 0; bits &= bits - 1) {

@@ -1,13 +1,16 @@
 #include "app/commands/command.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <sstream>
 
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 
 #include "app/files.h"
 #include "app/image_io.h"
@@ -74,15 +77,33 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
   return options;
 }
 
+namespace {
+
+// More than a few per core gain nothing, and each takes stacks, and code of the software driver.
+int mostThreads() {
+  return std::max(16, 4 * tbb::info::default_concurrency());
+}
+
+}  // namespace
+
+void printThreadsNote(const CLI::App& parser) {
+  const CLI::Option* const option = parser.get_option_no_throw("--threads");
+  if (option == nullptr || option->count() == 0 || option->as<int>() <= mostThreads()) return;
+  std::cerr << "isolux: note: " << mostThreads()
+            << " threads are used, the most that this machine makes sense of\n";
+}
+
 void addThreadsOption(CLI::App& parser) {
   auto limit = std::make_shared<std::unique_ptr<tbb::global_control>>();
   parser
       .add_option_function<int>(
           "--threads",
-          [limit](int threads) {
+          [limit](int wanted) {
+            const int threads = std::min(wanted, mostThreads());
             const auto count = static_cast<std::size_t>(threads);
             *limit =
                 std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
+            setenv("LP_NUM_THREADS", std::to_string(std::min(threads, 32)).c_str(), 0);  // Mesa's llvmpipe
           },
           "How many CPU threads to use; default: all")
       ->type_name("N")

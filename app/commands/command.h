@@ -45,6 +45,7 @@ struct SceneOptions {
 std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser);
 // --threads N, in force as long as the returned value lives in the parser's callbacks.
 void addThreadsOption(CLI::App& parser);
+void printThreadsNote(const CLI::App& parser);  // on stderr, where --threads asks for more than there will be
 // --memory-budget SIZE: the limit of scene::machineMemory(), as long as the parser lives.
 void addMemoryOption(CLI::App& parser);
 int threadsInForce();  // all of the machine's, or what --threads says

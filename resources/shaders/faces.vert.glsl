@@ -9,9 +9,11 @@ uniform mat3 uCameraFromVoxel;  // (right, up, forward) coordinates of a voxel v
 out vec3 vVoxel;
 
 void main() {
-  ivec3 block = ivec3(aFace & 511u, (aFace >> 9) & 511u, (aFace >> 18) & 511u);
-  int axis = int((aFace >> 27) & 3u);
-  bool highSide = ((aFace >> 29) & 1u) != 0u;
+  ivec3 blocks = (uDims + (uBlockCells - 2)) / uBlockCells;  // of uDims - 1 cells
+  int side = int(aFace % 6u), index = int(aFace / 6u);
+  ivec3 block = ivec3(index % blocks.x, index / blocks.x % blocks.y, index / (blocks.x * blocks.y));
+  int axis = side / 2;
+  bool highSide = side % 2 != 0;
   float plane = float(min((block[axis] + (highSide ? 1 : 0)) * uBlockCells, uDims[axis] - 1));
   float toViewer = uOrthographic != 0 ? -uForwardVoxel[axis] : uEyeVoxel[axis] - plane;
   if (highSide ? toViewer < 0.0 : toViewer > 0.0) {

@@ -243,6 +243,48 @@ TEST(CommandLine, TheMemoryBudgetRefusesWithTheSumAndTheSetting) {
   success({"info", (folder / "v.raw").string(), "--raw", "200x100x100 uint8", "--memory-budget", "64M"});
 }
 
+TEST(CommandLine, LightAndPathTracedPicturesAskTheBudgetBeforeTheyBegin) {
+  const auto refused = [](const std::vector<std::string>& arguments, const char* budget) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--memory-budget", budget});
+    return failure(5, all);
+  };
+  const std::vector<std::string> bake{
+      "bake",  "phantom:ball:64", "--set", "gi.mode=transfer", "--set", "gi.extent=full",
+      "--set", "gi.sh_order=5",   "--out", "light.vti",        "--set", "light.environment.constant=1,2,3"};
+  EXPECT_THAT(refused(bake, "30M"), AllOf(HasSubstr("64 x 64 x 64 texels"), HasSubstr("order 5"),
+                                          HasSubstr("gi.lattice_scale"), HasSubstr("30.0 MiB")));
+  EXPECT_THAT(refused(bake, "1500K"), HasSubstr("what light is traced by"));
+  EXPECT_THAT(refused({"reference", "phantom:ball:16", "--size", "16384x16384", "--out", "r.exr"}, "200M"),
+              AllOf(HasSubstr("a path traced picture"), HasSubstr("a smaller one needs less")));
+  EXPECT_THAT(refused({"info", "phantom:ball:64", "--set", "source.csg=union", "--set",
+                       "source.csg_path=phantom:torus:64"},
+                      "2600K"),
+              HasSubstr("the combined volume"));
+}
+
+// What a user of a small machine meets, as `ulimit -v`: a line and exit code 5, or success.
+TEST(CommandLine, NoAddressSpaceIsTooSmallForALine) {
+  if (sanitized) GTEST_SKIP() << "sanitizers reserve address space of their own";
+  for (std::size_t mib = 560; mib <= 1200; mib += 160) {
+    const fs::path folder = test::temporaryFolder();
+    const RunResult result = runIsolux({"render", "phantom:ball:32", "--size", "64x48", "--look", "gi",
+                                        "--set", "gi.samples=4", "--out", "a.png"},
+                                       {.folder = folder, .addressSpace = mib << 20});
+    if (result.exitCode == 127) continue;  // libraries themselves do not fit
+    EXPECT_TRUE(result.exitCode == 0 || (result.exitCode == 5 && result.isOneErrorLine()))
+        << mib << " MiB: " << result.exitCode << ' ' << result.err;
+    EXPECT_EQ(test::filesIn(folder).size(), result.exitCode == 0 ? 1u : 0u);
+  }
+}
+
+TEST(CommandLine, MoreThreadsThanMakeSenseAreNotMade) {
+  const RunResult result = runIsolux({"info", "phantom:ball:32", "--threads", "1024"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.err, HasSubstr("threads are used, the most that this machine makes sense of"));
+  EXPECT_THAT(failure(3, {"info", "missing.nii", "--threads", "1024"}), HasSubstr("missing.nii"));
+}
+
 TEST(CommandLine, TheMemoryBudgetIsASizeAndHoldsForOneCommand) {
   for (const char* wrong : {"none", "0", "-5G", "12Q"})
     EXPECT_THAT(failure(2, {"info", "phantom:ball:8", "--memory-budget", wrong}), HasSubstr("is not a size"));

@@ -11,6 +11,7 @@
 
 #include "gi/lattice_geometry.h"
 #include "scene/automatic.h"
+#include "tests/support/memory_limit.h"
 
 namespace isolux::test {
 namespace {
@@ -80,6 +81,39 @@ double meanStored(const gi::LightLattice& lattice) {
       }
   }
   return count > 0.0 ? sum / count : 0.0;
+}
+
+TEST_F(LightControllerTest, AWindowsLightStopsAtTheMemoryBudgetAndStays) {
+  app::LightController window{app::LightController::Options{.background = true}};
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.extent = scene::GiExtent::full;
+  // The tables, and some of the 64 blocks of 32 x 32 x 32 texels.
+  const test::MemoryLimit limit(std::size_t{3} << 20);
+  window.setScene(resolved(), volume);
+  window.setVisible(surface());
+  for (int i = 0; i < 3000 && window.state().phase != Phase::failed; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const app::LightState state = window.state();
+  ASSERT_EQ(state.phase, Phase::failed);
+  EXPECT_EQ(state.error->kind(), scene::ErrorKind::memory);
+  EXPECT_NE(state.error->reason().find("gi.lattice_scale"), std::string::npos) << state.error->reason();
+  ASSERT_TRUE(window.light()) << "what is lit is still shown";
+  EXPECT_GT(window.light()->sky->bakedTexels(), 0u);
+}
+
+TEST_F(LightControllerTest, ACommandsWholeLatticeIsRefusedBeforeItBegins) {
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.extent = scene::GiExtent::full;
+  const test::MemoryLimit limit(std::size_t{3} << 20);
+  controller.setScene(resolved(), volume);
+  scene::Progress progress;
+  try {
+    controller.finish(progress, 120.0);
+    FAIL() << "the budget was not asked";
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.kind(), scene::ErrorKind::memory);
+    EXPECT_NE(error.reason().find("32 x 32 x 32 texels"), std::string::npos) << error.reason();
+  }
 }
 
 }  // namespace

@@ -230,5 +230,49 @@ TEST(ReplayCommandGl, RefusesEndlessRecordings) {
   EXPECT_FALSE(fs::exists(folder / "d"));
 }
 
+TEST(RenderCommandGl, APictureThatDoesNotFitIsRefusedWithTheSettingThatLowersIt) {
+  const fs::path folder = test::temporaryFolder();
+  const RunResult result = runIsolux({"render", "phantom:ball:16", "--size", "4096x4096", "--memory-budget",
+                                      "100M", "--context", "osmesa", "--out", "a.png"},
+                                     {.folder = folder});
+  EXPECT_EQ(result.exitCode, 5) << result.err;
+  EXPECT_TRUE(result.isOneErrorLine());
+  EXPECT_THAT(result.err, AllOf(HasSubstr("a smaller picture"), HasSubstr("memory budget of 100.0 MiB")));
+  EXPECT_THAT(filesIn(folder), IsEmpty());
+}
+
+TEST(RenderCommandGl, AnAxisOfMoreThan4096VoxelsIsDrawn) {
+  const fs::path folder = test::temporaryFolder();
+  // A wall at x = 4990 of 5000 voxels.
+  std::string voxels(5000 * 4 * 4, '\0');
+  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = i % 5000 >= 4990 ? '\xc8' : '\0';
+  std::ofstream(folder / "long.raw", std::ios::binary) << voxels;
+  succeed({"render", "long.raw", "--raw", "5000x4x4 uint8", "--isovalue", "100", "--size", "31x31",
+           "--camera", "4900,1.5,1.5 4990,1.5,1.5 0,0,1 1", "--aov", "voxel,hit", "--out", "a.exr"},
+          folder);
+  const auto input = OIIO::ImageInput::open((folder / "a.exr").string());
+  ASSERT_TRUE(input);
+  const OIIO::ImageSpec& spec = input->spec();
+  std::vector<float> pixels(static_cast<std::size_t>(31 * 31 * spec.nchannels));
+  ASSERT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()));
+  const auto centre = static_cast<std::size_t>((15 * 31 + 15) * spec.nchannels);
+  const int x = spec.channelindex("voxel.x"), hit = spec.channelindex("hit");
+  ASSERT_GE(hit, 0);
+  ASSERT_GE(x, 0);
+  EXPECT_EQ(pixels[centre + static_cast<std::size_t>(hit)], 1.0f);
+  EXPECT_NEAR(pixels[centre + static_cast<std::size_t>(x)], 4989.5f, 1e-2f);
+}
+
+TEST(RenderCommandGl, AnAxisBeyondTheDriverIsRefusedWithTheSizeThatWorks) {
+  const fs::path folder = test::temporaryFolder();
+  std::ofstream(folder / "long.raw", std::ios::binary) << std::string(65535 * 4, '\0');
+  const RunResult result = runIsolux({"render", "long.raw", "--raw", "65535x2x2 uint8", "--size", "32x32",
+                                      "--isovalue", "1", "--context", "osmesa", "--out", "a.png"},
+                                     {.folder = folder});
+  if (result.exitCode == 0) return;  // a driver with large 3D textures
+  EXPECT_EQ(result.exitCode, 5);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("cannot be drawn with this driver"), HasSubstr("takes up to")));
+}
+
 }  // namespace
 }  // namespace isolux::app

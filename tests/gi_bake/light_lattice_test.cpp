@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "gi/texel_bits.h"
+#include "tests/support/memory_limit.h"
 
 namespace isolux::gi {
 namespace {
@@ -142,6 +143,66 @@ TEST(LightLattice, ReadersSeeWholeBlocks) {
   look();
   reader.join();
   EXPECT_FALSE(torn);
+}
+
+LatticeBlock litBlock(const LightContent& content) {
+  LatticeBlock block;
+  block.samples.fill(4);
+  block.means.assign(static_cast<std::size_t>(kTexelsOfBlock * content.components()), 1.0f);
+  return block;
+}
+
+TEST(LightLatticeMemory, GrowsAsFarAsTheBudgetAndKeepsWhatIsLit) {
+  const LightContent content{LightContent::Kind::irradiance, 3, 0};
+  const std::size_t before = scene::machineMemory().held();
+  {
+    LightLattice lattice(LatticeGeometry::make(glm::ivec3(64), 1.0), content, "key");
+    const test::MemoryLimit limit(5 * LatticeBlock::bytesOf(content) + 100);
+    std::uint32_t lit = 0;
+    try {
+      for (; lit < lattice.geometry().blockCount(); ++lit) lattice.write(lit, litBlock(content));
+      FAIL() << "the budget was not asked";
+    } catch (const scene::Error& error) {
+      EXPECT_EQ(error.kind(), scene::ErrorKind::memory);
+      EXPECT_THAT(error.reason(), testing::HasSubstr("gi.lattice_scale"));
+    }
+    EXPECT_EQ(lit, 5u);
+    EXPECT_EQ(lattice.bakedTexels(), 5u * kTexelsOfBlock);
+    LatticeBlock again;
+    ASSERT_TRUE(lattice.read(2, again));
+    lattice.write(2, std::move(again));  // what is there may become better
+    lattice.clear();
+    lattice.write(7, litBlock(content));
+  }
+  EXPECT_EQ(scene::machineMemory().held(), before);
+}
+
+TEST(LightLatticeMemory, ABlockCountsAsLongAsAnybodyKeepsIt) {
+  const LightContent content{LightContent::Kind::irradiance, 1, 0};
+  LightLattice lattice(LatticeGeometry::make(glm::ivec3(16), 1.0), content, "key");
+  const std::size_t empty = scene::machineMemory().held();
+  lattice.write(0, litBlock(content));
+  const auto kept = lattice.at(0);
+  lattice.clear();
+  EXPECT_EQ(scene::machineMemory().held(), empty + LatticeBlock::bytesOf(content));
+}
+
+TEST(LightLatticeMemory, AllOfItIsCheckedBeforeAnythingIsLit) {
+  const LightContent content{LightContent::Kind::transfer, 3, 5};
+  const LightLattice lattice(LatticeGeometry::make(glm::ivec3(64), 1.0), content, "key");
+  EXPECT_EQ(lattice.bytesToFill(), 512 * LatticeBlock::bytesOf(content));
+  lattice.checkThatAllFits();
+  const std::size_t before = scene::machineMemory().held();
+  const test::MemoryLimit limit(lattice.bytesToFill() - 1);
+  try {
+    lattice.checkThatAllFits();
+    FAIL() << "the budget was not asked";
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.kind(), scene::ErrorKind::memory);
+    EXPECT_THAT(error.reason(), testing::HasSubstr("64 x 64 x 64 texels (transfer of order 5, 3 channels)"));
+    EXPECT_THAT(error.reason(), testing::HasSubstr("gi.sh_order"));
+  }
+  EXPECT_EQ(scene::machineMemory().held(), before);
 }
 
 }  // namespace

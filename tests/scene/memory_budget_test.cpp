@@ -117,6 +117,37 @@ TEST(MemoryBudget, TheMachineAllowsSomethingAndNotMoreThanItHas) {
   EXPECT_EQ(&machineMemory(), &machineMemory());
 }
 
+TEST(MemoryBudget, WhatTheSystemDoesNotHaveIsRefusedWhateverTheLimit) {
+  static std::size_t left = 0;
+  MemoryBudget budget(std::size_t{100} << 30, [] { return left; });
+  left = std::size_t{1} << 30;
+  EXPECT_TRUE(budget.tryReserve(std::size_t{900} << 20));
+  EXPECT_FALSE(budget.tryReserve(std::size_t{1020} << 20)) << "what is not counted needs some";
+  try {
+    budget.check(std::size_t{2} << 30, "the light", "less is less");
+    FAIL() << "was granted";
+  } catch (const Error& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "the light would take 2.0 GiB, more than the 1.0 GiB that the system has left; less is less");
+  }
+}
+
+TEST(MemoryBudget, WhatIsHeldCanGrowAndShrink) {
+  MemoryBudget budget(1000);
+  Held held;
+  held.add(budget.reserve(300, "", ""));
+  held.add(budget.reserve(200, "", ""));
+  EXPECT_EQ(held.bytes(), 500u);
+  EXPECT_EQ(budget.held(), 500u);
+  held.shrinkTo(100);
+  held.shrinkTo(400);
+  EXPECT_EQ(held.bytes(), 100u);
+  EXPECT_EQ(budget.held(), 100u);
+  held.release();
+  EXPECT_EQ(budget.held(), 0u);
+}
+
 TEST(MemoryBudget, SizesAreReadInTheUnitsThatPeopleWrite) {
   EXPECT_EQ(parseMemorySize("200000000"), 200000000u);
   EXPECT_EQ(parseMemorySize("512M"), std::size_t{512} << 20);

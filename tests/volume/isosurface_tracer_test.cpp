@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "tests/support/memory_limit.h"
 #include "tests/support/rays.h"
 #include "tests/support/test_data.h"
 #include "volume/first_entry.h"
@@ -597,6 +598,57 @@ TEST(CellRanges, BinsAreMonotoneAndRangesHoldTheirCells) {
     EXPECT_GT(before, 200);
     EXPECT_LT(before, 255);
   }
+}
+
+TEST(IsosurfaceTracerReach, BeyondItTheScalarKernelsAnswerAndTheTracerSaysSo) {
+  const GridPointer grid = phantom("gyroid", glm::ivec3(24));
+  scene::Progress progress;
+  const IsosurfaceTracer within(grid, Inside::above, progress);
+  EXPECT_FALSE(within.beyondSimd());
+  const IsosurfaceTracer scalar(grid, Inside::above, progress, TracerTarget::scalar);
+  EXPECT_FALSE(scalar.beyondSimd()) << "it was asked for";
+  const std::size_t voxels = grid->geometry().voxelCount(), table = CellRanges::bytesOf(grid->dims());
+  const auto made = [&](TracerReach reach) {
+    return std::make_unique<IsosurfaceTracer>(grid, Inside::above, progress, TracerTarget::automatic, reach);
+  };
+  EXPECT_FALSE(made({voxels, table})->beyondSimd());
+  if (IsosurfaceTracer::availableTargets().size() == 1) GTEST_SKIP() << "there is no SIMD here";
+  EXPECT_TRUE(made({voxels - 1, table})->beyondSimd());
+  const auto beyond = made({voxels, table - 1});
+  EXPECT_TRUE(beyond->beyondSimd());
+  EXPECT_STREQ(beyond->target(), "scalar");
+
+  std::vector<TraceRay> rays;
+  for (int i = 0; i < 500; ++i) {
+    const auto u = [i](int n) {
+      return static_cast<float>(uniformNoise(1, static_cast<std::uint64_t>(9 * i + n)));
+    };
+    rays.push_back({glm::vec3(u(0), u(1), u(2)) * 23.0f, glm::vec3(u(3), u(4), u(5)) - 0.5f, u(6) - 0.5f});
+  }
+  std::vector<float> a(rays.size()), b(rays.size());
+  beyond->firstEntries(rays, a);
+  scalar.firstEntries(rays, b);
+  EXPECT_EQ(a, b);
+}
+
+TEST(IsosurfaceTracerMemory, AsksBeforeItMakesItsTables) {
+  const GridPointer grid = quantised<std::uint8_t>(*phantom("ball", glm::ivec3(48)), 0.0, 255.0);
+  scene::Progress progress;
+  const std::size_t before = scene::machineMemory().held();
+  {
+    const IsosurfaceTracer tracer(grid, Inside::above, progress);
+    EXPECT_EQ(scene::machineMemory().held(), before + tracer.bytes());
+  }
+  EXPECT_EQ(scene::machineMemory().held(), before);
+  const test::MemoryLimit limit(100000);
+  try {
+    const IsosurfaceTracer tracer(grid, Inside::above, progress);
+    FAIL() << "the budget was not asked";
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.kind(), scene::ErrorKind::memory);
+    EXPECT_NE(error.reason().find("gi.mode=off"), std::string::npos) << error.reason();
+  }
+  EXPECT_EQ(scene::machineMemory().held(), before);
 }
 
 }  // namespace
