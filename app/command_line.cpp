@@ -150,10 +150,10 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
   const std::string session = options.path.empty() ? options.scene->session : options.path;
   if (!session.empty() && isSession(session))
     request.sessionFile = fs::absolute(session).lexically_normal().string();
-  if (!options.record.empty()) checkMayRecordInto(options.record);
   request.recordFile = options.record;
   OutputGuard guard = outputGuard(options.path, *options.scene, request.scene);
   checkOutput(guard, options.record, "--record");
+  if (!options.record.empty()) checkMayRecordInto(options.record);
   return openWindow(request);
 }
 

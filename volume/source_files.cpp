@@ -4,7 +4,7 @@
 
 #include "scene/error.h"
 #include "volume/read/bytes.h"
-#include "volume/read/dicom.h"
+#include "volume/read/dicom_files.h"
 #include "volume/read/image_header.h"
 #include "volume/read/meta_image.h"
 #include "volume/read/nrrd.h"

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <optional>
 
 #include "app/commands/command.h"
@@ -144,8 +143,6 @@ void checkOutputs(const fs::path& folder, int frames, const std::string& file, c
 void runReplay(const ReplayOptions& options, scene::Progress& progress) {
   const glm::ivec2 size = parseSize(options.size);
   const Recording recording = loadRecording(options.recording);
-  for (const std::string& warning : recording.warnings)
-    std::cerr << "isolux: note: " << options.recording << ": " << warning << '\n';
   const int frames = frameCount(recording, options.fps, options.recording);
   const MadeFolder made(options.out);
   const fs::path& folder = made.path();
@@ -161,6 +158,7 @@ void runReplay(const ReplayOptions& options, scene::Progress& progress) {
       progress.report((frame + 1.0) / frames, "drawing frames");
     }
   }
+  for (const std::string& warning : recording.warnings) printNote(options.recording + ": " + warning);
   noteOlderFrames(folder, frames);
   makeMovie(folder, frames, options.fps, progress);
 }

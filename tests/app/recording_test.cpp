@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "app/files.h"
 #include "scene/error.h"
 #include "tests/app/run_isolux.h"
 #include "tests/support/test_data.h"
@@ -113,46 +112,6 @@ TEST(Recording, AcceptsBlankLinesAndNoNameAndADefaultScene) {
   const Recording recording = loadRecording(file);
   EXPECT_TRUE(recording.start == Scene{});
   EXPECT_EQ(recording.steps.size(), 1u);
-}
-
-TEST(Recording, ALineThatWasCutOffIsLeftOut) {
-  const fs::path file = test::temporaryFolder() / "r.jsonl";
-  {
-    Recorder recorder(file, scene::Scene{});
-    recorder.add({"Zoom", {{"camera.fov", 40.0}}}, 1.0);
-    recorder.add({"Zoom", {{"camera.fov", 50.0}}}, 2.0);
-  }
-  const std::string whole = readTextFile(file, 1 << 20);
-  const std::size_t lastLine = whole.rfind('\n', whole.size() - 2) + 1;
-  for (const std::size_t length : {lastLine, lastLine + 1, whole.size() - 2})
-    for (const bool newline : {false, true}) {
-      writeTextFile(file, whole.substr(0, length) + (newline && length > lastLine ? "\n" : ""));
-      if (newline && length > lastLine) {
-        EXPECT_THROW(loadRecording(file), scene::Error) << "somebody has edited it";
-      } else {
-        EXPECT_EQ(loadRecording(file).steps.size(), 1u) << length;
-      }
-    }
-}
-
-TEST(Recording, AFullDiskEndsItWithAnErrorAndLeavesWhatFits) {
-  const fs::path file = test::temporaryFolder() / "r.jsonl";
-  const auto before = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit usual{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &usual), 0);
-  Recorder recorder(file, scene::Scene{});
-  const rlimit limited{fs::file_size(file) + 500, usual.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limited), 0);
-  std::size_t added = 0;
-  try {
-    for (; added < 100; ++added) recorder.add({"Zoom", {{"camera.fov", 40.0}}}, 1.0);
-  } catch (const scene::Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("File too large"));
-  }
-  ::setrlimit(RLIMIT_FSIZE, &usual);
-  std::signal(SIGXFSZ, before);
-  EXPECT_LT(added, 100u);
-  EXPECT_EQ(loadRecording(file).steps.size(), added);
 }
 
 TEST(Recording, BadLinesAreNamed) {
