@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/progress.h"
 #include "volume/read/bytes.h"
 
 namespace isolux::volume {
