@@ -92,10 +92,11 @@ class BlockScan {
 BoxBounds::BoxBounds(glm::ivec3 voxels, const scene::Progress& progress) {
   const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
   dims_ = (cells + kBlockCells - 1) / kBlockCells;
-  resizeStoppably(bounds_,
-                  static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
-                      static_cast<std::size_t>(dims_.z),
-                  progress);
+  const std::size_t blocks = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
+                             static_cast<std::size_t>(dims_.z);
+  held_ = scene::machineMemory().reserve(blocks * sizeof(Bounds), "what empty space is skipped by",
+                                         "a volume of fewer voxels needs less");
+  resizeStoppably(bounds_, blocks, progress);
 }
 
 BoxBounds::BoxBounds(const Grid& grid, scene::Progress& progress) : BoxBounds(grid.dims(), progress) {

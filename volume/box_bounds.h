@@ -23,7 +23,7 @@ class BoxBounds {
   static constexpr int kBlockCells = 8, kBoxCells = 2, kBoxesPerBlock = 64;
 
   // Of the trilinear field. Multithreaded; 256 bytes for each block of 8x8x8 cells; throws
-  // Error{interrupted}.
+  // Error: memory, before anything is made; interrupted.
   BoxBounds(const Grid& grid, scene::Progress& progress);
   // Of the cubic B-spline whose coefficients are the samples themselves, or those given (without
   // their offset).
@@ -50,6 +50,7 @@ class BoxBounds {
   glm::ivec3 dims_;
   double origin_ = 0.0, scale_ = 1.0;  // quantised = (stored - origin) * scale
   std::vector<Bounds> bounds_;
+  scene::MemoryBudget::Held held_;
 };
 
 }  // namespace isolux::volume

@@ -131,6 +131,9 @@ Coefficients interpolatingCoefficients(const Grid& grid) {
 
 Coefficients interpolatingCoefficients(const Grid& grid, scene::Progress& progress) {
   Coefficients result;
+  result.held = scene::machineMemory().reserve(
+      grid.geometry().voxelCount() * sizeof(float), "the field cubic_interpolating",
+      "the field cubic of hit.field and derivatives.field needs none");
   result.offset = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
   result.values = differencesFrom(result.offset, grid, progress);
   if (grid.missingCount() > 0) fillMissing(result.values, grid.dims(), progress, {0.1, 0.4, kStage});

@@ -17,13 +17,15 @@ struct Coefficients {
   double offset = 0.0;  // the middle of the range of the samples
   std::vector<float> values;
   float least = 0.0f, most = 0.0f;  // of values
+  scene::MemoryBudget::Held held{};
   bool empty() const { return values.empty(); }
 };
 
 // The recursive prefilter per axis. The boundary is a mirror half a voxel beyond the border samples
 // (c[-1] = c[0]): what clamped lookups see, so that the border samples are interpolated too. Missing voxels
 // are filled first (fill_missing.h). Multithreaded, float result, double arithmetic, time proportional to the
-// voxels. With `progress` it reports how far it is and throws Error{interrupted}.
+// voxels. With `progress` it reports how far it is and throws Error{interrupted}. Throws
+// Error{memory} before anything is made.
 Coefficients interpolatingCoefficients(const Grid& grid);
 Coefficients interpolatingCoefficients(const Grid& grid, scene::Progress& progress);
 

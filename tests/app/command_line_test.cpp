@@ -261,6 +261,7 @@ TEST(CommandLine, LightAndPathTracedPicturesAskTheBudgetBeforeTheyBegin) {
                        "source.csg_path=phantom:torus:64"},
                       "2600K"),
               HasSubstr("the combined volume"));
+  EXPECT_THAT(refused({"info", "phantom:ball:64"}, "1100K"), HasSubstr("what empty space is skipped by"));
 }
 
 // What a user of a small machine meets, as `ulimit -v`: a line and exit code 5, or success.

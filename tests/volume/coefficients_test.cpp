@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/analytic_fields.h"
+#include "tests/support/memory_limit.h"
 #include "tests/support/stop_latency.h"
 #include "volume/intersect_cubic.h"
 #include "volume/phantom_noise.h"
@@ -163,6 +164,25 @@ TEST(Coefficients, AStopIsHeededSoon) {
     return v < -20.0 ? std::numeric_limits<double>::quiet_NaN() : v;
   });
   test::expectStopsSoon([&](scene::Progress& progress) { interpolatingCoefficients(gaps, progress); });
+}
+
+TEST(Coefficients, AskTheMemoryBudgetAndSayWhatNeedsLess) {
+  const Grid grid =
+      sampled(GridGeometry::make(glm::ivec3(16), glm::dvec3(1)), [](const glm::dvec3& p) { return p.x; });
+  const std::size_t before = scene::machineMemory().held();
+  {
+    const Coefficients made = interpolatingCoefficients(grid);
+    EXPECT_EQ(scene::machineMemory().held(), before + 4 * 16 * 16 * 16);
+  }
+  EXPECT_EQ(scene::machineMemory().held(), before);
+  const test::MemoryLimit limit(4 * 16 * 16 * 16 - 1);
+  try {
+    interpolatingCoefficients(grid);
+    FAIL() << "the budget was not asked";
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.kind(), scene::ErrorKind::memory);
+    EXPECT_NE(error.reason().find("hit.field"), std::string::npos) << error.reason();
+  }
 }
 
 }  // namespace
