@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -18,6 +17,7 @@ namespace isolux::ui {
 namespace {
 
 constexpr int labelWidth = 104, indentation = 10;
+constexpr int settleMilliseconds = 600;  // after the last turn of a wheel
 
 QString wordsToSearch(const scene::Setting& setting, const QString& label, const QString& group) {
   QString words = group + ' ' + label + ' ' + QString::fromStdString(setting.path) + ' ' +
@@ -42,14 +42,13 @@ QToolButton* makeHeader(const PanelGroup& plan, QWidget* parent) {
   return header;
 }
 
-QFormLayout* makeForm(QWidget* box) {
-  auto* form = new QFormLayout(box);
-  form->setContentsMargins(8, 2, 0, 8);
-  form->setHorizontalSpacing(10);
-  form->setVerticalSpacing(5);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  return form;
+// Rows one below the other. Not a QFormLayout: rows of one that are hidden and shown again in another order
+// get lost.
+QVBoxLayout* makeRows(QWidget* box) {
+  auto* rows = new QVBoxLayout(box);
+  rows->setContentsMargins(8, 2, 0, 8);
+  rows->setSpacing(5);
+  return rows;
 }
 
 }  // namespace
@@ -88,6 +87,9 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   searchBox->addWidget(search_);
   layout->addLayout(searchBox);
   layout->addWidget(scroll_, 1);
+  settle_.setSingleShot(true);
+  settle_.setInterval(settleMilliseconds);
+  connect(&settle_, &QTimer::timeout, this, &SettingsPanel::showRows);
   connect(search_, &QLineEdit::textChanged, this, &SettingsPanel::search);
   connect(environment_, &EnvironmentPreview::edited, this, &SettingsPanel::edited);
   connect(environment_, &EnvironmentPreview::dragStarted, this, &SettingsPanel::dragStarted);
@@ -97,10 +99,11 @@ SettingsPanel::SettingsPanel(QWidget* parent)
 
 void SettingsPanel::addGroup(const PanelGroup& plan, QVBoxLayout* layout) {
   auto* box = new QWidget(this);
-  Group group{makeHeader(plan, this), box, makeForm(box), {}, plan.open};
+  Group group{makeHeader(plan, this), box, {}, plan.open};
   layout->addWidget(group.header);
   layout->addWidget(box);
-  if (plan.title == environmentGroup) group.form->addRow(environment_);
+  QVBoxLayout* rows = makeRows(box);
+  if (plan.title == environmentGroup) rows->addWidget(environment_);
   for (const scene::Setting* setting : plan.settings) group.rows.push_back(addRow(*setting, group));
   groups_.push_back(std::move(group));
   connect(groups_.back().header, &QToolButton::clicked, this, [this, index = groups_.size() - 1](bool open) {
@@ -115,25 +118,34 @@ SettingsPanel::Row SettingsPanel::addRow(const scene::Setting& setting, const Gr
   auto* label = new QLabel(words.text, group.box);
   label->setBuddy(editor->valueWidget());
   label->setWordWrap(true);
-  Row row{editor, label, group.form->rowCount(), wordsToSearch(setting, words.text, group.header->text())};
-  if (editor->isWide()) {
-    auto* both = new QWidget(group.box);
-    auto* column = new QVBoxLayout(both);
-    column->setContentsMargins(0, 2, 0, 0);
-    column->setSpacing(4);
-    column->addWidget(label);
-    column->addWidget(editor);
-    group.form->addRow(both);
-  } else {
-    label->setFixedWidth(labelWidth);
-    if (words.indented) label->setContentsMargins(indentation, 0, 0, 0);
-    group.form->addRow(label, editor);
-  }
+  auto* line = new QWidget(group.box);
+  const Row row{editor, label, line, wordsToSearch(setting, words.text, group.header->text())};
+  const bool wide = editor->isWide();
+  auto* both = new QBoxLayout(wide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, line);
+  both->setContentsMargins(0, wide ? 2 : 0, 0, 0);
+  both->setSpacing(wide ? 4 : 10);
+  both->addWidget(label);
+  both->addWidget(editor, 1);
+  if (!wide) label->setFixedWidth(labelWidth);
+  if (words.indented) label->setContentsMargins(indentation, 0, 0, 0);
+  group.box->layout()->addWidget(line);
+  holdRows(editor);
   connect(editor, &SettingEditor::edited, this, &SettingsPanel::edited);
   connect(editor, &SettingEditor::dragStarted, this, &SettingsPanel::dragStarted);
   connect(editor, &SettingEditor::dragEnded, this, &SettingsPanel::dragEnded);
   connect(editor, &SettingEditor::failed, this, &SettingsPanel::failed);
   return row;
+}
+
+void SettingsPanel::holdRows(SettingEditor* editor) {
+  connect(editor, &SettingEditor::dragStarted, this, [this] { dragging_ = true; });
+  connect(editor, &SettingEditor::dragEnded, this, [this] {
+    dragging_ = false;
+    showRows();
+  });
+  connect(editor, &SettingEditor::edited, this, [this](const Edit& edit) {
+    if (edit.endsAfterPause) settle_.start();
+  });
 }
 
 bool SettingsPanel::searching() const {
@@ -152,7 +164,7 @@ void SettingsPanel::showGroup(Group& group) {
     row.label->setEnabled(useful(row));
     if (shown == row.shown) continue;
     row.shown = shown;
-    group.form->setRowVisible(row.line, shown);
+    row.line->setVisible(shown);
   }
   const bool open = searching() ? anyFound : group.open && anyUseful;
   group.header->setVisible(!searching() || anyFound);
@@ -183,10 +195,14 @@ void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& reso
   environment_->setScene(scene, resolved);
   for (Group& group : groups_) {
     for (const Row& row : group.rows) row.editor->setScene(scene, resolved);
-    if (group.header->text() == environmentGroup)
-      group.form->setRowVisible(environment_, environment_->hasProbe());
-    showGroup(group);
   }
+  showRows();
+}
+
+void SettingsPanel::showRows() {
+  if (dragging_ || settle_.isActive()) return;
+  environment_->setVisible(environment_->hasProbe());
+  for (Group& group : groups_) showGroup(group);
 }
 
 SettingEditor* SettingsPanel::editor(const QString& path) const {

@@ -6,12 +6,12 @@
 
 #include <vector>
 
+#include <QTimer>
 #include <QWidget>
 
 #include "ui/edit.h"
 #include "ui/panel_layout.h"
 
-class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QScrollArea;
@@ -46,7 +46,7 @@ class SettingsPanel : public QWidget {
   struct Row {
     SettingEditor* editor;
     QLabel* label;
-    int line;           // in the form
+    QWidget* line;      // holds both; shown and hidden as a whole
     QString words;      // what a search looks through, in lower case
     bool found = true;  // by the search
     bool shown = true;
@@ -54,12 +54,13 @@ class SettingsPanel : public QWidget {
   struct Group {
     QToolButton* header;
     QWidget* box;
-    QFormLayout* form;
     std::vector<Row> rows;
     bool open;  // as the user left it
   };
   void addGroup(const PanelGroup& plan, QVBoxLayout* layout);
   Row addRow(const scene::Setting& setting, const Group& group);
+  void holdRows(SettingEditor* editor);
+  void showRows();
   void showGroup(Group& group);
   void search(const QString& text);
   bool searching() const;
@@ -69,6 +70,10 @@ class SettingsPanel : public QWidget {
   QLabel* nothing_;
   EnvironmentPreview* environment_;
   std::vector<Group> groups_;
+  // While a value is dragged, or turned by the wheel or keys, no row comes or goes: none may slip under the
+  // pointer.
+  bool dragging_ = false;
+  QTimer settle_;
 };
 
 }  // namespace isolux::ui
