@@ -52,11 +52,16 @@ QString bytesText(double bytes) {
 
 QString wordsOf(const QString& identifier) {
   // Names of people, signs, and colours joined by a dash.
-  static const QHash<QString, QString> special = {
-      {"blinn_phong", "Blinn-Phong"},      {"gi", "Global illumination"},
-      {"kappa1", "κ₁ (larger curvature)"}, {"kappa2", "κ₂ (smaller curvature)"},
-      {"curvature_2d", "κ₁ and κ₂"},       {"coolwarm", "Cool–warm"},
-      {"blue_orange", "Blue–orange"},      {"purple_green", "Purple–green"}};
+  static const QHash<QString, QString> special = {{"blinn_phong", "Blinn-Phong"},
+                                                  {"gi", "Global illumination"},
+                                                  {"color", "One colour"},
+                                                  {"map", "Colour map"},
+                                                  {"kappa1", "κ₁ (larger curvature)"},
+                                                  {"kappa2", "κ₂ (smaller curvature)"},
+                                                  {"curvature_2d", "κ₁ and κ₂"},
+                                                  {"coolwarm", "Cool–warm"},
+                                                  {"blue_orange", "Blue–orange"},
+                                                  {"purple_green", "Purple–green"}};
   if (const auto found = special.find(identifier); found != special.end()) return *found;
   QString words = identifier;
   words.replace('_', ' ');

@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
+#include <QToolTip>
 
 #include "scene/error.h"
 #include "scene/relevance.h"
@@ -74,6 +75,11 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
 
   connect(value_, &ValueWidget::changed, this,
           [this](bool endsAfterPause) { send(value_->value(), endsAfterPause); });
+  connect(value_, &ValueWidget::refused, this, [this](const QString& why) {
+    const QString text = wordsOf(nameOf(setting_)) + ": " + why;
+    QToolTip::showText(value_->mapToGlobal(QPoint(0, value_->height() / 2)), text, value_);
+    Q_EMIT failed(text);
+  });
   connect(value_, &ValueWidget::dragStarted, this, [this] {
     dragging_ = true;
     Q_EMIT dragStarted();

@@ -25,6 +25,7 @@ class ValueWidget : public QWidget {
  Q_SIGNALS:
   // The user changed it. Between dragStarted() and dragEnded() all changes are one gesture.
   void changed(bool endsAfterPause);
+  void refused(const QString& why);  // what was entered cannot be taken; the old value stays
   void dragStarted();
   void dragEnded();
 };

@@ -9,7 +9,6 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QSpinBox>
 #include <QWheelEvent>
 
 #include "ui/color_button.h"
@@ -69,6 +68,7 @@ class NumberWidget : public ValueWidget {
     box_->setRange(minimum_, maximum_);
     box_->setSuffix(suffixOf(setting));
     setFocusProxy(box_);
+    connect(box_, &NumberSpinBox::refused, this, &ValueWidget::refused);
     const double range = maximum_ - minimum_;
     if (range <= 1e4) {  // a slider where its whole length makes sense
       // Over several decades (shininess 1 to 1000) equal lengths are equal ratios.
@@ -131,10 +131,10 @@ class NumberWidget : public ValueWidget {
 class IntegerWidget : public ValueWidget {
  public:
   IntegerWidget(const Setting& setting, QWidget* parent)
-      : ValueWidget(parent), box_(new CalmWheel<QSpinBox>(this)) {
+      : ValueWidget(parent), box_(new IntegerSpinBox(this)) {
     box_->setRange(static_cast<int>(setting.minimum), static_cast<int>(setting.maximum));
     box_->setSuffix(suffixOf(setting));
-    box_->setKeyboardTracking(false);
+    connect(box_, &IntegerSpinBox::refused, this, &ValueWidget::refused);
     rowLayout(this)->addWidget(box_, 1);
     setFocusProxy(box_);
     connect(box_, &QSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
@@ -146,7 +146,7 @@ class IntegerWidget : public ValueWidget {
   json value() const override { return box_->value(); }
 
  private:
-  QSpinBox* box_;
+  IntegerSpinBox* box_;
 };
 
 class TextWidget : public ValueWidget {
@@ -246,6 +246,7 @@ class VectorWidget : public ValueWidget {
       boxes_[i]->setAccessibleName(names[i]);
       boxes_[i]->setMinimumWidth(48);
       layout->addWidget(boxes_[i], 1);
+      connect(boxes_[i], &NumberSpinBox::refused, this, &ValueWidget::refused);
       connect(boxes_[i], &NumberSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
     }
     setFocusProxy(boxes_[0]);
