@@ -1,5 +1,6 @@
 #include "ui/reference_dialog.h"
 
+#include <chrono>
 #include <cmath>
 
 #include <QComboBox>
@@ -31,6 +32,18 @@ QSpinBox* makeBox(int low, int high, int value, const QString& name, QWidget* pa
   box->setValue(value);
   box->setAccessibleName(name);
   return box;
+}
+
+void write(const gi::ReferenceImage& image, const scene::Scene& resolved, const std::filesystem::path& file) {
+  const std::string session = app::pictureSessionText(resolved, file.parent_path());
+  const QString name = QString::fromStdString(file.filename().string());
+  if (name.endsWith(".png", Qt::CaseInsensitive)) {
+    app::writePng(app::screenImage(image, resolved.look), file, session);
+  } else if (name.endsWith(".exr", Qt::CaseInsensitive)) {
+    app::writeReferenceExr(image, file, session);
+  } else {
+    scene::throwInput(name.toStdString(), "", "is not written: the name of a picture ends in .png or .exr");
+  }
 }
 }  // namespace
 
@@ -88,6 +101,8 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
 
   timer_.setInterval(pollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &ReferenceDialog::poll);
+  saveTimer_.setInterval(pollMilliseconds);
+  connect(&saveTimer_, &QTimer::timeout, this, &ReferenceDialog::pollSaving);
   connect(start_, &QPushButton::clicked, this, &ReferenceDialog::startOrStop);
   connect(save_, &QPushButton::clicked, this, &ReferenceDialog::choose);
   connect(shown_, &QComboBox::currentIndexChanged, this, &ReferenceDialog::showImage);
@@ -109,7 +124,7 @@ void ReferenceDialog::startOrStop() {
     job_->progress().requestStop();
     return;
   }
-  image_.reset();
+  round_.reset();
   job_ = std::make_unique<ReferenceJob>(volume_, resolved_, glm::ivec2(width_->value(), height_->value()),
                                         static_cast<std::uint32_t>(samples_->value()));
   start_->setText("Stop");
@@ -118,15 +133,15 @@ void ReferenceDialog::startOrStop() {
 
 void ReferenceDialog::poll() {
   const bool finished = job_->finished();  // before the image is looked at: none comes after it
-  if (const ReferencePointer image = job_->image(); image != image_) {
-    image_ = image;
-    save_->setEnabled(image_ != nullptr);
+  if (const RoundPointer round = job_->round(); round != round_) {
+    round_ = round;
+    save_->setEnabled(!saving());
     showImage();
   }
   bar_->setValue(static_cast<int>(std::lround(1000.0 * job_->progress().fraction())));
   QString noise;
-  if (image_)
-    if (const auto part = noiseOf(*image_)) noise = QString("noise %1 %").arg(numberText(100.0 * *part, 2));
+  if (round_ && round_->noisePart)
+    noise = QString("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
   if (!finished) {
     tell(noise.isEmpty() ? QString("Tracing …") : "Tracing … " + noise);
     return;
@@ -142,9 +157,8 @@ void ReferenceDialog::poll() {
 }
 
 void ReferenceDialog::showImage() {
-  if (!image_) return;
-  const render::ColorImage screen =
-      shown_->currentIndex() == 0 ? app::screenImage(*image_, resolved_.look) : noiseImage(*image_);
+  if (!round_) return;
+  const render::ColorImage& screen = shown_->currentIndex() == 0 ? round_->picture : round_->noise;
   const QImage image(screen.rgba.data(), screen.size.x, screen.size.y, 4 * screen.size.x,
                      QImage::Format_RGBA8888);
   preview_->setPixmap(
@@ -168,25 +182,29 @@ void ReferenceDialog::choose() {
 }
 
 bool ReferenceDialog::saveAs(const QString& file) {
-  if (!image_) return false;
-  try {
-    const std::filesystem::path path = file.toStdString();
-    const std::string session = app::pictureSessionText(resolved_, path.parent_path());
-    const bool png = file.endsWith(".png", Qt::CaseInsensitive);
-    if (!png && !file.endsWith(".exr", Qt::CaseInsensitive))
-      scene::throwInput(path.filename().string(), "",
-                        "is not written: the name of a picture ends in .png or .exr");
-    if (png) {
-      app::writePng(app::screenImage(*image_, resolved_.look), path, session);
-    } else {
-      app::writeReferenceExr(*image_, path, session);
+  if (!round_ || saving()) return false;
+  savedName_ = QFileInfo(file).fileName();
+  const std::filesystem::path path = file.toStdString();
+  saving_ = std::async(std::launch::async, [round = round_, resolved = resolved_, path] {
+    try {
+      write(round->image, resolved, path);
+      return QString();
+    } catch (const std::exception& error) {
+      return QString(error.what());
     }
-    tell("Saved as " + QFileInfo(file).fileName());
-    return true;
-  } catch (const scene::Error& error) {
-    tell(QString::fromStdString(error.what()), true);
-    return false;
-  }
+  });
+  save_->setEnabled(false);
+  tell("Saving " + savedName_ + " …");
+  saveTimer_.start();
+  return true;
+}
+
+void ReferenceDialog::pollSaving() {
+  if (saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  saveTimer_.stop();
+  const QString problem = saving_.get();
+  save_->setEnabled(round_ != nullptr);
+  tell(problem.isEmpty() ? "Saved as " + savedName_ : problem, !problem.isEmpty());
 }
 
 }  // namespace isolux::ui

@@ -3,6 +3,7 @@
 // Traces the scene as it was when tracing began; the window stays usable meanwhile.
 #pragma once
 
+#include <future>
 #include <memory>
 #include <vector>
 
@@ -22,20 +23,22 @@ namespace isolux::ui {
 class ReferenceDialog : public QDialog {
   Q_OBJECT
  public:
-  // `session`: the text of the session that pictures carry.
   ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved, QSize size,
                   QWidget* parent = nullptr);
-  ~ReferenceDialog() override;  // stops
+  ~ReferenceDialog() override;  // stops; a file that is being written is finished
 
   bool tracing() const { return job_ && !job_->finished(); }
-  ReferencePointer image() const { return image_; }
+  ReferencePointer image() const { return {round_, round_ ? &round_->image : nullptr}; }
   QSpinBox* samplesBox() const { return samples_; }
   QSpinBox* widthBox() const { return width_; }
   QSpinBox* heightBox() const { return height_; }
   QPushButton* startButton() const { return start_; }  // also stops
   QPushButton* saveButton() const { return save_; }
   QString text() const;
-  bool saveAs(const QString& file);  // .exr (with the variance) or .png
+  // .exr (with the variance) or .png, written beside the window; text() tells the end. False: nothing to
+  // save, or still saving.
+  bool saveAs(const QString& file);
+  bool saving() const { return saving_.valid(); }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -44,19 +47,22 @@ class ReferenceDialog : public QDialog {
   void startOrStop();
   void poll();
   void showImage();
+  void pollSaving();
   void tell(const QString& text, bool wrong = false);
   void choose();
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
   scene::Scene resolved_;
   std::unique_ptr<ReferenceJob> job_;
-  ReferencePointer image_;
+  RoundPointer round_;
+  std::future<QString> saving_;  // why it failed; empty: it did not
+  QString savedName_;
   QSpinBox *width_, *height_, *samples_;
   QComboBox* shown_;
   QLabel *preview_, *text_;
   QProgressBar* bar_;
   QPushButton *start_, *save_;
-  QTimer timer_;
+  QTimer timer_, saveTimer_;
 };
 
 }  // namespace isolux::ui

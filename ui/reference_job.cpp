@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/reference_image.h"
 #include "gi/light_scene.h"
 #include "scene/color_maps.h"
 #include "volume/isosurface_tracer.h"
@@ -43,6 +44,20 @@ render::ColorImage blank(glm::ivec2 size) {
   image.size = size;
   image.rgba.assign(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), 255);
   return image;
+}
+
+std::size_t byteAt(const render::ColorImage& image, int x, int y) {
+  return 4 *
+         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x));
+}
+
+RoundPointer roundOf(gi::ReferenceImage image, const scene::Look& look) {
+  auto round = std::make_shared<ReferenceRound>();
+  round->picture = reduced(app::screenImage(image, look), previewPixels);
+  round->noise = reduced(noiseImage(image), previewPixels);
+  round->noisePart = noiseOf(image);
+  round->image = std::move(image);
+  return round;
 }
 
 }  // namespace
@@ -81,17 +96,17 @@ void ReferenceJob::run() {
   for (const std::uint32_t round : gi::referenceRounds(samples_)) {
     const double to = static_cast<double>(round) / samples_;
     const bool whole = picture.refineTo(round, progress_, done, to);
-    auto image = std::make_shared<const gi::ReferenceImage>(picture.image());
+    RoundPointer made = roundOf(picture.image(), resolved_.look);
     const std::lock_guard guard(mutex_);
-    image_ = std::move(image);
+    round_ = std::move(made);
     if (!whole) return;
     done = to;
   }
 }
 
-ReferencePointer ReferenceJob::image() const {
+RoundPointer ReferenceJob::round() const {
   const std::lock_guard guard(mutex_);
-  return image_;
+  return round_;
 }
 
 render::ColorImage noiseImage(const gi::ReferenceImage& image) {
@@ -115,6 +130,26 @@ std::optional<double> noiseOf(const gi::ReferenceImage& image) {
   const double mean = meanLuminance(image);
   if (count == 0 || !(mean > 0.0)) return std::nullopt;
   return std::sqrt(sum / static_cast<double>(count)) / mean;
+}
+
+render::ColorImage reduced(const render::ColorImage& image, int longest) {
+  const int factor = (std::max(image.size.x, image.size.y) + longest - 1) / longest;
+  if (factor <= 1) return image;
+  render::ColorImage small = blank((image.size + (factor - 1)) / factor);
+  for (int y = 0; y < small.size.y; ++y)
+    for (int x = 0; x < small.size.x; ++x) {
+      const glm::ivec2 from = factor * glm::ivec2(x, y), to = glm::min(from + factor, image.size);
+      const int pixels = (to.x - from.x) * (to.y - from.y);
+      glm::ivec3 sum(pixels / 2);  // rounds to the nearest
+      for (int j = from.y; j < to.y; ++j)
+        for (int i = from.x; i < to.x; ++i) {
+          const std::uint8_t* pixel = &image.rgba[byteAt(image, i, j)];
+          sum += glm::ivec3(pixel[0], pixel[1], pixel[2]);
+        }
+      std::uint8_t* target = &small.rgba[byteAt(small, x, y)];
+      for (int c = 0; c < 3; ++c) target[c] = static_cast<std::uint8_t>(sum[c] / pixels);
+    }
+  return small;
 }
 
 }  // namespace isolux::ui

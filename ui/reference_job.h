@@ -1,6 +1,7 @@
 // Path traces every pixel of the view on a background thread, without stored light; the owner polls.
 //
-// The picture becomes better round by round: image() is always the newest whole one.
+// The picture becomes better round by round: round() is always the newest whole one, with what a window shows
+// of it made ready, because pictures may have hundreds of millions of pixels.
 #pragma once
 
 #include <atomic>
@@ -23,6 +24,14 @@ namespace isolux::ui {
 
 using ReferencePointer = std::shared_ptr<const gi::ReferenceImage>;
 
+struct ReferenceRound {
+  gi::ReferenceImage image;
+  render::ColorImage picture, noise;  // app::screenImage() and noiseImage(), reduced() to previewPixels
+  std::optional<double> noisePart;    // noiseOf()
+};
+using RoundPointer = std::shared_ptr<const ReferenceRound>;
+inline constexpr int previewPixels = 1600;  // along the longer side, at most
+
 class ReferenceJob {
  public:
   // Starts at once. `resolved` by scene::resolve of that volume.
@@ -35,7 +44,7 @@ class ReferenceJob {
   scene::Progress& progress() { return progress_; }
   const scene::Progress& progress() const { return progress_; }
   bool finished() const { return finished_.load(std::memory_order_acquire); }
-  ReferencePointer image() const;  // null before the first round
+  RoundPointer round() const;  // the latest; null before the first
   // After finished(): what went wrong; stopping is no error.
   const std::optional<scene::Error>& error() const { return error_; }
 
@@ -48,7 +57,7 @@ class ReferenceJob {
   std::uint32_t samples_;
   scene::Progress progress_;
   mutable std::mutex mutex_;
-  ReferencePointer image_;  // guarded by mutex_
+  RoundPointer round_;  // guarded by mutex_
   std::atomic<bool> finished_{false};
   std::optional<scene::Error> error_;
   std::thread thread_;
@@ -60,5 +69,8 @@ render::ColorImage noiseImage(const gi::ReferenceImage& image);
 // Root mean square of the standard error over the pixels hit, in parts of their mean luminance of E; nothing
 // before the second sample.
 std::optional<double> noiseOf(const gi::ReferenceImage& image);
+// Means over squares of the smallest whole size that leaves at most `longest` pixels along either side; the
+// squares of the last column and row may be cut off.
+render::ColorImage reduced(const render::ColorImage& image, int longest);
 
 }  // namespace isolux::ui

@@ -33,6 +33,12 @@ class ReferenceDialogTest : public WindowTest {
   bool ended() {
     return waitUntil([&] { return dialog_->startButton()->text() == "Trace"; }, 60000);
   }
+  // Empty when the file was written, else what the dialog says.
+  static QString saved(ui::ReferenceDialog& dialog, const QString& file) {
+    if (!dialog.saveAs(file)) return "not begun";
+    if (!waitUntil([&] { return !dialog.saving(); })) return "not ended";
+    return dialog.text().startsWith("Saved as ") ? QString() : dialog.text();
+  }
   std::unique_ptr<ui::ReferenceDialog> dialog_;
 };
 
@@ -48,8 +54,8 @@ TEST_F(ReferenceDialogTest, TracesThePictureAndSavesItWithItsVariance) {
   EXPECT_EQ(dialog_->image()->size, glm::ivec2(40, 30));
   EXPECT_TRUE(dialog_->text().startsWith("Complete: noise ")) << dialog_->text().toStdString();
   const QString exr = newFile("still.exr"), png = newFile("still.png");
-  ASSERT_TRUE(dialog_->saveAs(exr)) << dialog_->text().toStdString();
-  ASSERT_TRUE(dialog_->saveAs(png)) << dialog_->text().toStdString();
+  ASSERT_EQ(saved(*dialog_, exr), "");
+  ASSERT_EQ(saved(*dialog_, png), "");
   const auto file = OIIO::ImageInput::open(exr.toStdString());
   ASSERT_NE(file, nullptr);
   const auto& names = file->spec().channelnames;
@@ -70,7 +76,8 @@ TEST_F(ReferenceDialogTest, StoppingLeavesWhatThereIs) {
   ASSERT_TRUE(ended());
   EXPECT_TRUE(dialog_->text().startsWith("Stopped")) << dialog_->text().toStdString();
   EXPECT_TRUE(dialog_->saveButton()->isEnabled());
-  EXPECT_TRUE(dialog_->saveAs(newFile("part.exr")));
+  EXPECT_EQ(saved(*dialog_, newFile("part.exr")), "");
+  EXPECT_TRUE(saved(*dialog_, "/nowhere/at/all.exr").contains("all.exr")) << dialog_->text().toStdString();
 }
 
 TEST_F(ReferenceDialogTest, WhatCannotBeTracedIsSaidInOneLine) {
@@ -83,6 +90,19 @@ TEST_F(ReferenceDialogTest, WhatCannotBeTracedIsSaidInOneLine) {
   EXPECT_TRUE(dialog.text().contains("sky.hdr")) << dialog.text().toStdString();
   EXPECT_FALSE(dialog.saveButton()->isEnabled());
   EXPECT_FALSE(dialog.saveAs(newFile("none.exr")));
+}
+
+TEST(ReferencePreview, IsOfTheMeansOfSquares) {
+  render::ColorImage image{{5, 2}, std::vector<std::uint8_t>(4 * 10, 255)};
+  for (int i = 0; i < 10; ++i) image.rgba[4U * static_cast<unsigned>(i)] = static_cast<std::uint8_t>(10 * i);
+  const render::ColorImage small = ui::reduced(image, 3);  // squares of 2
+  ASSERT_EQ(small.size, glm::ivec2(3, 1));
+  EXPECT_EQ(small.rgba[0], (0 + 10 + 50 + 60) / 4);
+  EXPECT_EQ(small.rgba[4], (20 + 30 + 70 + 80) / 4);
+  EXPECT_EQ(small.rgba[8], (40 + 90) / 2);
+  EXPECT_EQ(small.rgba[1], 255);
+  EXPECT_EQ(small.rgba[3], 255);
+  EXPECT_EQ(ui::reduced(image, 5).rgba, image.rgba);
 }
 
 TEST(ReferenceNoise, IsTheStandardErrorInPartsOfTheMean) {
