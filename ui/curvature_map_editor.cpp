@@ -175,6 +175,11 @@ void CurvatureMapView::mousePressEvent(QMouseEvent* event) {
 
 void CurvatureMapView::mouseMoveEvent(QMouseEvent* event) {
   if (!pressed_) return;
+  if (!(event->buttons() & Qt::LeftButton)) {  // it was let go elsewhere
+    pressed_ = false;
+    Q_EMIT dragEnded();
+    return;
+  }
   CurvaturePoint point = points_[static_cast<std::size_t>(selected_)];
   const glm::dvec2 kappa = kappaAt(event->position() + grip_);
   point.kappa1 = kappa.x;

@@ -265,6 +265,8 @@ void HistogramSlider::mousePressEvent(QMouseEvent* event) {
 
 void HistogramSlider::mouseMoveEvent(QMouseEvent* event) {
   if (!volume_) return;
+  if (dragging_ && !(event->buttons() & Qt::LeftButton)) endDrag();  // it was let go elsewhere
+  if (panning_ && !(event->buttons() & Qt::MiddleButton)) endPan();
   const QRectF area = plotArea();
   const double x = event->position().x();
   if (dragging_) {
@@ -288,13 +290,21 @@ void HistogramSlider::mouseMoveEvent(QMouseEvent* event) {
 
 void HistogramSlider::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_ && event->button() == Qt::LeftButton) {
-    sendPending();
-    dragging_ = false;
-    Q_EMIT dragEnded();
+    endDrag();
   } else if (panning_ && event->button() == Qt::MiddleButton) {
-    panning_ = false;
-    unsetCursor();
+    endPan();
   }
+}
+
+void HistogramSlider::endDrag() {
+  sendPending();
+  dragging_ = false;
+  Q_EMIT dragEnded();
+}
+
+void HistogramSlider::endPan() {
+  panning_ = false;
+  unsetCursor();
 }
 
 void HistogramSlider::mouseDoubleClickEvent(QMouseEvent* event) {

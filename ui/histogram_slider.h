@@ -57,6 +57,8 @@ class HistogramSlider : public QWidget {
   void moveTo(double value);  // while dragged: sent with the next turn of the event loop
   void nudge(double steps);   // wheel and keys
   void sendPending();
+  void endDrag();
+  void endPan();
   void zoomed();
   void stopDetail();
   void wantDetail();  // a finer histogram, counted on another thread

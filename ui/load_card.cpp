@@ -51,9 +51,10 @@ LoadCard::LoadCard(QWidget* parent)
 }
 
 void LoadCard::begin(const QString& name) {
-  title_->setText("Opening " + name);
+  name_ = name;
   stage_->setText(" ");
   bar_->setValue(0);
+  place();
   if (!isVisible()) delay_.start();
 }
 
@@ -76,6 +77,8 @@ void LoadCard::place() {
   const QWidget* parent = parentWidget();
   const int width = std::min(420, std::max(200, parent->width() - 40));
   const int height = sizeHint().height();
+  const int forTitle = width - 60 - cancel_->sizeHint().width();
+  title_->setText(title_->fontMetrics().elidedText("Opening " + name_, Qt::ElideMiddle, forTitle));
   setGeometry((parent->width() - width) / 2, parent->height() - height - 60, width, height);
 }
 

@@ -28,6 +28,7 @@ class LoadCard : public QFrame {
 
  private:
   void place();
+  QString name_;
   QLabel *title_, *stage_;
   QProgressBar* bar_;
   QPushButton* cancel_;

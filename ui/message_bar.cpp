@@ -1,7 +1,9 @@
 #include "ui/message_bar.h"
 
+#include <algorithm>
 #include <utility>
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -9,15 +11,18 @@
 
 #include "ui/icons.h"
 #include "ui/style.h"
+#include "ui/wrapped_text.h"
 
 namespace isolux::ui {
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), symbol_(new QLabel(this)), label_(new QLabel(this)), layout_(new QHBoxLayout(this)) {
+    : QFrame(parent),
+      symbol_(new QLabel(this)),
+      label_(new WrappedText(this)),
+      layout_(new QHBoxLayout(this)) {
   setObjectName("messageBar");
-  label_->setWordWrap(true);
-  label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  label_->setTextFormat(Qt::PlainText);
+  setAttribute(Qt::WA_NoMousePropagation);  // a press here is no drag of the picture
+  setCursor(Qt::ArrowCursor);
   auto* close = new QToolButton(this);
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
@@ -25,12 +30,13 @@ MessageBar::MessageBar(QWidget* parent)
   layout_->setContentsMargins(12, 7, 8, 7);
   layout_->setSpacing(10);
   layout_->addWidget(symbol_);
-  layout_->addWidget(label_, 1);
+  layout_->addWidget(label_, 1, Qt::AlignVCenter);
   layout_->addWidget(close);
   timer_.setSingleShot(true);
   timer_.setInterval(8000);
   connect(&timer_, &QTimer::timeout, this, &MessageBar::clear);
   connect(close, &QToolButton::clicked, this, &MessageBar::close);
+  parent->installEventFilter(this);
   QFrame::hide();
 }
 
@@ -48,14 +54,16 @@ void MessageBar::present(Message message) {
   const QColor colour = error ? colours::error : colours::accent;
   symbol_->setPixmap(iconPixmap(error ? "error" : "info", 18, colour, devicePixelRatioF()));
   setStyleSheet(QString("#messageBar { background: %1; border: 0; border-left: 4px solid %2; "
-                        "border-bottom: 1px solid %3; }")
+                        "border-bottom: 1px solid %3; } #messageBar QTextEdit { background: transparent; }")
                     .arg(error ? "#3a2829" : "#26323d", colour.name(), colours::border.name()));
   if (shown_.kind == Kind::note) {
     timer_.start();
   } else {
     timer_.stop();
   }
+  place();
   QFrame::show();
+  raise();
 }
 
 void MessageBar::makeButtons() {
@@ -84,13 +92,31 @@ void MessageBar::clear() {
     return;
   }
   shown_ = {};
-  label_->clear();
+  label_->setText({});
   makeButtons();
   hide();
 }
 
 QString MessageBar::text() const {
   return label_->text();
+}
+
+void MessageBar::place() {
+  const int width = parentWidget()->width();
+  layout_->activate();
+  const int height = std::max(layout_->totalHeightForWidth(width), layout_->totalMinimumSize().height());
+  setGeometry(0, 0, width, height);
+  Q_EMIT heightTaken(height);
+}
+
+bool MessageBar::eventFilter(QObject* parent, QEvent* event) {
+  if (event->type() == QEvent::Resize && !isHidden()) place();
+  return QFrame::eventFilter(parent, event);
+}
+
+void MessageBar::hideEvent(QHideEvent* event) {
+  QFrame::hideEvent(event);
+  if (isHidden()) Q_EMIT heightTaken(0);
 }
 
 }  // namespace isolux::ui

@@ -1,5 +1,5 @@
-// One line above the picture for what went wrong, is worth knowing or is asked. Blocks nothing and can be
-// closed.
+// What went wrong, is worth knowing or is asked, over the top of the picture. Blocks nothing, can be closed,
+// and changes no one's size: it lies over its parent, as wide as that is.
 #pragma once
 
 #include <functional>
@@ -15,6 +15,8 @@ class QPushButton;
 
 namespace isolux::ui {
 
+class WrappedText;
+
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
@@ -24,7 +26,7 @@ class MessageBar : public QFrame {
     QString text;
     std::function<void()> chosen;
   };
-  explicit MessageBar(QWidget* parent = nullptr);
+  explicit MessageBar(QWidget* parent);
 
   // Replaces the note or error that is shown. A note goes away by itself, an error stays until it is closed
   // or replaced. A question waits until it is answered or closed: notes and errors cover it while they last.
@@ -35,6 +37,13 @@ class MessageBar : public QFrame {
   // Of what is shown, in the order of its answers.
   const std::vector<QPushButton*>& buttons() const { return buttons_; }
 
+ Q_SIGNALS:
+  void heightTaken(int pixels);  // of the parent's top; 0: hidden
+
+ protected:
+  bool eventFilter(QObject* parent, QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
  private:
   struct Message {
     Kind kind = Kind::note;
@@ -44,8 +53,10 @@ class MessageBar : public QFrame {
   void present(Message message);
   void makeButtons();
   void close();  // what is shown, for good
+  void place();
 
-  QLabel *symbol_, *label_;
+  QLabel* symbol_;
+  WrappedText* label_;
   QHBoxLayout* layout_;
   std::vector<QPushButton*> buttons_;
   Message shown_;

@@ -1,9 +1,6 @@
 // What the menu entries of ui/main_window.h do to the view, and help. Files: ui/window_documents.cpp.
 #include <QComboBox>
-#include <QDockWidget>
 #include <QMessageBox>
-#include <QStatusBar>
-#include <QToolBar>
 
 #include "app/version.h"
 #include "ui/main_window.h"
@@ -11,20 +8,6 @@
 #include "ui/viewport.h"
 
 namespace isolux::ui {
-
-void MainWindow::toggleFullScreen(bool on) {
-  for (QToolBar* bar : findChildren<QToolBar*>()) bar->setVisible(!on);
-  statusBar()->setVisible(!on);
-  settingsDock_->setVisible(!on);
-  infoDock_->setVisible(!on);
-  passesDock_->setVisible(!on);
-  if (on) {
-    showFullScreen();
-  } else {
-    showNormal();
-    settingsDock_->raise();
-  }
-}
 
 void MainWindow::chooseLook(int mode) {
   Edit edit{document_->scene(), "Change look", {}, false};
@@ -57,12 +40,12 @@ void MainWindow::showHelp() {
     <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
     <tr><td><b>Shift+right drag</b></td><td>turn the light probe (global illumination)</td></tr>
     <tr><td><b>Lamp handles</b></td><td>drag; with Ctrl, or by the wheel, nearer and farther (global illumination)</td></tr>
-    <tr><td><b>1 2 3 4 5 6</b></td><td>from anterior, posterior, left, right, superior, inferior</td></tr>
+    <tr><td><b>1 2 3 4 5 6</b></td><td>from anterior, posterior, left, right, superior, inferior (front, back, +X, −X, up, down where the file states no orientation)</td></tr>
     <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset the view, fit the volume, orthographic</td></tr>
     <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>
     <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
     <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
-    <tr><td><b>F11</b></td><td>full screen</td></tr>
+    <tr><td><b>F11</b>, <b>Esc</b></td><td>full screen, and back</td></tr>
     </table>
     <h4>Histogram</h4>
     <table>
