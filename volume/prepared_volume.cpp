@@ -12,6 +12,7 @@
 #include "volume/csg.h"
 #include "volume/noise_estimate.h"
 #include "volume/parallel_steps.h"
+#include "volume/plausibility.h"
 
 namespace isolux::volume {
 
@@ -149,6 +150,13 @@ CsgResult readSource(const scene::Source& source, scene::Progress& progress) {
                   progress);
 }
 
+// A unit that cannot be right is worse than none.
+void noteImplausible(Volume& volume, const Histogram& histogram) {
+  if (volume.unit != "HU" || !looksOffsetBy1024(histogram)) return;
+  volume.unit.clear();
+  volume.warnings.emplace_back("values look offset by 1024: not Hounsfield units as stored");
+}
+
 std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress) {
   const Clock::time_point start = Clock::now();
   auto prepared = std::make_shared<PreparedVolume>();
@@ -160,9 +168,11 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress
   prepared->cubicFields = std::make_shared<CubicFields>(prepared->volume.grid);
   progress.report(0.7, "counting values");
   prepared->histogram = makeHistogram(prepared->grid(), 512, progress);
+  noteImplausible(prepared->volume, prepared->histogram);
   const std::optional<double>& known = prepared->volume.isovalue;
   prepared->facts.suggestedIsovalue =
       known ? *known : suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
+  prepared->facts.axes = prepared->volume.axes;
   prepared->facts.minimum = prepared->grid().minimum();
   prepared->facts.maximum = prepared->grid().maximum();
   prepared->facts.typicalStep = typicalStep(prepared->grid(), progress);

@@ -44,6 +44,30 @@ TEST(PreparedVolume, HoldsBlocksHistogramBoundsAndIsovalue) {
   EXPECT_LE(prepared->prepareSeconds, elapsed.count());
 }
 
+// A block of `tissue` in `air`, a tenth of it `bone`.
+Grid scan(std::int16_t air, std::int16_t tissue, std::int16_t bone) {
+  std::vector<std::int16_t> voxels;
+  for (int i = 0; i < 1000; ++i) voxels.push_back(i % 2 ? air : i % 20 ? tissue : bone);
+  return {GridGeometry::make(glm::ivec3(10), glm::dvec3(1)), voxels};
+}
+
+TEST(PreparedVolume, ValuesOffsetBy1024AreNoHounsfieldUnits) {
+  struct Case {
+    std::int16_t air, tissue, bone;
+    bool offset;
+  };
+  for (const Case& c :
+       {Case{0, 1060, 2400, true}, Case{24, 1000, 2000, true}, Case{-1000, 40, 1400, false},
+        Case{-1024, 1000, 2000, false}, Case{0, 40, 1400, false} /* masked */, Case{0, 500, 1000, false}}) {
+    scene::Progress progress;
+    const auto prepared = prepareVolume(volumeOf(scan(c.air, c.tissue, c.bone), "HU"), progress);
+    EXPECT_EQ(prepared->volume.unit, c.offset ? "" : "HU") << c.air << ' ' << c.tissue;
+    EXPECT_EQ(prepared->volume.warnings.size(), c.offset ? 1U : 0U);
+  }
+  scene::Progress progress;  // who claims nothing is not corrected
+  EXPECT_TRUE(prepareVolume(volumeOf(scan(0, 1060, 2400)), progress)->volume.warnings.empty());
+}
+
 TEST(PreparedVolume, TheTypicalStepIsFoundAlongEveryAxis) {
   // A ramp of 3 per voxel along one axis.
   for (int axis = 0; axis < 3; ++axis) {

@@ -21,6 +21,10 @@ constexpr double silentUnevenness = 0.01, toleratedUnevenness = 0.1;  // of the 
 constexpr double silentLateral = 0.1, toleratedLateral = 0.5;         // of a pixel
 constexpr double widestFill = 4.0;                                    // times as many slices at most
 
+std::string fourDigits(double value) {  // of measurements, for people
+  return shortText(value, 4);
+}
+
 // Slices at one position become time steps when all positions have as many.
 void separateRepeats(const std::vector<double>& along, SliceStack& stack, const std::string& file) {
   std::vector<std::vector<std::size_t>> groups;
@@ -132,16 +136,16 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
   const double pixel = std::min(planes.spacingXMm, planes.spacingYMm);
   if (lateral > toleratedLateral * pixel)
     throwInput(file, "slice positions",
-               "the slices do not lie on one line: one is " + shortText(lateral) + " mm beside it");
+               "the slices do not lie on one line: one is " + fourDigits(lateral) + " mm beside it");
   if (lateral > silentLateral * pixel)
-    stack.warnings.push_back("a slice lies " + shortText(lateral) + " mm beside the line of the others");
+    stack.warnings.push_back("a slice lies " + fourDigits(lateral) + " mm beside the line of the others");
 
   if (uneven > toleratedUnevenness * median) {
     const auto [least, most] = std::minmax_element(gaps.begin(), gaps.end());
     const double wanted = std::round(length / median) + 1.0;
     if (wanted > widestFill * static_cast<double>(count) || wanted > 65535.0)
       throwInput(file, "slice positions",
-                 "slice distances from " + shortText(*least) + " to " + shortText(*most) +
+                 "slice distances from " + fourDigits(*least) + " to " + fourDigits(*most) +
                      " mm: too much is missing to fill a regular grid");
     const auto slices = static_cast<std::size_t>(std::max(wanted, 2.0));
     distance = length / static_cast<double>(slices - 1);
@@ -152,20 +156,20 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
       const double fraction = (at - (along[stack.order[source]] - begin)) / gaps[source];
       stack.resampled.push_back({source, std::clamp(fraction, 0.0, 1.0)});
     }
-    stack.warnings.push_back("slice distances are uneven (" + shortText(*least) + " to " + shortText(*most) +
+    stack.warnings.push_back("slice distances are uneven (" + fourDigits(*least) + " to " + fourDigits(*most) +
                              " mm): resampled linearly from " + std::to_string(count) + " onto " +
-                             std::to_string(slices) + " slices every " + shortText(distance) + " mm");
+                             std::to_string(slices) + " slices every " + fourDigits(distance) + " mm");
     if (const std::string gapsText = wideGapsText(gaps, median); !gapsText.empty())
       stack.warnings.push_back(gapsText);
   } else if (uneven > silentUnevenness * median) {
-    stack.warnings.push_back("slice positions deviate by up to " + shortText(uneven) +
+    stack.warnings.push_back("slice positions deviate by up to " + fourDigits(uneven) +
                              " mm from even distances; taken as even");
   }
 
   const double tilt = std::acos(std::min(1.0, 1.0 / glm::length(perMm))) * 180.0 / 3.14159265358979323846;
   if (tilt > 0.1)
     stack.warnings.push_back(
-        "gantry tilt of " + shortText(tilt) +
+        "gantry tilt of " + fourDigits(tilt) +
         " degrees: the slices are sheared against each other; kept so, the grid is oblique");
   stack.worldFromVoxel[0] = glm::dvec4(planes.rowDirection * planes.spacingXMm, 0.0);
   stack.worldFromVoxel[1] = glm::dvec4(planes.columnDirection * planes.spacingYMm, 0.0);
