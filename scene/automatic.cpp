@@ -14,6 +14,11 @@ namespace {
 
 constexpr double elevation = 0.21;  // radians (12 degrees): "slightly above"
 
+// Of who looks at the front.
+glm::dvec3 rightOf(WorldAxes axes) {
+  return glm::cross(upOf(axes), frontOf(axes));
+}
+
 // In front of the volume, above it and to the viewer's left, each lamp a third of a turn further.
 void resolveLamps(Scene& scene, const VolumeFacts& facts) {
   const glm::dvec3 center = 0.5 * (facts.boundsMinMm + facts.boundsMaxMm);
@@ -21,7 +26,8 @@ void resolveLamps(Scene& scene, const VolumeFacts& facts) {
   Lamp* const lamps[] = {&scene.lamp1, &scene.lamp2, &scene.lamp3};
   for (int i = 0; i < 3; ++i) {
     const double angle = (-0.65 + i / 3.0 * 2.0) * std::numbers::pi;
-    const glm::dvec3 toward(std::cos(angle) * 0.7, std::sin(angle) * 0.7, 0.7);
+    const glm::dvec3 toward = 0.7 * (std::cos(angle) * rightOf(facts.axes) -
+                                     std::sin(angle) * frontOf(facts.axes) + upOf(facts.axes));
     if (!lamps[i]->position) lamps[i]->position = center + size * toward;
     if (!lamps[i]->radius) lamps[i]->radius = 0.1 * size;
   }
@@ -55,11 +61,12 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   if (camera.eye && camera.target && camera.up) return scene;
 
   // The camera that fits the box: around its centre, along the chosen or else the default direction.
+  const glm::dvec3 up = upOf(facts.axes), front = frontOf(facts.axes);
   Camera wanted = camera;
   if (!camera.eye) {
-    const glm::dvec3 toward(0.0, -std::cos(elevation), std::sin(elevation));
     wanted.target = glm::dvec3(0.0);
-    wanted.eye = toward;
+    wanted.eye = std::cos(elevation) * front + std::sin(elevation) * up;
+    if (!camera.up) wanted.up = up;
   }
   const Camera fit = fitted(wanted, facts.boundsMinMm, facts.boundsMaxMm);
 
@@ -69,13 +76,13 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   if (!camera.target) {
     camera.target = fit.target;
     // An eye that stands on the centre looks to the back, not nowhere.
-    if (glm::length(*camera.eye - *camera.target) < 1e-9)
-      camera.target = *camera.eye + glm::dvec3(0.0, 1.0, 0.0);
+    if (glm::length(*camera.eye - *camera.target) < 1e-9) camera.target = *camera.eye - front;
   }
   if (!camera.up) {
     const glm::dvec3 view = *camera.target - *camera.eye;
-    const bool alongBody = std::hypot(view.x, view.y) < 1e-3 * std::abs(view.z);
-    camera.up = alongBody ? glm::dvec3(0.0, -1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    const double along = glm::dot(view, up);
+    const bool alongUp = glm::length(view - along * up) < 1e-3 * std::abs(along);
+    camera.up = alongUp ? front : up;
   }
   return scene;
 }

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
+#include "scene/world_axes.h"
 
 namespace isolux::scene {
 
@@ -19,14 +20,16 @@ struct VolumeFacts {
   double typicalStep =
       0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
   double noise = 0.0;  // data units: standard deviation of a voxel
+  WorldAxes axes = WorldAxes::zUp;
 };
 
 // Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
 // maps, the ridge threshold), the fog's colour and the exposure, which stay automatic for the renderer, those
 // of the bake's own business (gi.environment_share, gi.threads), and the isovalue
 // of a second volume that is not there. An explicit setting
-// is never changed. An automatic camera looks from the front and slightly above (eye on -y: a patient faces
-// the viewer, patient left at the right), and the whole box fits the picture of any aspect ratio >= 1.
+// is never changed. An automatic camera looks from the front (frontOf(): a patient faces the viewer, patient
+// left at the right) and slightly above, and the whole box fits the picture of any aspect ratio >= 1. Lamps
+// stand by the same directions.
 Scene resolve(Scene scene, const VolumeFacts& facts);
 
 }  // namespace isolux::scene

@@ -1,6 +1,7 @@
 #include "scene/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -135,31 +136,48 @@ Camera zoomed(const Camera& camera, double factor) {
                    std::clamp(frame.distance / factor, nearestMm, farthestMm));
 }
 
-Camera standardView(const Camera& camera, StandardView view, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm) {
-  glm::dvec3 toward = anterior, up = superior;
+namespace {
+
+// From the volume to the viewer.
+glm::dvec3 sideOf(StandardView view, WorldAxes axes) {
   switch (view) {
     case StandardView::anterior:
-      break;
+      return frontOf(axes);
     case StandardView::posterior:
-      toward = -anterior;
-      break;
+      return -frontOf(axes);
     case StandardView::left:
-      toward = glm::dvec3(1.0, 0.0, 0.0);
-      break;
+      return {1.0, 0.0, 0.0};
     case StandardView::right:
-      toward = glm::dvec3(-1.0, 0.0, 0.0);
-      break;
+      return {-1.0, 0.0, 0.0};
     case StandardView::superior:
-      toward = superior, up = anterior;
-      break;
+      return upOf(axes);
     case StandardView::inferior:
-      toward = -superior, up = anterior;
-      break;
+      return -upOf(axes);
   }
+  return frontOf(axes);
+}
+
+}  // namespace
+
+std::string standardViewMark(StandardView view, WorldAxes axes) {
+  return axisEnd(axes, sideOf(view, axes));
+}
+
+std::string standardViewName(StandardView view, WorldAxes axes) {
+  constexpr std::array<const char*, standardViewCount> names{"Anterior", "Posterior", "Left",
+                                                             "Right",    "Superior",  "Inferior"};
+  return axes == WorldAxes::anatomical ? names[static_cast<std::size_t>(view)] : standardViewMark(view, axes);
+}
+
+Camera standardView(const Camera& camera, StandardView view, WorldAxes axes, glm::dvec3 boundsMinMm,
+                    glm::dvec3 boundsMaxMm) {
   Camera from = camera;
   from.target = glm::dvec3(0.0);
-  from.eye = toward;
-  from.up = up;
+  from.eye = sideOf(view, axes);
+  from.up = upOf(axes);
+  if (view == StandardView::superior)
+    from.up = axes == WorldAxes::anatomical ? frontOf(axes) : -frontOf(axes);
+  if (view == StandardView::inferior) from.up = frontOf(axes);
   return fitted(from, boundsMinMm, boundsMaxMm);
 }
 
@@ -171,13 +189,13 @@ Camera fitted(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMax
                    fittingDistance(frame, target, halfAngleTangent(camera.fov), low, high));
 }
 
-EdgeLetters edgeLetters(const CameraFrame& frame) {
-  const auto letters = [](glm::dvec3 direction) {
+EdgeLetters edgeLetters(const CameraFrame& frame, WorldAxes axesOfWorld) {
+  const auto letters = [axesOfWorld](glm::dvec3 direction) {
     std::array<int, 3> axes{0, 1, 2};
     std::stable_sort(axes.begin(), axes.end(),
                      [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
-    const auto letter = [&](int axis) { return direction[axis] > 0.0 ? "LPS"[axis] : "RAI"[axis]; };
-    std::string text(1, letter(axes[0]));
+    const auto letter = [&](int axis) { return axisEnd(axesOfWorld, axis, direction[axis] > 0.0); };
+    std::string text = letter(axes[0]);
     constexpr double tangentOf22Degrees = 0.41421356237309503;  // halfway between one side and a corner
     if (std::abs(direction[axes[1]]) > tangentOf22Degrees * std::abs(direction[axes[0]]))
       text += letter(axes[1]);

@@ -1,14 +1,13 @@
 // Camera arithmetic: pure functions from a resolved Camera to another, and to rays. All lengths in mm.
 #pragma once
 
-#include <array>
 #include <string>
-#include <string_view>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
+#include "scene/world_axes.h"
 
 namespace isolux::scene {
 
@@ -36,23 +35,26 @@ Camera rolled(const Camera& camera, double angle);               // > 0: the pic
 Camera panned(const Camera& camera, glm::dvec2 fractionOfHeight);  // the picture moves by this; x right, y up
 Camera zoomed(const Camera& camera, double factor);                // > 1: nearer (smaller distance)
 
-// Anatomical standard views, named by the side the viewer stands on.
+// Standard views, named by the side the viewer stands on; where the axes are not anatomical, anterior is the
+// front, superior is up, left the viewer's right in the front view.
 enum class StandardView { anterior, posterior, left, right, superior, inferior };
-constexpr std::array<std::string_view, 6> standardViewNames{"Anterior", "Posterior", "Left",
-                                                            "Right",    "Superior",  "Inferior"};
+constexpr int standardViewCount = 6;
+std::string standardViewName(StandardView view, WorldAxes axes);  // "Anterior"; "−Y"
+std::string standardViewMark(StandardView view, WorldAxes axes);  // for a button: "A"; "−Y"
 // Superior is up, except that anterior is up in the superior and inferior views. So the patient's left is at
 // the viewer's right in the anterior and the inferior view (the habit of axial slices), and at the viewer's
-// left in the posterior and the superior view (looking down on the head). Fits the box, keeps fov and
-// projection.
-Camera standardView(const Camera& camera, StandardView view, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm);
+// left in the posterior and the superior view (looking down on the head). Other axes: the views from above
+// and below are the front view tilted, +X at the right in both. Fits the box, keeps fov and projection.
+Camera standardView(const Camera& camera, StandardView view, WorldAxes axes, glm::dvec3 boundsMinMm,
+                    glm::dvec3 boundsMaxMm);
 // Same direction and up, moved so that the box fits any picture at least as wide as high.
 Camera fitted(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm);
 
-// The anatomical letters (L R A P S I, up to two, the nearer side first: "LA") at the picture's left, right,
+// The letters (L R A P S I, up to two, the nearer side first: "LA"; or "+X−Y") at the picture's left, right,
 // top and bottom edge.
 struct EdgeLetters {
   std::string left, right, top, bottom;
 };
-EdgeLetters edgeLetters(const CameraFrame& frame);
+EdgeLetters edgeLetters(const CameraFrame& frame, WorldAxes axes);
 
 }  // namespace isolux::scene

@@ -579,9 +579,10 @@ std::vector<Setting> makeSettings() {
             "Where the viewer is; auto looks from the front, slightly above, at the whole volume."));
   add(entry("camera.target", ISOLUX_MEMBER(camera.target), positionRange, "mm",
             "The point looked at and turned about; auto is the centre of the volume."));
-  add(directionEntry("camera.up", ISOLUX_MEMBER(camera.up), "",
-                     "The direction that points up in the picture; auto is superior, or anterior when "
-                     "looking along the body axis."));
+  add(directionEntry(
+      "camera.up", ISOLUX_MEMBER(camera.up), "",
+      "The direction that points up in the picture; auto is superior (y for meshes), or anterior "
+      "(the front) when looking along it."));
   add(entry("camera.fov", ISOLUX_MEMBER(camera.fov), {1, 160}, "degrees",
             "Vertical field of view; an orthographic picture is as high as this at the target's distance."));
   add(choiceEntry("camera.projection", ISOLUX_MEMBER(camera.projection), {"perspective", "orthographic"},

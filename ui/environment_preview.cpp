@@ -161,17 +161,22 @@ void EnvironmentPreview::paintMarks(QPainter& painter) const {
   small.setWeight(QFont::DemiBold);
   const QFontMetricsF metrics(small);
   struct Mark {
-    const char* letter;
+    glm::dvec3 direction;
     double place;  // of the width
   };
-  for (const Mark& mark : {Mark{"R", 0.25}, Mark{"P", 0.5}, Mark{"L", 0.75}}) {
+  for (const Mark& mark : {Mark{{-1, 0, 0}, 0.25}, Mark{{0, 1, 0}, 0.5}, Mark{{1, 0, 0}, 0.75}}) {
+    const QString text = QString::fromStdString(axisEnd(axes_, mark.direction));
     QPainterPath letter;
-    letter.addText(mark.place * width() - 0.5 * metrics.horizontalAdvance(mark.letter), height() - 4.0, small,
-                   mark.letter);
+    letter.addText(mark.place * width() - 0.5 * metrics.horizontalAdvance(text), height() - 4.0, small, text);
     painter.setPen(QPen(QColor(0, 0, 0, 190), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(letter);
     painter.fillPath(letter, Qt::white);
   }
+}
+
+void EnvironmentPreview::setAxes(scene::WorldAxes axes) {
+  axes_ = axes;
+  update();
 }
 
 void EnvironmentPreview::resizeEvent(QResizeEvent*) {
@@ -190,6 +195,10 @@ void EnvironmentPreview::mousePressEvent(QMouseEvent* event) {
 
 void EnvironmentPreview::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_) return;
+  if (!(event->buttons() & Qt::LeftButton)) {  // it was let go elsewhere
+    endDrag();
+    return;
+  }
   const double step = event->position().x() - last_.x();
   if (step == 0.0) return;
   last_ = event->position();
@@ -199,7 +208,10 @@ void EnvironmentPreview::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void EnvironmentPreview::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !dragging_) return;
+  if (event->button() == Qt::LeftButton && dragging_) endDrag();
+}
+
+void EnvironmentPreview::endDrag() {
   dragging_ = false;
   Q_EMIT dragEnded();
 }

@@ -1,8 +1,8 @@
 // The light probe as it stands around the volume now: an equirectangular picture in the world's axes, turned
 // by dragging.
 //
-// The middle is posterior, its right side the patient's left, the top superior. The cross is where the viewer
-// looks. Loads the probe beside the window's thread.
+// The middle is posterior (+Y), its right side the patient's left (+X), the top superior (+Z). The cross is
+// where the viewer looks. Loads the probe beside the window's thread.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "scene/world_axes.h"
 #include "ui/edit.h"
 #include "ui/probe_job.h"
 
@@ -24,6 +25,7 @@ class EnvironmentPreview : public QWidget {
   ~EnvironmentPreview() override;
 
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void setAxes(scene::WorldAxes axes);              // of the marks along the bottom
   bool hasProbe() const { return !file_.empty(); }  // there is something to show
   bool loaded() const { return !thumbnail_.pixels.empty(); }
   QSize sizeHint() const override { return {300, 150}; }
@@ -50,8 +52,10 @@ class EnvironmentPreview : public QWidget {
   void draw();
   QPointF placeOf(glm::dvec3 worldDirection) const;
   void paintMarks(QPainter& painter) const;
+  void endDrag();
 
   scene::Scene scene_, resolved_;
+  scene::WorldAxes axes_ = scene::WorldAxes::anatomical;
   std::string file_;  // that is shown, or on its way; empty: none
   ProbeThumbnail thumbnail_;
   QString problem_;

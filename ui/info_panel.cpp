@@ -1,8 +1,8 @@
 #include "ui/info_panel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <QComboBox>
@@ -15,30 +15,27 @@
 #include "ui/number_text.h"
 #include "ui/source_panel.h"
 #include "ui/style.h"
+#include "ui/wrapped_text.h"
 
 namespace isolux::ui {
 
 namespace {
+constexpr int shownDigits = 4, allDigits = 15;
+
 QString triple(glm::dvec3 v, int significant, const char* between = " × ") {
   return numberText(v.x, significant) + between + numberText(v.y, significant) + between +
          numberText(v.z, significant);
 }
 
-// "x → L, y → P, z → S", with an angle where an axis is oblique.
-QString axesText(const glm::dmat3& directions) {
-  constexpr std::array<std::array<const char*, 2>, 3> letters{{{"L", "R"}, {"P", "A"}, {"S", "I"}}};
+// "x → L, y → P, z → S", with an angle where an axis is oblique; "x → +X" and so on where no side is known.
+QString axesText(const glm::dmat3& directions, scene::WorldAxes axes) {
   const char* names[] = {"x", "y", "z"};
   QStringList parts;
   for (int axis = 0; axis < 3; ++axis) {
     const glm::dvec3 direction = directions[axis];
-    int main = 0;
-    for (int i = 1; i < 3; ++i) {
-      if (std::abs(direction[i]) > std::abs(direction[main])) main = i;
-    }
-    const double degrees =
-        std::acos(std::min(1.0, std::abs(direction[main]))) * 180.0 / 3.14159265358979323846;
-    QString part = QString("%1 → %2").arg(
-        names[axis], letters[static_cast<std::size_t>(main)][direction[main] < 0.0 ? 1 : 0]);
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    const double degrees = std::acos(std::min(1.0, largest)) * 180.0 / std::numbers::pi;
+    QString part = QString("%1 → %2").arg(names[axis], QString::fromStdString(axisEnd(axes, direction)));
     if (degrees > 0.05) part += QString(" (%1° off)").arg(numberText(degrees, 3));
     parts += part;
   }
@@ -89,10 +86,7 @@ InfoPanel::InfoPanel(QWidget* parent)
   bold.setWeight(QFont::DemiBold);
   warningTitle_->setFont(bold);
   warningTitle_->setStyleSheet(QString("color: %1").arg(colours::warning.name()));
-  warnings_ = new QLabel(this);
-  warnings_->setTextFormat(Qt::PlainText);
-  warnings_->setWordWrap(true);
-  warnings_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  warnings_ = new WrappedText(this);
 
   auto* content = new QWidget(this);
   auto* layout = new QVBoxLayout(content);
@@ -127,11 +121,8 @@ InfoPanel::InfoPanel(QWidget* parent)
   });
 }
 
-QLabel* InfoPanel::addRow(const QString& name) {
-  auto* value = new QLabel(this);
-  value->setTextFormat(Qt::PlainText);
-  value->setWordWrap(true);
-  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+WrappedText* InfoPanel::addRow(const QString& name) {
+  auto* value = new WrappedText(this);
   auto* label = new QLabel(name, this);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
@@ -166,13 +157,14 @@ QString InfoPanel::warnings() const {
 }
 
 void InfoPanel::showFacts() {
-  for (QLabel* label :
+  for (WrappedText* label :
        {name_, format_, dims_, type_, spacing_, extent_, axes_, range_, missing_, memory_, time_}) {
     label->setText("–");
+    label->setToolTip({});
   }
   warningTitle_->hide();
   warnings_->hide();
-  warnings_->clear();
+  warnings_->setText({});
   facts_->setRowVisible(missing_, false);
   if (!volume_) return;
 
@@ -189,17 +181,26 @@ void InfoPanel::showFacts() {
   QString type = text(volume::nameOf(volume.fileType));
   if (volume.fileType != grid.storedType()) type += ", kept as " + text(volume::nameOf(grid.storedType()));
   if (grid.slope() != 1.0 || grid.intercept() != 0.0) {
-    type += QString("\nvalue = %1 · stored").arg(numberText(grid.slope(), 6));
+    type += QString("\nvalue = %1 · stored").arg(numberText(grid.slope(), shownDigits));
     if (grid.intercept() != 0.0) {
       type += QString(" %1 %2").arg(grid.intercept() < 0.0 ? "−" : "+",
-                                    numberText(std::abs(grid.intercept()), 6));
+                                    numberText(std::abs(grid.intercept()), shownDigits));
     }
   }
   type_->setText(type);
-  spacing_->setText(triple(spacing, 5) + " mm");
-  extent_->setText(triple(spacing * glm::dvec3(grid.dims() - 1), 4) + " mm");
-  axes_->setText(axesText(geometry.directions()) + (geometry.leftHanded() ? "; left-handed" : ""));
-  range_->setText(numberText(grid.minimum()) + " … " + valueText(grid.maximum(), text(volume.unit)));
+  const glm::dvec3 extent = spacing * glm::dvec3(grid.dims() - 1);
+  spacing_->setText(triple(spacing, shownDigits) + " mm");
+  spacing_->setToolTip(triple(spacing, allDigits) + " mm");
+  extent_->setText(triple(extent, shownDigits) + " mm");
+  extent_->setToolTip(triple(extent, allDigits) + " mm");
+  axes_->setText(axesText(geometry.directions(), volume.axes) +
+                 (geometry.leftHanded() ? "; left-handed" : "") +
+                 (volume.axes == scene::WorldAxes::anatomical ? "" : "\norientation not stated"));
+  const auto range = [&](int digits) {
+    return numberText(grid.minimum(), digits) + " … " + valueText(grid.maximum(), text(volume.unit), digits);
+  };
+  range_->setText(range(shownDigits));
+  range_->setToolTip(range(allDigits));
   facts_->setRowVisible(missing_, grid.missingCount() > 0);
   missing_->setText(QString("%1 voxels").arg(grid.missingCount()));
   memory_->setText(bytesText(static_cast<double>(grid.bytes())));

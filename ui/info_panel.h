@@ -14,6 +14,7 @@ class QSpinBox;
 namespace isolux::ui {
 
 class SourcePanel;
+class WrappedText;
 
 class InfoPanel : public QScrollArea {
   Q_OBJECT
@@ -34,15 +35,16 @@ class InfoPanel : public QScrollArea {
   void failed(const QString& message);
 
  private:
-  QLabel* addRow(const QString& name);
+  WrappedText* addRow(const QString& name);
   void showFacts();
   void showChoices();
 
   scene::Scene scene_;
   VolumePointer volume_;
   QFormLayout *facts_, *choices_;
-  QLabel *name_, *format_, *dims_, *type_, *spacing_, *extent_, *axes_, *range_, *missing_, *memory_, *time_;
-  QLabel *warningTitle_, *warnings_;
+  WrappedText *name_, *format_, *dims_, *type_, *spacing_, *extent_, *axes_, *range_, *missing_, *memory_;
+  WrappedText *time_, *warnings_;
+  QLabel* warningTitle_;
   QWidget* choiceBox_;
   QComboBox *series_, *component_;
   QSpinBox* timeStep_;

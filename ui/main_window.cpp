@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStatusBar>
@@ -19,6 +20,7 @@
 #include "scene/settings.h"
 #include "ui/baked_light.h"
 #include "ui/environment_edit.h"
+#include "ui/environment_preview.h"
 #include "ui/info_panel.h"
 #include "ui/isovalue_panel.h"
 #include "ui/light_status.h"
@@ -38,6 +40,11 @@ constexpr auto openHint = "Open a volume with Ctrl+O, or drop a file or folder h
 constexpr int panelWidth = 350;  // pixels, at first
 }  // namespace
 
+QSize firstWindowSize(QSize available) {
+  constexpr QSize wanted(1280, 800), frame(16, 44);  // title bar and borders of usual window managers
+  return wanted.boundedTo(available - frame);
+}
+
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       document_(new Document(this)),
@@ -47,7 +54,7 @@ MainWindow::MainWindow(QWidget* parent)
       settings_(new SettingsPanel(this)),
       info_(new InfoPanel(this)),
       passes_(new PassesPanel(this)),
-      message_(new MessageBar(this)),
+      message_(new MessageBar(viewport_)),
       loadCard_(new LoadCard(viewport_)),
       lightStatus_(new LightStatus(this)),
       pointedLabel_(new QLabel(this)),
@@ -55,7 +62,7 @@ MainWindow::MainWindow(QWidget* parent)
       frameLabel_(new QLabel(this)) {
   setAcceptDrops(true);
   setWindowTitle("Isolux[*]");
-  resize(1280, 800);
+  resize(firstWindowSize(screen()->availableSize()));
   makePanels();
   makeFileMenu();
   makeEditMenu();
@@ -79,7 +86,6 @@ void MainWindow::makePanels() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(message_);
   layout->addWidget(viewport_, 1);
   layout->addWidget(isovalue_);
   setCentralWidget(centre);
@@ -126,6 +132,8 @@ void MainWindow::connectDocument() {
     light_->setVolume(volume);
     viewport_->setVolume(volume);
     info_->setVolume(volume);
+    settings_->environmentPreview()->setAxes(volume->volume.axes);
+    nameViews();
     awaitsFirstPicture_ = true;
     if (!volume->volume.warnings.empty()) {
       const auto count = volume->volume.warnings.size();
@@ -158,6 +166,7 @@ void MainWindow::connectDocument() {
   connect(settings_, &SettingsPanel::failed, this, showError);
   connect(info_, &InfoPanel::failed, this, showError);
 
+  connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
   connect(viewport_, &Viewport::noted, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
   connect(viewport_, &Viewport::edited, this, &MainWindow::applyEdit);
@@ -281,14 +290,18 @@ void MainWindow::showPointed(const std::optional<render::Pick>& pick) {
     pointedLabel_->clear();
     return;
   }
-  // LPS coordinates the way a radiologist says them: "L 12.3".
-  const auto side = [](double value, const char* positive, const char* negative) {
-    return QString("%1 %2").arg(value < 0.0 ? negative : positive).arg(std::abs(value), 0, 'f', 1);
+  const volume::Volume& volume = document_->volume()->volume;
+  // The way a radiologist says them: "L 12.3"; "X −12.3" where no side is known.
+  const auto place = [&](int axis) {
+    const double mm = pick->worldMm[axis];
+    const bool sides = volume.axes == scene::WorldAxes::anatomical;
+    const QString letter =
+        sides ? QString::fromStdString(axisEnd(volume.axes, axis, mm >= 0.0)) : QString(QChar("XYZ"[axis]));
+    return QString("%1 %2%3").arg(letter, !sides && mm < 0.0 ? "−" : "").arg(std::abs(mm), 0, 'f', 1);
   };
-  const QString unit = QString::fromStdString(document_->volume()->volume.unit);
+  const QString unit = QString::fromStdString(volume.unit);
   pointedLabel_->setText(QString("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
-                             .arg(side(pick->worldMm.x, "L", "R"), side(pick->worldMm.y, "P", "A"),
-                                  side(pick->worldMm.z, "S", "I"))
+                             .arg(place(0), place(1), place(2))
                              .arg(pick->voxel.x, 0, 'f', 1)
                              .arg(pick->voxel.y, 0, 'f', 1)
                              .arg(pick->voxel.z, 0, 'f', 1)

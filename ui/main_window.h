@@ -15,6 +15,7 @@ class QComboBox;
 class QLabel;
 class QMenu;
 class QSessionManager;
+class QShortcut;
 
 namespace isolux::ui {
 
@@ -28,6 +29,10 @@ class MessageBar;
 class PassesPanel;
 class SettingsPanel;
 class Viewport;
+
+// Of a window that was never opened before: 1280x800, or what the screen has room for. Pixels of the screen's
+// scale.
+QSize firstWindowSize(QSize available);
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -67,6 +72,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   QAction* newAction(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
@@ -75,6 +81,7 @@ class MainWindow : public QMainWindow {
   void makeEditMenu();
   void makeViewMenu();
   void makeHelpMenu();
+  void nameViews();
   void makeToolBar();
   void makePanels();
   void connectDocument();
@@ -125,6 +132,8 @@ class MainWindow : public QMainWindow {
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_;
   QComboBox* look_;
+  QShortcut* leaveFullScreen_ = nullptr;  // Esc
+  QByteArray layoutBefore_;               // full screen: which panels were open
   std::vector<QAction*> views_;
   QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
   bool awaitsFirstPicture_ = false;

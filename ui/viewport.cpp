@@ -283,6 +283,10 @@ void Viewport::rest() {
   refineTimer_.start(restMilliseconds);
 }
 
+scene::WorldAxes Viewport::axes() const {
+  return volume_ ? volume_->volume.axes : scene::WorldAxes::zUp;
+}
+
 void Viewport::setHint(const QString& text) {
   overlay_->setHint(text);
 }
@@ -308,6 +312,10 @@ void Viewport::pollFields() {
   if (!fieldJob_->isFor(resolved_)) redraw();  // the next one's turn
 }
 
+void Viewport::setTopInset(int pixels) {
+  overlay_->setTopInset(pixels);
+}
+
 void Viewport::setVolume(VolumePointer volume) {
   fieldJob_.reset();
   volume_ = std::move(volume);
@@ -326,7 +334,7 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
   if (switchedOn) seenPixels_ = 0.0;
   scene_ = scene;
   resolved_ = resolved;
-  overlay_->setScene(resolved, volume_ != nullptr);
+  overlay_->setScene(resolved, volume_ != nullptr, axes());
   showLamps();
   quality_.setPicture(resolved.picture);
   redraw(motion);

@@ -44,6 +44,7 @@ class Viewport : public QOpenGLWidget {
   void setVolume(VolumePointer volume);
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   void setHint(const QString& text);  // shown while there is no volume
+  void setTopInset(int pixels);       // of the top that is covered: letters and cube stand below
   void setFlowTime(double seconds);   // an animated flow has moved on
   // Stored light to draw with from now on; null: none. `changing`: more is on its way, which pictures of one
   // ray per pixel follow.
@@ -110,10 +111,12 @@ class Viewport : public QOpenGLWidget {
   void dragLamp(QPointF position, bool inDepth);
   void sendLamp(const LampGrip& grip, const scene::Lamp& moved, bool endsAfterPause);
   void dragTo(QPointF position);
+  void endDrag(QPointF position);
   void reportPointed();
   void sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey, bool endsAfterPause);
   std::optional<render::Pick> pickAt(QPointF position);
   glm::ivec2 pixelSize() const;
+  scene::WorldAxes axes() const;
 
   std::shared_ptr<const render::Gl> gl_;  // null: no usable context
   std::unique_ptr<render::Renderer> renderer_;

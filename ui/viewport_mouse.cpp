@@ -28,10 +28,9 @@ void Viewport::sendCamera(const scene::Camera& camera, const char* name, const c
 
 void Viewport::applyStandardView(scene::StandardView view) {
   if (!volume_) return;
-  const auto name = scene::standardViewNames[static_cast<std::size_t>(view)];
-  sendCamera(
-      scene::standardView(resolved_.camera, view, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
-      (std::string(name) + " view").c_str(), "", false);
+  const scene::VolumeFacts& facts = volume_->facts;
+  sendCamera(scene::standardView(resolved_.camera, view, facts.axes, facts.boundsMinMm, facts.boundsMaxMm),
+             (scene::standardViewName(view, facts.axes) + " view").c_str(), "", false);
 }
 
 void Viewport::fitView() {
@@ -93,6 +92,8 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  if (drag_ != Drag::none && !(event->buttons() & dragButton_))
+    endDrag(event->position());  // it was let go elsewhere
   if (drag_ == Drag::lamp) {
     dragLamp(event->position(), event->modifiers() & Qt::ControlModifier);
     return;
@@ -147,10 +148,13 @@ void Viewport::dragTo(QPointF position) {
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  if (drag_ == Drag::none || event->button() != dragButton_) return;
+  if (drag_ != Drag::none && event->button() == dragButton_) endDrag(event->position());
+}
+
+void Viewport::endDrag(QPointF position) {
   const bool held = drag_ == Drag::lamp;
   drag_ = Drag::none;
-  if (held) hover(lampUnder(event->position()));
+  if (held) hover(lampUnder(position));
   if (dragMoved_) Q_EMIT gestureEnded();
   rest();
 }

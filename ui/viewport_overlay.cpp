@@ -43,8 +43,8 @@ ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void ViewportOverlay::setScene(const scene::Scene& resolved, bool visible) {
-  const bool same = visible == visible_ && resolved.camera == camera_ &&
+void ViewportOverlay::setScene(const scene::Scene& resolved, bool visible, scene::WorldAxes axes) {
+  const bool same = visible == visible_ && axes == axes_ && resolved.camera == camera_ &&
                     resolved.look.backgroundTop == backgroundTop_ &&
                     resolved.look.backgroundBottom == backgroundBottom_;
   if (same) return;
@@ -52,6 +52,7 @@ void ViewportOverlay::setScene(const scene::Scene& resolved, bool visible) {
   backgroundTop_ = resolved.look.backgroundTop;
   backgroundBottom_ = resolved.look.backgroundBottom;
   visible_ = visible;
+  axes_ = axes;
   if (visible) frame_ = scene::frameOf(camera_);
   update();
 }
@@ -61,6 +62,12 @@ void ViewportOverlay::setProblem(const QString& reason, const QString& advice) {
   problem_ = reason;
   advice_ = advice;
   setAccessibleDescription(reason.isEmpty() ? QString() : reason + "\n\n" + advice);
+  update();
+}
+
+void ViewportOverlay::setTopInset(int pixels) {
+  if (pixels == topInset_) return;
+  topInset_ = pixels;
   update();
 }
 
@@ -102,12 +109,12 @@ void ViewportOverlay::setNote(const QString& text) {
 
 void ViewportOverlay::paintNote(QPainter& painter) const {
   const QFontMetricsF metrics(font());
-  const double belowLetter = 48.0;
+  const double belowLetter = topInset_ + 48.0;
   drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(note_)), belowLetter), note_);
 }
 
 void ViewportOverlay::paintLetters(QPainter& painter) const {
-  const scene::EdgeLetters letters = scene::edgeLetters(frame_);
+  const scene::EdgeLetters letters = scene::edgeLetters(frame_, axes_);
   QFont font = this->font();
   font.setPointSizeF(font.pointSizeF() + 5.0);
   font.setWeight(QFont::DemiBold);
@@ -118,7 +125,7 @@ void ViewportOverlay::paintLetters(QPainter& painter) const {
   drawText(painter, font, {width() - margin - metrics.horizontalAdvance(text(letters.right)), y},
            text(letters.right));
   drawText(painter, font,
-           {x - 0.5 * metrics.horizontalAdvance(text(letters.top)), margin + metrics.capHeight()},
+           {x - 0.5 * metrics.horizontalAdvance(text(letters.top)), topInset_ + margin + metrics.capHeight()},
            text(letters.top));
   drawText(painter, font, {x - 0.5 * metrics.horizontalAdvance(text(letters.bottom)), height() - margin},
            text(letters.bottom));
@@ -126,17 +133,14 @@ void ViewportOverlay::paintLetters(QPainter& painter) const {
 
 void ViewportOverlay::paintCube(QPainter& painter) const {
   struct Face {
-    glm::dvec3 normal, right, up;  // LPS; the letter stands upright along `up`
-    const char* letter;
+    glm::dvec3 normal, right, up;  // the letter stands upright along `up`
   };
-  static const std::array<Face, 6> faces{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, "L"},
-                                          {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, "R"},
-                                          {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, "P"},
-                                          {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, "A"},
-                                          {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, "S"},
-                                          {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}, "I"}}};
+  // As in the standard views: the sides round `up` stand on it, its own ends lean to the front.
+  const glm::dvec3 x(1.0, 0.0, 0.0), up = upOf(axes_), front = frontOf(axes_);
+  const std::array<Face, 6> faces{
+      {{x, -front, up}, {-x, front, up}, {-front, -x, up}, {front, x, up}, {up, x, -front}, {-up, x, front}}};
   constexpr double half = 17.0;
-  const QPointF centre(width() - 48.0, 48.0);  // the legend stands in the lower corner
+  const QPointF centre(width() - 48.0, topInset_ + 48.0);  // the legend stands in the lower corner
   const auto onScreen = [this](glm::dvec3 v) {
     return QPointF(half * glm::dot(v, frame_.right), -half * glm::dot(v, frame_.up));
   };
@@ -159,7 +163,7 @@ void ViewportOverlay::paintCube(QPainter& painter) const {
     if (facing < 0.25) continue;
     // The letter lies on its face: path units of one pixel become face units of 1/half.
     QPainterPath path;
-    const QString letter = face.letter;
+    const QString letter = QString::fromStdString(axisEnd(axes_, face.normal));
     path.addText(-0.5 * metrics.horizontalAdvance(letter), 0.5 * metrics.capHeight(), font, letter);
     const QTransform onFace(r.x() / half, r.y() / half, -u.x() / half, -u.y() / half, centre.x() + n.x(),
                             centre.y() + n.y());

@@ -1,4 +1,4 @@
-// What stands over the picture: anatomical letters, orientation cube, scale bar, or why there is no picture.
+// What stands over the picture: letters of the axes, orientation cube, scale bar, or why there is no picture.
 // Painted by the raster engine, so that letters and lines are crisp at any device pixel ratio.
 #pragma once
 
@@ -15,10 +15,11 @@ class ViewportOverlay : public QWidget {
   explicit ViewportOverlay(QWidget* parent);
 
   // Letters and lines are light on a dark background and dark on a light one.
-  void setScene(const scene::Scene& resolved, bool visible);
+  void setScene(const scene::Scene& resolved, bool visible, scene::WorldAxes axes);
   // Why there is no picture, and what can be done; empty: there is one. Both are the widget's accessible
   // description.
   void setProblem(const QString& reason, const QString& advice = {});
+  void setTopInset(int pixels);       // letters, cube and note stand below
   void setNote(const QString& text);  // over a picture that is not all there; empty: none
   // Lamps that can be dragged, and which of them the pointer holds or is over.
   void setLamps(std::vector<LampHandle> lamps, const std::optional<LampGrip>& grip);
@@ -44,7 +45,9 @@ class ViewportOverlay : public QWidget {
   glm::dvec3 backgroundTop_{0.0}, backgroundBottom_{0.0};
   scene::CameraFrame frame_{};
   bool visible_ = false;
+  scene::WorldAxes axes_ = scene::WorldAxes::zUp;
   QString problem_, advice_, note_, hint_;
+  int topInset_ = 0;
   std::vector<LampHandle> lamps_;
   std::optional<LampGrip> grip_;
 };

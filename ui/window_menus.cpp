@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QShortcut>
 #include <QToolBar>
 
 #include "scene/settings.h"
@@ -81,15 +82,13 @@ void MainWindow::makeEditMenu() {
 
 void MainWindow::makeViewMenu() {
   QMenu* menu = menuBar()->addMenu("&View");
-  for (std::size_t i = 0; i < scene::standardViewNames.size(); ++i) {
-    const QString name = QString::fromStdString(std::string(scene::standardViewNames[i]));
-    QAction* action = newAction(menu, "&" + name, "", QKeySequence(QString::number(i + 1)),
-                                QString("From %1").arg(name.toLower()));
-    action->setIconText(name.left(1));
+  for (int i = 0; i < scene::standardViewCount; ++i) {
+    QAction* action = newAction(menu, "", "", QKeySequence(QString::number(i + 1)), "");
     connect(action, &QAction::triggered, this,
             [this, i] { viewport_->applyStandardView(static_cast<scene::StandardView>(i)); });
     views_.push_back(action);
   }
+  nameViews();
   menu->addSeparator();
   reset_ = newAction(menu, "&Reset view", "reset_view", QKeySequence("R"), "Reset the view");
   connect(reset_, &QAction::triggered, viewport_, &Viewport::resetView);
@@ -116,9 +115,28 @@ void MainWindow::makeViewMenu() {
   menu->addAction(infoDock_->toggleViewAction());
   menu->addAction(passesDock_->toggleViewAction());
   menu->addSeparator();
-  fullScreen_ = newAction(menu, "Full &screen", "", QKeySequence("F11"), "Full screen");
+  fullScreen_ = newAction(menu, "Full &screen", "", QKeySequence("F11"), "Full screen; Esc ends it");
   fullScreen_->setCheckable(true);
   connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);
+  leaveFullScreen_ = new QShortcut(QKeySequence(Qt::Key_Escape), this);
+  leaveFullScreen_->setEnabled(false);
+  connect(leaveFullScreen_, &QShortcut::activated, this, [this] { fullScreen_->setChecked(false); });
+}
+
+// By the volume's axes: "Anterior", or "−Y" where nobody says where the patient lies.
+void MainWindow::nameViews() {
+  const VolumePointer volume = document_->volume();
+  const scene::WorldAxes axes = volume ? volume->volume.axes : scene::WorldAxes::anatomical;
+  for (int i = 0; i < scene::standardViewCount; ++i) {
+    QAction* action = views_[static_cast<std::size_t>(i)];
+    const auto view = static_cast<scene::StandardView>(i);
+    const QString name = QString::fromStdString(scene::standardViewName(view, axes));
+    action->setText(axes == scene::WorldAxes::anatomical ? "&" + name : "From " + name);
+    action->setIconText(QString::fromStdString(scene::standardViewMark(view, axes)));
+    action->setToolTip(QString("From %1 (%2)")
+                           .arg(axes == scene::WorldAxes::anatomical ? name.toLower() : name,
+                                action->shortcut().toString()));
+  }
 }
 
 void MainWindow::makeHelpMenu() {
@@ -160,7 +178,10 @@ void MainWindow::showRecent() {
   recentMenu_->clear();
   const QStringList files = recentFiles();
   for (const QString& file : files) {
-    QAction* action = recentMenu_->addAction(file.startsWith("phantom:") ? file : QFileInfo(file).fileName());
+    constexpr int widest = 420;  // pixels
+    const QString name = file.startsWith("phantom:") ? file : QFileInfo(file).fileName();
+    QString shown = recentMenu_->fontMetrics().elidedText(name, Qt::ElideMiddle, widest);
+    QAction* action = recentMenu_->addAction(shown.replace('&', "&&"));
     action->setToolTip(file);
     connect(action, &QAction::triggered, this, [this, file] {
       if (!file.startsWith("phantom:") && !QFileInfo::exists(file)) removeRecentFile(file);

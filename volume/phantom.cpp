@@ -19,7 +19,7 @@ namespace {
 
 constexpr PhantomInfo kPhantoms[] = {
     {"head", "CT-like head: skin, skull, teeth, brain, eyes, airways; a bead on the patient's left ear", "HU",
-     300.0, 192},
+     300.0, 192, scene::WorldAxes::anatomical},
     {"ball", "signed distance to a ball", "mm", 0.0, 128},
     {"torus", "signed distance to a torus round the z axis", "mm", 0.0, 128},
     {"cylinder", "signed distance to an endless cylinder along z", "mm", 0.0, 128},
@@ -33,14 +33,6 @@ constexpr PhantomInfo kPhantoms[] = {
 };
 constexpr int kMinimumSize = 2, kMaximumSize = 1024;
 constexpr double kPi = std::numbers::pi;
-
-const PhantomInfo& findPhantom(const std::string& name) {
-  for (const PhantomInfo& info : kPhantoms)
-    if (info.name == name) return info;
-  std::string known;
-  for (const PhantomInfo& info : kPhantoms) known += (known.empty() ? "" : ", ") + std::string(info.name);
-  throw scene::Error(scene::ErrorKind::usage, "", "phantom", "\"" + name + "\" is none of " + known);
-}
 
 // Where the closed forms are put: the middle of the voxel domain and the length of its shortest edge, mm.
 struct Placement {
@@ -170,8 +162,16 @@ std::span<const PhantomInfo> phantoms() {
   return kPhantoms;
 }
 
+const PhantomInfo& phantomNamed(const std::string& name) {
+  for (const PhantomInfo& info : kPhantoms)
+    if (info.name == name) return info;
+  std::string known;
+  for (const PhantomInfo& info : kPhantoms) known += (known.empty() ? "" : ", ") + std::string(info.name);
+  throw scene::Error(scene::ErrorKind::usage, "", "phantom", "\"" + name + "\" is none of " + known);
+}
+
 Grid makePhantom(const PhantomRequest& request, scene::Progress& progress) {
-  const PhantomInfo& info = findPhantom(request.name);
+  const PhantomInfo& info = phantomNamed(request.name);
   const int size = request.size == 0 ? info.defaultSize : request.size;
   if (!request.geometry && (size < kMinimumSize || size > kMaximumSize))
     throw scene::Error(scene::ErrorKind::usage, "", "phantom size",
@@ -199,7 +199,7 @@ PhantomRequest parsePhantom(std::string_view text) {
   PhantomRequest request;
   const std::size_t colon = text.find(':');
   request.name = std::string(text.substr(0, colon));
-  findPhantom(request.name);
+  phantomNamed(request.name);
   if (colon != std::string_view::npos) {
     const std::string_view digits = text.substr(colon + 1);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), request.size);

@@ -24,6 +24,7 @@
 #include <string_view>
 
 #include "scene/progress.h"
+#include "scene/world_axes.h"
 #include "volume/grid.h"
 
 namespace isolux::volume {
@@ -34,8 +35,10 @@ struct PhantomInfo {
   std::string_view unit;     // "HU", "mm", ""
   double isovalue;           // a sensible one, data units
   int defaultSize;           // voxels per axis
+  scene::WorldAxes axes = scene::WorldAxes::zUp;
 };
 std::span<const PhantomInfo> phantoms();
+const PhantomInfo& phantomNamed(const std::string& name);  // throws Error{usage}
 
 struct PhantomRequest {
   std::string name = "head";

@@ -76,12 +76,11 @@ Volume readPhantom(const std::string& text, const ReadOptions& options, scene::P
   volume.format = "phantom";
   volume.fileType = volume.grid->storedType();
   volume.name = request.name;
-  for (const PhantomInfo& info : phantoms())
-    if (info.name == request.name) {
-      volume.unit = info.unit;
-      if (volume.grid->minimum() < info.isovalue && info.isovalue < volume.grid->maximum())
-        volume.isovalue = info.isovalue;
-    }
+  const PhantomInfo& info = phantomNamed(request.name);
+  volume.axes = info.axes;
+  volume.unit = info.unit;
+  if (volume.grid->minimum() < info.isovalue && info.isovalue < volume.grid->maximum())
+    volume.isovalue = info.isovalue;
   return volume;
 }
 
@@ -124,7 +123,8 @@ Volume readAny(const std::string& path, const ReadOptions& options, scene::Progr
                  "no volume format is recognised; a raw file needs its size and type (--raw)");
     volume = read(file, options, progress);
   }
-  if (volume.name.empty()) volume.name = file.filename().string();
+  // "None" is what some programs write for a description that nobody gave.
+  if (volume.name.empty() || sameIgnoringCase(volume.name, "none")) volume.name = file.filename().string();
   return volume;
 }
 

@@ -16,6 +16,7 @@
 #include "scene/memory_budget.h"
 #include "scene/progress.h"
 #include "scene/scene.h"
+#include "scene/world_axes.h"
 #include "volume/grid.h"
 #include "volume/mesh_distance.h"
 
@@ -51,10 +52,12 @@ ReadOptions readOptions(const scene::Source& source);
 
 struct Volume {
   std::shared_ptr<const Grid> grid;
-  std::string name;                        // short, for the title bar: file name, or series description
-  std::string format;                      // "NIfTI-1", "MetaImage", "DICOM", ...
-  VoxelType fileType = VoxelType::uint8;   // as the file has it
-  std::string unit;                        // "HU" for CT, else ""
+  std::string name;                       // short, for the title bar: file name, or series description
+  std::string format;                     // "NIfTI-1", "MetaImage", "DICOM", ...
+  VoxelType fileType = VoxelType::uint8;  // as the file has it
+  std::string unit;                       // "HU" for CT, else ""
+  scene::WorldAxes axes =
+      scene::WorldAxes::zUp;               // anatomical only where the file states where the patient lies
   int components = 1, timeSteps = 1;       // what the file offers
   std::optional<double> isovalue;          // the one to show first, where the source knows it
   std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"

@@ -104,7 +104,16 @@ std::string dimsText(const Grid& grid) {
   return std::to_string(n.x) + " " + std::to_string(n.y) + " " + std::to_string(n.z);
 }
 
-std::string metaImageHeader(const Grid& grid, VoxelType type, const std::string& dataFile) {
+// As ITK writes it: the ends that the voxel axes come from.
+std::string anatomicalOrientation(const Grid& grid) {
+  const glm::dmat3 d = grid.geometry().directions();
+  std::string letters;
+  for (int axis = 0; axis < 3; ++axis) letters += axisEnd(scene::WorldAxes::anatomical, -d[axis]);
+  return letters;
+}
+
+std::string metaImageHeader(const Grid& grid, VoxelType type, const std::string& dataFile,
+                            scene::WorldAxes axes) {
   static constexpr const char* types[] = {"MET_CHAR",  "MET_UCHAR", "MET_SHORT",     "MET_USHORT",
                                           "MET_INT",   "MET_UINT",  "MET_LONG_LONG", "MET_ULONG_LONG",
                                           "MET_FLOAT", "MET_DOUBLE"};
@@ -113,19 +122,24 @@ std::string metaImageHeader(const Grid& grid, VoxelType type, const std::string&
   return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = "
          "False\n"
          "TransformMatrix = " +
-         joined(d[0]) + " " + joined(d[1]) + " " + joined(d[2]) + "\nOffset = " + joined(g.originMm()) +
-         "\nElementSpacing = " + joined(g.spacingMm()) + "\nDimSize = " + dimsText(grid) +
-         "\nElementType = " + types[static_cast<int>(type)] + "\nElementDataFile = " + dataFile + "\n";
+         joined(d[0]) + " " + joined(d[1]) + " " + joined(d[2]) +
+         (axes == scene::WorldAxes::anatomical ? "\nAnatomicalOrientation = " + anatomicalOrientation(grid)
+                                               : "") +
+         "\nOffset = " + joined(g.originMm()) + "\nElementSpacing = " + joined(g.spacingMm()) +
+         "\nDimSize = " + dimsText(grid) + "\nElementType = " + types[static_cast<int>(type)] +
+         "\nElementDataFile = " + dataFile + "\n";
 }
 
-std::string nrrdHeader(const Grid& grid, VoxelType type) {
+std::string nrrdHeader(const Grid& grid, VoxelType type, scene::WorldAxes axes) {
   static constexpr const char* types[] = {"int8",   "uint8", "int16",  "uint16", "int32",
                                           "uint32", "int64", "uint64", "float",  "double"};
   const GridGeometry& g = grid.geometry();
   const auto column = [&](int axis) { return "(" + joined(glm::dvec3(g.worldFromVoxel[axis]), ",") + ")"; };
   return std::string("NRRD0004\n# written by Isolux\ntype: ") + types[static_cast<int>(type)] +
-         "\ndimension: 3\nspace: left-posterior-superior\nsizes: " + dimsText(grid) +
-         "\nspace directions: " + column(0) + " " + column(1) + " " + column(2) +
+         "\ndimension: 3\n" +
+         (axes == scene::WorldAxes::anatomical ? "space: left-posterior-superior" : "space dimension: 3") +
+         "\nsizes: " + dimsText(grid) + "\nspace directions: " + column(0) + " " + column(1) + " " +
+         column(2) +
          "\nkinds: domain domain domain\nendian: little\nencoding: raw\nspace origin: " + column(3) + "\n\n";
 }
 
@@ -153,7 +167,7 @@ std::string vtiHeader(const Grid& grid, VoxelType type, std::uint64_t bytes) {
 
 }  // namespace
 
-void writeVolume(const Grid& grid, const fs::path& path) {
+void writeVolume(const Grid& grid, const fs::path& path, scene::WorldAxes axes) {
   const std::string extension = lowered(path.extension().string());
   if (extension != ".mhd" && extension != ".mha" && extension != ".nrrd" && extension != ".vti")
     throw scene::Error(scene::ErrorKind::usage, path.string(), "file name",
@@ -167,12 +181,12 @@ void writeVolume(const Grid& grid, const fs::path& path) {
     scene::OutputFile raw(data);
     raw.write(values.bytes.data(), values.bytes.size());
     raw.finish();
-    file.write(metaImageHeader(grid, values.type, data.filename().string()));
+    file.write(metaImageHeader(grid, values.type, data.filename().string(), axes));
     file.finish();
     raw.commit();  // the voxels first: a header never stands without them
   } else {
-    if (extension == ".mha") file.write(metaImageHeader(grid, values.type, "LOCAL"));
-    if (extension == ".nrrd") file.write(nrrdHeader(grid, values.type));
+    if (extension == ".mha") file.write(metaImageHeader(grid, values.type, "LOCAL", axes));
+    if (extension == ".nrrd") file.write(nrrdHeader(grid, values.type, axes));
     if (extension == ".vti") file.write(vtiHeader(grid, values.type, values.bytes.size()));
     file.write(values.bytes.data(), values.bytes.size());
     if (extension == ".vti") file.write("\n  </AppendedData>\n</VTKFile>\n");

@@ -46,7 +46,8 @@ ordered_json infoJson(const PreparedVolume& prepared) {
   json["stored_type"] = volume::nameOf(grid.storedType());
   json["spacing_mm"] = vectorJson(geometry.spacingMm());
   json["origin_mm"] = vectorJson(geometry.originMm());
-  json["directions"] = directions;  // one unit vector per voxel axis, LPS
+  json["directions"] = directions;                                      // one unit vector per voxel axis
+  json["orientation_stated"] = v.axes == scene::WorldAxes::anatomical;  // then the world is LPS
   json["unit"] = v.unit;
   json["slope"] = grid.slope();
   json["intercept"] = grid.intercept();
@@ -93,6 +94,16 @@ std::string typeText(const volume::Volume& v) {
   return text;
 }
 
+// "x to L, y to P, z to S", by the nearest axes.
+std::string orientationText(const volume::Volume& v) {
+  if (v.axes != scene::WorldAxes::anatomical) return "not stated";
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+    text += (axis ? ", " : "") + std::string(1, "xyz"[axis]) + " to " +
+            axisEnd(v.axes, v.grid->geometry().directions()[axis]);
+  return text;
+}
+
 // How often the values occur, on a log scale: one line of 60 columns.
 std::string histogramBar(const volume::Histogram& histogram) {
   constexpr std::size_t columns = 60;
@@ -127,12 +138,14 @@ void printText(const PreparedVolume& prepared, std::ostream& out) {
   row("dims", std::to_string(dims.x) + " x " + std::to_string(dims.y) + " x " + std::to_string(dims.z));
   row("type", typeText(v));
   row("spacing", vectorText(geometry.spacingMm(), " x ") + " mm");
-  row("origin", vectorText(geometry.originMm()) + " mm (LPS)");
+  const bool anatomical = v.axes == scene::WorldAxes::anatomical;
+  row("origin", vectorText(geometry.originMm()) + (anatomical ? " mm (LPS)" : " mm"));
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name = std::string("direction ") + "xyz"[axis];
     row(name.c_str(), vectorText(geometry.directions()[axis]));
   }
   if (geometry.leftHanded()) row("", "left-handed");
+  row("orientation", orientationText(v));
   row("range", shortText(grid.minimum()) + " to " + shortText(grid.maximum()) + unit);
   if (grid.slope() != 1.0 || grid.intercept() != 0.0)
     row("rescale", "value = " + shortText(grid.slope()) + " * stored + " + shortText(grid.intercept()));

@@ -69,7 +69,7 @@ void runPhantom(const PhantomOptions& options, scene::Progress& progress) {
   const ProgressBar bar(progress);
   const volume::Grid grid = volume::makePhantom(options.request, progress);
   progress.throwIfStopped();
-  volume::writeVolume(grid, options.out);
+  volume::writeVolume(grid, options.out, volume::phantomNamed(options.request.name).axes);
 }
 
 }  // namespace

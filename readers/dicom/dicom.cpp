@@ -308,6 +308,7 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, scen
   header.components = first.samples;
   header.timeSteps = static_cast<std::int64_t>(stack.timeSteps);
   header.worldFromVoxel = stack.worldFromVoxel;
+  if (first.frames.front().hasPosition) header.axes = scene::WorldAxes::anatomical;
   header.unit = first.modality == "CT" ? "HU" : "";
   checkDims(header, name, "Rows, Columns, slices");
   checkChoices(header, name, options);

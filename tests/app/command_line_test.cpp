@@ -320,14 +320,15 @@ TEST(InfoCommand, JsonHasTheDocumentedKeys) {
   const json info = json::parse(success({"info", "phantom:ball:16", "--json"}).out);
   std::vector<std::string> keys;
   for (const auto& [key, value] : info.items()) keys.push_back(key);
-  EXPECT_THAT(keys,
-              testing::UnorderedElementsAre("name", "format", "dims", "type", "stored_type", "spacing_mm",
-                                            "origin_mm", "directions", "unit", "slope", "intercept", "range",
-                                            "missing", "suggested_isovalue", "histogram", "blocks",
-                                            "components", "time_steps", "series", "data_hash", "warnings"));
+  EXPECT_THAT(
+      keys, testing::UnorderedElementsAre(
+                "name", "format", "dims", "type", "stored_type", "spacing_mm", "origin_mm", "directions",
+                "orientation_stated", "unit", "slope", "intercept", "range", "missing", "suggested_isovalue",
+                "histogram", "blocks", "components", "time_steps", "series", "data_hash", "warnings"));
   EXPECT_EQ(info["dims"], json({16, 16, 16}));
   EXPECT_EQ(info["type"], "float32");
   EXPECT_EQ(info["directions"].size(), 3u);
+  EXPECT_EQ(info["orientation_stated"], false);
   EXPECT_EQ(info["range"].size(), 2u);
   EXPECT_LT(info["range"][0], info["suggested_isovalue"]);
   EXPECT_EQ(info["data_hash"].get<std::string>().size(), 16u);
@@ -342,7 +343,10 @@ TEST(InfoCommand, JsonHasTheDocumentedKeys) {
 TEST(InfoCommand, TextSaysTheSame) {
   const std::string text = success({"info", "phantom:ball:16"}).out;
   EXPECT_THAT(text, AllOf(HasSubstr("16 x 16 x 16"), HasSubstr("float32"), HasSubstr("spacing"),
-                          HasSubstr("mm (LPS)")));
+                          HasSubstr("orientation   not stated")));
+  EXPECT_THAT(text, testing::Not(HasSubstr("LPS")));
+  EXPECT_THAT(success({"info", "phantom:head:16"}).out,
+              AllOf(HasSubstr("mm (LPS)"), HasSubstr("orientation   x to L, y to P, z to S")));
 }
 
 TEST(InfoCommand, TakesSessionsAndSettingsInOrder) {

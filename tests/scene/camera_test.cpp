@@ -153,9 +153,9 @@ TEST(Camera, StandardViewsHaveTheirLetters) {
         Expected{StandardView::inferior, "R", "L", "A", "P"}}) {
     Camera camera = someCamera();
     camera.projection = Projection::orthographic;
-    const Camera view = standardView(camera, e.view, low, high);
-    const EdgeLetters letters = edgeLetters(frameOf(view));
-    const auto name = standardViewNames[static_cast<std::size_t>(e.view)];
+    const Camera view = standardView(camera, e.view, WorldAxes::anatomical, low, high);
+    const EdgeLetters letters = edgeLetters(frameOf(view), WorldAxes::anatomical);
+    const auto name = standardViewName(e.view, WorldAxes::anatomical);
     EXPECT_EQ(letters.left, e.left) << name;
     EXPECT_EQ(letters.right, e.right) << name;
     EXPECT_EQ(letters.top, e.top) << name;
@@ -167,7 +167,9 @@ TEST(Camera, StandardViewsHaveTheirLetters) {
 
 TEST(Camera, ViewersStandWhereTheViewIsNamed) {
   const glm::dvec3 low(-1), high(1);
-  const auto eye = [&](StandardView view) { return *standardView({}, view, low, high).eye; };
+  const auto eye = [&](StandardView view) {
+    return *standardView({}, view, WorldAxes::anatomical, low, high).eye;
+  };
   EXPECT_LT(eye(StandardView::anterior).y, -1.0);  // LPS: +y is posterior
   EXPECT_GT(eye(StandardView::posterior).y, 1.0);
   EXPECT_GT(eye(StandardView::left).x, 1.0);  // +x is the patient's left
@@ -181,10 +183,37 @@ TEST(Camera, EdgeLettersOfObliqueViews) {
   camera.target = glm::dvec3(0);
   camera.eye = glm::dvec3(-std::sin(0.7), -std::cos(0.7), 0);  // between anterior and right, nearer anterior
   camera.up = glm::dvec3(0, 0, 1);
-  EXPECT_EQ(edgeLetters(frameOf(camera)).right, "LA");
-  EXPECT_EQ(edgeLetters(frameOf(camera)).left, "RP");
+  EXPECT_EQ(edgeLetters(frameOf(camera), WorldAxes::anatomical).right, "LA");
+  EXPECT_EQ(edgeLetters(frameOf(camera), WorldAxes::anatomical).left, "RP");
   camera.eye = glm::dvec3(-std::sin(0.2), -std::cos(0.2), 0);
-  EXPECT_EQ(edgeLetters(frameOf(camera)).right, "L");
+  EXPECT_EQ(edgeLetters(frameOf(camera), WorldAxes::anatomical).right, "L");
+}
+
+TEST(Camera, LettersOfAnatomyOnlyWhereTheAxesAreAnatomical) {
+  struct Expected {
+    StandardView view;
+    WorldAxes axes;
+    const char *name, *left, *right, *top, *bottom;
+  };
+  constexpr auto z = WorldAxes::zUp, y = WorldAxes::yUp;
+  for (const Expected& e : {Expected{StandardView::anterior, z, "−Y", "−X", "+X", "+Z", "−Z"},
+                            Expected{StandardView::posterior, z, "+Y", "+X", "−X", "+Z", "−Z"},
+                            Expected{StandardView::left, z, "+X", "−Y", "+Y", "+Z", "−Z"},
+                            Expected{StandardView::superior, z, "+Z", "−X", "+X", "+Y", "−Y"},
+                            Expected{StandardView::inferior, z, "−Z", "−X", "+X", "−Y", "+Y"},
+                            Expected{StandardView::anterior, y, "+Z", "−X", "+X", "+Y", "−Y"},
+                            Expected{StandardView::right, y, "−X", "−Z", "+Z", "+Y", "−Y"},
+                            Expected{StandardView::superior, y, "+Y", "−X", "+X", "−Z", "+Z"},
+                            Expected{StandardView::inferior, y, "−Y", "−X", "+X", "+Z", "−Z"}}) {
+    SCOPED_TRACE(e.name);
+    const Camera view = standardView({}, e.view, e.axes, glm::dvec3(-1), glm::dvec3(1));
+    const EdgeLetters letters = edgeLetters(frameOf(view), e.axes);
+    EXPECT_EQ(standardViewName(e.view, e.axes), e.name);
+    EXPECT_EQ(letters.left, e.left);
+    EXPECT_EQ(letters.right, e.right);
+    EXPECT_EQ(letters.top, e.top);
+    EXPECT_EQ(letters.bottom, e.bottom);
+  }
 }
 
 // Shapes of boxes from flat to long, and away from the origin.
@@ -261,7 +290,7 @@ TEST(Camera, DegenerateInputStaysFinite) {
     check(zoomed(camera, 1e-12));
     check(fitted(camera, glm::dvec3(0), glm::dvec3(0)));
     check(fitted(camera, glm::dvec3(nan), glm::dvec3(infinity)));
-    check(standardView(camera, StandardView::superior, glm::dvec3(-1), glm::dvec3(1)));
+    check(standardView(camera, StandardView::superior, WorldAxes::anatomical, glm::dvec3(-1), glm::dvec3(1)));
   }
 }
 
@@ -283,12 +312,24 @@ TEST(Automatic, FillsEverythingAndShowsTheWholeBox) {
   const CameraFrame f = frameOf(scene.camera);
   EXPECT_LT(f.eye.y, -110.0) << "in front of the patient";
   EXPECT_GT(f.back.z, 0.05) << "slightly above";
-  EXPECT_EQ(edgeLetters(f).right, "L");
-  EXPECT_EQ(edgeLetters(f).top, "S");
+  EXPECT_EQ(edgeLetters(f, WorldAxes::anatomical).right, "L");
+  EXPECT_EQ(edgeLetters(f, WorldAxes::anatomical).top, "S");
   for (const glm::dvec3& corner : cornersOf(headFacts().boundsMinMm, headFacts().boundsMaxMm)) {
     const glm::dvec3 seen = project(f, corner);
     EXPECT_LE(std::max(std::abs(seen.x), std::abs(seen.y)), 1.0);
   }
+}
+
+TEST(Automatic, MeshesStandOnTheirYAxis) {
+  VolumeFacts facts = headFacts();
+  facts.axes = WorldAxes::yUp;
+  const Scene scene = resolve(Scene{}, facts);
+  const CameraFrame f = frameOf(scene.camera);
+  EXPECT_GT(f.back.z, 0.9) << "in front, which is +z";
+  EXPECT_GT(f.back.y, 0.05) << "slightly above";
+  EXPECT_NEAR(f.right.x, 1.0, 1e-9);
+  EXPECT_GT(f.up.y, 0.9);
+  EXPECT_GT(scene.lamp1.position->y, 95.0) << "lamps stand above, too";
 }
 
 TEST(Automatic, NeverChangesWhatIsExplicit) {

@@ -136,8 +136,8 @@ TEST_F(ViewportTest, DoubleClickCentresThePointAndKeepsTheDirection) {
 TEST_F(ViewportTest, StandardViewsResetAndProjection) {
   const scene::Scene start = window_->document()->scene();
   QTest::keyClick(window_.get(), Qt::Key_3);
-  EXPECT_NEAR(frame().back.x, 1.0, 1e-9);  // the viewer stands at the patient's left, +x
-  EXPECT_EQ(lastStep(), "Left view");
+  EXPECT_NEAR(frame().back.x, 1.0, 1e-9);  // the viewer stands at +x
+  EXPECT_EQ(lastStep(), "+X view");        // a ball has no left
   QTest::keyClick(window_.get(), Qt::Key_O);
   EXPECT_EQ(window_->document()->scene().camera.projection, scene::Projection::orthographic);
   QTest::keyClick(window_.get(), Qt::Key_O);

@@ -126,6 +126,7 @@ TEST(Dicom, ObliqueOrientation) {
   expectNear(worldOf(v, 0, 1, 0), {0, 5, 5.25});
   expectNear(worldOf(v, 0, 0, 1), {-2, 5, 6});
   EXPECT_EQ(v.grid->value(0, 0, 1), 10 - 1024);
+  EXPECT_EQ(v.axes, scene::WorldAxes::anatomical);
 }
 
 TEST(Dicom, MissingSliceIsInterpolatedAndSaid) {
@@ -153,7 +154,7 @@ TEST(Dicom, GantryTiltKeepsEveryVoxelAtItsPlace) {
     slices.back().position = "10\\" + number(20 + i) + "\\" + number(2 * i);
   }
   const auto v = readFile(writeSeries(slices));
-  EXPECT_TRUE(test::warns(v, "gantry tilt of 26.5651 degrees"));
+  EXPECT_TRUE(test::warns(v, "gantry tilt of 26.57 degrees"));
   for (int i = 0; i < 4; ++i) expectNear(worldOf(v, 0, 0, i), {10, 20.0 + i, 2.0 * i});
   expectNear(worldOf(v, 1, 1, 3), {10.5, 23.75, 6});
 }
@@ -219,11 +220,19 @@ TEST(Dicom, TimeStepsAndColours) {
   EXPECT_THAT(valuesOf(colours), testing::ElementsAre(2, 5, 8, 11, 14, 17));
 }
 
+TEST(Dicom, ADescriptionThatNobodyGaveIsNoName) {
+  Slice s = sliceAt(0, 1);
+  s.description = "None";
+  const auto folder = writeSeries({s});
+  EXPECT_EQ(readFile(folder).name, folder.filename().string());
+}
+
 TEST(Dicom, WithoutPositions) {
   std::vector<Slice> slices{sliceAt(0, 2), sliceAt(2, 1)};
   for (Slice& s : slices) s.position.clear();
   const auto v = readFile(writeSeries(slices));
   EXPECT_TRUE(test::warns(v, "instance numbers"));
+  EXPECT_EQ(v.axes, scene::WorldAxes::zUp);
   EXPECT_EQ(v.grid->value(0, 0, 0), 20 - 1024);  // instance 1
   EXPECT_EQ(v.grid->geometry().spacingMm(), glm::dvec3(0.5, 0.75, 2));
 }

@@ -71,6 +71,7 @@ TEST(Tiff, PagesOfOneFile) {
     const auto values = valuesOf(v);
     for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], static_cast<double>(i));
     EXPECT_TRUE(test::warns(v, "1 mm assumed"));
+    EXPECT_EQ(v.axes, scene::WorldAxes::zUp);
   }
 }
 

@@ -85,6 +85,10 @@ glm::dmat4 checkedGeometry(glm::dmat3 directions, glm::dvec3 spacingMm, glm::dve
   return GridGeometry::make(glm::ivec3(1), spacingMm, originMm, directions).worldFromVoxel;
 }
 
+bool usableDirections(const glm::dmat3& directions) {
+  return spansSpace(directions);
+}
+
 bool usableAffine(const glm::dmat4& worldFromVoxel) {
   for (int axis = 0; axis < 3; ++axis) {
     const double length = glm::length(glm::dvec3(worldFromVoxel[axis]));

@@ -41,6 +41,8 @@ struct ImageHeader {
   std::int64_t slowComponents = 1;  // one volume after the other
   std::int64_t timeSteps = 1;
   glm::dmat4 worldFromVoxel{1.0};
+  scene::WorldAxes axes =
+      scene::WorldAxes::zUp;            // anatomical: worldFromVoxel leads to LPS by the file's own word
   double slope = 1.0, intercept = 0.0;  // 0 or not finite: none
   std::string unit;
   Payload payload;
@@ -60,6 +62,9 @@ void checkDims(const ImageHeader& header, const std::string& file, const std::st
 // 1e-9..1e9 mm, |origin| above 1e12 mm.
 glm::dmat4 checkedGeometry(glm::dmat3 directions, glm::dvec3 spacingMm, glm::dvec3 originMm,
                            const std::string& file, std::vector<std::string>& warnings);
+
+// True where checkedGeometry() keeps the directions.
+bool usableDirections(const glm::dmat3& directions);
 
 // True for an affine matrix with finite entries whose linear part is safely invertible.
 bool usableAffine(const glm::dmat4& worldFromVoxel);

@@ -103,6 +103,7 @@ Volume distanceVolume(TriangleMesh mesh, const std::string& format, const std::s
   volume.format = format;
   volume.fileType = VoxelType::float32;
   volume.unit = "mm";
+  volume.axes = scene::WorldAxes::yUp;
   volume.isovalue = 0.0;
   volume.warnings.emplace_back("a mesh: turned into its signed distance, positive inside; 1 unit = 1 mm");
   const GridGeometry geometry = geometryFor(mesh, options);

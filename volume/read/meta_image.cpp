@@ -105,6 +105,27 @@ std::optional<VoxelType> typeNamed(std::string_view name) {
   return std::nullopt;
 }
 
+// TransformMatrix alone says nothing of a patient: programs write it for any image. AnatomicalOrientation
+// does ("???" where nobody knows). ITK and what builds on it take the matrix as LPS and write the letters of
+// the ends the axes come from ("RAI" for the identity); MetaIO's own manual has them the other way, as the
+// ends they run to. Either is believed where it agrees with the matrix; letters that do not are no statement.
+scene::WorldAxes axesOf(const Field& orientation, const glm::dmat3& directions,
+                        std::vector<std::string>& warnings) {
+  const std::string letters(orientation.value);
+  if (letters.find('?') != std::string::npos || letters.size() < 3 || !usableDirections(directions))
+    return scene::WorldAxes::zUp;
+  bool runsTo = true, comesFrom = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string letter = letters.substr(static_cast<std::size_t>(axis), 1);
+    runsTo &= sameIgnoringCase(letter, axisEnd(scene::WorldAxes::anatomical, directions[axis]));
+    comesFrom &= sameIgnoringCase(letter, axisEnd(scene::WorldAxes::anatomical, -directions[axis]));
+  }
+  if (runsTo || comesFrom) return scene::WorldAxes::anatomical;
+  warnings.push_back("AnatomicalOrientation " + inQuotes(letters) +
+                     " and TransformMatrix do not agree; left and right are not certain");
+  return scene::WorldAxes::zUp;
+}
+
 void readGeometry(const Fields& fields, std::size_t axes, const std::string& file, ImageHeader& header) {
   const std::size_t spatial = std::min<std::size_t>(axes, 3);
   glm::dvec3 spacing(1.0), origin(0.0);
@@ -127,6 +148,8 @@ void readGeometry(const Fields& fields, std::size_t axes, const std::string& fil
         directions[static_cast<int>(axis)][static_cast<int>(i)] = values[axis * axes + i];
   }
   header.worldFromVoxel = checkedGeometry(directions, spacing, origin, file, header.warnings);
+  if (const Field* field = fields.find({"anatomicalorientation"}))
+    header.axes = axesOf(*field, directions, header.warnings);
 }
 
 // "slice%03d.raw": the name with one number put in. Nothing but one %d, %i or %u with digits is accepted.

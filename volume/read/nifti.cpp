@@ -227,6 +227,12 @@ glm::dmat4 rasFromQform(const Fields& f, const glm::dvec3& sizes) {
   return m;
 }
 
+// The codes of the standard, 1 (scanner) to 5 (another template), are all of patients, RAS+; others mean
+// nothing.
+scene::WorldAxes axesOfCode(int code) {
+  return code >= 1 && code <= 5 ? scene::WorldAxes::anatomical : scene::WorldAxes::zUp;
+}
+
 void readGeometry(const Fields& fields, ImageHeader& header) {
   double mm = 1.0;
   switch (fields.units & 7) {
@@ -260,11 +266,13 @@ void readGeometry(const Fields& fields, ImageHeader& header) {
   };
   if (fields.sformCode > 0) {
     header.worldFromVoxel = lps(rasFromSform(fields));
+    header.axes = axesOfCode(fields.sformCode);
     if (usableAffine(header.worldFromVoxel)) return;
     header.warnings.push_back("the sform is singular or not finite; ignored");
   }
   if (fields.qformCode > 0) {
     header.worldFromVoxel = lps(rasFromQform(fields, sizes));
+    header.axes = axesOfCode(fields.qformCode);
     if (usableAffine(header.worldFromVoxel)) return;
     header.warnings.push_back("the qform is not finite; ignored");
   }
@@ -272,6 +280,7 @@ void readGeometry(const Fields& fields, ImageHeader& header) {
   glm::dmat4 plain(1.0);
   for (int axis = 0; axis < 3; ++axis) plain[axis][axis] = sizes[axis];
   header.worldFromVoxel = lps(plain);
+  header.axes = scene::WorldAxes::zUp;
 }
 
 // "scan.hdr" -> "scan.img" and the like; empty when no such file exists.

@@ -91,7 +91,8 @@ class Header {
   std::vector<Axis> axes_;
   std::vector<std::size_t> spatial_;  // the axes that are x, y, z
   int spaceDimension_ = 0;
-  glm::dvec3 toLps_{1.0};  // signs
+  glm::dvec3 toLps_{1.0};      // signs
+  bool patientSpace_ = false;  // the space is named by the patient's sides
   std::vector<std::string> warnings_;
 };
 
@@ -205,6 +206,7 @@ void Header::readSpace() {
   if (const Field* space = find("space")) {
     std::string name = lowered(space->value);
     spaceDimension_ = 3;
+    patientSpace_ = true;
     if (name.ends_with("-time")) {
       name.resize(name.size() - 5);
       spaceDimension_ = 4;
@@ -219,6 +221,7 @@ void Header::readSpace() {
     } else if (name == "left-anterior-superior" || name == "las") {
       toLps_ = {1.0, -1.0, 1.0};
     } else if (name == "scanner-xyz" || name == "3d-right-handed" || name == "3d-left-handed") {
+      patientSpace_ = false;
       warnings_.push_back("the space \"" + name + "\" does not say where the patient lies; taken as LPS");
     } else {
       throwInput(file_, space->place(), "the space " + inQuotes(space->value) + " is not known");
@@ -350,6 +353,10 @@ void Header::readGeometry(ImageHeader& header) const {
     origin = vectorOf(field->value, *field) * toLps_;
   }
   header.worldFromVoxel = checkedGeometry(directions, spacing, origin, file_, header.warnings);
+  // The space names the world's axes, the directions say how the voxels' axes lie among them: it takes both.
+  const bool placed = std::all_of(spatial_.begin(), spatial_.end(),
+                                  [this](std::size_t a) { return axes_[a].direction.has_value(); });
+  if (patientSpace_ && placed && usableDirections(directions)) header.axes = scene::WorldAxes::anatomical;
 }
 
 void Header::readEncoding(ImageHeader& header) const {

@@ -331,6 +331,7 @@ Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOp
   volume.format = header.format;
   volume.fileType = header.type;
   volume.unit = header.unit;
+  volume.axes = header.axes;
   volume.components = static_cast<int>(header.components * header.slowComponents);
   volume.timeSteps = static_cast<int>(header.timeSteps);
   volume.warnings = header.warnings;

@@ -84,8 +84,8 @@ std::string wideGapsText(const std::vector<double>& gaps, double median) {
   const auto wide = std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return gap > 1.5 * median; });
   if (wide == 0) return {};
   if (const std::vector<double> blocks = blocksOf(gaps); blocks.size() > 1 && blocks.size() < 6) {
-    std::string text = "slice distance changes from " + shortText(blocks[0]);
-    for (std::size_t i = 1; i < blocks.size(); ++i) text += " to " + shortText(blocks[i]);
+    std::string text = "slice distance changes from " + fourDigits(blocks[0]);
+    for (std::size_t i = 1; i < blocks.size(); ++i) text += " to " + fourDigits(blocks[i]);
     return text + " mm";
   }
   return "slices are missing in " + std::to_string(wide) + " places; what is shown there is interpolated";
