@@ -71,6 +71,7 @@ std::string encode(const DecodedVolume& volume) {
   wire.put(header.components);
   wire.put(header.timeSteps);
   wire.put(header.worldFromVoxel);
+  wire.put(static_cast<std::uint64_t>(header.axes));
   wire.put(header.slope);
   wire.put(header.intercept);
   wire.put(std::string_view(header.unit));
@@ -83,6 +84,7 @@ std::string encode(const DecodedVolume& volume) {
 
 DecodedVolume decodeVolume(std::string_view body) {
   constexpr auto lastType = static_cast<std::uint64_t>(VoxelType::float64);
+  constexpr auto lastAxes = static_cast<std::uint64_t>(scene::WorldAxes::anatomical);
   constexpr std::uint64_t mostSteps = std::uint64_t{1} << 31;
   WireReader wire(body);
   DecodedVolume volume;
@@ -93,6 +95,7 @@ DecodedVolume decodeVolume(std::string_view body) {
   header.components = static_cast<std::int64_t>(wire.number(1, mostSteps));
   header.timeSteps = static_cast<std::int64_t>(wire.number(1, mostSteps));
   header.worldFromVoxel = wire.finiteMatrix();
+  header.axes = static_cast<scene::WorldAxes>(wire.number(0, lastAxes));
   header.slope = wire.real();  // 0 and NaN have a meaning
   header.intercept = wire.real();
   header.unit = wire.text();
