@@ -31,12 +31,6 @@ std::vector<std::pair<std::string, std::string>> textsOf(const std::string& sess
   return texts;
 }
 
-// IEC 61966-2-1.
-float linearOfSrgb(std::uint8_t stored) {
-  const double s = stored / 255.0;
-  return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-}
-
 }  // namespace
 
 void writePng(const render::ColorImage& image, const fs::path& file, const std::string& session) {
@@ -45,7 +39,7 @@ void writePng(const render::ColorImage& image, const fs::path& file, const std::
   writePngFile(image, texts, file);
 }
 
-void writeExr(const render::ColorImage* color, const std::vector<render::AovImage>& images,
+void writeExr(const render::LinearImage* color, const std::vector<render::AovImage>& images,
               const fs::path& file, const std::string& session) {
   // All channels, interleaved: `name` and where its values come from.
   struct Channel {
@@ -69,8 +63,6 @@ void writeExr(const render::ColorImage* color, const std::vector<render::AovImag
 
   const glm::ivec2 size = color ? color->size : images.front().size;
   const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  std::array<float, 256> linear{};
-  for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = linearOfSrgb(static_cast<std::uint8_t>(i));
 
   std::vector<float> values(pixels * channels.size());
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -82,7 +74,7 @@ void writeExr(const render::ColorImage* color, const std::vector<render::AovImag
       if (channel.image)
         value = channel.image->values[p * static_cast<std::size_t>(channel.image->channels) + index];
       else if (color)
-        value = linear[color->rgba[p * 4 + index]];
+        value = color->rgba[p * 4 + index];
     }
   }
 

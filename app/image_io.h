@@ -16,8 +16,9 @@ constexpr int kLargestPicture = 16384;  // pixels of an axis, to be drawn
 
 // 8-bit sRGB PNG with the session text in a text chunk ("isolux_session"); empty text: none.
 void writePng(const render::ColorImage& image, const std::filesystem::path& file, const std::string& session);
-// float32 EXR: channels R G B (linear) of `color` unless null, and each AOV as "name" or "name.channel".
-void writeExr(const render::ColorImage* color, const std::vector<render::AovImage>& aovs,
+// float32 EXR: channels R G B (linear, as they are) of `color` unless null, and each AOV as "name" or
+// "name.channel".
+void writeExr(const render::LinearImage* color, const std::vector<render::AovImage>& aovs,
               const std::filesystem::path& file, const std::string& session);
 // float32 EXR of these channels; values row by row, row 0 at the top.
 struct FloatChannel {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "scene/relevance.h"
 
 namespace isolux::app {
@@ -23,7 +25,10 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
   controller.setScene(lit, volume);
   if (scene::giChoiceOf(lit).wanted) {
     render::FrameRequest surface = request;
-    surface.color = false;
+    surface.linear = surface.color = false;
+    // What lies between the points of this many is near one of them.
+    while (std::max(surface.size.x, surface.size.y) * surface.supersampling > 4096) surface.size /= 2;
+    surface.size = glm::max(surface.size, glm::ivec2(1));
     surface.aovs = {render::Aov::voxel};
     renderer.render(resolved, surface);
     controller.setVisible(renderer.hitVoxels());

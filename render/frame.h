@@ -3,11 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include "render/empty_picture.h"
 
 namespace isolux::render {
 
@@ -37,8 +40,16 @@ const std::vector<AovInfo>& aovs();
 // Throws scene::Error{usage} naming the unknown name and the known ones. "position,normal" -> list.
 std::vector<Aov> parseAovList(const std::string& text);
 
+// A part of a picture, pixels from its lower left corner.
+struct Tile {
+  glm::ivec2 origin{0}, size{0};
+  bool operator==(const Tile&) const = default;
+};
+
 struct FrameRequest {
-  glm::ivec2 size{512, 512};  // pixels
+  glm::ivec2 size{512, 512};  // pixels, of the whole picture
+  std::optional<Tile> tile;   // draw this part only; what is read back then has the tile's size
+  bool linear = false;        // readLinearPicture() will be asked for
   bool color = true;          // the shaded picture
   std::vector<Aov> aovs;      // deferred images; then supersampling must be 1
   int supersampling = 1;      // rays per pixel and axis, 1..4
@@ -90,8 +101,9 @@ struct FrameReport {
   std::size_t blocksActive = 0, blocksTotal = 0;
   BrickReport bricks;
   LightReport light;
-  bool surfaceChanged = false;  // the surface points were found anew: Renderer::hitVoxels() differ
-  std::size_t gpuBytes = 0;     // textures and buffers held by the renderer
+  bool surfaceChanged = false;        // the surface points were found anew: Renderer::hitVoxels() differ
+  std::size_t gpuBytes = 0;           // textures and buffers held by the renderer
+  std::optional<EmptyPicture> empty;  // nothing is to be seen, and why
   // What the driver called an error in this frame (render/gl_messages.h): the picture may be wrong.
   std::vector<std::string> glErrors;
 };

@@ -17,6 +17,7 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene) {
     const scene::AlbedoOfIsovalue albedo(scene);
     for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);
   }
+  std::erase_if(surfaces, [](const Surface& surface) { return !(surface.opacity > 0.0); });
   return surfaces;
 }
 
@@ -54,7 +55,9 @@ void FrameState::setView(Program& program) const {
   program.set("uForwardVoxel", glm::vec3(view->forwardVoxel));
   program.set("uHalfExtent", glm::vec2(view->halfExtent));
   program.set("uOrthographic", view->orthographic ? 1 : 0);
-  program.set("uPictureSize", raySize());
+  program.set("uPictureSize", request.size * request.supersampling);
+  program.set("uStartDepth", static_cast<float>(view->startDepth));
+  program.set("uTileOrigin", tileOrigin() * request.supersampling);
 }
 
 void FrameState::setPoint(Program& program, int unit) const {

@@ -23,7 +23,7 @@ struct Surface {
   glm::dvec3 albedo;
   double opacity;
 };
-// The first and those further ones that are shown: one to four.
+// The first and those further ones that are shown, without those of opacity 0: none to four.
 std::vector<Surface> surfacesOf(const scene::Scene& scene);
 
 struct FrameState {
@@ -43,10 +43,14 @@ struct FrameState {
   std::vector<glm::vec3> hitsBehind;  // of the layers, where the look reads stored light: voxel coordinates
   std::string layer;  // of the images drawn now: "" the first crossing, otherwise one behind (layers pass)
 
-  glm::ivec2 raySize() const { return request.size * request.supersampling; }
+  // What is drawn: the picture, or a tile of it.
+  glm::ivec2 drawnSize() const { return request.tile ? request.tile->size : request.size; }
+  glm::ivec2 tileOrigin() const { return request.tile ? request.tile->origin : glm::ivec2(0); }
+  glm::ivec2 raySize() const { return drawnSize() * request.supersampling; }
   // Rays per pixel that settings mean: widths and lengths given in pixels are this many rays.
   double raysPerWidth() const { return request.supersampling * request.pixelRatio; }
-  bool empty() const { return !volume || volume->faceCount() == 0; }  // no ray can hit anything
+  bool crossed = true;                                                            // VolumeState::crossed
+  bool empty() const { return !volume || !crossed || volume->faceCount() == 0; }  // no ray can hit anything
   double outward() const {
     return scene->isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
   }  // times gradient

@@ -35,6 +35,7 @@ std::shared_ptr<const Gl> Gl::load(const GlLoader& loader) {
 #undef ISOLUX_GL
   gl->software = isSoftware(gl->string(GL_RENDERER));
   gl->GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &gl->max3dTexture);
+  gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->maxImage);
   listenToGl(*gl);
   return gl;
 }

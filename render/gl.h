@@ -20,6 +20,7 @@ struct Gl {
 
   bool software = true;    // a CPU rasteriser (llvmpipe, softpipe, swrast)
   GLint max3dTexture = 0;  // texels per axis
+  GLint maxImage = 0;      // texels per axis of what is drawn into
 
   // Loads every function, checks the version and listens to errors (render/gl_messages.h); the context must
   // be current. Throws scene::Error{graphics} naming the first missing function or the version found.

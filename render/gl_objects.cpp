@@ -1,5 +1,6 @@
 #include "render/gl_objects.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "render/gl_messages.h"
@@ -119,8 +120,16 @@ std::vector<float> Texture::readFloats(int channels) const {
   scene::machineMemory().check(count * sizeof(float), "a copy of the picture", kSmallerPicture);
   std::vector<float> values(count);
   gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl().GetTextureImage(id(), 0, formats[channels], GL_FLOAT,
-                       static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+  // Sizes are 32 bits for GL: rows at a time.
+  constexpr std::size_t most = std::size_t{1} << 28;  // bytes
+  const std::size_t row = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(channels);
+  const int rows = static_cast<int>(std::max<std::size_t>(most / (row * sizeof(float)), 1));
+  for (int y = 0; y < size_.y; y += rows) {
+    const int count = std::min(rows, size_.y - y);
+    gl().GetTextureSubImage(id(), 0, 0, y, 0, size_.x, count, 1, formats[channels], GL_FLOAT,
+                            static_cast<GLsizei>(row * static_cast<std::size_t>(count) * sizeof(float)),
+                            &values[static_cast<std::size_t>(y) * row]);
+  }
   return values;
 }
 

@@ -176,6 +176,15 @@ void GpuVolume::updateMasks(const std::vector<float>& storedIsovalues) {
                          GL_UNSIGNED_INT, masks_.data());
 }
 
+bool GpuVolume::mayCross(scene::Field field, const std::vector<double>& values) const {
+  if (!hasCells()) return false;
+  // The smoothing spline stays within the range of the samples; the interpolating one need not.
+  const bool overshoots = field == scene::Field::cubic_interpolating;
+  return std::any_of(values.begin(), values.end(), [&](double value) {
+    return overshoots || (value >= grid().minimum() && value <= grid().maximum());
+  });
+}
+
 void GpuVolume::activate(scene::Field field, const std::vector<double>& values) {
   setField(field);
   if (!hasCells()) return;

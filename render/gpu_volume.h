@@ -54,6 +54,8 @@ class GpuVolume {
   // none.
   volume::CurvatureStatistics curvatureStatistics(scene::Field field, double value, double outward);
 
+  // False: no cell of this field can hold a surface of one of `values` (data units).
+  bool mayCross(scene::Field field, const std::vector<double>& values) const;
   // Makes the blocks active that the surfaces of `values` (data units) of this field can cross; uploads
   // flags and faces, in time proportional to what changes.
   void activate(scene::Field field, const std::vector<double>& values);

@@ -65,6 +65,9 @@ void HitPasses::segments(FrameState& frame) {
   segmentsProgram_.set("uCameraFromVoxel", glm::mat3(glm::inverse(voxelFromCamera)));
   segmentsProgram_.set("uBlockCells", frame.volume->blocks().blockCells());
   segmentsProgram_.set("uDims", frame.volume->grid().dims());
+  const glm::dvec2 whole(frame.request.size), part(frame.drawnSize());
+  segmentsProgram_.set("uTileScale", glm::vec2(whole / part));
+  segmentsProgram_.set("uTileShift", glm::vec2((whole - 2.0 * glm::dvec2(frame.tileOrigin())) / part - 1.0));
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_MIN);
   gl.UseProgram(segmentsProgram_.id());
@@ -148,6 +151,22 @@ bool HitPasses::castBehind(FrameState& frame, const std::string& front) {
   gl.BeginQuery(GL_ANY_SAMPLES_PASSED, anyHit_.id());
   frame.drawFullscreen(p);
   gl.EndQuery(GL_ANY_SAMPLES_PASSED);
+  GLuint64 any = 0;
+  gl.GetQueryObjectui64v(anyHit_.id(), GL_QUERY_RESULT, &any);
+  return any != 0;
+}
+
+bool HitPasses::anyHit(FrameState& frame) {
+  if (frame.empty()) return false;
+  const Gl& gl = *frame.gl;
+  frame.begin(frame.images.at(pass::segments));  // nothing is written there
+  Program& p = frame.program("any_hit.frag.glsl");
+  p.setTexture("uSurface", 0, frame.image(pass::refine));
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl.BeginQuery(GL_ANY_SAMPLES_PASSED, anyHit_.id());
+  frame.drawFullscreen(p);
+  gl.EndQuery(GL_ANY_SAMPLES_PASSED);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   GLuint64 any = 0;
   gl.GetQueryObjectui64v(anyHit_.id(), GL_QUERY_RESULT, &any);
   return any != 0;

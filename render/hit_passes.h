@@ -17,6 +17,7 @@ class HitPasses {
   void cast(FrameState& frame, bool again = false);
   bool castBehind(FrameState& frame, const std::string& front);
   void refine(FrameState& frame);
+  bool anyHit(FrameState& frame);  // of the surface points that are there
 
   // Sets what trace.glsl and trace_cubic.glsl read: view, volume, isovalues, block masks. Texture units 0,
   // 1, 3.

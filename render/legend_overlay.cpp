@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "scene/color_maps.h"
 #include "render/legend.h"
+#include "scene/color_maps.h"
 #include "scene/curvature_map.h"
 
 namespace isolux::render {
@@ -65,7 +65,11 @@ void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range) 
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TextureSubImage2D(texture.id(), 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_UNSIGNED_BYTE,
                        image.rgba.data());
-  const glm::ivec2 corner(size.x - margin - image.size.x, margin);
+  const glm::ivec2 corner = glm::ivec2(size.x - margin - image.size.x, margin) - frame.tileOrigin();
+  const glm::ivec2 drawn = frame.drawnSize();
+  if (corner.x >= drawn.x || corner.y >= drawn.y || corner.x + image.size.x <= 0 ||
+      corner.y + image.size.y <= 0)
+    return;
   Program& p = frame.program("legend.frag.glsl");
   p.setTexture("uLegend", 0, texture);
   p.set("uCorner", corner);

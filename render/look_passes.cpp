@@ -202,18 +202,30 @@ void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& de
 }
 
 void LookPasses::resolve(FrameState& frame, LightPasses& light) {
-  const Target& target = frame.images.make(frame.gl, pass::resolve, frame.request.size, {GL_RGBA8});
-  frame.begin(target, frame.request.size);
+  const Target& target = frame.images.make(frame.gl, pass::resolve, frame.drawnSize(), {GL_RGBA8});
+  drawResolved(frame, light, target, "");
+  if (!frame.empty() && showsLegend(*frame.scene))
+    drawLegendOver(frame, target, measureRange(*frame.scene, statistics_, frame.flatCurvature()));
+  if (frame.request.linear)
+    drawResolved(frame, light, frame.images.make(frame.gl, kLinearPicture, frame.drawnSize(), {GL_RGBA32F}),
+                 "#define LINEAR\n");
+  else
+    frame.images.drop(kLinearPicture);
+}
+
+void LookPasses::drawResolved(FrameState& frame, LightPasses& light, const Target& target,
+                              const std::string& defines) {
+  frame.begin(target, frame.drawnSize());
   const bool environment = needsOf(*frame.scene).light && frame.light && frame.light->background;
-  Program& p = frame.program("resolve.frag.glsl", environment ? "#define ENVIRONMENT\n" : "");
+  Program& p = frame.program("resolve.frag.glsl", defines + (environment ? "#define ENVIRONMENT\n" : ""));
   if (environment) light.setBackground(frame, p, 1);
   p.setTexture("uColor", 0, frame.image(isTransparent(*frame.scene) ? pass::layers : pass::shade));
   p.set("uSupersampling", frame.request.supersampling);
+  p.set("uTileOrigin", frame.tileOrigin());
+  p.set("uPictureSize", frame.request.size);
   p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));
   p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
   frame.drawFullscreen(p);
-  if (frame.volume && showsLegend(*frame.scene))
-    drawLegendOver(frame, target, measureRange(*frame.scene, statistics_, frame.flatCurvature()));
 }
 
 }  // namespace isolux::render

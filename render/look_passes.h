@@ -21,6 +21,7 @@ class LookPasses {
   void resolve(FrameState& frame, LightPasses& light);
 
  private:
+  void drawResolved(FrameState& frame, LightPasses& light, const Target& target, const std::string& defines);
   // Draws the look of the frame's layer into what is bound.
   void drawShading(FrameState& frame);
   void setSurfaces(FrameState& frame, Program& program) const;

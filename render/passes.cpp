@@ -37,11 +37,12 @@ class Hasher {
 }  // namespace
 
 bool isTransparent(const scene::Scene& scene) {
-  const auto transparent = [](const scene::ExtraIsosurface& extra) {
-    return extra.shown && extra.opacity < 1.0;
+  const auto between = [](double opacity) { return opacity > 0.0 && opacity < 1.0; };
+  const auto transparent = [&](const scene::ExtraIsosurface& extra) {
+    return extra.shown && between(extra.opacity);
   };
-  return scene.isosurface.opacity < 1.0 || transparent(scene.isosurface2) || transparent(scene.isosurface3) ||
-         transparent(scene.isosurface4);
+  return between(scene.isosurface.opacity) || transparent(scene.isosurface2) ||
+         transparent(scene.isosurface3) || transparent(scene.isosurface4);
 }
 
 namespace {
@@ -76,7 +77,7 @@ LookNeeds needsOf(const scene::Scene& scene) {
   needs.ranges = readsCurvatureRanges(scene);
   const scene::Shading shading = scene::shadingOf(scene);
   needs.light = shading == scene::Shading::gi;
-  needs.shadow = scene.look.shadow > 0.0 && shading != scene::Shading::unlit && !needs.light;
+  needs.shadow = scene.look.shadow > 0.0 && scene::keyLightActs(scene);
   needs.flow = scene::showsFlow(scene);
   return needs;
 }
@@ -95,7 +96,7 @@ void addLight(Hasher& hash, const scene::Scene& scene) {
   const scene::Shading shading = scene::shadingOf(scene);
   hash.add(shading);
   if (shading == scene::Shading::unlit || shading == scene::Shading::gi) return;
-  hash.add(light.space).add(light.direction).add(look.shadow);
+  hash.add(light.space).add(light.direction).add(scene::keyLightActs(scene) ? look.shadow : 0.0);
   if (shading == scene::Shading::tone) {
     hash.add(look.toneCool).add(look.toneWarm);
     return;
@@ -166,11 +167,22 @@ bool readsGradient(Aov aov) {
   return aov == Aov::normal || aov == Aov::gradient || aov == Aov::irradiance;
 }
 
+std::uint64_t sizeHash(const FrameRequest& request) {
+  Hasher hash;
+  hash.add(request.size.x).add(request.size.y).add(request.supersampling);
+  if (request.tile)
+    hash.add(request.tile->origin.x)
+        .add(request.tile->origin.y)
+        .add(request.tile->size.x)
+        .add(request.tile->size.y);
+  return hash;
+}
+
 std::uint64_t isovaluesHash(const scene::Scene& scene) {
   Hasher hash;
-  hash.add(scene.isosurface.value.value_or(0.0));
+  hash.add(scene.isosurface.value.value_or(0.0)).add(scene.isosurface.opacity > 0.0);
   for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    if (extra->shown) hash.add(extra->value.value_or(0.0));
+    if (extra->shown && extra->opacity > 0.0) hash.add(extra->value.value_or(0.0));
   return hash;
 }
 
@@ -201,15 +213,14 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   const scene::Look& look = scene.look;
   const Parameter volume{"volume", Hasher().add(volumeState.hash)};
   const Parameter copy{"graphics copy of the volume", Hasher().add(volumeState.made)};
-  const Parameter isovalue{"isovalue", isovaluesHash(scene)};
+  const Parameter isovalue{"isovalue", Hasher().add(isovaluesHash(scene)).add(volumeState.crossed)};
   const Parameter camera{"camera", Hasher()
                                        .add(scene.camera.eye)
                                        .add(scene.camera.target)
                                        .add(scene.camera.up)
                                        .add(scene.camera.fov)
                                        .add(scene.camera.projection)};
-  const Parameter size{"picture size",
-                       Hasher().add(request.size.x).add(request.size.y).add(request.supersampling)};
+  const Parameter size{"picture size", sizeHash(request)};
   const Parameter method{"hit.method", Hasher().add(scene.hit.method)};
   const Parameter hitField{"hit.field", Hasher().add(scene.hit.field)};
   const bool sampled = scene.hit.method == scene::HitMethod::sampled;
@@ -230,7 +241,9 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   const Parameter surfaces{"surface colours", surfacesHash(scene)};
   const Parameter lookOf{"look", lookHash(scene, request.pixelRatio)};
 
-  const LookNeeds needs = needsOf(scene);
+  // Where no ray can hit anything, colours read nothing of the surface.
+  const bool lit = needsOf(scene).light;
+  const LookNeeds needs = volumeState.crossed ? needsOf(scene) : LookNeeds{};
   const bool transparent = isTransparent(scene);
   const bool hessianRead = (request.color && needs.curvature) ||
                            std::any_of(request.aovs.begin(), request.aovs.end(), readsHessian);
@@ -280,8 +293,7 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   if (needs.shadow) shade.reads.emplace_back(image::shadow);
   if (needs.flow) shade.reads.emplace_back(image::flow);
   const Parameter exposure{
-      "exposure",
-      needs.light ? Hasher().add(scene.picture.exposure.value_or(light.automaticExposure)) : Hasher()};
+      "exposure", lit ? Hasher().add(scene.picture.exposure.value_or(light.automaticExposure)) : Hasher()};
   const Parameter lightOf{"light", Hasher().add(light.version)};
   const Parameter interpolation{
       "gi.interpolation", light.stored ? Hasher().add(light.storage).add(scene.gi.interpolation) : Hasher()};
@@ -341,8 +353,12 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   }
   if (!transparent) layers.reads = {image::surface};
   PassDeclaration resolve{
-      pass::resolve, {image::color}, {image::picture}, {size, background, {"legend", legendHash(scene)}}, ""};
-  if (needs.light && light.background)
+      pass::resolve,
+      {image::color},
+      {image::picture},
+      {size, background, {"legend", legendHash(scene)}, {"linear picture", Hasher().add(request.linear)}},
+      ""};
+  if (lit && light.background)
     resolve.parameters.insert(resolve.parameters.end(), {exposure, lightOf, camera});
   if (showsLegend(scene) && needs.ranges) resolve.reads.emplace_back(image::ranges);
 

@@ -34,6 +34,8 @@ inline constexpr const char *blocks = "blocks", *segments = "segments", *bricks 
                             *irradiance = "irradiance", *shade = "shade", *layers = "layers",
                             *resolve = "resolve";
 }
+// Of the resolve pass, where a request asks for it: the picture before it is encoded.
+inline constexpr const char* kLinearPicture = "linear picture";
 namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *faces = "block faces",
                             *segments = "ray segments", *bricks = "resident bricks", *bracket = "brackets",
@@ -72,8 +74,9 @@ bool readsHessian(Aov aov);
 struct VolumeState {
   VolumeState(std::uint64_t hashOfVoxels = 0, std::uint64_t copiesMade = 0)  // NOLINT: a hash is a volume
       : hash(hashOfVoxels), made(copiesMade) {}
-  std::uint64_t hash;  // of the voxels and where they lie; 0: none
-  std::uint64_t made;  // differs between any two GpuVolumes of one renderer
+  std::uint64_t hash;   // of the voxels and where they lie; 0: none
+  std::uint64_t made;   // differs between any two GpuVolumes of one renderer
+  bool crossed = true;  // false: no cell holds a value of a surface that is shown
 };
 
 // A volume in bricks, as far as passes depend on it.

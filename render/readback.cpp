@@ -19,6 +19,15 @@ std::size_t channelsOf(Aov aov) {
   return 0;
 }
 
+// How far before the eye the ray of a pixel starts, mm along it.
+double rayStart(const DrawnFrame& drawn, std::size_t ray) {
+  if (drawn.startDepth == 0.0) return drawn.rayStartMm;
+  const auto width = static_cast<std::size_t>(drawn.raySize.x);
+  const glm::dvec2 at = glm::dvec2(ray % width, ray / width) + 0.5 + glm::dvec2(drawn.tileOrigin);
+  const glm::dvec2 plane = (at / glm::dvec2(drawn.wholeSize) * 2.0 - 1.0) * drawn.halfExtent;
+  return drawn.startDepth * std::sqrt(1.0 + glm::dot(plane, plane));
+}
+
 // The images that an AOV is made from, as floats, bottom row first.
 struct Source {
   std::vector<float> surface, info, gradient, first, second;
@@ -73,17 +82,24 @@ glm::dvec3 normalAt(const Source& source, const DrawnFrame& drawn, std::size_t p
   return length > 0.0 ? g * (drawn.outward / length) : glm::dvec3(0.0);
 }
 
+LinearImage topRowFirst(const Texture& texture) {
+  const glm::ivec2 size(texture.size());
+  LinearImage image{size, texture.readFloats(4)};
+  const auto row = static_cast<std::ptrdiff_t>(size.x) * 4;
+  for (std::ptrdiff_t y = 0; y < size.y / 2; ++y)
+    std::swap_ranges(image.rgba.begin() + y * row, image.rgba.begin() + (y + 1) * row,
+                     image.rgba.begin() + (size.y - 1 - y) * row);
+  return image;
+}
+
 }  // namespace
 
 LinearImage readLinear(const FrameState& frame, const DrawnFrame& drawn) {
-  const std::vector<float> image =
-      frame.images.at(drawn.layered ? pass::layers : pass::shade).images[0].readFloats(4);
-  LinearImage result{drawn.raySize, {}};
-  result.rgba.reserve(image.size());
-  const auto row = static_cast<std::ptrdiff_t>(drawn.raySize.x) * 4;
-  for (std::ptrdiff_t y = drawn.raySize.y - 1; y >= 0; --y)
-    result.rgba.insert(result.rgba.end(), image.begin() + y * row, image.begin() + (y + 1) * row);
-  return result;
+  return topRowFirst(frame.images.at(drawn.layered ? pass::layers : pass::shade).images[0]);
+}
+
+LinearImage readLinearPicture(const FrameState& frame, const DrawnFrame&) {
+  return topRowFirst(frame.images.at(kLinearPicture).images[0]);
 }
 
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn) {
@@ -129,7 +145,7 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
         put(glm::dvec3(frame.volume->grid().geometry().worldFromVoxel * glm::dvec4(s[0], s[1], s[2], 1.0)));
         break;
       case Aov::depth:
-        out[0] = static_cast<float>(s[3] + drawn.rayStartMm);
+        out[0] = static_cast<float>(s[3] + rayStart(drawn, i));
         break;
       case Aov::value_error:
         out[0] = static_cast<float>(source.info[2 * i] *

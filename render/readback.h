@@ -12,7 +12,10 @@ namespace isolux::render {
 struct DrawnFrame {
   glm::ivec2 raySize{0}, pictureSize{0};
   double rayStartMm = 0.0;  // ViewUniforms::rayStartMm
-  double outward = -1.0;    // times the gradient: the outward normal
+  double startDepth = 0.0;  // ViewUniforms::startDepth
+  glm::dvec2 halfExtent{0.0};
+  glm::ivec2 wholeSize{0}, tileOrigin{0};  // rays: of the picture that the frame is a tile of
+  double outward = -1.0;                   // times the gradient: the outward normal
   scene::Field hitField = scene::Field::trilinear;
   bool layered = false;  // the layers pass wrote the colour
   bool lit = false;      // somebody had said what the light is
@@ -20,6 +23,7 @@ struct DrawnFrame {
 
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
 LinearImage readLinear(const FrameState& frame, const DrawnFrame& drawn);
+LinearImage readLinearPicture(const FrameState& frame, const DrawnFrame& drawn);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
 // The surface points, voxel coordinates, of every n-th ray on both axes, with n so that there are at most
 // `most`: spread evenly over the picture. Only those are read back. Of the layer that `frame` draws now.

@@ -10,12 +10,14 @@
 #include "render/brick_rounds.h"
 #include "render/derivative_passes.h"
 #include "render/effect_passes.h"
+#include "render/empty_picture.h"
 #include "render/frame_state.h"
 #include "render/gl_messages.h"
 #include "render/hit_passes.h"
 #include "render/light_passes.h"
 #include "render/look_passes.h"
 #include "render/readback.h"
+#include "scene/error.h"
 
 namespace isolux::render {
 
@@ -72,6 +74,12 @@ void setKnownState(const Gl& gl) {
 
 bool castsRays(const std::string& name) {
   return name == pass::cast || name == pass::shadow || name == pass::layers;
+}
+
+std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
+  std::vector<double> values;
+  for (const Surface& surface : surfaces) values.push_back(surface.value);
+  return values;
 }
 
 bool passRan(const FrameReport& report, const std::string& name) {
@@ -136,10 +144,11 @@ struct Renderer::Parts {
   std::uint64_t copiesMade = 0;   // VolumeState::made
   std::uint64_t bricksAsked = 0;  // BrickState::asked
   std::size_t waitingRays = 0;    // of the last frame that cast rays
+  bool hit = false;               // some ray of the last frame that cast rays hit a surface
   bool complete = true;           // the last frame had all the time it needed
 
   void prepare(const scene::Scene& scene, const FrameRequest& request);
-  VolumeState volumeState() const { return {volume ? volume->grid().hash() : 0, copiesMade}; }
+  VolumeState volumeState() const;
   BrickState brickState();
   void run(const std::string& pass);
   // In bricks: `pass` casts rays, `planned` are the passes of this frame that run.
@@ -167,6 +176,11 @@ void Renderer::invalidate() {
 }
 
 void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& request) {
+  const int longest = std::max(request.size.x, request.size.y) * request.supersampling;
+  if (!request.tile && longest > frame.gl->maxImage)
+    throw scene::Error(
+        scene::ErrorKind::memory, "", "graphics memory",
+        "a picture of " + std::to_string(longest) + " rays on an axis is too large for one frame");
   frame.scene = &scene;
   frame.request = request;
   frame.surfaces = surfacesOf(scene);
@@ -175,6 +189,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
     ++copiesMade;
   }
   if (frame.volume) frame.volume->require(scene);
+  frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
   frame.readsLight =
       (request.color && needsOf(scene).light) ||
       std::find(request.aovs.begin(), request.aovs.end(), Aov::irradiance) != request.aovs.end();
@@ -187,8 +202,17 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
                      volume ? volume->grid().geometry() : none);
   // The size is a parameter of the passes, so that images of another size are drawn anew.
   if (drawn.raySize != frame.raySize()) frame.images.clear();
-  drawn = {frame.raySize(), request.size,         frame.view->rayStartMm, frame.outward(),
-           scene.hit.field, isTransparent(scene), frame.light != nullptr};
+  drawn = {frame.raySize(),
+           frame.drawnSize(),
+           frame.view->rayStartMm,
+           frame.view->startDepth,
+           frame.view->halfExtent,
+           request.size * request.supersampling,
+           frame.tileOrigin() * request.supersampling,
+           frame.outward(),
+           scene.hit.field,
+           isTransparent(scene),
+           frame.light != nullptr};
 }
 
 void Renderer::Parts::run(const std::string& name) {
@@ -211,6 +235,12 @@ void Renderer::Parts::run(const std::string& name) {
       {pass::layers, [](Parts& p) { p.looks.layers(p.frame, p.hits, p.derivatives, p.effects, p.lights); }},
       {pass::resolve, [](Parts& p) { p.looks.resolve(p.frame, p.lights); }}};
   runs.at(name)(*this);
+}
+
+VolumeState Renderer::Parts::volumeState() const {
+  VolumeState state{volume ? volume->grid().hash() : 0, copiesMade};
+  state.crossed = frame.crossed;
+  return state;
 }
 
 BrickState Renderer::Parts::brickState() {
@@ -315,6 +345,8 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
       if (now.state != PassState::skipped) entry.bytes = parts.bytesOf(declared.name);
       parts.report.passes.push_back(std::move(entry));
     }
+    const bool cast = planned.count(pass::cast) > 0 || planned.count(pass::refine) > 0;
+    if (cast) parts.hit = parts.hits.anyHit(parts.frame);
     gl.Finish();
     clock.write(parts.report.passes);
   } catch (...) {  // no room: nothing that was drawn is still there
@@ -332,6 +364,9 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   if (passRan(parts.report, pass::cast)) parts.complete = request.brickUploadBytes == 0;
   parts.reportBricks();
   if (parts.frame.readsLight) parts.lights.report(parts.report.light);
+  if (parts.volume && parts.waitingRays == 0)
+    parts.report.empty = whyEmpty(scene, *parts.volume, static_cast<double>(request.size.x) / request.size.y,
+                                  !parts.frame.empty(), parts.hit);
   parts.report.surfaceChanged = passRan(parts.report, pass::cast) || passRan(parts.report, pass::refine);
   parts.report.milliseconds = millisecondsSince(begin);
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;
@@ -364,6 +399,10 @@ ColorImage Renderer::readColor() {
 
 LinearImage Renderer::readLinear() {
   return render::readLinear(parts_->frame, parts_->drawn);
+}
+
+LinearImage Renderer::readLinearPicture() {
+  return render::readLinearPicture(parts_->frame, parts_->drawn);
 }
 
 AovImage Renderer::readAov(Aov aov) {

@@ -43,8 +43,11 @@ class Renderer {
 
   ColorImage readColor();
   LinearImage readLinear();
+  // The picture as linear float32, not clamped, without legend and dither, one pixel per pixel: the
+  // background behind the look, supersamples averaged, alpha 1. After a request that has `linear`.
+  LinearImage readLinearPicture();
   AovImage readAov(Aov aov);
-  // pixel: (0,0) is the top left of the last picture's request.size. Empty where there is no surface.
+  // pixel: (0,0) is the top left of what was drawn last. Empty where there is no surface.
   std::optional<Pick> pick(glm::ivec2 pixel);
   // Voxel coordinates of the surface points of the last picture, those behind transparent surfaces too where
   // the look reads stored light; about a million at most of the first crossings and of

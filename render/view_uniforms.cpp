@@ -7,6 +7,10 @@
 
 namespace isolux::render {
 
+namespace {
+constexpr double kFarExtents = 8.0;  // floats lose half a thousandth of a voxel of 1000 there
+}
+
 ViewUniforms::ViewUniforms(const scene::Camera& camera, double aspect, const volume::GridGeometry& geometry) {
   const scene::CameraFrame frame = scene::frameOf(camera);
   rightWorld = frame.right;
@@ -24,12 +28,16 @@ ViewUniforms::ViewUniforms(const scene::Camera& camera, double aspect, const vol
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
-  rayStartMm = orthographic ? std::min(0.0, nearest - 0.01 * (farthest - nearest)) : 0.0;
+  const double extent = farthest - nearest, before = nearest - 0.01 * extent;
+  const bool far = nearest > kFarExtents * extent;
+  rayStartMm = orthographic ? (far ? before : std::min(0.0, before)) : 0.0;
+  startDepth = !orthographic && far ? before : 0.0;
   depthRangeMm = glm::dvec2(std::max(nearest, rayStartMm), farthest) - rayStartMm;
 
   const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
   const glm::dmat3 linear(voxelFromWorld);
-  eyeVoxel = glm::dvec3(voxelFromWorld * glm::dvec4(frame.eye + rayStartMm * forwardWorld, 1.0));
+  eyeVoxel =
+      glm::dvec3(voxelFromWorld * glm::dvec4(frame.eye + (rayStartMm + startDepth) * forwardWorld, 1.0));
   rightVoxel = linear * rightWorld;
   upVoxel = linear * upWorld;
   forwardVoxel = linear * forwardWorld;

@@ -1,4 +1,8 @@
 // The camera as the shaders want it: in voxel space, float, made in double.
+//
+// An eye that is many times the volume's size away is left out of the arithmetic of floats: rays start on a
+// plane before the volume, whose corners are known in double precision. Near eyes keep their rays as they
+// are.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,13 +14,16 @@
 namespace isolux::render {
 
 struct ViewUniforms {
-  glm::dvec3 eyeVoxel, rightVoxel, upVoxel, forwardVoxel;  // common.glsl
+  glm::dvec3 eyeVoxel;                           // where the middle ray starts
+  glm::dvec3 rightVoxel, upVoxel, forwardVoxel;  // common.glsl
   glm::dvec3 rightWorld, upWorld, forwardWorld;
   glm::dvec2 halfExtent;
   bool orthographic;
-  double rayStartMm;  // what a ray's t = 0 lies behind the camera's eye: 0, or for orthographic views far
-                      // enough back that the whole volume is in front
-  glm::dvec2 depthRangeMm;  // of the volume's corners along the view direction, from t = 0
+  double rayStartMm;  // orthographic: how far before the camera's eye t = 0 lies, so that the whole volume is
+                      // in front of it and not too far
+  double startDepth;  // perspective: how far before the eye the plane t = 0 lies, mm; 0 unless the eye is far
+                      // away
+  glm::dvec2 depthRangeMm;  // of the volume's corners along the view direction, from rayStartMm
 
   ViewUniforms(const scene::Camera& camera, double aspect, const volume::GridGeometry& geometry);
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/constants.h"
 #include "scene/error.h"
@@ -10,12 +11,29 @@ namespace isolux::render {
 
 namespace {
 
-// Of the largest magnitude, as a power of two.
+// What float values become texels by: (value - offset) * 2^-exponent.
+struct Scaling {
+  float offset = 0.0f;
+  int exponent = 0;
+};
+
 int exponentOf(double least, double most) {
   const double largest = std::max(std::fabs(least), std::fabs(most));
   int exponent = 0;
   if (largest > 0.0) std::frexp(largest, &exponent);
   return std::clamp(exponent, -126, 127);
+}
+
+// The largest magnitude becomes about 1. An offset only where subtracting it rounds nothing: every value
+// within a factor of two of it.
+Scaling scalingOf(double least, double most) {
+  const bool oneSign = least > 0.0 || most < 0.0;
+  const double nearest = std::min(std::fabs(least), std::fabs(most)),
+               farthest = std::max(std::fabs(least), std::fabs(most));
+  if (!oneSign || farthest > 2.0 * nearest || least == most) return {0.0f, exponentOf(least, most)};
+  const auto middle = static_cast<float>(least + 0.5 * (most - least));
+  const double offset = static_cast<double>(middle);
+  return {middle, exponentOf(least - offset, most - offset)};
 }
 
 template <class Voxel, class Texel, class Convert>
@@ -51,9 +69,13 @@ TexelSource::TexelSource(const volume::Grid& grid) : dims_(grid.dims()), voxels_
     case VoxelType::uint16:
       scale_ = 65535.0;
       break;
-    default:
-      exponent_ = exponentOf(grid.storedMinimum(), grid.storedMaximum());
+    default: {
+      const Scaling scaling = scalingOf(grid.storedMinimum(), grid.storedMaximum());
+      exponent_ = scaling.exponent;
+      subtracted_ = scaling.offset;
+      offset_ = static_cast<double>(subtracted_);
       scale_ = std::ldexp(1.0, exponent_);
+    }
   }
   if (grid.storedType() == VoxelType::int8) offset_ = -128.0;
   if (grid.storedType() == VoxelType::int16) offset_ = -32768.0;
@@ -89,9 +111,10 @@ void TexelSource::copyBox(glm::ivec3 first, glm::ivec3 size, void* texels) const
   const auto copy = [&](const auto& voxels) {
     using T = typename std::decay_t<decltype(voxels)>::value_type;
     if constexpr (std::is_same_v<T, float>) {
-      convertBox(voxels, dims_, first, size, static_cast<float*>(texels), [shift = -exponent_](float v) {
-        return std::isnan(v) ? missingTexel : std::ldexp(v, shift);
-      });
+      convertBox(voxels, dims_, first, size, static_cast<float*>(texels),
+                 [shift = -exponent_, offset = subtracted_](float v) {
+                   return std::isnan(v) ? missingTexel : std::ldexp(v - offset, shift);
+                 });
     } else {
       using Unsigned = std::make_unsigned_t<T>;
       constexpr int bias = std::is_signed_v<T> ? (sizeof(T) == 1 ? 128 : 32768) : 0;

@@ -13,7 +13,9 @@ namespace isolux::render {
 // Voxels as texels: stored = texel * scale + offset, where texel is what the shader fetches:
 //   int8, uint8   R8   (int8 biased by 128)      scale 255
 //   int16, uint16 R16  (int16 biased by 32768)   scale 65535
-//   float32       R32F multiplied by a power of two that brings the largest magnitude near 1 (exact)
+//   float32       R32F multiplied by a power of two that brings the largest magnitude near 1 (exact).
+//                 Where all values lie within a factor of two of one another, their middle is subtracted
+//                 first (exact, Sterbenz 1974): of 1e6 + small, filters and sums keep the small part.
 // Keeps pointers to the voxels it is made from.
 class TexelSource {
  public:
@@ -38,6 +40,7 @@ class TexelSource {
   const volume::VoxelArray* voxels_ = nullptr;  // or:
   const std::vector<float>* coefficients_ = nullptr;
   double scale_ = 1.0, offset_ = 0.0;
+  float subtracted_ = 0.0f;  // from each voxel
   int exponent_ = 0;
 };
 

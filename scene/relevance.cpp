@@ -212,6 +212,7 @@ const std::array rules = {
     Rule{"look.texture_scale", [](const Scene& s) { return s.look.texture != SolidTexture::none; },
          "there is no texture"},
     Rule{"look.shadow", hasLocalLight, notLocal},
+    Rule{"look.shadow", keyLightActs, "the key light brightens nothing"},
     Rule{"look.fog", isNotPlain, plain},
     Rule{"look.fog_color", isNotPlain, plain},
     Rule{"look.fog_color", [](const Scene& s) { return s.look.fog > 0.0; }, "there is no fog"},
@@ -317,6 +318,16 @@ Shading shadingOf(const Scene& scene) {
     default:
       return isColored(scene.look.mode) ? scene.look.shading : Shading::unlit;
   }
+}
+
+bool keyLightActs(const Scene& scene) {
+  const Shading shading = shadingOf(scene);
+  if (shading == Shading::tone) return true;  // by its direction alone
+  if (shading == Shading::unlit || shading == Shading::gi) return false;
+  const glm::dvec3& color = scene.light.color;
+  const bool shines = scene.light.intensity > 0.0 && (color.r > 0.0 || color.g > 0.0 || color.b > 0.0);
+  const bool highlight = shading == Shading::blinn_phong && scene.look.specular > 0.0;
+  return shines && (scene.look.ambient < 1.0 || highlight);
 }
 
 bool showsFlow(const Scene& scene) {

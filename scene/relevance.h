@@ -16,6 +16,8 @@ std::string_view whyInactive(std::string_view path, const Scene& scene);
 
 // The shading that applies: the mode's own, look.shading under modes that give a colour, else unlit.
 Shading shadingOf(const Scene& scene);
+// Whether the key light brightens anything, so that its shadow is seen.
+bool keyLightActs(const Scene& scene);
 // Whether streaks along the curvature are drawn.
 bool showsFlow(const Scene& scene);
 

@@ -5,6 +5,7 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QPushButton>
 
 #include "render/passes.h"
 #include "scene/automatic.h"
@@ -81,13 +82,17 @@ Motion motionBetween(const scene::Scene& from, scene::Scene to) {
 }
 }  // namespace
 
-Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), overlay_(new ViewportOverlay(this)) {
+Viewport::Viewport(QWidget* parent)
+    : QOpenGLWidget(parent), overlay_(new ViewportOverlay(this)), remedy_(new QPushButton(this)) {
   resolved_ = scene::resolve(scene_, {});  // the background, until there is a volume
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
   setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
   setAccessibleName("Picture");
+  remedy_->setObjectName("remedy");
+  remedy_->hide();
+  connect(remedy_, &QPushButton::clicked, this, &Viewport::takeRemedy);
   refineTimer_.setSingleShot(true);
   connect(&refineTimer_, &QTimer::timeout, this, &Viewport::refine);
   pointTimer_.setSingleShot(true);
@@ -141,6 +146,7 @@ void Viewport::releaseRenderer() {
 void Viewport::fail(const QString& reason, const QString& advice) {
   const bool news = problem_ != reason;
   failed_ = true;
+  remedy_->hide();
   problem_ = reason;
   overlay_->setProblem(reason, advice);
   if (news) Q_EMIT failed(reason);
@@ -158,6 +164,7 @@ void Viewport::resizeGL(int, int) {
 void Viewport::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
   overlay_->setGeometry(rect());
+  placeRemedy();
   showLamps();
 }
 
@@ -228,11 +235,54 @@ void Viewport::showed(const render::FrameReport& report, double milliseconds) {
   }
   bricksPending_ = report.bricks.pending;
   lightPending_ = report.light.pending;
-  overlay_->setNote(fieldsPending_ ? fieldNote(*fieldJob_) : missingNote(report.bricks));
+  const bool empty = report.empty && !fieldsPending_;
+  overlay_->setNote(fieldsPending_ ? fieldNote(*fieldJob_)
+                    : empty        ? QString::fromStdString(report.empty->reason)
+                                   : missingNote(report.bricks));
+  offerRemedy(empty ? report.empty : std::nullopt);
   if (bricksPending_ || lightPending_) update();  // the next frame gets further
   reportSeen();
   Q_EMIT reported(report, lastRequest_);
   Q_EMIT drawn(pictureMilliseconds_, complete());
+}
+
+// An empty picture says why (the overlay's note), and what would fill it is one click away.
+void Viewport::offerRemedy(const std::optional<render::EmptyPicture>& empty) {
+  using Remedy = render::EmptyPicture::Remedy;
+  offered_ = empty ? empty->remedy : Remedy::none;
+  remedy_->setVisible(offered_ != Remedy::none);
+  switch (offered_) {
+    case Remedy::none:
+      return;
+    case Remedy::isovalue:
+      remedy_->setText("Suggested isovalue");
+      break;
+    case Remedy::view:
+      remedy_->setText("Reset view");
+      break;
+    case Remedy::opacity:
+      remedy_->setText("Make it opaque");
+      break;
+  }
+  placeRemedy();
+}
+
+void Viewport::takeRemedy() {
+  using Remedy = render::EmptyPicture::Remedy;
+  if (offered_ == Remedy::view) {
+    resetView();
+    return;
+  }
+  Edit edit{scene_, remedy_->text(), {}, false};
+  if (offered_ == Remedy::isovalue) edit.scene.isosurface.value.reset();
+  if (offered_ == Remedy::opacity) edit.scene.isosurface.opacity = 1.0;
+  Q_EMIT edited(edit);
+}
+
+void Viewport::placeRemedy() {
+  constexpr int belowNote = 64;  // pixels: under the overlay's line
+  remedy_->adjustSize();
+  remedy_->move((width() - remedy_->width()) / 2, belowNote);
 }
 
 // Light is wanted first where it is seen. A view that keeps turning is told a few times a second.
@@ -355,7 +405,7 @@ void Viewport::setLight(LightPointer light, bool changing) {
   update();
 }
 
-render::ColorImage Viewport::picture() {
+render::StillPicture Viewport::picture(bool linear) {
   if (!renderer_) throw scene::Error(scene::ErrorKind::graphics, "", "", "there is no picture to save");
   makeCurrent();
   try {
@@ -370,11 +420,13 @@ render::ColorImage Viewport::picture() {
       throw scene::Error(scene::ErrorKind::graphics, "", "",
                          "the volume is still being interpolated for this picture; save it in a moment");
     renderer_->setLight(light_);
-    renderer_->render(resolved_, request);
-    lastRequest_ = request;  // what pick() reads from now on
-    render::ColorImage image = renderer_->readColor();
+    request.linear = linear;
+    scene::Progress unwatched;
+    render::StillPicture picture = render::drawStill(*renderer_, resolved_, request, unwatched);
+    current_ = false;  // what pick() reads is drawn anew
+    update();
     doneCurrent();
-    return image;
+    return picture;
   } catch (const scene::Error&) {
     doneCurrent();
     throw;

@@ -17,8 +17,11 @@
 #include <QPointF>
 #include <QTimer>
 
+class QPushButton;
+
 #include "render/frame.h"
 #include "render/renderer.h"
+#include "render/still_picture.h"
 #include "scene/camera.h"
 #include "ui/baked_light.h"
 #include "ui/document.h"
@@ -57,8 +60,9 @@ class Viewport : public QOpenGLWidget {
   void resetView();
   void toggleProjection();
 
-  // The full picture as the scene asks for it, without letters and scale. Throws scene::Error.
-  render::ColorImage picture();
+  // The full picture as the scene asks for it, without letters and scale; `linear`: also as linear float32.
+  // Throws scene::Error.
+  render::StillPicture picture(bool linear = false);
   bool complete() const;        // the picture on screen is the full one
   QString description() const;  // GL strings, or why there is no picture
   const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
@@ -94,6 +98,9 @@ class Viewport : public QOpenGLWidget {
   void releaseRenderer();
   const render::FrameReport& drawPicture();
   void clearPicture();
+  void offerRemedy(const std::optional<render::EmptyPicture>& empty);
+  void takeRemedy();
+  void placeRemedy();
   void showed(const render::FrameReport& report, double milliseconds);
   void fail(const QString& reason, const QString& advice);
   void redraw(Motion motion = Motion::rays);  // something changed: a quick picture now, a full one soon
@@ -147,6 +154,8 @@ class Viewport : public QOpenGLWidget {
   std::optional<LampGrip> grip_;               // under the pointer, or being dragged
   QPointF gripOffset_;
   ViewportOverlay* overlay_;
+  QPushButton* remedy_;  // over an empty picture: what would show something
+  render::EmptyPicture::Remedy offered_ = render::EmptyPicture::Remedy::none;
 };
 
 }  // namespace isolux::ui

@@ -61,7 +61,7 @@ void ViewportOverlay::setProblem(const QString& reason, const QString& advice) {
   if (reason == problem_ && advice == advice_) return;
   problem_ = reason;
   advice_ = advice;
-  setAccessibleDescription(reason.isEmpty() ? QString() : reason + "\n\n" + advice);
+  setAccessibleDescription(reason.isEmpty() ? note_ : reason + "\n\n" + advice);
   update();
 }
 
@@ -104,6 +104,7 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
 void ViewportOverlay::setNote(const QString& text) {
   if (text == note_) return;
   note_ = text;
+  if (problem_.isEmpty()) setAccessibleDescription(text);
   update();
 }
 

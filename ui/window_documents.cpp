@@ -186,12 +186,13 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
                         "is not written: the name of a picture ends in .png or .exr");
     const std::string session =
         withSession ? app::pictureSessionText(document_->shownScene(), path.parent_path()) : std::string();
-    const render::ColorImage image = viewport_->picture();
+    const bool linear = isFormat(file, "exr");
+    const render::StillPicture picture = viewport_->picture(linear);
     const QString light = unfinishedLightText(light_->state(), light_->cancelled());
-    if (isFormat(file, "exr")) {
-      app::writeExr(&image, {}, path, session);
+    if (linear) {
+      app::writeExr(&picture.linear, {}, path, session);
     } else {
-      app::writePng(image, path, session);
+      app::writePng(picture.color, path, session);
     }
     tellSaved(file, light);
     return true;

@@ -24,6 +24,18 @@ class Sampler {
 
   Sample at(double t) const { return {t, sampleTrilinear(grid_, position(t)).value - isovalue_}; }
 
+  // Whether no cell between two samples has a missing corner: a crossing is only known where the field is.
+  bool whole(double from, double to) const {
+    if (grid_.missingCount() == 0) return true;
+    Ray stretch = ray_;
+    stretch.tMinimum = from;
+    stretch.tMaximum = to;
+    CellWalk walk(grid_.dims(), stretch);
+    for (bool more = walk.inside(); more; more = walk.next())
+      if (std::isnan(sampleTrilinear(grid_, glm::dvec3(walk.cell()) + 0.5).value)) return false;
+    return true;
+  }
+
   // Eq. (1), `steps` times on the half of the bracket in which the side changes.
   RayHit refined(Sample low, Sample high, int steps) const {
     const bool entering = high.inside();
@@ -74,7 +86,7 @@ std::optional<RayHit> firstHitSampled(const Grid& grid, const MinMaxBlocks& bloc
       if (std::isnan(sample.f)) {
         before.reset();
       } else {
-        if (before && before->inside() != sample.inside())
+        if (before && before->inside() != sample.inside() && sampler.whole(before->t, sample.t))
           return sampler.refined(*before, sample, options.refinements);
         before = sample;
       }

@@ -19,7 +19,8 @@ struct SampledOptions {
 };
 
 // Samples start where the ray enters the first active block, leave out what is in others, and end with the
-// ray. A hit is a change of (f >= isovalue) between two samples, refined; a surface crossed twice between two
+// ray. A hit is a change of (f >= isovalue) between two samples with no missing
+// voxel between them, refined; a surface crossed twice between two
 // samples is missed. Otherwise as firstHit().
 std::optional<RayHit> firstHitSampled(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                       const Ray& ray, const SampledOptions& options);

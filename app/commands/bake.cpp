@@ -50,6 +50,8 @@ void seeView(LightController& controller, const BakeOptions& options, const scen
   renderer.setVolume(prepared);
   render::FrameRequest request;
   request.size = parseSize(options.size);
+  while (std::max(request.size.x, request.size.y) > 4096)
+    request.size = glm::max(request.size / 2, glm::ivec2(1));
   request.color = false;
   request.aovs = {render::Aov::voxel};
   renderer.render(scene, request);

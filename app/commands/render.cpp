@@ -15,6 +15,7 @@
 #include "app/session.h"
 #include "app/version.h"
 #include "render/renderer.h"
+#include "render/still_picture.h"
 #include "scene/automatic.h"
 #include "scene/error.h"
 
@@ -44,7 +45,9 @@ render::FrameRequest requestOf(const RenderOptions& options, const scene::Scene&
   render::FrameRequest request;
   request.size = pictureSize(options.size, options.path, *options.scene);
   request.supersampling = scene.picture.supersampling;
+  request.linear = extension == ".exr";
   if (!options.aov.empty()) {
+    request.linear = false;
     request.aovs = render::parseAovList(options.aov);
     if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
     request.color = false;
@@ -60,23 +63,23 @@ double median(std::vector<double> values) {
 }
 
 struct Drawn {
-  render::FrameReport report;  // of the last frame
-  double milliseconds = 0.0;   // median of the measured frames
+  render::StillPicture picture;  // the last one
+  double milliseconds = 0.0;     // median of the measured pictures
 };
 
-// One frame; or, to measure, one to warm up and `repeat` in which every pass runs again.
+// One picture; or, to measure, one to warm up and `repeat` in which every pass runs again.
 Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
            int repeat, scene::Progress& progress) {
   Drawn drawn;
-  drawn.report = renderer.render(scene, request);
-  drawn.milliseconds = drawn.report.milliseconds;
+  drawn.picture = render::drawStill(renderer, scene, request, progress);
+  drawn.milliseconds = drawn.picture.report.milliseconds;
   std::vector<double> times;
   for (int i = 0; i < repeat; ++i) {
     progress.throwIfStopped();
     progress.report(static_cast<double>(i) / repeat, "measuring");
     renderer.invalidate();
-    drawn.report = renderer.render(scene, request);
-    times.push_back(drawn.report.milliseconds);
+    drawn.picture = render::drawStill(renderer, scene, request, progress);
+    times.push_back(drawn.picture.report.milliseconds);
   }
   if (!times.empty()) drawn.milliseconds = median(std::move(times));
   return drawn;
@@ -93,7 +96,7 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
                        const render::ContextDescription& context, const Drawn& drawn,
                        const LightState& light) {
   ordered_json passes = ordered_json::array();
-  for (const render::PassReport& pass : drawn.report.passes)
+  for (const render::PassReport& pass : drawn.picture.report.passes)
     passes.push_back({{"name", pass.name},
                       {"state", render::nameOf(pass.state)},
                       {"reason", pass.reason},
@@ -108,13 +111,16 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
   json["passes"] = passes;
   json["frame_milliseconds"] = drawn.milliseconds;
   json["repeat"] = options.repeat;
-  json["blocks"] = {{"active", drawn.report.blocksActive}, {"total", drawn.report.blocksTotal}};
-  const render::BrickReport& bricks = drawn.report.bricks;
+  json["blocks"] = {{"active", drawn.picture.report.blocksActive},
+                    {"total", drawn.picture.report.blocksTotal}};
+  const render::BrickReport& bricks = drawn.picture.report.bricks;
   json["bricks"] = {{"active", bricks.active},   {"resident", bricks.resident}, {"uploaded", bricks.uploaded},
                     {"evicted", bricks.evicted}, {"slots", bricks.slots},       {"total", bricks.total},
                     {"missing", bricks.missing}};
+  const std::optional<render::EmptyPicture>& empty = drawn.picture.report.empty;
+  json["empty"] = empty ? ordered_json(empty->reason) : ordered_json(nullptr);
   json["bake"] = bakeJson(light);
-  json["gpu_bytes"] = drawn.report.gpuBytes;
+  json["gpu_bytes"] = drawn.picture.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["data_hash"] = hashText(prepared.grid().hash());
   json["read_seconds"] = prepared.readSeconds;
@@ -137,19 +143,14 @@ void printPasses(const render::FrameReport& report) {
   std::fflush(stdout);
 }
 
-void writePicture(render::Renderer& renderer, const render::FrameRequest& request,
+void writePicture(const render::StillPicture& picture, const render::FrameRequest& request,
                   const RenderOptions& options, const scene::Scene& scene) {
   const fs::path out(options.out);
   const std::string session = sessionText(scene, out.parent_path());
-  if (out.extension() == ".png") {
-    writePng(renderer.readColor(), out, session);
-    return;
-  }
-  std::vector<render::AovImage> images;
-  for (const render::Aov aov : request.aovs) images.push_back(renderer.readAov(aov));
-  std::optional<render::ColorImage> color;
-  if (request.color) color = renderer.readColor();
-  writeExr(color ? &*color : nullptr, images, out, session);
+  if (out.extension() == ".png")
+    writePng(picture.color, out, session);
+  else
+    writeExr(request.linear ? &picture.linear : nullptr, picture.aovs, out, session);
 }
 
 void runRender(const RenderOptions& options, scene::Progress& progress) {
@@ -180,22 +181,27 @@ void runRender(const RenderOptions& options, scene::Progress& progress) {
     progress.report(0.0, "drawing");
     drawn = draw(renderer, scene, request, options.repeat, progress);
     progress.throwIfStopped();
-    writePicture(renderer, request, options, scene);
+    writePicture(drawn.picture, request, options, scene);
   }
   if (!options.stats.empty())
     writeTextFile(options.stats, jsonText(statsJson(options, scene, request, *prepared,
                                                     context->description(), drawn, light.state())));
   if (options.explain) {
-    printPasses(drawn.report);
+    printPasses(drawn.picture.report);
     printBake(light.state());
   }
   for (const std::string& warning : light.state().warnings) printNote(warning);
   printWarnings(prepared->volume);
-  if (drawn.report.bricks.missing > 0.0)
+  if (drawn.picture.report.empty)
+    std::fprintf(stderr, "isolux: note: the picture is empty: %s\n",
+                 drawn.picture.report.empty->reason.c_str());
+  for (const std::string& error : drawn.picture.report.glErrors)
+    std::fprintf(stderr, "isolux: note: the graphics driver reports an error: %s\n", error.c_str());
+  if (drawn.picture.report.bricks.missing > 0.0)
     std::fprintf(
         stderr,
         "isolux: note: %.2g %% of the picture is missing: memory.gpu_budget_mb is too small for this view\n",
-        100.0 * drawn.report.bricks.missing);
+        100.0 * drawn.picture.report.bricks.missing);
 }
 
 }  // namespace

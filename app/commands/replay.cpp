@@ -14,6 +14,7 @@
 #include "app/recording.h"
 #include "app/session.h"
 #include "render/renderer.h"
+#include "render/still_picture.h"
 #include "scene/automatic.h"
 #include "scene/error.h"
 
@@ -68,8 +69,7 @@ class FrameMaker {
     if (!image_ || !(resolved == drawn_)) {
       request_.supersampling = resolved.picture.supersampling;
       lightPicture(light_, *renderer_, resolved, request_, prepared_, progress);
-      renderer_->render(resolved, request_);
-      image_ = renderer_->readColor();
+      image_ = render::drawStill(*renderer_, resolved, request_, progress).color;
       drawn_ = resolved;
     }
     writePng(*image_, file, sessionText(resolved, file.parent_path()));

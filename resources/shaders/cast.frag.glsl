@@ -49,6 +49,24 @@ float sampled(vec3 p) {
 #endif
 }
 
+// Whether the cells between two samples are whole: a crossing is only known where the field is.
+bool whole(Path path, float from, float to) {
+  ivec3 cell = cellOf(path.origin + from * path.direction);
+  for (int i = 0; i < uMaxSteps; ++i) {
+    if (!resident(cell)) return true;  // the ray waits for it
+    if (cellMissing(cell)) return false;
+#ifdef CUBIC
+    if (isMissing(splineMinus(vec3(cell) + 0.5, 0.0))) return false;
+#endif
+    bvec3 axis;
+    float t = exitOf(path, cell, 0, axis);
+    if (t >= to) return true;
+    cell = nextCell(path, cell, 0, t, axis);
+    if (outsideCells(cell)) return true;
+  }
+  return true;
+}
+
 vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
   Path path = pathOf(origin, direction);
   clipToDomain(path, t, tEnd);
@@ -85,7 +103,8 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
           surface = k;
         }
       }
-      if (least < never) return vec4(tBefore, t, float(surface + (value >= uIsovalueShifts[surface] ? 4 << surface : 0)), 0.0);
+      bool refused = least < never && uGaps && !whole(path, tBefore, t);
+      if (least < never && !refused) return vec4(tBefore, t, float(surface + (value >= uIsovalueShifts[surface] ? 4 << surface : 0)), 0.0);
       known = true;
     }
     before = value;

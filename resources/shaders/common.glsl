@@ -1,13 +1,17 @@
 // Shared by all passes: the ray of a pixel, and the exact trilinear field.
 
 // The camera in voxel space, per unit of world length: a point at t mm along a ray is origin + t * direction.
-uniform vec3 uEyeVoxel;
+uniform vec3 uEyeVoxel;      // where the ray through the middle starts
+uniform float uStartDepth;   // perspective: rays start on the plane that far before the eye, mm; 0 unless the eye is so
+                             // far away that floats would lose the rays on their way
 uniform vec3 uRightVoxel, uUpVoxel, uForwardVoxel;  // A^-1 of the camera's unit axes
 uniform vec2 uHalfExtent;   // of the image plane: at unit distance (perspective) or in mm (orthographic)
 uniform int uOrthographic;
 uniform ivec2 uPictureSize;  // rays, supersamples included
+uniform ivec2 uTileOrigin;   // of the images drawn into, within the picture: pictures may be drawn in parts
 
-vec2 imagePlane(vec2 fragment) { return (fragment / vec2(uPictureSize) * 2.0 - 1.0) * uHalfExtent; }
+vec2 inPicture(vec2 fragment) { return fragment + vec2(uTileOrigin); }
+vec2 imagePlane(vec2 fragment) { return (inPicture(fragment) / vec2(uPictureSize) * 2.0 - 1.0) * uHalfExtent; }
 
 void pixelRay(vec2 fragment, out vec3 origin, out vec3 direction) {
   vec2 xy = imagePlane(fragment);
@@ -16,7 +20,7 @@ void pixelRay(vec2 fragment, out vec3 origin, out vec3 direction) {
     origin = uEyeVoxel + offset;
     direction = uForwardVoxel;
   } else {
-    origin = uEyeVoxel;
+    origin = uEyeVoxel + uStartDepth * offset;
     direction = (uForwardVoxel + offset) * inversesqrt(1.0 + dot(xy, xy));
   }
 }

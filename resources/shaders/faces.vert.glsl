@@ -5,6 +5,7 @@
 layout(location = 0) in uint aFace;
 uniform int uBlockCells;
 uniform ivec3 uDims;
+uniform vec2 uTileScale, uTileShift;  // of the picture's clip coordinates into those of what is drawn
 uniform mat3 uCameraFromVoxel;  // (right, up, forward) coordinates of a voxel vector
 out vec3 vVoxel;
 
@@ -15,7 +16,7 @@ void main() {
   int axis = side / 2;
   bool highSide = side % 2 != 0;
   float plane = float(min((block[axis] + (highSide ? 1 : 0)) * uBlockCells, uDims[axis] - 1));
-  float toViewer = uOrthographic != 0 ? -uForwardVoxel[axis] : uEyeVoxel[axis] - plane;
+  float toViewer = uOrthographic != 0 ? -uForwardVoxel[axis] : uEyeVoxel[axis] - plane - uStartDepth * uForwardVoxel[axis];
   if (highSide ? toViewer < 0.0 : toViewer > 0.0) {
     vVoxel = vec3(0.0);
     gl_Position = vec4(0.0, 0.0, 0.0, -1.0);  // outside
@@ -31,5 +32,6 @@ void main() {
 
   vec3 c = uCameraFromVoxel * (vVoxel - uEyeVoxel);
   // z = 0: no near or far plane ever cuts a face; w > 0 drops what lies behind the eye.
-  gl_Position = uOrthographic != 0 ? vec4(c.xy / uHalfExtent, 0.0, 1.0) : vec4(c.xy / uHalfExtent, 0.0, c.z);
+  gl_Position = vec4(c.xy / uHalfExtent, 0.0, uOrthographic != 0 ? 1.0 : c.z + uStartDepth);
+  gl_Position.xy = gl_Position.xy * uTileScale + gl_Position.w * uTileShift;
 }

@@ -45,6 +45,13 @@ float trilinearMinus(vec3 p, float isovalue) {
   return bilinear(mix(low - isovalue, high - isovalue, f.z), f.x, f.y);
 }
 
+// Corner values less one of them: derivatives of values like 1e6 + small come from the small part alone.
+void toDifferences(inout vec4 low, inout vec4 high) {
+  float reference = low.x;
+  low -= reference;
+  high -= reference;
+}
+
 // The trilinear field's gradient in its cell, texels per voxel; 0 where a corner is missing.
 vec3 trilinearGradient(vec3 p) {
   ivec3 cell = cellOf(p);
@@ -52,6 +59,7 @@ vec3 trilinearGradient(vec3 p) {
   vec4 low, high;
   cellCorners(cell, low, high);
   if (anyMissing(low, high)) return vec3(0.0);
+  toDifferences(low, high);
   vec4 c = mix(low, high, f.z);
   return vec3(mix(c.y - c.x, c.w - c.z, f.y), mix(c.z - c.x, c.w - c.y, f.x), bilinear(high - low, f.x, f.y));
 }
@@ -64,6 +72,7 @@ bool trilinearMixed(vec3 p, out vec3 mixed) {
   cellCorners(cell, low, high);
   mixed = vec3(0.0);
   if (anyMissing(low, high)) return false;
+  toDifferences(low, high);
   vec4 c = mix(low, high, f.z), rise = high - low;
   mixed = vec3(c.w - c.z - c.y + c.x, mix(rise.y - rise.x, rise.w - rise.z, f.y), mix(rise.z - rise.x, rise.w - rise.y, f.x));
   return true;

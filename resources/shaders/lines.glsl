@@ -41,7 +41,7 @@ float silhouette(Point p, ivec2 pixel) {
 // side, another direction. `reach`: rays between the pixels.
 bool radialCurvatureAt(ivec2 pixel, Point p, float reach, out float kr) {
   kr = 0.0;
-  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, uPictureSize))) return false;
+  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, textureSize(uSurface, 0)))) return false;
   vec4 surface = texelFetch(uSurface, pixel, 0);
   if (surface.w < 0.0) return false;
   Point q = pointAt(pixel, surface);

@@ -54,6 +54,8 @@ void main() {
     }
   }
   if (brickMissed) discard;  // refined while its bricks were resident
+  oInfo = vec2(0.0);
+  if (isMissing(f)) return;  // a gap in the bracket after all, by rounding: nothing is known of a crossing
   oSurface = vec4(origin + t * direction, max(t, 0.0));
-  oInfo = vec2(isMissing(f) ? 0.0 : abs(f), bracket.z);
+  oInfo = vec2(abs(f), bracket.z);
 }

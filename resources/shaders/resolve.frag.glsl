@@ -1,10 +1,13 @@
-// The background behind what is shaded; supersamples averaged in linear light, encoded as sRGB, with a dither of one step against banding.
+// The background behind what is shaded; supersamples averaged in linear light. LINEAR: as that is; otherwise each at
+// most 1, encoded as sRGB, with a dither of one step against banding.
 #include "background.glsl"
 #ifdef ENVIRONMENT
 #include "environment.glsl"
 #endif
 uniform sampler2D uColor;  // premultiplied
 uniform int uSupersampling;
+uniform ivec2 uTileOrigin;   // pixels
+uniform ivec2 uPictureSize;  // pixels, of the whole picture
 layout(location = 0) out vec4 oPicture;
 
 vec3 encoded(vec3 c) {
@@ -23,18 +26,26 @@ float noise(uvec2 p) {
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 sum = vec3(0.0);
-  ivec2 rays = textureSize(uColor, 0);
+  ivec2 rays = uPictureSize * uSupersampling;
   for (int y = 0; y < uSupersampling; ++y)
     for (int x = 0; x < uSupersampling; ++x) {
       ivec2 ray = pixel * uSupersampling + ivec2(x, y);
       vec4 color = texelFetch(uColor, ray, 0);
+      ray += uTileOrigin * uSupersampling;
 #ifdef ENVIRONMENT
       vec3 behind = environmentAt((vec2(ray) + 0.5) / vec2(rays));
 #else
       vec3 behind = backgroundAt((float(ray.y) + 0.5) / float(rays.y));
 #endif
-      sum += min(color.rgb + (1.0 - color.a) * behind, vec3(1.0));
+      vec3 seen = color.rgb + (1.0 - color.a) * behind;
+#ifdef LINEAR
+      sum += seen;
     }
-  float dither = (noise(uvec2(pixel)) - 0.5) / 255.0;
+  oPicture = vec4(sum / float(uSupersampling * uSupersampling), 1.0);
+#else
+      sum += min(seen, vec3(1.0));
+    }
+  float dither = (noise(uvec2(pixel + uTileOrigin)) - 0.5) / 255.0;
   oPicture = vec4(encoded(sum / float(uSupersampling * uSupersampling)) + dither, 1.0);
+#endif
 }

@@ -129,7 +129,7 @@ vec4 shaded(ivec2 pixel, vec4 surface, vec3 albedo) {
 #endif
 #ifdef FOG
 #ifdef FOG_BACKGROUND
-  vec3 fogColor = backgroundAt(gl_FragCoord.y / float(uPictureSize.y));
+  vec3 fogColor = backgroundAt(inPicture(gl_FragCoord.xy).y / float(uPictureSize.y));
 #else
   vec3 fogColor = uFogColor;
 #endif
@@ -141,7 +141,8 @@ vec4 shaded(ivec2 pixel, vec4 surface, vec3 albedo) {
 
 // A pixel whose ray waits for a brick: hatched grey, like nothing that is a surface.
 vec4 waiting() {
-  return vec4(vec3(mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 6.0 ? 0.16 : 0.30), 1.0);
+  vec2 at = inPicture(gl_FragCoord.xy);
+  return vec4(vec3(mod(at.x + at.y, 12.0) < 6.0 ? 0.16 : 0.30), 1.0);
 }
 
 void main() {

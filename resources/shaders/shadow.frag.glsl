@@ -77,7 +77,8 @@ void main() {
   oLit = blocked ? 0.0 : 1.0;
 #ifdef BRICKS
   if (brickMissed) {  // hatched until it is known
-    oLit = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 6.0 ? 0.0 : 1.0;
+    vec2 at = inPicture(gl_FragCoord.xy);
+    oLit = mod(at.x + at.y, 12.0) < 6.0 ? 0.0 : 1.0;
     atomicAdd(waitingRays, 1u);
   }
 #endif

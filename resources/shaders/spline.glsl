@@ -57,6 +57,8 @@ bool splineDerivatives(vec3 p, out vec3 gradient, out vec3 hessianDiagonal, out 
   SplineWeights X = splineWeights(p.x - base.x), Y = splineWeights(p.y - base.y), Z = splineWeights(p.z - base.z);
   gradient = hessianDiagonal = hessianMixed = vec3(0.0);
   float most = 0.0;
+  // A derivative's weights sum to 0: of values like 1e6 + small only the small part may be weighted.
+  float reference = texelFetch(uField, cell + shift, 0).r;
   for (int k = 0; k < uFour; ++k) {
     int z = clamp(first.z + k, 0, top.z);
     vec3 plane = vec3(0.0);  // value, d/dx, d/dy of this plane
@@ -66,6 +68,7 @@ bool splineDerivatives(vec3 p, out vec3 gradient, out vec3 hessianDiagonal, out 
     for (int j = 0; j < uFour; ++j) {
       vec4 row = splineRow(first.x, clamp(first.y + j, 0, top.y), z, shift);
       most = max(most, largest(row));
+      row -= reference;
       float value = dot(row, X.w), slope = dot(row, X.d);
       plane += vec3(value * Y.w[j], slope * Y.w[j], value * Y.d[j]);
 #ifdef HESSIAN

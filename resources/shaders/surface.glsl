@@ -37,7 +37,7 @@ Point pointAt(ivec2 pixel, vec4 surface) {
   Point p;
   p.position = uWorldFromVoxel * surface.xyz;
   p.ray = worldRay(vec2(pixel) + 0.5);
-  p.depth = surface.w * dot(p.ray, uForwardWorld);
+  p.depth = surface.w * dot(p.ray, uForwardWorld) + uStartDepth;
   p.footprint = max(footprintAt(p.depth), 1e-30);
 #ifdef NO_GRADIENT
   p.outward = -p.ray;

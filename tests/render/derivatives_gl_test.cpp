@@ -1,6 +1,8 @@
 // Derivatives and curvature of the GL pipeline: against the same arithmetic in double, against closed forms,
 // and against what no change of coordinates may change.
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <glm/geometric.hpp>
@@ -98,6 +100,54 @@ TEST_F(DerivativesGlTest, AgreeWithDoublePrecision) {
         EXPECT_LT(worstKappa, filtered ? 8e-2 : 1e-3);
         EXPECT_LT(worstDirection, filtered ? 0.1 : 1e-3);
       }
+}
+
+// Values like 1e6 + small keep few digits of the small part; what they keep is what normals and second
+// derivatives show. The bound is the same arithmetic in double on the same float32 voxels.
+TEST_F(DerivativesGlTest, ALargeConstantInTheValuesCostsNoDerivatives) {
+  const auto truth = phantom("torus", 48);
+  std::vector<float> shifted, withBackground;
+  for (const float v : std::get<std::vector<float>>(truth->grid().voxels())) {
+    shifted.push_back(1e6f + 100.0f * v);
+    withBackground.push_back(v < -12.0f ? 0.0f : 1e6f + 100.0f * v);  // no offset of all values is exact
+  }
+  for (const std::vector<float>* const values : {&shifted, &withBackground}) {
+    const auto volume = prepared(volume::Grid(truth->grid().geometry(), *values));
+    const volume::Grid& grid = volume->grid();
+    for (const auto field : {scene::Field::trilinear, scene::Field::cubic})
+      for (const auto fetch : {scene::Fetch::exact, scene::Fetch::fast}) {
+        if (fetch == scene::Fetch::fast && values == &withBackground)
+          continue;  // the texture unit's own sums
+        scene::Scene scene;
+        scene.isosurface.value = 1e6;
+        scene.derivatives.field = field;
+        scene.derivatives.fetch = fetch;
+        const CurvatureImages seen = curvatureImages(volume, scene);
+        const render::AovImage normals = renderer_->readAov(render::Aov::normal);
+        double worst = 0.0, worstHessian = 0.0;
+        int count = 0;
+        for (std::size_t i = 0; i < seen.pixels(); ++i) {
+          if (!seen.isHit(i)) continue;
+          const glm::dvec3 p = at(seen.voxel, i);
+          const volume::FieldSample sample = field == scene::Field::trilinear
+                                                 ? volume::sampleTrilinear(grid, p)
+                                                 : volume::sampleCubic(grid, p);
+          const glm::dvec3 g = volume::worldGradient(grid.geometry(), sample.gradient);
+          const glm::dmat3 h = volume::worldHessian(grid.geometry(), sample.hessian);
+          const double sine = glm::length(glm::cross(at(normals, i), glm::normalize(-g)));
+          worst = std::max(worst, std::asin(std::min(sine, 1.0)) * 180.0 / std::numbers::pi);
+          worstHessian = std::max(worstHessian, largest(hessianAt(seen.hessian, i) - h) / glm::length(g));
+          ++count;
+        }
+        std::printf("field %d, %s: %d points, normals %.1e degrees, Hessian %.1e of |g| per mm\n",
+                    static_cast<int>(field), fetch == scene::Fetch::fast ? "fast" : "exact", count, worst,
+                    worstHessian);
+        ASSERT_GT(count, 500);
+        const bool filtered = fetch == scene::Fetch::fast && field != scene::Field::trilinear;
+        EXPECT_LT(worst, filtered ? 1.0 : 0.01);
+        EXPECT_LT(worstHessian, filtered ? 8e-2 : 1e-3);
+      }
+  }
 }
 
 // Closed forms, all in mm: a torus has curvatures of both signs and no umbilic. Interpolating coefficients of

@@ -206,6 +206,17 @@ const std::vector<LookRow> kLooks = {
     {{"look.shadow=1", "look.mode=tone"}, kShadowed},
     {{"look.shadow=1", "look.mode=curvedness"}, {"hessian", "curvature", "ranges", "shadow", "shade"}},
     {{"look.shadow=1", "look.mode=shape_index", "look.shading=unlit"}, kCurved},  // nothing is lit
+    // Without a key light, or where it brightens nothing, nobody sees its shadow; tone has only its
+    // direction.
+    {{"look.shadow=1", "light.intensity=0"}, kShaded},
+    {{"look.shadow=1", "light.color=0,0,0"}, kShaded},
+    {{"look.shadow=1", "look.ambient=1"}, kShadowed},  // the highlight
+    {{"look.shadow=1", "look.ambient=1", "look.specular=0"}, kShaded},
+    {{"look.shadow=1", "look.ambient=1", "look.mode=lambert"}, kShaded},
+    {{"look.shadow=1", "light.intensity=0", "look.mode=tone"}, kShadowed},
+    // A surface of opacity 0 is not there, and what is behind it is not behind anything.
+    {{"isosurface.opacity=0", "isosurface2.shown=1", "isosurface2.value=3", "isosurface2.opacity=1"},
+     kShaded},
     {{"isosurface.opacity=0.5"}, {"gradient", "shade", "layers"}},
     {{"isosurface.opacity=0.5", "look.shadow=1", "look.mode=flow"},
      {"hessian", "curvature", "shadow", "flow field", "flow", "shade", "layers"}},
@@ -353,6 +364,21 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   request.aovs = {Aov::irradiance};
   light.stored = true;
   EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance"));
+}
+
+// Nothing can be hit: nothing of a surface is computed for the picture.
+TEST_F(FrameGraphTest, AnIsovalueWithoutASurfaceCostsNoDerivatives) {
+  for (const char* look : {"curvature_2d", "flow", "gi", "lambert"}) {
+    scene::Scene scene;
+    scene::applyAssignment(scene, std::string("look.mode=") + look);
+    VolumeState nothing{1, 1};
+    nothing.crossed = false;
+    graph_.invalidate();
+    const auto passes = declarePasses(scene, {}, nothing);
+    EXPECT_THAT(namesOf(passes, frame(passes, wantedImages({})), PassState::ran),
+                ElementsAre("blocks", "segments", "cast", "shade", "resolve"))
+        << look;
+  }
 }
 
 // A new copy of equal voxels on the GPU has no active blocks and no resident bricks yet.

@@ -80,6 +80,15 @@ TEST(Relevance, LightNeedsALitLook) {
   EXPECT_EQ(scene::whyInactive("light.space", unlit), "only local shading has this light");
 }
 
+TEST(Relevance, AShadowNeedsAKeyLightThatBrightens) {
+  scene::Scene scene;
+  EXPECT_TRUE(acts("look.shadow", scene));
+  scene.light.intensity = 0.0;
+  EXPECT_EQ(scene::whyInactive("look.shadow", scene), "the key light brightens nothing");
+  scene.look.mode = scene::LookMode::tone;
+  EXPECT_TRUE(acts("look.shadow", scene));
+}
+
 TEST(Relevance, StrengthsBringTheirDetails) {
   scene::Scene scene;
   for (const char* path : {"look.ridge_threshold", "look.contour_width", "look.fog_color", "flow.length",

@@ -113,5 +113,32 @@ TEST(FirstHitSampled, MissingVoxelsAndOddRaysHaveNoHit) {
   EXPECT_FALSE(firstHitSampled(slab, MinMaxBlocks(slab, 8, progress), 0.5, {{-1, 0.5, 0.5}, {1, 0, 0}}, {}));
 }
 
+// Both ends of the bracket are known, a sample between them is not: 0 0 0 ? 1 1 1 along x, rays slanted so
+// that they step over the gap.
+TEST(FirstHitSampled, ABracketWithAGapInItIsRefused) {
+  constexpr int n = 12;
+  std::vector<float> voxels;
+  for (int z = 0; z < n; ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x)
+        voxels.push_back(x == 6 && (y + z) % 3 == 0 ? std::numeric_limits<float>::quiet_NaN()
+                         : x < 6                    ? 0.0f
+                                                    : 1.0f);
+  const Grid grid(GridGeometry::make({n, n, n}, glm::dvec3(1)), voxels);
+  scene::Progress progress;
+  const MinMaxBlocks blocks(grid, 8, progress);
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray ray{{-1.0, 0.01 * (i % 1000), 0.011 * ((i * 7) % 1000)}, {1.0, 0.02, i % 2 ? 0.03 : -0.01}};
+    for (const double rate : {0.15, 0.3, 1.0}) {
+      const auto hit = firstHitSampled(grid, blocks, 0.5, ray, {rate, 1.0, 0.0, 6});
+      if (!hit) continue;
+      ++hits;
+      ASSERT_TRUE(std::isfinite(hit->t) && std::isfinite(hit->valueError)) << i;
+    }
+  }
+  EXPECT_GT(hits, 0);  // where the bracket is whole
+}
+
 }  // namespace
 }  // namespace isolux::volume

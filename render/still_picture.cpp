@@ -1,0 +1,164 @@
+#include "render/still_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include <glm/common.hpp>
+
+#include "render/passes.h"
+#include "scene/error.h"
+
+namespace isolux::render {
+
+namespace {
+
+// Up to so many rays are one frame; more are drawn in tiles of kTileRays per axis, margins included.
+constexpr std::int64_t kMostRays = std::int64_t{4096} * 4096;
+constexpr int kLongestFrame = 8192;  // rays on an axis, within what every driver of GL 4.5 takes
+constexpr int kTileRays = 2048;
+
+// Pixels around a tile that its own pixels read.
+int marginOf(const scene::Scene& scene, const FrameRequest& request) {
+  if (!request.color) return 0;
+  double margin = 2.0;
+  if (scene.look.suggestiveContours > 0.0) margin += request.size.y / 90.0;
+  if (needsOf(scene).flow)
+    margin += std::max(0.5 * scene.flow.length, scene.flow.grain) * request.pixelRatio + 2.0;
+  return static_cast<int>(std::ceil(margin));
+}
+
+// The part of the tile's image that is new: what lies in the picture without its margin.
+struct Part {
+  glm::ivec2 origin, size;  // in the picture, from the lower left
+};
+
+struct Tiling {
+  int step = 0, margin = 0;  // pixels; step 0: one frame
+};
+
+Tiling tilingOf(const scene::Scene& scene, const FrameRequest& request) {
+  const glm::ivec2 rays = request.size * request.supersampling;
+  if (std::int64_t{rays.x} * rays.y <= kMostRays && std::max(rays.x, rays.y) <= kLongestFrame) return {};
+  const int margin = marginOf(scene, request);
+  return {std::max(kTileRays / request.supersampling - 2 * margin, 64), margin};
+}
+
+Part partOf(const FrameRequest& tile, const Tiling& tiling, glm::ivec2 whole) {
+  if (!tile.tile) return {glm::ivec2(0), whole};
+  const glm::ivec2 low = tile.tile->origin, high = low + tile.tile->size;
+  const auto inner = [&](int edge, int border, int towards) {
+    return edge == border ? edge : edge + towards * tiling.margin;
+  };
+  const glm::ivec2 from(inner(low.x, 0, 1), inner(low.y, 0, 1));
+  const glm::ivec2 to(inner(high.x, whole.x, -1), inner(high.y, whole.y, -1));
+  return {from, to - from};
+}
+
+// Copies the part out of a tile's image into the picture's; both have row 0 at the top.
+template <class Value>
+void paste(const std::vector<Value>& from, const Tile& tile, const Part& part, int channels, glm::ivec2 whole,
+           std::vector<Value>& to) {
+  const auto row = static_cast<std::ptrdiff_t>(part.size.x) * channels;
+  for (int y = 0; y < part.size.y; ++y) {
+    const std::ptrdiff_t source = tile.origin.y + tile.size.y - 1 - (part.origin.y + y);
+    const std::ptrdiff_t target = whole.y - 1 - (part.origin.y + y);
+    std::copy_n(from.begin() + (source * tile.size.x + part.origin.x - tile.origin.x) * channels, row,
+                to.begin() + (target * whole.x + part.origin.x) * channels);
+  }
+}
+
+std::size_t pixelsOf(glm::ivec2 size) {
+  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
+class Collector {
+ public:
+  explicit Collector(const FrameRequest& request) : request_(request) {
+    if (request.color) still_.color = {request.size, std::vector<std::uint8_t>(4 * pixelsOf(request.size))};
+    if (request.linear) still_.linear = {request.size, std::vector<float>(4 * pixelsOf(request.size))};
+  }
+
+  void add(Renderer& renderer, const Tile& tile, const Part& part) {
+    const glm::ivec2 whole = request_.size;
+    if (request_.color) paste(renderer.readColor().rgba, tile, part, 4, whole, still_.color.rgba);
+    if (request_.linear) paste(renderer.readLinearPicture().rgba, tile, part, 4, whole, still_.linear.rgba);
+    for (std::size_t i = 0; i < request_.aovs.size(); ++i) {
+      const AovImage image = renderer.readAov(request_.aovs[i]);
+      if (still_.aovs.size() <= i)
+        still_.aovs.push_back(
+            {image.aov, whole, image.channels,
+             std::vector<float>(pixelsOf(whole) * static_cast<std::size_t>(image.channels))});
+      paste(image.values, tile, part, image.channels, whole, still_.aovs[i].values);
+    }
+  }
+
+  void add(const FrameReport& report, double share) {
+    FrameReport& sum = still_.report;
+    if (sum.passes.empty()) {
+      sum = report;
+      sum.bricks.missing *= share;
+      return;
+    }
+    for (std::size_t i = 0; i < std::min(sum.passes.size(), report.passes.size()); ++i) {
+      sum.passes[i].milliseconds += report.passes[i].milliseconds;
+      if (report.passes[i].state == PassState::ran) sum.passes[i].state = PassState::ran;
+    }
+    if (!report.empty) sum.empty.reset();
+    sum.milliseconds += report.milliseconds;
+    sum.bricks.missing += report.bricks.missing * share;
+    sum.bricks.uploaded += report.bricks.uploaded;
+    sum.bricks.evicted += report.bricks.evicted;
+    sum.light.uploaded += report.light.uploaded;
+    sum.gpuBytes = std::max(sum.gpuBytes, report.gpuBytes);
+    sum.surfaceChanged = sum.surfaceChanged || report.surfaceChanged;
+    sum.glErrors.insert(sum.glErrors.end(), report.glErrors.begin(), report.glErrors.end());
+  }
+
+  StillPicture take() { return std::move(still_); }
+
+ private:
+  FrameRequest request_;
+  StillPicture still_;
+};
+
+}  // namespace
+
+std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameRequest& request) {
+  const Tiling tiling = tilingOf(resolved, request);
+  if (tiling.step == 0) return {request};
+  std::vector<FrameRequest> tiles;
+  for (int y = 0; y < request.size.y; y += tiling.step)
+    for (int x = 0; x < request.size.x; x += tiling.step) {
+      const glm::ivec2 low = glm::max(glm::ivec2(x, y) - tiling.margin, glm::ivec2(0));
+      const glm::ivec2 high = glm::min(glm::ivec2(x, y) + tiling.step + tiling.margin, request.size);
+      tiles.push_back(request);
+      tiles.back().tile = Tile{low, high - low};
+    }
+  return tiles;
+}
+
+StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const FrameRequest& request,
+                       scene::Progress& progress) try {
+  const Tiling tiling = tilingOf(resolved, request);
+  const std::vector<FrameRequest> tiles = tilesOf(resolved, request);
+  Collector collector(request);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    progress.throwIfStopped();
+    if (tiles.size() > 1)
+      progress.report(static_cast<double>(i) / static_cast<double>(tiles.size()), "drawing");
+    const Tile tile = tiles[i].tile.value_or(Tile{glm::ivec2(0), request.size});
+    const Part part = partOf(tiles[i], tiling, request.size);
+    const FrameReport& report = renderer.render(resolved, tiles[i]);
+    collector.add(report,
+                  static_cast<double>(pixelsOf(part.size)) / static_cast<double>(pixelsOf(request.size)));
+    collector.add(renderer, tile, part);
+  }
+  return collector.take();
+} catch (const std::bad_alloc&) {
+  throw scene::Error(scene::ErrorKind::memory, "", "picture",
+                     "not enough memory for " + std::to_string(request.size.x) + "x" +
+                         std::to_string(request.size.y) + " pixels: ask for fewer");
+}
+
+}  // namespace isolux::render
