@@ -1,4 +1,5 @@
 // The command line: exit codes, messages, output, interrupts. Nothing here needs GL.
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -296,14 +297,16 @@ TEST(CommandLine, TheMemoryBudgetIsASizeAndHoldsForOneCommand) {
 
 TEST(CommandLine, HelpCoversEveryCommandAndOption) {
   const std::string help = success({"--help"}).out;
-  for (const char* name : {"info", "render", "replay", "phantom", "settings", "doctor"}) {
+  constexpr std::array commands{"info",  "render",  "bake",     "reference", "replay",
+                                "study", "phantom", "settings", "doctor"};
+  for (const char* name : commands) {
     EXPECT_THAT(help, HasSubstr(name));
     const RunResult result = success({name, "--help"});
     EXPECT_THAT(result.out, HasSubstr(std::string("  isolux ") + name)) << "an example";
     EXPECT_EQ(result.err, "");
   }
   const std::string page = test::contentOf(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "commands.md");
-  for (const char* name : {"info", "render", "replay", "phantom", "settings", "doctor"}) {
+  for (const char* name : commands) {
     const std::string text = success({name, "--help"}).out;
     for (std::size_t at = 0; (at = text.find("  --", at)) != std::string::npos; ++at) {
       const std::string option = text.substr(at + 2, text.find_first_of(" ,\n", at + 2) - at - 2);
