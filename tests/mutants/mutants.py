@@ -152,7 +152,7 @@ class Family:
         rng = random.Random(f"{seed}/{self.name}/{number}")
         chosen = self.seeds[number % len(self.seeds)]
         name = rng.choice(sorted(chosen.damaged or chosen.files))
-        other = rng.choice([s for s in self.seeds]).files
+        other = rng.choice(self.seeds).files
         way, data = mutations.mutate(chosen.files[name], rng, other[sorted(other)[0]])
         return chosen, dict(chosen.files, **{name: data}), f"{chosen.family}: {way} of {name}", rng
 

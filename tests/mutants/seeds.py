@@ -283,7 +283,7 @@ def probes(maker):
 
 
 def sessions(maker):
-    volume = Seed("", {}).files | headers(maker)[0].files
+    volume = headers(maker)[0].files
     (maker.folder / "a.nrrd").write_bytes(volume["a.nrrd"])
     for name in ("a.png", "a.exr"):
         maker.run(maker.isolux, "reference", "a.nrrd", "--spp", "1", "--size", "16x12", "--out", name)
