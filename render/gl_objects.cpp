@@ -125,9 +125,9 @@ std::vector<float> Texture::readFloats(int channels) const {
   const std::size_t row = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(channels);
   const int rows = static_cast<int>(std::max<std::size_t>(most / (row * sizeof(float)), 1));
   for (int y = 0; y < size_.y; y += rows) {
-    const int count = std::min(rows, size_.y - y);
-    gl().GetTextureSubImage(id(), 0, 0, y, 0, size_.x, count, 1, formats[channels], GL_FLOAT,
-                            static_cast<GLsizei>(row * static_cast<std::size_t>(count) * sizeof(float)),
+    const int part = std::min(rows, size_.y - y);
+    gl().GetTextureSubImage(id(), 0, 0, y, 0, size_.x, part, 1, formats[channels], GL_FLOAT,
+                            static_cast<GLsizei>(row * static_cast<std::size_t>(part) * sizeof(float)),
                             &values[static_cast<std::size_t>(y) * row]);
   }
   return values;
