@@ -114,7 +114,8 @@ TEST_F(DerivativesGlTest, ALargeConstantInTheValuesCostsNoDerivatives) {
   for (const std::vector<float>* const values : {&shifted, &withBackground}) {
     const auto volume = prepared(volume::Grid(truth->grid().geometry(), *values));
     const volume::Grid& grid = volume->grid();
-    for (const auto field : {scene::Field::trilinear, scene::Field::cubic})
+    const volume::Coefficients coefficients = volume::interpolatingCoefficients(grid);
+    for (const auto field : {scene::Field::trilinear, scene::Field::cubic, scene::Field::cubic_interpolating})
       for (const auto fetch : {scene::Fetch::exact, scene::Fetch::fast}) {
         if (fetch == scene::Fetch::fast && values == &withBackground)
           continue;  // the texture unit's own sums
@@ -129,9 +130,10 @@ TEST_F(DerivativesGlTest, ALargeConstantInTheValuesCostsNoDerivatives) {
         for (std::size_t i = 0; i < seen.pixels(); ++i) {
           if (!seen.isHit(i)) continue;
           const glm::dvec3 p = at(seen.voxel, i);
-          const volume::FieldSample sample = field == scene::Field::trilinear
-                                                 ? volume::sampleTrilinear(grid, p)
-                                                 : volume::sampleCubic(grid, p);
+          const volume::FieldSample sample =
+              field == scene::Field::trilinear ? volume::sampleTrilinear(grid, p)
+              : field == scene::Field::cubic   ? volume::sampleCubic(grid, p)
+                                               : volume::sampleCubic(coefficients, grid, p);
           const glm::dvec3 g = volume::worldGradient(grid.geometry(), sample.gradient);
           const glm::dmat3 h = volume::worldHessian(grid.geometry(), sample.hessian);
           const double sine = glm::length(glm::cross(at(normals, i), glm::normalize(-g)));
