@@ -163,7 +163,7 @@ TEST(Coefficients, AStopIsHeededSoon) {
     const double v = 40.0 - glm::distance(p, glm::dvec3(95.5));
     return v < -20.0 ? std::numeric_limits<double>::quiet_NaN() : v;
   });
-  test::expectStopsSoon([&](scene::Progress& progress) { interpolatingCoefficients(gaps, progress); });
+  test::expectStopsSoon([&](scene::Progress& progress) { interpolatingCoefficients(gaps, progress); }, 5);
 }
 
 TEST(Coefficients, AskTheMemoryBudgetAndSayWhatNeedsLess) {

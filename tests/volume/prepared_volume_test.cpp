@@ -123,7 +123,7 @@ TEST(PreparedVolume, EveryStepHeedsAStopSoon) {
   scene::Progress unwatched;
   PhantomRequest request;
   request.name = "gyroid";
-  request.size = 224;
+  request.size = 192;
   const auto grid = std::make_shared<const Grid>(makePhantom(request, unwatched));
   const auto step = [](const char* name, const std::function<void(scene::Progress&)>& work) {
     SCOPED_TRACE(name);
