@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <ctime>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "tests/volume/reader_support.h"
 
@@ -17,8 +17,9 @@ using test::expectError;
 using test::writeFile;
 
 std::string contentOf(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
 }
 
 // Up to four bytes of [begin, end) become others; the recipe is the seed (Knuth's MMIX numbers).
