@@ -134,7 +134,8 @@ Coefficients interpolatingCoefficients(const Grid& grid, scene::Progress& progre
   result.held = scene::machineMemory().reserve(
       grid.geometry().voxelCount() * sizeof(float), "the field cubic_interpolating",
       "the field cubic of hit.field and derivatives.field needs none");
-  result.offset = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
+  const double middle = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
+  if (std::abs(middle) > grid.storedMaximum() - grid.storedMinimum()) result.offset = middle;
   result.values = differencesFrom(result.offset, grid, progress);
   if (grid.missingCount() > 0) fillMissing(result.values, grid.dims(), progress, {0.1, 0.4, kStage});
   for (int axis = 0; axis < 3; ++axis)

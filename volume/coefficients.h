@@ -14,7 +14,10 @@ namespace isolux::volume {
 // A spline's weights sum to 1, so its value is the offset more than that of `values`, its derivatives the
 // same.
 struct Coefficients {
-  double offset = 0.0;  // the middle of the range of the samples
+  // The middle of the range of the samples where they lie further from 0 than they spread, else 0: then there
+  // is little to gain, and what float32 has most digits for stays at 0, where distance fields have their
+  // surface.
+  double offset = 0.0;
   std::vector<float> values;
   float least = 0.0f, most = 0.0f;  // of values
   scene::MemoryBudget::Held held{};
