@@ -124,7 +124,7 @@ TEST(SliceStack, TwoBlocksOfSlicesAreToldFromMissingSlices) {
   const SliceStack blocks = stackSlices(planesAt({0, 4, 8, 12, 16, 20, 27, 34, 41}), "f");
   EXPECT_TRUE(warns(blocks, "slice distance changes from 4 to 7 mm"));
   EXPECT_FALSE(warns(blocks, "missing"));
-  const SliceStack joined = stackSlices(planesAt({0, 4, 8, 12, 17.5, 24.5, 31.5}), "f");  // a gap of 5.5 mm
+  const SliceStack joined = stackSlices(planesAt({0, 4, 8, 12, 16, 20, 25.5, 32.5, 39.5}), "f");  // 5.5 mm
   EXPECT_TRUE(warns(joined, "slice distance changes from 4 to 7 mm"));
   const SliceStack holes = stackSlices(planesAt({0, 4, 8, 16, 20, 24, 32, 36}), "f");
   EXPECT_TRUE(warns(holes, "missing in 2 places"));

@@ -267,10 +267,24 @@ void ReaderProcess::read(std::uint64_t offset, std::span<std::byte> out) const {
   }
 }
 
+// The reader ends within a second on its own.
+bool ReaderProcess::hasEnded() const {
+  for (int i = 0; i < 500; ++i) {
+    siginfo_t info{};
+    if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0)
+      return true;
+    ::poll(nullptr, 0, 2);
+  }
+  return false;
+}
+
 // The reader has closed its end without a last word.
 void ReaderProcess::explainEnd() {
   const double seconds = processorSeconds();
-  const int status = end();  // whoever closed the connection without ending; a cause of death stays as it is
+  const bool onItsOwn = hasEnded();
+  const int status = end();
+  if (!onItsOwn)
+    fail(ErrorKind::input, "the file is damaged: its reader ended the connection and nothing else");
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     if (signal == SIGXCPU)

@@ -88,6 +88,7 @@ class ReaderProcess {
   bool takeMessage(Message& message);
   void waitForBytes();
   void send(MessageKind kind, std::string_view body);
+  bool hasEnded() const;
   [[noreturn]] void explainEnd();
   int end();  // by force; the status of waitpid()
   double processorSeconds() const;

@@ -65,11 +65,13 @@ class Walk {
   }
 
   // Directories and tables are looked at once each. Pages that share theirs would make the walk as long as
-  // the file times the pages: four times the file is more than any writer needs.
+  // the file times the pages: four times the file is more than any writer needs. Short files may be read on
+  // until what is missing is met.
   void spend(std::uint64_t bytes, const std::string& place) {
     progress_.throwIfStopped();
     spent_ += bytes;
-    if (spent_ / 4 > bytes_.size())
+    constexpr std::uint64_t little = std::uint64_t{1} << 20;
+    if (spent_ > little && spent_ / 4 > bytes_.size())
       throwInput(bytes_.name(), place, "its directories and tables of strips lie over one another");
   }
 
