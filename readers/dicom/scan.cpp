@@ -1,6 +1,7 @@
 // Headers of DICOM files: what a slice is and where it lies.
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <vtkDICOMMetaData.h>
 #include <vtkDICOMParser.h>
@@ -70,6 +71,14 @@ DicomFrame frameOf(vtkDICOMMetaData* meta, int index) {
   return frame;
 }
 
+// How much smaller a compression makes pixels at best. JPEG writes two bits for 64 pixels at least.
+std::uint64_t bestRatioOf(const std::string& transferSyntax) {
+  constexpr std::string_view jpeg = "1.2.840.10008.1.2.4.5", losslessJpeg = "1.2.840.10008.1.2.4.70";
+  if (transferSyntax == "1.2.840.10008.1.2.5") return 128;  // run lengths
+  if (transferSyntax.starts_with(jpeg) || transferSyntax == losslessJpeg) return 1000;
+  return 100000;
+}
+
 // Empty series: no image.
 DicomFile headerOf(const fs::path& path) {
   DicomFile file;
@@ -112,7 +121,7 @@ DicomFile headerOf(const fs::path& path) {
   const bool plain = file.transferSyntax.empty() || file.transferSyntax == "1.2.840.10008.1.2" ||
                      file.transferSyntax == "1.2.840.10008.1.2.1" ||
                      file.transferSyntax == "1.2.840.10008.1.2.2";
-  const std::uint64_t bestRatio = plain ? 1 : file.transferSyntax == "1.2.840.10008.1.2.5" ? 128 : 100000;
+  const std::uint64_t bestRatio = plain ? 1 : bestRatioOf(file.transferSyntax);
   if (bits / 8 / bestRatio > size)
     throwInput(path.string(), "pixel data",
                "truncated: " + std::to_string(bits / 8) + " bytes are announced, the file has " +
