@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "app/output_guard.h"
 #include "app/session.h"
 
 namespace isolux::ui {
@@ -339,8 +340,15 @@ void Document::reloadIfSourceChanged() {
 // ---- Sessions and recordings
 // --------------------------------------------------------------------------------
 
+void Document::checkOutput(const QString& file) const {
+  app::OutputGuard guard;
+  guard.reads(scene());
+  guard.writes(pathOf(file), "the new file");
+}
+
 bool Document::saveSession(const QString& file) {
   try {
+    checkOutput(file);
     app::saveSession(scene(), pathOf(file));
   } catch (const scene::Error& error) {
     Q_EMIT failed(textOf(error));
@@ -354,6 +362,7 @@ bool Document::saveSession(const QString& file) {
 
 bool Document::startRecording(const QString& file) {
   try {
+    checkOutput(file);
     recorder_ = std::make_unique<app::Recorder>(pathOf(file), shownScene());
     recordingFile_ = QFileInfo(file).absoluteFilePath();
   } catch (const scene::Error& error) {

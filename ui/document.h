@@ -67,6 +67,8 @@ class Document : public QObject {
   void redo();
   void toggleFlow();  // lets the flow move, or stand where it is seen
 
+  // Throws scene::Error when `file` holds what the picture is made of: nothing is written over that.
+  void checkOutput(const QString& file) const;
   bool saveSession(const QString& file);
   bool startRecording(const QString& file);
   void stopRecording();

@@ -184,6 +184,7 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     if (!isFormat(file, "png") && !isFormat(file, "exr"))
       scene::throwInput(path.filename().string(), "",
                         "is not written: the name of a picture ends in .png or .exr");
+    document_->checkOutput(file);
     const std::string session =
         withSession ? app::pictureSessionText(document_->shownScene(), path.parent_path()) : std::string();
     const bool linear = isFormat(file, "exr");

@@ -154,6 +154,18 @@ TEST_F(WindowTest, AFileThatIsNoRecordingIsNotRecordedInto) {
   EXPECT_NE(barText(*window_).find("ball.mhd"), std::string::npos) << barText(*window_);
 }
 
+TEST_F(WindowTest, NothingIsSavedOverTheVolume) {
+  const QString volume = writeBall(16);
+  ASSERT_TRUE(load(*window_, volume));
+  const QString data = QString(volume).replace(".mhd", ".raw");
+  for (const QString& file : {volume, data}) {
+    const std::string before = contentOf(file);
+    EXPECT_FALSE(window_->document()->saveSession(file));
+    EXPECT_EQ(contentOf(file), before);
+    EXPECT_NE(barText(*window_).find("would be written over"), std::string::npos) << barText(*window_);
+  }
+}
+
 TEST_F(WindowTest, AFullDiskStopsTheRecordingAndIsToldOnce) {
   ASSERT_TRUE(load(*window_, "phantom:ball:16"));
   const QString file = newFile("tour.jsonl");
