@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/image_io.h"
+#include "app/state_folder.h"
 #include "scene/error.h"
 #include "tests/app/run_isolux.h"
 #include "tests/support/test_data.h"
@@ -251,7 +252,7 @@ TEST(Session, OfASharedPictureNamesNoFolderAndFindsItsFilesAgain) {
   EXPECT_EQ(moved.source.csgPath, (folder / "elsewhere" / "cut.stl").string());
 
   // On another machine the token says nothing: what lies beside the picture counts.
-  fs::remove_all(folder / "state");
+  fs::remove_all(stateFolder());
   const Scene given = parseSession(text, "a.png", {folder / "elsewhere"});
   EXPECT_EQ(given.source.path, (folder / "elsewhere" / "ct.nii").string());
   EXPECT_EQ(given.light.environment.file, (folder / "elsewhere" / "sky.hdr").string());
