@@ -1,6 +1,5 @@
 #include "ui/message_bar.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <QEvent>
@@ -104,7 +103,7 @@ QString MessageBar::text() const {
 void MessageBar::place() {
   const int width = parentWidget()->width();
   layout_->activate();
-  const int height = std::max(layout_->totalHeightForWidth(width), layout_->totalMinimumSize().height());
+  const int height = layout_->totalHeightForWidth(width);
   setGeometry(0, 0, width, height);
   Q_EMIT heightTaken(height);
 }
