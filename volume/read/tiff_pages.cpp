@@ -69,7 +69,7 @@ class Walk {
   // until what is missing is met.
   void spend(std::uint64_t bytes, const std::string& place) {
     progress_.throwIfStopped();
-    spent_ += bytes;
+    spent_ += std::min(bytes, bytes_.size());  // what is longer is truncated: reading it will say so
     constexpr std::uint64_t little = std::uint64_t{1} << 20;
     if (spent_ > little && spent_ / 4 > bytes_.size())
       throwInput(bytes_.name(), place, "its directories and tables of strips lie over one another");
