@@ -41,6 +41,8 @@ void main() {
 
   // Eigenvector of the larger eigenvalue: of the two forms the one without cancellation.
   vec2 e = half_ >= 0.0 ? vec2(half_ + radius, a12) : vec2(a12, radius - half_);
+  float part = max(abs(e.x), abs(e.y));
+  if (part > 0.0 && part < 1e-15) e /= part;  // of a surface that is all but flat: squares would underflow
   float norm = length(e);
   float curvatureNoise = min(uHessianNoise / scale / relativeLength, 1e30);
   oDirection = vec4(norm > 0.0 ? (e.x * u + e.y * v) / norm : u, curvatureNoise);
