@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 #include <utility>
 
 #include "app/light_planner.h"
 #include "gi/bake_file.h"
+#include "scene/retire.h"
 
 namespace isolux::app {
 
@@ -51,6 +54,21 @@ scene::Scene lightOf(scene::Scene scene) {
   return scene;
 }
 
+// For display; what was no scene::Error is a mistake of ours, and finish() throws it as it is.
+scene::Error described(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const scene::Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return {scene::ErrorKind::memory, "", "light", "not enough memory"};
+  } catch (const std::exception& error) {
+    return {scene::ErrorKind::input, "", "light", std::string("a mistake in Isolux itself: ") + error.what()};
+  } catch (...) {
+    return {scene::ErrorKind::input, "", "light", "a mistake in Isolux itself"};
+  }
+}
+
 }  // namespace
 
 struct LightController::Parts {
@@ -63,21 +81,23 @@ struct LightController::Parts {
   VolumePointer volume;
   std::vector<glm::vec3> hits;
   bool sceneTold = false, hitsTold = false, cancelTold = false, busy = false;
+  bool planning =
+      false;  // the planner thread is at work on `planner`, busy or only looking whether to compress
 
   // What it has done; guarded by `mutex`.
   LightPlan plan;
-  std::optional<scene::Error> error;
+  std::exception_ptr failure;  // of the planner
   std::uint64_t planned = 0;
   bool paused = false, yielding = false;
 
-  LightPlanner planner;      // of the planner thread, and of load() while that sleeps
+  LightPlanner planner;      // of the planner thread, and of load() while not `planning`
   scene::Progress progress;  // stops the planner's long work
   std::jthread thread;       // last: it ends before the rest goes
 
   void run(const std::stop_token& stop);
   void work(bool withScene, bool withHits, bool cancel, const scene::Scene& now, const VolumePointer& of,
             const std::vector<glm::vec3>& seen);
-  void publish();
+  [[nodiscard]] LightPlan publish(const std::exception_ptr& failed);
   std::vector<std::shared_ptr<gi::LightBake>> bakes() const;
 };
 
@@ -105,51 +125,61 @@ void LightController::Parts::run(const std::stop_token& stop) {
     // Looking whether to compress needs no points.
     const std::vector<glm::vec3> seen = withScene || withHits ? hits : std::vector<glm::vec3>();
     busy = withScene || withHits || cancel;
+    planning = true;
     lock.unlock();
     work(withScene, withHits, cancel, now, of, seen);
     lock.lock();
-    busy = false;
+    busy = planning = false;
     changed.notify_all();
   }
 }
 
 void LightController::Parts::work(bool withScene, bool withHits, bool cancel, const scene::Scene& now,
                                   const VolumePointer& of, const std::vector<glm::vec3>& seen) {
-  std::optional<scene::Error> failure;
+  std::exception_ptr failed;
   try {
     if (withScene) planner.plan(now, of, progress);
     if (withScene || withHits) planner.wish(seen, progress);
     if (cancel) planner.wishNothing();
-    const bool compressed = planner.compress();
+    const bool compressed = planner.compress(progress);
     if (!withScene && !compressed) return;
-  } catch (const scene::Error& caught) {
-    failure = caught;
-  } catch (const std::bad_alloc&) {
-    failure.emplace(scene::ErrorKind::memory, "", "light", "not enough memory");
-  } catch (const std::exception& caught) {
-    failure.emplace(scene::ErrorKind::input, "", "light", caught.what());
+  } catch (...) {
+    failed = std::current_exception();
   }
+  LightPlan before;  // goes with the mutex open
   const std::lock_guard guard(mutex);
-  error = std::move(failure);
-  publish();
+  before = publish(failed);
 }
 
-void LightController::Parts::publish() {
-  plan = planner.current();
-  if (error) plan.light.reset();
+// With `mutex` locked. Returns the plan before, for the caller to drop without it.
+LightPlan LightController::Parts::publish(const std::exception_ptr& failed) {
+  failure = failed;
+  LightPlan before = std::exchange(plan, planner.current());
+  if (failure) plan.light.reset();
   ++planned;
   for (const auto& bake : bakes()) {
     bake->setPaused(paused);
     bake->yield(yielding);
   }
+  return before;
 }
 
 LightController::LightController(Options options) : parts_(std::make_unique<Parts>(options)) {
-  parts_->thread = std::jthread([parts = parts_.get()](const std::stop_token& stop) { parts->run(stop); });
+  try {
+    parts_->thread = std::jthread([parts = parts_.get()](const std::stop_token& stop) { parts->run(stop); });
+  } catch (const std::system_error&) {
+    throw scene::Error(scene::ErrorKind::memory, "", "light", "the system refuses a thread to plan it");
+  }
 }
 
 LightController::~LightController() {
   parts_->progress.requestStop();
+  parts_->thread.request_stop();
+  {
+    const std::lock_guard guard(parts_->mutex);
+    for (const auto& bake : parts_->bakes()) bake->requestStop();
+  }
+  scene::retire(std::move(parts_));
 }
 
 void LightController::setScene(const scene::Scene& resolved,
@@ -215,13 +245,14 @@ LightState LightController::state() const {
   LightState state;
   state.choice = parts.plan.choice;
   state.mode = nameOf(state.choice);
-  state.error = parts.error;
+  std::exception_ptr failure = parts.failure;
   state.warnings = parts.plan.warnings;
   state.counters.idle = true;
   for (const auto& bake : parts.bakes()) {
     add(state.counters, bake->counters());
-    if (!state.error) state.error = bake->error();
+    if (!failure) failure = bake->failure();
   }
+  if (failure) state.error = described(failure);
   if (state.error)
     state.phase = Phase::failed;
   else if (parts.sceneTold || (parts.busy && !parts.plan.light))
@@ -254,12 +285,12 @@ bool LightController::finish(scene::Progress& progress, double timeoutSeconds) {
   std::vector<std::shared_ptr<gi::LightBake>> bakes;
   {
     const std::lock_guard guard(parts_->mutex);
-    if (parts_->error) throw *parts_->error;
+    if (parts_->failure) std::rethrow_exception(parts_->failure);
     bakes = parts_->bakes();
   }
   for (const auto& bake : bakes) {
     while (!bake->waitFor(0, slice)) {
-      if (const auto failed = bake->error()) throw *failed;
+      if (const auto failed = bake->failure()) std::rethrow_exception(failed);
       if (over()) return false;
       const gi::BakeCounters counters = state().counters;
       const auto wanted = static_cast<double>(std::max<std::uint64_t>(counters.samplesWanted, 1));
@@ -294,17 +325,23 @@ void LightController::save(const std::filesystem::path& file, scene::Progress& p
 
 void LightController::load(const std::filesystem::path& file, scene::Progress& progress) {
   while (!settle(0.05)) progress.throwIfStopped();
-  // The planner thread sleeps while the mutex is held.
-  const std::lock_guard guard(parts_->mutex);
-  if (parts_->error) throw *parts_->error;
-  const auto keyOf = [](const std::shared_ptr<gi::LightBake>& bake) {
-    return bake ? bake->lattice()->key() : std::string();
-  };
-  gi::StoredLight stored = gi::readBakeFile(file, parts_->volume->grid(), keyOf(parts_->plan.sky),
-                                            keyOf(parts_->plan.lamps), progress);
+  VolumePointer volume;
+  std::string skyKey, lampsKey;
+  {
+    const std::lock_guard guard(parts_->mutex);
+    if (parts_->failure) std::rethrow_exception(parts_->failure);
+    volume = parts_->volume;
+    if (parts_->plan.sky) skyKey = parts_->plan.sky->lattice()->key();
+    if (parts_->plan.lamps) lampsKey = parts_->plan.lamps->lattice()->key();
+  }
+  gi::StoredLight stored = gi::readBakeFile(file, volume->grid(), skyKey, lampsKey, progress);
+  LightPlan before;  // goes with the mutex open
+  std::unique_lock lock(parts_->mutex);
+  // From now on the planner thread sleeps: it begins nothing while the mutex is held.
+  parts_->changed.wait(lock, [this] { return !parts_->planning; });
   if (stored.sky) parts_->planner.adopt(std::move(stored.sky), gi::LightPart::sky);
   if (stored.lamps) parts_->planner.adopt(std::move(stored.lamps), gi::LightPart::lamps);
-  parts_->publish();
+  before = parts_->publish(nullptr);
   parts_->hitsTold = true;
   parts_->changed.notify_all();
 }

@@ -41,10 +41,10 @@ struct LightState {
 class LightController {
  public:
   struct Options {
-    bool background = false;  // bake only when the processor has nothing else to do
+    bool background = false;  // bake politely: gi::LightBake::Options
   };
   explicit LightController(Options options);
-  ~LightController();  // stops the bakes: at most 100 ms
+  ~LightController();  // stops all work without waiting for its end: scene/retire.h
 
   // `resolved` by scene::resolve; `volume` may be null.
   void setScene(const scene::Scene& resolved, std::shared_ptr<const volume::PreparedVolume> volume);
@@ -64,7 +64,7 @@ class LightController {
   // Waits until the planner has taken in everything told so far; false at the timeout.
   bool settle(double timeoutSeconds) const;
   // Waits until all that is wanted has all its paths. Reports to `progress`; false when that is stopped, or
-  // at the timeout. Throws the scene::Error of a bake that failed.
+  // at the timeout. Throws what a bake or the planner failed with.
   bool finish(scene::Progress& progress, double timeoutSeconds = std::numeric_limits<double>::infinity());
   // Keeps the light it has and stops wanting more, until the scene or the view changes.
   void cancel();

@@ -1,6 +1,7 @@
 #include "app/light_planner.h"
 
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "gi/path_tracer.h"
 #include "gi/texel_sets.h"
 #include "scene/relevance.h"
+#include "scene/retire.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -32,7 +34,9 @@ std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
 std::string nameOf(const scene::Environment& settings) {
   if (settings.file.empty()) {
     const glm::dvec3& c = settings.constant;
-    return "constant " + std::to_string(c.x) + ' ' + std::to_string(c.y) + ' ' + std::to_string(c.z);
+    std::ostringstream name;  // hexadecimal: exact
+    name << std::hexfloat << "constant " << c.x << ' ' << c.y << ' ' << c.z;
+    return std::move(name).str();
   }
   std::error_code missing;
   const auto written = std::filesystem::last_write_time(settings.file, missing);
@@ -53,7 +57,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePo
   volume_ = volume;
   if (!volume || scene::shadingOf(resolved) != scene::Shading::gi) {
     // Stored light stays: the look may come back.
-    if (!volume) sky_ = lamps_ = {};
+    if (!volume) stop();
     plan_ = {scene::giChoiceOf(resolved), nullptr, sky_.bake, lamps_.bake, {}};
     wishNothing();
     return plan_;
@@ -87,6 +91,10 @@ const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePo
         "light is traced at about a third of the speed: the volume has more voxels than the SIMD tracer "
         "reaches "
         "(about 1600 x 1600 x 1600)");
+  for (const auto& bake : {sky_.bake, lamps_.bake})
+    if (const int wanted = threadsOf(resolved.gi); bake && bake->counters().threads < wanted)
+      plan_.warnings.push_back("the system gives " + std::to_string(bake->counters().threads) + " of the " +
+                               std::to_string(wanted) + " threads wanted for light");
   publish();
   return plan_;
 }
@@ -102,6 +110,7 @@ void LightPlanner::loadEnvironment(const scene::Environment& settings) {
 
 void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const std::string& key) {
   if (!wanted) {
+    if (part.bake) part.bake->requestStop();
     part = {};
     return;
   }
@@ -111,7 +120,8 @@ void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const s
     part.bake->setThreads(threadsOf(scene_.gi));
     return;
   }
-  part = {};                                        // stops the old one before the new one starts
+  if (part.bake) part.bake->requestStop();  // its threads end before those of the new one have much to do
+  part = {};
   if (which == gi::LightPart::sky) basis_.reset();  // it was fitted to the old lattice
   const auto lattice = gi::LatticeGeometry::make(volume_->grid().dims(), scene_.gi.latticeScale);
   part.key = key;
@@ -121,14 +131,20 @@ void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const s
 
 std::shared_ptr<gi::LightBake> LightPlanner::makeBake(const Part& part,
                                                       std::shared_ptr<gi::LightLattice> lattice) const {
-  return std::make_shared<gi::LightBake>(std::move(lattice), part.estimator,
-                                         gi::LightBake::Options{static_cast<std::uint32_t>(scene_.gi.samples),
-                                                                threadsOf(scene_.gi), background_});
+  auto bake =
+      std::make_unique<gi::LightBake>(std::move(lattice), part.estimator,
+                                      gi::LightBake::Options{static_cast<std::uint32_t>(scene_.gi.samples),
+                                                             threadsOf(scene_.gi), background_});
+  // Whoever drops the last reference does not wait for its threads.
+  return {bake.release(), [](gi::LightBake* dead) {
+            dead->requestStop();
+            scene::retire(std::unique_ptr<gi::LightBake>(dead));
+          }};
 }
 
 void LightPlanner::adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPart which) {
   Part& part = which == gi::LightPart::sky ? sky_ : lamps_;
-  part.bake.reset();
+  if (part.bake) part.bake->requestStop();
   part.bake = makeBake(part, std::move(lattice));
   part.asked.reset();
   plan_.sky = sky_.bake;
@@ -188,6 +204,13 @@ void LightPlanner::wish(Part& part, const std::vector<gi::WantedBlock>& visible,
   part.asked = std::move(asked);
 }
 
+void LightPlanner::stop() {
+  for (Part* part : {&sky_, &lamps_}) {
+    if (part->bake) part->bake->requestStop();
+    *part = {};
+  }
+}
+
 void LightPlanner::wishNothing() {
   for (Part* part : {&sky_, &lamps_}) {
     if (!part->bake) continue;
@@ -197,7 +220,7 @@ void LightPlanner::wishNothing() {
   }
 }
 
-bool LightPlanner::compress() {
+bool LightPlanner::compress(const scene::Progress& progress) {
   if (!plan_.light || plan_.choice.sky != scene::GiMode::transfer || !sky_.bake) return false;
   const gi::LightLattice& lattice = *sky_.bake->lattice();
   constexpr std::uint64_t enoughForFirst = 64;
@@ -206,7 +229,8 @@ bool LightPlanner::compress() {
   const bool settled = sky_.bake->counters().idle && texels > 0;
   if (revision == basisRevision_ && basis_) return false;
   if (!grown && !settled) return false;
-  basis_ = gi::TransferBasis::fit(lattice, scene_.gi.components, scene_.gi.componentBits > 8 ? 16 : 8);
+  basis_ =
+      gi::TransferBasis::fit(lattice, scene_.gi.components, scene_.gi.componentBits > 8 ? 16 : 8, &progress);
   basisComponents_ = scene_.gi.components;
   basisBits_ = scene_.gi.componentBits;
   basisTexels_ = texels;

@@ -1,8 +1,9 @@
 // The slow part of LightController, on its planner thread: from a scene, a volume and what is seen to bakes
 // and what they are asked for.
 //
-// Owned and called by one thread. Keeps what the next scene is likely to need again: the light probe, the
-// tracer, and the bakes, as long as their keys hold.
+// Owned by one, called by one thread at a time. Bakes that it gives up end elsewhere (scene/retire.h). Keeps
+// what the next scene is likely to need again: the light probe, the tracer, and the bakes, as long as their
+// keys hold.
 #pragma once
 
 #include <cstdint>
@@ -37,14 +38,18 @@ struct LightPlan {
 class LightPlanner {
  public:
   explicit LightPlanner(bool background) : background_(background) {}
+  ~LightPlanner() { stop(); }
+  LightPlanner(const LightPlanner&) = delete;
+  LightPlanner& operator=(const LightPlanner&) = delete;
 
   // Decides anew. Throws scene::Error (light probe, memory, stopped); the plan before holds then.
   const LightPlan& plan(const scene::Scene& resolved, const VolumePointer& volume, scene::Progress& progress);
   // Asks the bakes for what the scene and these surface points need.
   void wish(const std::vector<glm::vec3>& hits, scene::Progress& progress);
   void wishNothing();
-  // Compresses stored transfer anew where much was added since: true if the plan's light changed.
-  bool compress();
+  // Compresses stored transfer anew where much was added since: true if the plan's light changed. Throws
+  // Error{interrupted} when stopped.
+  bool compress(const scene::Progress& progress);
   // Light from elsewhere (a file), for lattices of the plan's own keys.
   void adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPart part);
 
@@ -72,6 +77,7 @@ class LightPlanner {
   void wish(Part& part, const std::vector<gi::WantedBlock>& visible,
             const std::vector<gi::WantedBlock>& nearby, scene::Progress& progress);
   std::shared_ptr<gi::LightBake> makeBake(const Part& part, std::shared_ptr<gi::LightLattice> lattice) const;
+  void stop();
   void publish();
   int reach() const;
 

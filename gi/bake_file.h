@@ -4,7 +4,9 @@
 // (order^2 or 3 order^2 components), `samples` (paths; 0: not baked), and of the lamps `irradiance_lamps` and
 // `samples_lamps`; `normal` (world). All numbers are as they are in memory, so that a bake goes on from the
 // file bit by bit as if it had never stopped. Field data, texts: `key`, `key_lamps` (lightKey()), `content`,
-// `volume_hash`. zlib-compressed, appended, raw.
+// `volume_hash`. zlib-compressed, appended, raw. Bit by bit means on one machine: where the processor fuses
+// multiplication and addition (AVX2, AVX-512; not SSE4) light is rounded otherwise, and a bake that goes on
+// elsewhere has texels of both kinds.
 //
 // Written beside its name, flushed to the disk and renamed: whenever the program ends, the file is the old
 // one or the new one, whole. Lattices may go on being filled meanwhile; each block is as it was at one

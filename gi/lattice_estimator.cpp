@@ -57,9 +57,9 @@ void LatticeEstimator::normals(std::span<const glm::ivec3> texels, std::span<glm
   }
 }
 
-bool LatticeEstimator::estimate(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
-                                SampleRange range, std::span<float> means, std::uint64_t& rays,
-                                std::stop_token stop) const {
+bool LatticeEstimator::add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
+                           SampleRange range, std::span<double> sums, std::uint64_t& rays,
+                           std::stop_token stop) const {
   const volume::Grid& grid = tracer_.light().volume->grid();
   std::vector<LightPoint> points(texels.size());
   for (std::size_t i = 0; i < texels.size(); ++i) {
@@ -67,13 +67,17 @@ bool LatticeEstimator::estimate(std::span<const glm::ivec3> texels, std::span<co
     points[i] = {voxel, fieldAt(grid, voxel), normals[i], seedOf(geometry_.indexOf(texels[i]))};
   }
   const LightContent content = this->content();
-  if (content.kind == LightContent::Kind::transfer) return tracer_.transfer(points, range, means, rays, stop);
-  std::vector<glm::vec3> light(texels.size());
-  if (!tracer_.irradiance(part_, points, range, light, {}, rays, stop)) return false;
+  if (content.kind == LightContent::Kind::transfer)
+    return tracer_.addTransfer(points, range, sums, rays, stop);
   const auto channels = static_cast<std::size_t>(content.channels);
+  std::vector<glm::dvec3> light(texels.size(), glm::dvec3(0.0));
   for (std::size_t i = 0; i < texels.size(); ++i)
     for (std::size_t channel = 0; channel < channels; ++channel)
-      means[i * channels + channel] = light[i][static_cast<int>(channel)];
+      light[i][static_cast<int>(channel)] = sums[i * channels + channel];
+  if (!tracer_.addIrradiance(part_, points, range, light, rays, stop)) return false;
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (std::size_t channel = 0; channel < channels; ++channel)
+      sums[i * channels + channel] = light[i][static_cast<int>(channel)];
   return true;
 }
 

@@ -10,20 +10,18 @@
 // groups, so that the last bits may differ from those of a bake that had the higher number from the start.
 //
 // Nothing calls back: owners poll counters() and LightLattice::changedSince(). All members are safe from any
-// thread, and none but waitFor() and the destructor waits for work. Exceptions of an estimator end the bake
-// and are kept as error().
+// thread, and none but waitFor() and the destructor waits for a worker. Exceptions of an estimator end the
+// bake and are kept as failure().
 #pragma once
 
 #include <bitset>
 #include <cstdint>
+#include <exception>
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "gi/light_lattice.h"
 #include "gi/texel_estimator.h"
-#include "scene/error.h"
 
 namespace isolux::gi {
 
@@ -56,19 +54,22 @@ class LightBake {
   struct Options {
     std::uint32_t samples = 100;  // per texel in the end
     int threads = 1;
-    // Threads run only when the processor has nothing else to do: for a window that must stay fluent.
+    // Threads get a tenth of the processor where others want it: for a window that must stay fluent.
     bool background = false;
   };
   LightBake(std::shared_ptr<LightLattice> lattice, std::shared_ptr<const TexelEstimator> estimator,
             Options options);
-  ~LightBake();  // stops and waits: at most 100 ms
+  // Stops and waits until the threads have ended: rarely more than 100 ms, also beside busy processes. A
+  // window leaves that to scene::retire().
+  ~LightBake();
+  void requestStop();  // for good; does not wait
 
   // Replaces the wishes of that kind; within it, blocks are served in the order given. Texels of several
   // kinds count as the first; what is not in the lattice is passed over. Cheap enough for every frame.
   void want(Wish wish, std::vector<WantedBlock> blocks);
   // More samples go on where the texels are; fewer leave what there is.
   void setSamples(std::uint32_t samples);
-  void setThreads(int threads);
+  void setThreads(int threads);  // as many as the system gives: counters().threads
   void setPaused(bool paused);
   // Someone else needs the processor now (a frame is drawn): threads wait after the call that they are at,
   // until yield(false), but no longer than 250 ms after the first yield(true).
@@ -78,7 +79,8 @@ class LightBake {
   // Waits until every wish is fulfilled up to `samples` per texel (0: all), an error, or the timeout; true if
   // fulfilled.
   bool waitFor(std::uint32_t samples, double timeoutSeconds) const;
-  std::optional<scene::Error> error() const;
+  // What ended the bake: a scene::Error, std::bad_alloc, or a mistake of our own. Null: nothing has.
+  std::exception_ptr failure() const;
   const std::shared_ptr<LightLattice>& lattice() const;
 
  private:

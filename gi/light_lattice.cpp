@@ -31,13 +31,12 @@ LightLattice::LightLattice(LatticeGeometry geometry, LightContent content, std::
       key_(std::move(key)),
       held_(scene::machineMemory().reserve(geometry.blockCount() * kTableEntry, "the table of stored light",
                                            remedyFor(content))),
-      blocks_(geometry.blockCount()),
-      revisions_(geometry.blockCount(), 0) {}
+      blocks_(geometry.blockCount()) {}
 
 std::shared_ptr<const LatticeBlock> LightLattice::at(std::uint32_t block) const {
   assert(block < blocks_.size());
   const std::lock_guard lock(mutex_);
-  return blocks_[block];
+  return blocks_[block].block;
 }
 
 bool LightLattice::has(std::uint32_t block) const {
@@ -57,28 +56,43 @@ void LightLattice::write(std::uint32_t block, LatticeBlock in) {
   if (in.held.bytes() == 0)
     in.held = scene::machineMemory().reserve(in.bytes(), "more stored light", remedyFor(content_));
   const std::uint64_t baked = bakedOf(in);
-  auto fresh = std::make_shared<const LatticeBlock>(std::move(in));
+  const std::size_t bytes = in.bytes();
+  auto fresh = std::make_shared<const LatticeBlock>(std::move(in));  // the last that can throw
   const std::lock_guard lock(mutex_);
-  const std::uint64_t revision = revision_.load(std::memory_order_relaxed) + 1;
-  written_.emplace_hint(written_.end(), revision, block);  // the last that can throw
-  if (blocks_[block]) {
-    written_.erase(revisions_[block]);
-    bakedTexels_ -= bakedOf(*blocks_[block]);
-    blockBytes_ -= blocks_[block]->bytes();
+  Stored& stored = blocks_[block];
+  if (stored.block) {
+    unlink(stored);
+    --filled_;
+    bakedTexels_ -= stored.baked;
+    blockBytes_ -= stored.block->bytes();
   }
+  stored.block.swap(fresh);  // what was there is freed with the lock open
+  stored.baked = baked;
+  stored.revision = revision_.load(std::memory_order_relaxed) + 1;
+  stored.older = newest_;
+  stored.newer = kNone;
+  if (newest_ != kNone) blocks_[newest_].newer = block;
+  newest_ = block;
+  ++filled_;
   bakedTexels_ += baked;
-  blockBytes_ += fresh->bytes();
-  revisions_[block] = revision;
-  blocks_[block].swap(fresh);
-  revision_.store(revision, std::memory_order_release);
+  blockBytes_ += bytes;
+  revision_.store(stored.revision, std::memory_order_release);
+}
+
+void LightLattice::unlink(Stored& stored) {
+  if (stored.older != kNone) blocks_[stored.older].newer = stored.newer;
+  if (stored.newer != kNone)
+    blocks_[stored.newer].older = stored.older;
+  else
+    newest_ = stored.older;
 }
 
 void LightLattice::clear() {
-  std::vector<std::shared_ptr<const LatticeBlock>> none(blocks_.size());
+  std::vector<Stored> none(blocks_.size());
   const std::lock_guard lock(mutex_);
   blocks_.swap(none);
-  written_.clear();
-  std::fill(revisions_.begin(), revisions_.end(), 0);
+  newest_ = kNone;
+  filled_ = 0;
   bakedTexels_ = 0;
   blockBytes_ = 0;
   clearedAt_ = revision_.load(std::memory_order_relaxed) + 1;
@@ -86,10 +100,11 @@ void LightLattice::clear() {
 }
 
 std::vector<std::uint32_t> LightLattice::changedSince(std::uint64_t revision) const {
-  const std::lock_guard lock(mutex_);
   std::vector<std::uint32_t> changed;
-  for (auto entry = written_.upper_bound(revision); entry != written_.end(); ++entry)
-    changed.push_back(entry->second);
+  const std::lock_guard lock(mutex_);
+  for (std::uint32_t b = newest_; b != kNone && blocks_[b].revision > revision; b = blocks_[b].older)
+    changed.push_back(b);
+  std::reverse(changed.begin(), changed.end());
   return changed;
 }
 
@@ -105,7 +120,7 @@ std::uint64_t LightLattice::bakedTexels() const {
 
 std::size_t LightLattice::bytesToFill() const {
   const std::lock_guard lock(mutex_);
-  return (blocks_.size() - written_.size()) * LatticeBlock::bytesOf(content_);
+  return (blocks_.size() - filled_) * LatticeBlock::bytesOf(content_);
 }
 
 void LightLattice::checkThatAllFits() const {
@@ -120,8 +135,7 @@ void LightLattice::checkThatAllFits() const {
 
 std::size_t LightLattice::bytes() const {
   const std::lock_guard lock(mutex_);
-  return sizeof(*this) + blockBytes_ + blocks_.capacity() * sizeof(blocks_[0]) +
-         revisions_.capacity() * sizeof(revisions_[0]) + written_.size() * 48;
+  return sizeof(*this) + blockBytes_ + blocks_.capacity() * sizeof(blocks_[0]);
 }
 
 }  // namespace isolux::gi

@@ -15,7 +15,6 @@
 #include <atomic>
 #include <bitset>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -83,10 +82,21 @@ class LightLattice {
   LightContent content_;
   std::string key_;
   scene::MemoryBudget::Held held_;  // for the table
-  mutable std::mutex mutex_;        // of the table; blocks are shared immutable copies
-  std::vector<std::shared_ptr<const LatticeBlock>> blocks_;
-  std::vector<std::uint64_t> revisions_;            // of each block's last writing
-  std::map<std::uint64_t, std::uint32_t> written_;  // blocks by revision
+  // Of the table; blocks are shared immutable copies. Nothing is counted, allocated or freed under it, as a
+  // writer may be a thread of low priority, and the window's thread a reader.
+  mutable std::mutex mutex_;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Stored {
+    std::shared_ptr<const LatticeBlock> block;
+    std::uint64_t baked = 0;                     // texels of it
+    std::uint64_t revision = 0;                  // of its last writing
+    std::uint32_t older = kNone, newer = kNone;  // blocks, in the order of their last writing
+  };
+  void unlink(Stored& stored);
+
+  std::vector<Stored> blocks_;
+  std::uint32_t newest_ = kNone;  // the block written last
+  std::size_t filled_ = 0;        // blocks that are there
   std::atomic<std::uint64_t> revision_{0};
   std::uint64_t clearedAt_ = 0;
   std::uint64_t bakedTexels_ = 0;

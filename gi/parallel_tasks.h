@@ -1,10 +1,11 @@
-// Numbered tasks on a few threads of their own; the caller waits.
+// Numbered tasks on a few threads of their own, as many as the system gives; the caller waits.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -33,7 +34,11 @@ bool runTasks(std::size_t count, int threads, const Body& body) {
   };
   {
     std::vector<std::jthread> others;
-    for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i) others.emplace_back(work);
+    try {
+      for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i) others.emplace_back(work);
+    } catch (const std::system_error&) {
+      // The system gives no more: those that there are do the work.
+    }
     work();
   }
   if (failure) std::rethrow_exception(failure);

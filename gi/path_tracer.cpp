@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "gi/path_wave.h"
 #include "gi/spherical_harmonics.h"
@@ -67,10 +68,9 @@ const LightScene& PathTracer::light() const {
   return *setup_->light;
 }
 
-bool PathTracer::irradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
-                            std::span<glm::vec3> means, std::span<float> variances, std::uint64_t& rays,
-                            std::stop_token stop) const {
-  assert(means.size() == points.size() && (variances.empty() || variances.size() == points.size()));
+template <class Each>
+bool PathTracer::forEachEstimate(LightPart part, std::span<const LightPoint> points, SampleRange range,
+                                 std::uint64_t& rays, const std::stop_token& stop, const Each& each) const {
   const PathSetup& setup = *setup_;
   Scratch& scratch = scratchOfThread();
   PathWave::Counters counters;
@@ -88,7 +88,6 @@ bool PathTracer::irradiance(LightPart part, std::span<const LightPoint> points, 
   } else {
     varies = setup.light->choice.unitSky || (setup.sky.environment && !setup.sky.environment->isBlack());
   }
-  std::vector<PointSum> sums(points.size());
   const auto wave = [&](std::size_t first, std::size_t count, SampleRange samples) {
     const PathWave::Range paths{points.subspan(first, count), samples};
     scratch.light.resize(paths.paths());
@@ -96,33 +95,71 @@ bool PathTracer::irradiance(LightPart part, std::span<const LightPoint> points, 
                               ? scratch.wave.skyLight(setup, paths, scratch.light, counters, stop)
                               : scratch.wave.lampLight(setup, paths, scratch.light, counters, stop);
     if (!finished) return false;
-    for (std::size_t path = 0; path < paths.paths(); ++path)
-      sums[first + path / samples.count].add(scratch.light[path]);
+    for (std::size_t path = 0; path < paths.paths(); ++path) {
+      const std::size_t point = first + path / samples.count;
+      each(point, direct[point], scratch.light[path]);
+    }
     return true;
   };
-  if (varies && !inWaves(points.size(), range, wave)) return false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const PointSum& sum = sums[i];
-    means[i] = direct[i];
-    if (sum.count > 0.0) means[i] += glm::vec3(sum.sum / sum.count);
-    if (!variances.empty())
-      variances[i] = sum.count > 1.0 ? static_cast<float>(sum.squares / (sum.count - 1.0)) : 0.0f;
+  if (varies) {
+    if (!inWaves(points.size(), range, wave)) return false;
+  } else {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::uint32_t sample = 0; sample < range.count; ++sample) each(i, direct[i], glm::vec3(0.0f));
   }
   rays += counters.rays;
   capped_->fetch_add(counters.capped, std::memory_order_relaxed);
   return true;
 }
 
+bool PathTracer::irradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
+                            std::span<glm::vec3> means, std::span<float> variances, std::uint64_t& rays,
+                            std::stop_token stop) const {
+  assert(means.size() == points.size() && (variances.empty() || variances.size() == points.size()));
+  std::vector<PointSum> sums(points.size());
+  std::vector<glm::vec3> constant(points.size(), glm::vec3(0.0f));
+  const auto add = [&](std::size_t point, glm::vec3 direct, glm::vec3 light) {
+    constant[point] = direct;
+    sums[point].add(light);
+  };
+  if (!forEachEstimate(part, points, range, rays, stop, add)) return false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointSum& sum = sums[i];
+    means[i] = constant[i];
+    if (sum.count > 0.0) means[i] += glm::vec3(sum.sum / sum.count);
+    if (!variances.empty())
+      variances[i] = sum.count > 1.0 ? static_cast<float>(sum.squares / (sum.count - 1.0)) : 0.0f;
+  }
+  return true;
+}
+
+bool PathTracer::addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
+                               std::span<glm::dvec3> sums, std::uint64_t& rays, std::stop_token stop) const {
+  assert(sums.size() == points.size());
+  return forEachEstimate(part, points, range, rays, stop,
+                         [&](std::size_t point, glm::vec3 direct, glm::vec3 light) {
+                           sums[point] += glm::dvec3(direct) + glm::dvec3(light);
+                         });
+}
+
 bool PathTracer::transfer(std::span<const LightPoint> points, SampleRange range, std::span<float> means,
                           std::uint64_t& rays, std::stop_token stop) const {
+  std::vector<double> sums(means.size(), 0.0);
+  if (!addTransfer(points, range, sums, rays, std::move(stop))) return false;
+  const double perPath = range.count > 0 ? 1.0 / range.count : 0.0;
+  for (std::size_t i = 0; i < means.size(); ++i) means[i] = static_cast<float>(sums[i] * perPath);
+  return true;
+}
+
+bool PathTracer::addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,
+                             std::uint64_t& rays, std::stop_token stop) const {
   const PathSetup& setup = *setup_;
   const int order = setup.light->shOrder, channels = setup.light->choice.channels;
   const auto terms = static_cast<std::size_t>(shTerms(order));
   const std::size_t components = terms * static_cast<std::size_t>(channels);
-  assert(means.size() == points.size() * components);
+  assert(sums.size() == points.size() * components);
   Scratch& scratch = scratchOfThread();
   PathWave::Counters counters;
-  std::vector<double> sums(means.size(), 0.0);
   const auto wave = [&](std::size_t first, std::size_t count, SampleRange samples) {
     const PathWave::Range paths{points.subspan(first, count), samples};
     scratch.escapes.resize(paths.paths());
@@ -141,8 +178,6 @@ bool PathTracer::transfer(std::span<const LightPoint> points, SampleRange range,
     return true;
   };
   if (!inWaves(points.size(), range, wave)) return false;
-  const double perPath = range.count > 0 ? 1.0 / range.count : 0.0;
-  for (std::size_t i = 0; i < means.size(); ++i) means[i] = static_cast<float>(sums[i] * perPath);
   rays += counters.rays;
   capped_->fetch_add(counters.capped, std::memory_order_relaxed);
   return true;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr std::size_t kTracedAtOnce = 8192;  // rays between looks at the stop token: a few milliseconds
+constexpr std::size_t kTracedAtOnce = 2048;  // rays between looks at the stop token: about a millisecond
 
 // Which numbers of a path's pattern serve what: pair 0 is the first direction.
 constexpr std::uint32_t directionPair(std::uint32_t depth) {

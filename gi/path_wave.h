@@ -27,7 +27,8 @@
 
 namespace isolux::gi {
 
-inline constexpr std::size_t kWavePaths = 16384;  // of one wave, so that it stays in the cache
+inline constexpr std::size_t kWavePaths =
+    16384;  // of one wave: enough to fill the tracer, some 2 MB of state
 
 // What all paths of a light scene share.
 struct PathSetup {

@@ -24,12 +24,12 @@ class TexelEstimator {
   virtual LightContent content() const = 0;
   // The outward unit normal of each texel's isosurface, world; 0 where it has none and the texel is not lit.
   virtual void normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const = 0;
-  // The mean of the estimates of `range` for each texel, components side by side. The result for a texel
-  // depends on nothing but the texel and the range. Returns false, with `means` undefined, when stopped;
-  // looks at `stop` at least every 20 ms. `rays` counts up. Thread-safe.
-  virtual bool estimate(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
-                        SampleRange range, std::span<float> means, std::uint64_t& rays,
-                        std::stop_token stop) const = 0;
+  // Adds the estimates of `range` to `sums`, components side by side, one sample after the other in their
+  // order: how a texel's samples are cut into calls changes no bit of its sum, which depends on nothing but
+  // the texel and the samples. Returns false, with `sums` undefined, when stopped; looks at `stop` every few
+  // ms. `rays` counts up. Thread-safe.
+  virtual bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
+                   std::span<double> sums, std::uint64_t& rays, std::stop_token stop) const = 0;
 };
 
 }  // namespace isolux::gi

@@ -23,7 +23,7 @@ double bandWeight(int band) {
 constexpr double kMargin = 0.03;
 
 // A transfer vector a row, of at most `most` baked texels, evenly chosen.
-Eigen::MatrixXd gather(const LightLattice& lattice, std::size_t most) {
+Eigen::MatrixXd gather(const LightLattice& lattice, std::size_t most, const scene::Progress* progress) {
   const std::size_t baked = lattice.bakedTexels(),
                     d = static_cast<std::size_t>(lattice.content().components());
   const std::size_t every = std::max<std::size_t>((baked + most - 1) / std::max<std::size_t>(most, 1), 1);
@@ -31,6 +31,7 @@ Eigen::MatrixXd gather(const LightLattice& lattice, std::size_t most) {
   values.reserve(std::min(baked, most) * d);
   std::size_t seen = 0;
   for (std::uint32_t b = 0; b < lattice.geometry().blockCount(); ++b) {
+    if (progress) progress->throwIfStopped();
     const auto block = lattice.at(b);
     if (!block) continue;
     for (std::size_t i = 0; i < kTexelsOfBlock; ++i) {
@@ -53,10 +54,14 @@ std::vector<float> floatsOf(const Matrix& matrix) {
 }  // namespace
 
 std::shared_ptr<const TransferBasis> TransferBasis::fit(const LightLattice& lattice, int components, int bits,
+                                                        const scene::Progress* progress,
                                                         std::size_t mostTexels) {
   const LightContent& content = lattice.content();
   assert(content.kind == LightContent::Kind::transfer && (bits == 8 || bits == 16) && components > 0);
-  Eigen::MatrixXd texels = gather(lattice, mostTexels);
+  const auto heedStop = [&] {
+    if (progress) progress->throwIfStopped();
+  };
+  Eigen::MatrixXd texels = gather(lattice, mostTexels, progress);
   if (texels.rows() == 0) return nullptr;
   const Eigen::Index d = texels.cols(), kept = std::min<Eigen::Index>(components, d);
 
@@ -69,9 +74,11 @@ std::shared_ptr<const TransferBasis> TransferBasis::fit(const LightLattice& latt
   const Eigen::RowVectorXd mean = texels.colwise().mean();
   texels.rowwise() -= mean;
   const Eigen::MatrixXd weighted = texels * weights.asDiagonal();
+  heedStop();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(weighted.transpose() * weighted);
   const Eigen::MatrixXd axes = solver.eigenvectors().rowwise().reverse().leftCols(kept);
 
+  heedStop();
   auto basis = std::make_shared<TransferBasis>();
   basis->content_ = content;
   basis->bits_ = bits;

@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "gi/light_lattice.h"
+#include "scene/progress.h"
 
 namespace isolux::gi {
 
@@ -20,8 +21,10 @@ class TransferBasis {
  public:
   // From the baked texels of a lattice, at most `mostTexels` of them, evenly chosen. Null if there are none.
   // `components` is cut to D. Errors count by what they do to E under usual environments, whose coefficients
-  // fall with the band of spherical harmonics.
+  // fall with the band of spherical harmonics. Throws Error{interrupted} within 100 ms of a stop of
+  // `progress`.
   static std::shared_ptr<const TransferBasis> fit(const LightLattice& lattice, int components, int bits,
+                                                  const scene::Progress* progress = nullptr,
                                                   std::size_t mostTexels = 20000);
 
   int components() const { return static_cast<int>(low_.size()); }

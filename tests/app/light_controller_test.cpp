@@ -1,8 +1,10 @@
 // The light controller: what a change of the scene keeps and drops, failing, pausing and cancelling.
 #include "app/light_controller.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <thread>
 
@@ -11,7 +13,9 @@
 
 #include "gi/lattice_geometry.h"
 #include "scene/automatic.h"
+#include "scene/retire.h"
 #include "tests/support/memory_limit.h"
+#include "tests/support/test_data.h"
 
 namespace isolux::test {
 namespace {
@@ -219,6 +223,55 @@ TEST_F(LightControllerTest, TransferIsCompressedWhenItIsFinished) {
   ASSERT_TRUE(controller.settle(30.0));
   EXPECT_EQ(controller.light()->sky, picture->sky);
   EXPECT_NEAR(controller.light()->environment[0].x, picture->environment[0].x, 1e-5f);
+}
+
+// The planner looks every 100 ms whether to compress, and at each new plan: load() meets it at work.
+TEST_F(LightControllerTest, LoadsWhileThePlannerCompresses) {
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.shOrder = 3;
+  light();
+  const auto file = temporaryFolder() / "light.vti";
+  scene::Progress progress;
+  controller.save(file, progress);
+  const std::uint64_t lit = controller.light()->sky->bakedTexels();
+  for (int i = 0; i < 10; ++i) {
+    controller.load(file, progress);
+    const auto loaded = controller.light();
+    ASSERT_TRUE(loaded && loaded->sky);
+    EXPECT_EQ(loaded->sky->bakedTexels(), lit);
+  }
+  ASSERT_TRUE(controller.finish(progress, 120.0));
+  EXPECT_TRUE(controller.light()->basis) << "what was loaded is compressed";
+}
+
+TEST_F(LightControllerTest, AWindowThatClosesDoesNotWaitForTheBake) {
+  scene.gi.samples = 1000000;  // for ever
+  double shortest = 1e9;       // of some, for a busy machine
+  for (int i = 0; i < 3; ++i) {
+    auto ofWindow = std::make_unique<app::LightController>(app::LightController::Options{.background = true});
+    ofWindow->setScene(resolved(), volume);
+    ofWindow->setVisible(surface());
+    while (ofWindow->state().counters.rays == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const auto begin = std::chrono::steady_clock::now();
+    ofWindow.reset();
+    shortest =
+        std::min(shortest,
+                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+  }
+  EXPECT_LT(shortest, 20.0);
+  EXPECT_TRUE(scene::awaitRetired(60.0));
+}
+
+TEST_F(LightControllerTest, TheLeastChangeOfAConstantSkyIsAChange) {
+  scene.gi.mode = scene::GiMode::transfer;  // whose environment is projected, and named
+  scene.gi.shOrder = 2;
+  scene.light.environment.constant = glm::dvec3(1e-7);
+  light();
+  const float before = controller.light()->environment[0].x;
+  scene.light.environment.constant = glm::dvec3(3e-7);
+  controller.setScene(resolved(), volume);
+  ASSERT_TRUE(controller.settle(30.0));
+  EXPECT_NEAR(controller.light()->environment[0].x / before, 3.0f, 1e-3f);
 }
 
 }  // namespace isolux::test

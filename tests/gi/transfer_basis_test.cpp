@@ -163,8 +163,8 @@ TEST(TransferBasis, NothingBakedHasNone) {
 
 TEST(TransferBasis, FewTexelsStandForAll) {
   const auto lattice = latticeOf(kColor, {20, 20, 20}, [](std::uint64_t t) { return vectorOf(t, 75); });
-  const double all = rmsOf(*TransferBasis::fit(*lattice, 12, 16, 8000), 8000);
-  const double few = rmsOf(*TransferBasis::fit(*lattice, 12, 16, 800), 8000);
+  const double all = rmsOf(*TransferBasis::fit(*lattice, 12, 16, nullptr, 8000), 8000);
+  const double few = rmsOf(*TransferBasis::fit(*lattice, 12, 16, nullptr, 800), 8000);
   EXPECT_GE(few, all * (1.0 - 1e-6));
   EXPECT_LT(few, all * 1.1);
 }

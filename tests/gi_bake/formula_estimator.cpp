@@ -20,6 +20,11 @@ std::uint32_t numberOf(glm::ivec3 t) {
   return static_cast<std::uint32_t>((t.z * 1009 + t.y) * 1013 + t.x);
 }
 
+double estimateOf(glm::ivec3 texel, std::uint32_t sample, int component) {
+  const std::uint32_t seed = mixed(numberOf(texel), static_cast<std::uint32_t>(component));
+  return static_cast<double>(mixed(seed, sample) >> 8) / 16777216.0;
+}
+
 }  // namespace
 
 glm::vec3 FormulaEstimator::normalOf(glm::ivec3 texel) {
@@ -27,10 +32,9 @@ glm::vec3 FormulaEstimator::normalOf(glm::ivec3 texel) {
 }
 
 float FormulaEstimator::meanOf(glm::ivec3 texel, SampleRange range, int component) {
-  const std::uint32_t seed = mixed(numberOf(texel), static_cast<std::uint32_t>(component));
   double sum = 0.0;
   for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
-    sum += static_cast<double>(mixed(seed, i) >> 8) / 16777216.0;
+    sum += estimateOf(texel, i, component);
   return static_cast<float>(sum / range.count);
 }
 
@@ -50,9 +54,9 @@ void FormulaEstimator::normals(std::span<const glm::ivec3> texels, std::span<glm
   std::transform(texels.begin(), texels.end(), normals.begin(), normalOf);
 }
 
-bool FormulaEstimator::estimate(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
-                                SampleRange range, std::span<float> means, std::uint64_t& rays,
-                                std::stop_token stop) const {
+bool FormulaEstimator::add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
+                           SampleRange range, std::span<double> sums, std::uint64_t& rays,
+                           std::stop_token stop) const {
   ++calls;
   if (before && !before(texels, range, stop)) return false;
   const auto components = static_cast<std::size_t>(content_.components());
@@ -60,7 +64,8 @@ bool FormulaEstimator::estimate(std::span<const glm::ivec3> texels, std::span<co
     if (normals[t] != normalOf(texels[t]) || normals[t] == glm::vec3(0.0f))
       throw std::logic_error("a texel without its normal");
     for (std::size_t c = 0; c < components; ++c)
-      means[t * components + c] = meanOf(texels[t], range, static_cast<int>(c));
+      for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
+        sums[t * components + c] += estimateOf(texels[t], i, static_cast<int>(c));
   }
   rays += 2 * range.count * texels.size();
   paths += range.count * texels.size();

@@ -21,8 +21,8 @@ class FormulaEstimator : public TexelEstimator {
 
   LightContent content() const override { return content_; }
   void normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const override;
-  bool estimate(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
-                std::span<float> means, std::uint64_t& rays, std::stop_token stop) const override;
+  bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
+           std::span<double> sums, std::uint64_t& rays, std::stop_token stop) const override;
 
   // One texel in seven has no normal.
   static glm::vec3 normalOf(glm::ivec3 texel);
@@ -30,7 +30,7 @@ class FormulaEstimator : public TexelEstimator {
   // What a bake must give that goes through `rounds`.
   static float bakedOf(glm::ivec3 texel, const std::vector<std::uint32_t>& rounds, int component);
 
-  // Called by estimate() first, on the thread of the bake; false: as if stopped.
+  // Called by add() first, on the thread of the bake; false: as if stopped.
   std::function<bool(std::span<const glm::ivec3>, SampleRange, std::stop_token)> before;
   mutable std::atomic<std::uint64_t> calls{0}, paths{0};
 
