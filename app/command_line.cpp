@@ -13,6 +13,7 @@
 #include "app/interrupt.h"
 #include "app/recording.h"
 #include "app/session.h"
+#include "app/thread_limit.h"
 #include "app/version.h"
 #include "scene/error.h"
 #include "scene/printable.h"
@@ -216,6 +217,8 @@ int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
 
         scene::Progress progress;
         InterruptWatcher watcher(progress);
+        const ThreadShare share;
+        if (!share.note().empty()) std::fprintf(stderr, "isolux: note: %s\n", share.note().c_str());
         return guarded(
             [&] {
               chosen->run(progress);

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <csignal>
 #include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -34,15 +35,24 @@ void handle(void (*handler)(int)) {
   action.sa_handler = handler;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(number, nullptr, &before);
+    if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;  // nohup
+    sigaction(number, &action, nullptr);
+  }
 }
 
 }  // namespace
 
 InterruptWatcher::InterruptWatcher(scene::Progress& progress) : progress_(progress) {
-  if (::pipe2(pipe_, O_CLOEXEC | O_NONBLOCK) != 0) return;  // without it Ctrl-C just ends the process
-  thread_ = std::thread([this] { watch(); });
+  // Without pipe or thread Ctrl-C just ends the process.
+  if (::pipe2(pipe_, O_CLOEXEC | O_NONBLOCK) != 0) return;
+  try {
+    thread_ = std::thread([this] { watch(); });
+  } catch (const std::system_error&) {
+    return;
+  }
   signalPipe = pipe_[1];
   handle(isoluxOnInterrupt);
 }

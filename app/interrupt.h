@@ -1,14 +1,16 @@
 // Ctrl-C: asks the running job to stop and, if it does not within 40 ms, ends the process tidily.
 //
-// While an InterruptWatcher lives, SIGINT and SIGTERM call Progress::requestStop(). A job that listens throws
-// Error{interrupted}; one that is deep in a driver or a library is not waited for: unfinished files are
-// removed and the process leaves with exit code 130. One watcher at a time.
+// While an InterruptWatcher lives, SIGINT, SIGTERM and SIGHUP call Progress::requestStop(). A job that
+// listens throws Error{interrupted}; one that is deep in a driver or a library is not waited for: unfinished
+// files are removed and the process leaves with exit code 130. One watcher at a time. What comes before a
+// watcher lives, and what takes longer to leave, is the supervisor's (app/launcher).
 #pragma once
 
 #include <atomic>
 #include <thread>
 
 #include "scene/progress.h"
+#include "scene/supervision.h"
 
 namespace isolux::app {
 
@@ -20,7 +22,7 @@ class InterruptWatcher {
   InterruptWatcher& operator=(const InterruptWatcher&) = delete;
 
   // True for the first caller only: whoever gets it prints the one line about how the command ended.
-  bool claimReport() noexcept { return !reported_.exchange(true); }
+  bool claimReport() noexcept { return !reported_.exchange(true) && scene::claimReport(); }
 
  private:
   void watch();

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <system_error>
 
 #include <unistd.h>
 
@@ -36,7 +37,12 @@ std::string progressLine(double fraction, const char* stage, double elapsed, int
 }
 
 ProgressBar::ProgressBar(const scene::Progress& progress) {
-  if (::isatty(STDERR_FILENO)) thread_ = std::thread([this, &progress] { draw(progress); });
+  if (!::isatty(STDERR_FILENO)) return;
+  try {
+    thread_ = std::thread([this, &progress] { draw(progress); });
+  } catch (const std::system_error&) {
+    // The system gives no more threads: the work goes on without a bar.
+  }
 }
 
 ProgressBar::~ProgressBar() {

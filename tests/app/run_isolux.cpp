@@ -13,6 +13,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,6 +42,8 @@ RunningIsolux::RunningIsolux(const std::vector<std::string>& arguments, const Ru
   pid_ = ::fork();
   if (pid_ != 0) return;
   // The child: only what is safe between fork and exec, and putenv.
+  const int outFile = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600),
+            errFile = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
   if (settings.addressSpace > 0) {
     const rlimit limit{settings.addressSpace, settings.addressSpace};
     ::setrlimit(RLIMIT_AS, &limit);
@@ -49,9 +52,14 @@ RunningIsolux::RunningIsolux(const std::vector<std::string>& arguments, const Ru
     const rlimit limit{settings.fileSize, settings.fileSize};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
+  if (settings.threads > 0) {
+    constexpr uid_t nobodyElse = 54321;
+    const rlimit limit{settings.threads, settings.threads};
+    if (::chmod(folder.c_str(), 0777) != 0 || ::setrlimit(RLIMIT_NPROC, &limit) != 0 ||
+        ::setgid(nobodyElse) != 0 || ::setuid(nobodyElse) != 0)
+      ::_exit(97);
+  }
   for (std::string& variable : environment) ::putenv(variable.data());
-  const int outFile = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600),
-            errFile = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
   if (outFile < 0 || errFile < 0 || ::dup2(outFile, 1) < 0 || ::dup2(errFile, 2) < 0 ||
       ::chdir(folder.c_str()) != 0)
     ::_exit(99);

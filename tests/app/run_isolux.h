@@ -21,6 +21,9 @@ struct RunSettings {
   std::vector<std::string> environment{};  // "NAME=VALUE", beside that of the test
   std::size_t addressSpace = 0;            // bytes, 0: no limit
   std::size_t fileSize = 0;                // bytes of any file it writes, 0: no limit
+  // Processes and threads, 0: no limit. The system asks nobody else's, and not root's: it runs as a user of
+  // its own, and only root can start it.
+  std::size_t threads = 0;
 };
 
 // Starts now, finished by wait(). Output goes to files, so nothing can block.

@@ -1,0 +1,31 @@
+// How many threads the system gives (`ulimit -u`, a container's limit), asked before libraries find out by
+// ending the process.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace isolux::app {
+
+// How many of so many threads could be started at once. They have ended again.
+int threadsAvailable(int wanted);
+
+// Where the system gives fewer threads than every library taking one for each core needs, all get their share
+// while this lives; else nothing changes.
+class ThreadShare {
+ public:
+  ThreadShare();
+  ~ThreadShare();
+  ThreadShare(const ThreadShare&) = delete;
+  ThreadShare& operator=(const ThreadShare&) = delete;
+
+  const std::string& note() const { return note_; }  // for stderr; empty: there are enough
+
+ private:
+  struct Limit;
+  std::unique_ptr<Limit> limit_;
+  std::string note_;
+};
+
+}  // namespace isolux::app
