@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "scene/error.h"
+#include "scene/supervision.h"
 
 namespace isolux::scene {
 
@@ -132,13 +133,20 @@ bool PendingFile::make(const fs::path& folder) {
   const fs::path part =
       folder / ("." + name + "." + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".part");
   const std::lock_guard guard(pending().mutex);
+  announcePending(part);
   const int file = ::open(part.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) return false;
+  if (file < 0) {
+    const int error = errno;
+    withdrawPending(part);
+    errno = error;
+    return false;
+  }
   const bool locked =
       ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // no locks here: so be it
   struct stat status {};
   if (!locked || ::fstat(file, &status) != 0 || status.st_nlink == 0) {
     ::close(file);
+    withdrawPending(part);
     errno = EWOULDBLOCK;
     return false;
   }
@@ -154,6 +162,7 @@ PendingFile::~PendingFile() {
     if (!committed_) {
       std::erase(pending().paths, path_);
       ::unlink(path_.c_str());
+      withdrawPending(path_);
     }
   }
   ::close(lock_);
@@ -189,6 +198,7 @@ void PendingFile::commit() {
     const std::lock_guard lock(pending().mutex);
     if (std::rename(path_.c_str(), written_.c_str()) != 0) throwCannotWrite(target_, errno);
     std::erase(pending().paths, path_);
+    withdrawPending(path_);
     committed_ = true;
   }
   const int folder = ::open(folderOf(written_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
