@@ -71,6 +71,7 @@ void MessageBar::makeButtons() {
     auto* button = new QPushButton(answer.text, this);
     button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys with the picture
     layout_->insertWidget(layout_->count() - 1, button);
+    button->show();  // at once: the height of the bar depends on it
     connect(button, &QPushButton::clicked, this, [this, chosen = answer.chosen] {
       close();
       if (chosen) chosen();
