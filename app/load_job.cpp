@@ -5,24 +5,43 @@
 
 namespace isolux::app {
 
-LoadJob::LoadJob(scene::Source source) : source_(std::move(source)) {
-  thread_ = std::thread([this] {
-    try {
-      volume_ = volume::loadVolume(source_, progress_);
-    } catch (const scene::Error& error) {
-      error_ = error;
-    } catch (const std::bad_alloc&) {
-      error_.emplace(scene::ErrorKind::memory, source_.path, "", "not enough memory");
-    } catch (const std::exception& error) {
-      error_.emplace(scene::ErrorKind::input, source_.path, "", error.what());
-    }
-    finished_.store(true, std::memory_order_release);
-  });
+namespace {
+
+// The same volume, freed on another thread: giving gigabytes back to the system takes a second.
+std::shared_ptr<const volume::PreparedVolume> freedElsewhere(
+    std::shared_ptr<const volume::PreparedVolume> volume) {
+  const volume::PreparedVolume* const same = volume.get();
+  return {same, [kept = std::move(volume)](const volume::PreparedVolume*) mutable {
+            scene::retire(std::move(kept));
+          }};
 }
 
+}  // namespace
+
+LoadJob::LoadJob(scene::Source source)
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->source = std::move(source);
+            return work;
+          }(),
+          run) {}
+
 LoadJob::~LoadJob() {
-  progress_.requestStop();
-  thread_.join();
+  work_->progress.requestStop();
+}
+
+void LoadJob::run(Work& work) {
+  try {
+    work.volume = freedElsewhere(volume::loadVolume(work.source, work.progress));
+  } catch (const scene::Error& error) {
+    work.error = error;
+  } catch (const std::bad_alloc&) {
+    work.error.emplace(scene::ErrorKind::memory, work.source.path, "", "not enough memory");
+  } catch (const std::exception& error) {
+    work.error.emplace(scene::ErrorKind::input, work.source.path, "", error.what());
+  }
+  work.finished.store(true, std::memory_order_release);
 }
 
 }  // namespace isolux::app

@@ -1,12 +1,13 @@
-// Loads a volume on a background thread; the owner polls.
+// Loads a volume on a background thread; the owner polls, and never waits: neither for the thread nor for a
+// volume to be freed (scene/retire.h).
 #pragma once
 
 #include <atomic>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "scene/progress.h"
+#include "scene/retire.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 
@@ -15,22 +16,26 @@ namespace isolux::app {
 class LoadJob {
  public:
   explicit LoadJob(scene::Source source);  // starts at once
-  ~LoadJob();                              // stops and waits
+  ~LoadJob();                              // stops
 
-  const scene::Source& source() const { return source_; }
-  scene::Progress& progress() { return progress_; }
-  bool finished() const { return finished_.load(std::memory_order_acquire); }
+  const scene::Source& source() const { return work_->source; }
+  scene::Progress& progress() { return work_->progress; }
+  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
   // After finished(): the volume, or the error.
-  std::shared_ptr<const volume::PreparedVolume> volume() const { return volume_; }
-  const std::optional<scene::Error>& error() const { return error_; }
+  std::shared_ptr<const volume::PreparedVolume> volume() const { return work_->volume; }
+  const std::optional<scene::Error>& error() const { return work_->error; }
 
  private:
-  scene::Source source_;
-  scene::Progress progress_;
-  std::atomic<bool> finished_{false};
-  std::shared_ptr<const volume::PreparedVolume> volume_;
-  std::optional<scene::Error> error_;
-  std::thread thread_;
+  struct Work {
+    scene::Source source;
+    scene::Progress progress;
+    std::atomic<bool> finished{false};
+    std::shared_ptr<const volume::PreparedVolume> volume;
+    std::optional<scene::Error> error;
+  };
+  static void run(Work& work);
+
+  scene::RetiringThread<Work> work_;
 };
 
 }  // namespace isolux::app

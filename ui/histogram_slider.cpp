@@ -1,8 +1,9 @@
 #include "ui/histogram_slider.h"
 
 #include <algorithm>
-#include <chrono>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include <QMouseEvent>
@@ -10,6 +11,7 @@
 #include <QPainterPath>
 #include <QWheelEvent>
 
+#include "scene/retire.h"
 #include "ui/number_text.h"
 #include "ui/style.h"
 
@@ -21,6 +23,30 @@ constexpr double grabPixels = 8.0;
 constexpr int detailBins = 16384;
 }  // namespace
 
+// Counts the bins of a volume once more, finer.
+struct HistogramSlider::DetailJob {
+  struct Work {
+    explicit Work(VolumePointer counted) : volume(std::move(counted)) {}
+    VolumePointer volume;
+    scene::Progress progress;
+    volume::Histogram histogram;  // empty when it was stopped, or there is no memory for it
+    std::atomic<bool> finished{false};
+  };
+  explicit DetailJob(VolumePointer volume) : work(std::make_shared<Work>(std::move(volume)), count) {}
+  ~DetailJob() { work->progress.requestStop(); }
+
+  static void count(Work& work) noexcept {
+    try {
+      work.histogram = volume::makeHistogram(work.volume->grid(), detailBins, work.progress);
+    } catch (const std::exception&) {
+      work.histogram = {};
+    }
+    work.finished.store(true, std::memory_order_release);
+  }
+
+  scene::RetiringThread<Work> work;
+};
+
 HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -29,9 +55,10 @@ HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent) {
   connect(&sendTimer_, &QTimer::timeout, this, &HistogramSlider::sendPending);
   detailTimer_.setInterval(30);
   connect(&detailTimer_, &QTimer::timeout, this, [this] {
-    if (detailJob_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    if (!detailJob_->work->finished.load(std::memory_order_acquire)) return;
     detailTimer_.stop();
-    detail_ = detailJob_.get();
+    detail_ = std::move(detailJob_->work->histogram);
+    detailJob_.reset();
     update();
   });
 }
@@ -42,8 +69,7 @@ HistogramSlider::~HistogramSlider() {
 
 void HistogramSlider::stopDetail() {
   detailTimer_.stop();
-  if (detailProgress_) detailProgress_->requestStop();
-  detailJob_ = {};  // waits for a count that is still running: it ends within milliseconds
+  detailJob_.reset();  // one that still counts is stopped, and ends elsewhere
 }
 
 void HistogramSlider::setVolume(VolumePointer volume) {
@@ -83,14 +109,11 @@ void HistogramSlider::zoomed() {
 }
 
 void HistogramSlider::wantDetail() {
-  if (!volume_ || !detail_.counts.empty() || detailJob_.valid()) return;
+  if (!volume_ || !detail_.counts.empty() || detailJob_) return;
   const double bins = static_cast<double>(volume_->histogram.counts.size());
   const double shown = bins * plot_.shownRange() / (plot_.maximum() - plot_.minimum());
   if (shown > plotArea().width()) return;  // still more bins than pixels
-  detailProgress_ = std::make_shared<scene::Progress>();
-  detailJob_ = std::async(std::launch::async, [volume = volume_, progress = detailProgress_] {
-    return volume::makeHistogram(volume->grid(), detailBins, *progress);
-  });
+  detailJob_ = std::make_shared<DetailJob>(volume_);
   detailTimer_.start();
 }
 

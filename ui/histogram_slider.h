@@ -4,7 +4,6 @@
 // suggested isovalue. Sends at most one value per turn of the event loop while it is dragged.
 #pragma once
 
-#include <future>
 #include <memory>
 #include <optional>
 
@@ -53,6 +52,7 @@ class HistogramSlider : public QWidget {
   QSize minimumSizeHint() const override { return {220, 96}; }
 
  private:
+  struct DetailJob;
   QRectF plotArea() const;
   void moveTo(double value);  // while dragged: sent with the next turn of the event loop
   void nudge(double steps);   // wheel and keys
@@ -70,8 +70,7 @@ class HistogramSlider : public QWidget {
   VolumePointer volume_;
   HistogramPlot plot_;
   volume::Histogram detail_;  // finer than the volume's own; empty until somebody zooms in
-  std::future<volume::Histogram> detailJob_;
-  std::shared_ptr<scene::Progress> detailProgress_;
+  std::shared_ptr<DetailJob> detailJob_;
   QTimer detailTimer_, sendTimer_;
   double isovalue_ = 0.0;
   bool insideAbove_ = true;

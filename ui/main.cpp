@@ -1,6 +1,10 @@
 // The isolux program: the command line decides; the window is one of the things it can do.
+#include <cstdio>
+#include <cstdlib>
+
 #include "app/command_line.h"
 #include "app/last_resort.h"
+#include "scene/retire.h"
 #include "ui/open_window.h"
 
 #ifdef __linux__
@@ -10,5 +14,10 @@ __attribute__((section(".preinit_array"),
 #endif
 
 int main(int argc, char** argv) {
-  return isolux::app::runCommandLine(argc, argv, isolux::ui::openWindow);
+  constexpr double secondsToEnd = 1.0;
+  const int exitCode = isolux::app::runCommandLine(argc, argv, isolux::ui::openWindow);
+  if (isolux::scene::awaitRetired(secondsToEnd)) return exitCode;
+  // A thread is stuck, perhaps in a read from a dead disk: it must not see the program's statics go.
+  std::fflush(nullptr);
+  std::_Exit(exitCode);
 }

@@ -55,23 +55,26 @@ glm::vec3 ProbeThumbnail::at(glm::dvec3 direction) const {
   return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)];
 }
 
-ProbeJob::ProbeJob(std::string file) : file_(std::move(file)) {
-  thread_ = std::thread([this] {
-    try {
-      thumbnail_ = reduced(gi::Environment::load(file_));
-    } catch (const scene::Error& error) {
-      error_ = error;
-    } catch (const std::bad_alloc&) {
-      error_.emplace(scene::ErrorKind::memory, file_, "", "not enough memory");
-    } catch (const std::exception& error) {
-      error_.emplace(scene::ErrorKind::input, file_, "", error.what());
-    }
-    finished_.store(true, std::memory_order_release);
-  });
-}
+ProbeJob::ProbeJob(std::string file)
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->file = std::move(file);
+            return work;
+          }(),
+          run) {}
 
-ProbeJob::~ProbeJob() {
-  thread_.join();
+void ProbeJob::run(Work& work) {
+  try {
+    work.thumbnail = reduced(gi::Environment::load(work.file));
+  } catch (const scene::Error& error) {
+    work.error = error;
+  } catch (const std::bad_alloc&) {
+    work.error.emplace(scene::ErrorKind::memory, work.file, "", "not enough memory");
+  } catch (const std::exception& error) {
+    work.error.emplace(scene::ErrorKind::input, work.file, "", error.what());
+  }
+  work.finished.store(true, std::memory_order_release);
 }
 
 }  // namespace isolux::ui

@@ -4,13 +4,13 @@
 #include <atomic>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "scene/error.h"
+#include "scene/retire.h"
 
 namespace isolux::ui {
 
@@ -25,21 +25,24 @@ struct ProbeThumbnail {
 
 class ProbeJob {
  public:
-  explicit ProbeJob(std::string file);  // starts at once
-  ~ProbeJob();                          // waits
+  explicit ProbeJob(std::string file);  // starts at once; thrown away, it ends elsewhere (scene/retire.h)
 
-  const std::string& file() const { return file_; }
-  bool finished() const { return finished_.load(std::memory_order_acquire); }
+  const std::string& file() const { return work_->file; }
+  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
   // After finished(): the picture, or the error.
-  const ProbeThumbnail& thumbnail() const { return thumbnail_; }
-  const std::optional<scene::Error>& error() const { return error_; }
+  const ProbeThumbnail& thumbnail() const { return work_->thumbnail; }
+  const std::optional<scene::Error>& error() const { return work_->error; }
 
  private:
-  std::string file_;
-  std::atomic<bool> finished_{false};
-  ProbeThumbnail thumbnail_;
-  std::optional<scene::Error> error_;
-  std::thread thread_;
+  struct Work {
+    std::string file;
+    std::atomic<bool> finished{false};
+    ProbeThumbnail thumbnail;
+    std::optional<scene::Error> error;
+  };
+  static void run(Work& work);
+
+  scene::RetiringThread<Work> work_;
 };
 
 }  // namespace isolux::ui

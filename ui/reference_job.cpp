@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <thread>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -64,49 +65,57 @@ RoundPointer roundOf(gi::ReferenceImage image, const scene::Look& look) {
 
 ReferenceJob::ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
                            glm::ivec2 size, std::uint32_t samples)
-    : volume_(std::move(volume)), resolved_(std::move(resolved)), size_(size), samples_(samples) {
-  thread_ = std::thread([this] {
-    try {
-      run();
-    } catch (const scene::Error& error) {
-      if (error.kind() != scene::ErrorKind::interrupted) error_ = error;
-    } catch (const std::bad_alloc&) {
-      error_.emplace(scene::ErrorKind::memory, "", "reference", "not enough memory");
-    } catch (const std::exception& error) {
-      error_.emplace(scene::ErrorKind::input, "", "reference", error.what());
-    }
-    finished_.store(true, std::memory_order_release);
-  });
-}
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->volume = std::move(volume);
+            work->resolved = std::move(resolved);
+            work->size = size;
+            work->samples = samples;
+            return work;
+          }(),
+          run) {}
 
 ReferenceJob::~ReferenceJob() {
-  progress_.requestStop();
-  thread_.join();
+  work_->progress.requestStop();
 }
 
-void ReferenceJob::run() {
-  progress_.report(0.0, "preparing");
-  const auto environment = gi::loadEnvironment(resolved_.light.environment);
+void ReferenceJob::run(Work& work) {
+  try {
+    trace(work);
+  } catch (const scene::Error& error) {
+    if (error.kind() != scene::ErrorKind::interrupted) work.error = error;
+  } catch (const std::bad_alloc&) {
+    work.error.emplace(scene::ErrorKind::memory, "", "reference", "not enough memory");
+  } catch (const std::exception& error) {
+    work.error.emplace(scene::ErrorKind::input, "", "reference", error.what());
+  }
+  work.finished.store(true, std::memory_order_release);
+}
+
+void ReferenceJob::trace(Work& work) {
+  work.progress.report(0.0, "preparing");
+  const auto environment = gi::loadEnvironment(work.resolved.light.environment);
   const auto tracer = std::make_shared<const volume::IsosurfaceTracer>(
-      volume_->volume.grid, resolved_.isosurface.inside, progress_);
+      work.volume->volume.grid, work.resolved.isosurface.inside, work.progress);
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  gi::Reference picture(volume_, tracer, environment, resolved_,
-                        {size_, resolved_.gi.threads.value_or(cores)}, progress_);
+  gi::Reference picture(work.volume, tracer, environment, work.resolved,
+                        {work.size, work.resolved.gi.threads.value_or(cores)}, work.progress);
   double done = 0.0;
-  for (const std::uint32_t round : gi::referenceRounds(samples_)) {
-    const double to = static_cast<double>(round) / samples_;
-    const bool whole = picture.refineTo(round, progress_, done, to);
-    RoundPointer made = roundOf(picture.image(), resolved_.look);
-    const std::lock_guard guard(mutex_);
-    round_ = std::move(made);
+  for (const std::uint32_t round : gi::referenceRounds(work.samples)) {
+    const double to = static_cast<double>(round) / work.samples;
+    const bool whole = picture.refineTo(round, work.progress, done, to);
+    RoundPointer made = roundOf(picture.image(), work.resolved.look);
+    const std::lock_guard guard(work.mutex);
+    work.round = std::move(made);
     if (!whole) return;
     done = to;
   }
 }
 
 RoundPointer ReferenceJob::round() const {
-  const std::lock_guard guard(mutex_);
-  return round_;
+  const std::lock_guard guard(work_->mutex);
+  return work_->round;
 }
 
 render::ColorImage noiseImage(const gi::ReferenceImage& image) {

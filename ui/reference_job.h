@@ -9,7 +9,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include <glm/vec2.hpp>
 
@@ -17,6 +16,7 @@
 #include "render/frame.h"
 #include "scene/error.h"
 #include "scene/progress.h"
+#include "scene/retire.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 
@@ -37,30 +37,33 @@ class ReferenceJob {
   // Starts at once. `resolved` by scene::resolve of that volume.
   ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved, glm::ivec2 size,
                std::uint32_t samples);
-  ~ReferenceJob();  // stops and waits: at most 100 ms while paths are traced
+  ~ReferenceJob();  // stops; the end of the work is not waited for (scene/retire.h)
 
-  const scene::Scene& resolved() const { return resolved_; }
-  std::uint32_t samples() const { return samples_; }
-  scene::Progress& progress() { return progress_; }
-  const scene::Progress& progress() const { return progress_; }
-  bool finished() const { return finished_.load(std::memory_order_acquire); }
+  const scene::Scene& resolved() const { return work_->resolved; }
+  std::uint32_t samples() const { return work_->samples; }
+  scene::Progress& progress() { return work_->progress; }
+  const scene::Progress& progress() const { return work_->progress; }
+  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
   RoundPointer round() const;  // the latest; null before the first
   // After finished(): what went wrong; stopping is no error.
-  const std::optional<scene::Error>& error() const { return error_; }
+  const std::optional<scene::Error>& error() const { return work_->error; }
 
  private:
-  void run();
+  struct Work {
+    std::shared_ptr<const volume::PreparedVolume> volume;
+    scene::Scene resolved;
+    glm::ivec2 size{0};
+    std::uint32_t samples = 0;
+    scene::Progress progress;
+    std::mutex mutex;
+    RoundPointer round;  // guarded by mutex
+    std::atomic<bool> finished{false};
+    std::optional<scene::Error> error;
+  };
+  static void run(Work& work);
+  static void trace(Work& work);
 
-  std::shared_ptr<const volume::PreparedVolume> volume_;
-  scene::Scene resolved_;
-  glm::ivec2 size_;
-  std::uint32_t samples_;
-  scene::Progress progress_;
-  mutable std::mutex mutex_;
-  RoundPointer round_;  // guarded by mutex_
-  std::atomic<bool> finished_{false};
-  std::optional<scene::Error> error_;
-  std::thread thread_;
+  scene::RetiringThread<Work> work_;
 };
 
 // The standard error of each pixel's luminance of E, in parts of the picture's mean, as a brightness: white
