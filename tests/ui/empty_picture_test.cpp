@@ -46,9 +46,10 @@ TEST_F(EmptyPictureTest, AnIsovalueOutsideTheValues) {
 TEST_F(EmptyPictureTest, ACameraThatLooksAway) {
   ui::Edit edit{window_->document()->scene(), "Camera", {}, false};
   const scene::Camera seen = window_->document()->resolvedScene().camera;
-  edit.scene.camera.eye = seen.eye;
+  const glm::dvec3 eye = seen.eye.value(), target = seen.target.value();
+  edit.scene.camera.eye = eye;
   edit.scene.camera.up = seen.up;
-  edit.scene.camera.target = *seen.eye + (*seen.eye - *seen.target);
+  edit.scene.camera.target = eye + (eye - target);
   window_->document()->edit(edit);
   fullPicture(*window_);
   EXPECT_EQ(said(), "The camera looks away from the volume");
