@@ -18,11 +18,11 @@ double share(const Histogram& histogram, double low, double high) {
 
 }  // namespace
 
-bool looksOffsetBy1024(const Histogram& histogram) {
+bool looksOffsetBy1024(const Histogram& histogram, double minimum) {
   constexpr double enough = 0.05;
   const double air = share(histogram, 0.0, 150.0), between = share(histogram, 250.0, 750.0),
                tissue = share(histogram, 900.0, 1200.0);
-  return histogram.minimum >= 0.0 && air >= enough && tissue >= enough && between < tissue;
+  return minimum >= 0.0 && air >= enough && tissue >= enough && between < tissue;
 }
 
 }  // namespace isolux::volume

@@ -152,7 +152,7 @@ CsgResult readSource(const scene::Source& source, scene::Progress& progress) {
 
 // A unit that cannot be right is worse than none.
 void noteImplausible(Volume& volume, const Histogram& histogram) {
-  if (volume.unit != "HU" || !looksOffsetBy1024(histogram)) return;
+  if (volume.unit != "HU" || !looksOffsetBy1024(histogram, volume.grid->minimum())) return;
   volume.unit.clear();
   volume.warnings.emplace_back("values look offset by 1024: not Hounsfield units as stored");
 }

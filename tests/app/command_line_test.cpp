@@ -13,6 +13,7 @@
 #include "app/command_line.h"
 #include "app/image_io.h"
 #include "app/session.h"
+#include "scene/retire.h"
 #include "scene/settings.h"
 #include "tests/app/run_isolux.h"
 #include "tests/support/test_data.h"
@@ -246,6 +247,7 @@ TEST(CommandLine, TheMemoryBudgetRefusesWithTheSumAndTheSetting) {
 
 TEST(CommandLine, LightAndPathTracedPicturesAskTheBudgetBeforeTheyBegin) {
   const auto refused = [](const std::vector<std::string>& arguments, const char* budget) {
+    EXPECT_TRUE(scene::awaitRetired(30.0));  // what the command before this one held, in this process
     std::vector<std::string> all = arguments;
     all.insert(all.end(), {"--memory-budget", budget});
     return failure(5, all);
