@@ -18,6 +18,8 @@ DialogAnswers::DialogAnswers(QMessageBox::StandardButton button, const QString& 
 }
 
 void DialogAnswers::answer() {
+  // Afresh: a timer is silent while its own signal is handled, and an answer can lead to the next question.
+  timer_.start();
   QWidget* dialog = QApplication::activeModalWidget();
   if (auto* question = qobject_cast<QMessageBox*>(dialog)) {
     lastText_ = question->text();

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/test_data.h"
+#include "tests/ui/time_bound.h"
 #include "ui/open_window.h"
 
 int main(int argc, char** argv) {
@@ -23,5 +24,6 @@ int main(int argc, char** argv) {
   qputenv("XDG_STATE_HOME", QByteArray::fromStdString(isolux::test::temporaryFolder().string()));
   const QApplication application(argc, argv);
   isolux::ui::finishApplication();
+  isolux::test::boundEachTest();
   return RUN_ALL_TESTS();
 }

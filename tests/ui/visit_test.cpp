@@ -14,6 +14,7 @@
 #include "scene/settings.h"
 #include "tests/support/test_data.h"
 #include "tests/ui/dialog_answers.h"
+#include "tests/ui/time_bound.h"
 #include "ui/message_bar.h"
 #include "ui/viewport.h"
 
@@ -158,6 +159,7 @@ TEST_F(WindowTest, AVisitOfRandomActionsEndsWithThePictureOfItsSession) {
   Visitor visitor(seed, folder, volume, std::move(window_));
   ASSERT_TRUE(load(visitor.window(), volume));
   for (unsigned i = 0; i < actions; ++i) {
+    restartTimeBound();
     const std::string name = visitor.act();
     ASSERT_TRUE(visitor.window().document()->volume()) << "seed " << seed << ", action " << i << ": " << name;
     ASSERT_FALSE(visitor.window().viewport()->problem())
