@@ -124,16 +124,14 @@ class Supervisor {
   Supervisor() {
     sigemptyset(&wanted_);
     sigaddset(&wanted_, SIGCHLD);
-    std::signal(SIGCHLD, SIG_DFL);
-    for (const int number : kSignals) {
-      if (number == SIGHUP && std::signal(SIGHUP, SIG_DFL) == SIG_IGN) {  // nohup
-        std::signal(SIGHUP, SIG_IGN);
-        continue;
-      }
-      std::signal(number, nothing);  // one that is ignored would not be waited for
-      sigaddset(&wanted_, number);
-    }
+    for (const int number : kSignals) sigaddset(&wanted_, number);
     sigprocmask(SIG_BLOCK, &wanted_, &before_);
+    std::signal(SIGCHLD, SIG_DFL);
+    for (const int number : kSignals)
+      if (std::signal(number, nothing) == SIG_IGN && number == SIGHUP) {  // nohup
+        std::signal(SIGHUP, SIG_IGN);
+        sigdelset(&wanted_, SIGHUP);
+      }
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     board_ = shareBoard();
   }

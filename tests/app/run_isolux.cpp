@@ -39,8 +39,17 @@ RunningIsolux::RunningIsolux(const std::vector<std::string>& arguments, const Ru
   const std::string folder = settings.folder.empty() ? temporaryFolder().string() : settings.folder.string();
   const std::string out = (logs_ / "out").string(), err = (logs_ / "err").string();
 
+  int running[2] = {-1, -1};  // a pipe whose writing end closes as isolux takes the place of the test's fork
+  EXPECT_EQ(::pipe2(running, O_CLOEXEC), 0);
   pid_ = ::fork();
-  if (pid_ != 0) return;
+  if (pid_ != 0) {
+    ::close(running[1]);
+    char nothing = 0;
+    while (::read(running[0], &nothing, 1) < 0 && errno == EINTR) {
+    }
+    ::close(running[0]);
+    return;
+  }
   // The child: only what is safe between fork and exec, and putenv.
   const int outFile = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600),
             errFile = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
@@ -82,6 +91,17 @@ double RunningIsolux::processorSeconds() const {
   timespec used{};
   if (::clock_getcpuclockid(pid_, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0.0;
   return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
+}
+
+void RunningIsolux::waitUntilItAnswers(int number) const {
+  const std::string status = "/proc/" + std::to_string(pid_) + "/status";
+  for (;;) {
+    const std::string text = contentOf(status);
+    const auto caught = text.find("SigCgt:");
+    if (caught == std::string::npos || text.find("State:\tZ") != std::string::npos) return;
+    if (std::strtoull(text.c_str() + caught + 7, nullptr, 16) >> (number - 1) & 1) return;
+    ::usleep(200);
+  }
 }
 
 RunResult RunningIsolux::wait() {

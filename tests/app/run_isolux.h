@@ -26,7 +26,8 @@ struct RunSettings {
   std::size_t threads = 0;
 };
 
-// Starts now, finished by wait(). Output goes to files, so nothing can block.
+// Starts now, finished by wait(). Output goes to files, so nothing can block. Once it is constructed the
+// process is isolux, no longer a fork of the test: what is measured or signalled is the program.
 class RunningIsolux {
  public:
   explicit RunningIsolux(const std::vector<std::string>& arguments, const RunSettings& settings = {});
@@ -35,6 +36,8 @@ class RunningIsolux {
   RunningIsolux& operator=(const RunningIsolux&) = delete;
 
   void signal(int number) const;
+  // Until its supervisor stands, which takes this signal out of the system's hands, or it has ended.
+  void waitUntilItAnswers(int number) const;
   double processorSeconds() const;  // that it has used so far, on all cores
   RunResult wait();
 
