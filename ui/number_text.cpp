@@ -54,7 +54,7 @@ QString wordsOf(const QString& identifier) {
   // Names of people, signs, and colours joined by a dash.
   static const QHash<QString, QString> special = {{"blinn_phong", "Blinn-Phong"},
                                                   {"gi", "Global illumination"},
-                                                  {"color", "One colour"},
+                                                  {"color", "Colour"},
                                                   {"map", "Colour map"},
                                                   {"kappa1", "κ₁ (larger curvature)"},
                                                   {"kappa2", "κ₂ (smaller curvature)"},
