@@ -4,6 +4,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/ui/dialog_answers.h"
 #include "ui/baked_light.h"
 #include "ui/light_status.h"
 #include "ui/message_bar.h"
@@ -134,6 +135,7 @@ TEST_F(LightWindowTest, AnotherVolumeHasNoneOfTheLightOfTheOneBefore) {
   bool dropped = false;
   QObject::connect(window_->document(), &ui::Document::volumeChanged,
                    [&] { dropped = light()->light() == nullptr; });
+  DialogAnswers discard(QMessageBox::Discard);
   ASSERT_TRUE(load(*window_, "phantom:torus:20"));
   EXPECT_TRUE(dropped);
   EXPECT_TRUE(waitUntil([&] { return light()->light() != nullptr; }));

@@ -11,6 +11,7 @@
 #include <QSpinBox>
 #include <QTest>
 
+#include "tests/ui/dialog_answers.h"
 #include "ui/info_panel.h"
 #include "ui/load_card.h"
 #include "ui/message_bar.h"
@@ -115,6 +116,7 @@ TEST_F(WindowTest, APictureThatFailsIsSaidAndComesBackWithUndo) {
   EXPECT_TRUE(overlay->accessibleDescription().isEmpty());
   window_->document()->edit(edit);
   ASSERT_TRUE(waitUntil([&] { return viewport->problem().has_value(); }));
+  DialogAnswers discard(QMessageBox::Discard);
   ASSERT_TRUE(load(*window_, "phantom:torus:24"));  // another volume, which fits
   fullPicture(*window_);
   EXPECT_FALSE(viewport->problem().has_value());
