@@ -77,10 +77,10 @@ class Interrupts : public ::testing::Test {
  protected:
   // Runs the command and interrupts it at random moments of its time.
   void interrupt(const Words& command, int number = SIGINT) {
-    const BusyProcesses busy;
     const auto begin = Clock::now();
     double longest = kLongestWait * 1000.0;
     {
+      const BusyProcesses busy;
       RunningIsolux whole(command, {.folder = input_});
       while (millisecondsSince(begin) < longest && processesIn(input_) > 0)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -107,6 +107,7 @@ class Interrupts : public ::testing::Test {
     const fs::path folder = temporaryFolder();
     for (const auto& entry : fs::directory_iterator(input_))
       if (entry.is_regular_file()) fs::create_symlink(entry.path(), folder / entry.path().filename());
+    const BusyProcesses busy;  // new ones each time: they live for a minute
     RunningIsolux running(command, {.folder = folder});
     // Before the supervisor stands, in the first part of a millisecond, the system itself ends it: nothing
     // has begun, and a shell calls that 130 for SIGINT, but not for the others.
