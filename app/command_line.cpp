@@ -193,8 +193,10 @@ int guarded(Body body, const std::function<bool()>& mayReport) {
     line = "the system gives no more threads or memory: " + error.code().message();
     exitCode = static_cast<int>(ErrorKind::memory);
   } catch (const std::exception& error) {
-    line = std::string("a mistake in Isolux itself: ") + error.what();
-    exitCode = 1;
+    const bool refused = refusesThreads(error);
+    line = refused ? "the system gives no more threads"
+                   : std::string("a mistake in Isolux itself: ") + error.what();
+    exitCode = refused ? static_cast<int>(ErrorKind::memory) : 1;
   }
   return mayReport() ? report(line, exitCode) : exitCode;
 }

@@ -14,6 +14,7 @@
 #endif
 
 #include "app/files.h"
+#include "app/thread_limit.h"
 #include "scene/error.h"
 
 namespace isolux::app {
@@ -36,6 +37,8 @@ Ending endingOf(const std::exception_ptr& thrown) {
     return {"isolux: the system gives no more threads or memory\n", memory};
   } catch (const scene::Error& error) {
     if (error.kind() == scene::ErrorKind::memory) return {"isolux: not enough memory\n", memory};
+  } catch (const std::exception& error) {
+    if (refusesThreads(error)) return {"isolux: the system gives no more threads or memory\n", memory};
   } catch (...) {
   }
   return {"isolux: a mistake in Isolux itself: an exception that nobody caught\n", 1};

@@ -4,12 +4,15 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <mutex>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+
+#include "scene/error.h"
 
 namespace isolux::app {
 
@@ -43,6 +46,10 @@ int threadsAvailable(int wanted) {
   return static_cast<int>(threads.size());
 }
 
+bool refusesThreads(const std::exception& error) noexcept {
+  return std::string_view(error.what()).starts_with("pthread_create has failed");
+}
+
 struct ThreadShare::Limit {
   explicit Limit(std::size_t threads) : workers(tbb::global_control::max_allowed_parallelism, threads) {}
   tbb::global_control workers;
@@ -52,6 +59,8 @@ ThreadShare::ThreadShare() {
   const int cores = std::max(1, tbb::info::default_concurrency());
   const int given = threadsAvailable(kUsers * cores + kFew);
   if (given == kUsers * cores + kFew) return;
+  if (given == 0)  // oneTBB would end the process
+    throw scene::Error(scene::ErrorKind::memory, "", "threads", "the system gives not one more (ulimit -u)");
   const int share = std::clamp((given - kFew) / kUsers, 0, cores);
   limit_ = std::make_unique<Limit>(static_cast<std::size_t>(std::max(share, 1)));
   ::setenv("LP_NUM_THREADS", std::to_string(share).c_str(), 1);  // of llvmpipe; 0: it works on the caller's

@@ -2,6 +2,7 @@
 // ending the process.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,8 +12,11 @@ namespace isolux::app {
 // How many of so many threads could be started at once. They have ended again.
 int threadsAvailable(int wanted);
 
+// Is this oneTBB's word for a thread that the system refused?
+bool refusesThreads(const std::exception& error) noexcept;
+
 // Where the system gives fewer threads than every library taking one for each core needs, all get their share
-// while this lives; else nothing changes.
+// while this lives; else nothing changes. Throws Error{memory} where the system gives none at all.
 class ThreadShare {
  public:
   ThreadShare();

@@ -17,6 +17,7 @@ struct RunResult {
 };
 
 struct RunSettings {
+  std::filesystem::path program{};         // empty: the one that was built
   std::filesystem::path folder{};          // working directory; empty: a fresh one
   std::vector<std::string> environment{};  // "NAME=VALUE", beside that of the test
   std::size_t addressSpace = 0;            // bytes, 0: no limit
@@ -38,7 +39,7 @@ class RunningIsolux {
   void signal(int number) const;
   // Until its supervisor stands, which takes this signal out of the system's hands, or it has ended.
   void waitUntilItAnswers(int number) const;
-  double processorSeconds() const;  // that it has used so far, on all cores
+  double processorSeconds() const;  // that the command has used so far, on all cores
   RunResult wait();
 
  private:
