@@ -7,8 +7,8 @@
 
 #include <glm/common.hpp>
 
-#include "scene/color_maps.h"
 #include "render/font.h"
+#include "scene/color_maps.h"
 
 namespace isolux::render {
 
@@ -77,7 +77,8 @@ class Canvas {
 
 glm::vec3 encoded(const glm::vec3& linear) {
   glm::vec3 result;
-  for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(scene::encodeSrgb(static_cast<double>(linear[c])));
+  for (int c = 0; c < 3; ++c)
+    result[c] = static_cast<float>(scene::encodeSrgb(static_cast<double>(linear[c])));
   return result;
 }
 

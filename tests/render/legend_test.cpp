@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scene/color_maps.h"
 #include "render/font.h"
+#include "scene/color_maps.h"
 #include "scene/curvature_map.h"
 
 namespace isolux::render {
@@ -108,7 +108,8 @@ double luminance(const LegendImage& image, std::size_t pixel, double background)
   const auto value = [&](std::size_t c) {
     return image.rgba[4 * pixel + c] / 255.0 + background * (1.0 - image.rgba[4 * pixel + 3] / 255.0);
   };
-  return 0.2126 * scene::decodeSrgb(value(0)) + 0.7152 * scene::decodeSrgb(value(1)) + 0.0722 * scene::decodeSrgb(value(2));
+  return 0.2126 * scene::decodeSrgb(value(0)) + 0.7152 * scene::decodeSrgb(value(1)) +
+         0.0722 * scene::decodeSrgb(value(2));
 }
 
 TEST(LegendTest, ScalesWithThePictureAndFitsIt) {
@@ -159,8 +160,9 @@ TEST(LegendTest, TheBarShowsTheMapsEnds) {
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
       bool same = true;
       for (std::size_t c = 0; c < 3; ++c)
-        same = same && std::fabs(image.rgba[i + c] -
-                                 255.0 * scene::encodeSrgb(static_cast<double>(linear[static_cast<int>(c)]))) <= 1.0;
+        same = same &&
+               std::fabs(image.rgba[i + c] -
+                         255.0 * scene::encodeSrgb(static_cast<double>(linear[static_cast<int>(c)]))) <= 1.0;
       if (same) return true;
     }
     return false;

@@ -156,9 +156,10 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
       const double fraction = (at - (along[stack.order[source]] - begin)) / gaps[source];
       stack.resampled.push_back({source, std::clamp(fraction, 0.0, 1.0)});
     }
-    stack.warnings.push_back("slice distances are uneven (" + fourDigits(*least) + " to " + fourDigits(*most) +
-                             " mm): resampled linearly from " + std::to_string(count) + " onto " +
-                             std::to_string(slices) + " slices every " + fourDigits(distance) + " mm");
+    stack.warnings.push_back("slice distances are uneven (" + fourDigits(*least) + " to " +
+                             fourDigits(*most) + " mm): resampled linearly from " + std::to_string(count) +
+                             " onto " + std::to_string(slices) + " slices every " + fourDigits(distance) +
+                             " mm");
     if (const std::string gapsText = wideGapsText(gaps, median); !gapsText.empty())
       stack.warnings.push_back(gapsText);
   } else if (uneven > silentUnevenness * median) {

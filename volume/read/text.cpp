@@ -116,7 +116,8 @@ std::string inQuotes(std::string_view text) {
 
 std::string shortText(double value, int significant) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, significant).ptr;
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, significant).ptr;
   return std::string(buffer, end);
 }
 
