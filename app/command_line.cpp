@@ -172,7 +172,7 @@ int report(const std::string& line, int exitCode) {
 
 // Calls `body` and turns whatever it throws into one line and an exit code.
 template <class Body>
-int guarded(Body body, const std::function<bool()>& mayReport) {
+int guarded(Body body, const std::function<bool(bool interrupted)>& mayReport) {
   std::string line;
   int exitCode = 0;
   try {
@@ -198,7 +198,8 @@ int guarded(Body body, const std::function<bool()>& mayReport) {
                    : std::string("a mistake in Isolux itself: ") + error.what();
     exitCode = refused ? static_cast<int>(ErrorKind::memory) : 1;
   }
-  return mayReport() ? report(line, exitCode) : exitCode;
+  const bool interrupted = exitCode == static_cast<int>(ErrorKind::interrupted);
+  return mayReport(interrupted) ? report(line, exitCode) : exitCode;
 }
 
 }  // namespace
@@ -228,9 +229,9 @@ int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
               checkStandardOutput();
               return 0;
             },
-            [&] { return watcher.claimReport(); });
+            [&](bool interrupted) { return watcher.claimReport(interrupted); });
       },
-      [] { return true; });
+      [](bool) { return true; });
 }
 
 }  // namespace isolux::app

@@ -83,7 +83,7 @@ void InterruptWatcher::watch() {
   if (event == 'q') return;
 
   removePendingFiles();
-  if (claimReport()) {
+  if (claimReport(true)) {
     constexpr std::string_view line = "isolux: interrupted\n";
     const auto written = ::write(STDERR_FILENO, line.data(), line.size());
     static_cast<void>(written);

@@ -22,7 +22,9 @@ class InterruptWatcher {
   InterruptWatcher& operator=(const InterruptWatcher&) = delete;
 
   // True for the first caller only: whoever gets it prints the one line about how the command ended.
-  bool claimReport() noexcept { return !reported_.exchange(true) && scene::claimReport(); }
+  bool claimReport(bool interrupted) noexcept {
+    return !reported_.exchange(true) && (interrupted ? scene::claimInterruptReport() : scene::claimReport());
+  }
 
  private:
   void watch();

@@ -67,4 +67,8 @@ bool claimReport() noexcept {
   return !board() || board()->reported.exchange(1) == 0;
 }
 
+bool claimInterruptReport() noexcept {
+  return !board();
+}
+
 }  // namespace isolux::scene

@@ -13,5 +13,8 @@ void withdrawPending(const std::filesystem::path& file) noexcept;
 // True for the first of command and supervisor: whoever gets it prints the one line about how the command
 // ended.
 bool claimReport() noexcept;
+// The same for the line about an interrupt. A supervisor prints it itself: it may kill the command at any
+// moment, also between claiming and printing.
+bool claimInterruptReport() noexcept;
 
 }  // namespace isolux::scene

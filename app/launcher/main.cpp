@@ -208,7 +208,10 @@ class Supervisor {
 
   // The command's exit code as this program's.
   int answer() {
-    if (WIFEXITED(status_)) return WEXITSTATUS(status_);
+    if (WIFEXITED(status_)) {
+      if (WEXITSTATUS(status_) == kInterrupted) reportInterrupt();
+      return WEXITSTATUS(status_);
+    }
     killWithDescendants(command_);
     removeUnfinished();
     const int signal = WTERMSIG(status_);
