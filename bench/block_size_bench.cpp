@@ -8,12 +8,12 @@
 #include <benchmark/benchmark.h>
 #include <glm/geometric.hpp>
 
+#include "base/random.h"
 #include "tests/support/test_data.h"
-#include "volume/intersect.h"
-#include "volume/min_max_blocks.h"
-#include "volume/phantom.h"
-#include "volume/phantom_noise.h"
-#include "volume/reader.h"
+#include "volume/hit/exact_hit.h"
+#include "volume/phantom/phantom.h"
+#include "volume/read/reader.h"
+#include "volume/skip/min_max_blocks.h"
 
 namespace {
 
@@ -28,7 +28,7 @@ struct Subject {
 const Subject& subject(std::int64_t which) {
   static std::map<std::int64_t, Subject> loaded;
   if (const auto found = loaded.find(which); found != loaded.end()) return found->second;
-  scene::Progress progress;
+  base::Progress progress;
   const std::filesystem::path folder = test::dataFolder();
   Subject made;
   if (which == 1 && !folder.empty()) {
@@ -50,7 +50,7 @@ void label(benchmark::State& state) {
 
 void buildBlocks(benchmark::State& state) {
   const Subject& data = subject(state.range(0));
-  scene::Progress progress;
+  base::Progress progress;
   std::size_t bytes = 0;
   for (auto run : state) {
     const volume::MinMaxBlocks blocks(*data.grid, static_cast<int>(state.range(1)), progress);
@@ -63,7 +63,7 @@ void buildBlocks(benchmark::State& state) {
 
 void findActiveBlocks(benchmark::State& state) {
   const Subject& data = subject(state.range(0));
-  scene::Progress progress;
+  base::Progress progress;
   const volume::MinMaxBlocks blocks(*data.grid, static_cast<int>(state.range(1)), progress);
   const auto isovalue = static_cast<float>(data.grid->storedOfValue(data.isovalue));
   std::vector<std::uint8_t> flags;
@@ -90,7 +90,7 @@ void findActiveBlocks(benchmark::State& state) {
 // Rays of a camera outside, one after the other over a square of 256 x 256.
 void traceRays(benchmark::State& state) {
   const Subject& data = subject(state.range(0));
-  scene::Progress progress;
+  base::Progress progress;
   const volume::MinMaxBlocks blocks(*data.grid, static_cast<int>(state.range(1)), progress);
   const glm::dvec3 size(data.grid->dims() - 1), centre = size * 0.5;
   const glm::dvec3 eye = centre + glm::length(size) * glm::normalize(glm::dvec3(0.6, 1.0, 0.35));

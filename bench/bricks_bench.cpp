@@ -10,7 +10,7 @@
 
 #include "bench/bench.h"
 #include "bench/pass_times.h"
-#include "render/gl_context.h"
+#include "render/gl/gl_context.h"
 
 namespace isolux::bench {
 namespace {

@@ -11,12 +11,12 @@
 
 #include "bench/bench.h"
 #include "tests/support/rays.h"
+#include "tests/support/sampled_hit.h"
 #include "tests/support/test_data.h"
 #include "tests/support/trilinear_oracle.h"
-#include "volume/intersect.h"
-#include "volume/intersect_sampled.h"
+#include "volume/field/reconstruct.h"
+#include "volume/hit/exact_hit.h"
 #include "volume/prepared_volume.h"
-#include "volume/reconstruct.h"
 
 namespace isolux::bench {
 namespace {
@@ -28,7 +28,7 @@ struct Subject {
 };
 
 std::vector<Subject> subjects() {
-  scene::Progress progress;
+  base::Progress progress;
   std::vector<Subject> list;
   const auto add = [&](const char* name, const std::string& path, double isovalue) {
     scene::Source source;

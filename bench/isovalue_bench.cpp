@@ -4,11 +4,11 @@
 #include <functional>
 
 #include "bench/bench.h"
-#include "render/block_faces.h"
+#include "render/volume/block_faces.h"
 #include "tests/support/test_data.h"
-#include "volume/active_blocks.h"
-#include "volume/phantom.h"
-#include "volume/reader.h"
+#include "volume/phantom/phantom.h"
+#include "volume/read/reader.h"
+#include "volume/skip/active_blocks.h"
 
 namespace isolux::bench {
 namespace {
@@ -20,7 +20,7 @@ struct Subject {
 };
 
 std::vector<Subject> subjects() {
-  scene::Progress progress;
+  base::Progress progress;
   std::vector<Subject> list;
   const auto phantom = [&](const char* text) {
     return std::make_shared<volume::Grid>(volume::makePhantom(volume::parsePhantom(text), progress));
@@ -56,7 +56,7 @@ class Drag {
 void run() {
   constexpr int steps = 200;
   for (const Subject& subject : subjects()) {
-    scene::Progress progress;
+    base::Progress progress;
     const auto blocks = std::make_shared<volume::MinMaxBlocks>(*subject.grid, 8, progress);
     std::printf(" %s, %zu blocks of 8^3; %d new isovalues\n", subject.name.c_str(), blocks->count(), steps);
     for (const double fraction : {1.0 / 2048.0, 1.0 / 256.0, 1.0 / 32.0}) {

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <thread>
 
-#include "app/light_picture.h"
+#include "app/light/light_picture.h"
 #include "bench/bench.h"
 #include "bench/frame.h"
-#include "render/gl_context.h"
+#include "render/gl/gl_context.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::bench {
@@ -50,7 +50,7 @@ void measure(const Row& row, Frame& frame, const VolumePointer& volume, const st
   frame.renderer->setLight(nullptr);
   frame.renderer->render(local, frame.request);
 
-  scene::Progress progress;
+  base::Progress progress;
   app::LightController controller({});
   const scene::Scene lit = scene::resolve(sceneOf(row, probe), volume->facts);
   const auto begin = Clock::now();

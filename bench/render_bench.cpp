@@ -4,13 +4,13 @@
 #include "bench/bench.h"
 #include "bench/frame.h"
 #include "bench/subjects.h"
-#include "render/gl_context.h"
+#include "render/gl/gl_context.h"
 
 namespace isolux::bench {
 namespace {
 
 VolumePointer withBlocks(const VolumePointer& volume, int cells) {
-  scene::Progress progress;
+  base::Progress progress;
   auto copy = std::make_shared<volume::PreparedVolume>(*volume);
   copy->blocks = std::make_shared<volume::MinMaxBlocks>(volume->grid(), cells, progress);
   return copy;

@@ -8,7 +8,7 @@
 
 #include "bench/bench.h"
 #include "bench/pass_times.h"
-#include "render/gl_context.h"
+#include "render/gl/gl_context.h"
 
 namespace isolux::bench {
 namespace {

@@ -7,7 +7,7 @@
 namespace isolux::bench {
 
 VolumePointer load(const std::string& path) {
-  scene::Progress progress;
+  base::Progress progress;
   scene::Source source;
   source.path = path;
   return volume::loadVolume(source, progress);

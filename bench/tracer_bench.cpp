@@ -11,13 +11,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/random.h"
 #include "bench/bench.h"
 #include "bench/subjects.h"
 #include "bench/triangles.h"
 #include "tests/support/test_data.h"
-#include "volume/isosurface_tracer.h"
-#include "volume/phantom_noise.h"
-#include "volume/reconstruct.h"
+#include "volume/field/reconstruct.h"
+#include "volume/tracer/isosurface_tracer.h"
 
 namespace isolux::bench {
 namespace {
@@ -49,7 +49,7 @@ std::vector<double> medianSeconds(const std::vector<std::function<void()>>& alte
 }
 
 double random(std::uint64_t stream, std::uint64_t i) {
-  return volume::uniformNoise(stream, i);
+  return base::uniformNoise(stream, i);
 }
 
 // Cosine-distributed round the normal.
@@ -97,7 +97,7 @@ std::vector<TraceRay> surfaceRays(const volume::Grid& grid, const Triangles& mes
     const glm::ivec3 block(p / 16.0);
     const auto key = static_cast<std::uint64_t>((block.z * 256 + block.y) * 256 + block.x);
     starts.push_back(
-        {volume::hash64(key),
+        {base::hash64(key),
          {p + 0.1 * normal, direction(normal, i), static_cast<float>(grid.storedOfValue(isovalue))}});
   }
   std::stable_sort(starts.begin(), starts.end(),
@@ -215,7 +215,7 @@ void print(const std::vector<Alternative>& alternatives, const std::vector<Trace
 }
 
 void compareOn(const std::string& name, const std::shared_ptr<const volume::Grid>& grid, double isovalue) {
-  scene::Progress progress;
+  base::Progress progress;
   std::vector<std::unique_ptr<IsosurfaceTracer>> tracers;
   std::vector<Alternative> ours;
   for (const volume::TracerTarget target : IsosurfaceTracer::availableTargets()) {

@@ -10,7 +10,7 @@
 #include "bench/subjects.h"
 #include "bench/vtk_picture.h"
 #include "scene/camera.h"
-#include "volume/intersect.h"
+#include "volume/hit/exact_hit.h"
 
 namespace isolux::bench {
 namespace {

@@ -32,8 +32,8 @@
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
+#include "base/error.h"
 #include "scene/camera.h"
-#include "scene/error.h"
 
 namespace isolux::bench {
 
@@ -45,7 +45,7 @@ constexpr double background[3] = {0.0, 1.0, 0.0};
 vtkSmartPointer<vtkOpenGLRenderWindow> makeWindow(glm::ivec2 size) {
   const auto made = vtkSmartPointer<vtkRenderWindow>::New();
   vtkSmartPointer<vtkOpenGLRenderWindow> window = vtkOpenGLRenderWindow::SafeDownCast(made);
-  if (!window) throw scene::Error(scene::ErrorKind::graphics, "", "VTK", "it offers no OpenGL window");
+  if (!window) throw base::Error(base::ErrorKind::graphics, "", "VTK", "it offers no OpenGL window");
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   window->SetSize(size.x, size.y);
@@ -108,7 +108,7 @@ VtkContext::VtkContext() : parts_(std::make_unique<Parts>()) {
   using GetProcAddress = void (*(*)(const unsigned char*))();
   const auto find =
       library ? reinterpret_cast<GetProcAddress>(dlsym(library, "glXGetProcAddressARB")) : nullptr;
-  if (!find) throw scene::Error(scene::ErrorKind::graphics, "", "GLX", "libGL.so.1 cannot be opened");
+  if (!find) throw base::Error(base::ErrorKind::graphics, "", "GLX", "libGL.so.1 cannot be opened");
   gl_ = render::Gl::load([&](const char* name) {
     return reinterpret_cast<void*>(find(reinterpret_cast<const unsigned char*>(name)));
   });

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/subjects.h"
-#include "render/gl.h"
+#include "render/gl/gl.h"
 #include "scene/scene.h"
 
 namespace isolux::bench {

@@ -1,5 +1,5 @@
 # Writes OUTPUT: a C++ table of the shader files in INPUTS (name, text).
-set(text "// Made from resources/shaders at build; do not edit.\n#include \"render/shader_library.h\"\n\nnamespace isolux::render {\n\nconst EmbeddedShader embeddedShaders[] = {\n")
+set(text "// Made from resources/shaders at build; do not edit.\n#include \"render/gl/shader_library.h\"\n\nnamespace isolux::render {\n\nconst EmbeddedShader embeddedShaders[] = {\n")
 set(count 0)
 foreach(input IN LISTS INPUTS)
   get_filename_component(name ${input} NAME)

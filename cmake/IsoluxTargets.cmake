@@ -48,14 +48,22 @@ function(isolux_layer name)
   endif()
 endfunction()
 
-# isolux_tests(LAYER [BARE] LINK ...): one GoogleTest program from tests/LAYER/*_test.cpp, found by CTest
-# test by test. BARE: without tests/support, which needs the volume. Tests read the shared data folder from ISOLUX_DATA (tests/support/test_data.h).
+# isolux_tests(LAYER [BARE] [FOLDERS ...] [EXCLUDE ...] LINK ...): one GoogleTest program from all sources in tests/LAYER
+# (or FOLDERS of tests/), found by CTest test by test. EXCLUDE: folders of tests/ that are left out. BARE: without
+# tests/support, which needs the volume. Tests read the shared data folder from ISOLUX_DATA (tests/support/test_data.h).
 function(isolux_tests layer)
-  cmake_parse_arguments(ARG "BARE" "" "LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${layer}/*.cpp)
-  if(NOT sources)
-    return()
+  cmake_parse_arguments(ARG "BARE" "" "LINK;FOLDERS;EXCLUDE" ${ARGN})
+  set(sources)
+  if(NOT ARG_FOLDERS)
+    set(ARG_FOLDERS ${layer})
   endif()
+  foreach(folder IN LISTS ARG_FOLDERS)
+    file(GLOB_RECURSE found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    list(APPEND sources ${found})
+  endforeach()
+  foreach(folder IN LISTS ARG_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
+  endforeach()
   add_executable(${layer}_tests ${sources})
   target_link_libraries(${layer}_tests PRIVATE ${ARG_LINK} GTest::gtest_main GTest::gmock)
   if(NOT ARG_BARE)

@@ -12,12 +12,12 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "gi/environment.h"
+#include "gi/sampling/environment.h"
 #include "scene/albedo.h"
-#include "scene/gi_choice.h"
+#include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
-#include "volume/isosurface_tracer.h"
 #include "volume/prepared_volume.h"
+#include "volume/tracer/isosurface_tracer.h"
 
 namespace isolux::gi {
 
@@ -55,7 +55,7 @@ std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                                                  std::shared_ptr<const volume::PreparedVolume> volume,
                                                  std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                                                  std::shared_ptr<const Environment> environment);
-// The file, or the constant sky. Throws scene::Error{input}.
+// The file, or the constant sky. Throws base::Error{input}.
 std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings);
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry);
 glm::dmat3 rotationOf(const glm::dvec4& wxyz);  // worldFromEnvironment

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "gi/sh_rotation.h"
-#include "gi/spherical_harmonics.h"
+#include "gi/harmonics/sh_rotation.h"
+#include "gi/harmonics/spherical_harmonics.h"
 
 namespace isolux::gi {
 

@@ -11,10 +11,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "gi/environment.h"
-#include "gi/light_lattice.h"
+#include "gi/harmonics/transfer_basis.h"
+#include "gi/lattice/light_lattice.h"
 #include "gi/light_scene.h"
-#include "gi/transfer_basis.h"
+#include "gi/sampling/environment.h"
 
 namespace isolux::gi {
 

@@ -17,15 +17,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/error.h"
 #include "readers/limits.h"
-#include "scene/error.h"
-#include "volume/read/wire.h"
+#include "volume/read/process/wire.h"
 
 namespace isolux::readers {
 
 using namespace volume;  // the other half of the exchange
-using scene::Error;
-using scene::ErrorKind;
+using base::Error;
+using base::ErrorKind;
 
 namespace {
 
@@ -81,7 +81,7 @@ Connection& connectionToProgram() {
 // Passes on how far the work is, ten times a second.
 class ProgressSender {
  public:
-  ProgressSender(Connection& connection, const scene::Progress& progress)
+  ProgressSender(Connection& connection, const base::Progress& progress)
       : thread_([&connection, &progress](const std::stop_token& stop) {
           constexpr auto step = std::chrono::milliseconds(100);
           std::mutex mutex;
@@ -147,30 +147,30 @@ void handOver(Connection& connection, const DecodedImage& image) {
 // Runs `read` with its progress passed on.
 template <typename Read>
 auto watched(Connection& connection, Read&& read) {
-  scene::Progress progress;
+  base::Progress progress;
   const ProgressSender sender(connection, progress);
   return read(progress);
 }
 
 [[noreturn]] void refuseTask() {
-  scene::throwInput("", "", "this reader does not read such files");
+  base::throwInput("", "", "this reader does not read such files");
 }
 
 void answer(Connection& connection, const Abilities& abilities, const Request& request) {
   switch (request.task) {
     case Task::volume:
       if (!abilities.volume) refuseTask();
-      return handOver(connection, watched(connection, [&](scene::Progress& progress) {
+      return handOver(connection, watched(connection, [&](base::Progress& progress) {
                         return abilities.volume(request.path, request.options, progress);
                       }));
     case Task::mesh:
       if (!abilities.mesh) refuseTask();
-      return handOver(connection, watched(connection, [&](scene::Progress& progress) {
+      return handOver(connection, watched(connection, [&](base::Progress& progress) {
                         return abilities.mesh(request.path, progress);
                       }));
     case Task::image:
       if (!abilities.image) refuseTask();
-      return handOver(connection, watched(connection, [&](scene::Progress& progress) {
+      return handOver(connection, watched(connection, [&](base::Progress& progress) {
                         return abilities.image(request.path, progress);
                       }));
     case Task::versions:

@@ -1,22 +1,22 @@
-// The reader's end of the exchange with the program (volume/read/reader_messages.h): takes one request, lets
-// a library parse the file, hands over what came of it, and ends.
+// The reader's end of the exchange with the program (volume/read/process/reader_messages.h): takes one
+// request, lets a library parse the file, hands over what came of it, and ends.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
-#include "scene/progress.h"
-#include "volume/read/reader_messages.h"
+#include "base/progress.h"
+#include "volume/read/process/reader_messages.h"
 
 namespace isolux::readers {
 
-// What a reader can do; null for what it cannot. They throw scene::Error; any other exception is taken as
+// What a reader can do; null for what it cannot. They throw base::Error; any other exception is taken as
 // damage to the file.
 struct Abilities {
   volume::DecodedVolume (*volume)(const std::filesystem::path&, const volume::ReadOptions&,
-                                  scene::Progress&) = nullptr;
-  volume::TriangleMesh (*mesh)(const std::filesystem::path&, scene::Progress&) = nullptr;
-  volume::DecodedImage (*image)(const std::filesystem::path&, scene::Progress&) = nullptr;
+                                  base::Progress&) = nullptr;
+  volume::TriangleMesh (*mesh)(const std::filesystem::path&, base::Progress&) = nullptr;
+  volume::DecodedImage (*image)(const std::filesystem::path&, base::Progress&) = nullptr;
   std::string (*versions)() = nullptr;
 };
 

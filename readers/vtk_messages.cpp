@@ -6,7 +6,7 @@
 #include <vtkLogger.h>
 #include <vtkOutputWindow.h>
 
-#include "volume/read/text.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::readers {
 

@@ -1,5 +1,5 @@
-// Numbers that C++ and the shaders must agree on; tests/render/constants_test.cpp compares them with the
-// GLSL.
+// Numbers that C++ and the shaders must agree on; tests/render/passes/constants_test.cpp compares them with
+// the GLSL.
 #pragma once
 
 namespace isolux::render {

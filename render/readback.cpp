@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "volume/reconstruct.h"
+#include "volume/field/reconstruct.h"
 
 namespace isolux::render {
 

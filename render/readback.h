@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "render/frame.h"
-#include "render/frame_state.h"
+#include "render/graph/frame.h"
+#include "render/passes/frame_state.h"
 
 namespace isolux::render {
 

@@ -7,17 +7,17 @@
 #include <map>
 #include <set>
 
-#include "render/brick_rounds.h"
-#include "render/derivative_passes.h"
-#include "render/effect_passes.h"
+#include "base/error.h"
 #include "render/empty_picture.h"
-#include "render/frame_state.h"
-#include "render/gl_messages.h"
-#include "render/hit_passes.h"
-#include "render/light_passes.h"
-#include "render/look_passes.h"
+#include "render/gl/gl_messages.h"
+#include "render/passes/derivative_passes.h"
+#include "render/passes/effect_passes.h"
+#include "render/passes/frame_state.h"
+#include "render/passes/hit_passes.h"
+#include "render/passes/light_passes.h"
+#include "render/passes/look_passes.h"
 #include "render/readback.h"
-#include "scene/error.h"
+#include "render/volume/brick_rounds.h"
 
 namespace isolux::render {
 
@@ -178,8 +178,8 @@ void Renderer::invalidate() {
 void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& request) {
   const int longest = std::max(request.size.x, request.size.y) * request.supersampling;
   if (!request.tile && longest > frame.gl->maxImage)
-    throw scene::Error(
-        scene::ErrorKind::memory, "", "graphics memory",
+    throw base::Error(
+        base::ErrorKind::memory, "", "graphics memory",
         "a picture of " + std::to_string(longest) + " rays on an axis is too large for one frame");
   frame.scene = &scene;
   frame.request = request;

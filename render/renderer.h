@@ -2,14 +2,14 @@
 //
 // The renderer owns its GL objects and knows no window. It keeps no GL state between frames, never touches a
 // framebuffer it does not own except in present(), and is thrown away and made anew when the context is lost.
-// All members need the context current on the calling thread. Errors: scene::Error{graphics, memory}.
+// All members need the context current on the calling thread. Errors: base::Error{graphics, memory}.
 #pragma once
 
 #include <memory>
 #include <optional>
 
 #include "gi/picture_light.h"
-#include "render/frame.h"
+#include "render/graph/frame.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 

@@ -6,8 +6,8 @@
 
 #include <glm/common.hpp>
 
-#include "render/passes.h"
-#include "scene/error.h"
+#include "base/error.h"
+#include "render/graph/pass_declarations.h"
 
 namespace isolux::render {
 
@@ -139,7 +139,7 @@ std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameReque
 }
 
 StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const FrameRequest& request,
-                       scene::Progress& progress) try {
+                       base::Progress& progress) try {
   const Tiling tiling = tilingOf(resolved, request);
   const std::vector<FrameRequest> tiles = tilesOf(resolved, request);
   Collector collector(request);
@@ -156,9 +156,9 @@ StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const F
   }
   return collector.take();
 } catch (const std::bad_alloc&) {
-  throw scene::Error(scene::ErrorKind::memory, "", "picture",
-                     "not enough memory for " + std::to_string(request.size.x) + "x" +
-                         std::to_string(request.size.y) + " pixels: ask for fewer");
+  throw base::Error(base::ErrorKind::memory, "", "picture",
+                    "not enough memory for " + std::to_string(request.size.x) + "x" +
+                        std::to_string(request.size.y) + " pixels: ask for fewer");
 }
 
 }  // namespace isolux::render

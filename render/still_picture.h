@@ -8,9 +8,9 @@
 
 #include <vector>
 
-#include "render/frame.h"
+#include "base/progress.h"
+#include "render/graph/frame.h"
 #include "render/renderer.h"
-#include "scene/progress.h"
 #include "scene/scene.h"
 
 namespace isolux::render {
@@ -25,9 +25,9 @@ struct StillPicture {
 // The tiles a request is drawn in, from the bottom row up; one without a tile: a single frame.
 std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameRequest& request);
 
-// Throws scene::Error: as Renderer::render(), Error{memory} for images that this machine has no room for, and
+// Throws base::Error: as Renderer::render(), Error{memory} for images that this machine has no room for, and
 // Error{interrupted} between tiles.
 StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const FrameRequest& request,
-                       scene::Progress& progress);
+                       base::Progress& progress);
 
 }  // namespace isolux::render

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "scene/relevance.h"
+#include "scene/rules/relevance.h"
 
 namespace isolux::scene {
 

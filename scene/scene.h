@@ -6,7 +6,7 @@
 //
 // World space is millimetres, DICOM/LPS (+x patient left, +y posterior, +z superior). Colours are linear
 // RGB (ITU-R BT.709 primaries) in [0, 1]. An empty optional means "automatic": scene::resolve() in
-// scene/automatic.h fills it in from the volume.
+// scene/rules/automatic.h fills it in from the volume.
 #pragma once
 
 #include <optional>
@@ -60,7 +60,7 @@ enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa
 enum class LightSpace { camera, world };
 enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
 enum class LampKind { point, directional, sphere };
-// What is stored of the light; automatic: the least that the scene needs (scene/gi_choice.h).
+// What is stored of the light; automatic: the least that the scene needs (scene/rules/gi_choice.h).
 enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
 enum class GiExtent { full, band, view };  // which texels are lit
 enum class DirectionSequence { sobol_owen, r2, random };
@@ -78,7 +78,7 @@ struct Source {
   int component = 0;     // of a file with several components per voxel; -1: their magnitude
   int timeStep = 0;      // of a file with several time steps
   int meshVoxels = 128;  // of a mesh's distance field, along its longest axis
-  Csg csg = Csg::none;   // volume/csg.h
+  Csg csg = Csg::none;   // volume/mesh/csg.h
   std::string csgPath;   // the second volume, as `path`
   std::optional<double> csgValue;  // the second volume's isovalue, its data units
   bool operator==(const Source&) const = default;

@@ -9,8 +9,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/error.h"
-#include "scene/suggestion.h"
+#include "base/error.h"
+#include "base/suggestion.h"
 
 namespace isolux::scene {
 
@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
-  throw Error(ErrorKind::usage, "", path, reason);
+  throw base::Error(base::ErrorKind::usage, "", path, reason);
 }
 
 // Shortest text that reads back as the same number, without a trailing ".0".
@@ -633,7 +633,7 @@ const Setting& setting(std::string_view path) {
   if (found != list.end()) return *found;
   std::vector<std::string> paths;
   for (const Setting& known : list) paths.push_back(known.path);
-  std::string suggestion = nearest(path, paths);
+  std::string suggestion = base::nearest(path, paths);
   if (suggestion.empty()) {  // "fov", "view.fov": the right name in no or the wrong group
     const std::string name = '.' + std::string(path.substr(path.rfind('.') + 1));
     const auto same =

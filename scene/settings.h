@@ -1,7 +1,7 @@
 // The list of settings: each member of Scene once, with path, type, default, range, unit and meaning.
 //
 // JSON, --set, undo, recordings, hashing, `isolux settings` and the documentation are made from this list.
-// Paths are "group.name" or "group.subgroup.name" in snake_case. Errors are scene::Error of kind usage that
+// Paths are "group.name" or "group.subgroup.name" in snake_case. Errors are base::Error of kind usage that
 // name the path.
 #pragma once
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "scene/error.h"
+#include "base/error.h"
+#include "base/suggestion.h"
 #include "scene/settings.h"
-#include "scene/suggestion.h"
 
 namespace isolux::scene {
 
@@ -80,10 +80,10 @@ void checkGroup(const std::string& name) {
     return names;
   }();
   if (std::find(groups.begin(), groups.end(), name) != groups.end()) return;
-  const std::string suggestion = nearest(name, groups);
-  throw Error(ErrorKind::usage, "", name.substr(0, 200),
-              suggestion.empty() ? "unknown group of settings"
-                                 : "unknown group of settings, did you mean " + suggestion + "?");
+  const std::string suggestion = base::nearest(name, groups);
+  throw base::Error(base::ErrorKind::usage, "", name.substr(0, 200),
+                    suggestion.empty() ? "unknown group of settings"
+                                       : "unknown group of settings, did you mean " + suggestion + "?");
 }
 
 // The members of a group, and those of the groups within it.
@@ -106,7 +106,7 @@ void assignMembers(Scene& scene, const std::string& group, const json& members) 
 void applyAssignment(Scene& scene, std::string_view assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos)
-    throw Error(ErrorKind::usage, "", std::string(assignment), "expected PATH=VALUE");
+    throw base::Error(base::ErrorKind::usage, "", std::string(assignment), "expected PATH=VALUE");
   const Setting& target = setting(trimmed(assignment.substr(0, equals)));
   target.set(scene, valueOf(target, assignment.substr(equals + 1)));
 }
@@ -127,10 +127,10 @@ nlohmann::json toJson(const Scene& scene) {
 
 Scene fromJson(const nlohmann::json& json) {
   Scene scene;
-  if (!json.is_object()) throw Error(ErrorKind::usage, "", "", "the scene must be a JSON object");
+  if (!json.is_object()) throw base::Error(base::ErrorKind::usage, "", "", "the scene must be a JSON object");
   for (const auto& [group, members] : json.items()) {
     checkGroup(group);
-    if (!members.is_object()) throw Error(ErrorKind::usage, "", group, "must be a JSON object");
+    if (!members.is_object()) throw base::Error(base::ErrorKind::usage, "", group, "must be a JSON object");
     assignMembers(scene, group, members);
   }
   return scene;

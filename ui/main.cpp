@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/command_line.h"
-#include "app/last_resort.h"
-#include "scene/retire.h"
-#include "ui/open_window.h"
+#include "app/commands/command_line.h"
+#include "app/process/last_resort.h"
+#include "base/retire.h"
+#include "ui/window/application.h"
 
 #ifdef __linux__
 // Before the constructors of libraries, which may want more memory than there is.
@@ -16,7 +16,7 @@ __attribute__((section(".preinit_array"),
 int main(int argc, char** argv) {
   constexpr double secondsToEnd = 1.0;
   const int exitCode = isolux::app::runCommandLine(argc, argv, isolux::ui::openWindow);
-  if (isolux::scene::awaitRetired(secondsToEnd)) return exitCode;
+  if (isolux::base::awaitRetired(secondsToEnd)) return exitCode;
   // A thread is stuck, perhaps in a read from a dead disk: it must not see the program's statics go.
   std::fflush(nullptr);
   std::_Exit(exitCode);

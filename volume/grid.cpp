@@ -118,7 +118,7 @@ Piece scanPiece(std::span<T> voxels) {
 }
 
 template <class T>
-std::vector<Piece> scanPieces(std::vector<T>& voxels, scene::Progress& progress) {
+std::vector<Piece> scanPieces(std::vector<T>& voxels, base::Progress& progress) {
   constexpr std::size_t length = kPieceBytes / sizeof(T);
   std::vector<Piece> pieces((voxels.size() + length - 1) / length);
   parallelSteps(pieces.size(), progress, {0.0, 1.0, "scanning voxels"}, [&](std::size_t i) {
@@ -131,10 +131,9 @@ std::vector<Piece> scanPieces(std::vector<T>& voxels, scene::Progress& progress)
 }  // namespace
 
 Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept)
-    : Grid(geometry, std::move(voxels), slope, intercept, *std::make_unique<scene::Progress>()) {}
+    : Grid(geometry, std::move(voxels), slope, intercept, *std::make_unique<base::Progress>()) {}
 
-Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept,
-           scene::Progress& progress)
+Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept, base::Progress& progress)
     : geometry_(geometry), voxels_(std::move(voxels)), slope_(slope), intercept_(intercept) {
   assert(std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept));
   const std::vector<Piece> pieces = std::visit(
@@ -148,7 +147,7 @@ Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double interc
   hash_ = fnv1a(&geometry_.worldFromVoxel, sizeof geometry_.worldFromVoxel, hash_);
   const double numbers[] = {slope_, intercept_, static_cast<double>(voxels_.index())};
   hash_ = fnv1a(numbers, sizeof numbers, hash_);
-  held_ = scene::machineMemory().count(bytes());
+  held_ = base::machineMemory().count(bytes());
   for (const Piece& piece : pieces) {
     low = std::min(low, piece.least);
     high = std::max(high, piece.most);

@@ -20,9 +20,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/memory_budget.h"
+#include "base/memory_budget.h"
 
-namespace isolux::scene {
+namespace isolux::base {
 class Progress;
 }
 
@@ -62,7 +62,7 @@ class Grid {
   // `voxels` must hold geometry.voxelCount() entries; slope must be finite and not 0. With `progress` it
   // reports how far it is and throws Error{interrupted} once a stop was requested.
   Grid(GridGeometry geometry, VoxelArray voxels, double slope = 1.0, double intercept = 0.0);
-  Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept, scene::Progress& progress);
+  Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept, base::Progress& progress);
 
   const GridGeometry& geometry() const { return geometry_; }
   glm::ivec3 dims() const { return geometry_.dims; }
@@ -105,7 +105,7 @@ class Grid {
   double storedMinimum_ = 0.0, storedMaximum_ = 0.0;
   std::size_t missing_ = 0;
   std::uint64_t hash_ = 0;
-  scene::MemoryBudget::Held held_;  // readers and makers ask before they allocate
+  base::MemoryBudget::Held held_;  // readers and makers ask before they allocate
 };
 
 }  // namespace isolux::volume

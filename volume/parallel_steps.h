@@ -12,7 +12,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "scene/progress.h"
+#include "base/progress.h"
 
 namespace isolux::volume {
 
@@ -25,7 +25,7 @@ struct Share {
 // Calls step(i) for each i in [0, count), in any order, on all cores. Throws Error{interrupted} once a stop
 // was requested; some steps have not run then.
 template <class Step>
-void parallelSteps(std::size_t count, scene::Progress& progress, Share share, const Step& step) {
+void parallelSteps(std::size_t count, base::Progress& progress, Share share, const Step& step) {
   std::atomic<std::size_t> done{0};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1),
                     [&](const tbb::blocked_range<std::size_t>& range) {
@@ -44,7 +44,7 @@ void parallelSteps(std::size_t count, scene::Progress& progress, Share share, co
 
 // The same for ranges [begin, end) of `count` elements, `length` of them at a time.
 template <class Step>
-void parallelPieces(std::size_t count, std::size_t length, scene::Progress& progress, Share share,
+void parallelPieces(std::size_t count, std::size_t length, base::Progress& progress, Share share,
                     const Step& step) {
   parallelSteps((count + length - 1) / length, progress, share,
                 [&](std::size_t piece) { step(piece * length, std::min(count, (piece + 1) * length)); });
@@ -53,7 +53,7 @@ void parallelPieces(std::size_t count, std::size_t length, scene::Progress& prog
 // Makes `values` `count` elements long. The system hands out and clears memory as it is first written, which
 // takes long for gigabytes, so a stop is looked for on the way. Throws Error{interrupted}.
 template <class T>
-void resizeStoppably(std::vector<T>& values, std::size_t count, const scene::Progress& progress) {
+void resizeStoppably(std::vector<T>& values, std::size_t count, const base::Progress& progress) {
   constexpr std::size_t bytes = std::size_t{4} << 20;
   values.reserve(count);
   while (values.size() < count) {

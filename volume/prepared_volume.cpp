@@ -9,10 +9,10 @@
 
 #include <tbb/combinable.h>
 
-#include "volume/csg.h"
-#include "volume/noise_estimate.h"
+#include "volume/mesh/csg.h"
 #include "volume/parallel_steps.h"
-#include "volume/plausibility.h"
+#include "volume/statistics/noise_estimate.h"
+#include "volume/statistics/plausibility.h"
 
 namespace isolux::volume {
 
@@ -30,7 +30,7 @@ struct BlockBox {
 
 // The smallest box with all blocks for which isWanted(index) holds.
 template <class IsWanted>
-BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, scene::Progress& progress) {
+BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, base::Progress& progress) {
   const glm::ivec3 dims = blocks.dims();
   const BlockBox nothing{dims, glm::ivec3(-1)};
   tbb::combinable<BlockBox> partial([&] { return nothing; });
@@ -59,7 +59,7 @@ BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, scene
 // noise in air does not count. The whole domain when there is no such block. An axis along which the box has
 // no extent (a single slice) gets half a voxel on both sides, so that a camera can be placed before any
 // volume.
-void setBounds(PreparedVolume& prepared, scene::Progress& progress) {
+void setBounds(PreparedVolume& prepared, base::Progress& progress) {
   const Grid& grid = prepared.grid();
   const MinMaxBlocks& blocks = *prepared.blocks;
   const Histogram& histogram = prepared.histogram;
@@ -108,7 +108,7 @@ void setBounds(PreparedVolume& prepared, scene::Progress& progress) {
 
 // What neighbouring voxels differ by where they differ, along any axis: the 90 % quantile over an even
 // subsample of the rows.
-double typicalStep(const Grid& grid, const scene::Progress& progress) {
+double typicalStep(const Grid& grid, const base::Progress& progress) {
   const glm::ivec3 n = grid.dims();
   constexpr std::ptrdiff_t enough = 1 << 16;
   const std::ptrdiff_t rows = std::ptrdiff_t{n.y} * n.z,
@@ -133,7 +133,7 @@ double typicalStep(const Grid& grid, const scene::Progress& progress) {
 }
 
 // The volume of a source, and the second one's isovalue where there is one.
-CsgResult readSource(const scene::Source& source, scene::Progress& progress) {
+CsgResult readSource(const scene::Source& source, base::Progress& progress) {
   ReadOptions options = readOptions(source);
   const bool combines = source.csg != scene::Csg::none && !source.csgPath.empty();
   ReadOptions second;  // series, component and time step are the first one's
@@ -157,7 +157,7 @@ void noteImplausible(Volume& volume, const Histogram& histogram) {
   volume.warnings.emplace_back("values look offset by 1024: not Hounsfield units as stored");
 }
 
-std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress) {
+std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   auto prepared = std::make_shared<PreparedVolume>();
   prepared->volume = std::move(volume);
@@ -185,11 +185,11 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, scene::Progress& progress
 
 }  // namespace
 
-std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, scene::Progress& progress) {
+std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
   return prepare(std::move(volume), progress);
 }
 
-std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, scene::Progress& progress) {
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "reading");
   CsgResult read = readSource(source, progress);

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "scene/automatic.h"
-#include "volume/box_bounds.h"
-#include "volume/cubic_fields.h"
-#include "volume/histogram.h"
-#include "volume/min_max_blocks.h"
-#include "volume/reader.h"
+#include "scene/rules/automatic.h"
+#include "volume/field/cubic_fields.h"
+#include "volume/read/reader.h"
+#include "volume/skip/box_bounds.h"
+#include "volume/skip/min_max_blocks.h"
+#include "volume/statistics/histogram.h"
 
 namespace isolux::volume {
 
@@ -28,8 +28,8 @@ struct PreparedVolume {
 };
 
 // readVolume(), the combination with a second volume (csg.h), and the derived structures. Throws
-// scene::Error.
-std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, scene::Progress& progress);
-std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, scene::Progress& progress);
+// base::Error.
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, base::Progress& progress);
+std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
 
 }  // namespace isolux::volume

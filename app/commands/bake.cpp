@@ -4,15 +4,15 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/files.h"
-#include "app/light_picture.h"
-#include "app/light_report.h"
-#include "app/progress_bar.h"
+#include "app/commands/progress_bar.h"
+#include "app/files/files.h"
+#include "app/light/light_picture.h"
+#include "app/light/light_report.h"
 #include "app/version.h"
-#include "gi/bake_file.h"
-#include "scene/automatic.h"
-#include "scene/error.h"
-#include "scene/relevance.h"
+#include "base/error.h"
+#include "gi/file/bake_file.h"
+#include "scene/rules/automatic.h"
+#include "scene/rules/relevance.h"
 
 namespace isolux::app {
 
@@ -42,7 +42,7 @@ scene::Scene bakeScene(const BakeOptions& options) {
 }
 
 void seeView(LightController& controller, const BakeOptions& options, const scene::Scene& scene,
-             const std::shared_ptr<const volume::PreparedVolume>& prepared, scene::Progress& progress) {
+             const std::shared_ptr<const volume::PreparedVolume>& prepared, base::Progress& progress) {
   prepared->cubicFields->makeFor(scene, progress);
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
@@ -59,33 +59,33 @@ void seeView(LightController& controller, const BakeOptions& options, const scen
 }
 
 // Goes on with a file of the same light; other light is replaced, as any picture would be. Returns why.
-std::string resume(LightController& controller, const fs::path& out, scene::Progress& progress) {
+std::string resume(LightController& controller, const fs::path& out, base::Progress& progress) {
   std::error_code missing;
   if (!fs::exists(out, missing)) return {};
   try {
     controller.load(out, progress);
-  } catch (const scene::Error& error) {
-    if (error.kind() != scene::ErrorKind::input) throw;
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::input) throw;
     return error.reason();
   }
   return {};
 }
 
-void runBake(const BakeOptions& options, scene::Progress& progress) {
+void runBake(const BakeOptions& options, base::Progress& progress) {
   const fs::path out(options.out);
   if (out.extension() != ".vti")
-    throw scene::Error(scene::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
+    throw base::Error(base::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
   requireSource(options.path, *options.scene);
   scene::Scene scene = bakeScene(options);
   if (!scene::giChoiceOf(scene).wanted)
-    throw scene::Error(scene::ErrorKind::usage, "", "gi.mode",
-                       "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
+    throw base::Error(base::ErrorKind::usage, "", "gi.mode",
+                      "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);
   checkOutput(guard, options.out, "--out");
   checkOutput(guard, options.stats, "--stats");
   std::error_code missing;
   if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
-    scene::throwInput(options.out, "", "holds something other than stored light; --overwrite replaces it");
+    base::throwInput(options.out, "", "holds something other than stored light; --overwrite replaces it");
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
 
@@ -97,7 +97,7 @@ void runBake(const BakeOptions& options, scene::Progress& progress) {
     replaced = resume(controller, out, progress);
     if (scene.gi.extent == scene::GiExtent::view) seeView(controller, options, scene, prepared, progress);
     // What there is, also when it ends here: writing is not stopped.
-    scene::Progress writing;
+    base::Progress writing;
     while (!controller.finish(progress, checkpointSeconds)) {
       controller.save(out, writing);
       progress.throwIfStopped();
@@ -149,7 +149,7 @@ Command makeBake(CLI::App& program) {
       "  isolux bake engine.nii.gz --environment studio.hdr --out engine_light.vti\n"
       "  isolux bake ct.nii.gz --set gi.extent=band --set gi.band=200,400 --out bone.vti --stats bone.json\n"
       "  isolux render ct.nii.gz --look gi --light bone.vti --out bone.png");
-  return {parser, [options](scene::Progress& progress) { runBake(*options, progress); }};
+  return {parser, [options](base::Progress& progress) { runBake(*options, progress); }};
 }
 
 }  // namespace isolux::app

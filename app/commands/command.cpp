@@ -12,20 +12,20 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
-#include "app/files.h"
-#include "app/image_io.h"
-#include "app/progress_bar.h"
-#include "app/session.h"
-#include "scene/error.h"
-#include "scene/memory_budget.h"
-#include "scene/printable.h"
+#include "app/commands/progress_bar.h"
+#include "app/documents/session.h"
+#include "app/files/files.h"
+#include "app/files/image_io.h"
+#include "base/error.h"
+#include "base/memory_budget.h"
+#include "base/printable.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
 
 namespace fs = std::filesystem;
-using scene::Error;
-using scene::ErrorKind;
+using base::Error;
+using base::ErrorKind;
 
 namespace {
 
@@ -113,8 +113,8 @@ void addThreadsOption(CLI::App& parser) {
 void addMemoryOption(CLI::App& parser) {
   // The limit from before comes back, so that one process may run several commands.
   struct Limit {
-    std::size_t before = scene::machineMemory().limit();
-    ~Limit() { scene::machineMemory().setLimit(before); }
+    std::size_t before = base::machineMemory().limit();
+    ~Limit() { base::machineMemory().setLimit(before); }
   };
   auto limit = std::make_shared<std::unique_ptr<Limit>>();
   parser
@@ -122,7 +122,7 @@ void addMemoryOption(CLI::App& parser) {
           "--memory-budget",
           [limit](const std::string& size) {
             if (!*limit) *limit = std::make_unique<Limit>();
-            scene::machineMemory().setLimit(scene::parseMemorySize(size));
+            base::machineMemory().setLimit(base::parseMemorySize(size));
           },
           "How much memory volumes, light and pictures may take together, as 16G or 800M; default: what the "
           "machine has left, less a reserve")
@@ -186,7 +186,7 @@ void checkOutput(OutputGuard& guard, const std::string& file, const std::string&
 }
 
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
-                                                                  scene::Progress& progress) {
+                                                                  base::Progress& progress) {
   const ProgressBar bar(progress);
   return volume::loadVolume(source, progress);
 }
@@ -196,7 +196,7 @@ void printWarnings(const volume::Volume& volume) {
 }
 
 void printNote(const std::string& text) {
-  std::cerr << "isolux: note: " << scene::printable(text) << '\n';
+  std::cerr << "isolux: note: " << base::printable(text) << '\n';
 }
 
 glm::ivec2 parseSize(const std::string& text) {
@@ -233,7 +233,7 @@ std::string numberText(double value) {
 }
 
 std::string bytesText(std::uint64_t bytes) {
-  return scene::memoryText(static_cast<std::size_t>(bytes));
+  return base::memoryText(static_cast<std::size_t>(bytes));
 }
 
 void addContext(nlohmann::ordered_json& json, const render::ContextDescription& context) {

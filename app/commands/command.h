@@ -15,9 +15,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/output_guard.h"
-#include "render/gl_context.h"
-#include "scene/progress.h"
+#include "app/files/output_guard.h"
+#include "base/progress.h"
+#include "render/gl/gl_context.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 
@@ -25,7 +25,7 @@ namespace isolux::app {
 
 struct Command {
   CLI::App* parser;
-  std::function<void(scene::Progress&)> run;
+  std::function<void(base::Progress&)> run;
 };
 Command makeInfo(CLI::App& program);
 Command makeRender(CLI::App& program);
@@ -46,7 +46,7 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser);
 // --threads N, in force as long as the returned value lives in the parser's callbacks.
 void addThreadsOption(CLI::App& parser);
 void printThreadsNote(const CLI::App& parser);  // on stderr, where --threads asks for more than there will be
-// --memory-budget SIZE: the limit of scene::machineMemory(), as long as the parser lives.
+// --memory-budget SIZE: the limit of base::machineMemory(), as long as the parser lives.
 void addMemoryOption(CLI::App& parser);
 int threadsInForce();  // all of the machine's, or what --threads says
 std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser);
@@ -62,7 +62,7 @@ OutputGuard outputGuard(const std::string& path, const SceneOptions& options, co
 void checkOutput(OutputGuard& guard, const std::string& file, const std::string& option);
 
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
-                                                                  scene::Progress& progress);
+                                                                  base::Progress& progress);
 // "isolux: note: TEXT" on stderr, one line whatever the text holds.
 void printNote(const std::string& text);
 // What the reader had to do, as notes on stderr: after success only, so that a failure stays one line.

@@ -9,10 +9,10 @@
 #include <glm/glm.hpp>
 
 #include "app/commands/command.h"
-#include "app/external_program.h"
+#include "app/process/external_program.h"
 #include "app/version.h"
-#include "scene/memory_budget.h"
-#include "volume/read/foreign.h"
+#include "base/memory_budget.h"
+#include "volume/read/process/foreign.h"
 
 namespace isolux::app {
 
@@ -34,7 +34,7 @@ std::string dotted(int major, int minor, int patch) {
   return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
 }
 
-std::string movieText(scene::Progress& progress) {
+std::string movieText(base::Progress& progress) {
   const std::filesystem::path ffmpeg = findProgram("ffmpeg");
   if (ffmpeg.empty()) return "not found: replay writes frames but no movie";
   const ProgramResult result = runProgram(ffmpeg, {"-version"}, {}, progress);
@@ -42,12 +42,12 @@ std::string movieText(scene::Progress& progress) {
   return ffmpeg.string() + ", " + result.output.substr(0, result.output.find(" Copyright"));
 }
 
-void runDoctor(scene::Progress& progress) {
+void runDoctor(base::Progress& progress) {
   row("isolux", std::string(version()));
   row("compiler", __VERSION__);
   row("CPU threads", std::to_string(tbb::info::default_concurrency()));
   row("memory", memoryText());
-  row("memory budget", bytesText(scene::machineMemory().limit()));
+  row("memory budget", bytesText(base::machineMemory().limit()));
   for (const std::string& version : volume::readerVersions(progress)) row("file reader", version);
   row("oneTBB", TBB_runtime_version());
   row("GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));
@@ -78,7 +78,7 @@ Command makeDoctor(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("doctor", "Say what this machine offers: graphics contexts, memory, libraries");
   parser->footer("Example:\n  isolux doctor");
-  return {parser, [](scene::Progress& progress) { runDoctor(progress); }};
+  return {parser, [](base::Progress& progress) { runDoctor(progress); }};
 }
 
 }  // namespace isolux::app

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "app/commands/command.h"
-#include "scene/printable.h"
+#include "base/printable.h"
 
 namespace isolux::app {
 
@@ -131,7 +131,7 @@ void printText(const PreparedVolume& prepared, std::ostream& out) {
   const std::string unit = v.unit.empty() ? "" : " " + v.unit;
   const auto row = [&out](const char* name, const std::string& text) {
     out << name << std::string(std::max<std::size_t>(14 - std::string_view(name).size(), 1), ' ')
-        << scene::printable(text) << '\n';
+        << base::printable(text) << '\n';
   };
   row("name", v.name);
   row("format", v.format);
@@ -179,7 +179,7 @@ Command makeInfo(CLI::App& program) {
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux info head.nii.gz --json");
-  return {parser, [options, sceneOptions](scene::Progress& progress) {
+  return {parser, [options, sceneOptions](base::Progress& progress) {
             requireSource(options->path, *sceneOptions);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             const auto prepared = loadWithProgressBar(scene.source, progress);

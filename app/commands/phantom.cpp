@@ -4,20 +4,20 @@
 #include <cstdio>
 
 #include "app/commands/command.h"
-#include "app/files.h"
-#include "app/progress_bar.h"
-#include "scene/error.h"
-#include "scene/suggestion.h"
-#include "volume/phantom.h"
-#include "volume/writer.h"
+#include "app/commands/progress_bar.h"
+#include "app/files/files.h"
+#include "base/error.h"
+#include "base/suggestion.h"
+#include "volume/phantom/phantom.h"
+#include "volume/write/writer.h"
 
 namespace isolux::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-using scene::Error;
-using scene::ErrorKind;
+using base::Error;
+using base::ErrorKind;
 
 struct PhantomOptions {
   volume::PhantomRequest request;
@@ -40,7 +40,7 @@ void checkName(const std::string& name) {
   std::vector<std::string> names{"list"};
   for (const volume::PhantomInfo& info : volume::phantoms()) names.emplace_back(info.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  const std::string suggestion = scene::nearest(name, names);
+  const std::string suggestion = base::nearest(name, names);
   throw Error(ErrorKind::usage, "", name,
               suggestion.empty() ? "no such phantom; `isolux phantom list` names them"
                                  : "no such phantom, did you mean " + suggestion + "?");
@@ -53,10 +53,10 @@ void checkVoxelFile(const fs::path& out) {
   const fs::path voxels = fs::path(out).replace_extension(".raw");
   std::error_code ignored;
   if (fs::exists(voxels, ignored) && !fs::exists(out, ignored))
-    scene::throwInput(out.string(), "", "its voxels would replace the file " + voxels.filename().string());
+    base::throwInput(out.string(), "", "its voxels would replace the file " + voxels.filename().string());
 }
 
-void runPhantom(const PhantomOptions& options, scene::Progress& progress) {
+void runPhantom(const PhantomOptions& options, base::Progress& progress) {
   checkName(options.request.name);
   if (options.request.name == "list") {
     printPhantoms();
@@ -97,7 +97,7 @@ Command makePhantom(CLI::App& program) {
       "Examples:\n"
       "  isolux phantom list\n"
       "  isolux phantom head --size 192 --noise 15 --out head.mha");
-  return {parser, [options](scene::Progress& progress) { runPhantom(*options, progress); }};
+  return {parser, [options](base::Progress& progress) { runPhantom(*options, progress); }};
 }
 
 }  // namespace isolux::app

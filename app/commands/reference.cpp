@@ -5,24 +5,24 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/files.h"
-#include "app/image_io.h"
-#include "app/progress_bar.h"
-#include "app/reference_image.h"
-#include "app/session.h"
+#include "app/commands/progress_bar.h"
+#include "app/documents/session.h"
+#include "app/files/files.h"
+#include "app/files/image_io.h"
+#include "app/files/reference_image.h"
 #include "app/version.h"
-#include "gi/reference.h"
-#include "scene/automatic.h"
-#include "scene/error.h"
+#include "base/error.h"
+#include "gi/trace/reference.h"
+#include "scene/rules/automatic.h"
 
 namespace isolux::app {
 
 namespace {
 
 namespace fs = std::filesystem;
+using base::Error;
+using base::ErrorKind;
 using nlohmann::ordered_json;
-using scene::Error;
-using scene::ErrorKind;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kSecondsBetweenWrites = 5.0;  // of the picture so far, which an interrupt leaves
@@ -77,7 +77,7 @@ void writePicture(const gi::ReferenceImage& image, const scene::Scene& scene, co
     writeReferenceExr(image, out, session);
 }
 
-void runReference(const ReferenceOptions& options, scene::Progress& progress) {
+void runReference(const ReferenceOptions& options, base::Progress& progress) {
   const fs::path out(options.out);
   if (out.extension() != ".exr" && out.extension() != ".png")
     throw Error(ErrorKind::usage, options.out, "",
@@ -160,7 +160,7 @@ Command makeReference(CLI::App& program) {
       "Ctrl-C leaves the picture as it was at most a few seconds before. Examples:\n"
       "  isolux reference phantom:head --set light.environment.file=sky.hdr --out head.exr\n"
       "  isolux reference picture.png --spp 4096 --set gi.bounces=4 --out truth.exr");
-  return {parser, [options](scene::Progress& progress) { runReference(*options, progress); }};
+  return {parser, [options](base::Progress& progress) { runReference(*options, progress); }};
 }
 
 }  // namespace isolux::app

@@ -7,26 +7,26 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/files.h"
-#include "app/image_io.h"
-#include "app/light_picture.h"
-#include "app/light_report.h"
-#include "app/progress_bar.h"
-#include "app/session.h"
+#include "app/commands/progress_bar.h"
+#include "app/documents/session.h"
+#include "app/files/files.h"
+#include "app/files/image_io.h"
+#include "app/light/light_picture.h"
+#include "app/light/light_report.h"
 #include "app/version.h"
+#include "base/error.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
-#include "scene/automatic.h"
-#include "scene/error.h"
+#include "scene/rules/automatic.h"
 
 namespace isolux::app {
 
 namespace {
 
 namespace fs = std::filesystem;
+using base::Error;
+using base::ErrorKind;
 using nlohmann::ordered_json;
-using scene::Error;
-using scene::ErrorKind;
 
 struct RenderOptions {
   std::string path, light, out, aov, stats;
@@ -69,7 +69,7 @@ struct Drawn {
 
 // One picture; or, to measure, one to warm up and `repeat` in which every pass runs again.
 Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
-           int repeat, scene::Progress& progress) {
+           int repeat, base::Progress& progress) {
   Drawn drawn;
   drawn.picture = render::drawStill(renderer, scene, request, progress);
   drawn.milliseconds = drawn.picture.report.milliseconds;
@@ -153,7 +153,7 @@ void writePicture(const render::StillPicture& picture, const render::FrameReques
     writeExr(request.linear ? &picture.linear : nullptr, picture.aovs, out, session);
 }
 
-void runRender(const RenderOptions& options, scene::Progress& progress) {
+void runRender(const RenderOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
   const render::FrameRequest request = requestOf(options, scene);
@@ -251,7 +251,7 @@ Command makeRender(CLI::App& program) {
       "  isolux render ct.nii.gz --isovalue 300 --out skull.png --size 1600x1200\n"
       "  isolux render phantom:torus --out torus.exr --aov position,normal\n"
       "  isolux render skull.png --set look.mode=normal --out normals.png");
-  return {parser, [options](scene::Progress& progress) { runRender(*options, progress); }};
+  return {parser, [options](base::Progress& progress) { runRender(*options, progress); }};
 }
 
 }  // namespace isolux::app

@@ -6,25 +6,25 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/external_program.h"
-#include "app/files.h"
-#include "app/image_io.h"
-#include "app/light_picture.h"
-#include "app/progress_bar.h"
-#include "app/recording.h"
-#include "app/session.h"
+#include "app/commands/progress_bar.h"
+#include "app/documents/recording.h"
+#include "app/documents/session.h"
+#include "app/files/files.h"
+#include "app/files/image_io.h"
+#include "app/light/light_picture.h"
+#include "app/process/external_program.h"
+#include "base/error.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
-#include "scene/automatic.h"
-#include "scene/error.h"
+#include "scene/rules/automatic.h"
 
 namespace isolux::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-using scene::Error;
-using scene::ErrorKind;
+using base::Error;
+using base::ErrorKind;
 
 constexpr int mostFrames = 100000;  // five digits
 
@@ -59,7 +59,7 @@ class FrameMaker {
     request_.size = size;
   }
 
-  void write(const scene::Scene& scene, const fs::path& file, scene::Progress& progress) {
+  void write(const scene::Scene& scene, const fs::path& file, base::Progress& progress) {
     if (!prepared_ || !(source_ == scene.source)) {
       prepared_ = volume::loadVolume(scene.source, progress);
       source_ = scene.source;
@@ -92,7 +92,7 @@ std::string lastLine(std::string text) {
 }
 
 // A movie is an extra: without a working ffmpeg the frames are the result, and a note says so.
-void makeMovie(const fs::path& folder, int frames, double fps, scene::Progress& progress) {
+void makeMovie(const fs::path& folder, int frames, double fps, base::Progress& progress) {
   const fs::path ffmpeg = findProgram("ffmpeg");
   if (ffmpeg.empty()) {
     printNote("no movie.mp4: ffmpeg was not found");
@@ -140,7 +140,7 @@ void checkOutputs(const fs::path& folder, int frames, const std::string& file, c
   guard.writes(folder / "movie.mp4", "--out");
 }
 
-void runReplay(const ReplayOptions& options, scene::Progress& progress) {
+void runReplay(const ReplayOptions& options, base::Progress& progress) {
   const glm::ivec2 size = parseSize(options.size);
   const Recording recording = loadRecording(options.recording);
   const int frames = frameCount(recording, options.fps, options.recording);
@@ -183,7 +183,7 @@ Command makeReplay(CLI::App& program) {
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux replay tour.jsonl --out frames --fps 25");
-  return {parser, [options](scene::Progress& progress) { runReplay(*options, progress); }};
+  return {parser, [options](base::Progress& progress) { runReplay(*options, progress); }};
 }
 
 }  // namespace isolux::app

@@ -142,7 +142,7 @@ Command makeSettings(CLI::App& program) {
       parser->add_flag("--markdown", options->markdown, "All of them as the page docs/settings.md");
   parser->add_flag("--json", options->json, "As a JSON list")->excludes(markdown);
   parser->footer("Examples:\n  isolux settings camera\n  isolux settings --json > settings.json");
-  return {parser, [options](scene::Progress&) {
+  return {parser, [options](base::Progress&) {
             if (options->markdown)
               printMarkdown(std::cout);
             else if (options->json)

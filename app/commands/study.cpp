@@ -2,13 +2,13 @@
 #include <iostream>
 
 #include "app/commands/command.h"
-#include "app/external_program.h"
-#include "app/files.h"
-#include "app/progress_bar.h"
-#include "app/study.h"
-#include "app/study_plot.h"
-#include "app/study_report.h"
-#include "scene/error.h"
+#include "app/commands/progress_bar.h"
+#include "app/files/files.h"
+#include "app/process/external_program.h"
+#include "app/study/study.h"
+#include "app/study/study_plot.h"
+#include "app/study/study_report.h"
+#include "base/error.h"
 
 namespace isolux::app {
 
@@ -37,7 +37,7 @@ class StudyFolder {
     if (gnuplot_.empty()) note_ = "no plots: they need gnuplot, which was not found (Debian: gnuplot-nox)";
   }
 
-  void add(KnobStudy study, bool complete, scene::Progress& progress) {
+  void add(KnobStudy study, bool complete, base::Progress& progress) {
     if (!gnuplot_.empty() && study.skipped.empty()) {
       const std::string name = std::string(study.knob.name) + ".svg";
       std::string reason;
@@ -64,7 +64,7 @@ class StudyFolder {
   std::string skipped_;  // knobs, by comma
 };
 
-void runStudy(const StudyOptions& options, scene::Progress& progress) {
+void runStudy(const StudyOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
   const std::vector<Knob> chosen = parseKnobs(options.knobs);
   const glm::ivec2 size = parseSize(options.size);
@@ -125,7 +125,7 @@ Command makeStudy(CLI::App& program) {
       "  isolux study picture.png --knobs derivatives_field,fetch --out shapes\n"
       "  isolux study ct.nii.gz --set light.environment.file=probe.hdr --knobs samples,interpolation --out "
       "light");
-  return {parser, [options](scene::Progress& progress) { runStudy(*options, progress); }};
+  return {parser, [options](base::Progress& progress) { runStudy(*options, progress); }};
 }
 
 }  // namespace isolux::app

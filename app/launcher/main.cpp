@@ -2,9 +2,10 @@
 // over it, so that an interrupt is answered within 100 ms from the first instruction on, whatever the command
 // is doing: loading libraries, compiling shaders in a driver, giving gigabytes back to the system.
 //
-// SIGINT, SIGTERM and SIGHUP are passed on; a command that listens ends by itself (app/interrupt.h). One that
-// has not after kGraceMilliseconds is killed with all that it has started, its unfinished files are removed
-// (scene/supervision_board.h), and the exit code is 130. Unfinished files of a command that crashes go too.
+// SIGINT, SIGTERM and SIGHUP are passed on; a command that listens ends by itself (app/process/interrupt.h).
+// One that has not after kGraceMilliseconds is killed with all that it has started, its unfinished files are
+// removed (base/supervision_board.h), and the exit code is 130. Unfinished files of a command that crashes go
+// too.
 //
 // A static program without libraries: it is at work a millisecond after the shell has started it.
 #include <cerrno>
@@ -24,15 +25,15 @@
 #include <climits>
 #include <csignal>
 
-#include "scene/supervision_board.h"
+#include "base/supervision_board.h"
 
 namespace {
 
-using isolux::scene::SupervisionBoard;
+using isolux::base::SupervisionBoard;
 using Slot = SupervisionBoard::Slot;
 
 constexpr int kInterrupted = 130;
-constexpr long kGraceMilliseconds = 45;  // five more than app/interrupt.cpp gives a job
+constexpr long kGraceMilliseconds = 45;  // five more than app/process/interrupt.cpp gives a job
 constexpr long kBurialMilliseconds = 15;
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
@@ -76,7 +77,7 @@ SupervisionBoard* shareBoard() {
   if (memory == MAP_FAILED) return nullptr;
   char number[16];
   std::snprintf(number, sizeof number, "%d", file);
-  ::setenv(isolux::scene::kBoardVariable, number, 1);
+  ::setenv(isolux::base::kBoardVariable, number, 1);
   return new (memory) SupervisionBoard;  // zeros: nothing announced
 }
 

@@ -17,19 +17,19 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
+#include "base/error.h"
 #include "readers/limits.h"
 #include "readers/vtk_messages.h"
-#include "scene/error.h"
-#include "volume/read/bytes.h"
-#include "volume/read/payload.h"
-#include "volume/read/slice_stack.h"
-#include "volume/read/text.h"
+#include "volume/read/dicom/slice_stack.h"
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::readers {
 
 using namespace volume;
 namespace fs = std::filesystem;
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
@@ -41,7 +41,7 @@ struct Source {
 };
 
 void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
-  auto& progress = *static_cast<scene::Progress*>(clientData);
+  auto& progress = *static_cast<base::Progress*>(clientData);
   progress.report(*static_cast<double*>(callData), "reading");
   if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
 }
@@ -68,9 +68,9 @@ std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::str
         chosen = uid;
       }
   } else if (!all.contains(wanted)) {
-    throw scene::Error(scene::ErrorKind::usage, folder, "source.series",
-                       "no series " + inQuotes(wanted) + "; the folder has " + std::to_string(all.size()) +
-                           ", the first is " + all.begin()->first);
+    throw base::Error(base::ErrorKind::usage, folder, "source.series",
+                      "no series " + inQuotes(wanted) + "; the folder has " + std::to_string(all.size()) +
+                          ", the first is " + all.begin()->first);
   }
   for (const auto& [uid, series] : all)
     choices.push_back(uid + "\t" + (series.description.empty() ? "no description" : series.description) +
@@ -202,7 +202,7 @@ class Assembly {
 
   template <typename T>
   FileVoxels run(const T* decoded, int component, std::size_t components, std::size_t timeStep,
-                 const scene::Progress& progress) const {
+                 const base::Progress& progress) const {
     if (rescale_ || component < 0) return assemble<float>(decoded, component, components, timeStep, progress);
     return assemble<T>(decoded, component, components, timeStep, progress);
   }
@@ -210,7 +210,7 @@ class Assembly {
  private:
   template <typename To, typename T>
   FileVoxels assemble(const T* decoded, int component, std::size_t components, std::size_t timeStep,
-                      const scene::Progress& progress) const {
+                      const base::Progress& progress) const {
     std::vector<To> voxels;
     voxels.reserve(stack_.slices() * sliceVoxels_);
     std::vector<To> a(sliceVoxels_), b(sliceVoxels_);
@@ -250,7 +250,7 @@ class Assembly {
 
 // Decodes all files, in their order.
 void decode(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const std::string& folder,
-            const VtkMessages& messages, scene::Progress& progress) {
+            const VtkMessages& messages, base::Progress& progress) {
   vtkNew<vtkStringArray> names;
   for (const DicomFile& file : files) names->InsertNextValue(file.path.string());
   vtkNew<vtkCallbackCommand> observer;
@@ -270,7 +270,7 @@ void decode(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const s
 
 }  // namespace
 
-DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
+DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
   progress.report(0.0, "reading");
   const bool isFolder = fs::is_directory(path);
   const fs::path folder = isFolder ? path : (path.has_parent_path() ? path.parent_path() : fs::path("."));

@@ -7,7 +7,7 @@
 //
 // Rescale: kept as slope and intercept when all slices agree, else applied, in float32. Unit HU when the
 // modality is CT. Slices of another size, type or orientation than the majority of the series are left out
-// with a warning. Throws scene::Error{input}; Error{usage} for a series that is not there.
+// with a warning. Throws base::Error{input}; Error{usage} for a series that is not there.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "scene/progress.h"
-#include "volume/read/reader_messages.h"
+#include "base/progress.h"
+#include "volume/read/process/reader_messages.h"
 
 namespace isolux::readers {
 
@@ -41,11 +41,11 @@ struct DicomFile {
 };
 
 // Headers of all DICOM files in `folder` and its direct subfolders, sorted by path.
-std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, scene::Progress& progress,
+std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, base::Progress& progress,
                                        std::vector<std::string>& warnings);
 
 // `path` is a folder or a file.
 volume::DecodedVolume decodeDicom(const std::filesystem::path& path, const volume::ReadOptions& options,
-                                  scene::Progress& progress);
+                                  base::Progress& progress);
 
 }  // namespace isolux::readers

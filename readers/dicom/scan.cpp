@@ -8,20 +8,20 @@
 #include <vtkDICOMValue.h>
 #include <vtkNew.h>
 
+#include "base/error.h"
 #include "readers/dicom/dicom.h"
 #include "readers/limits.h"
 #include "readers/serve.h"
 #include "readers/vtk_messages.h"
-#include "scene/error.h"
-#include "volume/read/bytes.h"
-#include "volume/read/dicom_files.h"
-#include "volume/read/text.h"
+#include "volume/read/dicom/dicom_files.h"
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::readers {
 
 using namespace volume;
 namespace fs = std::filesystem;
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
@@ -132,7 +132,7 @@ DicomFile headerOf(const fs::path& path) {
 
 }  // namespace
 
-std::vector<DicomFile> scanDicomFolder(const fs::path& folder, scene::Progress& progress,
+std::vector<DicomFile> scanDicomFolder(const fs::path& folder, base::Progress& progress,
                                        std::vector<std::string>& warnings) {
   std::vector<DicomFile> files;
   int broken = 0;
@@ -149,8 +149,8 @@ std::vector<DicomFile> scanDicomFolder(const fs::path& folder, scene::Progress& 
       DicomFile file = headerOf(path);
       if (!messages.errors().empty()) throwInput(path.string(), "header", messages.errors().front());
       if (!file.frames.empty()) files.push_back(std::move(file));
-    } catch (const scene::Error& error) {
-      if (error.kind() != scene::ErrorKind::input) throw;
+    } catch (const base::Error& error) {
+      if (error.kind() != base::ErrorKind::input) throw;
       if (broken++ == 0) firstReason = error.what();
     }
   }

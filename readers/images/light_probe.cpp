@@ -7,15 +7,15 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "base/error.h"
 #include "readers/images/images.h"
 #include "readers/limits.h"
-#include "scene/error.h"
 
 namespace isolux::readers {
 
 using namespace volume;
 namespace fs = std::filesystem;
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
@@ -53,7 +53,7 @@ bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, i
 }
 
 std::vector<glm::vec3> readPixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec,
-                                  const std::string& path, scene::Progress& progress) {
+                                  const std::string& path, base::Progress& progress) {
   const std::array<int, 3> channels = channelsOf(spec);
   const bool srgb = isSrgb(spec);
   const std::size_t width = spec.width;
@@ -103,7 +103,7 @@ std::vector<glm::vec3> upright(std::vector<glm::vec3> stored, int& width, int& h
 
 }  // namespace
 
-DecodedImage decodeImage(const fs::path& file, scene::Progress& progress) {
+DecodedImage decodeImage(const fs::path& file, base::Progress& progress) {
   const std::string path = file.string();
   OIIO::ImageSpec config;
   config["oiio:UnassociatedAlpha"] = 1;

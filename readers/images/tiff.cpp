@@ -3,18 +3,18 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "base/error.h"
 #include "readers/images/images.h"
 #include "readers/limits.h"
-#include "scene/error.h"
-#include "volume/read/payload.h"
-#include "volume/read/text.h"
-#include "volume/read/tiff.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/input/text.h"
+#include "volume/read/tiff/tiff_pages.h"
 
 namespace isolux::readers {
 
 using namespace volume;
 namespace fs = std::filesystem;
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
@@ -66,7 +66,7 @@ class PageReader {
   }
 
   void read(const PageOfFile& page, VoxelType type, std::int64_t samples, std::span<std::byte> out,
-            scene::Progress& progress) {
+            base::Progress& progress) {
     const OIIO::ImageSpec& spec = open(page);
     if (spec.width != page.page.width || spec.height != page.page.height || spec.depth > 1 ||
         spec.nchannels != samples || typeOf(spec.format) != type)
@@ -109,7 +109,7 @@ class PageReader {
 };
 
 // Pages that agree with the first one; the others are left out.
-std::vector<PageOfFile> pagesOf(const std::vector<fs::path>& files, scene::Progress& progress,
+std::vector<PageOfFile> pagesOf(const std::vector<fs::path>& files, base::Progress& progress,
                                 std::vector<std::string>& warnings) {
   std::vector<PageOfFile> pages;
   std::size_t others = 0;
@@ -136,7 +136,7 @@ std::uint64_t bytesOfAll(const std::vector<fs::path>& files) {
 
 }  // namespace
 
-DecodedVolume decodeTiff(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
+DecodedVolume decodeTiff(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
   progress.report(0.0, "reading");
   const std::vector<fs::path> files =
       fs::is_directory(path) ? tiffFilesIn(path) : std::vector<fs::path>{path};

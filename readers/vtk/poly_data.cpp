@@ -9,23 +9,23 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include "base/error.h"
 #include "readers/limits.h"
 #include "readers/vtk/vtk_files.h"
 #include "readers/vtk_messages.h"
-#include "scene/error.h"
-#include "volume/read/mesh_formats.h"
-#include "volume/read/text.h"
-#include "volume/read/xml_tags.h"
+#include "volume/read/input/text.h"
+#include "volume/read/mesh/mesh_formats.h"
+#include "volume/read/vtk/xml_tags.h"
 
 namespace isolux::readers {
 
 using namespace volume;
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
 // VTK allocates what the pieces announce: no more than the file can hold at the best ratio of compression.
-void checkClaims(const Bytes& bytes, const scene::Progress& progress) {
+void checkClaims(const Bytes& bytes, const base::Progress& progress) {
   constexpr std::uint64_t bestRatio = 1032;  // of zlib; a point has 12 bytes at least, a cell 8
   const std::string text = wholeText(bytes, progress);
   const std::string_view tagged = std::string_view(text).substr(0, text.find("<AppendedData"));
@@ -53,7 +53,7 @@ void checkClaims(const Bytes& bytes, const scene::Progress& progress) {
 }
 
 void observe(vtkObject* caller, unsigned long, void* clientData, void*) {
-  if (static_cast<scene::Progress*>(clientData)->stopRequested())
+  if (static_cast<base::Progress*>(clientData)->stopRequested())
     static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
 }
 
@@ -79,7 +79,7 @@ void forEachCell(vtkCellArray* cells, const std::string& file, const char* name,
 
 }  // namespace
 
-TriangleMesh decodePolyData(const std::filesystem::path& path, scene::Progress& progress) {
+TriangleMesh decodePolyData(const std::filesystem::path& path, base::Progress& progress) {
   const std::string file = path.string();
   {
     const FileBytes bytes(path);

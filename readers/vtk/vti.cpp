@@ -9,24 +9,24 @@
 #include <vtkPointData.h>
 #include <vtkXMLImageDataReader.h>
 
+#include "base/error.h"
 #include "readers/limits.h"
 #include "readers/vtk/vtk_files.h"
 #include "readers/vtk_messages.h"
-#include "scene/error.h"
-#include "volume/read/payload.h"
-#include "volume/read/text.h"
-#include "volume/read/vti.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/input/text.h"
+#include "volume/read/vtk/vti.h"
 
 namespace isolux::readers {
 
 using namespace volume;
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
 // Passes VTK's progress on and stops VTK when asked to.
 void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
-  auto& progress = *static_cast<scene::Progress*>(clientData);
+  auto& progress = *static_cast<base::Progress*>(clientData);
   progress.report(*static_cast<double*>(callData), "reading");
   if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
 }
@@ -40,7 +40,7 @@ void select(vtkDataArraySelection* selection, const char* name) {
 }  // namespace
 
 DecodedVolume decodeVti(const std::filesystem::path& path, const ReadOptions& options,
-                        scene::Progress& progress) {
+                        base::Progress& progress) {
   progress.report(0.0, "reading");
   std::optional<FileBytes> file(std::in_place, path);
   const std::string name = file->name();

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "tests/fuzz/fuzz_support.h"
-#include "volume/read/streams.h"
+#include "volume/read/input/streams.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isolux;
@@ -15,8 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       stream->read(chunk);
       stream->hasMore();
     }
-  } catch (const scene::Error& error) {
-    if (error.kind() != scene::ErrorKind::input) std::abort();
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::input) std::abort();
   }
   return 0;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tests/fuzz/fuzz_support.h"
-#include "volume/read/mesh.h"
-#include "volume/read/mesh_formats.h"
+#include "volume/read/mesh/mesh.h"
+#include "volume/read/mesh/mesh_formats.h"
 
 namespace isolux::fuzz {
 
@@ -13,10 +13,10 @@ void meshInMemory(const std::uint8_t* data, std::size_t size, Read&& read) {
   volume::ReadOptions options;
   options.budgetBytes = budgetBytes;
   options.meshVoxels = 16;
-  scene::Progress progress;
+  base::Progress progress;
   try {
     prepare(volume::distanceVolume(read(bytes, progress), "mesh", "input", options, progress), progress);
-  } catch (const scene::Error&) {
+  } catch (const base::Error&) {
     return;
   }
 }

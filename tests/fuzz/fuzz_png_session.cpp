@@ -1,6 +1,6 @@
 // Any bytes as a picture that may carry a session.
-#include "app/session.h"
-#include "scene/error.h"
+#include "app/documents/session.h"
+#include "base/error.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -9,8 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   app::isSession(file.path());
   try {
     app::loadSession(file.path());
-  } catch (const scene::Error& error) {
-    if (error.kind() != scene::ErrorKind::input) std::abort();
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::input) std::abort();
   }
   return 0;
 }

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         first.spacingMm != second.spacingMm || first.headerBytes != second.headerBytes)
       std::abort();
     volume::headerOfRaw(first, "input");
-  } catch (const scene::Error&) {
+  } catch (const base::Error&) {
     return 0;
   }
   return 0;

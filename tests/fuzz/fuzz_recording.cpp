@@ -1,6 +1,6 @@
 // Any bytes as a recording: read, or refused with an Error; what was read has a scene at every time.
-#include "app/recording.h"
-#include "scene/error.h"
+#include "app/documents/recording.h"
+#include "base/error.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -11,8 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const double duration = recording.duration();
     if (!(duration >= 0.0)) std::abort();
     for (const double part : {0.0, 0.5, 1.0}) recording.sceneAt(part * duration);
-  } catch (const scene::Error& error) {
-    if (error.kind() != scene::ErrorKind::input) std::abort();
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::input) std::abort();
   }
   return 0;
 }

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "app/session.h"
-#include "scene/error.h"
+#include "app/documents/session.h"
+#include "base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isolux;
@@ -15,8 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const scene::Scene again =
         app::parseSession(app::sessionText(scene, "/folder"), "again.isolux", {"/folder"});
     if (!(again == scene)) std::abort();
-  } catch (const scene::Error& error) {
-    if (error.kind() != scene::ErrorKind::input) std::abort();
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::input) std::abort();
   }
   return 0;
 }

@@ -9,9 +9,9 @@
 #include <span>
 #include <string_view>
 
-#include "scene/error.h"
+#include "base/error.h"
 #include "volume/prepared_volume.h"
-#include "volume/read/payload.h"
+#include "volume/read/input/payload.h"
 
 namespace isolux::fuzz {
 
@@ -22,7 +22,7 @@ inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
 constexpr std::size_t budgetBytes = std::size_t{1} << 20;
 
 // What pictures start from must be numbers, whatever the voxels and their scaling are.
-inline void prepare(volume::Volume volume, scene::Progress& progress) {
+inline void prepare(volume::Volume volume, base::Progress& progress) {
   const auto prepared = volume::prepareVolume(std::move(volume), progress);
   const scene::VolumeFacts& facts = prepared->facts;
   for (const double number : {facts.suggestedIsovalue, facts.minimum, facts.maximum, facts.noise,
@@ -37,16 +37,16 @@ void readInMemory(const std::uint8_t* data, std::size_t size, Parse&& parse) {
   using namespace volume;
   const MemoryBytes bytes("input", std::as_bytes(std::span(data, size)));
   const OpenBeside nothing = [](const std::string& name) -> std::unique_ptr<Bytes> {
-    scene::throwInput("input", name, "no other file here");
+    base::throwInput("input", name, "no other file here");
   };
-  scene::Progress progress;
+  base::Progress progress;
   for (const int component : {0, -1}) {
     ReadOptions options;
     options.component = component;
     options.budgetBytes = budgetBytes;
     try {
       prepare(volumeFrom(parse(bytes), bytes, nothing, options, progress), progress);
-    } catch (const scene::Error&) {
+    } catch (const base::Error&) {
       continue;
     }
   }

@@ -1,7 +1,7 @@
 // Legacy VTK files in memory, and the check that stands before VTK's .vti reader.
 #include "tests/fuzz/fuzz_support.h"
-#include "volume/read/vti.h"
-#include "volume/read/vtk_legacy.h"
+#include "volume/read/vtk/vti.h"
+#include "volume/read/vtk/vtk_legacy.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isolux;
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const volume::MemoryBytes bytes("input", std::as_bytes(std::span(data, size)));
   try {
     volume::parseVtiHeader(bytes, {});
-  } catch (const scene::Error&) {
+  } catch (const base::Error&) {
     return 0;
   }
   return 0;

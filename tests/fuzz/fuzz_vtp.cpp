@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace isolux;
   const fuzz::MemoryFile file(data, size);
   try {
-    fuzz::meshInMemory(data, size, [&](const volume::Bytes&, scene::Progress& progress) {
+    fuzz::meshInMemory(data, size, [&](const volume::Bytes&, base::Progress& progress) {
       return readers::decodePolyData(file.path(), progress);
     });
   } catch (const std::exception&) {  // VTK's vectors: the process's end, and one line for the user

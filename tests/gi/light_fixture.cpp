@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "gi/lamp_sampling.h"
-#include "volume/phantom.h"
-#include "volume/reconstruct.h"
+#include "gi/sampling/lamp_sampling.h"
+#include "volume/field/reconstruct.h"
+#include "volume/phantom/phantom.h"
 
 namespace isolux::test {
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double zLimit = 4.5;
 
 std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
-  scene::Progress progress;
+  base::Progress progress;
   volume::Volume volume;
   volume.grid = std::make_shared<const volume::Grid>(std::move(grid));
   return volume::prepareVolume(std::move(volume), progress);
@@ -36,7 +36,7 @@ std::shared_ptr<const volume::PreparedVolume> volumeOf(const volume::GridGeometr
 }
 
 std::shared_ptr<const volume::PreparedVolume> phantomOf(const std::string& name, int size) {
-  scene::Progress progress;
+  base::Progress progress;
   volume::PhantomRequest request;
   request.name = name;
   request.size = size;
@@ -45,7 +45,7 @@ std::shared_ptr<const volume::PreparedVolume> phantomOf(const std::string& name,
 
 gi::LightScene lightSceneOf(std::shared_ptr<const volume::PreparedVolume> volume, scene::Inside inside,
                             glm::dvec3 albedo) {
-  scene::Progress progress;
+  base::Progress progress;
   scene::Scene scene;
   scene.isosurface.value = 0.0;
   scene.isosurface.albedo = albedo;

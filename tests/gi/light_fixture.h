@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gi/path_tracer.h"
+#include "gi/trace/path_tracer.h"
 
 namespace isolux::test {
 

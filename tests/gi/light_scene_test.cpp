@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "gi/lamp_sampling.h"
-#include "scene/automatic.h"
+#include "gi/sampling/lamp_sampling.h"
+#include "scene/rules/automatic.h"
 #include "tests/gi/light_fixture.h"
 #include "tests/support/test_data.h"
 
@@ -30,7 +30,7 @@ scene::Scene giScene(const volume::PreparedVolume& volume) {
 std::shared_ptr<const LightScene> lightOf(const scene::Scene& scene,
                                           const std::shared_ptr<const volume::PreparedVolume>& volume,
                                           std::shared_ptr<const Environment> environment = nullptr) {
-  scene::Progress progress;
+  base::Progress progress;
   auto tracer = std::make_shared<const volume::IsosurfaceTracer>(volume->volume.grid, scene.isosurface.inside,
                                                                  progress);
   if (!environment) environment = loadEnvironment(scene.light.environment);
@@ -112,8 +112,8 @@ TEST(LightScene, AnUnreadableProbeIsRefusedByName) {
     settings.file = (temporaryFolder() / "none.hdr").string();
     (void)loadEnvironment(settings);
     FAIL();
-  } catch (const scene::Error& error) {
-    EXPECT_EQ(error.kind(), scene::ErrorKind::input);
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::input);
     EXPECT_NE(std::string(error.what()).find("none.hdr"), std::string::npos);
   }
 }

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/render/gl_fixture.h"
-#include "volume/intersect.h"
+#include "volume/hit/exact_hit.h"
 
 namespace isolux::test {
 namespace {

@@ -5,17 +5,17 @@
 
 #include <gtest/gtest.h>
 
-#include "render/gl_context.h"
-#include "render/gl_messages.h"
+#include "render/gl/gl_context.h"
+#include "render/gl/gl_messages.h"
 #include "render/renderer.h"
-#include "scene/automatic.h"
 #include "scene/camera.h"
-#include "volume/phantom.h"
+#include "scene/rules/automatic.h"
+#include "volume/phantom/phantom.h"
 
 namespace isolux::test {
 
 inline std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
-  scene::Progress progress;
+  base::Progress progress;
   volume::Volume volume;
   volume.grid = std::make_shared<volume::Grid>(std::move(grid));
   volume.name = "test";
@@ -23,7 +23,7 @@ inline std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid)
 }
 
 inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name, int size) {
-  scene::Progress progress;
+  base::Progress progress;
   volume::PhantomRequest request;
   request.name = name;
   request.size = size;
@@ -32,7 +32,7 @@ inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& 
 
 inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name,
                                                              const volume::GridGeometry& geometry) {
-  scene::Progress progress;
+  base::Progress progress;
   volume::PhantomRequest request;
   request.name = name;
   request.geometry = geometry;

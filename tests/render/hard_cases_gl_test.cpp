@@ -7,7 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "scene/error.h"
+#include "base/error.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/analytic_fields.h"
@@ -505,8 +505,8 @@ TEST_F(HardCasesGlTest, OverBudgetIsAnErrorNotACrash) {
   try {
     images(volume, scene, {16, 16});
     FAIL() << "no error";
-  } catch (const scene::Error& error) {
-    EXPECT_EQ(error.kind(), scene::ErrorKind::memory);
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::memory);
   }
   scene.memory.gpuBudgetMb = 64;
   images(volume, scene, {16, 16});  // and the renderer still works

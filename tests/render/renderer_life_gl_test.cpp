@@ -5,8 +5,8 @@
 
 #include <glm/common.hpp>
 
-#include "render/gl.h"
-#include "scene/error.h"
+#include "base/error.h"
+#include "render/gl/gl.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
 
@@ -110,7 +110,7 @@ TEST_F(RendererLifeGlTest, AFrameThatFailsLeavesTheNextAsItWas) {
   tooMuch.insert(tooMuch.end(),
                  {"memory.layout=whole", "memory.gpu_budget_mb=16", "hit.field=cubic_interpolating"});
   EXPECT_NO_THROW(picture(volume, transparent));
-  EXPECT_THROW(picture(phantom("ball", 180), tooMuch), scene::Error);
+  EXPECT_THROW(picture(phantom("ball", 180), tooMuch), base::Error);
   EXPECT_EQ(picture(volume, transparent).rgba, before.rgba);
 }
 

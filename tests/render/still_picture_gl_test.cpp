@@ -9,11 +9,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/gl.h"
-#include "scene/error.h"
+#include "base/error.h"
+#include "render/gl/gl.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
-#include "volume/intersect.h"
+#include "volume/hit/exact_hit.h"
 
 namespace isolux::test {
 namespace {
@@ -35,7 +35,7 @@ class StillPictureGlTest : public RenderGlTest {
     request.supersampling = supersampling;
     return request;
   }
-  scene::Progress progress_;
+  base::Progress progress_;
 };
 
 // Pixel for pixel and bit for bit, whatever the look: rays, dither, background, fog and legend are the whole
@@ -108,7 +108,7 @@ TEST_F(StillPictureGlTest, TheLargestPictureIsDrawn) {
       ASSERT_EQ(still.color.rgba[static_cast<std::size_t>(y * 16384 * 4 + 32000 + x)],
                 middle.rgba[static_cast<std::size_t>(y * 1600 + x)]);
   request.tile.reset();
-  EXPECT_THROW(renderer_->render(scene, request), scene::Error);  // in one frame
+  EXPECT_THROW(renderer_->render(scene, request), base::Error);  // in one frame
 }
 
 TEST_F(StillPictureGlTest, AovsOfTilesAreThoseOfOneFrame) {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "scene/automatic.h"
+#include "scene/rules/automatic.h"
 
 namespace isolux::scene {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scene/error.h"
+#include "base/error.h"
 #include "scene/settings.h"
 
 namespace isolux::scene {
@@ -18,10 +18,10 @@ template <class Body>
 std::string errorOf(Body body) {
   try {
     body();
-  } catch (const Error& error) {
+  } catch (const base::Error& error) {
     return error.what();
   }
-  ADD_FAILURE() << "no Error was thrown";
+  ADD_FAILURE() << "no base::Error was thrown";
   return {};
 }
 
@@ -137,8 +137,8 @@ TEST(SceneDiff, NamesExactlyWhatDiffersAndInverts) {
 }
 
 TEST(SceneDiff, RefusesWhatIsNotAllowed) {
-  EXPECT_THROW(applied(Scene{}, {"", {{"camera.fov", 1000}}}), Error);
-  EXPECT_THROW(applied(Scene{}, {"", {{"camera.nothing", 1}}}), Error);
+  EXPECT_THROW(applied(Scene{}, {"", {{"camera.fov", 1000}}}), base::Error);
+  EXPECT_THROW(applied(Scene{}, {"", {{"camera.nothing", 1}}}), base::Error);
 }
 
 TEST(SceneDiff, DescribesChanges) {

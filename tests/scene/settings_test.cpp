@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scene/error.h"
+#include "base/error.h"
 
 namespace isolux::scene {
 namespace {
@@ -20,11 +20,11 @@ template <class Body>
 std::string usageMessage(Body body) {
   try {
     body();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::usage);
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::usage);
     return error.what();
   }
-  ADD_FAILURE() << "no Error was thrown";
+  ADD_FAILURE() << "no base::Error was thrown";
   return {};
 }
 
@@ -229,7 +229,7 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
       EXPECT_EQ(s.defaultValue(), "auto");
     } else if (s.type != SettingType::text &&
                std::find(s.choices.begin(), s.choices.end(), "auto") == s.choices.end()) {
-      EXPECT_THROW(s.set(scene, "auto"), Error) << s.path;
+      EXPECT_THROW(s.set(scene, "auto"), base::Error) << s.path;
     }
   }
   EXPECT_EQ(automatic, (std::set<std::string>{"source.csg_value",
@@ -278,8 +278,8 @@ TEST(Settings, DirectionsMustNotBeZero) {
 
 TEST(Settings, TextsAreBounded) {
   Scene scene;
-  EXPECT_THROW(setting("source.path").set(scene, std::string(5000, 'x')), Error);
-  EXPECT_THROW(setting("source.path").set(scene, std::string("a\0b", 3)), Error);
+  EXPECT_THROW(setting("source.path").set(scene, std::string(5000, 'x')), base::Error);
+  EXPECT_THROW(setting("source.path").set(scene, std::string("a\0b", 3)), base::Error);
 }
 
 TEST(Settings, AnEmptyListOfPointsIsRefusedAndOneIsTheLeast) {

@@ -1,9 +1,10 @@
-// Closed forms of the built-in phantoms, derived on their own (nothing here calls volume/phantom.cpp): what
-// the code under test is measured against.
+// Closed forms of the built-in phantoms, derived on their own (nothing here calls
+// volume/phantom/phantom.cpp): what the code under test is measured against.
 //
-// Positions are world mm, derivatives per mm. Placement follows volume/phantom.h: round the middle of the
-// voxel domain, scaled with e, the length of its shortest edge. Inside is f >= isovalue, n = -grad f / |grad
-// f|, and curvatures are positive where the surface bends away from n (a ball of radius R: both are 1/R).
+// Positions are world mm, derivatives per mm. Placement follows volume/phantom/phantom.h: round the middle of
+// the voxel domain, scaled with e, the length of its shortest edge. Inside is f >= isovalue, n = -grad f /
+// |grad f|, and curvatures are positive where the surface bends away from n (a ball of radius R: both are
+// 1/R).
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // The memory budget of the process, smaller for the length of a test.
 #pragma once
 
-#include "scene/memory_budget.h"
+#include "base/memory_budget.h"
 
 namespace isolux::test {
 
@@ -9,14 +9,14 @@ class MemoryLimit {
  public:
   // What is held already, and `more` bytes.
   explicit MemoryLimit(std::size_t more) {
-    scene::machineMemory().setLimit(scene::machineMemory().held() + more);
+    base::machineMemory().setLimit(base::machineMemory().held() + more);
   }
-  ~MemoryLimit() { scene::machineMemory().setLimit(before_); }
+  ~MemoryLimit() { base::machineMemory().setLimit(before_); }
   MemoryLimit(const MemoryLimit&) = delete;
   MemoryLimit& operator=(const MemoryLimit&) = delete;
 
  private:
-  std::size_t before_ = scene::machineMemory().limit();
+  std::size_t before_ = base::machineMemory().limit();
 };
 
 }  // namespace isolux::test

@@ -5,12 +5,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "volume/phantom_noise.h"
+#include "base/random.h"
 
 namespace isolux::test {
 
-using volume::counterHash;
-using volume::uniformNoise;
+using base::counterHash;
+using base::uniformNoise;
 
 glm::dvec3 randomVector(std::uint64_t i, std::uint64_t stream) {
   return {uniformNoise(stream, 3 * i), uniformNoise(stream, 3 * i + 1), uniformNoise(stream, 3 * i + 2)};

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "volume/cell_walk.h"
+#include "volume/hit/cell_walk.h"
 
 namespace isolux::test {
 

@@ -16,8 +16,8 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 // From the request to the end of the work.
-double latencyOf(const std::function<void(scene::Progress&)>& work, double afterSeconds) {
-  scene::Progress progress;
+double latencyOf(const std::function<void(base::Progress&)>& work, double afterSeconds) {
+  base::Progress progress;
   Clock::time_point asked;
   std::thread other([&] {
     std::this_thread::sleep_for(Seconds(afterSeconds));
@@ -28,9 +28,9 @@ double latencyOf(const std::function<void(scene::Progress&)>& work, double after
   try {
     work(progress);
     ended = Clock::now();
-  } catch (const scene::Error& error) {
+  } catch (const base::Error& error) {
     ended = Clock::now();
-    EXPECT_EQ(error.kind(), scene::ErrorKind::interrupted) << error.what();
+    EXPECT_EQ(error.kind(), base::ErrorKind::interrupted) << error.what();
   }
   other.join();
   return Seconds(ended - asked).count();
@@ -38,8 +38,8 @@ double latencyOf(const std::function<void(scene::Progress&)>& work, double after
 
 }  // namespace
 
-void expectStopsSoon(const std::function<void(scene::Progress&)>& work, int moments) {
-  scene::Progress undisturbed;
+void expectStopsSoon(const std::function<void(base::Progress&)>& work, int moments) {
+  base::Progress undisturbed;
   const Clock::time_point start = Clock::now();
   work(undisturbed);
   const double whole = Seconds(Clock::now() - start).count();

@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "volume/cell_walk.h"
 #include "volume/grid.h"
-#include "volume/intersect.h"
+#include "volume/hit/cell_walk.h"
+#include "volume/hit/exact_hit.h"
 
 namespace isolux::test {
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/test_data.h"
-#include "tests/ui/time_bound.h"
-#include "ui/open_window.h"
+#include "tests/support/ui/time_bound.h"
+#include "ui/window/application.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

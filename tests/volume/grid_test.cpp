@@ -8,9 +8,9 @@
 #include <tbb/task_arena.h>
 #include <glm/geometric.hpp>
 
-#include "scene/progress.h"
+#include "base/progress.h"
+#include "base/random.h"
 #include "tests/support/analytic_fields.h"
-#include "volume/phantom_noise.h"
 
 namespace isolux::volume {
 namespace {
@@ -80,7 +80,7 @@ TEST(Grid, HashTellsVoxelsGeometryTypeAndScaleApart) {
 TEST(Grid, HashSeesEveryPieceAndItsPlaceAndDoesNotDependOnThreads) {
   const GridGeometry geometry = GridGeometry::make({1024, 1024, 3}, glm::dvec3(1));
   std::vector<std::uint8_t> voxels(geometry.voxelCount());
-  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<std::uint8_t>(hash64(i));
+  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<std::uint8_t>(base::hash64(i));
   const std::uint64_t hash = Grid(geometry, voxels).hash();
   tbb::task_arena alone(1);
   alone.execute([&] { EXPECT_EQ(Grid(geometry, voxels).hash(), hash); });
@@ -110,10 +110,10 @@ TEST(Grid, RangeAndMissingVoxelsAreThoseOfAllPieces) {
 }
 
 TEST(Grid, AStopEndsTheScan) {
-  scene::Progress progress;
+  base::Progress progress;
   progress.requestStop();
   const GridGeometry geometry = GridGeometry::make({64, 64, 64}, glm::dvec3(1));
-  EXPECT_THROW(Grid(geometry, std::vector<float>(geometry.voxelCount()), 1.0, 0.0, progress), scene::Error);
+  EXPECT_THROW(Grid(geometry, std::vector<float>(geometry.voxelCount()), 1.0, 0.0, progress), base::Error);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 #include "tests/support/analytic_fields.h"
 #include "tests/support/stop_latency.h"
-#include "volume/csg.h"
-#include "volume/isosurface_tracer.h"
-#include "volume/phantom.h"
+#include "volume/mesh/csg.h"
+#include "volume/phantom/phantom.h"
+#include "volume/tracer/isosurface_tracer.h"
 
 namespace isolux::volume {
 namespace {
@@ -22,7 +22,7 @@ Volume volumeOf(Grid grid, std::string unit = "") {
 }
 
 TEST(PreparedVolume, HoldsBlocksHistogramBoundsAndIsovalue) {
-  scene::Progress progress;
+  base::Progress progress;
   PhantomRequest request;
   request.name = "ball";
   request.geometry = test::obliqueLeftHandedGeometry(20);
@@ -59,12 +59,12 @@ TEST(PreparedVolume, ValuesOffsetBy1024AreNoHounsfieldUnits) {
   for (const Case& c :
        {Case{0, 1060, 2400, true}, Case{24, 1000, 2000, true}, Case{-1000, 40, 1400, false},
         Case{-1024, 1000, 2000, false}, Case{0, 40, 1400, false} /* masked */, Case{0, 500, 1000, false}}) {
-    scene::Progress progress;
+    base::Progress progress;
     const auto prepared = prepareVolume(volumeOf(scan(c.air, c.tissue, c.bone), "HU"), progress);
     EXPECT_EQ(prepared->volume.unit, c.offset ? "" : "HU") << c.air << ' ' << c.tissue;
     EXPECT_EQ(prepared->volume.warnings.size(), c.offset ? 1U : 0U);
   }
-  scene::Progress progress;  // who claims nothing is not corrected
+  base::Progress progress;  // who claims nothing is not corrected
   EXPECT_TRUE(prepareVolume(volumeOf(scan(0, 1060, 2400)), progress)->volume.warnings.empty());
 }
 
@@ -76,7 +76,7 @@ TEST(PreparedVolume, TheTypicalStepIsFoundAlongEveryAxis) {
     for (int z = 0; z < 11; ++z)
       for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 9; ++x) voxels.push_back(static_cast<float>(3 * glm::ivec3(x, y, z)[axis]));
-    scene::Progress progress;
+    base::Progress progress;
     EXPECT_EQ(prepareVolume(volumeOf(Grid(geometry, voxels)), progress)->facts.typicalStep, 3.0) << axis;
   }
 }
@@ -84,7 +84,7 @@ TEST(PreparedVolume, TheTypicalStepIsFoundAlongEveryAxis) {
 TEST(PreparedVolume, APhantomBringsItsOwnIsovalue) {
   for (const auto& [path, isovalue] :
        {std::pair("phantom:head:32", 300.0), std::pair("phantom:marschner_lobb:24", 0.5)}) {
-    scene::Progress progress;
+    base::Progress progress;
     scene::Source source;
     source.path = path;
     EXPECT_EQ(loadVolume(source, progress)->facts.suggestedIsovalue, isovalue) << path;
@@ -93,7 +93,7 @@ TEST(PreparedVolume, APhantomBringsItsOwnIsovalue) {
 
 TEST(PreparedVolume, BoundsOfASliceOrASingleVoxelAreNotEmpty) {
   for (const glm::ivec3& dims : {glm::ivec3(5, 4, 1), glm::ivec3(1, 1, 1)}) {
-    scene::Progress progress;
+    base::Progress progress;
     const GridGeometry geometry = GridGeometry::make(dims, {0.5, 1.0, 3.0});
     const auto prepared =
         prepareVolume(volumeOf(Grid(geometry, std::vector<float>(geometry.voxelCount()))), progress);
@@ -104,44 +104,44 @@ TEST(PreparedVolume, BoundsOfASliceOrASingleVoxelAreNotEmpty) {
 }
 
 TEST(PreparedVolume, VolumesWithoutAnyValueArePreparedToo) {
-  scene::Progress progress;
+  base::Progress progress;
   const GridGeometry geometry = GridGeometry::make({4, 4, 4}, glm::dvec3(1));
   const Grid grid(geometry, std::vector<float>(64, std::numeric_limits<float>::quiet_NaN()));
   EXPECT_EQ(prepareVolume(volumeOf(grid, "HU"), progress)->facts.suggestedIsovalue, 0.0);
 }
 
 TEST(PreparedVolume, StopsWhenAsked) {
-  scene::Progress progress;
+  base::Progress progress;
   progress.requestStop();
   const GridGeometry geometry = GridGeometry::make({40, 40, 40}, glm::dvec3(1));
   EXPECT_THROW(prepareVolume(volumeOf(Grid(geometry, std::vector<std::uint8_t>(64000))), progress),
-               scene::Error);
+               base::Error);
 }
 
 // Each step on its own, beside whatever else the machine does.
 TEST(PreparedVolume, EveryStepHeedsAStopSoon) {
-  scene::Progress unwatched;
+  base::Progress unwatched;
   PhantomRequest request;
   request.name = "gyroid";
   request.size = 192;
   const auto grid = std::make_shared<const Grid>(makePhantom(request, unwatched));
-  const auto step = [](const char* name, const std::function<void(scene::Progress&)>& work) {
+  const auto step = [](const char* name, const std::function<void(base::Progress&)>& work) {
     SCOPED_TRACE(name);
     test::expectStopsSoon(work, 5);
   };
-  step("phantom", [&](scene::Progress& progress) { makePhantom(request, progress); });
-  step("grid", [&](scene::Progress& progress) {
+  step("phantom", [&](base::Progress& progress) { makePhantom(request, progress); });
+  step("grid", [&](base::Progress& progress) {
     Grid(grid->geometry(), std::get<std::vector<float>>(grid->voxels()), 1.0, 0.0, progress);
   });
-  step("preparation", [&](scene::Progress& progress) {
+  step("preparation", [&](base::Progress& progress) {
     Volume volume;
     volume.grid = grid;
     prepareVolume(std::move(volume), progress);
   });
   for (const scene::Field field : {scene::Field::cubic, scene::Field::cubic_interpolating})
-    step("cubic field", [&](scene::Progress& progress) { CubicFields(grid).make(field, progress); });
-  step("tracer", [&](scene::Progress& progress) { IsosurfaceTracer(grid, scene::Inside::above, progress); });
-  step("csg", [&](scene::Progress& progress) {
+    step("cubic field", [&](base::Progress& progress) { CubicFields(grid).make(field, progress); });
+  step("tracer", [&](base::Progress& progress) { IsosurfaceTracer(grid, scene::Inside::above, progress); });
+  step("csg", [&](base::Progress& progress) {
     Volume first, second;
     first.grid = second.grid = grid;
     first.unit = "HU";

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/error.h"
-#include "volume/reader.h"
+#include "base/error.h"
+#include "volume/read/reader.h"
 
 namespace {
 
@@ -54,12 +54,12 @@ int main(int argc, char** argv) {
   isolux::volume::ReadOptions options;
   if (argc > 2) options.component = std::atoi(argv[2]);
   if (argc > 3) options.timeStep = std::atoi(argv[3]);
-  isolux::scene::Progress progress;
+  isolux::base::Progress progress;
   try {
     const auto volume = isolux::volume::readVolume(argv[1], options, progress);
     std::cout << describe(volume).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
     return 0;
-  } catch (const isolux::scene::Error& error) {
+  } catch (const isolux::base::Error& error) {
     std::cerr << error.what() << '\n';
     return static_cast<int>(error.kind());
   }

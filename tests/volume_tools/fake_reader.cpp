@@ -1,5 +1,5 @@
-// A reader that does what no reader should (tests/volume/reader_process_test.cpp): the name of the file it is
-// asked for says what. It speaks the protocol of volume/read/reader_messages.h with bare hands.
+// A reader that does what no reader should (tests/volume/read/reader_process_test.cpp): the name of the file
+// it is asked for says what. It speaks the protocol of volume/read/process/reader_messages.h with bare hands.
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -14,13 +14,13 @@
 #include <unistd.h>
 
 #include "readers/limits.h"
-#include "volume/read/reader_messages.h"
-#include "volume/read/wire.h"
+#include "volume/read/process/reader_messages.h"
+#include "volume/read/process/wire.h"
 
 namespace {
 
 using namespace isolux::volume;
-using isolux::scene::ErrorKind;
+using isolux::base::ErrorKind;
 
 constexpr int socketNumber = 3, memoryNumber = 4;
 
@@ -120,7 +120,7 @@ void behave(const std::string& name) {
     ::close(socketNumber);
     spin();
   } else if (name == "error") {
-    send(MessageKind::failure, encode(isolux::scene::Error(ErrorKind::usage, "f", "p", "r")));
+    send(MessageKind::failure, encode(isolux::base::Error(ErrorKind::usage, "f", "p", "r")));
   } else if (name == "error of another kind") {
     WireWriter wire;
     wire.put(std::uint64_t{130});

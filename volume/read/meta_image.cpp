@@ -4,13 +4,13 @@
 #include <map>
 #include <optional>
 
-#include "scene/error.h"
-#include "volume/read/payload.h"
-#include "volume/read/text.h"
+#include "base/error.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::volume {
 
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
@@ -283,7 +283,7 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
 }
 
 Volume readMetaImage(const std::filesystem::path& path, const ReadOptions& options,
-                     scene::Progress& progress) {
+                     base::Progress& progress) {
   const FileBytes bytes(path);
   if (bytes.size() == 0) throwInput(bytes.name(), "", "the file is empty");
   ImageHeader header = parseMetaImageHeader(bytes.head(longestHeader), bytes.name());

@@ -4,13 +4,13 @@
 // extents crash it); ITK's would be a large dependency for a header of twenty keys.
 //
 // Geometry is LPS, as ITK reads it: row i of TransformMatrix is the direction of axis i. Throws
-// scene::Error{input} with the line and key.
+// base::Error{input} with the line and key.
 #pragma once
 
 #include <string_view>
 
-#include "volume/read/bytes.h"
-#include "volume/read/image_header.h"
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/image_header.h"
 
 namespace isolux::volume {
 
@@ -19,7 +19,6 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
 
 bool looksLikeMetaImage(std::string_view text);
 
-Volume readMetaImage(const std::filesystem::path& path, const ReadOptions& options,
-                     scene::Progress& progress);
+Volume readMetaImage(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 
 }  // namespace isolux::volume

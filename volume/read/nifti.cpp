@@ -7,15 +7,15 @@
 
 #include <glm/matrix.hpp>
 
-#include "scene/error.h"
-#include "volume/read/payload.h"
-#include "volume/read/streams.h"
-#include "volume/read/text.h"
+#include "base/error.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/input/streams.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::volume {
 
 namespace fs = std::filesystem;
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
@@ -331,7 +331,7 @@ ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, boo
   return header;
 }
 
-Volume readNifti(const fs::path& path, const ReadOptions& options, scene::Progress& progress) {
+Volume readNifti(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
   fs::path headerPath = path;
   const std::string extension =
       lowered((path.extension() == ".gz" ? path.stem() : path).extension().string());

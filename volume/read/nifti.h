@@ -5,13 +5,13 @@
 //
 // The affine is the sform, else the qform, else the voxel sizes alone (with a warning); it is converted from
 // RAS to LPS and, by xyzt_units, to mm. scl_slope 0 or not finite means none. ANALYZE 7.5 files (no magic)
-// are refused: they do not say what is left. Throws scene::Error{input} with the field's name.
+// are refused: they do not say what is left. Throws base::Error{input} with the field's name.
 #pragma once
 
 #include <string_view>
 
-#include "volume/read/bytes.h"
-#include "volume/read/image_header.h"
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/image_header.h"
 
 namespace isolux::volume {
 
@@ -23,6 +23,6 @@ ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, boo
 
 bool looksLikeNifti(std::string_view head);
 
-Volume readNifti(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress);
+Volume readNifti(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 
 }  // namespace isolux::volume

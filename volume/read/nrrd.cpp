@@ -9,13 +9,13 @@
 
 #include <glm/vec4.hpp>
 
-#include "scene/error.h"
-#include "volume/read/payload.h"
-#include "volume/read/text.h"
+#include "base/error.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::volume {
 
-using scene::throwInput;
+using base::throwInput;
 
 namespace {
 
@@ -454,7 +454,7 @@ ImageHeader parseNrrdHeader(std::string_view text, const std::string& file) {
   return Header(text.substr(0, longestHeader), file).read();
 }
 
-Volume readNrrd(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress) {
+Volume readNrrd(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress) {
   const FileBytes bytes(path);
   ImageHeader header = parseNrrdHeader(bytes.head(longestHeader), bytes.name());
   return volumeFrom(std::move(header), bytes, openBeside(path), options, progress);

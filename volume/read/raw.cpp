@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <optional>
 
-#include "scene/error.h"
-#include "volume/read/payload.h"
-#include "volume/read/text.h"
+#include "base/error.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::volume {
 
@@ -15,8 +15,8 @@ namespace {
 constexpr const char* usage = "WxHxD TYPE [little|big] [spacing sx,sy,sz] [header BYTES]";
 
 [[noreturn]] void badWord(std::string_view word, const std::string& reason) {
-  throw scene::Error(scene::ErrorKind::usage, "", "raw description, " + inQuotes(word),
-                     reason + "; expected: " + usage);
+  throw base::Error(base::ErrorKind::usage, "", "raw description, " + inQuotes(word),
+                    reason + "; expected: " + usage);
 }
 
 std::vector<std::string_view> splitAt(std::string_view text, char separator) {
@@ -143,7 +143,7 @@ ImageHeader headerOfRaw(const RawDescription& description, const std::string& fi
   return header;
 }
 
-Volume readRaw(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress) {
+Volume readRaw(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress) {
   const RawDescription description = parseRawDescription(options.raw);
   const FileBytes bytes(path);
   return volumeFrom(headerOfRaw(description, bytes.name()), bytes, openBeside(path), options, progress);

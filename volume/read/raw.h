@@ -4,14 +4,14 @@
 // neither.
 #pragma once
 
-#include "volume/read/bytes.h"
-#include "volume/read/image_header.h"
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/image_header.h"
 
 namespace isolux::volume {
 
 // For a file of any size; checks dims and spacing, not the file.
 ImageHeader headerOfRaw(const RawDescription& description, const std::string& file);
 
-Volume readRaw(const std::filesystem::path& path, const ReadOptions& options, scene::Progress& progress);
+Volume readRaw(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -1,0 +1,133 @@
+#include "app/documents/stored_scene.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/documents/places.h"
+#include "base/error.h"
+
+namespace isolux::app {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::array<std::string_view, 3> pathSettings{"source.path", "source.csg_path",
+                                                       "light.environment.file"};
+
+bool namesFile(const std::string& path) {
+  return !path.empty() && !path.starts_with("phantom:");
+}
+
+fs::path absoluteFolder(const fs::path& folder) {
+  return fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
+}
+
+}  // namespace
+
+bool isStoredPath(std::string_view setting) {
+  return std::find(pathSettings.begin(), pathSettings.end(), setting) != pathSettings.end();
+}
+
+StoredFolders foldersOf(const fs::path& file) {
+  StoredFolders folders{absoluteFolder(file.parent_path())};
+  std::error_code error;
+  const fs::path target = fs::canonical(file, error).parent_path();
+  if (!error && target != folders.front()) folders.push_back(target);
+  return folders;
+}
+
+std::string storedPath(const std::string& path, const fs::path& folder) {
+  if (!namesFile(path)) return path;
+  const fs::path file = fs::absolute(path).lexically_normal();
+  const fs::path relative = file.lexically_relative(absoluteFolder(folder));
+  if (relative.empty() || *relative.begin() == "..") return file.string();
+  return relative.string();
+}
+
+std::string pathFromStored(const std::string& stored, const StoredFolders& folders) {
+  if (!namesFile(stored)) return stored;
+  std::vector<fs::path> candidates;
+  for (const fs::path& folder : folders)
+    candidates.push_back((absoluteFolder(folder) / stored).lexically_normal());
+  std::error_code ignored;
+  const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                  [&](const fs::path& candidate) { return fs::exists(candidate, ignored); });
+  return (found == candidates.end() ? candidates.front() : *found).string();
+}
+
+json storedScene(const scene::Scene& scene, const fs::path& folder) {
+  scene::Scene stored = scene;
+  for (const std::string_view path : pathSettings) {
+    const scene::Setting& setting = scene::setting(path);
+    setting.set(stored, storedPath(setting.get(scene).get<std::string>(), folder));
+  }
+  return scene::toJson(stored);
+}
+
+SharedScene sharedScene(const scene::Scene& scene, const fs::path& folder) {
+  SharedScene shared{{}, json::object()};
+  scene::Scene named = scene;
+  for (const std::string_view path : pathSettings) {
+    const scene::Setting& setting = scene::setting(path);
+    const fs::path stored = storedPath(setting.get(scene).get<std::string>(), folder);
+    if (!stored.is_absolute()) {
+      setting.set(named, stored.string());
+      continue;
+    }
+    const std::string token = placeToken(stored);
+    if (!token.empty()) shared.places[std::string(path)] = token;
+    setting.set(named, stored.filename().string());
+  }
+  shared.scene = scene::toJson(named);
+  return shared;
+}
+
+void applyPlaces(scene::Scene& scene, const json& places, const std::string& file) {
+  checkKeys(places, {pathSettings[0], pathSettings[1], pathSettings[2]}, file, "places");
+  for (const auto& [path, token] : places.items()) {
+    if (!token.is_string()) base::throwInput(file, "places, " + path, "must be a text");
+    const scene::Setting& setting = scene::setting(path);
+    const fs::path known = placeOf(token.get<std::string>());
+    const fs::path named = setting.get(scene).get<std::string>();
+    if (!known.empty() && known.filename() == named.filename()) setting.set(scene, known.string());
+  }
+}
+
+scene::Scene sceneFromStored(const json& stored, const std::string& file, const std::string& place,
+                             const StoredFolders& folders) {
+  try {
+    scene::Scene scene = scene::fromJson(stored);
+    for (const std::string_view path : pathSettings) {
+      const scene::Setting& setting = scene::setting(path);
+      setting.set(scene, pathFromStored(setting.get(scene).get<std::string>(), folders));
+    }
+    return scene;
+  } catch (const base::Error& error) {
+    std::string where = place;
+    if (!error.place().empty()) where += (where.empty() ? "" : ".") + error.place();
+    base::throwInput(file, where, error.reason());
+  }
+}
+
+void checkKeys(const json& stored, std::initializer_list<std::string_view> known, const std::string& file,
+               const std::string& place) {
+  if (!stored.is_object()) base::throwInput(file, place, "a JSON object was expected");
+  for (const auto& [key, value] : stored.items())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      base::throwInput(file, place.empty() ? key : place + ", " + key, "unknown key");
+}
+
+json parseJson(const std::string& text, const std::string& file, const std::string& place) {
+  const std::string before = place.empty() ? "" : place + ", ";
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    base::throwInput(file, before + "byte " + std::to_string(error.byte), "is not valid JSON");
+  } catch (const json::exception&) {  // a number too large for a double
+    base::throwInput(file, place, "holds a number that is out of range");
+  }
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,56 @@
+// Scenes as they stand in sessions and recordings: JSON, with the paths of volumes and light probes relative
+// to the file's folder when they lie below it, so that a folder can be moved or given away as a whole.
+//
+// Errors: base::Error{input} with the file and the JSON path.
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/settings.h"
+
+namespace isolux::app {
+
+// The settings that name files: volumes and light probes.
+bool isStoredPath(std::string_view setting);
+
+// The folders that a relative path may start from, the first that holds the file counts; if none does, the
+// first.
+using StoredFolders = std::vector<std::filesystem::path>;
+// Of a session or recording: its own folder; of a link, also that of what it points to.
+StoredFolders foldersOf(const std::filesystem::path& file);
+
+// "phantom:..." and "" stay as they are. `folder` empty: the current one.
+std::string storedPath(const std::string& path, const std::filesystem::path& folder);
+std::string pathFromStored(const std::string& stored, const StoredFolders& folders);
+
+nlohmann::json storedScene(const scene::Scene& scene, const std::filesystem::path& folder);
+
+// As it stands in pictures, which are shared: a file outside `folder` is named without its own folder.
+struct SharedScene {
+  nlohmann::json scene;
+  nlohmann::json
+      places;  // {"source.path": token, ...}: where such files lie, for this machine (app/documents/places.h)
+};
+SharedScene sharedScene(const scene::Scene& scene, const std::filesystem::path& folder);
+// The paths of `scene`, as sceneFromStored() read them, where this machine knows them better from `places`.
+// Throws base::Error{input} naming `file`.
+void applyPlaces(scene::Scene& scene, const nlohmann::json& places, const std::string& file);
+
+// `place` stands before each JSON path in messages ("scene").
+scene::Scene sceneFromStored(const nlohmann::json& stored, const std::string& file, const std::string& place,
+                             const StoredFolders& folders);
+
+// `stored` must be an object with no other keys than the `known` ones; `place` as above.
+void checkKeys(const nlohmann::json& stored, std::initializer_list<std::string_view> known,
+               const std::string& file, const std::string& place);
+
+// Parses with the byte of a fault in the message; `place` stands before it ("line 3").
+nlohmann::json parseJson(const std::string& text, const std::string& file, const std::string& place);
+
+}  // namespace isolux::app

@@ -1,0 +1,40 @@
+#include "app/files/file_names.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+
+namespace isolux::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Formats that stand behind that of what they compress.
+bool isCompression(std::string extension) {
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  constexpr std::array<std::string_view, 5> known{".gz", ".bz2", ".xz", ".zst", ".z"};
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+}  // namespace
+
+std::string plainName(const std::string& path) {
+  constexpr std::string_view phantom = "phantom:";
+  if (path.starts_with(phantom)) {
+    const std::string name = path.substr(phantom.size());
+    return name.substr(0, name.find(':'));
+  }
+  fs::path file = fs::path(path).lexically_normal();
+  if (file.filename().empty()) file = file.parent_path();  // "folder/"
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) return file.filename().string();
+  fs::path name = file.filename();
+  if (isCompression(name.extension().string())) name = name.stem();
+  return name.stem().string();
+}
+
+}  // namespace isolux::app

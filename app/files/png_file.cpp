@@ -1,0 +1,137 @@
+#include "app/files/png_file.h"
+
+#include <cerrno>
+#include <csetjmp>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include <png.h>
+
+#include "app/files/files.h"
+#include "base/error.h"
+
+namespace isolux::app {
+
+namespace fs = std::filesystem;
+using base::throwInput;
+
+namespace {
+
+constexpr std::uint32_t largestAxis = 32768;  // pixels
+
+// Everything a writer holds, so that the function that libpng leaves by longjmp has nothing to destroy.
+struct PngWriter {
+  std::FILE* stream = nullptr;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::vector<png_text> chunks;
+  std::string failure;
+  int systemError = 0;
+
+  PngWriter(const fs::path& path, const std::vector<PngText>& texts) {
+    stream = std::fopen(path.c_str(), "wb");
+    systemError = stream ? 0 : errno;
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, failed, [](png_structp, png_const_charp) {});
+    info = png ? png_create_info_struct(png) : nullptr;
+    if (!info) failure = "libpng cannot be set up";
+    for (const PngText& text : texts) {
+      png_text chunk{};
+      chunk.compression = PNG_TEXT_COMPRESSION_NONE;
+      chunk.key = const_cast<char*>(text.keyword.c_str());  // libpng only reads them
+      chunk.text = const_cast<char*>(text.text.c_str());
+      chunk.text_length = text.text.size();
+      chunks.push_back(chunk);
+    }
+  }
+  ~PngWriter() {
+    png_destroy_write_struct(&png, &info);
+    if (stream) std::fclose(stream);
+  }
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+
+  bool close() {
+    const bool closed = std::fclose(stream) == 0;
+    if (!closed) systemError = errno;
+    stream = nullptr;
+    return closed;
+  }
+
+  std::string reason() const {
+    if (systemError != 0) return std::strerror(systemError);
+    return failure.empty() ? "unknown reason" : failure;
+  }
+
+ private:
+  static void failed(png_structp png, png_const_charp message) {
+    auto& self = *static_cast<PngWriter*>(png_get_error_ptr(png));
+    self.systemError = std::ferror(self.stream) ? errno : 0;
+    self.failure = message;
+    png_longjmp(png, 1);
+  }
+};
+
+// False after an error. No object with a destructor may live in here.
+bool encode(PngWriter& writer, const render::ColorImage& image) {
+  const png_structp png = writer.png;
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_init_io(png, writer.stream);
+  png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.size.x),
+               static_cast<png_uint_32>(image.size.y), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (!writer.chunks.empty())
+    png_set_text(png, writer.info, writer.chunks.data(), static_cast<int>(writer.chunks.size()));
+  png_write_info(png, writer.info);
+  png_set_filler(png, 0, PNG_FILLER_AFTER);  // the fourth byte of each pixel is skipped
+  for (int y = 0; y < image.size.y; ++y)
+    png_write_row(
+        png, image.rgba.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) * 4);
+  png_write_end(png, nullptr);
+  return true;
+}
+
+[[noreturn]] void cannotRead(const fs::path& file, png_image& image) {
+  const std::string reason = image.message;
+  png_image_free(&image);
+  throwInput(file.string(), "", "cannot be read: " + reason);
+}
+
+// Deflate packs at best 1 : 1032; a larger claim is no picture.
+bool canHold(const fs::path& file, const png_image& image) {
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  return !error && std::uint64_t{image.width} * image.height * 3 / 1032 <= bytes;
+}
+
+}  // namespace
+
+void writePngFile(const render::ColorImage& image, const std::vector<PngText>& texts, const fs::path& file) {
+  PendingFile pending(file);
+  PngWriter writer(pending.path(), texts);
+  if (!writer.stream || !writer.info || !encode(writer, image) || !writer.close())
+    throwInput(file.string(), "", "cannot be written: " + writer.reason());
+  pending.commit();
+}
+
+render::ColorImage readPngFile(const fs::path& file) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&header, file.c_str()) == 0) cannotRead(file, header);
+  const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&header, png_image_free);
+  if (header.width > largestAxis || header.height > largestAxis)
+    throwInput(file.string(), "", "a picture of at most 32768 x 32768 pixels was expected");
+  if ((header.format & PNG_FORMAT_FLAG_COLOR) == 0)
+    throwInput(file.string(), "", "a colour picture was expected");
+  if (!canHold(file, header)) throwInput(file.string(), "", "truncated: too short for its size in pixels");
+  header.format = PNG_FORMAT_RGBA;
+  render::ColorImage image;
+  image.size = {static_cast<int>(header.width), static_cast<int>(header.height)};
+  image.rgba.assign(PNG_IMAGE_SIZE(header), 255);
+  if (png_image_finish_read(&header, nullptr, image.rgba.data(), 0, nullptr) == 0) cannotRead(file, header);
+  return image;
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,20 @@
+// A path traced picture as a file, for `isolux reference` and the window.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "gi/trace/reference.h"
+#include "render/graph/frame.h"
+
+namespace isolux::app {
+
+// float32 EXR: R G B (linear), irradiance.R G B, variance, samples and hit (gi::ReferenceImage). Written
+// beside and renamed. Throws Error{input}.
+void writeReferenceExr(const gi::ReferenceImage& image, const std::filesystem::path& file,
+                       const std::string& session);
+
+// As a screen shows it: sRGB, before the look's background where nothing else is.
+render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Look& look);
+
+}  // namespace isolux::app

@@ -1,0 +1,47 @@
+#include "app/jobs/load_job.h"
+
+#include <new>
+#include <utility>
+
+namespace isolux::app {
+
+namespace {
+
+// The same volume, freed on another thread: giving gigabytes back to the system takes a second.
+std::shared_ptr<const volume::PreparedVolume> freedElsewhere(
+    std::shared_ptr<const volume::PreparedVolume> volume) {
+  const volume::PreparedVolume* const same = volume.get();
+  return {same, [kept = std::move(volume)](const volume::PreparedVolume*) mutable {
+            base::retire(std::move(kept));
+          }};
+}
+
+}  // namespace
+
+LoadJob::LoadJob(scene::Source source)
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->source = std::move(source);
+            return work;
+          }(),
+          run) {}
+
+LoadJob::~LoadJob() {
+  work_->progress.requestStop();
+}
+
+void LoadJob::run(Work& work) {
+  try {
+    work.volume = freedElsewhere(volume::loadVolume(work.source, work.progress));
+  } catch (const base::Error& error) {
+    work.error = error;
+  } catch (const std::bad_alloc&) {
+    work.error.emplace(base::ErrorKind::memory, work.source.path, "", "not enough memory");
+  } catch (const std::exception& error) {
+    work.error.emplace(base::ErrorKind::input, work.source.path, "", error.what());
+  }
+  work.finished.store(true, std::memory_order_release);
+}
+
+}  // namespace isolux::app

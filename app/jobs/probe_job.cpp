@@ -1,0 +1,80 @@
+#include "app/jobs/probe_job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numbers>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "gi/sampling/environment.h"
+
+namespace isolux::app {
+
+namespace {
+
+constexpr int mostColumns = 512;
+
+ProbeThumbnail reduced(const gi::Environment& environment) {
+  ProbeThumbnail small;
+  const glm::ivec2 from(environment.width(), environment.height());
+  small.size = {std::min(from.x, mostColumns), std::clamp(from.y, 1, mostColumns / 2)};
+  small.meanLuminance = glm::dot(environment.mean(), glm::dvec3(0.2126, 0.7152, 0.0722));
+  small.badPixels = environment.badPixels();
+  small.pixels.reserve(static_cast<std::size_t>(small.size.x) * static_cast<std::size_t>(small.size.y));
+  const auto first = [](int i, int count, int of) {
+    return static_cast<int>(static_cast<std::int64_t>(i) * of / count);
+  };
+  for (int y = 0; y < small.size.y; ++y) {
+    const int top = first(y, small.size.y, from.y),
+              bottom = std::max(first(y + 1, small.size.y, from.y), top + 1);
+    for (int x = 0; x < small.size.x; ++x) {
+      const int left = first(x, small.size.x, from.x),
+                right = std::max(first(x + 1, small.size.x, from.x), left + 1);
+      glm::dvec3 sum(0.0);
+      for (int row = top; row < bottom; ++row)
+        for (int column = left; column < right; ++column)
+          sum += glm::dvec3(
+              environment.pixels()[static_cast<std::size_t>(row) * static_cast<std::size_t>(from.x) +
+                                   static_cast<std::size_t>(column)]);
+      small.pixels.emplace_back(sum / static_cast<double>((bottom - top) * (right - left)));
+    }
+  }
+  return small;
+}
+
+}  // namespace
+
+glm::vec3 ProbeThumbnail::at(glm::dvec3 direction) const {
+  if (pixels.empty()) return glm::vec3(0.0F);
+  const double column = (std::atan2(direction.x, direction.y) / (2.0 * std::numbers::pi) + 0.5) * size.x;
+  const double row = std::acos(std::clamp(direction.z, -1.0, 1.0)) / std::numbers::pi * size.y;
+  const int x = std::clamp(static_cast<int>(column), 0, size.x - 1);
+  const int y = std::clamp(static_cast<int>(row), 0, size.y - 1);
+  return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)];
+}
+
+ProbeJob::ProbeJob(std::string file)
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->file = std::move(file);
+            return work;
+          }(),
+          run) {}
+
+void ProbeJob::run(Work& work) {
+  try {
+    work.thumbnail = reduced(gi::Environment::load(work.file));
+  } catch (const base::Error& error) {
+    work.error = error;
+  } catch (const std::bad_alloc&) {
+    work.error.emplace(base::ErrorKind::memory, work.file, "", "not enough memory");
+  } catch (const std::exception& error) {
+    work.error.emplace(base::ErrorKind::input, work.file, "", error.what());
+  }
+  work.finished.store(true, std::memory_order_release);
+}
+
+}  // namespace isolux::app

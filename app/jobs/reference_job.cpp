@@ -1,0 +1,164 @@
+#include "app/jobs/reference_job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/files/reference_image.h"
+#include "gi/light_scene.h"
+#include "scene/color_maps.h"
+#include "volume/tracer/isosurface_tracer.h"
+
+namespace isolux::app {
+
+namespace {
+
+constexpr glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
+constexpr double whiteNoise = 0.1;  // of noiseImage()
+
+std::uint8_t encoded(double linear) {
+  return static_cast<std::uint8_t>(std::lround(255.0 * scene::encodeSrgb(std::clamp(linear, 0.0, 1.0))));
+}
+
+bool isKnown(const gi::ReferenceImage& image, std::size_t pixel) {
+  return image.hit[pixel] != 0 && image.samples[pixel] >= 2 && std::isfinite(image.variance[pixel]);
+}
+
+double meanLuminance(const gi::ReferenceImage& image) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.hit.size(); ++i) {
+    if (image.hit[i] == 0 || std::isnan(image.irradiance[i].x)) continue;
+    sum += glm::dot(glm::dvec3(image.irradiance[i]), luminance);
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+render::ColorImage blank(glm::ivec2 size) {
+  render::ColorImage image;
+  image.size = size;
+  image.rgba.assign(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), 255);
+  return image;
+}
+
+std::size_t byteAt(const render::ColorImage& image, int x, int y) {
+  return 4 *
+         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x));
+}
+
+RoundPointer roundOf(gi::ReferenceImage image, const scene::Look& look) {
+  auto round = std::make_shared<ReferenceRound>();
+  round->picture = reduced(app::screenImage(image, look), previewPixels);
+  round->noise = reduced(noiseImage(image), previewPixels);
+  round->noisePart = noiseOf(image);
+  round->image = std::move(image);
+  return round;
+}
+
+}  // namespace
+
+ReferenceJob::ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
+                           glm::ivec2 size, std::uint32_t samples)
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->volume = std::move(volume);
+            work->resolved = std::move(resolved);
+            work->size = size;
+            work->samples = samples;
+            return work;
+          }(),
+          run) {}
+
+ReferenceJob::~ReferenceJob() {
+  work_->progress.requestStop();
+}
+
+void ReferenceJob::run(Work& work) {
+  try {
+    trace(work);
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::interrupted) work.error = error;
+  } catch (const std::bad_alloc&) {
+    work.error.emplace(base::ErrorKind::memory, "", "reference", "not enough memory");
+  } catch (const std::exception& error) {
+    work.error.emplace(base::ErrorKind::input, "", "reference", error.what());
+  }
+  work.finished.store(true, std::memory_order_release);
+}
+
+void ReferenceJob::trace(Work& work) {
+  work.progress.report(0.0, "preparing");
+  const auto environment = gi::loadEnvironment(work.resolved.light.environment);
+  const auto tracer = std::make_shared<const volume::IsosurfaceTracer>(
+      work.volume->volume.grid, work.resolved.isosurface.inside, work.progress);
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  gi::Reference picture(work.volume, tracer, environment, work.resolved,
+                        {work.size, work.resolved.gi.threads.value_or(cores)}, work.progress);
+  double done = 0.0;
+  for (const std::uint32_t round : gi::referenceRounds(work.samples)) {
+    const double to = static_cast<double>(round) / work.samples;
+    const bool whole = picture.refineTo(round, work.progress, done, to);
+    RoundPointer made = roundOf(picture.image(), work.resolved.look);
+    const std::lock_guard guard(work.mutex);
+    work.round = std::move(made);
+    if (!whole) return;
+    done = to;
+  }
+}
+
+RoundPointer ReferenceJob::round() const {
+  const std::lock_guard guard(work_->mutex);
+  return work_->round;
+}
+
+render::ColorImage noiseImage(const gi::ReferenceImage& image) {
+  render::ColorImage screen = blank(image.size);
+  const double mean = meanLuminance(image);
+  for (std::size_t i = 0; i < image.hit.size(); ++i) {
+    const double error = isKnown(image, i) && mean > 0.0 ? std::sqrt(image.variance[i]) / mean : 0.0;
+    std::fill_n(screen.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, encoded(error / whiteNoise));
+  }
+  return screen;
+}
+
+std::optional<double> noiseOf(const gi::ReferenceImage& image) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.hit.size(); ++i) {
+    if (!isKnown(image, i)) continue;
+    sum += static_cast<double>(image.variance[i]);
+    ++count;
+  }
+  const double mean = meanLuminance(image);
+  if (count == 0 || !(mean > 0.0)) return std::nullopt;
+  return std::sqrt(sum / static_cast<double>(count)) / mean;
+}
+
+render::ColorImage reduced(const render::ColorImage& image, int longest) {
+  const int factor = (std::max(image.size.x, image.size.y) + longest - 1) / longest;
+  if (factor <= 1) return image;
+  render::ColorImage small = blank((image.size + (factor - 1)) / factor);
+  for (int y = 0; y < small.size.y; ++y)
+    for (int x = 0; x < small.size.x; ++x) {
+      const glm::ivec2 from = factor * glm::ivec2(x, y), to = glm::min(from + factor, image.size);
+      const int pixels = (to.x - from.x) * (to.y - from.y);
+      glm::ivec3 sum(pixels / 2);  // rounds to the nearest
+      for (int j = from.y; j < to.y; ++j)
+        for (int i = from.x; i < to.x; ++i) {
+          const std::uint8_t* pixel = &image.rgba[byteAt(image, i, j)];
+          sum += glm::ivec3(pixel[0], pixel[1], pixel[2]);
+        }
+      std::uint8_t* target = &small.rgba[byteAt(small, x, y)];
+      for (int c = 0; c < 3; ++c) target[c] = static_cast<std::uint8_t>(sum[c] / pixels);
+    }
+  return small;
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,349 @@
+#include "app/light/light_controller.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "app/light/light_planner.h"
+#include "base/retire.h"
+#include "gi/file/bake_file.h"
+
+namespace isolux::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+void add(gi::BakeCounters& sum, const gi::BakeCounters& one) {
+  sum.texelsWanted += one.texelsWanted;
+  sum.texelsDone += one.texelsDone;
+  sum.texelsStarted += one.texelsStarted;
+  sum.texelsLit += one.texelsLit;
+  sum.samplesWanted += one.samplesWanted;
+  sum.samplesDone += one.samplesDone;
+  sum.rays += one.rays;
+  sum.raysPerSecond += one.raysPerSecond;
+  sum.seconds = std::max(sum.seconds, one.seconds);
+  sum.secondsLeft = std::max(sum.secondsLeft, one.secondsLeft);
+  sum.threads = std::max(sum.threads, one.threads);
+  sum.paused = sum.paused || one.paused;
+  sum.idle = sum.idle && one.idle;
+}
+
+std::string nameOf(const scene::GiChoice& choice) {
+  static constexpr const char* names[] = {"auto", "off", "irradiance", "transfer", "vicinity", "shadow"};
+  const bool sky = choice.sky != scene::GiMode::off;
+  std::string name = sky ? names[static_cast<int>(choice.sky)] : choice.lamps ? "" : "off";
+  if (choice.lamps) name += sky ? " + lamps" : "lamps";
+  return name;
+}
+
+// Without what the light does not depend on and a viewer changes from picture to picture: turning the view
+// plans nothing anew.
+scene::Scene lightOf(scene::Scene scene) {
+  scene.camera = {};
+  scene.flow = {};
+  scene.picture = {};
+  scene.memory = {};
+  return scene;
+}
+
+// For display; what was no base::Error is a mistake of ours, and finish() throws it as it is.
+base::Error described(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const base::Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return {base::ErrorKind::memory, "", "light", "not enough memory"};
+  } catch (const std::exception& error) {
+    return {base::ErrorKind::input, "", "light", std::string("a mistake in Isolux itself: ") + error.what()};
+  } catch (...) {
+    return {base::ErrorKind::input, "", "light", "a mistake in Isolux itself"};
+  }
+}
+
+}  // namespace
+
+struct LightController::Parts {
+  explicit Parts(Options options) : planner(options.background) {}
+
+  // What the planner thread has to do; guarded by `mutex`.
+  mutable std::mutex mutex;
+  mutable std::condition_variable_any changed;
+  scene::Scene scene;
+  VolumePointer volume;
+  std::vector<glm::vec3> hits;
+  bool sceneTold = false, hitsTold = false, cancelTold = false, busy = false;
+  bool planning =
+      false;  // the planner thread is at work on `planner`, busy or only looking whether to compress
+
+  // What it has done; guarded by `mutex`.
+  LightPlan plan;
+  std::exception_ptr failure;  // of the planner
+  std::uint64_t planned = 0;
+  bool paused = false, yielding = false;
+
+  LightPlanner planner;     // of the planner thread, and of load() while not `planning`
+  base::Progress progress;  // stops the planner's long work
+  std::jthread thread;      // last: it ends before the rest goes
+
+  void run(const std::stop_token& stop);
+  void work(bool withScene, bool withHits, bool cancel, const scene::Scene& now, const VolumePointer& of,
+            const std::vector<glm::vec3>& seen);
+  [[nodiscard]] LightPlan publish(const std::exception_ptr& failed);
+  std::vector<std::shared_ptr<gi::LightBake>> bakes() const;
+};
+
+std::vector<std::shared_ptr<gi::LightBake>> LightController::Parts::bakes() const {
+  std::vector<std::shared_ptr<gi::LightBake>> list;
+  for (const auto& bake : {plan.sky, plan.lamps})
+    if (bake) list.push_back(bake);
+  return list;
+}
+
+void LightController::Parts::run(const std::stop_token& stop) {
+  std::unique_lock lock(mutex);
+  while (!stop.stop_requested()) {
+    const bool compresses = plan.light && plan.choice.sky == scene::GiMode::transfer;
+    const auto told = [this] { return sceneTold || hitsTold || cancelTold; };
+    if (compresses)
+      changed.wait_for(lock, stop, 100ms, told);
+    else
+      changed.wait(lock, stop, told);
+    if (stop.stop_requested()) return;
+    const bool withScene = std::exchange(sceneTold, false), withHits = std::exchange(hitsTold, false);
+    const bool cancel = std::exchange(cancelTold, false);
+    const scene::Scene now = scene;
+    const VolumePointer of = volume;
+    // Looking whether to compress needs no points.
+    const std::vector<glm::vec3> seen = withScene || withHits ? hits : std::vector<glm::vec3>();
+    busy = withScene || withHits || cancel;
+    planning = true;
+    lock.unlock();
+    work(withScene, withHits, cancel, now, of, seen);
+    lock.lock();
+    busy = planning = false;
+    changed.notify_all();
+  }
+}
+
+void LightController::Parts::work(bool withScene, bool withHits, bool cancel, const scene::Scene& now,
+                                  const VolumePointer& of, const std::vector<glm::vec3>& seen) {
+  std::exception_ptr failed;
+  try {
+    if (withScene) planner.plan(now, of, progress);
+    if (withScene || withHits) planner.wish(seen, progress);
+    if (cancel) planner.wishNothing();
+    const bool compressed = planner.compress(progress);
+    if (!withScene && !compressed) return;
+  } catch (...) {
+    failed = std::current_exception();
+  }
+  LightPlan before;  // goes with the mutex open
+  const std::lock_guard guard(mutex);
+  before = publish(failed);
+}
+
+// With `mutex` locked. Returns the plan before, for the caller to drop without it.
+LightPlan LightController::Parts::publish(const std::exception_ptr& failed) {
+  failure = failed;
+  LightPlan before = std::exchange(plan, planner.current());
+  if (failure) plan.light.reset();
+  ++planned;
+  for (const auto& bake : bakes()) {
+    bake->setPaused(paused);
+    bake->yield(yielding);
+  }
+  return before;
+}
+
+LightController::LightController(Options options) : parts_(std::make_unique<Parts>(options)) {
+  try {
+    parts_->thread = std::jthread([parts = parts_.get()](const std::stop_token& stop) { parts->run(stop); });
+  } catch (const std::system_error&) {
+    throw base::Error(base::ErrorKind::memory, "", "light", "the system refuses a thread to plan it");
+  }
+}
+
+LightController::~LightController() {
+  parts_->progress.requestStop();
+  parts_->thread.request_stop();
+  {
+    const std::lock_guard guard(parts_->mutex);
+    for (const auto& bake : parts_->bakes()) bake->requestStop();
+  }
+  base::retire(std::move(parts_));
+}
+
+void LightController::setScene(const scene::Scene& resolved,
+                               std::shared_ptr<const volume::PreparedVolume> volume) {
+  const scene::Scene lit = lightOf(resolved);
+  const std::lock_guard guard(parts_->mutex);
+  if (parts_->planned + (parts_->sceneTold || parts_->busy ? 1 : 0) > 0 && lit == parts_->scene &&
+      volume == parts_->volume)
+    return;
+  if (volume != parts_->volume) parts_->hits.clear();
+  parts_->scene = lit;
+  parts_->volume = std::move(volume);
+  parts_->sceneTold = true;
+  parts_->changed.notify_all();
+}
+
+void LightController::setVisible(std::vector<glm::vec3> hitVoxels) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->hits = std::move(hitVoxels);
+  parts_->hitsTold = true;
+  parts_->changed.notify_all();
+}
+
+void LightController::setPaused(bool paused) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->paused = paused;
+  for (const auto& bake : parts_->bakes()) bake->setPaused(paused);
+}
+
+bool LightController::paused() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->paused;
+}
+
+void LightController::yield(bool yielding) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->yielding = yielding;
+  for (const auto& bake : parts_->bakes()) bake->yield(yielding);
+}
+
+void LightController::cancel() {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->cancelTold = true;
+  parts_->changed.notify_all();
+}
+
+std::shared_ptr<const gi::PictureLight> LightController::light() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->plan.light;
+}
+
+std::uint64_t LightController::revision() const {
+  const std::lock_guard guard(parts_->mutex);
+  std::uint64_t revision = parts_->planned << 40u;
+  for (const auto& bake : parts_->bakes()) revision += bake->lattice()->revision();
+  return revision;
+}
+
+LightState LightController::state() const {
+  using Phase = LightState::Phase;
+  const std::lock_guard guard(parts_->mutex);
+  const Parts& parts = *parts_;
+  LightState state;
+  state.choice = parts.plan.choice;
+  state.mode = nameOf(state.choice);
+  std::exception_ptr failure = parts.failure;
+  state.warnings = parts.plan.warnings;
+  state.counters.idle = true;
+  for (const auto& bake : parts.bakes()) {
+    add(state.counters, bake->counters());
+    if (!failure) failure = bake->failure();
+  }
+  if (failure) state.error = described(failure);
+  if (state.error)
+    state.phase = Phase::failed;
+  else if (parts.sceneTold || (parts.busy && !parts.plan.light))
+    state.phase = Phase::preparing;
+  else if (!parts.plan.light || !state.choice.wanted)
+    state.phase = Phase::off;
+  else if (!state.counters.idle)
+    state.phase = parts.paused ? Phase::paused : Phase::baking;
+  else
+    state.phase = parts.hitsTold || parts.busy ? Phase::preparing : Phase::finished;
+  return state;
+}
+
+bool LightController::settle(double timeoutSeconds) const {
+  std::unique_lock lock(parts_->mutex);
+  return parts_->changed.wait_for(lock, std::chrono::duration<double>(timeoutSeconds), [this] {
+    return !parts_->sceneTold && !parts_->hitsTold && !parts_->cancelTold && !parts_->busy;
+  });
+}
+
+bool LightController::finish(base::Progress& progress, double timeoutSeconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto over = [&] {
+    return progress.stopRequested() ||
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > timeoutSeconds;
+  };
+  constexpr double slice = 0.05;  // seconds: how soon a stop is seen
+  while (!settle(slice))
+    if (over()) return false;
+  std::vector<std::shared_ptr<gi::LightBake>> bakes;
+  {
+    const std::lock_guard guard(parts_->mutex);
+    if (parts_->failure) std::rethrow_exception(parts_->failure);
+    bakes = parts_->bakes();
+  }
+  for (const auto& bake : bakes) {
+    while (!bake->waitFor(0, slice)) {
+      if (const auto failed = bake->failure()) std::rethrow_exception(failed);
+      if (over()) return false;
+      const gi::BakeCounters counters = state().counters;
+      const auto wanted = static_cast<double>(std::max<std::uint64_t>(counters.samplesWanted, 1));
+      progress.report(static_cast<double>(counters.samplesDone) / wanted, "tracing light");
+    }
+  }
+  // The planner compresses the last texels.
+  {
+    const std::lock_guard guard(parts_->mutex);
+    parts_->hitsTold = true;
+    parts_->changed.notify_all();
+  }
+  while (!settle(slice))
+    if (over()) return false;
+  // Threads put down what they were at, and see that the same wishes are fulfilled.
+  for (const auto& bake : bakes)
+    while (!bake->counters().idle && !over()) std::this_thread::sleep_for(1ms);
+  return true;
+}
+
+void LightController::save(const std::filesystem::path& file, base::Progress& progress) const {
+  gi::StoredLight light;
+  VolumePointer volume;
+  {
+    const std::lock_guard guard(parts_->mutex);
+    if (parts_->plan.sky) light.sky = parts_->plan.sky->lattice();
+    if (parts_->plan.lamps) light.lamps = parts_->plan.lamps->lattice();
+    volume = parts_->volume;
+  }
+  gi::writeBakeFile(file, volume->grid(), light, progress);
+}
+
+void LightController::load(const std::filesystem::path& file, base::Progress& progress) {
+  while (!settle(0.05)) progress.throwIfStopped();
+  VolumePointer volume;
+  std::string skyKey, lampsKey;
+  {
+    const std::lock_guard guard(parts_->mutex);
+    if (parts_->failure) std::rethrow_exception(parts_->failure);
+    volume = parts_->volume;
+    if (parts_->plan.sky) skyKey = parts_->plan.sky->lattice()->key();
+    if (parts_->plan.lamps) lampsKey = parts_->plan.lamps->lattice()->key();
+  }
+  gi::StoredLight stored = gi::readBakeFile(file, volume->grid(), skyKey, lampsKey, progress);
+  LightPlan before;  // goes with the mutex open
+  std::unique_lock lock(parts_->mutex);
+  // From now on the planner thread sleeps: it begins nothing while the mutex is held.
+  parts_->changed.wait(lock, [this] { return !parts_->planning; });
+  if (stored.sky) parts_->planner.adopt(std::move(stored.sky), gi::LightPart::sky);
+  if (stored.lamps) parts_->planner.adopt(std::move(stored.lamps), gi::LightPart::lamps);
+  before = parts_->publish(nullptr);
+  parts_->hitsTold = true;
+  parts_->changed.notify_all();
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,40 @@
+#include "app/light/light_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "scene/rules/relevance.h"
+
+namespace isolux::app {
+
+scene::Scene litScene(scene::Scene resolved, const render::FrameRequest& request) {
+  const bool readsIrradiance =
+      std::find(request.aovs.begin(), request.aovs.end(), render::Aov::irradiance) != request.aovs.end();
+  if (readsIrradiance && scene::shadingOf(resolved) != scene::Shading::gi)
+    resolved.look.mode = scene::LookMode::gi;
+  return resolved;
+}
+
+void lightPicture(LightController& controller, render::Renderer& renderer, const scene::Scene& resolved,
+                  const render::FrameRequest& request,
+                  const std::shared_ptr<const volume::PreparedVolume>& volume, base::Progress& progress) {
+  volume->cubicFields->makeFor(resolved, progress);
+  const scene::Scene lit = litScene(resolved, request);
+  controller.setScene(lit, volume);
+  if (scene::giChoiceOf(lit).wanted) {
+    render::FrameRequest surface = request;
+    surface.linear = surface.color = false;
+    // What lies between the points of this many is near one of them.
+    while (std::max(surface.size.x, surface.size.y) * surface.supersampling > 4096) surface.size /= 2;
+    surface.size = glm::max(surface.size, glm::ivec2(1));
+    surface.aovs = {render::Aov::voxel};
+    renderer.render(resolved, surface);
+    controller.setVisible(renderer.hitVoxels());
+  }
+  if (!controller.finish(progress)) progress.throwIfStopped();
+  renderer.setLight(controller.light());
+}
+
+}  // namespace isolux::app

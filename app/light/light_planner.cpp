@@ -1,0 +1,242 @@
+#include "app/light/light_planner.h"
+
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include <tbb/global_control.h>
+
+#include "base/retire.h"
+#include "gi/texels/texel_sets.h"
+#include "gi/trace/path_tracer.h"
+#include "scene/rules/relevance.h"
+#include "scene/settings.h"
+
+namespace isolux::app {
+
+namespace {
+
+// Nobody knows what is seen behind a transparent surface: whole isosurfaces are.
+std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
+  std::vector<double> isovalues = {*scene.isosurface.value};
+  bool transparent = scene.isosurface.opacity < 1.0;
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4}) {
+    if (!extra->shown) continue;
+    isovalues.push_back(*extra->value);
+    transparent = transparent || extra->opacity < 1.0;
+  }
+  if (!transparent) isovalues.clear();
+  return isovalues;
+}
+
+// A name that changes when the probe's file does.
+std::string nameOf(const scene::Environment& settings) {
+  if (settings.file.empty()) {
+    const glm::dvec3& c = settings.constant;
+    std::ostringstream name;  // hexadecimal: exact
+    name << std::hexfloat << "constant " << c.x << ' ' << c.y << ' ' << c.z;
+    return std::move(name).str();
+  }
+  std::error_code missing;
+  const auto written = std::filesystem::last_write_time(settings.file, missing);
+  return settings.file + '\n' + (missing ? "" : std::to_string(written.time_since_epoch().count()));
+}
+
+int threadsOf(const scene::Gi& gi) {
+  // What --threads allows, else one per core.
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return gi.threads.value_or(static_cast<int>(std::max<std::size_t>(1, allowed)));
+}
+
+}  // namespace
+
+const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePointer& volume,
+                                    base::Progress& progress) {
+  scene_ = resolved;
+  volume_ = volume;
+  if (!volume || scene::shadingOf(resolved) != scene::Shading::gi) {
+    // Stored light stays: the look may come back.
+    if (!volume) stop();
+    plan_ = {scene::giChoiceOf(resolved), nullptr, sky_.bake, lamps_.bake, {}};
+    wishNothing();
+    return plan_;
+  }
+  loadEnvironment(resolved.light.environment);
+  const scene::GiChoice choice = scene::giChoiceOf(resolved);
+  if (choice.wanted &&
+      (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside)) {
+    tracer_ =
+        std::make_shared<volume::IsosurfaceTracer>(volume->volume.grid, resolved.isosurface.inside, progress);
+    tracerOf_ = volume.get();
+    tracerInside_ = resolved.isosurface.inside;
+  }
+  lightScene_ = gi::makeLightScene(resolved, volume, choice.wanted ? tracer_ : nullptr, environment_);
+  const auto key = [&](gi::LightPart part) { return gi::lightKey(resolved, *lightScene_, part); };
+  require(sky_, gi::LightPart::sky, choice.sky != scene::GiMode::off, key(gi::LightPart::sky));
+  require(lamps_, gi::LightPart::lamps, choice.lamps, key(gi::LightPart::lamps));
+  if (choice.sky == scene::GiMode::transfer && projectedOrder_ != resolved.gi.shOrder) {
+    projection_ = gi::projectEnvironment(*environment_, resolved.gi.shOrder);
+    projectedOrder_ = resolved.gi.shOrder;
+  }
+  if (choice.sky != scene::GiMode::transfer || resolved.gi.components != basisComponents_ ||
+      resolved.gi.componentBits != basisBits_)
+    basis_.reset();
+  plan_ = {choice, nullptr, sky_.bake, lamps_.bake, {}};
+  if (environment_->badPixels() > 0)
+    plan_.warnings.push_back(std::to_string(environment_->badPixels()) +
+                             " pixels of the light probe are no numbers or negative: replaced");
+  if (tracer_ && tracer_->beyondSimd())
+    plan_.warnings.emplace_back(
+        "light is traced at about a third of the speed: the volume has more voxels than the SIMD tracer "
+        "reaches "
+        "(about 1600 x 1600 x 1600)");
+  for (const auto& bake : {sky_.bake, lamps_.bake})
+    if (const int wanted = threadsOf(resolved.gi); bake && bake->counters().threads < wanted)
+      plan_.warnings.push_back("the system gives " + std::to_string(bake->counters().threads) + " of the " +
+                               std::to_string(wanted) + " threads wanted for light");
+  publish();
+  return plan_;
+}
+
+void LightPlanner::loadEnvironment(const scene::Environment& settings) {
+  std::string name = nameOf(settings);
+  if (environment_ && name == environmentName_) return;
+  environment_ = gi::loadEnvironment(settings);
+  environmentName_ = std::move(name);
+  projection_ = gi::projectEnvironment(*environment_, scene_.gi.shOrder);
+  projectedOrder_ = scene_.gi.shOrder;
+}
+
+void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const std::string& key) {
+  if (!wanted) {
+    if (part.bake) part.bake->requestStop();
+    part = {};
+    return;
+  }
+  const auto samples = static_cast<std::uint32_t>(scene_.gi.samples);
+  if (part.bake && part.key == key) {
+    part.bake->setSamples(samples);
+    part.bake->setThreads(threadsOf(scene_.gi));
+    return;
+  }
+  if (part.bake) part.bake->requestStop();  // its threads end before those of the new one have much to do
+  part = {};
+  if (which == gi::LightPart::sky) basis_.reset();  // it was fitted to the old lattice
+  const auto lattice = gi::LatticeGeometry::make(volume_->grid().dims(), scene_.gi.latticeScale);
+  part.key = key;
+  part.estimator = std::make_shared<gi::LatticeEstimator>(lightScene_, lattice, which);
+  part.bake = makeBake(part, std::make_shared<gi::LightLattice>(lattice, part.estimator->content(), key));
+}
+
+std::shared_ptr<gi::LightBake> LightPlanner::makeBake(const Part& part,
+                                                      std::shared_ptr<gi::LightLattice> lattice) const {
+  auto bake =
+      std::make_unique<gi::LightBake>(std::move(lattice), part.estimator,
+                                      gi::LightBake::Options{static_cast<std::uint32_t>(scene_.gi.samples),
+                                                             threadsOf(scene_.gi), background_});
+  // Whoever drops the last reference does not wait for its threads.
+  return {bake.release(), [](gi::LightBake* dead) {
+            dead->requestStop();
+            base::retire(std::unique_ptr<gi::LightBake>(dead));
+          }};
+}
+
+void LightPlanner::adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPart which) {
+  Part& part = which == gi::LightPart::sky ? sky_ : lamps_;
+  if (part.bake) part.bake->requestStop();
+  part.bake = makeBake(part, std::move(lattice));
+  part.asked.reset();
+  plan_.sky = sky_.bake;
+  plan_.lamps = lamps_.bake;
+  basis_.reset();
+  publish();
+}
+
+void LightPlanner::publish() {
+  auto light = std::make_shared<gi::PictureLight>(gi::makePictureLight(scene_, *lightScene_, projection_));
+  if (sky_.bake) light->sky = sky_.bake->lattice();
+  if (lamps_.bake) light->lamps = lamps_.bake->lattice();
+  light->basis = basis_;
+  light->version = ++version_;
+  plan_.light = std::move(light);
+}
+
+int LightPlanner::reach() const {
+  const scene::GiInterpolation interpolation = scene_.gi.interpolation;
+  return interpolation == scene::GiInterpolation::tricubic ? 2 : 1;
+}
+
+void LightPlanner::wish(const std::vector<glm::vec3>& hits, base::Progress& progress) {
+  if (!plan_.light || (!sky_.bake && !lamps_.bake)) return;
+  const gi::LatticeGeometry& lattice = (sky_.bake ? sky_ : lamps_).bake->lattice()->geometry();
+  const std::vector<gi::WantedBlock> visible = gi::texelsAround(lattice, hits, reach());
+  std::vector<gi::WantedBlock> nearby;
+  // A command asks for its picture alone; a viewer moves on.
+  if (background_) nearby = gi::texelsBeside(lattice, visible, 2);
+  for (Part* part : {&sky_, &lamps_})
+    if (part->bake) wish(*part, visible, nearby, progress);
+}
+
+void LightPlanner::wish(Part& part, const std::vector<gi::WantedBlock>& visible,
+                        const std::vector<gi::WantedBlock>& nearby, base::Progress& progress) {
+  part.bake->want(gi::Wish::visible, visible);
+  part.bake->want(gi::Wish::nearby, nearby);
+  const scene::GiExtent extent = scene_.gi.extent;
+  Asked asked{extent, reach(), scene_.hit.field, {}, isovaluesBehindOthers(scene_)};
+  if (extent == scene::GiExtent::band) asked.band = scene_.gi.band.value();
+  if (part.asked == asked) return;
+  const gi::LatticeGeometry& lattice = part.bake->lattice()->geometry();
+  const auto ofBand = [&](double low, double high) {
+    return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress, scene_.hit.field);
+  };
+  // A command that asks for all light hears at once that it does not fit; a window's grows as far as it goes.
+  if (extent == scene::GiExtent::full && !background_) part.bake->lattice()->checkThatAllFits();
+  std::vector<gi::WantedBlock> band;
+  if (extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);
+  for (const double isovalue : asked.behind) {
+    const std::vector<gi::WantedBlock> whole = ofBand(isovalue, isovalue);
+    band.insert(band.end(), whole.begin(), whole.end());
+  }
+  part.bake->want(gi::Wish::band, std::move(band));
+  part.bake->want(gi::Wish::rest,
+                  extent == scene::GiExtent::full ? gi::allTexels(lattice) : std::vector<gi::WantedBlock>{});
+  part.asked = std::move(asked);
+}
+
+void LightPlanner::stop() {
+  for (Part* part : {&sky_, &lamps_}) {
+    if (part->bake) part->bake->requestStop();
+    *part = {};
+  }
+}
+
+void LightPlanner::wishNothing() {
+  for (Part* part : {&sky_, &lamps_}) {
+    if (!part->bake) continue;
+    for (const gi::Wish kind : {gi::Wish::visible, gi::Wish::nearby, gi::Wish::band, gi::Wish::rest})
+      part->bake->want(kind, {});
+    part->asked.reset();
+  }
+}
+
+bool LightPlanner::compress(const base::Progress& progress) {
+  if (!plan_.light || plan_.choice.sky != scene::GiMode::transfer || !sky_.bake) return false;
+  const gi::LightLattice& lattice = *sky_.bake->lattice();
+  constexpr std::uint64_t enoughForFirst = 64;
+  const std::uint64_t texels = lattice.bakedTexels(), revision = lattice.revision();
+  const bool grown = texels >= std::max(enoughForFirst, basis_ ? 4 * basisTexels_ : 0);
+  const bool settled = sky_.bake->counters().idle && texels > 0;
+  if (revision == basisRevision_ && basis_) return false;
+  if (!grown && !settled) return false;
+  basis_ =
+      gi::TransferBasis::fit(lattice, scene_.gi.components, scene_.gi.componentBits > 8 ? 16 : 8, &progress);
+  basisComponents_ = scene_.gi.components;
+  basisBits_ = scene_.gi.componentBits;
+  basisTexels_ = texels;
+  basisRevision_ = revision;
+  publish();
+  return true;
+}
+
+}  // namespace isolux::app

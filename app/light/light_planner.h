@@ -1,0 +1,105 @@
+// The slow part of LightController, on its planner thread: from a scene, a volume and what is seen to bakes
+// and what they are asked for.
+//
+// Owned by one, called by one thread at a time. Bakes that it gives up end elsewhere (base/retire.h). Keeps
+// what the next scene is likely to need again: the light probe, the tracer, and the bakes, as long as their
+// keys hold.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/progress.h"
+#include "gi/bake/light_bake.h"
+#include "gi/light_scene.h"
+#include "gi/picture_light.h"
+#include "scene/rules/gi_choice.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::app {
+
+using VolumePointer = std::shared_ptr<const volume::PreparedVolume>;
+
+// What the owner of the planner shows; values and shared pointers.
+struct LightPlan {
+  scene::GiChoice choice;
+  std::shared_ptr<const gi::PictureLight> light;
+  std::shared_ptr<gi::LightBake> sky, lamps;
+  std::vector<std::string> warnings;
+};
+
+class LightPlanner {
+ public:
+  explicit LightPlanner(bool background) : background_(background) {}
+  ~LightPlanner() { stop(); }
+  LightPlanner(const LightPlanner&) = delete;
+  LightPlanner& operator=(const LightPlanner&) = delete;
+
+  // Decides anew. Throws base::Error (light probe, memory, stopped); the plan before holds then.
+  const LightPlan& plan(const scene::Scene& resolved, const VolumePointer& volume, base::Progress& progress);
+  // Asks the bakes for what the scene and these surface points need.
+  void wish(const std::vector<glm::vec3>& hits, base::Progress& progress);
+  void wishNothing();
+  // Compresses stored transfer anew where much was added since: true if the plan's light changed. Throws
+  // Error{interrupted} when stopped.
+  bool compress(const base::Progress& progress);
+  // Light from elsewhere (a file), for lattices of the plan's own keys.
+  void adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPart part);
+
+  const LightPlan& current() const { return plan_; }
+
+ private:
+  // What a bake was asked for besides what is seen.
+  struct Asked {
+    scene::GiExtent extent = scene::GiExtent::view;
+    int reach = 0;
+    scene::Field field = scene::Field::trilinear;  // that is hit
+    glm::dvec2 band{0.0};
+    std::vector<double> behind;  // isovalues of surfaces that may be seen through others
+    bool operator==(const Asked&) const = default;
+  };
+  struct Part {
+    std::string key;
+    std::shared_ptr<const gi::TexelEstimator> estimator;
+    std::shared_ptr<gi::LightBake> bake;
+    std::optional<Asked> asked;
+  };
+
+  void loadEnvironment(const scene::Environment& settings);
+  void require(Part& part, gi::LightPart which, bool wanted, const std::string& key);
+  void wish(Part& part, const std::vector<gi::WantedBlock>& visible,
+            const std::vector<gi::WantedBlock>& nearby, base::Progress& progress);
+  std::shared_ptr<gi::LightBake> makeBake(const Part& part, std::shared_ptr<gi::LightLattice> lattice) const;
+  void stop();
+  void publish();
+  int reach() const;
+
+  bool background_;
+  scene::Scene scene_;
+  VolumePointer volume_;
+
+  std::string environmentName_;  // what environment_ was loaded from
+  std::shared_ptr<const gi::Environment> environment_;
+  int projectedOrder_ = 0;
+  gi::EnvironmentProjection projection_;
+  std::shared_ptr<const volume::IsosurfaceTracer> tracer_;
+  const volume::PreparedVolume* tracerOf_ = nullptr;
+  scene::Inside tracerInside_ = scene::Inside::above;
+
+  std::shared_ptr<const gi::LightScene> lightScene_;
+  Part sky_, lamps_;
+  std::shared_ptr<const gi::TransferBasis> basis_;
+  int basisComponents_ = 0, basisBits_ = 0;
+  std::uint64_t basisTexels_ = 0, basisRevision_ = 0;
+  std::uint64_t version_ = 0;
+  LightPlan plan_;
+};
+
+}  // namespace isolux::app

@@ -1,0 +1,57 @@
+// The knobs of light: each value's light is baked for what the view shows, drawn, and compared with per-pixel
+// path tracing at the exact hits.
+//
+// Bakes of a knob are made in turns with all others of it, anew each time; values that only change how the
+// same stored light is kept or read share one bake. The truth has the scene's bounces, for the knob `bounces`
+// kTruthBounces of them; it knows no lattice, no spherical harmonics and no compression. Pixels that show
+// the surface from inside are left out: no light is stored there.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/light/light_controller.h"
+#include "app/study/light_truth.h"
+#include "app/study/study.h"
+
+namespace isolux::app {
+
+inline constexpr int kTruthBounces = 64;
+inline constexpr std::size_t kTruthPixels = 1024;  // of the view's, at most
+
+class LightStudio {
+ public:
+  // As Studio's. `renderer` and `reference` are the Studio's own.
+  LightStudio(render::Renderer& renderer, ReferenceView& reference,
+              std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene, glm::ivec2 size,
+              int repeat);
+
+  // A knob that has an effect in this scene. Throws Error{interrupted}.
+  KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
+
+ private:
+  struct Alternative;
+  void prepareHits(base::Progress& progress);
+  const LightTruth& truthOf(const scene::Scene& lit, int bounces, base::Progress& progress);
+  void bake(Alternative& alternative, bool anew, base::Progress& progress);
+  // E of every pixel; NaN where the picture does not show the reference's first crossing.
+  std::vector<float> draw(Alternative& alternative);
+  void time(Alternative& alternative, int frames, base::Progress& progress);
+
+  render::Renderer& renderer_;
+  ReferenceView& reference_;
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  scene::Scene scene_;
+  glm::ivec2 size_;
+  int repeat_;
+  LightController controller_{{}};
+  std::vector<ReferenceHit> hits_;
+  std::vector<glm::vec3> hitVoxels_;  // NaN where there is none
+  std::shared_ptr<const gi::Environment> environment_;
+  std::shared_ptr<const volume::IsosurfaceTracer> tracer_;
+  std::map<int, LightTruth> truths_;  // of bounces
+};
+
+}  // namespace isolux::app

@@ -1,0 +1,94 @@
+#include "app/study/study_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace isolux::app {
+
+namespace {
+
+double angleDegrees(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * (180.0 / std::numbers::pi);
+}
+
+double curvatureError(const float* drawn, const ReferenceShape& shape, double flat) {
+  const double size = std::max({std::abs(shape.kappa1), std::abs(shape.kappa2), flat});
+  return std::max(std::abs(drawn[0] - shape.kappa1), std::abs(drawn[1] - shape.kappa2)) / size;
+}
+
+double partsPerMillion(std::size_t count, std::size_t of) {
+  return of == 0 ? 0.0 : 1e6 * static_cast<double>(count) / static_cast<double>(of);
+}
+
+}  // namespace
+
+bool isFirstCrossing(double depthMm, const ReferenceHit& reference) {
+  const double behind = depthMm - reference.depthMm;
+  return std::abs(behind) * reference.voxelsPerMm <= kSameCrossingVoxels &&
+         behind <= reference.nextMm - depthMm;
+}
+
+Spread spreadOf(std::vector<double> errors) {
+  Spread spread;
+  spread.pixels = errors.size();
+  if (errors.empty()) {
+    spread.median = spread.rms = spread.most99 = spread.maximum = std::numeric_limits<double>::quiet_NaN();
+    return spread;
+  }
+  std::sort(errors.begin(), errors.end());
+  const auto quantile = [&](double part) {
+    return errors[static_cast<std::size_t>(part * static_cast<double>(errors.size() - 1) + 0.5)];
+  };
+  double squares = 0.0;
+  for (const double error : errors) squares += error * error;
+  spread.median = quantile(0.5);
+  spread.rms = std::sqrt(squares / static_cast<double>(errors.size()));
+  spread.most99 = quantile(0.99);
+  spread.maximum = errors.back();
+  return spread;
+}
+
+double Errors::missedPpm() const {
+  return partsPerMillion(missed, pixels);
+}
+double Errors::inventedPpm() const {
+  return partsPerMillion(invented, pixels);
+}
+
+Errors errorsOf(const DrawnImages& drawn, const Reference& reference,
+                const std::function<bool(std::size_t)>& undecided) {
+  Errors errors;
+  errors.pixels = reference.hits.size();
+  std::vector<double> depthVoxels, depthMm, normal, curvature;
+  for (std::size_t i = 0; i < errors.pixels; ++i) {
+    const ReferenceHit& expected = reference.hits[i];
+    const bool hit = drawn.hit[i] != 0.0f;
+    if (expected.hit) ++errors.surface;
+    if (!expected.hit && !hit) continue;
+    const double depth = drawn.depthMm[i];
+    if (!expected.hit || !hit || !isFirstCrossing(depth, expected)) {
+      const bool missing = expected.hit && !(hit && depth < expected.depthMm);
+      ++(undecided(i) ? errors.undecided : missing ? errors.missed : errors.invented);
+      continue;
+    }
+    depthMm.push_back(std::abs(depth - expected.depthMm));
+    depthVoxels.push_back(depthMm.back() * expected.voxelsPerMm);
+
+    const ReferenceShape& shape = reference.shapes[i];
+    const glm::dvec3 n(drawn.normal[3 * i], drawn.normal[3 * i + 1], drawn.normal[3 * i + 2]);
+    if (shape.hasNormal && !std::isnan(n.x)) normal.push_back(angleDegrees(n, shape.normal));
+    const float* const kappa = &drawn.kappa[2 * i];
+    if (shape.hasCurvature && !std::isnan(kappa[0]))
+      curvature.push_back(curvatureError(kappa, shape, reference.flatCurvature));
+  }
+  errors.depthVoxels = spreadOf(std::move(depthVoxels));
+  errors.depthMm = spreadOf(std::move(depthMm));
+  errors.normalDegrees = spreadOf(std::move(normal));
+  errors.curvature = spreadOf(std::move(curvature));
+  return errors;
+}
+
+}  // namespace isolux::app

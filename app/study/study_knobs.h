@@ -1,0 +1,62 @@
+// The quality knobs that `isolux study` turns: each with the values it takes and what it is judged by.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/study/study_errors.h"
+#include "scene/rules/automatic.h"
+#include "scene/scene.h"
+
+namespace isolux::app {
+
+// What a knob trades for time or memory: where the surface is, how it is bent, or how it is lit.
+enum class Measure { hits, shape, light };
+// What it costs: the time of passes; of light, tracing it, reading it, or keeping it.
+enum class Cost { passes, bakeSeconds, lookupMilliseconds, gpuMegabytes };
+
+// An error that is shown against what it costs.
+struct Panel {
+  const char *key, *label;          // "depth_rms_voxels"; with unit, for tables and plots
+  std::vector<const char*> passes;  // render/graph/pass_declarations.h; of the cost that is their time
+  double (*error)(const Errors&);
+};
+struct Knob;
+// What a knob is plotted by; the first decides which setting reaches an error.
+const std::array<Panel, 2>& panelsOf(const Knob& knob);
+
+struct Knob {
+  const char* name;     // as in --knobs
+  const char* setting;  // its path
+  const char* label;    // with unit, for tables and plots
+  Measure measure;
+  bool field;                       // it chooses a field: also compared with cubic_interpolating
+  bool sampled;                     // acts on hit.method sampled only
+  std::vector<const char*> values;  // of the setting; near_threshold: multiples of the automatic one
+  Cost cost = Cost::passes;
+  bool ordered = false;   // its values are numbers in order, joined by a line in plots
+  bool transfer = false;  // acts on stored transfer: turned where the environment moves
+};
+const std::vector<Knob>& knobs();
+
+// A list "rate,method"; empty: all, in the order of knobs(). Throws Error{usage} with the nearest name.
+std::vector<Knob> parseKnobs(const std::string& list);
+
+// The scene with the knob at one value. `scene` as the user gave it: what is automatic follows the knob.
+// Resolved, and with the first isosurface only; for knobs of light, litScene().
+scene::Scene turned(const Knob& knob, const std::string& value, scene::Scene scene,
+                    const scene::VolumeFacts& facts);
+
+// The one of its values that the default scene has; "" for none.
+std::string defaultValue(const Knob& knob);
+
+// Why a knob of light has no effect in this scene, as one clause; "" where it has, and for other knobs.
+std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene);
+// How long studying it takes, roughly, in arbitrary units: parts of a progress bar.
+double effortOf(const Knob& knob, const scene::Scene& scene);
+// The scene whose light the knob is judged by: lit by all there is, exact hits of the trilinear field, only
+// what is seen is baked.
+scene::Scene litScene(const Knob& knob, scene::Scene scene);
+
+}  // namespace isolux::app

@@ -1,0 +1,122 @@
+#include "app/study/study_light_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "app/study/study_table.h"
+
+namespace isolux::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kMebi = 1024.0 * 1024.0;
+
+glm::ivec2 placeOf(std::size_t pixel, glm::ivec2 size) {
+  const auto width = static_cast<std::size_t>(size.x);
+  return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
+}
+
+std::string percent(double part, int digits = 3) {
+  return tableNumber(100.0 * part, digits);
+}
+
+std::string withError(const LightErrors& errors, double value, double standardError) {
+  return percent(errors.relative(value)) + " ± " + percent(errors.relative(standardError), 2);
+}
+
+bool isLight(const KnobStudy& study) {
+  return study.knob.measure == Measure::light && !study.settings.empty();
+}
+
+}  // namespace
+
+ordered_json lightCostJson(const LightCost& cost) {
+  return {{"bake_seconds", cost.bakeSeconds},
+          {"rays", cost.rays},
+          {"texels", cost.texels},
+          {"lookup_milliseconds", cost.lookupMilliseconds},
+          {"lattice_bytes", cost.latticeBytes},
+          {"gpu_bytes", cost.gpuBytes}};
+}
+
+ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size) {
+  const glm::ivec2 place = placeOf(errors.maximumPixel, size);
+  return {{"pixels", errors.pixels},
+          {"mean_irradiance", errors.mean},
+          {"truth_noise", errors.truthNoise},
+          {"rmse", errors.rmse},
+          {"rmse_standard_error", errors.rmseStandardError},
+          {"rmse_relative", errors.relative(errors.rmse)},
+          {"bias", errors.bias},
+          {"bias_standard_error", errors.biasStandardError},
+          {"bias_relative", errors.relative(errors.bias)},
+          {"quantile_99", errors.most99},
+          {"maximum", errors.maximum},
+          {"maximum_z", errors.maximumZ},
+          {"maximum_pixel", {place.x, place.y}}};
+}
+
+std::string costText(const Knob& knob, double cost) {
+  const char* unit = " ms";
+  if (knob.cost == Cost::bakeSeconds) unit = " s";
+  if (knob.cost == Cost::gpuMegabytes) unit = " MiB";
+  return tableNumber(cost) + unit;
+}
+
+void writeLightTable(std::ostream& out, const KnobStudy& study, glm::ivec2 size) {
+  const LightErrors& first = study.settings.front().errors.light;
+  out << "Against path tracing at " << first.pixels << " pixels, " << study.truthSamples
+      << " paths each, at most " << study.truthBounces << (study.truthBounces == 1 ? " bounce" : " bounces")
+      << ": mean E " << tableNumber(first.mean, 4) << ", standard error of a pixel "
+      << percent(first.relative(first.truthNoise), 2) << " % of it.\n\n";
+  // Values that share a bake have no time of their own.
+  const bool bakes = study.knob.cost == Cost::bakeSeconds;
+  out << "| " << study.knob.label << (bakes ? " | bake, s | Mrays" : "")
+      << " | texels | lattice, MiB | GPU, MiB | lookup, ms | RMSE, % of mean E | bias, % | 99 %, % | "
+         "largest, % | z of it | at pixel |\n|---|"
+      << (bakes ? "---:|---:|" : "") << "---:|---:|---:|---:|---:|---:|---:|---:|---:|---|\n";
+  for (const StudySetting& setting : study.settings) {
+    const LightCost& cost = setting.light.value();
+    const LightErrors& errors = setting.errors.light;
+    const glm::ivec2 place = placeOf(errors.maximumPixel, size);
+    out << "| " << markedValue(setting) << " | ";
+    if (bakes)
+      out << tableNumber(cost.bakeSeconds) << " | " << tableNumber(1e-6 * static_cast<double>(cost.rays))
+          << " | ";
+    out << cost.texels << " | " << tableNumber(static_cast<double>(cost.latticeBytes) / kMebi) << " | "
+        << tableNumber(static_cast<double>(cost.gpuBytes) / kMebi) << " | "
+        << tableNumber(cost.lookupMilliseconds) << " | "
+        << withError(errors, errors.rmse, errors.rmseStandardError) << " | "
+        << withError(errors, errors.bias, errors.biasStandardError) << " | "
+        << percent(errors.relative(errors.most99)) << " | " << percent(errors.relative(errors.maximum))
+        << " | " << tableNumber(errors.maximumZ) << " | " << place.x << ", " << place.y << " |\n";
+  }
+}
+
+void writeLightReach(std::ostream& out, const std::vector<KnobStudy>& studies) {
+  if (std::none_of(studies.begin(), studies.end(), isLight)) return;
+  const auto& errors = errorsToReach(Measure::light);
+  out << "\n## Which setting of light reaches an error\n\nThe cheapest value with at most this RMSE in parts "
+         "of the mean irradiance, all other settings as the scene has them.\n\n| setting |";
+  for (const double error : errors) out << ' ' << percent(error) << " % |";
+  out << "\n|---|---|---|---|\n";
+  for (const KnobStudy& study : studies) {
+    if (!isLight(study)) continue;
+    const Panel& panel = panelsOf(study.knob)[0];
+    out << "| `" << study.knob.setting << "` |";
+    for (const double error : errors) {
+      const StudySetting* const setting = cheapest(study, error);
+      if (setting)
+        out << " `" << setting->value << "` (" << costText(study.knob, costOf(study.knob, *setting, panel))
+            << ") |";
+      else
+        out << " none |";
+    }
+    out << '\n';
+  }
+}
+
+}  // namespace isolux::app

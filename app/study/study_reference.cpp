@@ -1,0 +1,166 @@
+#include "app/study/study_reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
+
+#include "render/passes/view_uniforms.h"
+#include "volume/field/curvature.h"
+#include "volume/field/reconstruct.h"
+#include "volume/hit/exact_cubic_hit.h"
+
+namespace isolux::app {
+
+using scene::Field;
+
+namespace {
+
+constexpr double kFloatRounding = 4.0 * 0x1p-24;  // of a few operations in single precision, relative
+constexpr double kBehindVoxels = 1e-6;            // where the search for the crossing behind a hit begins
+constexpr std::size_t kGrain = 64;                // pixels between two looks at Progress
+
+std::size_t indexOf(Field field) {
+  return static_cast<std::size_t>(field);
+}
+
+// Calls body(i) for 0 .. count-1 on all threads.
+template <class Body>
+void forEachPixel(std::size_t count, const base::Progress& progress, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                        if (i % kGrain == 0 && progress.stopRequested()) return;
+                        body(i);
+                      }
+                    });
+  progress.throwIfStopped();
+}
+
+}  // namespace
+
+ReferenceView::ReferenceView(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene,
+                             glm::ivec2 size)
+    : volume_(std::move(volume)),
+      size_(size),
+      frame_(scene::frameOf(scene.camera)),
+      rayStartMm_(
+          render::ViewUniforms(scene.camera, static_cast<double>(size.x) / size.y, volume_->grid().geometry())
+              .rayStartMm),
+      isovalue_(scene.isosurface.value.value()),
+      outward_(scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0),
+      noise_(scene.derivatives.noise.value()) {}
+
+volume::Ray ReferenceView::rayOf(std::size_t pixel, glm::dvec2 offset) const {
+  const std::size_t width = static_cast<std::size_t>(size_.x);
+  const glm::dvec2 at(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+  const glm::dvec2 ndc(at.x / size_.x * 2.0 - 1.0, 1.0 - at.y / size_.y * 2.0);
+  const scene::Ray ray = scene::rayThrough(frame_, ndc, static_cast<double>(size_.x) / size_.y);
+  const glm::dmat4 voxelFromWorld = volume_->grid().geometry().voxelFromWorld();
+  const glm::dvec3 origin(voxelFromWorld * glm::dvec4(ray.origin, 1.0));
+  const glm::dvec3 direction = glm::dmat3(voxelFromWorld) * ray.direction;
+  const glm::dvec3 across = glm::dmat3(voxelFromWorld) * (offset.x * frame_.right + offset.y * frame_.up);
+  return {origin + across, direction, rayStartMm_};
+}
+
+void ReferenceView::prepare(Field field, base::Progress& progress) {
+  cubic_[indexOf(field)] = volume_->cubicFields->make(field, progress);
+}
+
+ReferenceView::Cast ReferenceView::cast(Field field, const volume::Ray& ray, double isovalue) const {
+  const volume::Grid& grid = volume_->grid();
+  if (field == Field::trilinear)
+    return {volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum)};
+  const volume::CubicField& cubic = *cubic_[indexOf(field)];
+  const volume::CubicHit hit =
+      field == Field::cubic ? volume::firstHitCubic(grid, cubic.blocks, isovalue, ray)
+                            : volume::firstHitCubic(*cubic.coefficients, grid, cubic.blocks, isovalue, ray);
+  return {hit.hit, hit.certain};
+}
+
+ReferenceHit ReferenceView::hitOf(Field field, std::size_t pixel) const {
+  volume::Ray ray = rayOf(pixel);
+  ReferenceHit result;
+  result.voxelsPerMm = glm::length(ray.direction);
+  const auto first = cast(field, ray, isovalue_).hit;
+  if (!first) return result;
+  result.hit = true;
+  result.depthMm = first->t;
+  result.voxel = first->voxel;
+  if (field == Field::trilinear) {
+    const glm::dvec3 gradient = volume::sampleTrilinear(volume_->grid(), first->voxel).gradient;
+    result.fromOutside = outward_ * glm::dot(gradient, ray.direction) <= 0.0;
+  }
+  ray.tMinimum = first->t + kBehindVoxels / result.voxelsPerMm;
+  if (const auto next = cast(field, ray, isovalue_).hit) result.nextMm = next->t;
+  return result;
+}
+
+const ReferenceView::Hits& ReferenceView::hitsOf(Field field, base::Progress& progress) {
+  Hits& hits = hits_[indexOf(field)];
+  if (!hits.empty()) return hits;
+  prepare(field, progress);
+  Hits found(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y));
+  forEachPixel(found.size(), progress, [&](std::size_t i) { found[i] = hitOf(field, i); });
+  hits = std::move(found);
+  return hits;
+}
+
+ReferenceShape ReferenceView::shapeAt(Field field, const glm::dvec3& voxel) const {
+  const volume::Grid& grid = volume_->grid();
+  volume::FieldSample sample = field == Field::trilinear ? volume::sampleTrilinear(grid, voxel)
+                               : field == Field::cubic
+                                   ? volume::sampleCubic(grid, voxel)
+                                   : volume::sampleCubic(*cubic_[indexOf(field)]->coefficients, grid, voxel);
+  const bool known = std::isfinite(sample.value);
+  // As the shader: next to missing voxels the cell's own gradient, and no curvature.
+  if (!known) sample = volume::sampleTrilinear(grid, voxel);
+  const glm::dvec3 gradient = volume::worldGradient(grid.geometry(), sample.gradient);
+  const volume::PrincipalCurvature curvature =
+      volume::principalCurvature(gradient, volume::worldHessian(grid.geometry(), sample.hessian), outward_);
+  ReferenceShape shape;
+  shape.normal = curvature.normal;
+  shape.hasNormal = curvature.normal != glm::dvec3(0.0);
+  const double noise = volume::curvatureScale(grid.geometry(), field, noise_).gradientNoise;
+  shape.hasCurvature = known && shape.hasNormal && glm::length(gradient) >= volume::kClearGradient * noise;
+  shape.kappa1 = curvature.kappa1;
+  shape.kappa2 = curvature.kappa2;
+  return shape;
+}
+
+Reference ReferenceView::of(Field hitField, Field shapeField, base::Progress& progress) {
+  const Hits& hits = hitsOf(hitField, progress);
+  prepare(shapeField, progress);
+  Shapes& shapes = shapes_[indexOf(hitField)][indexOf(shapeField)];
+  if (shapes.empty()) {
+    Shapes found(hits.size());
+    forEachPixel(found.size(), progress, [&](std::size_t i) {
+      if (hits[i].hit) found[i] = shapeAt(shapeField, hits[i].voxel);
+    });
+    shapes = std::move(found);
+  }
+  return {hits, shapes, volume::curvatureScale(volume_->grid().geometry(), shapeField, noise_).flatCurvature};
+}
+
+bool ReferenceView::undecided(Field hitField, std::size_t pixel) const {
+  const ReferenceHit& expected = hits_[indexOf(hitField)][pixel];
+  const auto differs = [&](const volume::Ray& ray, double isovalue) {
+    const Cast found = cast(hitField, ray, isovalue);
+    if (!found.certain || found.hit.has_value() != expected.hit) return true;
+    return expected.hit && !isFirstCrossing(found.hit->t, expected);
+  };
+  const volume::Ray ray = rayOf(pixel);
+  const volume::Grid& grid = volume_->grid();
+  const double reach = glm::length(ray.origin) + glm::length(glm::dvec3(grid.dims()));  // voxels
+  const double offsetMm = kFloatRounding * reach / expected.voxelsPerMm;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x)
+      if (differs(rayOf(pixel, offsetMm * glm::dvec2(x, y)), isovalue_)) return true;
+  const double largest = std::max(std::abs(grid.minimum()), std::abs(grid.maximum()));
+  return differs(ray, isovalue_ - kFloatRounding * largest) ||
+         differs(ray, isovalue_ + kFloatRounding * largest);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,62 @@
+// A view in double precision on the CPU, for any pair of fields: the yardstick of `isolux study`.
+//
+// Hits: volume::firstHit() and firstHitCubic(), every cell's first root. Shapes: gradient and Hessian of the
+// derivatives' field at those hits, volume/field/reconstruct.h and curvature.h. Rays, camera and pixel
+// centres are those of the renderer. Each pair of fields is computed once, spread over the threads by TBB.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/study/study_errors.h"
+#include "base/progress.h"
+#include "scene/camera.h"
+#include "volume/hit/cell_walk.h"
+#include "volume/hit/exact_hit.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::app {
+
+class ReferenceView {
+ public:
+  // `scene`: resolved; its camera, isovalue, sides and noise count.
+  ReferenceView(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene,
+                glm::ivec2 size);
+
+  // Valid as long as this. Throws Error{interrupted}.
+  Reference of(scene::Field hitField, scene::Field shapeField, base::Progress& progress);
+
+  // Whether the answer for this pixel hangs on a rounding: a ray or an isovalue as far off as single
+  // precision cannot tell apart finds no crossing near the reference's, or one where it has none. After of()
+  // with this field.
+  bool undecided(scene::Field hitField, std::size_t pixel) const;
+
+ private:
+  static constexpr std::size_t kFields = 3;
+  using Hits = std::vector<ReferenceHit>;
+  using Shapes = std::vector<ReferenceShape>;
+
+  volume::Ray rayOf(std::size_t pixel, glm::dvec2 offset = glm::dvec2(0.0)) const;
+  struct Cast {
+    std::optional<volume::RayHit> hit;
+    bool certain = true;
+  };
+  Cast cast(scene::Field field, const volume::Ray& ray, double isovalue) const;
+  void prepare(scene::Field field, base::Progress& progress);
+  const Hits& hitsOf(scene::Field field, base::Progress& progress);
+  ReferenceHit hitOf(scene::Field field, std::size_t pixel) const;
+  ReferenceShape shapeAt(scene::Field field, const glm::dvec3& voxel) const;
+
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  glm::ivec2 size_;
+  scene::CameraFrame frame_;
+  double rayStartMm_, isovalue_, outward_, noise_;
+  std::array<std::shared_ptr<const volume::CubicField>, kFields>
+      cubic_;  // of the cubic fields, once asked for
+  std::array<Hits, kFields> hits_;
+  std::array<std::array<Shapes, kFields>, kFields> shapes_;  // [hit field][shape field]
+};
+
+}  // namespace isolux::app

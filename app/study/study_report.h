@@ -1,0 +1,25 @@
+// A study as study.json (docs/accuracy.md has its keys) and as study.md, a table per knob.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/study/study.h"
+#include "render/gl/gl_context.h"
+
+namespace isolux::app {
+
+// What was studied, on what.
+struct StudySubject {
+  std::shared_ptr<const volume::PreparedVolume> volume;
+  scene::Scene scene;  // resolved
+  render::ContextDescription context;
+  glm::ivec2 size{0};
+  int repeat = 0;
+};
+
+// `complete`: every knob that was asked for is there.
+std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete);
+std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete);
+
+}  // namespace isolux::app

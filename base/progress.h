@@ -1,0 +1,37 @@
+// What a long job and its owner share: the job writes how far it is and looks whether to stop; the owner
+// polls. No callbacks, so nothing runs on a foreign thread. All members are safe from any thread.
+#pragma once
+
+#include <atomic>
+#include <stop_token>
+
+#include "base/error.h"
+
+namespace isolux::base {
+
+class Progress {
+ public:
+  // `fraction` in [0, 1]; `stage` must be a string literal ("reading", "building blocks").
+  void report(double fraction, const char* stage) noexcept {
+    fraction_.store(fraction, std::memory_order_relaxed);
+    stage_.store(stage, std::memory_order_relaxed);
+  }
+  double fraction() const noexcept { return fraction_.load(std::memory_order_relaxed); }
+  const char* stage() const noexcept { return stage_.load(std::memory_order_relaxed); }
+
+  void requestStop() noexcept { source_.request_stop(); }
+  bool stopRequested() const noexcept { return source_.stop_requested(); }
+  std::stop_token token() const noexcept { return source_.get_token(); }
+
+  // Throws Error{interrupted} once a stop was requested. Jobs call this at least every 50 ms.
+  void throwIfStopped() const {
+    if (stopRequested()) throw Error(ErrorKind::interrupted, "", "", "stopped");
+  }
+
+ private:
+  std::atomic<double> fraction_{0.0};
+  std::atomic<const char*> stage_{""};
+  std::stop_source source_;
+};
+
+}  // namespace isolux::base

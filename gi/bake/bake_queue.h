@@ -1,0 +1,88 @@
+// What a bake does next: wishes of texels, block by block, in order of wish, round, and place in the wish.
+//
+// Knows the lattice only by what its texels have; a unit taken is worked on elsewhere, written to the
+// lattice, and given back. Not thread-safe: LightBake guards it. Throws std::bad_alloc.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "gi/bake/light_bake.h"
+
+namespace isolux::gi {
+
+class BakeQueue {
+ public:
+  // Texels of a block that are to have `target` samples; those that have more stay.
+  struct Unit {
+    std::uint32_t block = 0, target = 0;
+    std::bitset<kTexelsOfBlock> texels;
+    std::size_t wish = 0;
+    std::uint64_t generation = 0;  // of the wish when it was taken
+  };
+  struct Totals {
+    std::uint64_t wanted = 0, done = 0, started = 0;  // texels
+    std::uint64_t samplesDone = 0;                    // of wanted texels, up to those asked for
+  };
+  // How far fulfilled() has looked; start with an empty one.
+  struct Cursor {
+    std::uint64_t generation = 0;
+    std::size_t wish = 0, index = 0;
+  };
+
+  BakeQueue(const LightLattice& lattice, std::uint32_t samples);
+
+  void want(Wish wish, std::vector<WantedBlock> blocks);
+  void setSamples(std::uint32_t samples);
+  std::uint32_t samples() const { return samples_; }
+
+  std::optional<Unit> take();  // none: nothing to do, or only in blocks that are taken
+  void give(const Unit& unit);
+  bool idle() const { return taken_ == 0 && totals_.done == totals_.wanted; }
+  const Totals& totals() const { return totals_; }
+  bool fulfilled(std::uint32_t samples, Cursor& cursor) const;
+
+ private:
+  static constexpr std::size_t kWishes = 4;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Item {
+    std::uint32_t target = 0, index = 0;  // in the wish
+    auto operator<=>(const Item&) const = default;
+  };
+  using Heap = std::priority_queue<Item, std::vector<Item>, std::greater<>>;
+  struct Entry {
+    std::array<std::uint32_t, kWishes> index{kNone, kNone, kNone, kNone};  // in each wish
+    std::uint16_t wanted = 0, done = 0, started = 0;
+    bool taken = false;
+    std::uint64_t samplesDone = 0;
+  };
+
+  std::vector<WantedBlock> cleaned(std::vector<WantedBlock> blocks);
+  std::uint32_t leastSamples(const WantedBlock& wanted) const;
+  std::uint32_t roundAfter(std::uint32_t samples) const;
+  void fill(std::size_t wish);
+  void push(std::size_t wish, std::uint32_t index);
+  void count(std::uint32_t block);
+
+  const LightLattice& lattice_;
+  std::uint32_t samples_;
+  std::vector<std::uint32_t> rounds_;
+  std::array<std::vector<WantedBlock>, kWishes> wishes_;
+  std::array<Heap, kWishes> heaps_;
+  std::array<std::uint64_t, kWishes> generations_{};
+  std::uint64_t generation_ = 1;      // changes with any wish and with the number of samples
+  std::vector<Entry> entries_;        // of blocks
+  std::vector<std::uint32_t> place_;  // of blocks, for cleaned()
+  // What came to its turn while its block was taken for another wish.
+  std::vector<std::pair<std::size_t, std::uint32_t>> waiting_;
+  std::size_t taken_ = 0;
+  Totals totals_;
+};
+
+}  // namespace isolux::gi

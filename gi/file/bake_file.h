@@ -1,0 +1,46 @@
+// Stored light as a file: VTK XML image data (.vti) that ParaView opens in its place in the world.
+//
+// Point data, one point a texel: `irradiance` (3 components; light of one channel three times) or `transfer`
+// (order^2 or 3 order^2 components), `samples` (paths; 0: not baked), and of the lamps `irradiance_lamps` and
+// `samples_lamps`; `normal` (world). All numbers are as they are in memory, so that a bake goes on from the
+// file bit by bit as if it had never stopped. Field data, texts: `key`, `key_lamps` (lightKey()), `content`,
+// `volume_hash`. zlib-compressed, appended, raw. Bit by bit means on one machine: where the processor fuses
+// multiplication and addition (AVX2, AVX-512; not SSE4) light is rounded otherwise, and a bake that goes on
+// elsewhere has texels of both kinds.
+//
+// Written beside its name, flushed to the disk and renamed: whenever the program ends, the file is the old
+// one or the new one, whole. Lattices may go on being filled meanwhile; each block is as it was at one
+// moment. Memory: a few layers of blocks as plain arrays, and the old state of blocks that a bake replaces
+// meanwhile. Errors: base::Error{input} naming the file, the array and the reason; {memory}; {interrupted}.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "base/progress.h"
+#include "gi/lattice/light_lattice.h"
+#include "volume/grid.h"
+
+namespace isolux::gi {
+
+struct StoredLight {
+  std::shared_ptr<LightLattice> sky, lamps;  // of one geometry; either may be null
+};
+
+// At least one of the lattices must be there.
+void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, const StoredLight& light,
+                   base::Progress& progress);
+
+// The lattices of those keys; an empty key: not wanted. Null where the file has no such lattice. Refuses a
+// file of another volume, and lattices of another key, with what differs as the reason.
+StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,
+                         const std::string& skyKey, const std::string& lampsKey, base::Progress& progress);
+
+// True for files that begin as writeBakeFile() begins them, whole or not. No errors.
+bool looksLikeBakeFile(const std::filesystem::path& path);
+
+// What differs between two keys of light, in words ("albedo differs"); empty where nothing does.
+std::string keyDifference(const std::string& stored, const std::string& wanted);
+
+}  // namespace isolux::gi

@@ -1,0 +1,106 @@
+// Stored light: texels in blocks that exist only where something was lit. One thread at a time writes a
+// block, any number read; every write has a revision, so that readers take only what has changed. A block is
+// immutable once written: writing exchanges it, and who still reads the old one keeps it.
+//
+// A texel holds the mean of its estimates so far and how many paths they are of (0: not baked). Contents:
+//   irradiance  E, rgb or one channel, for light of unit exposure (Wyman et al. 2006 eq. 2)
+//   transfer    spherical harmonic coefficients of T, order^2 per channel, index channel * order^2 + i:
+//               E = sum T_i l_i with those of the environment (eq. 5 to 9)
+// Normals are the texel's own (unit, world, outward), 0 where its isosurface has none: such texels stay
+// unbaked. Throws std::bad_alloc, or Error{memory} where the memory budget has no room for a new block, and
+// is then as before: what is lit stays.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <bitset>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/memory_budget.h"
+#include "gi/lattice/lattice_geometry.h"
+
+namespace isolux::gi {
+
+struct LightContent {
+  enum class Kind { irradiance, transfer };
+  Kind kind = Kind::irradiance;
+  int channels = 3;  // 1 or 3
+  int order = 0;     // of transfer
+  int components() const { return kind == Kind::irradiance ? channels : channels * order * order; }
+  bool operator==(const LightContent&) const = default;
+};
+
+struct LatticeBlock {
+  std::array<std::uint32_t, kTexelsOfBlock> samples{};
+  std::array<glm::vec3, kTexelsOfBlock> normals{};
+  std::bitset<kTexelsOfBlock> unlit;  // texels that were asked for and have no normal
+  std::vector<float> means;           // kTexelsOfBlock x components, a texel's components side by side
+  base::MemoryBudget::Held held{};    // by write(), for as long as anybody keeps the block
+
+  static std::size_t bytesOf(const LightContent& content) {
+    return sizeof(LatticeBlock) + static_cast<std::size_t>(kTexelsOfBlock) *
+                                      static_cast<std::size_t>(content.components()) * sizeof(float);
+  }
+  std::size_t bytes() const { return sizeof(LatticeBlock) + means.capacity() * sizeof(float); }
+};
+
+class LightLattice {
+ public:
+  LightLattice(LatticeGeometry geometry, LightContent content, std::string key);
+
+  const LatticeGeometry& geometry() const { return geometry_; }
+  const LightContent& content() const { return content_; }
+  const std::string& key() const { return key_; }  // JSON of all that its light depends on
+
+  bool has(std::uint32_t block) const;
+  std::shared_ptr<const LatticeBlock> at(std::uint32_t block) const;  // null: nothing is lit there
+  bool read(std::uint32_t block, LatticeBlock& out) const;            // a copy; false: nothing is lit there
+  void write(std::uint32_t block, LatticeBlock in);  // replaces the block, with a new revision
+  // Drops all light; revisions go on. A LightBake that fills the lattice must be gone before.
+  void clear();
+
+  // Of the newest write or clear(). Take it before changedSince(), so that nothing is missed.
+  std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
+  // Blocks written after `revision`, in the order of their last writing.
+  std::vector<std::uint32_t> changedSince(std::uint64_t revision) const;
+  std::uint64_t clearedAt() const;  // revision of the last clear()
+  std::uint64_t bakedTexels() const;
+  std::size_t bytes() const;
+  // What is still to come if every texel becomes lit.
+  std::size_t bytesToFill() const;
+  // Throws Error{memory} where that does not fit into the memory budget. Holds nothing.
+  void checkThatAllFits() const;
+
+ private:
+  LatticeGeometry geometry_;
+  LightContent content_;
+  std::string key_;
+  base::MemoryBudget::Held held_;  // for the table
+  // Of the table; blocks are shared immutable copies. Nothing is counted, allocated or freed under it, as a
+  // writer may be a thread of low priority, and the window's thread a reader.
+  mutable std::mutex mutex_;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Stored {
+    std::shared_ptr<const LatticeBlock> block;
+    std::uint64_t baked = 0;                     // texels of it
+    std::uint64_t revision = 0;                  // of its last writing
+    std::uint32_t older = kNone, newer = kNone;  // blocks, in the order of their last writing
+  };
+  void unlink(Stored& stored);
+
+  std::vector<Stored> blocks_;
+  std::uint32_t newest_ = kNone;  // the block written last
+  std::size_t filled_ = 0;        // blocks that are there
+  std::atomic<std::uint64_t> revision_{0};
+  std::uint64_t clearedAt_ = 0;
+  std::uint64_t bakedTexels_ = 0;
+  std::size_t blockBytes_ = 0;
+};
+
+}  // namespace isolux::gi

@@ -1,0 +1,84 @@
+// The texels of a lattice as points of the path tracer.
+#include <cmath>
+
+#include "gi/trace/path_tracer.h"
+#include "gi/trace/path_wave.h"
+
+namespace isolux::gi {
+
+namespace {
+
+// The trilinear field at a position inside the domain, stored units; NaN where a voxel is missing.
+float fieldAt(const volume::Grid& grid, glm::vec3 voxel) {
+  const glm::ivec3 last = grid.dims() - 1;
+  const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), last);
+  const glm::ivec3 high = glm::min(low + 1, last);
+  const glm::dvec3 part = glm::clamp(glm::dvec3(voxel) - glm::dvec3(low), 0.0, 1.0);
+  double value = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 at((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
+                        (corner & 4) ? high.z : low.z);
+    const double weight = ((corner & 1) ? part.x : 1.0 - part.x) * ((corner & 2) ? part.y : 1.0 - part.y) *
+                          ((corner & 4) ? part.z : 1.0 - part.z);
+    if (weight > 0.0) value += weight * grid.stored(at.x, at.y, at.z);
+  }
+  return static_cast<float>(value);
+}
+
+std::uint32_t seedOf(std::uint64_t texel) {
+  texel += 0x9e3779b97f4a7c15u;
+  texel = (texel ^ (texel >> 30)) * 0xbf58476d1ce4e5b9u;
+  texel = (texel ^ (texel >> 27)) * 0x94d049bb133111ebu;
+  return static_cast<std::uint32_t>((texel ^ (texel >> 31)) >> 32);
+}
+
+}  // namespace
+
+LatticeEstimator::LatticeEstimator(std::shared_ptr<const LightScene> light, LatticeGeometry geometry,
+                                   LightPart part)
+    : tracer_(std::move(light)), geometry_(geometry), part_(part) {}
+
+LightContent LatticeEstimator::content() const {
+  const LightScene& light = tracer_.light();
+  if (part_ == LightPart::lamps) return {LightContent::Kind::irradiance, 3, 0};
+  if (light.choice.sky == scene::GiMode::transfer)
+    return {LightContent::Kind::transfer, light.choice.channels, light.shOrder};
+  return {LightContent::Kind::irradiance, light.choice.channels, 0};
+}
+
+void LatticeEstimator::normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const {
+  const volume::Grid& grid = tracer_.light().volume->grid();
+  std::vector<glm::vec3> voxels(texels.size()), gradients(texels.size());
+  for (std::size_t i = 0; i < texels.size(); ++i) voxels[i] = geometry_.voxelOf(texels[i]);
+  tracer_.light().tracer->gradients(voxels, gradients);
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const bool missing = std::isnan(fieldAt(grid, voxels[i]));
+    normals[i] = missing ? glm::vec3(0.0f) : tracer_.normalOf(gradients[i]);
+  }
+}
+
+bool LatticeEstimator::add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
+                           SampleRange range, std::span<double> sums, std::uint64_t& rays,
+                           std::stop_token stop) const {
+  const volume::Grid& grid = tracer_.light().volume->grid();
+  std::vector<LightPoint> points(texels.size());
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const glm::vec3 voxel = geometry_.voxelOf(texels[i]);
+    points[i] = {voxel, fieldAt(grid, voxel), normals[i], seedOf(geometry_.indexOf(texels[i]))};
+  }
+  const LightContent content = this->content();
+  if (content.kind == LightContent::Kind::transfer)
+    return tracer_.addTransfer(points, range, sums, rays, stop);
+  const auto channels = static_cast<std::size_t>(content.channels);
+  std::vector<glm::dvec3> light(texels.size(), glm::dvec3(0.0));
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (std::size_t channel = 0; channel < channels; ++channel)
+      light[i][static_cast<int>(channel)] = sums[i * channels + channel];
+  if (!tracer_.addIrradiance(part_, points, range, light, rays, stop)) return false;
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (std::size_t channel = 0; channel < channels; ++channel)
+      sums[i * channels + channel] = light[i][static_cast<int>(channel)];
+  return true;
+}
+
+}  // namespace isolux::gi

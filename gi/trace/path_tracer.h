@@ -1,0 +1,91 @@
+// Light of surface points by path tracing: irradiance or spherical harmonic transfer, unbiased.
+//
+// Each point is lit on its own isosurface: every ray of its paths is traced against that isovalue (Wyman et
+// al. 2006 sec. 4.1). Directions are cosine-distributed about the B-spline normal; a share of them are
+// shadow rays toward directions drawn from the environment instead, and direct light of it is weighted for
+// both (one-sample multiple importance sampling, balance heuristic: Veach 1997 sec. 9.2.4). Lamps by shadow
+// rays. Paths never branch, and end by Russian roulette.
+// Rays start off the surface by kOffsetVoxels along the normal; what a lamp gives is that of the point
+// itself. The result for a point and a sample number is always the same, whatever else is asked for. A path
+// that has not ended after kMostBounces (albedo 1 in a closed cavity) is ended and counted. Thread-safe.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stop_token>
+
+#include <glm/vec3.hpp>
+
+#include "gi/bake/texel_estimator.h"
+#include "gi/light_scene.h"
+
+namespace isolux::gi {
+
+inline constexpr float kOffsetVoxels = 0.1f;  // of the shortest voxel axis
+inline constexpr int kMostBounces = 1000;     // of any path; the largest gi.bounces
+
+struct PathSetup;  // gi/trace/path_wave.h
+
+struct LightPoint {
+  glm::vec3 voxel{0.0f};
+  float isovalue = 0.0f;   // stored units
+  glm::vec3 normal{0.0f};  // unit, world, outward
+  std::uint32_t seed = 0;  // of its pattern of directions: a texel's or pixel's number
+};
+
+class PathTracer {
+ public:
+  explicit PathTracer(std::shared_ptr<const LightScene> light);
+
+  // Mean estimates of E over `range` for each point, of the sky or of the lamps; `variances` (empty, or one a
+  // point): the sample variance of one path's luminance of E, from the same paths (0 for one sample). False
+  // when stopped.
+  bool irradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
+                  std::span<glm::vec3> means, std::span<float> variances, std::uint64_t& rays,
+                  std::stop_token stop) const;
+  // The same estimates, each added to its point's sum in the order of the samples: cut into calls in any way,
+  // the sums are the same bit by bit.
+  bool addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
+                     std::span<glm::dvec3> sums, std::uint64_t& rays, std::stop_token stop) const;
+  // Mean transfer vectors, light.choice.channels * order^2 floats a point (LightContent); or their sums, as
+  // above.
+  bool transfer(std::span<const LightPoint> points, SampleRange range, std::span<float> means,
+                std::uint64_t& rays, std::stop_token stop) const;
+  bool addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,
+                   std::uint64_t& rays, std::stop_token stop) const;
+
+  // Outward unit normal, world, of a gradient of IsosurfaceTracer::gradients(); 0 where there is none.
+  glm::vec3 normalOf(glm::vec3 gradient) const;
+
+  const LightScene& light() const;
+  // Paths so far that were still under way after kMostBounces: light is missing there.
+  std::uint64_t cappedPaths() const { return capped_->load(std::memory_order_relaxed); }
+
+ private:
+  // Calls each(point, direct light, estimate) for all samples of a point in their order.
+  template <class Each>
+  bool forEachEstimate(LightPart part, std::span<const LightPoint> points, SampleRange range,
+                       std::uint64_t& rays, const std::stop_token& stop, const Each& each) const;
+
+  std::shared_ptr<const PathSetup> setup_;
+  std::shared_ptr<std::atomic<std::uint64_t>> capped_;  // of all copies
+};
+
+// The texels of a lattice as points: position, own isovalue, B-spline normal.
+class LatticeEstimator : public TexelEstimator {
+ public:
+  LatticeEstimator(std::shared_ptr<const LightScene> light, LatticeGeometry geometry, LightPart part);
+  LightContent content() const override;
+  void normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const override;
+  bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
+           std::span<double> sums, std::uint64_t& rays, std::stop_token stop) const override;
+
+ private:
+  PathTracer tracer_;
+  LatticeGeometry geometry_;
+  LightPart part_;
+};
+
+}  // namespace isolux::gi

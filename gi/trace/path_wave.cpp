@@ -1,0 +1,330 @@
+#include "gi/trace/path_wave.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "gi/sampling/directions.h"
+#include "volume/field/reconstruct.h"
+
+namespace isolux::gi {
+
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t kTracedAtOnce = 2048;  // rays between looks at the stop token: about a millisecond
+
+// Which numbers of a path's pattern serve what: pair 0 is the first direction.
+constexpr std::uint32_t directionPair(std::uint32_t depth) {
+  return 2 * depth;
+}
+constexpr std::uint32_t lampPair(std::uint32_t depth) {
+  return 2 * depth + 1;
+}
+constexpr std::uint32_t firstLampPair(int lamp) {  // all lamps of the first vertex are sampled
+  return 0x10000u + static_cast<std::uint32_t>(lamp);
+}
+constexpr std::uint32_t rouletteDimension(std::uint32_t depth) {
+  return 2 * depth;
+}
+constexpr std::uint32_t choiceDimension(std::uint32_t depth) {
+  return 2 * depth + 1;
+}
+
+float largest(glm::vec3 v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+glm::vec3 finite(glm::vec3 light) {  // radiance near the largest float times pi
+  return glm::min(light, glm::vec3(1e37f));
+}
+
+}  // namespace
+
+PathSetup::PathSetup(std::shared_ptr<const LightScene> lightScene)
+    : light(std::move(lightScene)), lamps(light->lamps, light->volume->grid().geometry()) {
+  const volume::Grid& grid = light->volume->grid();
+  const glm::dmat3 mmOfVoxels(grid.geometry().worldFromVoxel);
+  const glm::dmat3 inverse = glm::inverse(mmOfVoxels);
+  voxelsOfMm = glm::mat3(inverse);
+  const bool towardLess = (light->inside == scene::Inside::above) == (grid.slope() > 0.0);
+  const glm::dvec3 spacing = grid.geometry().spacingMm();
+  const double shortest = std::min({spacing.x, spacing.y, spacing.z});
+  normalOfGradient = glm::mat3(glm::transpose(inverse) * (towardLess ? -shortest : shortest));
+  offsetMm = kOffsetVoxels * static_cast<float>(shortest);
+  sky.environment = light->environment;
+  sky.worldFromEnvironment = light->worldFromEnvironment;
+  if (light->choice.unitSky) sky.environment = nullptr;
+  share = sky.environment ? static_cast<float>(light->environmentShare) : 0.0f;
+  bounces = std::clamp(light->bounces, 0, kMostBounces);
+}
+
+glm::vec3 PathSetup::normalOf(glm::vec3 gradient) const {
+  const float scale = std::max({std::abs(gradient.x), std::abs(gradient.y), std::abs(gradient.z)});
+  if (!(scale > 0.0f) || !std::isfinite(scale)) return glm::vec3(0.0f);
+  const glm::vec3 normal = normalOfGradient * (gradient / scale);
+  const float length = glm::length(normal);
+  return length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f);
+}
+
+struct PathWave::Job {
+  const PathSetup& setup;
+  const Range& range;
+  Counters& counters;
+  const std::stop_token& stop;
+  float share;  // of directions drawn from the sky
+
+  const LightPoint& pointOf(std::uint32_t path) const { return range.points[path / range.samples.count]; }
+  std::uint32_t sampleOf(std::uint32_t path) const {
+    return range.samples.first + path % range.samples.count;
+  }
+  glm::vec2 pair(std::uint32_t path, std::uint32_t number) const {
+    return samplePair(setup.light->sequence, pointOf(path).seed, sampleOf(path), number);
+  }
+  float one(std::uint32_t path, std::uint32_t dimension) const {
+    return sampleOne(setup.light->sequence, pointOf(path).seed, sampleOf(path), dimension);
+  }
+};
+
+void PathWave::start(const Job& job) {
+  const auto paths = static_cast<std::uint32_t>(job.range.paths());
+  vertices_.resize(paths);
+  for (std::uint32_t path = 0; path < paths; ++path) {
+    const LightPoint& point = job.pointOf(path);
+    vertices_[path] = {path, point.voxel, point.normal, glm::vec3(1.0f)};
+  }
+  albedos_.resize(job.range.points.size());
+  const volume::Grid& grid = job.setup.light->volume->grid();
+  for (std::size_t i = 0; i < albedos_.size(); ++i) {
+    const double isovalue = grid.valueOfStored(static_cast<double>(job.range.points[i].isovalue));
+    albedos_[i] = glm::clamp(job.setup.light->albedo.at(isovalue), 0.0f, 1.0f);
+  }
+}
+
+// A direction for every vertex: a shadow ray to the sky, or a departure.
+void PathWave::depart(const Job& job, std::uint32_t depth) {
+  const PathSetup& setup = job.setup;
+  departures_.clear();
+  rays_.clear();
+  toSky_.clear();
+  skyRays_.clear();
+  const float share = job.share;
+  for (const Vertex& vertex : vertices_) {
+    glm::vec2 u = job.pair(vertex.path, directionPair(depth));
+    const float isovalue = job.pointOf(vertex.path).isovalue;
+    const auto rayTo = [&](glm::vec3 direction) {
+      return volume::TraceRay{vertex.voxel + setup.voxelsOfMm * (setup.offsetMm * vertex.normal),
+                              setup.voxelsOfMm * direction, isovalue, infinity};
+    };
+    if (u.x < share) {
+      u.x = std::min(u.x / share, 1.0f - 0x1p-24f);
+      const Environment::Sample sample = setup.sky.sample(u);
+      const float cosine = glm::dot(vertex.normal, sample.direction);
+      if (!(cosine > 0.0f)) continue;
+      const float density = share * sample.pdf + (1.0f - share) * cosine / pi;
+      toSky_.push_back({vertex.path, finite(vertex.throughput * (cosine / density) * sample.radiance)});
+      skyRays_.push_back(rayTo(sample.direction));
+    } else {
+      if (share > 0.0f) u.x = std::min((u.x - share) / (1.0f - share), 1.0f - 0x1p-24f);
+      const glm::vec3 local = cosineHemisphere(u);
+      const glm::vec3 direction = Frame::about(vertex.normal).toWorld(local);
+      departures_.push_back({vertex.path, direction, vertex.throughput * (pi / (1.0f - share)), local.z});
+      rays_.push_back(rayTo(direction));
+    }
+  }
+}
+
+bool PathWave::traceFirst(const Job& job) {
+  t_.resize(rays_.size());
+  for (std::size_t i = 0; i < rays_.size(); i += kTracedAtOnce) {
+    if (job.stop.stop_requested()) return false;
+    const std::size_t count = std::min(kTracedAtOnce, rays_.size() - i);
+    job.setup.light->tracer->firstEntries(std::span(rays_).subspan(i, count),
+                                          std::span(t_).subspan(i, count));
+  }
+  job.counters.rays += rays_.size();
+  return true;
+}
+
+bool PathWave::traceAny(const Job& job, std::span<const volume::TraceRay> rays) {
+  hit_.resize(rays.size());
+  for (std::size_t i = 0; i < rays.size(); i += kTracedAtOnce) {
+    if (job.stop.stop_requested()) return false;
+    const std::size_t count = std::min(kTracedAtOnce, rays.size() - i);
+    job.setup.light->tracer->anyEntries(rays.subspan(i, count), std::span(hit_).subspan(i, count));
+  }
+  job.counters.rays += rays.size();
+  return true;
+}
+
+// The departures that hit become the vertices of bounce `depth`, less what is absorbed.
+void PathWave::arrive(const Job& job, std::uint32_t depth) {
+  const PathSetup& setup = job.setup;
+  const bool roulette = depth >= static_cast<std::uint32_t>(std::max(0, setup.light->rouletteDepth));
+  vertices_.clear();
+  voxels_.clear();
+  for (std::size_t i = 0; i < departures_.size(); ++i) {
+    if (!(t_[i] < infinity)) continue;
+    const Departure& departure = departures_[i];
+    const glm::vec3 albedo = albedos_[departure.path / job.range.samples.count];
+    const float survival = roulette ? largest(albedo) : 1.0f;
+    if (roulette && survival < 1.0f && job.one(departure.path, rouletteDimension(depth)) >= survival)
+      continue;
+    const glm::vec3 throughput = departure.throughput * albedo / (pi * survival);
+    if (!(largest(throughput) > 0.0f)) continue;
+    const glm::vec3 voxel = rays_[i].origin + t_[i] * rays_[i].direction;
+    vertices_.push_back({departure.path, voxel, departure.direction, throughput});
+    voxels_.push_back(voxel);
+  }
+  gradients_.resize(voxels_.size());
+  setup.light->tracer->gradients(voxels_, gradients_);
+  const volume::Grid& grid = setup.light->volume->grid();
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    const glm::vec3 arriving = vertices_[i].normal;
+    glm::vec3 normal = setup.normalOf(gradients_[i]);
+    if (!(glm::dot(normal, arriving) < 0.0f)) {
+      const glm::dvec3 cell = volume::sampleTrilinear(grid, glm::dvec3(voxels_[i])).gradient / grid.slope();
+      normal = setup.normalOf(glm::vec3(cell));
+      if (!(glm::dot(normal, arriving) < 0.0f)) normal = -arriving;
+    }
+    vertices_[i].normal = normal;
+  }
+}
+
+// Calls lit(i) for the rays to the sky, escaped(i) for the departures that nothing is in the way of.
+template <class Lit, class Escaped>
+bool PathWave::follow(const Job& job, const Lit& lit, const Escaped& escaped) {
+  start(job);
+  const auto end = static_cast<std::uint32_t>(job.setup.bounces);
+  for (std::uint32_t depth = 0; !vertices_.empty(); ++depth) {
+    const bool last = depth == end;
+    depart(job, depth);
+    if (!toSky_.empty()) {
+      if (!traceAny(job, skyRays_)) return false;
+      for (std::size_t i = 0; i < toSky_.size(); ++i)
+        if (hit_[i] == 0) lit(i);
+    }
+    if (!(last ? traceAny(job, rays_) : traceFirst(job))) return false;
+    for (std::size_t i = 0; i < departures_.size(); ++i)
+      if (last ? hit_[i] == 0 : !(t_[i] < infinity))
+        escaped(i);
+      else if (depth == kMostBounces)
+        ++job.counters.capped;
+    if (last) break;
+    arrive(job, depth + 1);
+  }
+  return true;
+}
+
+bool PathWave::skyLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light,
+                        Counters& counters, const std::stop_token& stop) {
+  std::fill(light.begin(), light.end(), glm::vec3(0.0f));
+  const auto lit = [&](std::size_t i) { light[toSky_[i].path] = toSky_[i].worth; };
+  const auto escaped = [&](std::size_t i) {
+    const Departure& departure = departures_[i];
+    glm::vec3 radiance(1.0f);
+    if (setup.share > 0.0f) {
+      const Environment::Sample seen = setup.sky.lookUp(departure.direction);
+      const float byCosine = (1.0f - setup.share) * departure.cosine / pi;
+      radiance = seen.radiance * (byCosine / (byCosine + setup.share * seen.pdf));
+    } else if (setup.sky.environment) {
+      radiance = setup.sky.radiance(departure.direction);
+    }
+    light[departure.path] = finite(departure.throughput * radiance);
+  };
+  return follow({setup, range, counters, stop, setup.share}, lit, escaped);
+}
+
+bool PathWave::escapes(const PathSetup& setup, const Range& range, std::span<Escape> escapes,
+                       Counters& counters, const std::stop_token& stop) {
+  std::fill(escapes.begin(), escapes.end(), Escape{});
+  return follow(
+      {setup, range, counters, stop, 0.0f}, [](std::size_t) {},
+      [&](std::size_t i) {
+        escapes[departures_[i].path] = {departures_[i].throughput, departures_[i].direction};
+      });
+}
+
+// A shadow ray from the vertex to where the sample shines, and what it is worth.
+void PathWave::aim(const PathSetup& setup, float isovalue, const Vertex& vertex, const LampSample& sample,
+                   glm::vec3 throughput) {
+  const glm::vec3 worth = finite(throughput * sample.irradiance);
+  if (!(largest(worth) > 0.0f)) return;
+  const glm::vec3 offset = setup.offsetMm * vertex.normal;
+  const glm::vec3 toward = sample.distant ? sample.toward : sample.toward - offset;
+  departures_.push_back({vertex.path, toward, worth, 0.0f});
+  rays_.push_back({vertex.voxel + setup.voxelsOfMm * offset, setup.voxelsOfMm * toward, isovalue,
+                   sample.distant ? infinity : 1.0f});
+}
+
+// Traces the shadow rays that are aimed.
+bool PathWave::lightUp(const Job& job, std::span<glm::vec3> light) {
+  if (!traceAny(job, rays_)) return false;
+  for (std::size_t i = 0; i < departures_.size(); ++i)
+    if (hit_[i] == 0) light[departures_[i].path] += departures_[i].throughput;
+  departures_.clear();
+  rays_.clear();
+  return true;
+}
+
+bool PathWave::directLight(const PathSetup& setup, std::span<const LightPoint> points,
+                           std::span<glm::vec3> light, Counters& counters, const std::stop_token& stop) {
+  const Range range{points, {0, 1}};
+  const Job job{setup, range, counters, stop, 0.0f};
+  std::fill(light.begin(), light.end(), glm::vec3(0.0f));
+  start(job);
+  departures_.clear();
+  rays_.clear();
+  for (int lamp = 0; lamp < setup.lamps.count(); ++lamp) {
+    if (setup.lamps.hasExtent(lamp)) continue;
+    for (const Vertex& vertex : vertices_)
+      aim(setup, points[vertex.path].isovalue, vertex,
+          setup.lamps.sample(lamp, vertex.voxel, vertex.normal, glm::vec2(0.5f)), glm::vec3(1.0f));
+    if (!lightUp(job, light)) return false;
+  }
+  return true;
+}
+
+bool PathWave::lampLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light,
+                         Counters& counters, const std::stop_token& stop) {
+  const Job job{setup, range, counters, stop, 0.0f};
+  const LampSampler& lamps = setup.lamps;
+  std::fill(light.begin(), light.end(), glm::vec3(0.0f));
+  start(job);
+  departures_.clear();
+  rays_.clear();
+  for (int lamp = 0; lamp < lamps.count(); ++lamp) {
+    if (!lamps.hasExtent(lamp)) continue;
+    for (const Vertex& vertex : vertices_)
+      aim(setup, job.pointOf(vertex.path).isovalue, vertex,
+          lamps.sample(lamp, vertex.voxel, vertex.normal, job.pair(vertex.path, firstLampPair(lamp))),
+          glm::vec3(1.0f));
+    if (!lightUp(job, light)) return false;
+  }
+  const auto end = static_cast<std::uint32_t>(setup.bounces);
+  for (std::uint32_t depth = 1; depth <= end && !vertices_.empty(); ++depth) {
+    depart(job, depth - 1);
+    if (!traceFirst(job)) return false;
+    arrive(job, depth);
+    departures_.clear();
+    rays_.clear();
+    for (const Vertex& vertex : vertices_) {
+      float probability = 1.0f;
+      const float u = lamps.count() > 1 ? job.one(vertex.path, choiceDimension(depth)) : 0.5f;
+      const int lamp = lamps.choose(vertex.voxel, vertex.normal, u, probability);
+      if (lamp < 0) continue;
+      const glm::vec2 pair = lamps.hasExtent(lamp) ? job.pair(vertex.path, lampPair(depth)) : glm::vec2(0.5f);
+      aim(setup, job.pointOf(vertex.path).isovalue, vertex,
+          lamps.sample(lamp, vertex.voxel, vertex.normal, pair), vertex.throughput / probability);
+    }
+    if (!lightUp(job, light)) return false;
+    if (depth == kMostBounces) counters.capped += vertices_.size();
+  }
+  return true;
+}
+
+}  // namespace isolux::gi

@@ -1,0 +1,95 @@
+#include "gi/trace/primary_hits.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "scene/albedo.h"
+#include "volume/field/reconstruct.h"
+#include "volume/hit/exact_cubic_hit.h"
+
+namespace isolux::gi {
+
+namespace {
+
+// Rays of an orthographic camera start behind its eye where the volume does.
+double rayStart(const scene::CameraFrame& frame, const volume::GridGeometry& geometry) {
+  if (frame.projection != scene::Projection::orthographic) return 0.0;
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 last = geometry.dims - 1;
+    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0,
+                           1.0);
+    const double depth = -glm::dot(glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye, frame.back);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  return std::min(0.0, nearest - 0.01 * (farthest - nearest));
+}
+
+}  // namespace
+
+PrimaryHits::PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& resolved,
+                         glm::ivec2 size, base::Progress& progress)
+    : volume_(std::move(volume)),
+      size_(size),
+      frame_(scene::frameOf(resolved.camera)),
+      voxelFromWorld_(volume_->grid().geometry().voxelFromWorld()),
+      rayStartMm_(rayStart(frame_, volume_->grid().geometry())),
+      insideAbove_(resolved.isosurface.inside == scene::Inside::above),
+      field_(resolved.hit.field) {
+  const bool mapped = resolved.isosurface.albedoSource == scene::AlbedoSource::map;
+  const scene::AlbedoOfIsovalue map(resolved);
+  const auto add = [&](double isovalue, const glm::dvec3& albedo) {
+    surfaces_.push_back({isovalue, mapped ? map.at(isovalue) : glm::vec3(albedo)});
+  };
+  add(resolved.isosurface.value.value(), resolved.isosurface.albedo);
+  for (const scene::ExtraIsosurface* extra :
+       {&resolved.isosurface2, &resolved.isosurface3, &resolved.isosurface4})
+    if (extra->shown) add(extra->value.value(), extra->albedo);
+
+  cubic_ = volume_->cubicFields->make(field_, progress);
+}
+
+glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {
+  return {(pixel.x + 0.5) / size_.x * 2.0 - 1.0, 1.0 - (pixel.y + 0.5) / size_.y * 2.0};
+}
+
+std::optional<volume::RayHit> PrimaryHits::cast(double isovalue, const volume::Ray& ray) const {
+  const volume::Grid& grid = volume_->grid();
+  if (!cubic_)
+    return volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum);
+  if (field_ == scene::Field::cubic) return volume::firstHitCubic(grid, cubic_->blocks, isovalue, ray).hit;
+  return volume::firstHitCubic(*cubic_->coefficients, grid, cubic_->blocks, isovalue, ray).hit;
+}
+
+std::optional<PrimaryHit> PrimaryHits::at(glm::ivec2 pixel) const {
+  const scene::Ray world = scene::rayThrough(frame_, ndcOf(pixel), static_cast<double>(size_.x) / size_.y);
+  volume::Ray ray;
+  ray.origin = glm::dvec3(voxelFromWorld_ * glm::dvec4(world.origin, 1.0));
+  ray.direction = glm::dmat3(voxelFromWorld_) * world.direction;
+  ray.tMinimum = rayStartMm_;
+  std::optional<PrimaryHit> nearest;
+  double t = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const std::optional<volume::RayHit> hit = cast(surfaces_[i].isovalue, ray);
+    if (!hit || !(hit->t < t)) continue;
+    t = hit->t;
+    nearest = {hit->voxel, static_cast<int>(i), hit->entering == insideAbove_};
+  }
+  return nearest;
+}
+
+glm::vec3 PrimaryHits::direction(glm::ivec2 pixel) const {
+  return glm::vec3(scene::rayThrough(frame_, ndcOf(pixel), static_cast<double>(size_.x) / size_.y).direction);
+}
+
+glm::vec3 PrimaryHits::backgroundDirection(glm::ivec2 pixel) const {
+  if (frame_.projection != scene::Projection::orthographic) return direction(pixel);
+  const glm::dvec2 extent = ndcOf(pixel) * (frame_.halfHeight / std::max(frame_.distance, 1e-9));
+  const double aspect = static_cast<double>(size_.x) / size_.y;
+  return glm::vec3(glm::normalize(extent.x * aspect * frame_.right + extent.y * frame_.up - frame_.back));
+}
+
+}  // namespace isolux::gi

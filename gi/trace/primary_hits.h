@@ -1,0 +1,63 @@
+// What the pixels of a picture see: the exact first hit of each pixel's middle with all shown isosurfaces.
+//
+// Rays, camera and pixels are those of the renderer. Double precision, every cell's first root
+// (volume/hit/exact_hit.h, volume/hit/exact_cubic_hit.h) on the field hit.field, whatever hit.method says.
+// Positions are voxel coordinates. Const members are safe from many threads.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/progress.h"
+#include "scene/camera.h"
+#include "volume/hit/cell_walk.h"
+#include "volume/hit/exact_hit.h"
+#include "volume/prepared_volume.h"
+#include "volume/skip/min_max_blocks.h"
+
+namespace isolux::gi {
+
+struct PrimaryHit {
+  glm::dvec3 voxel{0.0};
+  int surface = 0;    // index into surfaces()
+  bool outer = true;  // the outer side is seen
+};
+
+class PrimaryHits {
+ public:
+  struct Surface {
+    double isovalue;  // data units
+    glm::vec3 albedo;
+  };
+
+  // Throws Error{interrupted}.
+  PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& resolved,
+              glm::ivec2 size, base::Progress& progress);
+
+  std::optional<PrimaryHit> at(glm::ivec2 pixel) const;  // row 0 is the top row
+  glm::vec3 direction(glm::ivec2 pixel) const;           // of the ray; unit, world
+  // Where the pixel looks in the environment: an orthographic view sees as much of it as a perspective one.
+  glm::vec3 backgroundDirection(glm::ivec2 pixel) const;
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+
+ private:
+  glm::dvec2 ndcOf(glm::ivec2 pixel) const;
+  std::optional<volume::RayHit> cast(double isovalue, const volume::Ray& ray) const;
+
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  glm::ivec2 size_;
+  scene::CameraFrame frame_;
+  glm::dmat4 voxelFromWorld_;
+  double rayStartMm_ = 0.0;
+  bool insideAbove_;
+  scene::Field field_;
+  std::vector<Surface> surfaces_;
+  std::shared_ptr<const volume::CubicField> cubic_;  // of the cubic fields
+};
+
+}  // namespace isolux::gi

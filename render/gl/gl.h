@@ -1,0 +1,32 @@
+// The GL 4.5 core functions Isolux calls, loaded through a context's own getProcAddress into one table.
+//
+// Loader libraries (glbinding, GLEW, epoxy) cannot load from OSMesa; this table can load from anything.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <GL/glcorearb.h>
+
+namespace isolux::render {
+
+using GlLoader = std::function<void*(const char* name)>;
+
+struct Gl {
+#define ISOLUX_GL(type, name) type name = nullptr;
+#include "render/gl/gl_functions.inc"
+#undef ISOLUX_GL
+
+  bool software = true;    // a CPU rasteriser (llvmpipe, softpipe, swrast)
+  GLint max3dTexture = 0;  // texels per axis
+  GLint maxImage = 0;      // texels per axis of what is drawn into
+
+  // Loads every function, checks the version and listens to errors (render/gl/gl_messages.h); the context
+  // must be current. Throws base::Error{graphics} naming the first missing function or the version found.
+  static std::shared_ptr<const Gl> load(const GlLoader& loader);
+
+  std::string string(GLenum name) const;  // GetString, "" if null
+};
+
+}  // namespace isolux::render

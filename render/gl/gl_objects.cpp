@@ -1,0 +1,263 @@
+#include "render/gl/gl_objects.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/error.h"
+#include "render/gl/gl_messages.h"
+#include "render/gl/shader_library.h"
+
+namespace isolux::render {
+
+void deleteTexture(const Gl& gl, GLuint id) {
+  gl.DeleteTextures(1, &id);
+}
+void deleteBuffer(const Gl& gl, GLuint id) {
+  gl.DeleteBuffers(1, &id);
+}
+void deleteFramebuffer(const Gl& gl, GLuint id) {
+  gl.DeleteFramebuffers(1, &id);
+}
+void deleteVertexArray(const Gl& gl, GLuint id) {
+  gl.DeleteVertexArrays(1, &id);
+}
+void deleteProgram(const Gl& gl, GLuint id) {
+  gl.DeleteProgram(id);
+}
+void deleteQuery(const Gl& gl, GLuint id) {
+  gl.DeleteQueries(1, &id);
+}
+void deleteShader(const Gl& gl, GLuint id) {
+  gl.DeleteShader(id);
+}
+
+namespace {
+
+template <class Create>
+GLuint created(Create create) {
+  GLuint id = 0;
+  create(&id);
+  return id;
+}
+
+std::size_t texelBytes(GLenum internalFormat) {
+  switch (internalFormat) {
+    case GL_R8:
+      return 1;
+    case GL_R16:
+    case GL_R16F:
+      return 2;
+    case GL_R32F:
+    case GL_RGBA8:
+      return 4;
+    case GL_RG32F:
+    case GL_RG32UI:
+    case GL_RGBA16UI:
+    case GL_RGBA16F:
+      return 8;
+    case GL_RGB32F:
+      return 12;
+    case GL_RGBA32F:
+      return 16;
+    default:
+      throw std::logic_error("texelBytes: unknown internal format");
+  }
+}
+
+void checkMemory(const Gl& gl, const char* what, std::size_t bytes) {
+  if (gl.GetError() != GL_OUT_OF_MEMORY) return;
+  forgetGlErrors();  // it is answered here
+  throw base::Error(base::ErrorKind::memory, "", "graphics memory",
+                    "no room for " + std::string(what) + " of " + std::to_string(bytes >> 20) + " MiB");
+}
+
+// Asks for what a software driver is about to allocate; nothing for a GPU, which has memory of its own.
+base::MemoryBudget::Held ownMemory(const Gl& gl, std::size_t bytes, const char* what, const char* remedy) {
+  if (!gl.software) return {};
+  return base::machineMemory().reserve(bytes, what, remedy);
+}
+
+constexpr const char* kSmallerPicture = "a smaller picture or a lower picture.supersampling needs less";
+constexpr const char* kLessOnGpu = "a lower memory.gpu_budget_mb needs less";
+
+}  // namespace
+
+Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size) {
+  const std::size_t bytes =
+      static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * texelBytes(internalFormat);
+  auto held = ownMemory(*gl, bytes, "an image of the picture", kSmallerPicture);
+  Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_2D, 1, id); }), {size, 1},
+                  bytes);
+  texture.held_ = std::move(held);
+  gl->TextureStorage2D(texture.id(), 1, internalFormat, size.x, size.y);
+  checkMemory(*gl, "an image", bytes);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl->TextureParameteri(texture.id(), filter, GL_NEAREST);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl->TextureParameteri(texture.id(), wrap, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear) {
+  const std::size_t bytes = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                            static_cast<std::size_t>(size.z) * texelBytes(internalFormat);
+  auto held = ownMemory(*gl, bytes, "the volume's texture", kLessOnGpu);
+  Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_3D, 1, id); }), size, bytes);
+  texture.held_ = std::move(held);
+  gl->TextureStorage3D(texture.id(), 1, internalFormat, size.x, size.y, size.z);
+  checkMemory(*gl, "a volume", bytes);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl->TextureParameteri(texture.id(), filter, linear ? GL_LINEAR : GL_NEAREST);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    gl->TextureParameteri(texture.id(), wrap, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+std::vector<float> Texture::readFloats(int channels) const {
+  constexpr GLenum formats[] = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  const std::size_t count = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                            static_cast<std::size_t>(channels);
+  base::machineMemory().check(count * sizeof(float), "a copy of the picture", kSmallerPicture);
+  std::vector<float> values(count);
+  gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
+  // Sizes are 32 bits for GL: rows at a time.
+  constexpr std::size_t most = std::size_t{1} << 28;  // bytes
+  const std::size_t row = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(channels);
+  const int rows = static_cast<int>(std::max<std::size_t>(most / (row * sizeof(float)), 1));
+  for (int y = 0; y < size_.y; y += rows) {
+    const int part = std::min(rows, size_.y - y);
+    gl().GetTextureSubImage(id(), 0, 0, y, 0, size_.x, part, 1, formats[channels], GL_FLOAT,
+                            static_cast<GLsizei>(row * static_cast<std::size_t>(part) * sizeof(float)),
+                            &values[static_cast<std::size_t>(y) * row]);
+  }
+  return values;
+}
+
+Buffer::Buffer(const GlPtr& gl) : GlObject(gl, created([&](GLuint* id) { gl->CreateBuffers(1, id); })) {}
+
+void Buffer::setData(const void* data, std::size_t bytes) {
+  if (bytes > bytes_) {
+    held_.release();
+    held_ = ownMemory(gl(), bytes, "a buffer of the renderer", kLessOnGpu);
+  }
+  gl().NamedBufferData(id(), static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  checkMemory(gl(), "a buffer", bytes);
+  bytes_ = bytes;
+}
+
+void Buffer::write(std::size_t offset, const void* data, std::size_t bytes) {
+  if (bytes > 0)
+    gl().NamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+}
+
+BufferTexture::BufferTexture(const Buffer& buffer, GLenum internalFormat)
+    : GlObject(buffer.pointer(),
+               created([&](GLuint* id) { buffer.gl().CreateTextures(GL_TEXTURE_BUFFER, 1, id); })) {
+  gl().TextureBuffer(id(), internalFormat, buffer.id());
+}
+
+VertexArray::VertexArray(const GlPtr& gl)
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateVertexArrays(1, id); })) {}
+
+Framebuffer::Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& colors)
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateFramebuffers(1, id); })) {
+  std::vector<GLenum> attachments;
+  for (const Texture* color : colors) {
+    attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
+    gl->NamedFramebufferTexture(id(), attachments.back(), color->id(), 0);
+  }
+  gl->NamedFramebufferDrawBuffers(id(), static_cast<GLsizei>(attachments.size()), attachments.data());
+  if (gl->CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw base::Error(base::ErrorKind::graphics, "", "OpenGL", "the driver cannot draw into float images");
+}
+
+Query::Query(const GlPtr& gl, GLenum kind)
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateQueries(kind, 1, id); })) {}
+
+namespace {
+
+using Shader = GlObject<deleteShader>;
+
+Shader compiled(const GlPtr& pointer, GLenum stage, const std::string& name, const std::string& defines) {
+  const Gl& gl = *pointer;
+  const std::string source = shaderSource(name, defines);
+  const char* text = source.c_str();
+  Shader shader(pointer, gl.CreateShader(stage));
+  gl.ShaderSource(shader.id(), 1, &text, nullptr);
+  gl.CompileShader(shader.id());
+  GLint good = 0;
+  gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &good);
+  if (!good) {
+    char log[4096] = "";
+    gl.GetShaderInfoLog(shader.id(), sizeof log, nullptr, log);
+    throw std::logic_error("shader " + name + " does not compile: " + log);
+  }
+  return shader;
+}
+
+}  // namespace
+
+Program::Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
+                 const std::string& defines)
+    : GlObject(gl, gl->CreateProgram()) {
+  const Shader vertexShader = compiled(gl, GL_VERTEX_SHADER, vertex, defines);
+  const Shader fragmentShader = compiled(gl, GL_FRAGMENT_SHADER, fragment, defines);
+  gl->AttachShader(id(), vertexShader.id());
+  gl->AttachShader(id(), fragmentShader.id());
+  gl->LinkProgram(id());
+  gl->DetachShader(id(), vertexShader.id());
+  gl->DetachShader(id(), fragmentShader.id());
+  GLint good = 0;
+  gl->GetProgramiv(id(), GL_LINK_STATUS, &good);
+  if (!good) {
+    char log[4096] = "";
+    gl->GetProgramInfoLog(id(), sizeof log, nullptr, log);
+    throw std::logic_error("program " + vertex + " + " + fragment + " does not link: " + log);
+  }
+}
+
+GLint Program::location(const char* name) {
+  const auto found = locations_.find(name);
+  if (found != locations_.end()) return found->second;
+  return locations_[name] = gl().GetUniformLocation(id(), name);
+}
+
+void Program::set(const char* name, float value) {
+  gl().ProgramUniform1f(id(), location(name), value);
+}
+void Program::set(const char* name, int value) {
+  gl().ProgramUniform1i(id(), location(name), value);
+}
+void Program::set(const char* name, glm::vec2 v) {
+  gl().ProgramUniform2f(id(), location(name), v.x, v.y);
+}
+void Program::set(const char* name, glm::ivec2 v) {
+  gl().ProgramUniform2i(id(), location(name), v.x, v.y);
+}
+void Program::set(const char* name, glm::vec3 v) {
+  gl().ProgramUniform3f(id(), location(name), v.x, v.y, v.z);
+}
+void Program::set(const char* name, glm::vec4 v) {
+  gl().ProgramUniform4f(id(), location(name), v.x, v.y, v.z, v.w);
+}
+void Program::set(const char* name, glm::ivec3 v) {
+  gl().ProgramUniform3i(id(), location(name), v.x, v.y, v.z);
+}
+void Program::set(const char* name, const glm::mat3& v) {
+  gl().ProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
+}
+void Program::set(const char* name, const glm::mat4& v) {
+  gl().ProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
+}
+
+void Program::setTexture(const char* name, int unit, const BufferTexture& texture) {
+  gl().BindTextureUnit(static_cast<GLuint>(unit), texture.id());
+  set(name, unit);
+}
+
+void Program::setTexture(const char* name, int unit, const Texture& texture) {
+  gl().BindTextureUnit(static_cast<GLuint>(unit), texture.id());
+  set(name, unit);
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,142 @@
+// Owners of GL objects: move-only, made and edited without binding (direct state access), deleted with their
+// owner. The context that made an object must be current when it is deleted.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "base/memory_budget.h"
+#include "render/gl/gl.h"
+
+namespace isolux::render {
+
+using GlPtr = std::shared_ptr<const Gl>;
+
+// An id and the table it was made with; Deleter is a static function void(const Gl&, GLuint).
+template <void (*Deleter)(const Gl&, GLuint)>
+class GlObject {
+ public:
+  GlObject() = default;
+  GlObject(GlPtr gl, GLuint id) : gl_(std::move(gl)), id_(id) {}
+  GlObject(GlObject&& other) noexcept : gl_(std::move(other.gl_)), id_(std::exchange(other.id_, 0)) {}
+  GlObject& operator=(GlObject&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~GlObject() {
+    if (id_) Deleter(*gl_, id_);
+  }
+  GLuint id() const { return id_; }
+  explicit operator bool() const { return id_ != 0; }
+  const Gl& gl() const { return *gl_; }
+  const GlPtr& pointer() const { return gl_; }
+
+ private:
+  GlPtr gl_;
+  GLuint id_ = 0;
+};
+
+void deleteTexture(const Gl& gl, GLuint id);
+void deleteBuffer(const Gl& gl, GLuint id);
+void deleteFramebuffer(const Gl& gl, GLuint id);
+void deleteVertexArray(const Gl& gl, GLuint id);
+void deleteProgram(const Gl& gl, GLuint id);
+void deleteQuery(const Gl& gl, GLuint id);
+
+// A 2D or 3D texture with immutable storage and one level.
+class Texture : public GlObject<deleteTexture> {
+ public:
+  Texture() = default;
+  // internalFormat: GL_RGBA32F ...; nearest filtering, clamped.
+  static Texture make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size);
+  static Texture make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear);
+  glm::ivec3 size() const { return size_; }
+  std::size_t bytes() const { return bytes_; }
+  // The whole image as floats, `channels` interleaved, bottom row first.
+  std::vector<float> readFloats(int channels) const;
+
+ private:
+  Texture(GlPtr gl, GLuint id, glm::ivec3 size, std::size_t bytes)
+      : GlObject(std::move(gl), id), size_(size), bytes_(bytes) {}
+  glm::ivec3 size_{0};
+  std::size_t bytes_ = 0;
+  base::MemoryBudget::Held held_;  // of a software driver, whose textures lie in our memory
+};
+
+class Buffer : public GlObject<deleteBuffer> {
+ public:
+  Buffer() = default;
+  explicit Buffer(const GlPtr& gl);
+  void setData(const void* data, std::size_t bytes);  // reallocates; null: contents undefined
+  void write(std::size_t offset, const void* data, std::size_t bytes);  // within what setData() made
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::size_t bytes_ = 0;
+  base::MemoryBudget::Held held_;  // as of textures
+};
+
+// A view of a buffer as a texture (usamplerBuffer): GL_R32UI, GL_RG32UI.
+class BufferTexture : public GlObject<deleteTexture> {
+ public:
+  BufferTexture() = default;
+  BufferTexture(const Buffer& buffer, GLenum internalFormat);
+};
+
+class VertexArray : public GlObject<deleteVertexArray> {
+ public:
+  VertexArray() = default;
+  explicit VertexArray(const GlPtr& gl);
+};
+
+class Framebuffer : public GlObject<deleteFramebuffer> {
+ public:
+  Framebuffer() = default;
+  // Colour attachments 0.. in order. Throws base::Error{graphics} when incomplete.
+  Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& colors);
+};
+
+class Query : public GlObject<deleteQuery> {
+ public:
+  Query() = default;
+  explicit Query(const GlPtr& gl, GLenum kind = GL_TIMESTAMP);
+};
+
+// A linked vertex + fragment program; uniforms are set by name, locations cached. Setting a uniform the
+// compiler removed is allowed (it depends on defines).
+class Program : public GlObject<deleteProgram> {
+ public:
+  Program() = default;
+  // Names of embedded shaders. Throws std::logic_error with the compiler's log: shaders are ours.
+  Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
+          const std::string& defines = "");
+
+  void set(const char* name, float value);
+  void set(const char* name, int value);
+  void set(const char* name, glm::vec2 value);
+  void set(const char* name, glm::ivec2 value);
+  void set(const char* name, glm::vec3 value);
+  void set(const char* name, glm::vec4 value);
+  void set(const char* name, glm::ivec3 value);
+  void set(const char* name, const glm::mat3& value);
+  void set(const char* name, const glm::mat4& value);
+  // Binds `texture` to unit `unit` and points the sampler at it.
+  void setTexture(const char* name, int unit, const Texture& texture);
+  void setTexture(const char* name, int unit, const BufferTexture& texture);
+
+ private:
+  GLint location(const char* name);
+  std::unordered_map<std::string, GLint> locations_;
+};
+
+}  // namespace isolux::render

@@ -1,0 +1,59 @@
+#include "render/graph/frame.h"
+
+#include <sstream>
+
+#include "base/error.h"
+
+namespace isolux::render {
+
+const char* nameOf(PassState state) {
+  switch (state) {
+    case PassState::ran:
+      return "ran";
+    case PassState::cached:
+      return "cached";
+    case PassState::skipped:
+      break;
+  }
+  return "skipped";
+}
+
+const std::vector<AovInfo>& aovs() {
+  static const std::vector<AovInfo> list = {
+      {Aov::position, "position", "mm, world", {"x", "y", "z"}},
+      {Aov::voxel, "voxel", "voxel coordinates", {"x", "y", "z"}},
+      {Aov::depth, "depth", "mm along the ray", {""}},
+      {Aov::value_error, "value_error", "data units", {""}},
+      {Aov::normal, "normal", "unit vector, world", {"x", "y", "z"}},
+      {Aov::gradient, "gradient", "data units per mm, world", {"x", "y", "z"}},
+      {Aov::hessian, "hessian", "data units per mm², world", {"xx", "yy", "zz", "xy", "xz", "yz"}},
+      {Aov::kappa, "kappa", "1/mm", {"1", "2"}},
+      {Aov::direction1, "direction1", "unit vector, world", {"x", "y", "z"}},
+      {Aov::direction2, "direction2", "unit vector, world", {"x", "y", "z"}},
+      {Aov::curvature_confidence, "curvature_confidence", "0 to 1", {""}},
+      {Aov::irradiance, "irradiance", "radiance times sr, no exposure of the picture", {"r", "g", "b"}},
+      {Aov::hit, "hit", "1 or 0", {""}},
+  };
+  return list;
+}
+
+std::vector<Aov> parseAovList(const std::string& text) {
+  std::vector<Aov> list;
+  std::istringstream words(text);
+  std::string word, known;
+  for (const AovInfo& info : aovs()) known += (known.empty() ? "" : ", ") + std::string(info.name);
+  while (std::getline(words, word, ',')) {
+    bool found = false;
+    for (const AovInfo& info : aovs())
+      if (word == info.name) {
+        list.push_back(info.aov);
+        found = true;
+      }
+    if (!found)
+      throw base::Error(base::ErrorKind::usage, "", "--aov", "unknown image '" + word + "'; known: " + known);
+  }
+  if (list.empty()) throw base::Error(base::ErrorKind::usage, "", "--aov", "no image named; known: " + known);
+  return list;
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,135 @@
+// What a picture is asked for and what comes back: plain values, no GL.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/empty_picture.h"
+
+namespace isolux::render {
+
+// Deferred images (arbitrary output variables). float32; NaN where there is no hit (hit: 0).
+enum class Aov {
+  position,
+  voxel,
+  depth,
+  value_error,
+  normal,
+  gradient,
+  hessian,
+  kappa,
+  direction1,
+  direction2,
+  curvature_confidence,
+  irradiance,
+  hit
+};
+struct AovInfo {
+  Aov aov;
+  const char* name;  // as on the command line
+  const char* unit;
+  std::vector<const char*> channels;  // suffixes: {"x","y","z"}, {""}
+};
+const std::vector<AovInfo>& aovs();
+// Throws base::Error{usage} naming the unknown name and the known ones. "position,normal" -> list.
+std::vector<Aov> parseAovList(const std::string& text);
+
+// A part of a picture, pixels from its lower left corner.
+struct Tile {
+  glm::ivec2 origin{0}, size{0};
+  bool operator==(const Tile&) const = default;
+};
+
+struct FrameRequest {
+  glm::ivec2 size{512, 512};  // pixels, of the whole picture
+  std::optional<Tile> tile;   // draw this part only; what is read back then has the tile's size
+  bool linear = false;        // readLinearPicture() will be asked for
+  bool color = true;          // the shaded picture
+  std::vector<Aov> aovs;      // deferred images; then supersampling must be 1
+  int supersampling = 1;      // rays per pixel and axis, 1..4
+  // Pixels of the picture per pixel that settings mean (look.contour_width, flow.grain, flow.length): 2 on a
+  // screen that is drawn at 200 %.
+  double pixelRatio = 1.0;
+  // Bricks uploaded in one frame, where the volume is in bricks; the next frames go on
+  // (FrameReport::bricks.pending). 0: the frame takes as long as it takes to be complete.
+  std::size_t brickUploadBytes = 0;
+  // Stored light uploaded in one frame; the next frames go on (FrameReport::light.pending). 0: all of it.
+  std::size_t lightUploadBytes = 0;
+};
+
+enum class PassState { ran, cached, skipped };
+const char* nameOf(PassState state);
+struct PassReport {
+  std::string name;
+  PassState state = PassState::skipped;
+  std::string reason;         // why it ran, or why not
+  double milliseconds = 0.0;  // GPU timer where there is one, else wall time; 0 unless ran
+  std::size_t bytes = 0;      // of the images it writes
+};
+
+// Of a volume in bricks (memory.layout).
+struct BrickReport {
+  bool inUse = false;
+  std::size_t total = 0;     // of the volume
+  std::size_t active = 0;    // hold an active block
+  std::size_t resident = 0;  // of at most `slots`
+  std::size_t slots = 0;
+  std::size_t uploaded = 0, evicted = 0;  // in this frame
+  // Of the rays: those that wait for a brick. They are drawn hatched.
+  double missing = 0.0;
+  bool pending = false;  // the next frame gets further; otherwise what is missing does not fit
+};
+
+// Of stored light (Renderer::setLight), as far as the frame read it.
+struct LightReport {
+  bool stored = false;
+  std::size_t resident = 0, uploaded = 0;  // blocks of the lattices; in this frame
+  std::size_t withoutRoom = 0;             // blocks that do not fit into memory.gpu_budget_mb: local light
+  std::size_t bytes = 0;
+  bool pending = false;  // the next frame gets further
+};
+
+struct FrameReport {
+  std::vector<PassReport> passes;
+  double milliseconds = 0.0;  // wall time of the frame, GL finished
+  std::size_t blocksActive = 0, blocksTotal = 0;
+  BrickReport bricks;
+  LightReport light;
+  bool surfaceChanged = false;        // the surface points were found anew: Renderer::hitVoxels() differ
+  std::size_t gpuBytes = 0;           // textures and buffers held by the renderer
+  std::optional<EmptyPicture> empty;  // nothing is to be seen, and why
+  // What the driver called an error in this frame (render/gl/gl_messages.h): the picture may be wrong.
+  std::vector<std::string> glErrors;
+};
+
+// Row 0 is the top row.
+struct ColorImage {
+  glm::ivec2 size{0};
+  std::vector<std::uint8_t> rgba;  // sRGB, opaque
+};
+struct AovImage {
+  Aov aov{};
+  glm::ivec2 size{0};
+  int channels = 0;
+  std::vector<float> values;  // channels interleaved
+};
+
+// The look before the background lies behind it: linear RGBA, premultiplied by opacity, one texel per ray.
+struct LinearImage {
+  glm::ivec2 size{0};
+  std::vector<float> rgba;  // row 0 is the top row
+};
+
+// The surface point under a pixel.
+struct Pick {
+  glm::dvec3 worldMm{0.0}, voxel{0.0};
+  double value = 0.0;  // data units
+};
+
+}  // namespace isolux::render

@@ -1,0 +1,83 @@
+#include "render/graph/frame_graph.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+namespace isolux::render {
+
+namespace {
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return out;
+}
+}  // namespace
+
+std::uint64_t FrameGraph::versionOf(const std::string& image) const {
+  const auto found = versions_.find(image);
+  return found == versions_.end() ? 0 : found->second;
+}
+
+std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& passes,
+                                          const std::vector<std::string>& wanted) const {
+  // Backwards: who is read.
+  std::set<std::string> needed(wanted.begin(), wanted.end());
+  std::vector<bool> used(passes.size(), false);
+  for (std::size_t i = passes.size(); i-- > 0;) {
+    const PassDeclaration& pass = passes[i];
+    used[i] = std::any_of(pass.writes.begin(), pass.writes.end(),
+                          [&](const std::string& image) { return needed.count(image) > 0; });
+    if (used[i]) needed.insert(pass.reads.begin(), pass.reads.end());
+  }
+  // Forwards: what has changed.
+  std::vector<PlannedPass> planned;
+  std::set<std::string> renewed, written;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const PassDeclaration& pass = passes[i];
+    written.insert(pass.writes.begin(), pass.writes.end());
+    if (!used[i]) {
+      planned.push_back(
+          {i, PassState::skipped,
+           pass.notNeeded.empty() ? "nothing reads its " + joined(pass.writes) : pass.notNeeded});
+      continue;
+    }
+    std::vector<std::string> changed;
+    const auto last = memory_.find(pass.name);
+    if (last == memory_.end()) {
+      changed.emplace_back("first use");
+    } else {
+      for (const Parameter& parameter : pass.parameters) {
+        const auto before = std::find_if(last->second.parameters.begin(), last->second.parameters.end(),
+                                         [&](const Parameter& p) { return p.name == parameter.name; });
+        if (before == last->second.parameters.end() || before->hash != parameter.hash)
+          changed.push_back(parameter.name + " changed");
+      }
+      for (const std::string& image : pass.reads) {
+        assert(written.count(image) > 0 && "an image is read before a pass writes it");
+        const auto before = std::find_if(last->second.inputs.begin(), last->second.inputs.end(),
+                                         [&](const auto& input) { return input.first == image; });
+        if (renewed.count(image) > 0 || before == last->second.inputs.end() ||
+            before->second != versionOf(image))
+          changed.push_back(image + " drawn anew");
+      }
+    }
+    if (changed.empty()) {
+      planned.push_back({i, PassState::cached, "nothing it depends on changed"});
+    } else {
+      renewed.insert(pass.writes.begin(), pass.writes.end());
+      planned.push_back({i, PassState::ran, joined(changed)});
+    }
+  }
+  return planned;
+}
+
+void FrameGraph::completed(const PassDeclaration& pass) {
+  LastRun run{pass.parameters, {}};
+  for (const std::string& image : pass.reads) run.inputs.emplace_back(image, versionOf(image));
+  memory_[pass.name] = std::move(run);
+  for (const std::string& image : pass.writes) versions_[image] = ++clock_;
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,257 @@
+#include "render/legend/legend.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+
+#include <glm/common.hpp>
+
+#include "render/legend/font.h"
+#include "scene/color_maps.h"
+
+namespace isolux::render {
+
+namespace {
+
+// Values as they are encoded, 0..1. A dark glass panel with bright text reads on light and dark pictures
+// alike.
+constexpr glm::vec3 panelColor{0.07f, 0.075f, 0.085f}, textColor{0.93f}, frameColor{0.75f};
+constexpr float panelAlpha = 0.72f;
+
+class Canvas {
+ public:
+  explicit Canvas(glm::ivec2 size)
+      : size_(size), pixels_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {}
+
+  void over(glm::ivec2 p, const glm::vec3& color, float alpha) {
+    if (p.x < 0 || p.y < 0 || p.x >= size_.x || p.y >= size_.y) return;
+    Pixel& pixel = pixels_[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size_.x) +
+                           static_cast<std::size_t>(p.x)];
+    pixel.color = color * alpha + pixel.color * (1.0f - alpha);
+    pixel.alpha = alpha + pixel.alpha * (1.0f - alpha);
+  }
+  void fill(glm::ivec2 from, glm::ivec2 to, const glm::vec3& color) {  // `to` excluded
+    for (int y = from.y; y < to.y; ++y)
+      for (int x = from.x; x < to.x; ++x) over({x, y}, color, 1.0f);
+  }
+  void frame(glm::ivec2 from, glm::ivec2 to, int width) {  // around [from, to)
+    fill({from.x - width, from.y - width}, {to.x + width, from.y}, frameColor);
+    fill({from.x - width, to.y}, {to.x + width, to.y + width}, frameColor);
+    fill({from.x - width, from.y}, {from.x, to.y}, frameColor);
+    fill({to.x, from.y}, {to.x + width, to.y}, frameColor);
+  }
+  // The panel: the whole canvas with rounded, antialiased corners.
+  void panel(float radius) {
+    const glm::vec2 half = glm::vec2(size_) * 0.5f;
+    for (int y = 0; y < size_.y; ++y)
+      for (int x = 0; x < size_.x; ++x) {
+        const glm::vec2 beyond =
+            glm::max(glm::abs(glm::vec2(x, y) + 0.5f - half) - (half - glm::vec2(radius)), glm::vec2(0.0f));
+        const float outside = std::hypot(beyond.x, beyond.y) - radius;
+        over({x, y}, panelColor, panelAlpha * glm::clamp(0.5f - outside, 0.0f, 1.0f));
+      }
+  }
+  void text(const Font& font, const std::string& text, glm::ivec2 origin) {
+    font.draw(text, origin, [this](glm::ivec2 p, int coverage) {
+      over(p, textColor, static_cast<float>(coverage) / 255.0f);
+    });
+  }
+  LegendImage image() const {
+    LegendImage image{size_, {}};
+    image.rgba.reserve(pixels_.size() * 4);
+    const auto byte = [](float v) { return static_cast<std::uint8_t>(std::lround(v * 255.0f)); };
+    for (const Pixel& p : pixels_)
+      image.rgba.insert(image.rgba.end(), {byte(p.color.x), byte(p.color.y), byte(p.color.z), byte(p.alpha)});
+    return image;
+  }
+
+ private:
+  struct Pixel {
+    glm::vec3 color{0.0f};  // premultiplied
+    float alpha = 0.0f;
+  };
+  glm::ivec2 size_;
+  std::vector<Pixel> pixels_;
+};
+
+glm::vec3 encoded(const glm::vec3& linear) {
+  glm::vec3 result;
+  for (int c = 0; c < 3; ++c)
+    result[c] = static_cast<float>(scene::encodeSrgb(static_cast<double>(linear[c])));
+  return result;
+}
+
+// All lengths follow the text's size.
+struct Measures {
+  int text, line, pad, gap, tick, bar;
+  explicit Measures(int pictureHeight)
+      : text(std::clamp(pictureHeight / 36, 9, 60)),
+        line(std::max(1, text / 14)),
+        pad(text * 7 / 10),
+        gap(text * 4 / 10),
+        tick(std::max(2, text * 3 / 10)),
+        bar(text * 11 / 10) {}
+};
+
+struct Ticks {
+  std::vector<double> values;
+  std::vector<std::string> texts;
+  TickFormat format;
+  Ticks(double low, double high, int count)
+      : values(tickValues(low, high, count)), format(tickFormat(values)) {
+    for (const double value : values) texts.push_back(tickText(value, format));
+  }
+  int width(const Font& font) const {
+    int widest = 0;
+    for (const std::string& text : texts) widest = std::max(widest, font.width(text));
+    return widest;
+  }
+};
+
+// Pixels from the low end of an axis of `length` pixels.
+int along(double value, double low, double high, int length) {
+  const double t = high == low ? 0.5 : (value - low) / (high - low);
+  return static_cast<int>(std::lround(t * (length - 1)));
+}
+
+LegendImage drawBar(const Legend& legend, int pictureHeight) {
+  const Measures m(pictureHeight);
+  const Font font(m.text);
+  const int length = std::max(pictureHeight * 30 / 100, 4 * m.text);
+  const Ticks ticks(legend.low, legend.high, std::clamp(length / (3 * m.text) + 1, 2, 7));
+  const std::string title = axisTitle(legend.quantity, legend.unit, ticks.format.exponent);
+
+  const int beside = m.bar + m.line + m.tick + m.gap + ticks.width(font);
+  const glm::ivec2 size(2 * m.pad + std::max(font.width(title), beside + 2 * m.line),
+                        2 * m.pad + font.lineHeight() + m.gap + m.line + length + m.text / 2);
+  Canvas canvas(size);
+  canvas.panel(static_cast<float>(m.pad) * 0.8f);
+  canvas.text(font, title, {m.pad, m.pad + font.ascent()});
+  const glm::ivec2 top(m.pad + m.line, m.pad + font.lineHeight() + m.gap);
+  canvas.frame(top, top + glm::ivec2(m.bar, length), m.line);
+  const auto last = static_cast<double>(legend.colors.size() - 1);
+  for (int y = 0; y < length; ++y) {
+    const double t = static_cast<double>(length - 1 - y) / (length - 1);
+    const auto color = encoded(legend.colors[static_cast<std::size_t>(std::lround(t * last))]);
+    canvas.fill(top + glm::ivec2(0, y), top + glm::ivec2(m.bar, y + 1), color);
+  }
+  for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+    const int y = top.y + length - 1 - along(ticks.values[i], legend.low, legend.high, length);
+    const int x = top.x + m.bar + m.line;
+    canvas.fill({x, y - m.line / 2}, {x + m.tick, y - m.line / 2 + m.line}, frameColor);
+    canvas.text(font, ticks.texts[i], {x + m.tick + m.gap, y + font.ascent() / 2 + 1});
+  }
+  return canvas.image();
+}
+
+// kappa1 >= kappa2: only the half on and below the diagonal is coloured.
+void drawTriangle(Canvas& canvas, const Legend& legend, glm::ivec2 top, int length) {
+  const auto side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(legend.colors.size()))));
+  const auto texel = [&](int pixel) { return std::min(pixel * side / length, side - 1); };
+  for (int y = 0; y < length; ++y)
+    for (int x = 0; x < length; ++x) {
+      const float covered = glm::clamp(static_cast<float>(x - (length - 1 - y)) + 0.5f, 0.0f, 1.0f);
+      const auto at = static_cast<std::size_t>(texel(length - 1 - y) * side + texel(x));
+      canvas.over(top + glm::ivec2(x, y), encoded(legend.colors[at]), covered);
+    }
+}
+
+LegendImage drawSquare(const Legend& legend, int pictureHeight) {
+  const Measures m(pictureHeight);
+  const Font font(m.text);
+  const int length = std::max(pictureHeight * 20 / 100, 6 * m.text);
+  const Ticks ticks(legend.low, legend.high, 4);
+  const std::string vertical = axisTitle(legend.quantityVertical, legend.unit, ticks.format.exponent);
+  const std::string horizontal = axisTitle(legend.quantity, legend.unit, ticks.format.exponent);
+
+  const int left = m.pad + ticks.width(font) + m.gap + m.tick + m.line;
+  const int rightOverhang = font.width(ticks.texts.back()) / 2;
+  const glm::ivec2 top(left, m.pad + font.lineHeight() + m.gap);
+  const int below = top.y + length + m.line + m.tick + m.gap;
+  const glm::ivec2 size(
+      std::max(left + std::max(length + m.line, length - 1 + rightOverhang), m.pad + font.width(vertical)) +
+          m.pad,
+      below + font.lineHeight() + m.gap + font.lineHeight() + m.pad - m.gap);
+  Canvas canvas(size);
+  canvas.panel(static_cast<float>(m.pad) * 0.8f);
+  canvas.text(font, vertical, {m.pad, m.pad + font.ascent()});
+  drawTriangle(canvas, legend, top, length);
+  canvas.frame(top, top + glm::ivec2(length), m.line);
+  int written = 0;  // x up to which the horizontal axis has its numbers
+  for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+    const int at = along(ticks.values[i], legend.low, legend.high, length), w = font.width(ticks.texts[i]);
+    const int y = top.y + length - 1 - at, x = top.x + at;
+    canvas.fill({top.x - m.line - m.tick, y - m.line / 2}, {top.x - m.line, y - m.line / 2 + m.line},
+                frameColor);
+    canvas.text(font, ticks.texts[i], {top.x - m.line - m.tick - m.gap - w, y + font.ascent() / 2 + 1});
+    canvas.fill({x - m.line / 2, top.y + length + m.line},
+                {x - m.line / 2 + m.line, top.y + length + m.line + m.tick}, frameColor);
+    if (x - w / 2 < written) continue;  // no room between its neighbours
+    canvas.text(font, ticks.texts[i], {x - w / 2, below + font.ascent()});
+    written = x - w / 2 + w + m.text / 3;
+  }
+  canvas.text(
+      font, horizontal,
+      {top.x + (length - font.width(horizontal)) / 2, below + font.lineHeight() + m.gap + font.ascent()});
+  return canvas.image();
+}
+
+}  // namespace
+
+LegendImage drawLegend(const Legend& legend, int pictureHeight) {
+  assert(std::isfinite(legend.low) && std::isfinite(legend.high) && legend.colors.size() >= 2);
+  return legend.quantityVertical.empty() ? drawBar(legend, pictureHeight) : drawSquare(legend, pictureHeight);
+}
+
+std::vector<double> tickValues(double low, double high, int count) {
+  if (low > high) std::swap(low, high);
+  const double step0 = (high - low) / count;
+  // Too narrow for its own magnitude: no two ticks would differ in float's digits.
+  if (!(step0 > 1e-7 * std::max(std::fabs(low), std::fabs(high)))) return {0.5 * (low + high)};
+  const double power = std::pow(10.0, std::floor(std::log10(step0)));
+  const double lead = step0 / power;
+  const double step = power * (lead <= 1.0 ? 1.0 : lead <= 2.0 ? 2.0 : lead <= 5.0 ? 5.0 : 10.0);
+  std::vector<double> values;
+  constexpr double slack = 1e-6;  // a tick at the very end stays in spite of rounding
+  for (double i = std::ceil(low / step - slack); i <= high / step + slack; i += 1.0)
+    values.push_back(i == 0.0 ? 0.0 : i * step);  // no negative zero
+  // One number is no scale. From a count of 5 on, the step is at most half the range, so that two fit.
+  return values.size() < 2 ? tickValues(low, high, 2 * count) : values;
+}
+
+TickFormat tickFormat(const std::vector<double>& ticks) {
+  constexpr double smallest = 1e-3, largest = 1e5;
+  double most = 0.0;
+  for (const double tick : ticks) most = std::max(most, std::fabs(tick));
+  TickFormat format;
+  if (most > 0.0 && (most < smallest * 9.99 || most >= largest))
+    format.exponent = static_cast<int>(std::floor(std::log10(most) + 1e-9));
+  const double scale = std::pow(10.0, format.exponent);
+  double step = most / scale;
+  for (std::size_t i = 1; i < ticks.size(); ++i) step = std::min(step, (ticks[i] - ticks[i - 1]) / scale);
+  const int precise = ticks.size() < 2 ? 2 : 0;  // a lone tick is no round number
+  format.decimals =
+      step > 0.0 ? std::clamp(precise - static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 9) : 0;
+  return format;
+}
+
+std::string tickText(double value, const TickFormat& format) {
+  char digits[64];
+  std::snprintf(digits, sizeof digits, "%.*f", format.decimals,
+                std::fabs(value) / std::pow(10.0, format.exponent));
+  return (value < 0.0 ? "\u2212" : "") + std::string(digits);
+}
+
+std::string axisTitle(const std::string& quantity, const std::string& unit, int exponent) {
+  std::string factor;
+  if (exponent != 0) {
+    static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    factor = exponent < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(exponent))) factor += digits[digit - '0'];
+  }
+  if (unit.empty() && factor.empty()) return quantity;
+  return quantity + " (" + factor + (unit.empty() || factor.empty() ? "" : " ") + unit + ")";
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,85 @@
+#include "render/legend/legend_overlay.h"
+
+#include <algorithm>
+
+#include "render/legend/legend.h"
+#include "scene/color_maps.h"
+#include "scene/curvature_map.h"
+
+namespace isolux::render {
+
+namespace {
+
+using scene::LookMode;
+
+Legend legendOf(const scene::Look& look, glm::dvec2 range) {
+  Legend legend;
+  legend.unit = "1/mm";
+  legend.low = range.x;
+  legend.high = range.y;
+  legend.colors = measureColors(look).texels;
+  switch (look.mode) {
+    case LookMode::kappa1:
+      legend.quantity = "κ₁";
+      break;
+    case LookMode::kappa2:
+      legend.quantity = "κ₂";
+      break;
+    case LookMode::mean_curvature:
+      legend.quantity = "mean";
+      break;
+    case LookMode::gaussian_curvature:
+      legend.quantity = "Gaussian";
+      legend.unit = "1/mm²";
+      break;
+    case LookMode::shape_index:
+      legend.quantity = "shape index";
+      legend.unit = "";
+      break;
+    case LookMode::curvature_2d:
+      legend.quantity = "κ₁";
+      legend.quantityVertical = "κ₂";
+      break;
+    default:
+      legend.quantity = "curvedness";
+  }
+  return legend;
+}
+
+}  // namespace
+
+MeasureColors measureColors(const scene::Look& look) {
+  constexpr int samples = 256, side = 64;
+  if (look.mode == LookMode::curvature_2d)
+    return {glm::ivec2(side), scene::curvatureTexels(look.curvaturePoints, side)};
+  return {glm::ivec2(samples, 1), scene::colorMapSamples(look.colormap, look.mode, samples)};
+}
+
+void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range) {
+  const glm::ivec2 size = frame.request.size;
+  const LegendImage image = drawLegend(legendOf(frame.scene->look, range), std::min(size.y, 2 * size.x));
+  const int margin = std::max(2, size.y / 50);
+  if (image.size.x + 2 * margin > size.x * 7 / 10 || image.size.y + 2 * margin > size.y * 7 / 10) return;
+  const Gl& gl = *frame.gl;
+  const Texture texture = Texture::make2D(frame.gl, GL_RGBA8, image.size);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TextureSubImage2D(texture.id(), 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_UNSIGNED_BYTE,
+                       image.rgba.data());
+  const glm::ivec2 corner = glm::ivec2(size.x - margin - image.size.x, margin) - frame.tileOrigin();
+  const glm::ivec2 drawn = frame.drawnSize();
+  if (corner.x >= drawn.x || corner.y >= drawn.y || corner.x + image.size.x <= 0 ||
+      corner.y + image.size.y <= 0)
+    return;
+  Program& p = frame.program("legend.frag.glsl");
+  p.setTexture("uLegend", 0, texture);
+  p.set("uCorner", corner);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer.id());
+  gl.Viewport(corner.x, corner.y, image.size.x, image.size.y);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  frame.drawFullscreen(p);
+  gl.Disable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ZERO);
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,86 @@
+// Stored light on the GPU: those blocks of the light lattices that exist, in slots of a buffer, and a page
+// table that says which slot is whose.
+//
+// Both lattices of a picture, the sky's and the lamps', have the same geometry and share slots. Only what has
+// changed since the last update() is uploaded. A block that finds no room is left out; light there is local.
+// Reads LightLattice from the GL thread while bakes go on. Texels are render/light/light_texel.h's, x
+// fastest, 512 a slot. Wyman et al. 2006 sec. 4.2 keeps one texture over the whole volume.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <unordered_set>
+#include <vector>
+
+#include "gi/picture_light.h"
+#include "render/gl/gl_objects.h"
+#include "render/light/light_filter.h"
+#include "render/light/light_texel.h"
+#include "volume/grid.h"
+
+namespace isolux::render {
+
+class LightAtlas {
+ public:
+  explicit LightAtlas(GlPtr gl);
+
+  // What the atlas holds from now on. Where that differs in kind from what it held, it starts empty.
+  // `grid` is what texels take their isovalues from, where `isovalues` or `filtered` ask for them.
+  struct Source {
+    std::shared_ptr<const gi::PictureLight> light;  // null: nothing
+    scene::GiPrecision precision = scene::GiPrecision::r11g11b10;
+    bool isovalues = false;
+    bool filtered = false;  // irradiance without its noise (render/light/light_filter.h)
+    std::shared_ptr<const volume::Grid> grid;
+    std::size_t budgetBytes = 0;
+  };
+  bool setSource(const Source& source);  // true: update() has something to do
+  bool stores() const { return layout_.stores(); }
+  const LightTexelLayout& layout() const { return layout_; }
+  const gi::LatticeGeometry& geometry() const { return geometry_; }
+  const std::shared_ptr<const volume::Grid>& grid() const { return source_.grid; }
+
+  // Uploads what has changed, at most `limitBytes` but at least one block (0: all of it). Throws
+  // base::Error{memory}.
+  void update(std::size_t limitBytes);
+  bool pending() const { return !queue_.empty(); }
+
+  // uLightPages and uLightTexels, in units `unit` and unit + 1.
+  void bind(Program& program, int unit) const;
+
+  std::size_t bytes() const { return pages_.bytes() + texels_.bytes(); }
+  std::size_t resident() const { return used_; }            // blocks
+  std::size_t withoutRoom() const { return left_.size(); }  // blocks that exist but do not fit
+  std::size_t uploaded() const { return uploaded_; }        // by the last update()
+
+ private:
+  void start();  // empty
+  void collect();
+  void queue(std::uint32_t block);
+  void queueNeighbours(std::uint32_t block);
+  float isovalueOf(glm::ivec3 texel) const;  // stored units
+  std::vector<FilterTexel> filteredBlock(std::uint32_t block) const;
+  bool reserve(std::size_t slots);  // room for so many, false where that is not to be had
+  std::size_t slotBytes() const;
+  std::size_t mostSlots() const;
+  bool pack(std::uint32_t block, std::uint32_t* words) const;  // false: nothing is lit there
+  void upload(const std::vector<std::uint32_t>& blocks);
+
+  GlPtr gl_;
+  Source source_;
+  LightTexelLayout layout_;
+  gi::LatticeGeometry geometry_;
+  std::shared_ptr<const gi::LightLattice> sky_, lamps_;
+  std::shared_ptr<const gi::TransferBasis> basis_;
+  std::uint64_t skySeen_ = 0, lampsSeen_ = 0;  // revisions
+  std::deque<std::uint32_t> queue_;            // blocks that wait for their upload, each once
+  std::unordered_set<std::uint32_t> queued_, left_;
+  std::vector<std::uint32_t> slots_;  // of each block, plus 1; 0: none
+  Buffer pages_, texels_;
+  BufferTexture pagesTexture_, texelsTexture_;
+  std::size_t capacity_ = 0, used_ = 0, uploaded_ = 0;  // slots; blocks
+  std::size_t mostBufferBytes_ = 0;
+};
+
+}  // namespace isolux::render

@@ -1,0 +1,32 @@
+// Takes the noise out of stored irradiance: each texel becomes a weighted mean of itself and its 26
+// neighbours, those that lie on nearly the same isosurface with nearly the same normal. No GL.
+//
+// The weight of a neighbour is its number of paths times a Gaussian of its distance (0.6 texels) times one of
+// how far its isosurface passes from the texel (0.5 texels, by the isovalues' difference over the gradient)
+// times the eighth power of the normals' cosine: what lies on the other side of a thin wall, or on a wall at
+// an angle, counts little or nothing. A bilateral filter (Tomasi & Manduchi 1998) whose range is the surface,
+// not the light. The widths are those with the least error against path-traced pixels (docs/architecture.md).
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "gi/lattice/lattice_geometry.h"
+
+namespace isolux::render {
+
+inline constexpr int kFilterTexels = gi::kBlockTexels + 2;  // per axis: a block and one texel around it
+
+struct FilterTexel {
+  glm::vec3 normal{0.0f};  // unit; 0: neither lit nor to be used
+  float isovalue = 0.0f;   // any unit
+  float skyPaths = 0.0f, lampsPaths = 0.0f;
+  glm::vec3 sky{0.0f}, lamps{0.0f};  // E
+};
+
+// `texels`: kFilterTexels^3, x fastest, the block from (1, 1, 1) on. Result: the block's 512, of which only
+// light is set; texels without paths stay as they are.
+std::vector<FilterTexel> filterBlock(const std::vector<FilterTexel>& texels);
+
+}  // namespace isolux::render

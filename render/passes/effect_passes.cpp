@@ -1,0 +1,79 @@
+#include "render/passes/effect_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/matrix.hpp>
+
+#include "render/passes/hit_passes.h"
+
+namespace isolux::render {
+
+namespace {
+
+constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+constexpr float kNoField[4] = {0.0f, 0.0f, -1.0f, 0.0f};
+
+}  // namespace
+
+void EffectPasses::shadow(FrameState& frame) {
+  const Target& target = frame.target(pass::shadow, {GL_R8});
+  frame.begin(target);
+  frame.clear(target, 0, kZero);
+  if (frame.empty()) return;
+  const scene::Hit& hit = frame.scene->hit;
+  std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
+  if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
+  if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
+  Program& p = frame.program("shadow.frag.glsl", defines);
+  HitPasses::setTrace(frame, p);
+  frame.setPoint(p, 4);
+  p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));
+  p.set("uLight", glm::vec3(frame.towardLight()));
+  int opaque = 0;
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
+    if (frame.surfaces[i].opacity >= 1.0) opaque |= 1 << i;
+  p.set("uOpaqueBits", opaque);
+  frame.drawFullscreen(p);
+}
+
+void EffectPasses::flowField(FrameState& frame) {
+  const Target& target = frame.target(pass::flowField, {GL_RGBA32F, GL_RGBA16F});
+  frame.begin(target);
+  frame.clear(target, 0, kNoField);
+  frame.clear(target, 1, kZero);
+  if (frame.empty()) return;
+  const scene::Flow& flow = frame.scene->flow;
+  Program& p = frame.program("flow_field.frag.glsl",
+                             flow.direction == scene::FlowDirection::minimum ? "#define MINIMUM\n" : "");
+  frame.setView(p);
+  frame.setPoint(p, 0);
+  p.setTexture("uKappa", 3, frame.image(pass::curvature, 0));
+  p.setTexture("uDirection", 4, frame.image(pass::curvature, 1));
+  p.set("uGrain", static_cast<float>(flow.grain * frame.raysPerWidth()));
+  frame.drawFullscreen(p);
+}
+
+void EffectPasses::flow(FrameState& frame) {
+  const Target& target = frame.target(pass::flow, {GL_R16F});
+  frame.begin(target);
+  const scene::Flow& flow = frame.scene->flow;
+  const double raysPerPixel = frame.raysPerWidth(), grain = flow.grain * raysPerPixel;
+  // Steps of half a grain miss nothing; long streaks of fine grain take at most 128 a way.
+  const double half = 0.5 * flow.length * raysPerPixel;
+  const double step = std::max({1.0, 0.5 * grain, half / 128.0});
+  const Texture& noise = frame.image(pass::flowField, 1);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    frame.gl->TextureParameteri(noise.id(), filter, GL_LINEAR);
+  Program& p = frame.program("flow.frag.glsl");
+  p.setTexture("uField", 0, frame.image(pass::flowField, 0));
+  p.setTexture("uNoise", 1, noise);
+  p.set("uHalfLength", static_cast<float>(std::max(half, step)));
+  p.set("uStep", static_cast<float>(step));
+  p.set("uGrain", static_cast<float>(grain));
+  p.set("uPhase", static_cast<float>(2.0 * std::numbers::pi * flowPhase(flow)));
+  frame.drawFullscreen(p);
+}
+
+}  // namespace isolux::render

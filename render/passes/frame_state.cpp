@@ -1,0 +1,99 @@
+#include "render/passes/frame_state.h"
+
+#include "scene/albedo.h"
+
+#include <glm/geometric.hpp>
+
+#include "volume/field/curvature.h"
+
+namespace isolux::render {
+
+std::vector<Surface> surfacesOf(const scene::Scene& scene) {
+  std::vector<Surface> surfaces = {
+      {scene.isosurface.value.value(), scene.isosurface.albedo, scene.isosurface.opacity}};
+  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
+    if (extra->shown) surfaces.push_back({extra->value.value(), extra->albedo, extra->opacity});
+  if (scene.isosurface.albedoSource == scene::AlbedoSource::map) {
+    const scene::AlbedoOfIsovalue albedo(scene);
+    for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);
+  }
+  std::erase_if(surfaces, [](const Surface& surface) { return !(surface.opacity > 0.0); });
+  return surfaces;
+}
+
+Program& FrameState::program(const std::string& fragment, const std::string& defines) {
+  const std::string all = volume && volume->bricks() ? "#define BRICKS\n" + defines : defines;
+  const std::string key = fragment + "|" + all;
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  return programs_.emplace(key, Program(gl, "fullscreen.vert.glsl", fragment, all)).first->second;
+}
+
+void FrameState::begin(const Target& target) const {
+  begin(target, raySize());
+}
+
+void FrameState::begin(const Target& target, glm::ivec2 size) const {
+  gl->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+  gl->Viewport(0, 0, size.x, size.y);
+}
+
+void FrameState::clear(const Target& target, int image, const float (&value)[4]) const {
+  gl->ClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, image, value);
+}
+
+void FrameState::drawFullscreen(const Program& program) const {
+  gl->UseProgram(program.id());
+  gl->BindVertexArray(emptyArray.id());
+  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void FrameState::setView(Program& program) const {
+  program.set("uEyeVoxel", glm::vec3(view->eyeVoxel));
+  program.set("uRightVoxel", glm::vec3(view->rightVoxel));
+  program.set("uUpVoxel", glm::vec3(view->upVoxel));
+  program.set("uForwardVoxel", glm::vec3(view->forwardVoxel));
+  program.set("uHalfExtent", glm::vec2(view->halfExtent));
+  program.set("uOrthographic", view->orthographic ? 1 : 0);
+  program.set("uPictureSize", request.size * request.supersampling);
+  program.set("uStartDepth", static_cast<float>(view->startDepth));
+  program.set("uTileOrigin", tileOrigin() * request.supersampling);
+}
+
+void FrameState::setPoint(Program& program, int unit) const {
+  program.setTexture("uSurface", unit, image(pass::refine, 0));
+  if (withGradient) program.setTexture("uGradient", unit + 1, gradientImage());
+  program.setTexture("uInfo", unit + 2, image(pass::refine, 1));
+  program.set("uRightWorld", glm::vec3(view->rightWorld));
+  program.set("uUpWorld", glm::vec3(view->upWorld));
+  program.set("uForwardWorld", glm::vec3(view->forwardWorld));
+  program.set("uOutward", static_cast<float>(outward()));
+  program.set("uWorldFromVoxel", glm::mat3(volume->grid().geometry().worldFromVoxel));
+}
+
+glm::dvec3 FrameState::towardLight() const {
+  const glm::dvec3 given = scene->light.direction;
+  const bool inCamera = scene->light.space == scene::LightSpace::camera;
+  if (!(glm::length(given) > 0.0)) return -view->forwardWorld;
+  const glm::dvec3 d = glm::normalize(given);
+  return inCamera ? d.x * view->rightWorld + d.y * view->upWorld - d.z * view->forwardWorld : d;
+}
+
+double FrameState::flatCurvature() const {
+  const volume::GridGeometry& geometry = volume->grid().geometry();
+  return volume::curvatureScale(geometry, scene->derivatives.field, 0.0).flatCurvature;
+}
+
+void FrameState::setIsovalues(Program& program, scene::Field field) const {
+  glm::vec4 isovalues(0.0f), shifts(0.0f);
+  const double first = volume->texelOf(surfaces[0].value, field);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const double own = volume->texelOf(surfaces[i].value, field);
+    isovalues[static_cast<int>(i)] = static_cast<float>(own);
+    shifts[static_cast<int>(i)] = static_cast<float>(own - first);
+  }
+  program.set("uIsovalues", isovalues);
+  program.set("uIsovalueShifts", shifts);
+}
+
+}  // namespace isolux::render

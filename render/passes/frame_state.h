@@ -1,0 +1,91 @@
+// What the passes of one frame share. The renderer owns it; pass groups keep only what is theirs between
+// frames.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gi/picture_light.h"
+#include "render/gl/image_pool.h"
+#include "render/graph/frame.h"
+#include "render/graph/pass_declarations.h"
+#include "render/passes/view_uniforms.h"
+#include "render/volume/gpu_volume.h"
+#include "scene/scene.h"
+
+namespace isolux::render {
+
+// An isosurface that is drawn.
+struct Surface {
+  double value;  // data units
+  glm::dvec3 albedo;
+  double opacity;
+};
+// The first and those further ones that are shown, without those of opacity 0: none to four.
+std::vector<Surface> surfacesOf(const scene::Scene& scene);
+
+struct FrameState {
+  explicit FrameState(GlPtr pointer) : gl(std::move(pointer)), emptyArray(gl) {}
+
+  GlPtr gl;
+  const scene::Scene* scene = nullptr;  // resolved; during render() only
+  FrameRequest request;
+  std::optional<ViewUniforms> view;
+  std::vector<Surface> surfaces;
+  std::optional<GpuVolume> volume;                // none: nothing is loaded
+  std::shared_ptr<const gi::PictureLight> light;  // null: nobody has said what it is
+  bool readsLight = false;                        // something in this frame reads light of the surface points
+  ImagePool images;
+  // Of the hits in bricks: nothing is cleared, what cannot be drawn anew stays (renderer.cpp).
+  bool keepHits = false;
+  std::vector<glm::vec3> hitsBehind;  // of the layers, where the look reads stored light: voxel coordinates
+  std::string layer;  // of the images drawn now: "" the first crossing, otherwise one behind (layers pass)
+
+  // What is drawn: the picture, or a tile of it.
+  glm::ivec2 drawnSize() const { return request.tile ? request.tile->size : request.size; }
+  glm::ivec2 tileOrigin() const { return request.tile ? request.tile->origin : glm::ivec2(0); }
+  glm::ivec2 raySize() const { return drawnSize() * request.supersampling; }
+  // Rays per pixel that settings mean: widths and lengths given in pixels are this many rays.
+  double raysPerWidth() const { return request.supersampling * request.pixelRatio; }
+  bool crossed = true;                                                            // VolumeState::crossed
+  bool empty() const { return !volume || !crossed || volume->faceCount() == 0; }  // no ray can hit anything
+  double outward() const {
+    return scene->isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
+  }  // times gradient
+
+  // The images of a pass at the size of the rays: to draw into, and to read from.
+  Target& target(const std::string& pass, const std::vector<GLenum>& formats) {
+    return images.make(gl, pass + layer, raySize(), formats);
+  }
+  const Texture& image(const std::string& pass, std::size_t which = 0) const {
+    return images.at(pass + layer).images[which];
+  }
+
+  // The gradients of whichever pass wrote them.
+  bool withGradient = false, withHessian = false;  // they are drawn in this frame
+  const Texture& gradientImage() const { return image(withHessian ? pass::hessian : pass::gradient); }
+
+  // A fullscreen pass: its program (made once for each set of defines; BRICKS is one where the volume is in
+  // bricks), its target, and one triangle over it.
+  Program& program(const std::string& fragment, const std::string& defines = "");
+  void begin(const Target& target) const;
+  void begin(const Target& target, glm::ivec2 size) const;
+  void clear(const Target& target, int image, const float (&value)[4]) const;
+  void drawFullscreen(const Program& program) const;
+  void setView(Program& program) const;  // the uniforms of common.glsl
+  // The uniforms of surface.glsl: surface points, gradients (where there are any) and what is known of the
+  // hit, in units `unit` to unit + 2.
+  void setPoint(Program& program, int unit) const;
+  glm::dvec3 towardLight() const;  // unit, world
+  double flatCurvature() const;    // below which a surface counts as flat, 1/mm: volume/field/curvature.h
+  // uIsovalues and uIsovalueShifts, as texels of what `field` is made from.
+  void setIsovalues(Program& program, scene::Field field) const;
+
+ private:
+  VertexArray emptyArray;
+  std::map<std::string, Program> programs_;
+};
+
+}  // namespace isolux::render

@@ -1,0 +1,216 @@
+#include "render/passes/light_passes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "scene/rules/relevance.h"
+
+namespace isolux::render {
+
+namespace {
+
+constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+constexpr GLuint kFactorsBinding = 3;  // light_lattice.glsl
+constexpr std::size_t kMostLamps = 3;  // local_light.glsl
+constexpr double kPi = std::numbers::pi;
+
+// Y_i without its polynomial, in the order of local_light.glsl: gi/harmonics/spherical_harmonics.h, orders 1
+// to 3.
+const std::array<float, 9> kHarmonics = {0.2820948f, 0.4886025f, 0.4886025f, 0.4886025f, 1.0925484f,
+                                         1.0925484f, 0.3153916f, 1.0925484f, 0.5462742f};
+
+// Until anyone says what the light is: white, and brighter from above.
+std::array<glm::vec3, 9> neutralSky() {
+  std::array<glm::vec3, 9> sky{};
+  sky[0] = glm::vec3(0.75 * kPi / kHarmonics[0]);
+  sky[2] = glm::vec3(0.25 * kPi / kHarmonics[2]);
+  return sky;
+}
+
+struct LocalLamp {
+  glm::vec4 place, power;
+};
+
+LocalLamp localLamp(const gi::LampLight& lamp, const glm::dvec3& originMm) {
+  const glm::dvec4 at(lamp.positionMm - originMm, 1.0);
+  switch (lamp.kind) {
+    case scene::LampKind::point:
+      break;
+    case scene::LampKind::sphere:
+      return {at, glm::dvec4(kPi * lamp.radiusMm * lamp.radiusMm * lamp.power, lamp.radiusMm)};
+    case scene::LampKind::directional: {
+      const double sineSquared = 1.0 - lamp.cosHalfAngle * lamp.cosHalfAngle;
+      const double of = lamp.cosHalfAngle >= 1.0 ? 1.0 : kPi * sineSquared;
+      return {glm::dvec4(lamp.toward, 0.0), glm::dvec4(of * lamp.power, 0.0)};
+    }
+  }
+  return {at, glm::dvec4(lamp.power, 0.0)};
+}
+
+std::size_t lampCount(const gi::PictureLight* light) {
+  return light ? std::min(light->lampLights.size(), kMostLamps) : 0;
+}
+
+}  // namespace
+
+float exposureOf(const scene::Scene& scene, const gi::PictureLight* light) {
+  const double automatic = light ? static_cast<double>(light->automaticExposure) : 0.0;
+  return static_cast<float>(std::exp2(scene.picture.exposure.value_or(automatic)));
+}
+
+LightPasses::LightPasses(const GlPtr& gl) : atlas_(gl), factors_(gl) {}
+
+void LightPasses::prepare(FrameState& frame, std::size_t budgetBytes) {
+  const scene::GiInterpolation interpolation = frame.scene->gi.interpolation;
+  LightAtlas::Source source;
+  if (frame.readsLight) source.light = frame.light;
+  source.precision = frame.scene->gi.precision;
+  source.isovalues = interpolation == scene::GiInterpolation::closest_isovalue;
+  source.filtered = interpolation == scene::GiInterpolation::weighted;
+  if (frame.volume) source.grid = frame.volume->sharedGrid();
+  if (!source.grid) source.isovalues = source.filtered = false;
+  source.budgetBytes = budgetBytes;
+  // A look that reads no stored light leaves what there is for the next that does; that of another volume
+  // goes.
+  if (!frame.readsLight && (!atlas_.stores() || atlas_.grid() == source.grid)) return;
+  if (atlas_.setSource(source)) ++storage_;
+}
+
+LightState LightPasses::state(const FrameState& frame) const {
+  LightState state;
+  const gi::PictureLight* const light = frame.light.get();
+  state.stored = frame.readsLight && atlas_.stores();
+  state.storage = storage_;
+  state.version = light ? light->version + 1 : 0;
+  if (light && light->sky) state.skyRevision = light->sky->revision();
+  if (light && light->lamps) state.lampsRevision = light->lamps->revision();
+  state.unfinished = unfinished_;
+  state.automaticExposure = light ? light->automaticExposure : 0.0f;
+  state.background = light && light->background;
+  return state;
+}
+
+void LightPasses::light(FrameState& frame) {
+  atlas_.update(frame.request.lightUploadBytes);
+  if (atlas_.pending()) ++unfinished_;
+}
+
+std::size_t LightPasses::bytes() const {
+  return atlas_.bytes() + factors_.bytes() + background_.bytes();
+}
+
+void LightPasses::report(LightReport& out) const {
+  out.stored = atlas_.stores();
+  out.resident = atlas_.resident();
+  out.uploaded = atlas_.uploaded();
+  out.withoutRoom = atlas_.withoutRoom();
+  out.bytes = atlas_.bytes();
+  out.pending = atlas_.pending();
+}
+
+std::string LightPasses::definesOf(const FrameState& frame) const {
+  const LightTexelLayout& layout = atlas_.layout();
+  const auto number = [](const char* name, auto value) {
+    return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
+  };
+  const std::string lamps = number("LAMP_COUNT", lampCount(frame.light.get()));
+  if (!layout.stores()) return lamps;
+  return lamps + "#define STORED\n" + number("SKY", layout.sky) + number("LAMPS", layout.lamps) +
+         number("WORDS", layout.words()) + number("CODE_WORDS", layout.codeWords) +
+         number("CODE_BITS", layout.codeBits) + number("INTERPOLATION", frame.scene->gi.interpolation);
+}
+
+void LightPasses::setLocalLight(const FrameState& frame, Program& p) const {
+  const std::array<glm::vec3, 9> sky = frame.light ? frame.light->irradianceSh : neutralSky();
+  for (std::size_t i = 0; i < sky.size(); ++i)
+    p.set(("uLocalSky[" + std::to_string(i) + "]").c_str(), kHarmonics[i] * sky[i]);
+  const std::size_t lamps = lampCount(frame.light.get());
+  const glm::dvec3 origin(frame.volume->grid().geometry().worldFromVoxel[3]);
+  for (std::size_t i = 0; i < lamps; ++i) {
+    const LocalLamp lamp = localLamp(frame.light->lampLights[i], origin);
+    const std::string name = "uLamps[" + std::to_string(i) + "].";
+    p.set((name + "place").c_str(), lamp.place);
+    p.set((name + "power").c_str(), lamp.power);
+  }
+}
+
+void LightPasses::setLattice(const FrameState& frame, Program& p) {
+  atlas_.bind(p, 3);
+  const gi::LatticeGeometry& geometry = atlas_.geometry();
+  p.set("uLatticeDims", geometry.dims);
+  p.set("uLatticeBlocks", geometry.blockDims());
+  glm::vec3 texelsPerVoxel(0.0f);
+  for (int axis = 0; axis < 3; ++axis)
+    if (geometry.volumeDims[axis] > 1)
+      texelsPerVoxel[axis] =
+          static_cast<float>(geometry.dims[axis] - 1) / static_cast<float>(geometry.volumeDims[axis] - 1);
+  p.set("uTexelsPerVoxel", texelsPerVoxel);
+  p.set("uSkyScale", frame.light->skyScale);
+  glm::vec4 isovalues(0.0f);
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
+    isovalues[static_cast<int>(i)] =
+        static_cast<float>(frame.volume->grid().storedOfValue(frame.surfaces[i].value));
+  p.set("uStoredIsovalues", isovalues);
+  const LightTexelLayout& layout = atlas_.layout();
+  if (layout.sky != LightPacking::codes) return;
+  const gi::TransferBasis::Lighting lighting = frame.light->basis->under(frame.light->environment);
+  p.set("uTransferOffset", lighting.offset);
+  if (factorsOf_ != frame.light) {
+    const float largest = layout.codeBits == 8 ? 255.0f : 65535.0f;  // codes are unpacked to 0 .. 1
+    std::vector<glm::vec4> factors(static_cast<std::size_t>(layout.codeWords * (32 / layout.codeBits)),
+                                   glm::vec4(0.0f));
+    for (std::size_t i = 0; i < lighting.factors.size(); ++i)
+      factors[i] = glm::vec4(largest * lighting.factors[i], 0.0f);
+    factors_.setData(factors.data(), factors.size() * sizeof(glm::vec4));
+    factorsOf_ = frame.light;
+  }
+  frame.gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFactorsBinding, factors_.id());
+}
+
+void LightPasses::irradiance(FrameState& frame) {
+  const Target& target = frame.target(pass::irradiance, {GL_RGBA32F});
+  frame.begin(target);
+  if (frame.empty()) {
+    frame.clear(target, 0, kZero);
+    return;
+  }
+  Program& p = frame.program("irradiance.frag.glsl", definesOf(frame));
+  frame.setView(p);
+  frame.setPoint(p, 0);
+  setLocalLight(frame, p);
+  if (atlas_.stores()) setLattice(frame, p);
+  frame.drawFullscreen(p);
+}
+
+void LightPasses::setBackground(FrameState& frame, Program& p, int unit) {
+  const gi::PictureLight& light = *frame.light;
+  if (backgroundOf_ != light.background) {
+    const glm::ivec2 size(light.background->width(), light.background->height());
+    background_ = Texture();  // before its successor is made: both need not fit
+    background_ = Texture::make2D(frame.gl, GL_RGB32F, size);
+    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    frame.gl->TextureSubImage2D(background_.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT,
+                                light.background->pixels().data());
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      frame.gl->TextureParameteri(background_.id(), filter, GL_LINEAR);
+    frame.gl->TextureParameteri(background_.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+    backgroundOf_ = light.background;
+  }
+  p.setTexture("uEnvironment", unit, background_);
+  p.set("uEnvironmentFromWorld", light.environmentFromWorld);
+  p.set("uEnvironmentScale", light.backgroundScale * exposureOf(*frame.scene, &light));
+  p.set("uRightWorld", glm::vec3(frame.view->rightWorld));
+  p.set("uUpWorld", glm::vec3(frame.view->upWorld));
+  p.set("uForwardWorld", glm::vec3(frame.view->forwardWorld));
+  // An orthographic view sees as much of it as a perspective one of the same target.
+  glm::dvec2 extent = frame.view->halfExtent;
+  if (frame.view->orthographic)
+    extent /= std::max(glm::length(*frame.scene->camera.eye - *frame.scene->camera.target), 1e-9);
+  p.set("uViewExtent", glm::vec2(extent));
+}
+
+}  // namespace isolux::render

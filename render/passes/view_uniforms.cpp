@@ -1,0 +1,46 @@
+#include "render/passes/view_uniforms.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace isolux::render {
+
+namespace {
+constexpr double kFarExtents = 8.0;  // floats lose half a thousandth of a voxel of 1000 there
+}
+
+ViewUniforms::ViewUniforms(const scene::Camera& camera, double aspect, const volume::GridGeometry& geometry) {
+  const scene::CameraFrame frame = scene::frameOf(camera);
+  rightWorld = frame.right;
+  upWorld = frame.up;
+  forwardWorld = -frame.back;
+  orthographic = frame.projection == scene::Projection::orthographic;
+  halfExtent = {frame.halfHeight * aspect, frame.halfHeight};
+
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 last = geometry.dims - 1;
+    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0,
+                           1.0);
+    const double depth = glm::dot(glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye, forwardWorld);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  const double extent = farthest - nearest, before = nearest - 0.01 * extent;
+  const bool far = nearest > kFarExtents * extent;
+  rayStartMm = orthographic ? (far ? before : std::min(0.0, before)) : 0.0;
+  startDepth = !orthographic && far ? before : 0.0;
+  depthRangeMm = glm::dvec2(std::max(nearest, rayStartMm), farthest) - rayStartMm;
+
+  const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
+  const glm::dmat3 linear(voxelFromWorld);
+  eyeVoxel =
+      glm::dvec3(voxelFromWorld * glm::dvec4(frame.eye + (rayStartMm + startDepth) * forwardWorld, 1.0));
+  rightVoxel = linear * rightWorld;
+  upVoxel = linear * upWorld;
+  forwardVoxel = linear * forwardWorld;
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,75 @@
+#include "render/volume/brick_rounds.h"
+
+#include <limits>
+#include <utility>
+
+#include <glm/common.hpp>
+
+namespace isolux::render {
+
+namespace {
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+constexpr int kSmallestArea = 8;  // rays per axis
+}  // namespace
+
+BrickRounds::BrickRounds(FrameState& frame, HitPasses& hits, std::function<void()> drawAtHits)
+    : frame_(frame),
+      hits_(hits),
+      bricks_(*frame.volume->bricks()),
+      drawAtHits_(std::move(drawAtHits)),
+      complete_(frame.request.brickUploadBytes == 0) {}
+
+void BrickRounds::castRound(const Area& area, bool again) {
+  const Gl& gl = *frame_.gl;
+  gl.Scissor(area.low.x, area.low.y, area.size.x, area.size.y);
+  gl.Enable(GL_SCISSOR_TEST);
+  bricks_.forgetWanted();
+  bricks_.beginRound();
+  hits_.cast(frame_, again);
+  bricks_.endRound();
+  gl.Disable(GL_SCISSOR_TEST);
+}
+
+std::size_t BrickRounds::cast() {
+  const Area picture{glm::ivec2(0), frame_.raySize()};
+  castRound(picture, false);
+  return complete_ ? settle(picture) : bricks_.waitingRays();
+}
+
+// After a round over the area.
+std::size_t BrickRounds::settle(const Area& area) {
+  std::size_t stuckAt = 0;  // rays that waited when nothing could be replaced
+  while (bricks_.waitingRays() > 0) {
+    if (bricks_.nextReplaced() >= bricks_.frameRound()) drawAtHits_();
+    // What rays of this round used on their way stays, or none would get further.
+    const bool served = bricks_.serve(bricks_.thisRound(), kNoLimit) > 0;
+    if (!served && bricks_.waitingRays() == stuckAt) break;
+    // Not served: rays that have arrived no longer need the bricks they used; another round shows which those
+    // are.
+    stuckAt = served ? 0 : bricks_.waitingRays();
+    castRound(area, true);
+  }
+  const std::size_t waiting = bricks_.waitingRays();
+  if (waiting == 0 || glm::max(area.size.x, area.size.y) <= kSmallestArea) return waiting;
+  std::size_t left = 0;
+  const glm::ivec2 half = (area.size + 1) / 2;
+  for (const glm::ivec2& corner : {glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)}) {
+    const glm::ivec2 low = corner * half, size = glm::min(half, area.size - low);
+    if (size.x <= 0 || size.y <= 0) continue;
+    const Area part{area.low + low, size};
+    castRound(part, true);
+    left += settle(part);
+  }
+  return left;
+}
+
+std::size_t BrickRounds::draw(const std::function<void()>& pass) {
+  do {
+    bricks_.beginRound();
+    pass();
+    bricks_.endRound();
+  } while (complete_ && bricks_.waitingRays() > 0 && bricks_.serve(bricks_.thisRound(), kNoLimit) > 0);
+  return bricks_.waitingRays();
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,39 @@
+// Rays in bricks: cast, upload what they wait for, and cast those that waited again.
+//
+// A pixel keeps the hit it has found, so bricks that only such pixels needed may be replaced: what is drawn
+// at the hits is drawn before. Where the bricks of all waiting rays together do not fit, parts of the picture
+// are cast one after the other: a picture is complete if the bricks of a few neighbouring rays fit.
+#pragma once
+
+#include <functional>
+
+#include "render/passes/hit_passes.h"
+
+namespace isolux::render {
+
+class BrickRounds {
+ public:
+  // drawAtHits draws what needs the bricks at the hits found so far, and keeps what it drew before.
+  BrickRounds(FrameState& frame, HitPasses& hits, std::function<void()> drawAtHits);
+
+  // The cast pass. Returns the number of rays that still wait: with FrameRequest::brickUploadBytes all that
+  // came to a brick that was not resident, otherwise those whose bricks do not fit.
+  std::size_t cast();
+  // Another pass that casts rays: drawn again while it gets bricks it asked for.
+  std::size_t draw(const std::function<void()>& pass);
+
+ private:
+  struct Area {
+    glm::ivec2 low, size;  // rays
+  };
+  void castRound(const Area& area, bool again);
+  std::size_t settle(const Area& area);
+
+  FrameState& frame_;
+  HitPasses& hits_;
+  Bricks& bricks_;
+  std::function<void()> drawAtHits_;
+  bool complete_;  // a picture of which nothing may be missing
+};
+
+}  // namespace isolux::render

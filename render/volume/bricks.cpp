@@ -1,0 +1,180 @@
+#include "render/volume/bricks.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/error.h"
+
+namespace isolux::render {
+
+namespace {
+
+constexpr GLuint kUseBinding = 0;  // bricks.glsl
+constexpr int kReferenceUnit = 15;
+constexpr std::size_t kFewestSlots = 8;
+constexpr std::uint32_t kUsed = 1, kAskedFor = 2;  // bricks.glsl
+
+std::size_t product(glm::ivec3 v) {
+  return static_cast<std::size_t>(v.x) * static_cast<std::size_t>(v.y) * static_cast<std::size_t>(v.z);
+}
+
+std::size_t brickTexelCount() {
+  return product(glm::ivec3(brickTexels));
+}
+
+std::size_t slotBytes(const std::vector<const TexelSource*>& channels) {
+  std::size_t sum = 0;
+  for (const TexelSource* channel : channels) sum += channel->texelBytes() * brickTexelCount();
+  return sum;
+}
+
+// Slots per axis of a cache: at most `perAxis` on each, as many as fit into `most`, as near to a cube as that
+// goes.
+glm::ivec3 slotDimsFor(std::size_t most, int perAxis) {
+  glm::ivec3 best(1);
+  for (int x = 1; x <= perAxis; ++x)
+    for (int y = x; y <= perAxis; ++y) {
+      const std::size_t z = most / (static_cast<std::size_t>(x) * static_cast<std::size_t>(y));
+      if (z < static_cast<std::size_t>(y) && y > x) break;
+      const glm::ivec3 dims(
+          x, y, static_cast<int>(std::clamp<std::size_t>(z, 1, static_cast<std::size_t>(perAxis))));
+      if (product(dims) > most) continue;
+      const bool more = product(dims) > product(best);
+      if (more || (product(dims) == product(best) && dims.z < best.z)) best = dims;
+    }
+  return best;
+}
+
+glm::ivec3 checkedSlots(const Gl& gl, const std::vector<const TexelSource*>& channels, std::size_t bricks,
+                        std::size_t budgetBytes) {
+  const std::size_t affordable = std::min(budgetBytes / slotBytes(channels), bricks);
+  const int perAxis = gl.max3dTexture / brickTexels;
+  const glm::ivec3 dims = slotDimsFor(std::max<std::size_t>(affordable, 1), std::max(perAxis, 1));
+  if (affordable < std::min(kFewestSlots, bricks) || perAxis < 1 ||
+      product(dims) < std::min(kFewestSlots, bricks))
+    throw base::Error(base::ErrorKind::memory, "", "graphics memory",
+                      "not even " + std::to_string(kFewestSlots) + " bricks of " +
+                          std::to_string(slotBytes(channels) >> 10) +
+                          " KiB fit: memory.gpu_budget_mb is too small");
+  return dims;
+}
+
+}  // namespace
+
+Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, std::size_t budgetBytes)
+    : gl_(std::move(gl)),
+      channels_(std::move(channels)),
+      dims_(brickDims(channels_[0]->dims())),
+      slotDims_(checkedSlots(*gl_, channels_, product(dims_), budgetBytes)),
+      cache_(product(dims_), std::min(product(slotDims_), product(dims_))),
+      reference_(Texture::make3D(gl_, GL_RGBA16UI, dims_, false)),
+      use_(gl_),
+      marks_(product(dims_) + 1, 0) {
+  for (const TexelSource* channel : channels_)
+    caches_.push_back(Texture::make3D(gl_, channel->internalFormat(), slotDims_ * brickTexels, true));
+  const std::vector<std::uint16_t> nowhere(4 * product(dims_), 0);
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_->TextureSubImage3D(reference_.id(), 0, 0, 0, 0, dims_.x, dims_.y, dims_.z, GL_RGBA_INTEGER,
+                         GL_UNSIGNED_SHORT, nowhere.data());
+  use_.setData(nullptr, marks_.size() * sizeof(std::uint32_t));
+}
+
+void Bricks::bind(Program& program) const {
+  program.setTexture("uBricks", kReferenceUnit, reference_);
+}
+
+std::size_t Bricks::bytes() const {
+  std::size_t sum = reference_.bytes() + use_.bytes();
+  for (const Texture& cache : caches_) sum += cache.bytes();
+  return sum;
+}
+
+bool Bricks::holdsAll() const {
+  return cache_.slots() == product(dims_);
+}
+
+void Bricks::beginFrame() {
+  frameBegins_ = true;
+  uploaded_ = evicted_ = 0;
+  uploadMilliseconds_ = 0.0;
+}
+
+void Bricks::beginRound() {
+  const BrickCache::Round round = cache_.beginRound();
+  if (frameBegins_) frameRound_ = round;
+  frameBegins_ = false;
+  gl_->ClearNamedBufferData(use_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, kUseBinding, use_.id());
+}
+
+void Bricks::endRound() {
+  gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl_->GetNamedBufferSubData(use_.id(), 0, static_cast<GLsizeiptr>(use_.bytes()), marks_.data());
+  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, kUseBinding, 0);
+  waitingRays_ = marks_[0];
+  for (std::size_t i = 1; i < marks_.size(); ++i) {
+    const auto brick = static_cast<BrickCache::Brick>(i - 1);
+    if (marks_[i] == kUsed)
+      cache_.use(brick);
+    else if (marks_[i] == kAskedFor)
+      wanted_.push_back(brick);
+  }
+}
+
+bool Bricks::canServe(BrickCache::Round kept) const {
+  return !wanted_.empty() && cache_.oldest() < kept;
+}
+
+std::size_t Bricks::serve(BrickCache::Round kept, std::size_t limitBytes) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::size_t each = slotBytes(channels_);
+  std::size_t count = 0, next = 0;
+  for (; next < wanted_.size() && (count == 0 || (count + 1) * each <= limitBytes); ++next) {
+    const BrickCache::Brick brick = wanted_[next];
+    if (cache_.slotOf(brick)) continue;  // asked for twice
+    const auto placement = cache_.place(brick, kept);
+    if (!placement) break;
+    if (placement->evicted) {
+      reference(*placement->evicted, false);
+      ++evicted_;
+    }
+    upload(brick, placement->slot);
+    ++count;
+  }
+  wanted_.erase(wanted_.begin(), wanted_.begin() + static_cast<std::ptrdiff_t>(next));
+  uploaded_ += count;
+  uploadMilliseconds_ +=
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return count;
+}
+
+glm::ivec3 Bricks::brickAt(BrickCache::Brick brick) const {
+  const int b = static_cast<int>(brick);
+  return {b % dims_.x, b / dims_.x % dims_.y, b / (dims_.x * dims_.y)};
+}
+
+void Bricks::reference(BrickCache::Brick brick, bool isResident) const {
+  const int slot = isResident ? static_cast<int>(*cache_.slotOf(brick)) : 0;
+  const auto part = [](int v) { return static_cast<std::uint16_t>(v); };
+  const std::uint16_t entry[4] = {part(slot % slotDims_.x), part(slot / slotDims_.x % slotDims_.y),
+                                  part(slot / (slotDims_.x * slotDims_.y)), part(isResident ? 1 : 0)};
+  const glm::ivec3 at = brickAt(brick);
+  gl_->TextureSubImage3D(reference_.id(), 0, at.x, at.y, at.z, 1, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
+                         entry);
+}
+
+void Bricks::upload(BrickCache::Brick brick, BrickCache::Slot slot) {
+  const int s = static_cast<int>(slot);
+  const glm::ivec3 to = brickTexels * glm::ivec3(s % slotDims_.x, s / slotDims_.x % slotDims_.y,
+                                                 s / (slotDims_.x * slotDims_.y));
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    texels_.resize(channels_[i]->texelBytes() * brickTexelCount());
+    channels_[i]->copyBox(brickAt(brick) * brickCells - 1, glm::ivec3(brickTexels), texels_.data());
+    gl_->TextureSubImage3D(caches_[i].id(), 0, to.x, to.y, to.z, brickTexels, brickTexels, brickTexels,
+                           GL_RED, channels_[i]->type(), texels_.data());
+  }
+  reference(brick, true);
+}
+
+}  // namespace isolux::render

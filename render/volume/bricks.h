@@ -1,0 +1,74 @@
+// A volume as bricks in a cache on the GPU: its textures, what rays ask for, and the uploads that answer.
+//
+// Rays mark the bricks they use and those they wait for (bricks.glsl); after a round of rays endRound() reads
+// the marks and serve() uploads what was asked for, replacing what was least recently used. One cache texture
+// for each channel, the samples and, where there are any, the coefficients of the interpolating spline: a
+// brick has the same slot in both. The reference texture says which. Hadwiger et al. 2005 sec. 3.1.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/gl/gl_objects.h"
+#include "render/volume/brick_cache.h"
+#include "render/volume/volume_texture.h"
+
+namespace isolux::render {
+
+class Bricks {
+ public:
+  // Nothing is resident yet. The cache takes what fits into the budget and the driver's 3D textures, at most
+  // all bricks. Throws base::Error{memory} when not even a handful fits. `channels` outlive this.
+  Bricks(GlPtr gl, std::vector<const TexelSource*> channels, std::size_t budgetBytes);
+
+  void bind(Program& program) const;  // uBricks, texture unit 15
+  const Texture& texture(std::size_t channel) const { return caches_[channel]; }
+  std::size_t bytes() const;
+
+  glm::ivec3 dims() const { return dims_; }  // bricks per axis
+  std::size_t slots() const { return cache_.slots(); }
+  std::size_t resident() const { return cache_.resident(); }
+  bool holdsAll() const;  // once resident, a brick stays
+
+  // A frame has rounds of rays; what its first and later rounds use is known until the next frame's first
+  // round.
+  void beginFrame();
+  void beginRound();
+  void endRound();
+  std::size_t waitingRays() const { return waitingRays_; }  // of the last round
+
+  // Uploads bricks that were asked for, at most `limitBytes` but at least one; those used since the round
+  // `kept` stay. Returns how many.
+  std::size_t serve(BrickCache::Round kept, std::size_t limitBytes);
+  bool canServe(BrickCache::Round kept) const;
+  void forgetWanted() { wanted_.clear(); }
+  BrickCache::Round thisRound() const { return cache_.round(); }
+  BrickCache::Round frameRound() const { return frameRound_; }  // the first of the frame
+  BrickCache::Round nextReplaced() const { return cache_.oldest(); }
+
+  std::size_t uploaded() const { return uploaded_; }  // in this frame
+  std::size_t evicted() const { return evicted_; }
+  double uploadMilliseconds() const { return uploadMilliseconds_; }  // wall time
+
+ private:
+  glm::ivec3 brickAt(BrickCache::Brick brick) const;
+  void reference(BrickCache::Brick brick, bool isResident) const;
+  void upload(BrickCache::Brick brick, BrickCache::Slot slot);
+
+  GlPtr gl_;
+  std::vector<const TexelSource*> channels_;
+  glm::ivec3 dims_, slotDims_;
+  BrickCache cache_;
+  std::vector<Texture> caches_;
+  Texture reference_;
+  Buffer use_;  // waiting rays, then a mark for each brick
+  std::vector<std::uint32_t> marks_;
+  std::vector<BrickCache::Brick> wanted_;
+  std::vector<std::byte> texels_;
+  bool frameBegins_ = true;
+  BrickCache::Round frameRound_ = 1;
+  std::size_t waitingRays_ = 0, uploaded_ = 0, evicted_ = 0;
+  double uploadMilliseconds_ = 0.0;
+};
+
+}  // namespace isolux::render

@@ -1,0 +1,227 @@
+#include "render/volume/gpu_volume.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "base/error.h"
+#include "volume/field/reconstruct.h"
+
+namespace isolux::render {
+
+namespace {
+
+// The masks of the blocks are a texture, the faces have numbers.
+void checkBlocks(const Gl& gl, const volume::MinMaxBlocks& blocks, const std::string& name) {
+  const glm::ivec3 dims = blocks.dims();
+  const int longest = std::max({dims.x, dims.y, dims.z});
+  if (longest > gl.max3dTexture)
+    throw base::Error(base::ErrorKind::memory, name, "graphics memory",
+                      "an axis of " + std::to_string(longest * blocks.blockCells()) +
+                          " voxels cannot be drawn with this driver, which takes up to " +
+                          std::to_string(gl.max3dTexture * blocks.blockCells()) +
+                          "; read a part of the volume");
+  if (blocks.count() > kMostFaceBlocks)
+    throw base::Error(base::ErrorKind::memory, name, "graphics memory",
+                      "Isolux draws at most " + std::to_string(kMostFaceBlocks) + " blocks of " +
+                          std::to_string(blocks.blockCells()) + "^3 voxels; read a part of the volume");
+}
+
+}  // namespace
+
+GpuVolume::GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume)
+    : gl_(std::move(gl)), volume_(std::move(volume)), faceBuffer_(gl_) {
+  checkBlocks(*gl_, *volume_->blocks, volume_->volume.name);
+}
+
+bool GpuVolume::hasCells() const {
+  return glm::all(glm::greaterThan(volume_->blocks->dims(), glm::ivec3(0)));
+}
+
+const volume::CubicField& GpuVolume::cubic(scene::Field field) const {
+  base::Progress unwatched;
+  return *volume_->cubicFields->make(field, unwatched);  // which keeps it
+}
+
+bool GpuVolume::fitsWhole(std::size_t budgetBytes) const {
+  const glm::ivec3 dims = grid().dims();
+  const std::size_t bytes = samples_->bytes() + (coefficientTexels_ ? coefficientTexels_->bytes() : 0);
+  return std::max({dims.x, dims.y, dims.z}) <= gl_->max3dTexture && bytes <= budgetBytes;
+}
+
+void GpuVolume::makeWhole(std::size_t budgetBytes) {
+  bricks_.reset();
+  if (samples_->bytes() + (coefficientTexels_ ? coefficientTexels_->bytes() : 0) > budgetBytes)
+    for (Texture* const texture : {&samplesTexture_, &coefficientsTexture_})
+      *texture = Texture();  // made under a larger budget: refused now, too
+  if (!samplesTexture_) samplesTexture_ = uploadWhole(gl_, *samples_, budgetBytes);
+  if (coefficientTexels_ && !coefficientsTexture_)
+    coefficientsTexture_ =
+        uploadWhole(gl_, *coefficientTexels_, budgetBytes - std::min(budgetBytes, samplesTexture_.bytes()));
+}
+
+void GpuVolume::makeBricks(std::size_t budgetBytes) {
+  samplesTexture_ = Texture();
+  coefficientsTexture_ = Texture();
+  bricks_.reset();
+  std::vector<const TexelSource*> channels = {&*samples_};
+  if (coefficientTexels_) channels.push_back(&*coefficientTexels_);
+  bricks_.emplace(gl_, std::move(channels), budgetBytes);
+  ++bricksMade_;
+}
+
+void GpuVolume::require(const scene::Scene& scene) {
+  if (!hasCells()) return;
+  const std::size_t budgetBytes = static_cast<std::size_t>(scene.memory.gpuBudgetMb) << 20;
+  if (!samples_) samples_.emplace(grid());
+  if (scene.hit.field == scene::Field::cubic_interpolating ||
+      scene.derivatives.field == scene::Field::cubic_interpolating)
+    if (!coefficientTexels_)
+      coefficientTexels_.emplace(*cubic(scene::Field::cubic_interpolating).coefficients, grid().dims());
+  const Layout wanted{scene.memory, coefficientTexels_.has_value()};
+  if (layout_ == wanted) return;
+  layout_.reset();
+  const bool whole = scene.memory.layout == scene::MemoryLayout::whole ||
+                     (scene.memory.layout == scene::MemoryLayout::automatic && fitsWhole(budgetBytes));
+  if (whole)
+    makeWhole(budgetBytes);
+  else
+    makeBricks(budgetBytes);
+  layout_ = wanted;
+}
+
+std::size_t GpuVolume::activeBricks() const {
+  if (!active_ || !hasCells()) return 0;
+  if (activeBricks_) return *activeBricks_;
+  const glm::ivec3 bricks = brickDims(grid().dims()), dims = blocks().dims();
+  const int perBrick = brickCells / blocks().blockCells();
+  std::vector<std::uint8_t> active(static_cast<std::size_t>(bricks.x) * static_cast<std::size_t>(bricks.y) *
+                                   static_cast<std::size_t>(bricks.z));
+  std::size_t block = 0;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x, ++block)
+        if (isActive(block))
+          active[static_cast<std::size_t>((z / perBrick * bricks.y + y / perBrick) * bricks.x +
+                                          x / perBrick)] = 1;
+  activeBricks_ = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
+  return *activeBricks_;
+}
+
+const TexelSource& GpuVolume::sourceOf(scene::Field field) const {
+  return field == scene::Field::cubic_interpolating ? *coefficientTexels_ : *samples_;
+}
+
+void GpuVolume::bind(Program& program, scene::Field field) const {
+  const bool coefficients = field == scene::Field::cubic_interpolating;
+  program.setTexture("uVolume", 0, bricks_ ? bricks_->texture(0) : samplesTexture_);
+  if (bricks_) {
+    program.setTexture("uField", 1, bricks_->texture(coefficients ? 1 : 0));
+    bricks_->bind(program);
+  } else {
+    program.setTexture("uField", 1, coefficients ? coefficientsTexture_ : samplesTexture_);
+  }
+  program.set("uDims", grid().dims());
+  program.set("uFour", 4);
+  program.set("uFieldPerVolume", static_cast<float>(sourceOf(field).scale() / samples_->scale()));
+}
+
+double GpuVolume::texelOf(double value) const {
+  return (grid().storedOfValue(value) - samples_->offset()) / samples_->scale();
+}
+
+double GpuVolume::texelOf(double value, scene::Field field) const {
+  return (grid().storedOfValue(value) - sourceOf(field).offset()) / sourceOf(field).scale();
+}
+
+double GpuVolume::dataUnitsPerTexel() const {
+  return grid().slope() * samples_->scale();
+}
+
+double GpuVolume::dataUnitsPerTexel(scene::Field field) const {
+  return grid().slope() * sourceOf(field).scale();
+}
+
+void GpuVolume::setField(scene::Field field) {
+  using volume::BoxBounds;
+  using volume::MinMaxBlocks;
+  if (activeField_ == field) return;
+  std::shared_ptr<const MinMaxBlocks> blocks = volume_->blocks;
+  boxes_ = volume_->boxes;
+  if (field != scene::Field::trilinear) {
+    const volume::CubicField& made = cubic(field);
+    blocks = {volume_, &made.blocks};
+    boxes_ = {volume_, &made.boxes};
+  }
+  active_ = std::make_unique<volume::ActiveBlocks>(blocks);
+  faces_ = std::make_unique<BlockFaceSet>(blocks->dims());
+  maskTexture_ = hasCells() ? Texture::make3D(gl_, GL_RG32UI, blocks->dims(), false) : Texture();
+  faceCapacity_ = 0;
+  activeField_ = field;
+}
+
+void GpuVolume::updateMasks(const std::vector<float>& storedIsovalues) {
+  const std::vector<std::uint8_t>& flags = active_->flags();
+  if (active_->blocks().blockCells() == volume::BoxBounds::kBlockCells) {
+    boxes_->masks(storedIsovalues, flags, masks_);
+  } else {  // of another size (benchmarks): every box of an active one
+    masks_.resize(flags.size());
+    std::transform(flags.begin(), flags.end(), masks_.begin(),
+                   [](std::uint8_t flag) { return flag ? ~std::uint64_t{0} : std::uint64_t{0}; });
+  }
+  const glm::ivec3 dims = active_->blocks().dims();
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_->TextureSubImage3D(maskTexture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RG_INTEGER,
+                         GL_UNSIGNED_INT, masks_.data());
+}
+
+bool GpuVolume::mayCross(scene::Field field, const std::vector<double>& values) const {
+  if (!hasCells()) return false;
+  // The smoothing spline stays within the range of the samples; the interpolating one need not.
+  const bool overshoots = field == scene::Field::cubic_interpolating;
+  return std::any_of(values.begin(), values.end(), [&](double value) {
+    return overshoots || (value >= grid().minimum() && value <= grid().maximum());
+  });
+}
+
+void GpuVolume::activate(scene::Field field, const std::vector<double>& values) {
+  setField(field);
+  if (!hasCells()) return;
+  std::vector<float> stored;
+  // Blocks and boxes of coefficients lack the coefficients' offset.
+  const double offset = field == scene::Field::cubic_interpolating ? cubic(field).coefficients->offset : 0.0;
+  for (const double value : values)
+    stored.push_back(static_cast<float>(grid().storedOfValue(value) - offset));
+  const bool fresh = faceCapacity_ == 0;
+  const std::span<const std::uint32_t> changed = active_->update(stored);
+  faces_->update(active_->flags(), changed);
+  activeBricks_.reset();
+  updateMasks(stored);
+
+  const std::vector<PackedFace>& faces = faces_->faces();
+  const std::vector<BlockFaceSet::Range> dirty = faces_->takeDirty();
+  if (fresh || faces.size() > faceCapacity_) {
+    faceCapacity_ = std::max<std::size_t>(faces.size() + faces.size() / 4, 1024);
+    faceBuffer_.setData(nullptr, faceCapacity_ * sizeof(PackedFace));
+    faceBuffer_.write(0, faces.data(), faces.size() * sizeof(PackedFace));
+  } else {
+    for (const BlockFaceSet::Range& range : dirty)
+      faceBuffer_.write(range.first * sizeof(PackedFace), &faces[range.first],
+                        range.count * sizeof(PackedFace));
+  }
+}
+
+volume::CurvatureStatistics GpuVolume::curvatureStatistics(scene::Field field, double value, double outward) {
+  if (!hasCells()) return {};
+  const volume::Coefficients* const spline =
+      field == scene::Field::cubic_interpolating ? &*cubic(field).coefficients : nullptr;
+  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, spline);
+}
+
+std::size_t GpuVolume::bytes() const {
+  std::size_t sum = blockBytes();
+  return sum + samplesTexture_.bytes() + coefficientsTexture_.bytes() + (bricks_ ? bricks_->bytes() : 0);
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,106 @@
+// A volume as the passes read it: its textures, and the blocks that hold the isosurface.
+//
+// Positions are voxel coordinates. A texture holds texels: stored = texel * scale + offset
+// (volume_texture.h).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/gl/gl_objects.h"
+#include "render/volume/block_faces.h"
+#include "render/volume/bricks.h"
+#include "render/volume/volume_texture.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+#include "volume/skip/active_blocks.h"
+#include "volume/skip/box_bounds.h"
+#include "volume/statistics/curvature_statistics.h"
+
+namespace isolux::render {
+
+class GpuVolume {
+ public:
+  // Nothing is uploaded yet. Throws base::Error{memory} where the driver or this program cannot draw as
+  // many blocks.
+  GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
+
+  const volume::Grid& grid() const { return volume_->grid(); }
+  std::shared_ptr<const volume::Grid> sharedGrid() const { return volume_->volume.grid; }
+  bool hasCells() const;  // an axis of one voxel has none, and no surface
+
+  // Makes room for what a scene's fields need and is not there yet, as one texture each or as bricks
+  // (memory.layout), and uploads whole textures; memory.gpu_budget_mb is for all textures together. Throws
+  // base::Error{memory}.
+  void require(const scene::Scene& scene);
+  // None: the volume is whole.
+  Bricks* bricks() { return bricks_ ? &*bricks_ : nullptr; }
+  const Bricks* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
+  std::size_t bricksMade() const { return bricksMade_; }  // how often: what was resident is gone then
+  // Bricks that hold an active block: what pictures of these isosurfaces can need.
+  std::size_t activeBricks() const;
+
+  // Sets uVolume and uDims, and uField, uFieldPerVolume for the texture that `field` is made from. Uses
+  // texture units 0 and 1, and 15 for bricks.
+  void bind(Program& program, scene::Field field) const;
+  // A value in data units as a texel of uVolume, or of the texture `field` is made from.
+  double texelOf(double value) const;
+  double texelOf(double value, scene::Field field) const;
+  double dataUnitsPerTexel() const;  // of uVolume
+  double dataUnitsPerTexel(scene::Field field) const;
+
+  // How the surface of `value` (data units) is curved by the derivatives of `field`. All 0 where there is
+  // none.
+  volume::CurvatureStatistics curvatureStatistics(scene::Field field, double value, double outward);
+
+  // False: no cell of this field can hold a surface of one of `values` (data units).
+  bool mayCross(scene::Field field, const std::vector<double>& values) const;
+  // Makes the blocks active that the surfaces of `values` (data units) of this field can cross; uploads
+  // flags and faces, in time proportional to what changes.
+  void activate(scene::Field field, const std::vector<double>& values);
+  std::size_t activeBlocks() const { return active_ ? active_->activeCount() : 0; }
+  std::size_t faceCount() const { return faces_ ? faces_->faces().size() : 0; }
+  const volume::MinMaxBlocks& blocks() const { return active_->blocks(); }
+  bool isActive(std::size_t block) const { return active_->flags()[block] != 0; }
+  const Texture& maskTexture() const { return maskTexture_; }  // RG32UI, trace.glsl's uBlockMasks
+  const Buffer& faceBuffer() const { return faceBuffer_; }
+
+  std::size_t blockBytes() const { return faceBuffer_.bytes() + maskTexture_.bytes(); }
+  std::size_t bytes() const;
+
+ private:
+  struct Layout {
+    scene::Memory memory;
+    bool coefficients = false;
+    bool operator==(const Layout&) const = default;
+  };
+  bool fitsWhole(std::size_t budgetBytes) const;
+  void makeWhole(std::size_t budgetBytes);
+  void makeBricks(std::size_t budgetBytes);
+  const TexelSource& sourceOf(scene::Field field) const;
+  // What a cubic field needs; makes it where nobody has (see volume/field/cubic_fields.h: takes long).
+  const volume::CubicField& cubic(scene::Field field) const;
+  void setField(scene::Field field);  // whose blocks are kept
+  void updateMasks(const std::vector<float>& storedIsovalues);
+
+  GlPtr gl_;
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  std::optional<TexelSource> samples_, coefficientTexels_;
+  std::optional<Layout> layout_;                  // that is made
+  Texture samplesTexture_, coefficientsTexture_;  // of a whole volume
+  std::optional<Bricks> bricks_;
+  std::size_t bricksMade_ = 0;
+
+  std::optional<scene::Field> activeField_;
+  std::unique_ptr<volume::ActiveBlocks> active_;
+  std::unique_ptr<BlockFaceSet> faces_;
+  std::size_t faceCapacity_ = 0;
+  mutable std::optional<std::size_t> activeBricks_;  // counted when asked for
+  std::shared_ptr<const volume::BoxBounds> boxes_;   // of activeField_
+  std::vector<std::uint64_t> masks_;
+  Texture maskTexture_;
+  Buffer faceBuffer_;
+};
+
+}  // namespace isolux::render

@@ -1,0 +1,159 @@
+#include "render/volume/volume_texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "render/constants.h"
+
+namespace isolux::render {
+
+namespace {
+
+// What float values become texels by: (value - offset) * 2^-exponent.
+struct Scaling {
+  float offset = 0.0f;
+  int exponent = 0;
+};
+
+int exponentOf(double least, double most) {
+  const double largest = std::max(std::fabs(least), std::fabs(most));
+  int exponent = 0;
+  if (largest > 0.0) std::frexp(largest, &exponent);
+  return std::clamp(exponent, -126, 127);
+}
+
+// The largest magnitude becomes about 1. An offset only where subtracting it rounds nothing: every value
+// within a factor of two of it.
+Scaling scalingOf(double least, double most) {
+  const bool oneSign = least > 0.0 || most < 0.0;
+  const double nearest = std::min(std::fabs(least), std::fabs(most)),
+               farthest = std::max(std::fabs(least), std::fabs(most));
+  if (!oneSign || farthest > 2.0 * nearest || least == most) return {0.0f, exponentOf(least, most)};
+  const auto middle = static_cast<float>(least + 0.5 * (most - least));
+  const double offset = static_cast<double>(middle);
+  return {middle, exponentOf(least - offset, most - offset)};
+}
+
+template <class Voxel, class Texel, class Convert>
+void convertBox(const std::vector<Voxel>& voxels, glm::ivec3 dims, glm::ivec3 first, glm::ivec3 size,
+                Texel* out, Convert convert) {
+  const int from = std::clamp(-first.x, 0, size.x);           // texels before the first voxel
+  const int to = std::clamp(dims.x - first.x, from, size.x);  // and behind the last
+  const auto row = [&](int y, int z) {
+    const std::size_t line =
+        static_cast<std::size_t>(std::clamp(first.z + z, 0, dims.z - 1)) * static_cast<std::size_t>(dims.y) +
+        static_cast<std::size_t>(std::clamp(first.y + y, 0, dims.y - 1));
+    return voxels.data() + line * static_cast<std::size_t>(dims.x);
+  };
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y) {
+      const Voxel* const voxel = row(y, z);
+      out = std::fill_n(out, from, convert(voxel[0]));
+      out = std::transform(voxel + first.x + from, voxel + first.x + to, out, convert);
+      out = std::fill_n(out, size.x - to, convert(voxel[dims.x - 1]));
+    }
+}
+
+}  // namespace
+
+TexelSource::TexelSource(const volume::Grid& grid) : dims_(grid.dims()), voxels_(&grid.voxels()) {
+  using volume::VoxelType;
+  switch (grid.storedType()) {
+    case VoxelType::int8:
+    case VoxelType::uint8:
+      scale_ = 255.0;
+      break;
+    case VoxelType::int16:
+    case VoxelType::uint16:
+      scale_ = 65535.0;
+      break;
+    default: {
+      const Scaling scaling = scalingOf(grid.storedMinimum(), grid.storedMaximum());
+      exponent_ = scaling.exponent;
+      subtracted_ = scaling.offset;
+      offset_ = static_cast<double>(subtracted_);
+      scale_ = std::ldexp(1.0, exponent_);
+    }
+  }
+  if (grid.storedType() == VoxelType::int8) offset_ = -128.0;
+  if (grid.storedType() == VoxelType::int16) offset_ = -32768.0;
+}
+
+TexelSource::TexelSource(const volume::Coefficients& coefficients, glm::ivec3 dims)
+    : dims_(dims),
+      coefficients_(&coefficients.values),
+      offset_(coefficients.offset),
+      exponent_(exponentOf(static_cast<double>(coefficients.least), static_cast<double>(coefficients.most))) {
+  scale_ = std::ldexp(1.0, exponent_);
+}
+
+std::size_t TexelSource::texelBytes() const {
+  if (!voxels_) return sizeof(float);
+  return std::visit([](const auto& voxels) { return sizeof(voxels[0]); }, *voxels_);
+}
+
+std::size_t TexelSource::bytes() const {
+  return texelBytes() * static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
+         static_cast<std::size_t>(dims_.z);
+}
+
+GLenum TexelSource::internalFormat() const {
+  return texelBytes() == 1 ? GL_R8 : texelBytes() == 2 ? GL_R16 : GL_R32F;
+}
+
+GLenum TexelSource::type() const {
+  return texelBytes() == 1 ? GL_UNSIGNED_BYTE : texelBytes() == 2 ? GL_UNSIGNED_SHORT : GL_FLOAT;
+}
+
+void TexelSource::copyBox(glm::ivec3 first, glm::ivec3 size, void* texels) const {
+  const auto copy = [&](const auto& voxels) {
+    using T = typename std::decay_t<decltype(voxels)>::value_type;
+    if constexpr (std::is_same_v<T, float>) {
+      convertBox(voxels, dims_, first, size, static_cast<float*>(texels),
+                 [shift = -exponent_, offset = subtracted_](float v) {
+                   return std::isnan(v) ? missingTexel : std::ldexp(v - offset, shift);
+                 });
+    } else {
+      using Unsigned = std::make_unsigned_t<T>;
+      constexpr int bias = std::is_signed_v<T> ? (sizeof(T) == 1 ? 128 : 32768) : 0;
+      convertBox(voxels, dims_, first, size, static_cast<Unsigned*>(texels),
+                 [](T v) { return static_cast<Unsigned>(static_cast<int>(v) + bias); });
+    }
+  };
+  if (voxels_)
+    std::visit(copy, *voxels_);
+  else
+    copy(*coefficients_);
+}
+
+Texture uploadWhole(const GlPtr& gl, const TexelSource& source, std::size_t budgetBytes) {
+  const auto refuse = [](const std::string& reason) {
+    throw base::Error(base::ErrorKind::memory, "", "graphics memory", reason);
+  };
+  const glm::ivec3 dims = source.dims();
+  const int longest = std::max({dims.x, dims.y, dims.z});
+  if (longest > gl->max3dTexture)
+    refuse("the volume has an axis of " + std::to_string(longest) + " voxels, this driver takes at most " +
+           std::to_string(gl->max3dTexture) + " in one texture");
+  if (source.bytes() > budgetBytes)
+    refuse("the volume needs " + std::to_string(source.bytes() >> 20) + " MiB, memory.gpu_budget_mb allows " +
+           std::to_string(budgetBytes >> 20));
+  Texture texture = Texture::make3D(gl, source.internalFormat(), dims, true);
+  // Slab by slab through one converted buffer: no second copy of the volume.
+  const std::size_t slice = source.bytes() / static_cast<std::size_t>(dims.z);
+  const int slices = static_cast<int>(
+      std::clamp<std::size_t>((std::size_t{8} << 20) / slice, 1, static_cast<std::size_t>(dims.z)));
+  std::vector<std::byte> buffer(slice * static_cast<std::size_t>(slices));
+  gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (int z = 0; z < dims.z; z += slices) {
+    const int count = std::min(slices, dims.z - z);
+    source.copyBox({0, 0, z}, {dims.x, dims.y, count}, buffer.data());
+    gl->TextureSubImage3D(texture.id(), 0, 0, 0, z, dims.x, dims.y, count, GL_RED, source.type(),
+                          buffer.data());
+  }
+  return texture;
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,90 @@
+#include "scene/rules/automatic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "scene/camera.h"
+
+namespace isolux::scene {
+
+namespace {
+
+constexpr double elevation = 0.21;  // radians (12 degrees): "slightly above"
+
+// Of who looks at the front.
+glm::dvec3 rightOf(WorldAxes axes) {
+  return glm::cross(upOf(axes), frontOf(axes));
+}
+
+// In front of the volume, above it and to the viewer's left, each lamp a third of a turn further.
+void resolveLamps(Scene& scene, const VolumeFacts& facts) {
+  const glm::dvec3 center = 0.5 * (facts.boundsMinMm + facts.boundsMaxMm);
+  const double size = std::max(glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
+  Lamp* const lamps[] = {&scene.lamp1, &scene.lamp2, &scene.lamp3};
+  for (int i = 0; i < 3; ++i) {
+    const double angle = (-0.65 + i / 3.0 * 2.0) * std::numbers::pi;
+    const glm::dvec3 toward = 0.7 * (std::cos(angle) * rightOf(facts.axes) -
+                                     std::sin(angle) * frontOf(facts.axes) + upOf(facts.axes));
+    if (!lamps[i]->position) lamps[i]->position = center + size * toward;
+    if (!lamps[i]->radius) lamps[i]->radius = 0.1 * size;
+  }
+}
+
+}  // namespace
+
+Scene resolve(Scene scene, const VolumeFacts& facts) {
+  if (!scene.isosurface.value)
+    scene.isosurface.value = std::isfinite(facts.suggestedIsovalue) ? facts.suggestedIsovalue : 0.0;
+  if (!scene.source.csgValue) scene.source.csgValue = facts.csgIsovalue;
+
+  ExtraIsosurface* const extras[] = {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4};
+  for (int i = 0; i < 3; ++i)
+    if (!extras[i]->value)
+      extras[i]->value =
+          std::lerp(*scene.isosurface.value, std::max(facts.maximum, *scene.isosurface.value), (i + 1) / 4.0);
+  if (!scene.isosurface.albedoLow) scene.isosurface.albedoLow = facts.minimum;
+  if (!scene.isosurface.albedoHigh) scene.isosurface.albedoHigh = facts.maximum;
+  if (!scene.gi.band) {
+    const double reach = 0.05 * (facts.maximum - facts.minimum);
+    scene.gi.band = glm::dvec2(*scene.isosurface.value - reach, *scene.isosurface.value + reach);
+  }
+  resolveLamps(scene, facts);
+  if (!scene.hit.nearThreshold) scene.hit.nearThreshold = facts.typicalStep / scene.hit.rate;
+  if (!scene.derivatives.noise) scene.derivatives.noise = facts.noise;
+  if (!scene.look.textureScale)
+    scene.look.textureScale = std::max(0.1 * glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
+
+  Camera& camera = scene.camera;
+  if (camera.eye && camera.target && camera.up) return scene;
+
+  // The camera that fits the box: around its centre, along the chosen or else the default direction.
+  const glm::dvec3 up = upOf(facts.axes), front = frontOf(facts.axes);
+  Camera wanted = camera;
+  if (!camera.eye) {
+    wanted.target = glm::dvec3(0.0);
+    wanted.eye = std::cos(elevation) * front + std::sin(elevation) * up;
+    if (!camera.up) wanted.up = up;
+  }
+  const Camera fit = fitted(wanted, facts.boundsMinMm, facts.boundsMaxMm);
+
+  if (!camera.eye && camera.target)
+    camera.eye = *fit.eye + (*camera.target - *fit.target);  // the same view, of another point
+  if (!camera.eye) camera.eye = fit.eye;
+  if (!camera.target) {
+    camera.target = fit.target;
+    // An eye that stands on the centre looks to the back, not nowhere.
+    if (glm::length(*camera.eye - *camera.target) < 1e-9) camera.target = *camera.eye - front;
+  }
+  if (!camera.up) {
+    const glm::dvec3 view = *camera.target - *camera.eye;
+    const double along = glm::dot(view, up);
+    const bool alongUp = glm::length(view - along * up) < 1e-3 * std::abs(along);
+    camera.up = alongUp ? front : up;
+  }
+  return scene;
+}
+
+}  // namespace isolux::scene

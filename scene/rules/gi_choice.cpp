@@ -1,0 +1,96 @@
+#include "scene/rules/gi_choice.h"
+
+#include <initializer_list>
+
+#include "scene/rules/relevance.h"
+
+namespace isolux::scene {
+
+namespace {
+
+bool isGrey(const glm::dvec3& color) {
+  return color.x == color.y && color.y == color.z;
+}
+
+bool isBlack(const glm::dvec3& color) {
+  return color.x == 0.0 && color.y == 0.0 && color.z == 0.0;
+}
+
+bool shines(const Lamp& lamp) {
+  return lamp.shown && lamp.intensity > 0.0 && !isBlack(lamp.color);
+}
+
+bool albedoIsGrey(const Scene& scene) {
+  if (scene.isosurface.albedoSource == AlbedoSource::map) return scene.isosurface.albedoMap == ColorMap::gray;
+  bool grey = isGrey(scene.isosurface.albedo);
+  for (const ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
+    grey = grey && (!extra->shown || isGrey(extra->albedo));
+  return grey;
+}
+
+void addReason(GiChoice& choice, const char* clause) {
+  choice.reason += (choice.reason.empty() ? "" : "; ") + std::string(clause);
+}
+
+GiMode leastMode(const Scene& scene, GiChoice& choice) {
+  const bool probe = !scene.light.environment.file.empty();
+  if (!probe && isBlack(scene.light.environment.constant)) {
+    addReason(choice, "the sky is black");
+    return GiMode::off;
+  }
+  if (!probe && scene.gi.bounces == 0) {
+    addReason(choice, "a sky of one colour and no bounces: one number says how much of it is seen");
+    return GiMode::vicinity;
+  }
+  if (!probe) {
+    addReason(choice, "a sky of one colour: irradiance under a sky of radiance 1, its colour stays free");
+    return GiMode::irradiance;
+  }
+  if (scene.light.environment.moves) {
+    addReason(choice, "the environment moves: transfer");
+    return GiMode::transfer;
+  }
+  addReason(choice, scene.gi.bounces == 0
+                        ? "the environment stands still and no bounces are asked for: direct "
+                          "light"
+                        : "the environment stands still: irradiance");
+  return scene.gi.bounces == 0 ? GiMode::shadow : GiMode::irradiance;
+}
+
+}  // namespace
+
+GiChoice giChoiceOf(const Scene& scene) {
+  GiChoice choice;
+  if (shadingOf(scene) != Shading::gi) {
+    choice.reason = "no look reads stored light";
+    return choice;
+  }
+  if (scene.gi.mode == GiMode::off) {
+    choice.reason = "gi.mode is off: light is local";
+    return choice;
+  }
+  choice.lamps = shines(scene.lamp1) || shines(scene.lamp2) || shines(scene.lamp3);
+  if (scene.gi.mode == GiMode::automatic) {
+    choice.sky = leastMode(scene, choice);
+  } else {
+    choice.sky = scene.gi.mode;
+    addReason(choice, "gi.mode says so");
+  }
+  choice.wanted = choice.sky != GiMode::off || choice.lamps;
+  if (choice.lamps) addReason(choice, "lamps stand still: their irradiance");
+
+  const bool probe = !scene.light.environment.file.empty();
+  const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;
+  choice.bounces = direct ? 0 : scene.gi.bounces;
+  // Vicinity under a probe takes the probe's mean for the sky's colour.
+  choice.unitSky = choice.sky == GiMode::vicinity ||
+                   (!probe && (choice.sky == GiMode::irradiance || choice.sky == GiMode::shadow));
+  const bool grey = choice.bounces == 0 || albedoIsGrey(scene);
+  if (grey && (choice.unitSky || choice.sky == GiMode::transfer)) {
+    choice.channels = 1;
+    addReason(choice, choice.bounces == 0 ? "no bounces: one channel" : "the albedo is grey: one channel");
+  }
+  return choice;
+}
+
+}  // namespace isolux::scene

@@ -1,0 +1,171 @@
+// Runs `isolux reference`: no graphics context is needed.
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <numbers>
+#include <thread>
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/files/image_io.h"
+#include "scene/color_maps.h"
+#include "tests/app/commands/run_isolux.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::contentOf;
+using test::filesIn;
+using test::runIsolux;
+using test::RunResult;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct Exr {
+  OIIO::ImageSpec spec;
+  std::vector<float> values;
+
+  explicit Exr(const fs::path& file) {
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input) return;
+    spec = input->spec();
+    values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                  static_cast<std::size_t>(spec.nchannels));
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) values.clear();
+  }
+  float at(int x, int y, const char* channel) const {
+    return values.at(
+        static_cast<std::size_t>((y * spec.width + x) * spec.nchannels + spec.channelindex(channel)));
+  }
+};
+
+TEST(ReferenceCommand, ABallUnderTheSkyIsAsBrightAsTheFormulaSays) {
+  const fs::path folder = test::temporaryFolder();
+  const RunResult result =
+      runIsolux({"reference", "phantom:ball:32", "--size", "31x21", "--spp", "8", "--out", "a.exr", "--stats",
+                 "s.json", "--set", "light.environment.constant=0.5,0.5,0.5", "--set",
+                 "isosurface.albedo=0.8,0.4,0.2", "--set", "picture.exposure=1"},
+                {.folder = folder});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const Exr image(folder / "a.exr");
+  EXPECT_THAT(image.spec.channelnames,
+              testing::UnorderedElementsAre("R", "G", "B", "irradiance.R", "irradiance.G", "irradiance.B",
+                                            "variance", "samples", "hit"));
+  ASSERT_FALSE(image.values.empty());
+  EXPECT_EQ(image.at(15, 10, "hit"), 1.0f);
+  EXPECT_EQ(image.at(15, 10, "samples"), 8.0f);
+  EXPECT_NEAR(image.at(15, 10, "irradiance.G"), std::numbers::pi / 2.0, 1e-4);
+  EXPECT_NEAR(image.at(15, 10, "R"), 0.8, 1e-4);  // albedo * E / pi * 2
+  EXPECT_NEAR(image.at(15, 10, "B"), 0.2, 1e-4);
+  EXPECT_EQ(image.at(0, 0, "hit"), 0.0f);
+  EXPECT_TRUE(std::isnan(image.at(0, 0, "R")) && std::isnan(image.at(0, 0, "irradiance.R")) &&
+              std::isnan(image.at(0, 0, "samples")));
+
+  const json stats = json::parse(contentOf(folder / "s.json"));
+  int hits = 0;
+  for (int y = 0; y < 21; ++y)
+    for (int x = 0; x < 31; ++x) hits += image.at(x, y, "hit") > 0.0f ? 1 : 0;
+  EXPECT_EQ(stats["pixels_hit"], hits);
+  EXPECT_EQ(stats["rays"], 8 * hits);
+  EXPECT_NEAR(stats["mean_irradiance"].get<double>(), std::numbers::pi / 2.0, 1e-4);
+  EXPECT_EQ(stats["capped_paths"], 0);
+  for (const char* key :
+       {"version", "size", "samples", "pixels_traced", "standard_error", "seconds", "threads", "data_hash"})
+    EXPECT_TRUE(stats.contains(key)) << key;
+}
+
+TEST(ReferenceCommand, TheNumberOfThreadsDoesNotMatter) {
+  const fs::path folder = test::temporaryFolder();
+  for (const char* threads : {"1", "3"})
+    ASSERT_EQ(runIsolux({"reference", "phantom:gyroid:24", "--size", "24x24", "--spp", "20", "--threads",
+                         threads, "--out", std::string(threads) + ".exr"},
+                        {.folder = folder})
+                  .exitCode,
+              0);
+  const Exr one(folder / "1.exr"), three(folder / "3.exr");
+  ASSERT_EQ(one.values.size(), three.values.size());
+  ASSERT_FALSE(one.values.empty());
+  for (std::size_t i = 0; i < one.values.size(); ++i) {
+    if (!std::isnan(one.values[i])) {
+      EXPECT_EQ(one.values[i], three.values[i]);
+    }
+  }
+}
+
+TEST(ReferenceCommand, APngIsWhatAScreenShowsAndCarriesItsSession) {
+  const fs::path folder = test::temporaryFolder();
+  ASSERT_EQ(runIsolux({"reference", "phantom:ball:24", "--size", "24x24", "--spp", "4", "--look", "gi",
+                       "--set", "gi.bounces=0", "--set", "isosurface.albedo=0.2,0.5,1", "--out", "a.png"},
+                      {.folder = folder})
+                .exitCode,
+            0);
+  const render::ColorImage image = app::readPng(folder / "a.png");
+  ASSERT_EQ(image.size, glm::ivec2(24));
+  // A convex body under a sky of radiance 1 shows its albedo.
+  const std::size_t middle = 4 * (12 * 24 + 12);
+  EXPECT_NEAR(image.rgba[middle], 255.0 * scene::encodeSrgb(0.2), 2.0);
+  EXPECT_NEAR(image.rgba[middle + 1], 255.0 * scene::encodeSrgb(0.5), 2.0);
+  EXPECT_EQ(image.rgba[middle + 2], 255);
+  EXPECT_THAT(app::readSessionText(folder / "a.png"), HasSubstr("phantom:ball:24"));
+}
+
+TEST(ReferenceCommand, WrongUseIsOneLine) {
+  const fs::path folder = test::temporaryFolder();
+  const auto refused = [&](std::vector<std::string> options, int exitCode, const char* word) {
+    options.insert(options.begin(), {"reference", "phantom:ball:16", "--size", "8x8"});
+    const RunResult result = runIsolux(options, {.folder = folder});
+    EXPECT_EQ(result.exitCode, exitCode) << word;
+    EXPECT_TRUE(result.isOneErrorLine()) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(word));
+  };
+  refused({"--out", "a.jpg"}, 2, ".exr");
+  refused({"--out", "a.exr", "--spp", "0"}, 2, "--spp");
+  refused({"--out", "a.exr", "--set", "isosurface.opacity=0.5"}, 2, "opaque");
+  refused({"--out", "none/a.exr"}, 3, "none");
+  refused({"--out", "a.exr", "--set", "light.environment.file=none.hdr"}, 3, "none.hdr");
+  EXPECT_THAT(filesIn(folder), IsEmpty());
+}
+
+TEST(ReferenceCommand, AClosedCavityOfAlbedoOneSaysThatPathsWereEnded) {
+  const fs::path folder = test::temporaryFolder();
+  // Inside below: the ball is a cavity; the eye is in its middle.
+  const RunResult result =
+      runIsolux({"reference", "phantom:ball:16", "--size", "2x2", "--spp", "2", "--out", "a.exr", "--set",
+                 "isosurface.inside=below", "--set", "isosurface.albedo=1,1,1", "--set", "gi.bounces=1000",
+                 "--camera", "0,0,0 0,1,0 0,0,1 40", "--stats", "s.json"},
+                {.folder = folder});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("8 paths were ended after 1000 bounces"));
+  EXPECT_EQ(json::parse(contentOf(folder / "s.json"))["capped_paths"], 8);
+}
+
+TEST(ReferenceCommand, AnInterruptLeavesThePictureSoFar) {
+  const fs::path folder = test::temporaryFolder(), file = folder / "a.exr";
+  test::RunningIsolux running(
+      {"reference", "phantom:ball:48", "--size", "96x96", "--spp", "1000000", "--out", "a.exr"},
+      {.folder = folder});
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!fs::exists(file) && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  running.signal(SIGINT);
+  const RunResult result = running.wait();
+  EXPECT_EQ(result.exitCode, 130);
+  EXPECT_EQ(result.err, "isolux: interrupted\n");
+  EXPECT_THAT(filesIn(folder), ElementsAre("a.exr"));
+  const Exr image(file);
+  ASSERT_FALSE(image.values.empty());
+  EXPECT_EQ(image.at(48, 48, "hit"), 1.0f);
+  EXPECT_GE(image.at(48, 48, "samples"), 1.0f);
+  EXPECT_TRUE(std::isfinite(image.at(48, 48, "irradiance.R")));
+}
+
+}  // namespace
+}  // namespace isolux::app

@@ -1,0 +1,331 @@
+#include "app/documents/session.h"
+
+#include <cstdlib>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/files/image_io.h"
+#include "app/files/state_folder.h"
+#include "base/error.h"
+#include "tests/app/commands/run_isolux.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using scene::Scene;
+using testing::AllOf;
+using testing::HasSubstr;
+
+Scene someScene() {
+  Scene scene;
+  scene.source.path = "phantom:torus:64";
+  scene.isosurface.value = 1.0 / 3.0;
+  scene.camera.eye = glm::dvec3(0.1, -400, 1e-7);
+  scene.look.mode = scene::LookMode::normal;
+  return scene;
+}
+
+void writeFile(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    parseSession(text, "some.isolux", {"/data"});
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::input);
+    EXPECT_EQ(error.file(), "some.isolux");
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted: " << text;
+  return {};
+}
+
+TEST(Session, RoundTripsThroughAFile) {
+  const fs::path folder = test::temporaryFolder();
+  saveSession(someScene(), folder / "a.isolux");
+  EXPECT_TRUE(loadSession(folder / "a.isolux") == someScene());
+  EXPECT_TRUE(isSession(folder / "a.isolux"));
+  saveSession(Scene{}, folder / "a.isolux");  // over an old one
+  EXPECT_TRUE(loadSession(folder / "a.isolux") == Scene{});
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1)
+      << "something was left behind";
+}
+
+TEST(Session, IsVersionedJson) {
+  const json stored = json::parse(sessionText(someScene(), "/data"));
+  EXPECT_EQ(stored["isolux_session"], 3);
+  EXPECT_TRUE(stored["program"].is_string());
+  EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
+}
+
+TEST(Session, PathsAreRelativeBelowTheFolderOnly) {
+  Scene scene;
+  const auto stored = [&](const char* path, const char* folder) {
+    scene.source.path = path;
+    return json::parse(sessionText(scene, folder))["scene"]["source"]["path"].get<std::string>();
+  };
+  EXPECT_EQ(stored("/data/ct.nii", "/data"), "ct.nii");
+  EXPECT_EQ(stored("/data/ct.nii", "/data/"), "ct.nii");
+  EXPECT_EQ(stored("/data/a/../b/ct.nii", "/data"), "b/ct.nii");
+  EXPECT_EQ(stored("/other/ct.nii", "/data"), "/other/ct.nii");
+  EXPECT_EQ(stored("/database/ct.nii", "/data"), "/database/ct.nii");
+  EXPECT_EQ(stored("phantom:head", "/data"), "phantom:head");
+  EXPECT_EQ(stored("/data/ünï.nii", "/data"), "ünï.nii");
+
+  const auto parsed = [](const std::string& path, const char* folder) {
+    return parseSession(json{{"isolux_session", 2}, {"scene", {{"source", {{"path", path}}}}}}.dump(), "x",
+                        {folder})
+        .source.path;
+  };
+  EXPECT_EQ(parsed("ct.nii", "/data"), "/data/ct.nii");
+  EXPECT_EQ(parsed("../ct.nii", "/data/a"), "/data/ct.nii");
+  EXPECT_EQ(parsed("/other/ct.nii", "/data"), "/other/ct.nii");
+  EXPECT_EQ(parsed("phantom:ball:32", "/data"), "phantom:ball:32");
+  EXPECT_EQ(parsed("ct.nii", ""), (fs::current_path() / "ct.nii").string()) << "absolute in memory";
+}
+
+TEST(Session, AMovedFolderStillFindsItsVolume) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directories(folder / "old");
+  Scene scene;
+  scene.source.path = (folder / "old" / "ct.nii").string();
+  scene.source.csgPath = (folder / "old" / "cut.stl").string();
+  saveSession(scene, folder / "old" / "s.isolux");
+  fs::rename(folder / "old", folder / "new");
+  EXPECT_EQ(loadSession(folder / "new" / "s.isolux").source.path, (folder / "new" / "ct.nii").string());
+  EXPECT_EQ(loadSession(folder / "new" / "s.isolux").source.csgPath, (folder / "new" / "cut.stl").string());
+}
+
+TEST(Session, ALightProbeIsFoundInAMovedFolderFromAnywhere) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directories(folder / "old" / "light");
+  Scene scene;
+  scene.light.environment.file = (folder / "old" / "light" / "probe.hdr").string();
+  saveSession(scene, folder / "old" / "s.isolux");
+  EXPECT_EQ(test::contentOf(folder / "old" / "s.isolux").find(folder.string()), std::string::npos);
+  fs::rename(folder / "old", folder / "new");
+  const fs::path expected = folder / "new" / "light" / "probe.hdr";
+  EXPECT_EQ(loadSession(folder / "new" / "s.isolux").light.environment.file, expected.string());
+  const fs::path before = fs::current_path();
+  fs::current_path(folder / "new" / "light");
+  EXPECT_EQ(loadSession("../s.isolux").light.environment.file, expected.string());
+  fs::current_path(before);
+}
+
+TEST(Session, ALinkFindsItsVolumeBesideItselfOrBesideTheSession) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directories(folder / "data");
+  fs::create_directories(folder / "desk");
+  writeFile(folder / "data" / "ct.nii", "x");
+  Scene scene;
+  scene.source.path = (folder / "data" / "ct.nii").string();
+  saveSession(scene, folder / "data" / "s.isolux");
+  fs::create_symlink("../data/s.isolux", folder / "desk" / "link.isolux");
+  EXPECT_EQ(loadSession(folder / "desk" / "link.isolux").source.path, (folder / "data" / "ct.nii").string());
+  writeFile(folder / "desk" / "ct.nii", "x");
+  EXPECT_EQ(loadSession(folder / "desk" / "link.isolux").source.path, (folder / "desk" / "ct.nii").string());
+}
+
+TEST(Session, UpgradesVersion1) {
+  const Scene scene = parseSession(
+      R"({"isolux_session": 1, "program": "0.0.9",
+          "settings": {"isosurface.value": 300, "camera.eye": [1, 2, 3], "source.path": "ct.nii", "look.mode": "depth"}})",
+      "old.isolux", {"/data"});
+  Scene expected;
+  expected.isosurface.value = 300;
+  expected.camera.eye = glm::dvec3(1, 2, 3);
+  expected.source.path = "/data/ct.nii";
+  expected.look.mode = scene::LookMode::depth;
+  EXPECT_TRUE(scene == expected);
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 1})", "", {"/data"}) == Scene{});
+}
+
+TEST(Session, RefusesBadVersion1WithThePath) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"camera.fow": 3}})"), HasSubstr("camera.fow"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"fov": 3}})"), HasSubstr("settings.fov"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"a.b.c": 3}})"), HasSubstr("settings.a.b.c"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": []})"), HasSubstr("settings"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 1, "scene": {}})"), HasSubstr("scene: unknown key"));
+}
+
+TEST(Session, MissingKeysTakeDefaults) {
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 2})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", {"/"}) == Scene{});
+}
+
+TEST(Session, UnknownKeysFailWithTheirPath) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scenes": {}})"), HasSubstr("scenes: unknown key"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fow": 1}}})"),
+              AllOf(HasSubstr("scene.camera.fow"), HasSubstr("did you mean camera.fov?")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"kamera": {}}})"), HasSubstr("scene.kamera"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "settings": {}})"), HasSubstr("settings"));
+}
+
+TEST(Session, ValuesAreCheckedWithTheirPath) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": 500}}})"),
+              AllOf(HasSubstr("scene.camera.fov"), HasSubstr("500"), HasSubstr("1 to 160")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": "wide"}}})"),
+              HasSubstr("scene.camera.fov"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": 1e999}}})"),
+              HasSubstr("out of range"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": 7})"), HasSubstr("scene"));
+}
+
+TEST(Session, FutureVersionsSaySo) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 4, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 4"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
+}
+
+TEST(Session, WhatIsNoSessionSaysSo) {
+  EXPECT_THAT(refusal(""), HasSubstr("JSON"));
+  EXPECT_THAT(refusal("{\"isolux_session\": 2,}"), HasSubstr("byte 22"));
+  EXPECT_THAT(refusal("[]"), HasSubstr("not a session"));
+  EXPECT_THAT(refusal("{}"), HasSubstr("isolux_session"));
+  for (const char* version : {"0", "-1", "1.5", "\"2\"", "null", "true"})
+    EXPECT_THAT(refusal(std::string("{\"isolux_session\": ") + version + "}"), HasSubstr("version must be"));
+  EXPECT_THAT(refusal("{\"isolux_session\": 2, \"scene\": {\"source\": {\"path\": \"\xff\"}}}"),
+              HasSubstr("byte"));
+  const std::string deep(300000, '[');
+  EXPECT_THAT(refusal(deep + std::string(300000, ']')), HasSubstr("not a session"));
+}
+
+TEST(Session, TravelsInAPicture) {
+  const fs::path folder = test::temporaryFolder();
+  const render::ColorImage image{{2, 1}, {255, 0, 0, 255, 1, 2, 3, 255}};
+  Scene scene = someScene();
+  scene.source.path = (folder / "ünï.nii").string();
+  writePng(image, folder / "a.png", sessionText(scene, folder));
+  EXPECT_TRUE(isSession(folder / "a.png"));
+  EXPECT_TRUE(loadSession(folder / "a.png") == scene);
+
+  writePng(image, folder / "plain.png", "");
+  EXPECT_FALSE(isSession(folder / "plain.png"));
+  EXPECT_THROW(loadSession(folder / "plain.png"), base::Error);
+  writePng(image, folder / "broken.png", "{\"isolux_session\": 99}");
+  EXPECT_THROW(loadSession(folder / "broken.png"), base::Error);
+}
+
+// The state folder of the running test, in place of the user's.
+class OwnStateFolder {
+ public:
+  OwnStateFolder() {
+    if (const char* old = std::getenv("XDG_STATE_HOME")) old_ = old;
+    ::setenv("XDG_STATE_HOME", (test::temporaryFolder() / "state").c_str(), 1);
+  }
+  ~OwnStateFolder() {
+    old_.empty() ? ::unsetenv("XDG_STATE_HOME") : ::setenv("XDG_STATE_HOME", old_.c_str(), 1);
+  }
+
+ private:
+  std::string old_;
+};
+
+TEST(Session, OfASharedPictureNamesNoFolderAndFindsItsFilesAgain) {
+  const fs::path folder = test::temporaryFolder();
+  for (const char* name : {"patients/doe", "probes", "pictures", "elsewhere"})
+    fs::create_directories(folder / name);
+  const OwnStateFolder state;
+  Scene scene;
+  scene.source.path = (folder / "patients" / "doe" / "ct.nii").string();
+  scene.source.csgPath = (folder / "pictures" / "cut.stl").string();  // beside the picture
+  scene.light.environment.file = (folder / "probes" / "sky.hdr").string();
+  for (const std::string& file : {scene.source.path, scene.source.csgPath, scene.light.environment.file})
+    writeFile(file, "x");
+
+  const std::string text = pictureSessionText(scene, folder / "pictures");
+  EXPECT_EQ(text.find(folder.string()), std::string::npos) << text;
+  EXPECT_EQ(text.find("doe"), std::string::npos) << text;
+  EXPECT_EQ(text.find(".."), std::string::npos) << text;
+  EXPECT_EQ(text, pictureSessionText(scene, folder / "pictures")) << "a path's token is always the same";
+
+  EXPECT_TRUE(parseSession(text, "a.png", {folder / "pictures"}) == scene);
+  const Scene moved = parseSession(text, "a.png", {folder / "elsewhere"});
+  EXPECT_EQ(moved.source.path, scene.source.path) << "the picture moved, the volume did not";
+  EXPECT_EQ(moved.source.csgPath, (folder / "elsewhere" / "cut.stl").string());
+
+  // On another machine the token says nothing: what lies beside the picture counts.
+  fs::remove_all(stateFolder());
+  const Scene given = parseSession(text, "a.png", {folder / "elsewhere"});
+  EXPECT_EQ(given.source.path, (folder / "elsewhere" / "ct.nii").string());
+  EXPECT_EQ(given.light.environment.file, (folder / "elsewhere" / "sky.hdr").string());
+}
+
+TEST(Session, AnotherVolumeOfTheSameNameBesideThePictureIsNotTaken) {
+  const fs::path folder = test::temporaryFolder();
+  const OwnStateFolder state;
+  for (const char* name : {"a", "b", "pictures"}) {
+    fs::create_directories(folder / name);
+    writeFile(folder / name / "ct.nii", name);
+  }
+  for (const char* name : {"a", "b"}) {
+    Scene scene;
+    scene.source.path = (folder / name / "ct.nii").string();
+    const std::string text = pictureSessionText(scene, folder / "pictures");
+    EXPECT_EQ(parseSession(text, "a.png", {folder / "pictures"}).source.path, scene.source.path);
+  }
+}
+
+TEST(Session, PlacesThatAreNoneAreRefused) {
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": 7})"), HasSubstr("places"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": {"source.path": 7}})"), HasSubstr("source.path"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": {"camera.fov": "a"}})"), HasSubstr("camera.fov"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 2, "places": {}})"), HasSubstr("places"));
+}
+
+TEST(Session, BrokenPicturesCarryNone) {
+  const fs::path folder = test::temporaryFolder();
+  const render::ColorImage image{{1, 1}, {1, 2, 3, 255}};
+  writePng(image, folder / "whole.png", sessionText(someScene(), folder));
+  const std::string whole = test::contentOf(folder / "whole.png");
+  const std::size_t key = whole.find("isolux_session");
+  ASSERT_NE(key, std::string::npos);
+  for (const std::size_t length : {std::size_t{8}, std::size_t{11}, key - 5, key + 3, key + 40}) {
+    writeFile(folder / "cut.png", whole.substr(0, length));
+    EXPECT_FALSE(isSession(folder / "cut.png")) << length;
+  }
+  std::string lies = whole;
+  lies.replace(key - 8, 4, "\x7f\xff\xff\xff");  // the chunk claims 2 GiB
+  writeFile(folder / "lies.png", lies);
+  EXPECT_FALSE(isSession(folder / "lies.png"));
+  EXPECT_THROW(readSessionText(folder / "missing.png"), base::Error);
+}
+
+TEST(Session, IsToldByContent) {
+  const fs::path folder = test::temporaryFolder();
+  writeFile(folder / "a.json", "  {\"scene\": {}, \"isolux_session\": 2}");
+  writeFile(folder / "b.json", "{\"something\": \"else\"}");
+  writeFile(folder / "c.isolux", "{ broken");
+  writeFile(folder / "d.isolux", "");
+  writeFile(folder / "e.png", "\x89PNG\r\n\x1a\nand then nonsense");
+  EXPECT_TRUE(isSession(folder / "a.json"));
+  EXPECT_FALSE(isSession(folder / "b.json"));
+  EXPECT_TRUE(isSession(folder / "c.isolux")) << "its own message is the better one";
+  EXPECT_FALSE(isSession(folder / "d.isolux"));
+  EXPECT_FALSE(isSession(folder / "e.png"));
+  EXPECT_FALSE(isSession(folder / "missing"));
+  EXPECT_FALSE(isSession(folder));
+  EXPECT_FALSE(isSession("phantom:head"));
+}
+
+TEST(Session, FailuresNameTheFile) {
+  const fs::path folder = test::temporaryFolder();
+  try {
+    loadSession(folder / "missing.isolux");
+    FAIL();
+  } catch (const base::Error& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("missing.isolux"), HasSubstr("does not exist")));
+  }
+  EXPECT_THROW(saveSession(Scene{}, folder / "no" / "folder.isolux"), base::Error);
+  EXPECT_THROW(saveSession(Scene{}, folder), base::Error);
+}
+
+}  // namespace
+}  // namespace isolux::app

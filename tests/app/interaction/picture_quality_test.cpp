@@ -1,0 +1,205 @@
+// How fine pictures in motion are, against simulated machines.
+#include "app/interaction/picture_quality.h"
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace isolux::app {
+
+namespace {
+
+
+constexpr glm::ivec2 pixels{800, 600};
+
+double raysOf(const render::FrameRequest& request) {
+  return static_cast<double>(request.size.x) * request.size.y * request.supersampling * request.supersampling;
+}
+
+// A machine: a fixed time per picture and a time per million rays, milliseconds; `noise` in parts.
+struct Machine {
+  double fixed, perMillion, noise = 0.0;
+  std::mt19937 random{3};
+
+  double time(const render::FrameRequest& request) {
+    const double factor = 1.0 + noise * std::uniform_real_distribution<double>(-1.0, 1.0)(random);
+    return factor * (fixed + perMillion * raysOf(request) * 1e-6);
+  }
+};
+
+// The rays of each of `count` pictures of one gesture.
+std::vector<double> gesture(PictureQuality& quality, Machine& machine, Motion motion, int count) {
+  std::vector<double> rays;
+  for (int i = 0; i < count; ++i) {
+    quality.changed(motion);
+    const render::FrameRequest request = quality.request(pixels);
+    rays.push_back(raysOf(request));
+    quality.measured(machine.time(request), motion);
+  }
+  return rays;
+}
+
+scene::Picture picture(int supersampling, double target = 50.0, bool adaptive = true) {
+  scene::Picture result;
+  result.supersampling = supersampling;
+  result.motionTarget = target;
+  result.adaptive = adaptive;
+  return result;
+}
+
+}  // namespace
+
+TEST(PictureQuality, IsQuickWhileMovingThenSharpThenFull) {
+  PictureQuality quality;
+  quality.setPicture(picture(2));
+  EXPECT_EQ(quality.request(pixels).supersampling, 1);
+  quality.measured(400.0, Motion::rays);
+  EXPECT_LT(quality.request(pixels).size.x, 400);
+  EXPECT_TRUE(quality.refine());
+  EXPECT_EQ(quality.request(pixels).size, pixels);
+  EXPECT_EQ(quality.request(pixels).supersampling, 1);
+  EXPECT_FALSE(quality.complete());
+  quality.measured(300.0, Motion::rays);
+  EXPECT_DOUBLE_EQ(quality.pauseMilliseconds(), 600.0);  // half of what the last step will take
+  EXPECT_TRUE(quality.refine());
+  EXPECT_EQ(quality.request(pixels).size, pixels);
+  EXPECT_EQ(quality.request(pixels).supersampling, 2);
+  EXPECT_TRUE(quality.complete());
+  EXPECT_FALSE(quality.refine());
+  quality.changed(Motion::rays);
+  EXPECT_FALSE(quality.complete());
+}
+
+TEST(PictureQuality, ConvergesToTheTargetWithinAFewPicturesAndStays) {
+  for (const double fixed : {0.0, 5.0, 20.0}) {
+    for (const double perMillion : {2.0, 20.0, 60.0, 150.0, 500.0, 1500.0}) {
+      for (const double target : {25.0, 50.0, 200.0}) {
+        PictureQuality quality;
+        quality.setPicture(picture(2, target));
+        Machine machine{fixed, perMillion};
+        const std::vector<double> rays = gesture(quality, machine, Motion::rays, 60);
+        const std::string where = "fixed " + std::to_string(fixed) + ", per million " +
+                                  std::to_string(perMillion) + ", target " + std::to_string(target);
+        EXPECT_TRUE(std::all_of(rays.begin() + 5, rays.end(), [&](double r) { return r == rays.back(); }))
+            << where;
+        const double settled = fixed + perMillion * rays.back() * 1e-6;
+        const bool smallest = rays.back() < 0.07 * pixels.x * pixels.y;
+        EXPECT_TRUE(settled <= target || smallest) << where << ": " << settled;
+        // Nor coarser than needed: four times the rays, in proportion, are too many, or all are cast already.
+        const bool all = rays.back() == 4.0 * pixels.x * pixels.y;
+        EXPECT_TRUE(all || 4.0 * settled > 0.7 * target) << where << ": " << settled;
+      }
+    }
+  }
+}
+
+TEST(PictureQuality, DoesNotOscillateUnderNoise) {
+  for (const double perMillion : {30.0, 45.0, 80.0, 120.0, 180.0, 300.0}) {
+    PictureQuality quality;
+    quality.setPicture(picture(2));
+    Machine machine{3.0, perMillion, 0.1};
+    const std::vector<double> rays = gesture(quality, machine, Motion::rays, 300);
+    int changes = 0;
+    for (std::size_t i = 6; i < rays.size(); ++i) changes += rays[i] != rays[i - 1] ? 1 : 0;
+    EXPECT_LE(changes, 1) << perMillion;
+  }
+}
+
+TEST(PictureQuality, FollowsAMachineThatBecomesSlowerOrQuicker) {
+  PictureQuality quality;
+  quality.setPicture(picture(2));
+  Machine machine{1.0, 5.0};
+  EXPECT_EQ(gesture(quality, machine, Motion::rays, 5).back(), 4.0 * pixels.x * pixels.y);
+  machine.perMillion = 400.0;
+  const double slow = gesture(quality, machine, Motion::rays, 5).back();
+  EXPECT_LE(1.0 + 400e-6 * slow, 50.0);
+  machine.perMillion = 5.0;
+  EXPECT_EQ(gesture(quality, machine, Motion::rays, 5).back(), 4.0 * pixels.x * pixels.y);
+}
+
+TEST(PictureQuality, TheFullPictureFollowsAtRestFromAnyLevel) {
+  for (const double milliseconds : {1.0, 60.0, 300.0, 5000.0}) {
+    for (const int supersampling : {1, 2, 4}) {
+      for (const Motion motion : {Motion::rays, Motion::look}) {
+        PictureQuality quality(true);
+        quality.setPicture(picture(supersampling));
+        quality.changed(motion);
+        quality.measured(milliseconds, motion);
+        int steps = 0;
+        while (quality.refine()) ++steps;
+        EXPECT_LE(steps, 2);
+        EXPECT_TRUE(quality.complete());
+        EXPECT_EQ(quality.request(pixels).size, pixels);
+        EXPECT_EQ(quality.request(pixels).supersampling, supersampling);
+      }
+    }
+  }
+}
+
+TEST(PictureQuality, OffMeansEveryPictureIsTheFullOne) {
+  PictureQuality quality(true);
+  quality.setPicture(picture(3, 50.0, false));
+  Machine machine{10.0, 3000.0};
+  for (const Motion motion : {Motion::rays, Motion::look})
+    for (const double rays : gesture(quality, machine, motion, 20))
+      EXPECT_EQ(rays, 9.0 * pixels.x * pixels.y);
+  EXPECT_TRUE(quality.complete());
+  EXPECT_FALSE(quality.refine());
+}
+
+TEST(PictureQuality, AQuickLookKeepsTheSizeThatIsOnScreen) {
+  PictureQuality quality(true);
+  quality.setPicture(picture(2));
+  Machine machine{2.0, 400.0}, shading{1.0, 10.0};
+  const double moving = gesture(quality, machine, Motion::rays, 10).back();
+  // A larger picture would cast rays again: it waits for the rest.
+  EXPECT_EQ(gesture(quality, shading, Motion::look, 10).back(), moving);
+  while (quality.refine()) {
+  }
+  EXPECT_EQ(gesture(quality, shading, Motion::look, 10).back(), 4.0 * pixels.x * pixels.y);
+  EXPECT_TRUE(quality.complete());
+  EXPECT_EQ(gesture(quality, machine, Motion::rays, 1).back(),
+            moving);  // what rays can afford is not forgotten
+}
+
+TEST(PictureQuality, AnAnimationIsAsFineAsTheTargetAllowsAndWaitsForNothing) {
+  PictureQuality quality;
+  quality.setPicture(picture(2));
+  Machine rays{2.0, 400.0}, slowShading{1.0, 60.0};
+  gesture(quality, rays, Motion::rays, 10);
+  quality.animated();
+  EXPECT_EQ(quality.stage(), PictureQuality::Stage::moving);
+  EXPECT_TRUE(quality.refine());  // the finer picture still follows
+  quality.animated();
+  EXPECT_EQ(quality.stage(), PictureQuality::Stage::sharp);
+  EXPECT_TRUE(quality.refine());
+  quality.animated();
+  for (int i = 0; i < 5; ++i) {
+    quality.measured(slowShading.time(quality.request(pixels)), Motion::look);
+    quality.animated();
+  }
+  EXPECT_LE(slowShading.time(quality.request(pixels)), 50.0);
+  EXPECT_EQ(quality.request(pixels).size, pixels);
+  EXPECT_EQ(quality.request(pixels).supersampling, 1);
+}
+
+TEST(PictureQuality, WhileLightComesInPicturesStaySharpAndTheFullOneFollows) {
+  PictureQuality quality;
+  quality.setPicture(picture(3));
+  quality.changed(Motion::look);
+  quality.setLightChanging(true);
+  while (quality.refine()) {
+  }
+  EXPECT_FALSE(quality.complete());
+  EXPECT_EQ(quality.scale(), 1.0);
+  EXPECT_EQ(quality.supersampling(), 1);
+  quality.setLightChanging(false);
+  EXPECT_TRUE(quality.refine());
+  EXPECT_TRUE(quality.complete());
+  quality.setLightChanging(true);  // a further view is lit
+  EXPECT_EQ(quality.supersampling(), 1);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,103 @@
+#include "app/jobs/load_job.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <memory>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "base/retire.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+void waitFor(const LoadJob& job) {
+  while (!job.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+scene::Source source(const std::string& path) {
+  scene::Source result;
+  result.path = path;
+  return result;
+}
+
+TEST(LoadJob, DeliversTheVolume) {
+  LoadJob job(source("phantom:ball:16"));
+  waitFor(job);
+  ASSERT_FALSE(job.error());
+  ASSERT_TRUE(job.volume());
+  EXPECT_EQ(job.volume()->grid().dims(), glm::ivec3(16));
+  EXPECT_EQ(job.source().path, "phantom:ball:16");
+}
+
+TEST(LoadJob, DeliversTheErrorAsAValue) {
+  LoadJob job(source((test::temporaryFolder() / "missing.nii").string()));
+  waitFor(job);
+  ASSERT_TRUE(job.error());
+  EXPECT_EQ(job.error()->kind(), base::ErrorKind::input);
+  EXPECT_FALSE(job.volume());
+}
+
+TEST(LoadJob, StopsWhenAsked) {
+  LoadJob job(source("phantom:head:512"));
+  job.progress().requestStop();
+  waitFor(job);
+  ASSERT_TRUE(job.error());
+  EXPECT_EQ(job.error()->kind(), base::ErrorKind::interrupted);
+}
+
+TEST(LoadJob, ThrownAwayWhileItRunsItLeavesItsWorkUndone) {
+  const auto secondsOf = [](auto&& body) {
+    timespec begin{}, end{};  // processor time of all threads: other work on the machine does not count
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &begin);
+    body();
+    EXPECT_TRUE(base::awaitRetired(60.0));
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
+    return static_cast<double>(end.tv_sec - begin.tv_sec) +
+           1e-9 * static_cast<double>(end.tv_nsec - begin.tv_nsec);
+  };
+  const double whole = secondsOf([] { waitFor(LoadJob(source("phantom:head:192"))); });
+  for (int i = 0; i < 3; ++i) {
+    const double cut = secondsOf([&] {
+      LoadJob job(source("phantom:head:192"));
+      while (i > 0 && !job.finished() && job.progress().fraction() <= 0.1 * i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+    EXPECT_LT(cut, 0.8 * whole) << i;
+  }
+}
+
+double milliseconds(const std::function<void()>& action) {
+  const auto begin = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+TEST(LoadJob, ThrowingItAwayWhileItRunsWaitsForNothing) {
+  double shortest = 1e9;  // of some, for a busy machine
+  for (int i = 0; i < 3; ++i) {
+    auto job = std::make_unique<LoadJob>(source("phantom:head:256"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 * i));
+    shortest = std::min(shortest, milliseconds([&] { job.reset(); }));
+  }
+  EXPECT_LT(shortest, 10.0);
+  EXPECT_TRUE(base::awaitRetired(60.0)) << "they end all the same";
+}
+
+TEST(LoadJob, ItsVolumeIsFreedElsewhere) {
+  auto job = std::make_unique<LoadJob>(source("phantom:ball:16"));
+  waitFor(*job);
+  const std::weak_ptr<const volume::PreparedVolume> volume = job->volume();
+  const volume::PreparedVolume* const same = job->volume().get();
+  job.reset();
+  EXPECT_TRUE(base::awaitRetired(60.0));
+  EXPECT_TRUE(volume.expired());
+  EXPECT_NE(same, nullptr);
+}
+
+}  // namespace
+}  // namespace isolux::app

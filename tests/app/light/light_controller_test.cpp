@@ -1,0 +1,277 @@
+// The light controller: what a change of the scene keeps and drops, failing, pausing and cancelling.
+#include "app/light/light_controller.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "base/retire.h"
+#include "gi/lattice/lattice_geometry.h"
+#include "scene/rules/automatic.h"
+#include "tests/support/memory_limit.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::test {
+namespace {
+
+using Phase = app::LightState::Phase;
+
+class LightControllerTest : public ::testing::Test {
+ protected:
+  LightControllerTest() {
+    scene::Source source;
+    source.path = "phantom:ball:32";
+    base::Progress progress;
+    volume = volume::loadVolume(source, progress);
+    scene.look.mode = scene::LookMode::gi;
+    scene.gi.samples = 16;
+    scene.gi.bounces = 1;
+  }
+
+  scene::Scene resolved() const { return scene::resolve(scene, volume->facts); }
+
+  // Points on the surface, all around, in voxel coordinates.
+  std::vector<glm::vec3> surface() const {
+    const volume::Grid& grid = volume->grid();
+    const double isovalue = *resolved().isosurface.value;
+    std::vector<glm::vec3> points;
+    const glm::ivec3 dims = grid.dims();
+    for (int z = 0; z < dims.z; ++z)
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x + 1 < dims.x; ++x) {
+          const double a = grid.value(x, y, z), b = grid.value(x + 1, y, z);
+          if ((a < isovalue) != (b < isovalue))
+            points.emplace_back(x + static_cast<float>((isovalue - a) / (b - a)), y, z);
+        }
+    return points;
+  }
+
+  void light() {
+    controller.setScene(resolved(), volume);
+    controller.setVisible(surface());
+    base::Progress progress;
+    ASSERT_TRUE(controller.finish(progress, 120.0));
+  }
+
+  // Threads end what they are at; the limit only guards against waiting for ever.
+  bool comesTo(Phase phase) const {
+    for (int i = 0; i < 3000 && controller.state().phase != phase; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return controller.state().phase == phase;
+  }
+
+  std::shared_ptr<const volume::PreparedVolume> volume;
+  scene::Scene scene;
+  app::LightController controller{app::LightController::Options{}};
+};
+
+// The luminance of what is stored, averaged over the lit texels.
+double meanStored(const gi::LightLattice& lattice) {
+  double sum = 0.0, count = 0.0;
+  gi::LatticeBlock block;
+  for (std::uint32_t b = 0; b < lattice.geometry().blockCount(); ++b) {
+    if (!lattice.read(b, block)) continue;
+    const auto components = static_cast<std::size_t>(lattice.content().components());
+    for (std::size_t i = 0; i < block.samples.size(); ++i)
+      if (block.samples[i] > 0) {
+        sum += static_cast<double>(block.means[i * components]);
+        ++count;
+      }
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+TEST_F(LightControllerTest, AWindowsLightStopsAtTheMemoryBudgetAndStays) {
+  app::LightController window{app::LightController::Options{.background = true}};
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.extent = scene::GiExtent::full;
+  // The tables, and some of the 64 blocks of 32 x 32 x 32 texels.
+  const test::MemoryLimit limit(std::size_t{3} << 20);
+  window.setScene(resolved(), volume);
+  window.setVisible(surface());
+  for (int i = 0; i < 3000 && window.state().phase != Phase::failed; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const app::LightState state = window.state();
+  ASSERT_EQ(state.phase, Phase::failed);
+  EXPECT_EQ(state.error->kind(), base::ErrorKind::memory);
+  EXPECT_NE(state.error->reason().find("gi.lattice_scale"), std::string::npos) << state.error->reason();
+  ASSERT_TRUE(window.light()) << "what is lit is still shown";
+  EXPECT_GT(window.light()->sky->bakedTexels(), 0u);
+}
+
+TEST_F(LightControllerTest, ACommandsWholeLatticeIsRefusedBeforeItBegins) {
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.extent = scene::GiExtent::full;
+  const test::MemoryLimit limit(std::size_t{3} << 20);
+  controller.setScene(resolved(), volume);
+  base::Progress progress;
+  try {
+    controller.finish(progress, 120.0);
+    FAIL() << "the budget was not asked";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::memory);
+    EXPECT_NE(error.reason().find("32 x 32 x 32 texels"), std::string::npos) << error.reason();
+  }
+}
+
+}  // namespace
+
+TEST_F(LightControllerTest, ABallUnderAWhiteSkyIsLitByPi) {
+  light();
+  const auto picture = controller.light();
+  ASSERT_TRUE(picture && picture->sky);
+  EXPECT_FALSE(picture->lamps);
+  EXPECT_GT(picture->sky->bakedTexels(), 1000u);
+  EXPECT_NEAR(meanStored(*picture->sky), std::numbers::pi, 1e-3);
+  EXPECT_EQ(controller.state().phase, Phase::finished);
+  EXPECT_EQ(controller.state().mode, "irradiance");
+  EXPECT_GT(controller.state().counters.rays, 0u);
+  EXPECT_NEAR(picture->automaticExposure, 0.0f, 1e-6f) << "white in the open is white";
+}
+
+TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
+  scene.lamp1.shown = true;
+  light();
+  const auto before = controller.light();
+  ASSERT_TRUE(before && before->sky && before->lamps);
+  const auto change = [&](const auto& edit) {
+    edit(scene);
+    controller.setScene(resolved(), volume);
+    EXPECT_TRUE(controller.settle(30.0));
+    return controller.light();
+  };
+  auto now = change([](scene::Scene& s) {
+    s.camera.eye = glm::dvec3(10.0, -300.0, 40.0);
+    s.picture.supersampling = 3;
+  });
+  EXPECT_EQ(now, before) << "turning the view plans nothing anew";
+  now = change([](scene::Scene& s) {
+    s.isosurface.value = 0.5 * *s.isosurface.value + 0.01;
+    s.camera.fov = 20.0;
+    s.look.fog = 0.5;
+    s.light.environment.exposure = 2.0;
+    s.light.environment.constant = glm::dvec3(0.2, 0.4, 0.9);
+    s.picture.exposure = 1.0;
+  });
+  EXPECT_EQ(now->sky, before->sky);
+  EXPECT_EQ(now->lamps, before->lamps);
+  EXPECT_NEAR(now->skyScale.y, 4.0f * 0.4f, 1e-5f) << "the colour of the sky is laid on in the picture";
+  now = change([](scene::Scene& s) { s.lamp1.color = glm::dvec3(1.0, 0.5, 0.2); });
+  EXPECT_EQ(now->sky, before->sky) << "a lamp drops the lamps' light only";
+  EXPECT_NE(now->lamps, before->lamps);
+  now = change([](scene::Scene& s) { s.look.mode = scene::LookMode::blinn_phong; });
+  EXPECT_EQ(now, nullptr) << "no look reads light";
+  EXPECT_EQ(controller.state().phase, Phase::off);
+  now = change([](scene::Scene& s) { s.look.mode = scene::LookMode::gi; });
+  EXPECT_EQ(now->sky, before->sky) << "light outlasts another look";
+  now = change([](scene::Scene& s) { s.isosurface.albedo = glm::dvec3(0.1); });
+  EXPECT_NE(now->sky, before->sky) << "light is reflected";
+}
+
+TEST_F(LightControllerTest, AMissingProbeIsSaidAndAnotherWorks) {
+  scene.light.environment.file = "no_such_probe.hdr";
+  controller.setScene(resolved(), volume);
+  ASSERT_TRUE(controller.settle(30.0));
+  EXPECT_EQ(controller.state().phase, Phase::failed);
+  ASSERT_TRUE(controller.state().error.has_value());
+  EXPECT_EQ(controller.state().error->kind(), base::ErrorKind::input);
+  EXPECT_EQ(controller.light(), nullptr);
+  base::Progress progress;
+  EXPECT_THROW(controller.finish(progress, 10.0), base::Error);
+  scene.light.environment.file.clear();
+  light();
+  EXPECT_EQ(controller.state().phase, Phase::finished);
+  EXPECT_FALSE(controller.state().error.has_value());
+}
+
+TEST_F(LightControllerTest, PauseCancelAndGoOn) {
+  scene.gi.samples = 1000000;  // for ever
+  controller.setScene(resolved(), volume);
+  controller.setVisible(surface());
+  ASSERT_TRUE(controller.settle(30.0));
+  controller.setPaused(true);
+  EXPECT_EQ(controller.state().phase, Phase::paused);
+  controller.setPaused(false);
+  EXPECT_TRUE(comesTo(Phase::baking));
+  controller.cancel();
+  ASSERT_TRUE(controller.settle(30.0));
+  EXPECT_TRUE(comesTo(Phase::finished)) << "nothing is wanted any more";
+  scene.gi.samples = 16;
+  light();
+  EXPECT_TRUE(comesTo(Phase::finished));
+}
+
+TEST_F(LightControllerTest, TransferIsCompressedWhenItIsFinished) {
+  scene.light.environment.file = "";
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.shOrder = 3;
+  light();
+  const auto picture = controller.light();
+  ASSERT_TRUE(picture && picture->sky && picture->basis);
+  EXPECT_EQ(picture->environment.size(), 9u);
+  const gi::TransferBasis::Lighting lighting = picture->basis->under(picture->environment);
+  EXPECT_EQ(lighting.factors.size(), static_cast<std::size_t>(picture->basis->components()));
+  // Turning a sky of one colour changes nothing but the version.
+  scene.light.environment.rotation = {0.0, 0.0, 0.0, 1.0};
+  controller.setScene(resolved(), volume);
+  ASSERT_TRUE(controller.settle(30.0));
+  EXPECT_EQ(controller.light()->sky, picture->sky);
+  EXPECT_NEAR(controller.light()->environment[0].x, picture->environment[0].x, 1e-5f);
+}
+
+// The planner looks every 100 ms whether to compress, and at each new plan: load() meets it at work.
+TEST_F(LightControllerTest, LoadsWhileThePlannerCompresses) {
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.shOrder = 3;
+  light();
+  const auto file = temporaryFolder() / "light.vti";
+  base::Progress progress;
+  controller.save(file, progress);
+  const std::uint64_t lit = controller.light()->sky->bakedTexels();
+  for (int i = 0; i < 10; ++i) {
+    controller.load(file, progress);
+    const auto loaded = controller.light();
+    ASSERT_TRUE(loaded && loaded->sky);
+    EXPECT_EQ(loaded->sky->bakedTexels(), lit);
+  }
+  ASSERT_TRUE(controller.finish(progress, 120.0));
+  EXPECT_TRUE(controller.light()->basis) << "what was loaded is compressed";
+}
+
+TEST_F(LightControllerTest, AWindowThatClosesDoesNotWaitForTheBake) {
+  scene.gi.samples = 1000000;  // for ever
+  double shortest = 1e9;       // of some, for a busy machine
+  for (int i = 0; i < 3; ++i) {
+    auto ofWindow = std::make_unique<app::LightController>(app::LightController::Options{.background = true});
+    ofWindow->setScene(resolved(), volume);
+    ofWindow->setVisible(surface());
+    while (ofWindow->state().counters.rays == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const auto begin = std::chrono::steady_clock::now();
+    ofWindow.reset();
+    shortest =
+        std::min(shortest,
+                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+  }
+  EXPECT_LT(shortest, 20.0);
+  EXPECT_TRUE(base::awaitRetired(60.0));
+}
+
+TEST_F(LightControllerTest, TheLeastChangeOfAConstantSkyIsAChange) {
+  scene.gi.mode = scene::GiMode::transfer;  // whose environment is projected, and named
+  scene.gi.shOrder = 2;
+  scene.light.environment.constant = glm::dvec3(1e-7);
+  light();
+  const float before = controller.light()->environment[0].x;
+  scene.light.environment.constant = glm::dvec3(3e-7);
+  controller.setScene(resolved(), volume);
+  ASSERT_TRUE(controller.settle(30.0));
+  EXPECT_NEAR(controller.light()->environment[0].x / before, 3.0f, 1e-3f);
+}
+
+}  // namespace isolux::test

@@ -1,0 +1,189 @@
+// Ctrl-C at any moment of any long command, beside a busy process on each core: exit code 130 soon, nothing
+// half written, nobody left at work. `./dev interrupts` makes the same with 100 moments a command and prints
+// the times.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <csignal>
+
+#include "app/documents/recording.h"
+#include "tests/app/commands/run_isolux.h"
+#include "tests/support/busy_processes.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using Words = std::vector<std::string>;
+
+constexpr int kMomentsOfTheSuite = 4;
+constexpr double kLongestWait = 2.5;  // seconds after the start
+
+double millisecondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+int moments() {
+  const char* const asked = std::getenv("ISOLUX_INTERRUPT_MOMENTS");
+  return asked ? std::max(1, std::atoi(asked)) : kMomentsOfTheSuite;
+}
+
+// Names of unfinished files, in subfolders too.
+Words partsIn(const fs::path& folder) {
+  Words parts;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".part") parts.push_back(entry.path().string());
+  return parts;
+}
+
+// Processes that work in this folder.
+int processesIn(const fs::path& folder) {
+  int count = 0;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator("/proc", error)) {
+    std::error_code gone;
+    const fs::path here = fs::read_symlink(entry.path() / "cwd", gone);
+    if (!gone && here == folder) ++count;
+  }
+  return count;
+}
+
+bool comesToRest(const fs::path& folder) {
+  for (const auto begin = Clock::now(); millisecondsSince(begin) < 5000.0;) {
+    if (processesIn(folder) == 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+double percentile(std::vector<double> values, double part) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+class Interrupts : public ::testing::Test {
+ protected:
+  // Runs the command and interrupts it at random moments of its time.
+  void interrupt(const Words& command, int number = SIGINT) {
+    const auto begin = Clock::now();
+    double longest = kLongestWait * 1000.0;
+    {
+      const BusyProcesses busy;
+      RunningIsolux whole(command, {.folder = input_});
+      while (millisecondsSince(begin) < longest && processesIn(input_) > 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      longest = std::min(longest, millisecondsSince(begin));
+    }
+    std::vector<double> times;
+    std::uniform_real_distribution<double> moment(0.0, longest);
+    for (int tries = 0; static_cast<int>(times.size()) < moments() && tries < 4 * moments(); ++tries)
+      if (const double time = interruptOnce(command, number, moment(random_)); time >= 0.0)
+        times.push_back(time);
+    ASSERT_FALSE(times.empty());
+    std::printf("%-10s %3zu interrupts: median %5.1f ms, 95th percentile %5.1f ms, longest %5.1f ms\n",
+                command.front().c_str(), times.size(), percentile(times, 0.5), percentile(times, 0.95),
+                percentile(times, 1.0));
+    // The promise is 100 ms for 95 of 100; a few moments on a machine that others use as well judge coarsely.
+    EXPECT_LE(percentile(times, 0.5), 150.0);
+    if (moments() >= 100) {
+      EXPECT_LE(percentile(times, 0.95), 100.0);
+    }
+  }
+
+  // Milliseconds from signal to end; negative: the command had finished before.
+  double interruptOnce(const Words& command, int number, double after) {
+    const fs::path folder = temporaryFolder();
+    for (const auto& entry : fs::directory_iterator(input_))
+      if (entry.is_regular_file()) fs::create_symlink(entry.path(), folder / entry.path().filename());
+    const BusyProcesses busy;  // new ones each time: they live for a minute
+    RunningIsolux running(command, {.folder = folder});
+    // Before the supervisor stands, in the first part of a millisecond, the system itself ends it: nothing
+    // has begun, and a shell calls that 130 for SIGINT, but not for the others.
+    if (number != SIGINT) running.waitUntilItAnswers(number);
+    std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(after));
+    const auto begin = Clock::now();
+    running.signal(number);
+    const RunResult result = running.wait();
+    const double time = millisecondsSince(begin);
+    EXPECT_THAT(partsIn(folder), testing::IsEmpty());
+    EXPECT_TRUE(comesToRest(folder)) << "something goes on working";
+    const bool finished = result.exitCode == 0;
+    if (!finished) {
+      EXPECT_EQ(result.exitCode, 130) << result.err;
+      // Before the program stands there is nobody to say it.
+      if (after > 50.0) {
+        EXPECT_EQ(result.err.substr(0, result.err.find('\n') + 1), "isolux: interrupted\n");
+      }
+    }
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    return finished ? -1.0 : time;
+  }
+
+  void writePhantom() {
+    ASSERT_EQ(runIsolux({"phantom", "head", "--size", "160", "--out", "v.vti"}, {.folder = input_}).exitCode,
+              0);
+  }
+
+  fs::path input_ = temporaryFolder();
+  std::mt19937 random_{std::random_device()()};
+};
+
+TEST_F(Interrupts, EndRender) {
+  interrupt({"render", "phantom:head:160", "--size", "1024x1024", "--out", "r.png"});
+}
+
+TEST_F(Interrupts, EndBake) {
+  interrupt({"bake", "phantom:head:96", "--out", "b.vti"});
+}
+
+TEST_F(Interrupts, EndStudy) {
+  interrupt({"study", "phantom:head:64", "--size", "256x256", "--out", "s"});
+}
+
+TEST_F(Interrupts, EndReference) {
+  interrupt({"reference", "phantom:head:96", "--size", "256x256", "--out", "r.exr"});
+}
+
+TEST_F(Interrupts, EndReplay) {
+  scene::Scene scene;
+  scene.source.path = "phantom:head:96";
+  {
+    app::Recorder recorder(input_ / "r.jsonl", scene);
+    for (int i = 1; i < 100; ++i) {
+      scene::Scene next = scene;
+      next.camera.fov = 20.0 + 0.1 * i;
+      recorder.add(scene::difference(scene, next, "Zoom"), 0.1 * i);
+      scene = next;
+    }
+  }
+  interrupt({"replay", "r.jsonl", "--size", "256x256", "--out", "frames"});
+}
+
+TEST_F(Interrupts, EndPhantom) {
+  interrupt({"phantom", "head", "--size", "256", "--out", "p.vti"});
+}
+
+TEST_F(Interrupts, EndOpening) {
+  writePhantom();
+  interrupt({"info", "v.vti"});
+}
+
+TEST_F(Interrupts, OfAClosedTerminalAndOfAnAdministratorToo) {
+  for (const int number : {SIGHUP, SIGTERM}) interrupt({"bake", "phantom:ball:96", "--out", "b.vti"}, number);
+}
+
+}  // namespace
+}  // namespace isolux::test

@@ -1,0 +1,441 @@
+// The frame graph and the declared passes: no GL.
+#include "render/graph/frame_graph.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "render/graph/pass_declarations.h"
+#include "scene/settings.h"
+
+namespace isolux::render {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::vector<std::string> namesOf(const std::vector<PassDeclaration>& passes,
+                                 const std::vector<PlannedPass>& plan, PassState state) {
+  std::vector<std::string> names;
+  for (const PlannedPass& planned : plan)
+    if (planned.state == state) names.push_back(passes[planned.index].name);
+  return names;
+}
+
+class FrameGraphTest : public ::testing::Test {
+ protected:
+  std::vector<PlannedPass> frame(const std::vector<PassDeclaration>& passes,
+                                 const std::vector<std::string>& wanted) {
+    const auto plan = graph_.plan(passes, wanted);
+    for (const PlannedPass& planned : plan)
+      if (planned.state == PassState::ran) graph_.completed(passes[planned.index]);
+    return plan;
+  }
+  // The passes that run when `scene` follows what was drawn before.
+  std::vector<std::string> ran(const scene::Scene& scene, const FrameRequest& request,
+                               std::uint64_t volume = 1) {
+    const auto passes = declarePasses(scene, request, volume);
+    return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
+  }
+  FrameGraph graph_;
+};
+
+TEST_F(FrameGraphTest, SkipsWhatNobodyReads) {
+  const std::vector<PassDeclaration> passes = {
+      {"a", {}, {"A"}, {}}, {"b", {"A"}, {"B"}, {}}, {"c", {"A"}, {"C"}, {}}, {"d", {"C"}, {"D"}, {}}};
+  const auto plan = frame(passes, {"B"});
+  EXPECT_THAT(namesOf(passes, plan, PassState::ran), ElementsAre("a", "b"));
+  EXPECT_THAT(namesOf(passes, plan, PassState::skipped), ElementsAre("c", "d"));
+  EXPECT_EQ(plan[3].reason, "nothing reads its D");
+}
+
+TEST_F(FrameGraphTest, RunsAgainOnlyBehindAChange) {
+  std::vector<PassDeclaration> passes = {
+      {"a", {}, {"A"}, {{"x", 1}}}, {"b", {}, {"B"}, {{"y", 1}}}, {"c", {"A", "B"}, {"C"}, {{"z", 1}}}};
+  frame(passes, {"C"});
+  EXPECT_THAT(namesOf(passes, frame(passes, {"C"}), PassState::cached), ElementsAre("a", "b", "c"));
+  passes[1].parameters[0].hash = 2;
+  const auto plan = frame(passes, {"C"});
+  EXPECT_THAT(namesOf(passes, plan, PassState::ran), ElementsAre("b", "c"));
+  EXPECT_EQ(plan[1].reason, "y changed");
+  EXPECT_EQ(plan[2].reason, "B drawn anew");
+}
+
+TEST_F(FrameGraphTest, APassSkippedForAWhileSeesWhatItMissed) {
+  std::vector<PassDeclaration> passes = {{"a", {}, {"A"}, {{"x", 1}}}, {"b", {"A"}, {"B"}, {}}};
+  frame(passes, {"A", "B"});
+  passes[0].parameters[0].hash = 2;
+  EXPECT_THAT(namesOf(passes, frame(passes, {"A"}), PassState::ran), ElementsAre("a"));
+  const auto plan = frame(passes, {"B"});
+  EXPECT_THAT(namesOf(passes, plan, PassState::ran), ElementsAre("b"));
+  EXPECT_EQ(plan[1].reason, "A drawn anew");
+}
+
+TEST_F(FrameGraphTest, InvalidateRunsEverything) {
+  const std::vector<PassDeclaration> passes = {{"a", {}, {"A"}, {}}};
+  frame(passes, {"A"});
+  graph_.invalidate();
+  EXPECT_EQ(frame(passes, {"A"})[0].state, PassState::ran);
+}
+
+// Which passes each change of the scene costs.
+TEST_F(FrameGraphTest, EachChangeRunsExactlyThePassesBehindIt) {
+  FrameRequest request;
+  scene::Scene scene;
+  scene.isosurface.value = 1.0;
+  scene.camera.eye = glm::dvec3(0.0, -400.0, 0.0);
+  EXPECT_THAT(ran(scene, request), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request), ElementsAre());  // a still picture costs nothing
+  scene.isosurface.albedo.x = 0.5;
+  EXPECT_THAT(ran(scene, request), ElementsAre("shade", "resolve"));
+  scene.camera.eye->x = 10.0;  // orbiting does not rebuild blocks
+  EXPECT_THAT(ran(scene, request), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
+  scene.isosurface.value = 2.0;
+  EXPECT_THAT(ran(scene, request), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+  scene.derivatives.field = scene::Field::trilinear;
+  EXPECT_THAT(ran(scene, request), ElementsAre("gradient", "shade", "resolve"));
+  scene.hit.rate = 5.0;  // exact hits take no samples
+  EXPECT_THAT(ran(scene, request), ElementsAre());
+  scene.hit.method = scene::HitMethod::sampled;  // its brackets are refined
+  EXPECT_THAT(ran(scene, request), ElementsAre("cast", "refine", "gradient", "shade", "resolve"));
+  scene.hit.refinements = 1;
+  EXPECT_THAT(ran(scene, request), ElementsAre("refine", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request, 2),
+              ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+}
+
+// Which passes each request needs from nothing.
+TEST_F(FrameGraphTest, EachLookAndImageRunsExactlyItsPasses) {
+  scene::Scene scene;
+  FrameRequest picture;
+  for (const auto mode : {scene::LookMode::blinn_phong, scene::LookMode::lambert, scene::LookMode::normal}) {
+    scene.look.mode = mode;
+    graph_.invalidate();
+    EXPECT_THAT(ran(scene, picture),
+                ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+  }
+  scene.look.mode = scene::LookMode::depth;
+  graph_.invalidate();
+  EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "shade", "resolve"));
+  FrameRequest depth;
+  depth.color = false;
+  depth.aovs = {Aov::depth};
+  graph_.invalidate();
+  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast"));
+  depth.aovs = {Aov::normal};
+  EXPECT_THAT(ran(scene, depth), ElementsAre("gradient"));
+  depth.aovs = {Aov::normal, Aov::kappa};  // the gradients come with the Hessians
+  graph_.invalidate();
+  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "hessian", "curvature"));
+  scene.derivatives.noise = 3.0;
+  EXPECT_THAT(ran(scene, depth), ElementsAre("curvature"));
+  depth.aovs = {Aov::hessian};
+  graph_.invalidate();
+  EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "hessian"));
+}
+
+TEST_F(FrameGraphTest, OnlyTransparentSurfacesHaveLayersBehindThem) {
+  scene::Scene scene;
+  FrameRequest picture;
+  scene.isosurface.opacity = 0.5;
+  EXPECT_THAT(ran(scene, picture),
+              ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers", "resolve"));
+  scene.isosurface.layers = 3;
+  EXPECT_THAT(ran(scene, picture), ElementsAre("layers", "resolve"));
+  scene.isosurface.opacity = 1.0;
+  EXPECT_THAT(ran(scene, picture), ElementsAre("shade", "resolve"));
+  scene.isosurface2.opacity = 0.25;  // not shown
+  EXPECT_THAT(ran(scene, picture), ElementsAre());
+  scene.isosurface2.shown = true;
+  EXPECT_THAT(ran(scene, picture),
+              ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers", "resolve"));
+}
+
+TEST_F(FrameGraphTest, TheFieldOfTheHitsIsThatOfTheBlocks) {
+  scene::Scene scene;
+  FrameRequest picture;
+  ran(scene, picture);
+  scene.hit.field = scene::Field::cubic;
+  EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+}
+
+// What each look computes from nothing, and what a change of it costs, as a table.
+struct LookRow {
+  std::vector<std::string> settings;
+  std::vector<std::string> passes;  // between cast and resolve
+};
+
+const std::vector<std::string> kShaded = {"gradient", "shade"};
+const std::vector<std::string> kCurved = {"hessian", "curvature", "shade"};
+const std::vector<std::string> kRanged = {"hessian", "curvature", "ranges", "shade"};
+const std::vector<std::string> kShadowed = {"gradient", "shadow", "shade"};
+const std::vector<std::string> kLit = {"gradient", "irradiance", "shade"};
+const std::vector<std::string> kFlowing = {"hessian", "curvature", "flow field", "flow", "shade"};
+
+const std::vector<LookRow> kLooks = {
+    {{"look.mode=blinn_phong"}, kShaded},
+    {{"look.mode=lambert"}, kShaded},
+    {{"look.mode=tone"}, kShaded},
+    {{"look.mode=kappa1"}, kRanged},
+    {{"look.mode=kappa2"}, kRanged},
+    {{"look.mode=mean_curvature"}, kRanged},
+    {{"look.mode=gaussian_curvature"}, kRanged},
+    {{"look.mode=shape_index"}, kCurved},  // always -1 to 1
+    {{"look.mode=curvedness"}, kRanged},
+    {{"look.mode=curvature_2d"}, kRanged},
+    {{"look.mode=accessibility"}, kRanged},
+    {{"look.mode=flow"}, kFlowing},
+    {{"look.mode=gi"}, kLit},
+    {{"look.mode=shape_index", "look.shading=gi"}, {"hessian", "curvature", "irradiance", "shade"}},
+    {{"look.mode=gi", "look.shadow=1"}, kLit},  // shadows are in the light
+    {{"look.mode=gi", "isosurface.opacity=0.5"}, {"gradient", "irradiance", "shade", "layers"}},
+    {{"look.mode=normal"}, kShaded},
+    {{"look.mode=depth"}, {"shade"}},
+    // What is fixed is not measured.
+    {{"look.mode=kappa1", "look.range_low=-1"}, kRanged},
+    {{"look.mode=kappa1", "look.range_low=-1", "look.range_high=1"}, kCurved},
+    {{"look.mode=curvature_2d", "look.range_high=1"}, kCurved},
+    // What is laid over.
+    {{"look.texture=marble"}, kShaded},
+    {{"look.fog=1"}, kShaded},
+    {{"look.accessibility=1"}, kRanged},
+    {{"look.ridges=1"}, kRanged},
+    {{"look.ridges=1", "look.ridge_threshold=0.1"}, kCurved},
+    {{"look.contours=1"}, kCurved},
+    {{"look.suggestive_contours=1"}, kRanged},
+    {{"flow.strength=1"}, kFlowing},
+    {{"look.shadow=1"}, kShadowed},
+    {{"look.shadow=1", "look.mode=tone"}, kShadowed},
+    {{"look.shadow=1", "look.mode=curvedness"}, {"hessian", "curvature", "ranges", "shadow", "shade"}},
+    {{"look.shadow=1", "look.mode=shape_index", "look.shading=unlit"}, kCurved},  // nothing is lit
+    // Without a key light, or where it brightens nothing, nobody sees its shadow; tone has only its
+    // direction.
+    {{"look.shadow=1", "light.intensity=0"}, kShaded},
+    {{"look.shadow=1", "light.color=0,0,0"}, kShaded},
+    {{"look.shadow=1", "look.ambient=1"}, kShadowed},  // the highlight
+    {{"look.shadow=1", "look.ambient=1", "look.specular=0"}, kShaded},
+    {{"look.shadow=1", "look.ambient=1", "look.mode=lambert"}, kShaded},
+    {{"look.shadow=1", "light.intensity=0", "look.mode=tone"}, kShadowed},
+    // A surface of opacity 0 is not there, and what is behind it is not behind anything.
+    {{"isosurface.opacity=0", "isosurface2.shown=1", "isosurface2.value=3", "isosurface2.opacity=1"},
+     kShaded},
+    {{"isosurface.opacity=0.5"}, {"gradient", "shade", "layers"}},
+    {{"isosurface.opacity=0.5", "look.shadow=1", "look.mode=flow"},
+     {"hessian", "curvature", "shadow", "flow field", "flow", "shade", "layers"}},
+    // Raw quantities: nothing is laid over them.
+    {{"look.mode=normal", "look.shadow=1", "look.ridges=1", "look.contours=1", "look.accessibility=1",
+      "flow.strength=1", "look.suggestive_contours=1"},
+     kShaded},
+    {{"look.mode=depth", "look.shadow=1", "look.ridges=1", "flow.strength=1"}, {"shade"}},
+};
+
+TEST_F(FrameGraphTest, EachLookFromNothing) {
+  for (const LookRow& row : kLooks) {
+    scene::Scene scene;
+    std::string named;
+    for (const std::string& setting : row.settings) {
+      scene::applyAssignment(scene, setting);
+      named += setting + " ";
+    }
+    std::vector<std::string> expected = {"blocks", "segments", "cast"};
+    expected.insert(expected.end(), row.passes.begin(), row.passes.end());
+    expected.emplace_back("resolve");
+    graph_.invalidate();
+    EXPECT_EQ(ran(scene, {}), expected) << named;
+    EXPECT_THAT(ran(scene, {}), ElementsAre()) << named;  // a still picture costs nothing
+  }
+}
+
+// From a look that is drawn, one setting changes.
+struct ChangeRow {
+  std::vector<std::string> look;
+  std::string change;
+  std::vector<std::string> passes;
+};
+
+const std::vector<ChangeRow> kChanges = {
+    {{}, "light.intensity=2", {"shade", "resolve"}},
+    {{}, "light.direction=1,0,0", {"shade", "resolve"}},
+    {{}, "look.background_top=1,0,0", {"resolve"}},
+    {{"look.fog=1"}, "look.background_top=1,0,0", {"shade", "resolve"}},
+    {{"look.fog=1", "look.fog_color=1,1,1"}, "look.background_top=1,0,0", {"resolve"}},
+    {{}, "look.colormap=gray", {}},  // no colours stand for numbers
+    {{}, "look.tone_warm=1,0,0", {}},
+    {{}, "flow.time=3", {}},
+    {{}, "look.contour_width=5", {}},
+    {{"look.mode=lambert"}, "look.specular=1", {}},
+    {{"look.mode=tone"}, "light.intensity=2", {}},
+    {{"look.mode=kappa1"}, "look.colormap=gray", {"shade", "resolve"}},
+    {{"look.mode=kappa1"}, "look.legend=false", {"resolve"}},
+    {{"look.mode=kappa1"}, "look.range_low=-1", {"shade", "resolve"}},
+    {{"look.mode=kappa1"}, "isosurface.inside=below", {"curvature", "ranges", "shade", "resolve"}},
+    {{"look.mode=kappa1"},
+     "isosurface.value=5",
+     {"blocks", "segments", "cast", "hessian", "curvature", "ranges", "shade", "resolve"}},
+    {{"look.mode=kappa1"},
+     "camera.eye=5,-300,0",
+     {"segments", "cast", "hessian", "curvature", "shade", "resolve"}},  // ranges know no view
+    {{"look.mode=kappa1"}, "derivatives.noise=5", {"curvature", "shade", "resolve"}},
+    {{"look.mode=curvature_2d"}, "look.colormap=gray", {}},
+    {{"look.ridges=1"}, "look.ridge_color=1,0,0", {"shade", "resolve"}},
+    {{"look.shadow=1"}, "light.direction=1,0,0", {"shadow", "shade", "resolve"}},
+    {{"look.shadow=1"}, "light.intensity=2", {"shade", "resolve"}},
+    {{"look.shadow=1"}, "isosurface.albedo=1,0,0", {"shade", "resolve"}},
+    {{"look.mode=gi"}, "picture.exposure=2", {"shade", "resolve"}},
+    {{"look.mode=gi"}, "light.direction=1,0,0", {}},
+    {{"look.mode=gi"}, "isosurface.albedo=1,0,0", {"shade", "resolve"}},
+    {{"look.mode=gi"},
+     "camera.eye=5,-300,0",
+     {"segments", "cast", "gradient", "irradiance", "shade", "resolve"}},
+    {{}, "gi.interpolation=nearest", {}},
+    {{"look.mode=flow"}, "flow.time=0.25", {"flow", "shade", "resolve"}},
+    {{"look.mode=flow"}, "flow.time=1", {}},  // a whole period later
+    {{"look.mode=flow"}, "flow.length=9", {"flow", "shade", "resolve"}},
+    {{"look.mode=flow"}, "flow.grain=3", {"flow field", "flow", "shade", "resolve"}},
+    {{"look.mode=flow"}, "flow.direction=minimum", {"flow field", "flow", "shade", "resolve"}},
+    {{"look.mode=flow"}, "light.intensity=2", {"shade", "resolve"}},
+    {{"look.mode=flow"},
+     "camera.eye=5,-300,0",
+     {"segments", "cast", "hessian", "curvature", "flow field", "flow", "shade", "resolve"}},
+    {{"isosurface.opacity=0.5"}, "flow.time=3", {}},
+    {{"isosurface.opacity=0.5"}, "light.intensity=2", {"shade", "layers", "resolve"}},
+    {{"isosurface.opacity=0.5", "look.mode=flow"}, "flow.time=0.25", {"flow", "shade", "layers", "resolve"}},
+};
+
+TEST_F(FrameGraphTest, EachChangeOfALook) {
+  for (const ChangeRow& row : kChanges) {
+    scene::Scene scene;
+    scene.isosurface.value = 1.0;
+    scene.camera.eye = glm::dvec3(0.0, -400.0, 0.0);
+    std::string named;
+    for (const std::string& setting : row.look) {
+      scene::applyAssignment(scene, setting);
+      named += setting + " ";
+    }
+    graph_.invalidate();
+    ran(scene, {});
+    scene::applyAssignment(scene, row.change);
+    EXPECT_EQ(ran(scene, {}), row.passes) << named << "then " << row.change;
+  }
+}
+
+// What of the light changes costs only the passes behind it, and only where a look reads it.
+TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
+  scene::Scene scene;
+  scene.isosurface.value = 1.0;
+  scene.look.mode = scene::LookMode::gi;
+  FrameRequest request;
+  LightState light;
+  light.stored = true;
+  light.version = 1;
+  const auto ranUnder = [&] {
+    const auto passes = declarePasses(scene, request, 1, {}, light);
+    return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
+  };
+  EXPECT_THAT(ranUnder(), ElementsAre("blocks", "segments", "cast", "gradient", "light", "irradiance",
+                                      "shade", "resolve"));
+  EXPECT_THAT(ranUnder(), ElementsAre());
+  for (std::uint64_t* changed :
+       {&light.skyRevision, &light.lampsRevision, &light.unfinished, &light.storage}) {
+    ++*changed;  // more of it is baked, or there is more to upload
+    EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance", "shade", "resolve"));
+  }
+  ++light.version;  // the environment turned
+  EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
+  light.automaticExposure = 1.0f;
+  EXPECT_THAT(ranUnder(), ElementsAre("shade", "resolve"));
+  scene.gi.interpolation = scene::GiInterpolation::nearest;
+  EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
+  scene.camera.eye = glm::dvec3(0.0, -300.0, 0.0);
+  EXPECT_THAT(ranUnder(), ElementsAre("segments", "cast", "gradient", "irradiance", "shade", "resolve"));
+  light.background = true;
+  EXPECT_THAT(ranUnder(), ElementsAre("resolve"));
+  ++light.version;
+  EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
+  scene.isosurface.opacity = 0.5;
+  EXPECT_THAT(ranUnder(), ElementsAre("shade", "layers", "resolve"));
+  ++light.skyRevision;
+  EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance", "shade", "layers", "resolve"));
+  scene.look.mode = scene::LookMode::lambert;
+  light.stored = false;
+  ranUnder();
+  ++light.version;
+  ++light.skyRevision;
+  EXPECT_THAT(ranUnder(), ElementsAre());
+  request.color = false;
+  request.aovs = {Aov::irradiance};
+  light.stored = true;
+  EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance"));
+}
+
+// Nothing can be hit: nothing of a surface is computed for the picture.
+TEST_F(FrameGraphTest, AnIsovalueWithoutASurfaceCostsNoDerivatives) {
+  for (const char* look : {"curvature_2d", "flow", "gi", "lambert"}) {
+    scene::Scene scene;
+    scene::applyAssignment(scene, std::string("look.mode=") + look);
+    VolumeState nothing{1, 1};
+    nothing.crossed = false;
+    graph_.invalidate();
+    const auto passes = declarePasses(scene, {}, nothing);
+    EXPECT_THAT(namesOf(passes, frame(passes, wantedImages({})), PassState::ran),
+                ElementsAre("blocks", "segments", "cast", "shade", "resolve"))
+        << look;
+  }
+}
+
+// A new copy of equal voxels on the GPU has no active blocks and no resident bricks yet.
+TEST_F(FrameGraphTest, WhatLivesInTheGpusCopyIsMadeAnewWithIt) {
+  scene::Scene scene;
+  VolumeState volume{7, 1};
+  const auto ranWith = [&](const BrickState& bricks) {
+    const auto passes = declarePasses(scene, {}, volume, bricks);
+    return namesOf(passes, frame(passes, wantedImages({})), PassState::ran);
+  };
+  ranWith({});
+  ++volume.made;
+  EXPECT_THAT(ranWith({}), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ranWith({}), ElementsAre());
+  const BrickState bricks{true, false, 1, 0};
+  ranWith(bricks);
+  ++volume.made;
+  EXPECT_THAT(ranWith(bricks),
+              ElementsAre("blocks", "segments", "bricks", "cast", "gradient", "shade", "resolve"));
+}
+
+// In bricks: uploads only where rays asked, and nothing of it in a volume of one texture.
+TEST_F(FrameGraphTest, BricksRunWhereRaysAskForThem) {
+  scene::Scene scene;
+  const FrameRequest request;
+  BrickState bricks{true, false, 1, 0};
+  const auto ranIn = [&] {
+    const auto passes = declarePasses(scene, request, 1, bricks);
+    return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
+  };
+  EXPECT_THAT(ranIn(), ElementsAre("blocks", "segments", "bricks", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ranIn(), ElementsAre());
+  ++bricks.asked;
+  EXPECT_THAT(ranIn(), ElementsAre("bricks", "cast", "gradient", "shade", "resolve"));
+  scene.camera.fov += 1.0;
+  EXPECT_THAT(ranIn(), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
+  ++bricks.made;
+  EXPECT_THAT(ranIn(), ElementsAre("bricks", "cast", "gradient", "shade", "resolve"));
+  // Derivatives need the bricks at the hits, which may have been replaced.
+  const auto derivatives = [&] {
+    scene.derivatives.fetch =
+        scene.derivatives.fetch == scene::Fetch::fast ? scene::Fetch::exact : scene::Fetch::fast;
+    return ranIn();
+  };
+  EXPECT_THAT(derivatives(), ElementsAre("gradient", "shade", "resolve"));
+  bricks.mayReplace = true;
+  ranIn();
+  EXPECT_THAT(derivatives(), ElementsAre("cast", "gradient", "shade", "resolve"));
+  bricks = {};
+  EXPECT_THAT(ranIn(), ElementsAre("cast", "gradient", "shade", "resolve"));
+  const auto passes = declarePasses(scene, request, 1, bricks);
+  for (const PlannedPass& planned : graph_.plan(passes, wantedImages(request)))
+    if (passes[planned.index].name == pass::bricks) {
+      EXPECT_EQ(planned.state, PassState::skipped);
+      EXPECT_EQ(planned.reason, "the volume is one texture");
+    }
+}
+
+}  // namespace
+}  // namespace isolux::render

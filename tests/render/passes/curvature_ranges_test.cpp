@@ -1,0 +1,83 @@
+// Automatic ranges and thresholds: pure arithmetic on a surface's statistics.
+#include "render/passes/curvature_ranges.h"
+
+#include <gtest/gtest.h>
+
+namespace isolux::render {
+namespace {
+
+using scene::LookMode;
+using volume::CurvatureStatistics;
+
+CurvatureStatistics some() {
+  CurvatureStatistics s;
+  s.samples = 100;
+  s.kappa1 = {-0.1, 0.1, 0.4};
+  s.kappa2 = {-0.3, 0.0, 0.2};
+  s.mean = {-0.2, 0.05, 0.3};
+  s.gaussian = {-0.04, 0.0, 0.02};
+  s.curvedness = {0.01, 0.1, 0.35};
+  return s;
+}
+constexpr double kFlat = 1e-3;
+
+glm::dvec2 rangeOf(LookMode mode, const CurvatureStatistics& s = some()) {
+  scene::Scene scene;
+  scene.look.mode = mode;
+  return measureRange(scene, s, kFlat);
+}
+
+TEST(CurvatureRangesTest, SignedMeasuresAreSymmetric) {
+  EXPECT_EQ(rangeOf(LookMode::kappa1), glm::dvec2(-0.4, 0.4));
+  EXPECT_EQ(rangeOf(LookMode::kappa2), glm::dvec2(-0.3, 0.3));
+  EXPECT_EQ(rangeOf(LookMode::mean_curvature), glm::dvec2(-0.3, 0.3));
+  EXPECT_EQ(rangeOf(LookMode::gaussian_curvature), glm::dvec2(-0.04, 0.04));
+  EXPECT_EQ(rangeOf(LookMode::curvature_2d), glm::dvec2(-0.4, 0.4));
+  EXPECT_EQ(rangeOf(LookMode::curvedness), glm::dvec2(0.0, 0.35));
+  EXPECT_EQ(rangeOf(LookMode::shape_index), glm::dvec2(-1.0, 1.0));
+}
+
+TEST(CurvatureRangesTest, WhatIsFlatHasARangeToo) {
+  const CurvatureStatistics none;
+  EXPECT_EQ(rangeOf(LookMode::kappa1, none), glm::dvec2(-kFlat, kFlat));
+  EXPECT_EQ(rangeOf(LookMode::gaussian_curvature, none), glm::dvec2(-kFlat * kFlat, kFlat * kFlat));
+  EXPECT_EQ(rangeOf(LookMode::curvedness, none), glm::dvec2(0.0, kFlat));
+  EXPECT_EQ(curvatureScale(none, kFlat), kFlat);
+}
+
+TEST(CurvatureRangesTest, FixedEndsAreKept) {
+  scene::Scene scene;
+  scene.look.mode = LookMode::kappa1;
+  scene.look.rangeLow = 0.05;
+  EXPECT_EQ(measureRange(scene, some(), kFlat), glm::dvec2(0.05, 0.4));
+  EXPECT_TRUE(readsCurvatureRanges(scene));
+  scene.look.rangeHigh = -0.5;  // swapped: the map is turned around
+  EXPECT_EQ(measureRange(scene, some(), kFlat), glm::dvec2(0.05, -0.5));
+  EXPECT_FALSE(readsCurvatureRanges(scene));
+  scene.look.mode = LookMode::curvature_2d;
+  EXPECT_EQ(measureRange(scene, some(), kFlat), glm::dvec2(-0.5, 0.5));
+}
+
+TEST(CurvatureRangesTest, RidgesAndValleysHaveThresholdsOfTheirOwn) {
+  scene::Scene scene;
+  EXPECT_EQ(ridgeThresholds(scene, some(), kFlat), glm::dvec2(0.75 * 0.4, 0.75 * 0.3));
+  CurvatureStatistics convex = some();
+  convex.kappa2 = {0.01, 0.02, 0.03};
+  EXPECT_EQ(ridgeThresholds(scene, convex, kFlat), glm::dvec2(0.75 * 0.4, 0.25 * 0.75 * 0.4));
+  scene.look.ridgeThreshold = 0.2;
+  EXPECT_EQ(ridgeThresholds(scene, some(), kFlat), glm::dvec2(0.2));
+}
+
+TEST(CurvatureRangesTest, SeveralSurfacesShareTheOuterBounds) {
+  CurvatureStatistics other;
+  other.samples = 50;
+  other.kappa1 = {-0.5, 0.0, 0.1};
+  const CurvatureStatistics both = outerBounds({CurvatureStatistics{}, some(), other});
+  EXPECT_EQ(both.samples, 150u);
+  EXPECT_EQ(both.kappa1.low, -0.5);
+  EXPECT_EQ(both.kappa1.high, 0.4);
+  EXPECT_EQ(both.kappa2.low, -0.3);  // not the empty surface's 0
+}
+
+}  // namespace
+}  // namespace isolux::render

@@ -1,0 +1,137 @@
+// scene/rules/relevance.h against what the passes depend on: a setting that is said to do nothing changes no
+// pass.
+#include "scene/rules/relevance.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "render/graph/pass_declarations.h"
+#include "scene/settings.h"
+
+namespace isolux::test {
+
+namespace {
+
+using nlohmann::json;
+
+// A value that differs from the scene's.
+json otherValue(const scene::Setting& s, const scene::Scene& scene) {
+  const json now = s.get(scene);
+  const double low = std::max(s.minimum, -1e3), high = std::min(s.maximum, 1e3);
+  switch (s.type) {
+    case scene::SettingType::number:
+      return now == low + 0.371 * (high - low) ? low + 0.5 * (high - low) : low + 0.37123 * (high - low);
+    case scene::SettingType::integer:
+      return now == s.minimum + 1 ? s.minimum + 2 : s.minimum + 1;
+    case scene::SettingType::choice:
+      return s.choices.back() == now ? s.choices.front() : s.choices.back();
+    case scene::SettingType::vector:
+      return {0.25, 0.5, 0.125};
+    case scene::SettingType::pair:
+      return {0.25, 0.5};
+    case scene::SettingType::quaternion:
+      return {0.25, 0.5, 0.125, 0.75};
+    case scene::SettingType::toggle:
+      return !now.get<bool>();
+    case scene::SettingType::points:
+      return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}});
+    case scene::SettingType::text:
+      break;
+  }
+  return "other";
+}
+
+// All that the passes of a picture depend on, as text; without those that nobody reads.
+std::string declared(const scene::Scene& scene) {
+  const std::vector<render::PassDeclaration> passes = render::declarePasses(scene, {}, 1);
+  std::string text;
+  for (const render::PlannedPass& planned : render::FrameGraph().plan(passes, render::wantedImages({}))) {
+    if (planned.state == render::PassState::skipped) continue;
+    const render::PassDeclaration& pass = passes[planned.index];
+    text += pass.name;
+    for (const auto& image : pass.reads) text += " <" + image;
+    for (const auto& image : pass.writes) text += " >" + image;
+    for (const auto& parameter : pass.parameters)
+      text += ' ' + parameter.name + '=' + std::to_string(parameter.hash);
+    text += '\n';
+  }
+  return text;
+}
+
+// Passes run once more than they must when one of these changes where it does nothing; nobody drags them
+// there.
+bool dependedOnNeedlessly(const scene::Setting& setting) {
+  static const std::set<std::string> paths = {"look.texture", "look.texture_scale", "look.accessibility",
+                                              "look.shininess", "flow.strength"};
+  return paths.contains(setting.path);
+}
+
+// Scenes of every look, plain and with everything laid over it.
+std::vector<scene::Scene> scenes() {
+  std::vector<scene::Scene> result;
+  const scene::Setting& mode = scene::setting("look.mode");
+  for (const std::string& name : mode.choices) {
+    for (int variant = 0; variant < 4; ++variant) {
+      scene::Scene scene;
+      mode.set(scene, name);
+      scene.isosurface.value = 1.0;
+      scene.flow.time = 0.3;
+      if (variant == 1) {
+        scene.look.ridges = scene.look.contours = scene.look.fog = scene.flow.strength = 0.5;
+        scene.look.shadow = scene.look.accessibility = 0.5;
+        scene.look.texture = scene::SolidTexture::wood;
+        scene.hit.method = scene::HitMethod::sampled;
+      } else if (variant == 2) {
+        scene.look.shading = scene::Shading::unlit;
+        scene.isosurface3.shown = true;
+        scene.isosurface3.opacity = 1.0;
+        scene.derivatives.field = scene::Field::trilinear;
+      } else if (variant == 3) {
+        scene.look.shading = scene::Shading::tone;
+        scene.look.specular = 0.0;
+      }
+      result.push_back(scene);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST(RelevanceOfPasses, WhatDoesNothingChangesNoPass) {
+  for (const scene::Scene& scene : scenes()) {
+    const std::string before = declared(scene);
+    for (const scene::Setting& setting : scene::settings()) {
+      const std::string_view why = scene::whyInactive(setting.path, scene);
+      if (why.empty() || dependedOnNeedlessly(setting)) continue;
+      scene::Scene changed = scene;
+      setting.set(changed, otherValue(setting, scene));
+      EXPECT_EQ(declared(changed), before)
+          << setting.path << " in look " << scene::setting("look.mode").get(scene) << ", although " << why;
+    }
+  }
+}
+
+TEST(RelevanceOfPasses, WhatActsOnALookChangesAPass) {
+  for (const scene::Scene& scene : scenes()) {
+    const std::string before = declared(scene);
+    for (const scene::Setting& setting : scene::settings()) {
+      const std::string group = setting.path.substr(0, setting.path.find('.'));
+      if (group != "look" && group != "flow" && group != "light" && group != "isosurface") continue;
+      if (setting.path == "flow.animate") continue;  // the window's: it moves flow.time
+      // These reach the renderer as another gi::PictureLight (render::LightState).
+      if (setting.path.starts_with("light.environment.")) continue;
+      if (!scene::whyInactive(setting.path, scene).empty()) continue;
+      scene::Scene changed = scene;
+      setting.set(changed, otherValue(setting, scene));
+      EXPECT_NE(declared(changed), before)
+          << setting.path << " in look " << scene::setting("look.mode").get(scene);
+    }
+  }
+}
+
+}  // namespace isolux::test

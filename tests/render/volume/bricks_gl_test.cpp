@@ -1,0 +1,365 @@
+// A volume in bricks against the same volume as one texture: the same pictures, whatever the budget.
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+#include "render/gl/gl.h"
+#include "render/graph/pass_declarations.h"
+#include "tests/render/gl_fixture.h"
+#include "volume/hit/exact_hit.h"
+
+namespace isolux::test {
+namespace {
+
+using render::Aov;
+using scene::Field;
+using scene::MemoryLayout;
+using VolumePointer = std::shared_ptr<const volume::PreparedVolume>;
+
+// Float voxels; what one brick needs of the budget is 35^3 * 4 bytes, so that a MiB holds 6.
+VolumePointer field(glm::ivec3 dims, const std::function<float(glm::vec3)>& value) {
+  std::vector<float> voxels;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x) voxels.push_back(value(glm::vec3(x, y, z)));
+  return prepared(volume::Grid(volume::GridGeometry::make(dims, {1.0, 0.8, 1.3}), std::move(voxels)));
+}
+
+VolumePointer noise(glm::ivec3 dims, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  return field(dims, [&](glm::vec3) { return uniform(random); });
+}
+
+class BricksGlTest : public RenderGlTest {
+ protected:
+  struct Drawn {
+    render::ColorImage color;
+    std::vector<render::AovImage> images;
+    render::FrameReport report;
+  };
+  Drawn draw(const VolumePointer& volume, scene::Scene scene, MemoryLayout layout, int budgetMb = 2048,
+             glm::ivec2 size = {96, 72}) {
+    scene.memory.layout = layout;
+    scene.memory.gpuBudgetMb = budgetMb;
+    scene = scene::resolve(scene, volume->facts);
+    renderer_->setVolume(volume);
+    render::FrameRequest request;
+    request.size = size;
+    for (const render::AovInfo& info : render::aovs()) request.aovs.push_back(info.aov);
+    Drawn drawn;
+    drawn.report = renderer_->render(scene, request);
+    drawn.color = renderer_->readColor();
+    for (const Aov aov : request.aovs) drawn.images.push_back(renderer_->readAov(aov));
+    return drawn;
+  }
+
+  static int colorDifference(const render::ColorImage& a, const render::ColorImage& b) {
+    int most = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) most = std::max(most, std::abs(a.rgba[i] - b.rgba[i]));
+    return most;
+  }
+  // Values that are not the same, NaN equal to NaN. Hits are equal bit by bit; derivatives to within
+  // rounding, which a compiler may order differently in two programs.
+  static std::size_t unequal(const render::AovImage& a, const render::AovImage& b) {
+    float largest = 0.0f;
+    for (const float v : a.values)
+      if (std::isfinite(v)) largest = std::max(largest, std::fabs(v));
+    const bool exact =
+        a.aov == Aov::hit || a.aov == Aov::voxel || a.aov == Aov::position || a.aov == Aov::depth;
+    const float tolerance = exact ? 0.0f : 1e-5f * largest;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+      if (!(std::fabs(a.values[i] - b.values[i]) <= tolerance) &&
+          !(std::isnan(a.values[i]) && std::isnan(b.values[i])))
+        ++count;
+    return count;
+  }
+  static std::size_t hits(const Drawn& drawn) {
+    std::size_t count = 0;
+    for (const render::AovImage& image : drawn.images)
+      if (image.aov == Aov::hit)
+        for (const float v : image.values) count += v == 1.0f ? 1 : 0;
+    return count;
+  }
+  // Curvature images only where curvature is: on flat or round surfaces they are made of rounding.
+  static void expectEqual(const Drawn& whole, const Drawn& bricks, const std::string& what,
+                          bool curvature = true) {
+    EXPECT_FALSE(whole.report.bricks.inUse) << what;
+    EXPECT_TRUE(bricks.report.bricks.inUse) << what;
+    EXPECT_EQ(bricks.report.bricks.missing, 0.0) << what;
+    EXPECT_EQ(colorDifference(whole.color, bricks.color), 0) << what;
+    for (std::size_t i = 0; i < whole.images.size(); ++i) {
+      if (!curvature && render::readsHessian(whole.images[i].aov)) continue;
+      EXPECT_EQ(unequal(whole.images[i], bricks.images[i]), 0u)
+          << what << ", " << render::aovs()[static_cast<std::size_t>(whole.images[i].aov)].name;
+    }
+  }
+};
+
+scene::Scene lookingFrom(const VolumePointer& volume, glm::dvec3 direction) {
+  scene::Scene scene;
+  const glm::dvec3 low = volume->facts.boundsMinMm, high = volume->facts.boundsMaxMm;
+  scene.camera.target = 0.5 * (low + high);
+  scene.camera.eye = *scene.camera.target + glm::normalize(direction) * glm::length(high - low) * 1.2;
+  scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
+  return scene;
+}
+
+TEST_F(BricksGlTest, EveryFieldIsTheSameWithExactFetches) {
+  const auto volume = phantom("gyroid", 70);  // not a multiple of 32
+  for (const Field hit : {Field::trilinear, Field::cubic, Field::cubic_interpolating})
+    for (const Field derivatives : {Field::trilinear, Field::cubic, Field::cubic_interpolating}) {
+      scene::Scene scene;
+      scene.hit.field = hit;
+      scene.derivatives.field = derivatives;
+      scene.derivatives.fetch = scene::Fetch::exact;
+      const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+      ASSERT_GT(hits(whole), 1000u);
+      expectEqual(whole, draw(volume, scene, MemoryLayout::bricks),
+                  "hit " + std::to_string(static_cast<int>(hit)) + ", derivatives " +
+                      std::to_string(static_cast<int>(derivatives)));
+    }
+}
+
+// Filters weigh by a coordinate, which is another one in the cache: rounding may differ.
+TEST_F(BricksGlTest, FastFetchesAndSampledHitsAreTheSameWithinOneLevel) {
+  for (const char* name : {"gyroid", "torus"}) {
+    const auto volume = phantom(name, 70);
+    for (const Field field : {Field::trilinear, Field::cubic, Field::cubic_interpolating})
+      for (const auto method : {scene::HitMethod::exact, scene::HitMethod::sampled}) {
+        scene::Scene scene;
+        scene.hit.method = method;
+        scene.derivatives.field = field;
+        scene.derivatives.fetch = scene::Fetch::fast;
+        const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+        const Drawn bricks = draw(volume, scene, MemoryLayout::bricks);
+        EXPECT_EQ(bricks.report.bricks.missing, 0.0);
+        EXPECT_EQ(hits(whole), hits(bricks));
+        EXPECT_LE(colorDifference(whole.color, bricks.color), 1) << name << static_cast<int>(field);
+      }
+  }
+}
+
+TEST_F(BricksGlTest, HardCases) {
+  const auto ball = [](glm::vec3 p) { return 20.0f - glm::length(p - glm::vec3(32.0f)); };
+  struct Case {
+    const char* name;
+    VolumePointer volume;
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<Case> cases = {
+      {"two voxels along x", field({2, 70, 40}, [](glm::vec3 p) { return p.y + 2.0f * p.x - 30.3f; })},
+      {"two voxels along z", field({66, 34, 2}, [](glm::vec3 p) { return p.x + p.z - 32.0f; })},
+      {"one voxel along y", field({66, 1, 34}, [](glm::vec3 p) { return p.x - 32.0f; })},
+      {"33 voxels", field({33, 33, 33}, [](glm::vec3 p) { return p.x + p.y - 31.5f; })},
+      {"surface on the brick border", field({65, 65, 65}, [](glm::vec3 p) { return p.x - 32.0f; })},
+      {"surface on the last voxel", field({65, 65, 65}, [](glm::vec3 p) { return p.z - 63.99f; })},
+      {"noise", noise({67, 45, 66}, 3)},
+      {"missing voxels", field({70, 66, 65},
+                               [&](glm::vec3 p) {
+                                 return glm::length(p - glm::vec3(33.0f, 30.0f, 14.0f)) < 6.0f ? nan
+                                                                                               : ball(p);
+                               })},
+      {"tiny values", field({66, 66, 66}, [&](glm::vec3 p) { return 1e-20f * ball(p); })},
+  };
+  for (const Case& test : cases)
+    for (const Field hit : {Field::trilinear, Field::cubic_interpolating})
+      for (const glm::dvec3& direction : {glm::dvec3(0.3, -1.0, 0.4), glm::dvec3(0.0, 1.0, 0.0)}) {
+        scene::Scene scene = lookingFrom(test.volume, direction);
+        scene.isosurface.value = 0.0;
+        scene.hit.field = hit;
+        scene.derivatives.field = hit;
+        scene.derivatives.fetch = scene::Fetch::exact;
+        const Drawn whole = draw(test.volume, scene, MemoryLayout::whole);
+        const Drawn bricks = draw(test.volume, scene, MemoryLayout::bricks);
+        if (std::string(test.name) == "one voxel along y") {
+          EXPECT_EQ(hits(bricks), 0u);
+          continue;
+        }
+        expectEqual(whole, bricks, test.name, false);
+      }
+}
+
+TEST_F(BricksGlTest, EyeInsideAndTransparentSurfacesAreTheSame) {
+  const auto volume = phantom("gyroid", 70);
+  scene::Scene inside;
+  inside.camera.eye = 0.3 * volume->facts.boundsMinMm + 0.7 * volume->facts.boundsMaxMm;
+  inside.camera.target = volume->facts.boundsMinMm;
+  inside.camera.up = glm::dvec3(0.0, 0.0, 1.0);
+  inside.derivatives.fetch = scene::Fetch::exact;
+  expectEqual(draw(volume, inside, MemoryLayout::whole), draw(volume, inside, MemoryLayout::bricks),
+              "eye inside");
+  scene::Scene layered;
+  layered.derivatives.fetch = scene::Fetch::exact;
+  layered.isosurface.opacity = 0.4;
+  layered.isosurface2.shown = true;
+  layered.isosurface2.value = 0.3;
+  expectEqual(draw(volume, layered, MemoryLayout::whole), draw(volume, layered, MemoryLayout::bricks),
+              "layers");
+}
+
+// Shadow rays ask for bricks that no camera ray came to.
+TEST_F(BricksGlTest, ShadowsAreTheSame) {
+  const auto volume = phantom("torus", 100);
+  scene::Scene scene;
+  scene.look.shadow = 1.0;
+  scene.light.direction = {1.0, 0.2, 0.1};
+  scene.derivatives.fetch = scene::Fetch::exact;
+  const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+  const Drawn bricks = draw(volume, scene, MemoryLayout::bricks);
+  expectEqual(whole, bricks, "shadow");
+  scene.look.shadow = 0.0;
+  EXPECT_GT(colorDifference(whole.color, draw(volume, scene, MemoryLayout::whole).color), 20);
+}
+
+TEST_F(BricksGlTest, AQuarterOfTheBytesIsEnoughForTheWholePicture) {
+  const auto volume = phantom("ball", 128);  // 8 MiB, 64 bricks
+  scene::Scene scene;
+  scene.derivatives.fetch = scene::Fetch::exact;
+  const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+  const Drawn bricks = draw(volume, scene, MemoryLayout::automatic, 2);
+  EXPECT_LE(bricks.report.bricks.slots, 12u);
+  EXPECT_LE(bricks.report.gpuBytes, whole.report.gpuBytes);
+  expectEqual(whole, bricks, "2 MiB");
+}
+
+// Eight slots for a surface through all 64 bricks: the rays that wait take turns.
+TEST_F(BricksGlTest, ABudgetTooSmallForAllRaysAtOnceStillDrawsThePicture) {
+  const auto volume = phantom("gyroid", 128);
+  for (const auto method : {scene::HitMethod::exact, scene::HitMethod::sampled}) {
+    scene::Scene scene;
+    scene.hit.method = method;
+    scene.derivatives.field = Field::cubic;
+    scene.derivatives.fetch = scene::Fetch::exact;
+    const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+    const Drawn bricks = draw(volume, scene, MemoryLayout::automatic, 2);
+    EXPECT_GT(bricks.report.bricks.evicted, 0u);
+    EXPECT_EQ(bricks.report.bricks.missing, 0.0);
+    if (method == scene::HitMethod::exact)
+      expectEqual(whole, bricks, "turns");
+    else
+      EXPECT_LE(colorDifference(whole.color, bricks.color), 1);
+  }
+}
+
+TEST_F(BricksGlTest, AVolumeBeyondTheTextureLimitIsDrawnFromBricks) {
+  const auto volume = phantom("torus", 100);
+  scene::Scene scene;
+  scene.derivatives.fetch = scene::Fetch::exact;
+  const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+  auto limited = std::make_shared<render::Gl>(*context_->gl());
+  limited->max3dTexture = 96;
+  renderer_ = std::make_unique<render::Renderer>(limited);
+  const Drawn bricks = draw(volume, scene, MemoryLayout::automatic);
+  EXPECT_EQ(bricks.report.bricks.slots, 8u);
+  expectEqual(whole, bricks, "limit 96");
+  EXPECT_THROW(draw(volume, scene, MemoryLayout::whole), base::Error);
+}
+
+TEST_F(BricksGlTest, TooFewBricksAreRefusedAsMemory) {
+  const auto volume = phantom("torus", 100);
+  auto limited = std::make_shared<render::Gl>(*context_->gl());
+  limited->max3dTexture = 64;  // one slot per axis
+  renderer_ = std::make_unique<render::Renderer>(limited);
+  try {
+    draw(volume, {}, MemoryLayout::automatic);
+    FAIL() << "one brick cannot hold a picture";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::memory);
+  }
+}
+
+class StreamingGlTest : public BricksGlTest {
+ protected:
+  // As the window draws: a bounded upload for each frame.
+  const render::FrameReport& frame(const VolumePointer& volume, scene::Scene scene, int budgetMb,
+                                   std::size_t bytes) {
+    scene.memory.layout = MemoryLayout::bricks;
+    scene.memory.gpuBudgetMb = budgetMb;
+    renderer_->setVolume(volume);
+    render::FrameRequest request;
+    request.size = {96, 72};
+    request.brickUploadBytes = bytes;
+    return renderer_->render(scene::resolve(scene, volume->facts), request);
+  }
+  static render::PassState stateOf(const render::FrameReport& report, const std::string& name) {
+    for (const render::PassReport& pass : report.passes)
+      if (pass.name == name) return pass.state;
+    ADD_FAILURE() << "no pass " << name;
+    return render::PassState::skipped;
+  }
+};
+
+TEST_F(StreamingGlTest, BricksArrivingOverFramesConvergeToTheSamePicture) {
+  const auto volume = phantom("gyroid", 70);
+  scene::Scene scene;
+  scene.derivatives.fetch = scene::Fetch::exact;
+  const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+  constexpr std::size_t brick = 35 * 35 * 35 * 4;
+  std::size_t uploaded = 0;
+  int frames = 0;
+  double before = 1.0;
+  for (;; ++frames) {
+    ASSERT_LT(frames, 60);
+    const render::FrameReport report = frame(volume, scene, 64, 2 * brick);
+    EXPECT_LE(report.bricks.uploaded, 2u);
+    EXPECT_LE(report.bricks.missing, before + 1e-9);
+    before = report.bricks.missing;
+    uploaded += report.bricks.uploaded;
+    if (report.bricks.missing > 0.0) {
+      EXPECT_TRUE(report.bricks.pending);
+      EXPECT_GT(colorDifference(whole.color, renderer_->readColor()),
+                1);  // it is seen that something is missing
+    }
+    if (!report.bricks.pending) break;
+  }
+  EXPECT_GT(frames, 3);
+  EXPECT_EQ(before, 0.0);
+  EXPECT_EQ(colorDifference(whole.color, renderer_->readColor()), 0);
+  const render::FrameReport still = frame(volume, scene, 64, 2 * brick);  // a still picture costs nothing
+  EXPECT_EQ(still.bricks.uploaded, 0u);
+  for (const render::PassReport& pass : still.passes)
+    EXPECT_NE(pass.state, render::PassState::ran) << pass.name;
+  EXPECT_EQ(uploaded, still.bricks.resident);
+}
+
+TEST_F(StreamingGlTest, ABudgetTooSmallForTheWindowIsSaidAndComesToRest) {
+  const auto volume = phantom("gyroid", 128);
+  scene::Scene scene;
+  render::FrameReport report;
+  for (int i = 0; i < 40; ++i) {
+    report = frame(volume, scene, 2, 1 << 20);
+    if (!report.bricks.pending) break;
+  }
+  EXPECT_FALSE(report.bricks.pending);
+  EXPECT_GT(report.bricks.missing, 0.05);
+  report = frame(volume, scene, 2, 1 << 20);
+  EXPECT_EQ(stateOf(report, "cast"), render::PassState::cached);
+  EXPECT_GT(report.bricks.missing, 0.05);
+  // A picture that may take its time is complete.
+  EXPECT_EQ(frame(volume, scene, 2, 0).bricks.missing, 0.0);
+  EXPECT_EQ(stateOf(frame(volume, scene, 2, 0), "cast"), render::PassState::cached);
+}
+
+TEST_F(StreamingGlTest, AnOrbitNeverThrashes) {
+  const auto volume = phantom("ball", 128);
+  std::size_t laps[2] = {0, 0}, most = 0;
+  for (std::size_t& lap : laps)
+    for (int i = 0; i < 36; ++i) {
+      const double angle = 2.0 * M_PI * i / 36.0;
+      const render::FrameReport& report =
+          frame(volume, lookingFrom(volume, {std::cos(angle), std::sin(angle), 0.3}), 12, 0);
+      EXPECT_EQ(report.bricks.missing, 0.0);
+      lap += report.bricks.uploaded;
+      most = std::max(most, report.bricks.resident);
+    }
+  EXPECT_EQ(laps[0], most);  // each brick once
+  EXPECT_EQ(laps[1], 0u);
+}
+
+}  // namespace
+}  // namespace isolux::test

@@ -1,0 +1,121 @@
+// The least light that a scene calls for, and the reflectance of an isovalue.
+#include "scene/rules/gi_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/albedo.h"
+#include "scene/color_maps.h"
+
+namespace isolux::scene {
+namespace {
+
+Scene lit() {
+  Scene scene;
+  scene.look.mode = LookMode::gi;
+  return scene;
+}
+
+Scene underProbe() {
+  Scene scene = lit();
+  scene.light.environment.file = "probe.hdr";
+  return scene;
+}
+
+TEST(GiChoice, NoLookReadsLight) {
+  for (const LookMode mode : {LookMode::blinn_phong, LookMode::normal, LookMode::kappa1}) {
+    Scene scene = underProbe();
+    scene.look.mode = mode;
+    EXPECT_FALSE(giChoiceOf(scene).wanted);
+    EXPECT_EQ(giChoiceOf(scene).sky, GiMode::off);
+    EXPECT_EQ(giChoiceOf(scene).reason, "no look reads stored light");
+  }
+  Scene colored = underProbe();
+  colored.look.mode = LookMode::kappa1;
+  colored.look.shading = Shading::gi;
+  EXPECT_TRUE(giChoiceOf(colored).wanted) << "colours may lie under stored light";
+}
+
+TEST(GiChoice, OfTheSky) {
+  Scene scene = lit();
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::irradiance);
+  EXPECT_TRUE(giChoiceOf(scene).unitSky);
+  scene.gi.bounces = 0;
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::vicinity);
+  EXPECT_EQ(giChoiceOf(scene).channels, 1);
+  scene.light.environment.constant = glm::dvec3(0.0);
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::off);
+  EXPECT_FALSE(giChoiceOf(scene).wanted);
+
+  scene = underProbe();
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::irradiance);
+  EXPECT_FALSE(giChoiceOf(scene).unitSky);
+  EXPECT_EQ(giChoiceOf(scene).channels, 3);
+  scene.gi.bounces = 0;
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::shadow);
+  EXPECT_EQ(giChoiceOf(scene).channels, 3) << "the probe has colours";
+  scene.light.environment.moves = true;
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::transfer);
+  EXPECT_EQ(giChoiceOf(scene).channels, 1) << "without bounces no colour enters the transfer";
+}
+
+TEST(GiChoice, GreyNeedsOneChannel) {
+  Scene scene = underProbe();
+  scene.light.environment.moves = true;
+  EXPECT_EQ(giChoiceOf(scene).channels, 3);
+  scene.isosurface.albedo = glm::dvec3(0.7);
+  EXPECT_EQ(giChoiceOf(scene).channels, 1);
+  scene.isosurface2.shown = true;
+  EXPECT_EQ(giChoiceOf(scene).channels, 3) << "the second surface is blue";
+  scene.isosurface.albedoSource = AlbedoSource::map;
+  scene.isosurface.albedoMap = ColorMap::gray;
+  EXPECT_EQ(giChoiceOf(scene).channels, 1);
+}
+
+TEST(GiChoice, LampsAndForcedModes) {
+  Scene scene = underProbe();
+  scene.lamp2.shown = true;
+  EXPECT_TRUE(giChoiceOf(scene).lamps);
+  scene.lamp2.intensity = 0.0;
+  EXPECT_FALSE(giChoiceOf(scene).lamps) << "a lamp without light";
+  scene.gi.bounces = 4;
+  EXPECT_EQ(giChoiceOf(scene).bounces, 4);
+  scene.gi.mode = GiMode::shadow;
+  EXPECT_EQ(giChoiceOf(scene).bounces, 0);
+  scene.gi.mode = GiMode::vicinity;
+  EXPECT_EQ(giChoiceOf(scene).bounces, 0);
+  EXPECT_TRUE(giChoiceOf(scene).unitSky) << "under a probe: its mean";
+  scene.gi.mode = GiMode::off;
+  EXPECT_FALSE(giChoiceOf(scene).wanted);
+}
+
+TEST(AlbedoOfIsovalue, NearestIsosurfaceOrMap) {
+  Scene scene;
+  scene.isosurface.value = 10.0;
+  scene.isosurface.albedo = glm::dvec3(0.25);
+  EXPECT_TRUE(AlbedoOfIsovalue(scene).isConstant());
+  EXPECT_EQ(AlbedoOfIsovalue(scene).at(-1e30), glm::vec3(0.25f));
+
+  scene.isosurface3.shown = true;
+  scene.isosurface3.value = 4.0;
+  scene.isosurface3.albedo = glm::dvec3(0.5);
+  const AlbedoOfIsovalue two(scene);
+  EXPECT_FALSE(two.isConstant());
+  EXPECT_EQ(two.at(6.9), glm::vec3(0.5f));
+  EXPECT_EQ(two.at(7.1), glm::vec3(0.25f));
+
+  scene.isosurface.albedoSource = AlbedoSource::map;
+  scene.isosurface.albedoMap = ColorMap::gray;
+  scene.isosurface.albedoLow = 0.0;
+  scene.isosurface.albedoHigh = 20.0;
+  const AlbedoOfIsovalue map(scene);
+  const std::vector<glm::vec3> samples = colorMapSamples(ColorMap::gray, LookMode::kappa1, 256);
+  EXPECT_EQ(map.at(-5.0), samples.front());
+  EXPECT_EQ(map.at(25.0), samples.back());
+  EXPECT_NEAR(map.at(10.0).x, 0.5f * (samples[127].x + samples[128].x), 1e-6f);
+  scene.isosurface.albedoHigh = 0.0;  // an empty range is a step
+  EXPECT_EQ(AlbedoOfIsovalue(scene).at(-0.1), samples.front());
+  EXPECT_EQ(AlbedoOfIsovalue(scene).at(0.1), samples.back());
+}
+
+}  // namespace
+}  // namespace isolux::scene

@@ -1,0 +1,132 @@
+// Which settings act under which look and under which choices, as tables.
+#include "scene/rules/relevance.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scene/settings.h"
+
+namespace isolux::test {
+
+namespace {
+
+std::string activeLook(const scene::Scene& scene) {
+  std::string names;
+  for (const scene::Setting& setting : scene::settings()) {
+    if (!setting.path.starts_with("look.") || !scene::whyInactive(setting.path, scene).empty()) continue;
+    const std::string name = setting.path.substr(5);
+    if (name == "mode" || name.starts_with("background")) continue;  // always act
+    names += (names.empty() ? "" : " ") + name;
+  }
+  return names;
+}
+
+bool acts(const char* path, const scene::Scene& scene) {
+  return scene::whyInactive(path, scene).empty();
+}
+
+}  // namespace
+
+TEST(Relevance, OfEachLook) {
+  // With the defaults: Lambert under colours, no strength in lines, fog, texture and flow.
+  const std::string lines = "ridges contours suggestive_contours";
+  const std::string lambert = "shading ambient ambient_variation ";
+  const std::string measure =
+      lambert + "shadow fog colormap range_low range_high legend accessibility " + lines;
+  const std::map<std::string, std::string> table = {
+      {"blinn_phong",
+       "ambient ambient_variation specular shininess texture shadow fog accessibility " + lines},
+      {"lambert", "ambient ambient_variation texture shadow fog accessibility " + lines},
+      {"tone", "tone_cool tone_warm texture shadow fog accessibility " + lines},
+      {"kappa1", measure},
+      {"kappa2", measure},
+      {"mean_curvature", measure},
+      {"gaussian_curvature", measure},
+      {"shape_index", measure},
+      {"curvedness", measure},
+      {"curvature_2d",
+       lambert + "shadow fog range_low range_high curvature_points legend accessibility " + lines},
+      {"accessibility", lambert + "texture shadow fog " + lines},
+      {"flow", lambert + "texture shadow fog accessibility " + lines},
+      {"gi", "texture fog accessibility " + lines},
+      {"normal", ""},
+      {"depth", ""},
+  };
+  const scene::Setting& mode = scene::setting("look.mode");
+  EXPECT_EQ(table.size(), mode.choices.size());
+  for (const auto& [name, expected] : table) {
+    scene::Scene scene;
+    mode.set(scene, name);
+    EXPECT_EQ(activeLook(scene), expected) << name;
+  }
+}
+
+TEST(Relevance, LightNeedsALitLook) {
+  const std::set<std::string> dark = {"gi", "normal", "depth"};
+  const scene::Setting& mode = scene::setting("look.mode");
+  for (const std::string& name : mode.choices) {
+    scene::Scene scene;
+    mode.set(scene, name);
+    EXPECT_EQ(acts("light.direction", scene), !dark.contains(name)) << name;
+    EXPECT_EQ(acts("light.color", scene), !dark.contains(name) && name != "tone") << name;
+  }
+  scene::Scene unlit;
+  unlit.look.mode = scene::LookMode::kappa1;
+  unlit.look.shading = scene::Shading::unlit;
+  EXPECT_EQ(scene::whyInactive("light.space", unlit), "only local shading has this light");
+}
+
+TEST(Relevance, AShadowNeedsAKeyLightThatBrightens) {
+  scene::Scene scene;
+  EXPECT_TRUE(acts("look.shadow", scene));
+  scene.light.intensity = 0.0;
+  EXPECT_EQ(scene::whyInactive("look.shadow", scene), "the key light brightens nothing");
+  scene.look.mode = scene::LookMode::tone;
+  EXPECT_TRUE(acts("look.shadow", scene));
+}
+
+TEST(Relevance, StrengthsBringTheirDetails) {
+  scene::Scene scene;
+  for (const char* path : {"look.ridge_threshold", "look.contour_width", "look.fog_color", "flow.length",
+                           "look.texture_scale", "derivatives.noise", "isosurface.layers"})
+    EXPECT_FALSE(acts(path, scene)) << path;
+  scene.look.ridges = scene.look.suggestiveContours = scene.look.fog = scene.flow.strength = 0.1;
+  scene.look.texture = scene::SolidTexture::marble;
+  scene.isosurface.opacity = 0.5;
+  for (const char* path : {"look.ridge_threshold", "look.contour_width", "look.fog_color", "flow.length",
+                           "look.texture_scale", "derivatives.noise", "isosurface.layers"})
+    EXPECT_TRUE(acts(path, scene)) << path;
+  EXPECT_TRUE(scene::showsFlow(scene));
+  scene.look.mode = scene::LookMode::normal;  // nothing is laid over a raw quantity
+  for (const char* path : {"look.ridge_threshold", "look.contour_width", "look.fog_color", "flow.length"})
+    EXPECT_FALSE(acts(path, scene)) << path;
+}
+
+TEST(Relevance, HitsPictureAndMemory) {
+  scene::Scene scene;
+  EXPECT_EQ(scene::whyInactive("hit.rate", scene), "hits are exact");
+  EXPECT_FALSE(acts("isosurface3.value", scene));
+  EXPECT_TRUE(acts("isosurface3.shown", scene));
+  EXPECT_TRUE(acts("picture.motion_target", scene));
+  EXPECT_TRUE(acts("memory.gpu_budget_mb", scene));
+  EXPECT_FALSE(acts("source.csg_path", scene));
+  EXPECT_FALSE(acts("source.mesh_voxels", scene));
+  scene.hit.method = scene::HitMethod::sampled;
+  scene.isosurface3.shown = true;
+  scene.picture.adaptive = false;
+  scene.memory.layout = scene::MemoryLayout::whole;
+  scene.source.csg = scene::Csg::unite;
+  scene.source.path = "/scans/Skull.STL";
+  EXPECT_TRUE(acts("hit.rate", scene));
+  EXPECT_TRUE(acts("isosurface3.value", scene));
+  EXPECT_FALSE(acts("picture.motion_target", scene));
+  EXPECT_FALSE(acts("memory.gpu_budget_mb", scene));
+  EXPECT_TRUE(acts("source.csg_path", scene));
+  EXPECT_TRUE(acts("source.mesh_voxels", scene));
+}
+
+}  // namespace isolux::test

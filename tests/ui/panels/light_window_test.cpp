@@ -1,0 +1,181 @@
+// Stored light in the window: it comes, is shown, can be paused and stopped, and goes with its volume.
+#include "tests/support/ui/window_fixture.h"
+
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/support/ui/dialog_answers.h"
+#include "ui/document/baked_light.h"
+#include "ui/panels/light_status.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/message_bar.h"
+
+namespace isolux::test {
+
+namespace {
+
+using Phase = app::LightState::Phase;
+
+class LightWindowTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_TRUE(load(*window_, "phantom:ball:24"));
+  }
+  ui::Viewport* viewport() { return window_->viewport(); }
+  ui::BakedLight* light() { return window_->light(); }
+  ui::LightStatus* status() { return window_->lightStatus(); }
+  void set(const char* path, const nlohmann::json& value) {
+    ui::Edit edit{window_->document()->scene(), "Set", {}, false};
+    scene::setting(path).set(edit.scene, value);
+    window_->document()->edit(edit);
+  }
+  void lightUp(int samples) {
+    set("gi.samples", samples);
+    set("look.mode", "gi");
+  }
+  bool waitForPhase(Phase phase) {
+    return waitUntil([&] { return light()->state().phase == phase; }, 60000);
+  }
+  std::uint64_t samplesDone() { return light()->state().counters.samplesDone; }
+  static constexpr int endless = 1000000;
+};
+
+}  // namespace
+
+TEST_F(LightWindowTest, NoLightIsStoredUnderALookThatReadsNone) {
+  fullPicture(*window_);
+  EXPECT_EQ(light()->state().phase, Phase::off);
+  EXPECT_FALSE(light()->changing());
+  EXPECT_TRUE(status()->isHidden());
+}
+
+TEST_F(LightWindowTest, LightComesAndThePictureIsLitByIt) {
+  ASSERT_TRUE(load(*window_, "phantom:torus:24"));  // parts of it see one another
+  set("gi.mode", "off");
+  set("look.mode", "gi");
+  const QImage local = fullPicture(*window_);
+  set("gi.mode", "auto");
+  set("gi.samples", 16);
+  ASSERT_TRUE(waitForPhase(Phase::finished));
+  EXPECT_NE(light()->light(), nullptr);
+  const QImage lit = fullPicture(*window_);
+  EXPECT_EQ(lit.size(), local.size());
+  EXPECT_GT(differingPixels(local, lit, 4), 0.0);
+  EXPECT_FALSE(status()->isHidden());
+  EXPECT_EQ(status()->text(), "Light complete");
+  EXPECT_GT(light()->state().counters.texelsLit, 100U);
+  set("gi.mode", "off");
+  EXPECT_EQ(differingPixels(local, fullPicture(*window_)), 0.0);  // nothing else has changed
+  set("look.mode", "lambert");
+  EXPECT_TRUE(waitUntil([&] { return status()->isHidden(); }));
+}
+
+TEST_F(LightWindowTest, PausedLightStandsStillAndGoesOn) {
+  lightUp(endless);
+  ASSERT_TRUE(waitForPhase(Phase::baking));
+  ASSERT_TRUE(waitUntil([&] { return samplesDone() > 0; }));
+  EXPECT_TRUE(status()->text().contains('%')) << status()->text().toStdString();
+  status()->pauseButton()->click();
+  ASSERT_TRUE(waitForPhase(Phase::paused));
+  QTest::qWait(300);  // units of work that were begun are ended
+  const std::uint64_t before = samplesDone();
+  fullPicture(*window_);  // a still picture of the light there is
+  QTest::qWait(300);
+  EXPECT_EQ(samplesDone(), before);
+  EXPECT_TRUE(status()->text().contains("paused"));
+  status()->pauseButton()->click();
+  EXPECT_TRUE(waitUntil([&] { return samplesDone() > before; }));
+  EXPECT_EQ(light()->state().phase, Phase::baking);
+}
+
+TEST_F(LightWindowTest, StoppedLightStaysStoppedUntilTheViewChanges) {
+  lightUp(endless);
+  ASSERT_TRUE(waitUntil([&] { return samplesDone() > 0; }, 60000));
+  status()->stopButton()->click();
+  ASSERT_TRUE(waitUntil([&] { return !light()->changing(); }));
+  fullPicture(*window_);  // more rays of the same view want nothing new
+  QTest::qWait(500);
+  EXPECT_FALSE(light()->changing());
+  EXPECT_EQ(status()->text(), "Light stopped");
+  EXPECT_NE(light()->light(), nullptr);  // what there is stays
+  status()->pauseButton()->click();
+  EXPECT_TRUE(waitForPhase(Phase::baking));
+  status()->stopButton()->click();
+  ASSERT_TRUE(waitUntil([&] { return !light()->changing(); }));
+  viewport()->applyStandardView(scene::StandardView::superior);
+  EXPECT_TRUE(waitForPhase(Phase::baking));
+}
+
+TEST_F(LightWindowTest, StillPicturesHaveOneRayPerPixelUntilTheLightIsThere) {
+  set("picture.supersampling", 3);
+  int most = 0;
+  bool counts = false;
+  QObject::connect(viewport(), &ui::Viewport::reported,
+                   [&](const render::FrameReport&, const render::FrameRequest& request) {
+                     if (counts) most = std::max(most, request.supersampling);
+                   });
+  lightUp(endless);
+  ASSERT_TRUE(waitUntil([&] { return samplesDone() > 0; }, 60000));
+  counts = true;
+  QTest::qWait(1500);
+  EXPECT_EQ(light()->state().phase, Phase::baking);
+  EXPECT_EQ(most, 1);
+  EXPECT_FALSE(viewport()->complete());
+  status()->pauseButton()->click();
+  fullPicture(*window_);
+  EXPECT_EQ(most, 3);
+}
+
+TEST_F(LightWindowTest, AnotherVolumeHasNoneOfTheLightOfTheOneBefore) {
+  lightUp(8);
+  ASSERT_TRUE(waitForPhase(Phase::finished));
+  const ui::LightPointer before = light()->light();
+  ASSERT_NE(before, nullptr);
+  bool dropped = false;
+  QObject::connect(window_->document(), &ui::Document::volumeChanged,
+                   [&] { dropped = light()->light() == nullptr; });
+  DialogAnswers discard(QMessageBox::Discard);
+  ASSERT_TRUE(load(*window_, "phantom:torus:20"));
+  EXPECT_TRUE(dropped);
+  EXPECT_TRUE(waitUntil([&] { return light()->light() != nullptr; }));
+  EXPECT_NE(light()->light(), before);
+  EXPECT_TRUE(waitForPhase(Phase::finished));
+}
+
+TEST_F(LightWindowTest, AMissingProbeIsSaidOnceAndLightComesBackWithoutIt) {
+  lightUp(4);
+  ASSERT_TRUE(waitForPhase(Phase::finished));
+  set("light.environment.file", "/nowhere/sky.exr");
+  ASSERT_TRUE(waitForPhase(Phase::failed));
+  EXPECT_EQ(status()->text(), "No light");
+  EXPECT_EQ(window_->messageBar()->kind(), ui::MessageBar::Kind::error);
+  EXPECT_TRUE(window_->messageBar()->text().contains("sky.exr"))
+      << window_->messageBar()->text().toStdString();
+  QTest::qWait(400);  // its picture in the panel says the same
+  window_->messageBar()->clear();
+  QTest::qWait(600);
+  EXPECT_TRUE(window_->messageBar()->isHidden());  // closed is closed
+  set("light.environment.file", "");
+  EXPECT_TRUE(waitForPhase(Phase::finished));
+}
+
+TEST_F(LightWindowTest, ProgressReadsWell) {
+  EXPECT_EQ(ui::durationText(0.0), "0.1 s");
+  EXPECT_EQ(ui::durationText(4.26), "4.3 s");
+  EXPECT_EQ(ui::durationText(45.4), "45 s");
+  EXPECT_EQ(ui::durationText(720.0), "12 min");
+  EXPECT_EQ(ui::rateText(1.26e6), "1.3 million rays/s");
+  EXPECT_EQ(ui::rateText(45e3), "45 thousand rays/s");
+  app::LightState state;
+  state.phase = Phase::baking;
+  state.counters.samplesWanted = 1000;
+  state.counters.samplesDone = 999;
+  state.counters.raysPerSecond = 2e6;
+  state.counters.secondsLeft = 3.0;
+  ui::LightStatus widget;
+  widget.setState(state, false);
+  EXPECT_EQ(widget.text(), "Light: 99 % · 2 million rays/s · 3 s left");
+}
+
+}  // namespace isolux::test

@@ -1,0 +1,68 @@
+// A picture in which nothing is to be seen says why, and what it offers helps.
+#include "tests/support/ui/window_fixture.h"
+
+#include <QPushButton>
+#include <QTest>
+
+#include "ui/viewport/viewport.h"
+#include "ui/viewport/viewport_overlay.h"
+#include "ui/window/message_bar.h"
+
+namespace isolux::test {
+
+namespace {
+
+class EmptyPictureTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_TRUE(load(*window_, "phantom:ball:24"));
+    full_ = fullPicture(*window_);
+  }
+  QPushButton* remedy() { return window_->viewport()->findChild<QPushButton*>("remedy"); }
+  QString said() { return window_->viewport()->findChild<ui::ViewportOverlay*>()->accessibleDescription(); }
+  void expectTheRemedyHelps() {
+    ASSERT_TRUE(remedy()->isVisible());
+    QTest::mouseClick(remedy(), Qt::LeftButton);
+    EXPECT_EQ(differingPixels(full_, fullPicture(*window_), 0), 0.0);
+    EXPECT_FALSE(remedy()->isVisible());
+    EXPECT_TRUE(said().isEmpty()) << said().toStdString();
+  }
+  QImage full_;
+};
+
+}  // namespace
+
+TEST_F(EmptyPictureTest, AnIsovalueOutsideTheValues) {
+  EXPECT_FALSE(remedy()->isVisible());
+  ui::Edit edit{window_->document()->scene(), "Isovalue", {}, false};
+  edit.scene.isosurface.value = 5000.0;
+  window_->document()->edit(edit);
+  fullPicture(*window_);
+  EXPECT_TRUE(said().startsWith("No surface at 5000: the values lie between -")) << said().toStdString();
+  expectTheRemedyHelps();
+}
+
+TEST_F(EmptyPictureTest, ACameraThatLooksAway) {
+  ui::Edit edit{window_->document()->scene(), "Camera", {}, false};
+  const scene::Camera seen = window_->document()->resolvedScene().camera;
+  const glm::dvec3 eye = seen.eye.value(), target = seen.target.value();
+  edit.scene.camera.eye = eye;
+  edit.scene.camera.up = seen.up;
+  edit.scene.camera.target = eye + (eye - target);
+  window_->document()->edit(edit);
+  fullPicture(*window_);
+  EXPECT_EQ(said(), "The camera looks away from the volume");
+  expectTheRemedyHelps();
+}
+
+TEST_F(EmptyPictureTest, ASurfaceThatIsFullyTransparent) {
+  ui::Edit edit{window_->document()->scene(), "Opacity", {}, false};
+  edit.scene.isosurface.opacity = 0.0;
+  window_->document()->edit(edit);
+  fullPicture(*window_);
+  EXPECT_EQ(said(), "The isosurface is fully transparent");
+  expectTheRemedyHelps();
+}
+
+}  // namespace isolux::test

@@ -1,0 +1,161 @@
+// The mouse in the picture: what is under the pointer follows it, and every gesture is one step.
+#include "tests/support/ui/window_fixture.h"
+
+#include <cmath>
+
+#include <QTest>
+#include <QThread>
+
+#include <glm/geometric.hpp>
+
+#include "scene/camera.h"
+#include "ui/viewport/viewport.h"
+
+namespace isolux::test {
+
+namespace {
+
+class ViewportTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_TRUE(load(*window_, "phantom:ball:48"));
+    fullPicture(*window_);
+  }
+  ui::Viewport* viewport() { return window_->viewport(); }
+  QPoint centre() { return viewport()->rect().center(); }
+  scene::CameraFrame frame() { return scene::frameOf(window_->document()->resolvedScene().camera); }
+  std::string lastStep() { return window_->document()->history().undoName(); }
+
+  // The surface point under a pixel, as the status bar gets it.
+  std::optional<render::Pick> pointAt(QPoint position) {
+    std::optional<render::Pick> result;
+    bool reported = false;
+    QTest::mouseMove(viewport(), position + QPoint(1, 0));
+    QTest::qWait(100);  // reports of an earlier place, or of a picture just drawn, come first
+    const auto connection =
+        QObject::connect(viewport(), &ui::Viewport::pointed, [&](const std::optional<render::Pick>& pick) {
+          result = pick;
+          reported = true;
+        });
+    QTest::mouseMove(viewport(), position);
+    EXPECT_TRUE(waitUntil([&] { return reported; }));
+    QObject::disconnect(connection);
+    return result;
+  }
+  QPointF onScreen(glm::dvec3 world) {
+    const scene::CameraFrame f = frame();
+    const glm::dvec3 v = world - f.eye;
+    const double scale = 0.5 * viewport()->height() / (f.halfHeight * -glm::dot(v, f.back));
+    return QPointF(0.5 * viewport()->width() + scale * glm::dot(v, f.right),
+                   0.5 * viewport()->height() - scale * glm::dot(v, f.up));
+  }
+};
+
+}  // namespace
+
+TEST_F(ViewportTest, ARestingPointerReadsTheNewPicture) {
+  const auto before = pointAt(centre());
+  ASSERT_TRUE(before);
+  std::optional<render::Pick> latest = before;
+  const auto connection = QObject::connect(viewport(), &ui::Viewport::pointed,
+                                           [&](const std::optional<render::Pick>& pick) { latest = pick; });
+  QTest::keyClick(window_.get(), Qt::Key_2);  // the other side comes under the pointer
+  EXPECT_TRUE(waitUntil([&] { return latest && glm::distance(latest->worldMm, before->worldMm) > 1.0; }));
+  QObject::disconnect(connection);
+}
+
+TEST_F(ViewportTest, PointerReadsTheSurfaceAtItsPosition) {
+  const auto pick = pointAt(centre() + QPoint(20, 10));
+  ASSERT_TRUE(pick.has_value());
+  const double isovalue = *window_->document()->resolvedScene().isosurface.value;
+  const auto& volume = window_->document()->volume();
+  EXPECT_NEAR(pick->value, isovalue, 1e-3 * (volume->grid().maximum() - volume->grid().minimum()));
+  const QPointF back = onScreen(pick->worldMm) - QPointF(centre() + QPoint(20, 10));
+  EXPECT_LT(std::hypot(back.x(), back.y()), 1.5);
+  EXPECT_FALSE(pointAt(QPoint(3, 3)).has_value());
+}
+
+TEST_F(ViewportTest, LeftDragTurnsTheSurfaceUnderThePointer) {
+  const auto front = pointAt(centre());
+  ASSERT_TRUE(front.has_value());
+  const scene::CameraFrame before = frame();
+  drag(viewport(), centre(), centre() + QPoint(40, 0));
+  EXPECT_GT(onScreen(front->worldMm).x(), centre().x() + 5.0);  // to the right, like the pointer
+  EXPECT_NEAR(frame().distance, before.distance, 1e-6);
+  EXPECT_EQ(lastStep(), "Rotate");
+  window_->document()->undo();
+  EXPECT_FALSE(window_->document()->history().canUndo());  // one drag, one step
+  drag(viewport(), centre(), centre() + QPoint(0, 40));
+  EXPECT_GT(onScreen(front->worldMm).y(), centre().y() + 5.0);
+}
+
+TEST_F(ViewportTest, MiddleAndShiftDragPanByExactlyTheDrag) {
+  const glm::dvec3 target = *window_->document()->resolvedScene().camera.target;
+  drag(viewport(), centre(), centre() + QPoint(60, -30), Qt::MiddleButton);
+  EXPECT_EQ(lastStep(), "Pan");
+  EXPECT_NEAR(onScreen(target).x(), 0.5 * viewport()->width() + 60.0, 0.5);
+  EXPECT_NEAR(onScreen(target).y(), 0.5 * viewport()->height() - 30.0, 0.5);
+  drag(viewport(), centre(), centre() + QPoint(-60, 30), Qt::LeftButton, Qt::ShiftModifier);
+  EXPECT_NEAR(onScreen(target).x(), 0.5 * viewport()->width(), 0.5);
+}
+
+TEST_F(ViewportTest, RightDragAndWheelZoom) {
+  const double start = frame().distance;
+  drag(viewport(), centre(), centre() - QPoint(0, 60), Qt::RightButton);
+  EXPECT_LT(frame().distance, 0.9 * start);
+  const double near = frame().distance;
+  wheel(viewport(), centre(), -2);
+  EXPECT_NEAR(frame().distance, near * 1.21, 1e-3 * near);
+  wheel(viewport(), centre(), -1);
+  EXPECT_EQ(lastStep(), "Zoom");
+  window_->document()->undo();  // the wheel's notches are one step
+  EXPECT_NEAR(frame().distance, near, 1e-6 * near);
+}
+
+TEST_F(ViewportTest, ControlDragRollsWithThePointer) {
+  const glm::dvec3 up = frame().up, right = frame().right;
+  drag(viewport(), centre() + QPoint(0, -100), centre() + QPoint(100, 0), Qt::LeftButton, Qt::ControlModifier,
+       20);
+  EXPECT_EQ(lastStep(), "Roll");
+  // The picture turned a quarter clockwise: what was up is now at the right.
+  EXPECT_NEAR(glm::dot(frame().right, up), 1.0, 0.02);
+  EXPECT_NEAR(glm::dot(frame().up, right), -1.0, 0.02);
+}
+
+TEST_F(ViewportTest, DoubleClickCentresThePointAndKeepsTheDirection) {
+  const QPoint position = centre() + QPoint(30, -20);
+  const auto pick = pointAt(position);
+  ASSERT_TRUE(pick.has_value());
+  const glm::dvec3 back = frame().back;
+  QTest::mouseDClick(viewport(), Qt::LeftButton, Qt::NoModifier, position);
+  EXPECT_NEAR(glm::distance(*window_->document()->scene().camera.target, pick->worldMm), 0.0, 1e-3);
+  EXPECT_NEAR(glm::dot(frame().back, back), 1.0, 1e-9);
+}
+
+TEST_F(ViewportTest, StandardViewsResetAndProjection) {
+  const scene::Scene start = window_->document()->scene();
+  QTest::keyClick(window_.get(), Qt::Key_3);
+  EXPECT_NEAR(frame().back.x, 1.0, 1e-9);  // the viewer stands at +x
+  EXPECT_EQ(lastStep(), "+X view");        // a ball has no left
+  QTest::keyClick(window_.get(), Qt::Key_O);
+  EXPECT_EQ(window_->document()->scene().camera.projection, scene::Projection::orthographic);
+  QTest::keyClick(window_.get(), Qt::Key_O);
+  QTest::keyClick(window_.get(), Qt::Key_R);
+  EXPECT_EQ(window_->document()->scene(), start);
+}
+
+TEST_F(ViewportTest, PicturesInMotionAreRefinedWhenItRests) {
+  drag(viewport(), centre(), centre() + QPoint(10, 0));
+  EXPECT_FALSE(viewport()->complete());
+  EXPECT_TRUE(waitUntil([&] { return viewport()->complete(); }));
+  // Also when the window was too busy to draw the quick picture in between.
+  scene::Scene scene = window_->document()->scene(), resolved = window_->document()->resolvedScene();
+  scene.camera.fov = resolved.camera.fov = 31.0;
+  viewport()->setScene(scene, resolved);
+  QThread::msleep(300);
+  EXPECT_FALSE(viewport()->complete());
+  EXPECT_TRUE(waitUntil([&] { return viewport()->complete(); }));
+}
+
+}  // namespace isolux::test

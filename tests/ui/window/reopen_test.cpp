@@ -1,0 +1,99 @@
+// Opening what is on show already, in each of the ways there are: the picture stays as it is.
+#include "tests/support/ui/window_fixture.h"
+
+#include <filesystem>
+#include <map>
+
+#include "scene/settings.h"
+#include "tests/support/test_data.h"
+#include "ui/document/baked_light.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/message_bar.h"
+#include "volume/write/writer.h"
+
+namespace isolux::test {
+
+namespace {
+
+class ReopenTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    QObject::connect(window_->viewport(), &ui::Viewport::reported,
+                     [this](const render::FrameReport& report, const render::FrameRequest&) {
+                       blocksActive_ = report.blocksActive;
+                     });
+    file_ = writeBall(36);
+    ASSERT_TRUE(load(*window_, file_));
+  }
+  // A view and a look of its own, so that a picture that starts anew is told from one that is kept.
+  void change() {
+    ui::Edit edit{window_->document()->scene(), "Change", {}, false};
+    edit.scene.isosurface.value = 500.0;
+    edit.scene.look.mode = scene::LookMode::tone;
+    window_->document()->edit(edit);
+  }
+  // Without the message bar, which takes a row of the picture.
+  QImage picture() {
+    window_->messageBar()->hide();
+    return fullPicture(*window_);
+  }
+  void expectTheSamePictureAfterOpening(const QString& path) {
+    const QImage before = picture();
+    ASSERT_GT(blocksActive_, 0u);
+    blocksActive_ = 0;
+    ASSERT_TRUE(load(*window_, path));
+    const QImage after = picture();
+    EXPECT_GT(blocksActive_, 0u);
+    EXPECT_EQ(differingPixels(before, after, 0), 0.0);
+  }
+
+  QString file_;
+  std::size_t blocksActive_ = 0;
+};
+
+}  // namespace
+
+TEST_F(ReopenTest, TheFileOnShowIsShownAgain) {
+  expectTheSamePictureAfterOpening(file_);
+}
+
+TEST_F(ReopenTest, TheSessionJustSavedIsShown) {
+  change();
+  const QString session = newFile("ball.isolux");
+  ASSERT_TRUE(window_->document()->saveSession(session));
+  expectTheSamePictureAfterOpening(session);
+}
+
+TEST_F(ReopenTest, ThePictureJustSavedIsShown) {
+  change();
+  picture();
+  const QString png = newFile("ball.png");
+  ASSERT_TRUE(window_->savePicture(png));
+  ASSERT_TRUE(window_->document()->saveSession(newFile("ball.isolux")));  // or opening asks
+  expectTheSamePictureAfterOpening(png);
+}
+
+TEST_F(ReopenTest, TheSameDataInAnotherFormatIsShown) {
+  const QString other = newFile("ball.vti");
+  volume::writeVolume(window_->document()->volume()->grid(), other.toStdString());
+  expectTheSamePictureAfterOpening(other);
+}
+
+TEST_F(ReopenTest, TheFileOnShowIsShownAgainUnderItsStoredLight) {
+  ui::Edit edit{window_->document()->scene(), "Light", {}, false};
+  scene::setting("gi.samples").set(edit.scene, 4);
+  scene::setting("look.mode").set(edit.scene, "gi");
+  window_->document()->edit(edit);
+  const auto lit = [&] { return window_->light()->state().phase == app::LightState::Phase::finished; };
+  ASSERT_TRUE(waitUntil(lit, 60000));
+  const QString session = newFile("lit.isolux");
+  ASSERT_TRUE(window_->document()->saveSession(session));
+  const QImage before = picture();
+  ASSERT_TRUE(load(*window_, session));
+  ASSERT_TRUE(waitUntil(lit, 60000));
+  EXPECT_EQ(differingPixels(before, picture(), 0), 0.0);
+  EXPECT_GT(blocksActive_, 0u);
+}
+
+}  // namespace isolux::test

@@ -1,0 +1,172 @@
+// Sizes and places of what the window is made of: messages, full screen, small screens, long names.
+#include "tests/support/ui/window_fixture.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QScreen>
+#include <QTabBar>
+#include <QTest>
+#include <QToolButton>
+
+#include "ui/panels/volume_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/message_bar.h"
+
+namespace isolux::test {
+namespace {
+
+using Kind = ui::MessageBar::Kind;
+
+QDockWidget* dock(ui::MainWindow& window, const char* name) {
+  return window.findChild<QDockWidget*>(name);
+}
+
+QPushButton* buttonOf(ui::MainWindow& window, const QString& label) {
+  for (QPushButton* button : window.messageBar()->buttons())
+    if (button->text() == label && button->isVisible()) return button;
+  return nullptr;
+}
+
+TEST_F(WindowTest, AMessageNeitherResizesThePictureNorRunsAPassAgain) {
+  ASSERT_TRUE(load(*window_, "phantom:ball:32"));
+  fullPicture(*window_);
+  window_->messageBar()->clear();
+  const QSize size = window_->viewport()->size();
+  int ran = 0;
+  QObject::connect(window_->viewport(), &ui::Viewport::reported, [&](const render::FrameReport& report) {
+    for (const render::PassReport& pass : report.passes) ran += pass.state == render::PassState::ran;
+  });
+  const QString file(170, 'n');
+  window_->messageBar()->show(Kind::error, "/data/" + file + ".mhd: DimSize: an axis has 0 voxels");
+  QTest::qWait(50);
+  EXPECT_TRUE(window_->messageBar()->isVisible());
+  EXPECT_EQ(window_->messageBar()->width(), size.width());
+  EXPECT_EQ(window_->viewport()->size(), size);
+  window_->messageBar()->clear();
+  QTest::qWait(50);
+  EXPECT_EQ(window_->viewport()->size(), size);
+  EXPECT_EQ(ran, 0);
+}
+
+TEST_F(WindowTest, AQuestionWaitsForItsAnswerBehindNotesAndErrors) {
+  ui::MessageBar& bar = *window_->messageBar();
+  int restored = 0, discarded = 0;
+  const auto ask = [&] {
+    bar.show(Kind::question, "Restore the head?",
+             {{"Restore", [&] { ++restored; }}, {"Discard", [&] { ++discarded; }}});
+  };
+  ask();
+  EXPECT_EQ(bar.text(), "Restore the head?");
+  bar.show(Kind::error, "broken");
+  EXPECT_EQ(bar.text(), "broken");
+  EXPECT_EQ(buttonOf(*window_, "Restore"), nullptr);
+  bar.clear();
+  EXPECT_EQ(bar.text(), "Restore the head?");
+  bar.clear();  // another file is opened: no answer
+  EXPECT_TRUE(bar.isVisible());
+  ASSERT_NE(buttonOf(*window_, "Restore"), nullptr);
+  buttonOf(*window_, "Restore")->click();
+  EXPECT_EQ(restored, 1);
+  EXPECT_TRUE(bar.isHidden());
+  ask();
+  bar.findChild<QToolButton*>()->click();  // the cross
+  EXPECT_TRUE(bar.isHidden());
+  EXPECT_EQ(restored + discarded, 1);
+}
+
+TEST_F(WindowTest, AMessageOfAnyLengthLetsTheWindowBeNarrow) {
+  const int before = window_->minimumSizeHint().width();
+  window_->messageBar()->show(Kind::error, QString(400, 'w'));
+  EXPECT_EQ(window_->minimumSizeHint().width(), before);
+  EXPECT_LE(window_->messageBar()->minimumSizeHint().width(), 200);
+  EXPECT_GT(window_->messageBar()->height(), 2 * window_->fontMetrics().lineSpacing()) << "it wraps";
+}
+
+TEST_F(WindowTest, FullScreenAndBackLeavesPanelsTabsAndSizeAsTheyWere) {
+  QAction* fullScreen = nullptr;
+  for (QAction* action : window_->findChildren<QAction*>())
+    if (action->shortcut() == QKeySequence("F11")) fullScreen = action;
+  ASSERT_NE(fullScreen, nullptr);
+  const auto inFront = [&](const char* name) { return !dock(*window_, name)->visibleRegion().isEmpty(); };
+  dock(*window_, "Passes")->close();
+  window_->showPanel("volume");
+  window_->setWindowState(Qt::WindowMaximized);
+  ASSERT_TRUE(waitUntil([&] { return inFront("Volume"); }));
+  fullScreen->trigger();
+  EXPECT_TRUE(waitUntil([&] { return window_->isFullScreen(); }));
+  EXPECT_TRUE(dock(*window_, "Volume")->isHidden());
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_TRUE(waitUntil([&] { return !window_->isFullScreen(); }));
+  EXPECT_FALSE(fullScreen->isChecked());
+  EXPECT_TRUE(window_->isMaximized());
+  EXPECT_TRUE(dock(*window_, "Passes")->isHidden());
+  EXPECT_FALSE(dock(*window_, "Settings")->isHidden());
+  EXPECT_TRUE(waitUntil([&] { return inFront("Volume"); }));
+  EXPECT_FALSE(inFront("Settings"));
+  QTest::keyClick(window_.get(), Qt::Key_Escape);  // ends nothing else
+  EXPECT_TRUE(window_->isMaximized());
+}
+
+TEST_F(WindowTest, ALongNameWidensNothing) {
+  const QString ball = writeBall(16);
+  const QString file = newFile(QString(170, 'n') + ".mhd");
+  const int before = window_->minimumSizeHint().width();
+  std::ifstream header(ball.toStdString());
+  std::ofstream(file.toStdString()) << header.rdbuf();
+  std::filesystem::copy(ball.chopped(3).toStdString() + "raw",
+                        std::filesystem::path(file.toStdString()).parent_path() / "ball.raw");
+  ASSERT_TRUE(load(*window_, file));
+  window_->showPanel("volume");
+  QTest::qWait(20);
+  EXPECT_EQ(window_->minimumSizeHint().width(), before);
+  const auto* content = window_->infoPanel()->widget();
+  EXPECT_LE(content->minimumSizeHint().width(), window_->infoPanel()->viewport()->width());
+  EXPECT_EQ(content->width(), window_->infoPanel()->viewport()->width());
+  for (QMenu* menu : window_->findChildren<QMenu*>()) {
+    if (!menu->title().contains("recent")) continue;
+    Q_EMIT menu->aboutToShow();
+    EXPECT_LT(menu->sizeHint().width(), 600);
+    EXPECT_GT(menu->actions().size(), 1);
+  }
+}
+
+TEST_F(WindowTest, ADragWhoseReleaseWentElsewhereEndsWithTheNextMove) {
+  ASSERT_TRUE(load(*window_, "phantom:ball:24"));
+  ui::Viewport* viewport = window_->viewport();
+  const QPoint centre = viewport->rect().center();
+  const auto move = [&](QPoint to, Qt::MouseButtons buttons) {
+    QMouseEvent event(QEvent::MouseMove, QPointF(to), viewport->mapToGlobal(QPointF(to)), Qt::NoButton,
+                      buttons, Qt::NoModifier);
+    QCoreApplication::sendEvent(viewport, &event);
+  };
+  QTest::mousePress(viewport, Qt::LeftButton, Qt::NoModifier, centre);
+  move(centre + QPoint(20, 0), Qt::LeftButton);
+  const scene::Camera turned = window_->document()->scene().camera;
+  EXPECT_TRUE(turned.eye.has_value());
+  move(centre + QPoint(60, 0), Qt::NoButton);  // a menu of the desktop took the release
+  EXPECT_EQ(window_->document()->scene().camera, turned);
+  move(centre + QPoint(90, 0), Qt::NoButton);
+  EXPECT_EQ(window_->document()->scene().camera, turned);
+}
+
+TEST_F(WindowTest, TheFirstSizeFitsTheScreen) {
+  EXPECT_EQ(ui::firstWindowSize({2560, 1440}), QSize(1280, 800));
+  for (const QSize screen : {QSize(1280, 720), QSize(1280, 800), QSize(1024, 600)}) {
+    const QSize size = ui::firstWindowSize(screen);
+    EXPECT_LT(size.width(), screen.width());
+    EXPECT_LT(size.height(), screen.height() - 20) << "room for a title bar";
+  }
+  const ui::MainWindow fresh;
+  EXPECT_EQ(fresh.size(), ui::firstWindowSize(fresh.screen()->availableSize()));
+  EXPECT_LE(fresh.minimumSizeHint().width(), 800);
+  EXPECT_LE(fresh.minimumSizeHint().height(), 560);
+}
+
+}  // namespace
+}  // namespace isolux::test

@@ -1,0 +1,68 @@
+#include "volume/field/cubic_fields.h"
+
+#include <limits>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "volume/phantom/phantom.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::volume {
+namespace {
+
+std::shared_ptr<const Grid> ball() {
+  base::Progress progress;
+  PhantomRequest request;
+  request.name = "ball";
+  request.size = 20;
+  return std::make_shared<const Grid>(makePhantom(request, progress));
+}
+
+TEST(CubicFields, AreMadeOnceAndOnlyWhenASceneAsksForThem) {
+  const auto grid = ball();
+  CubicFields fields(grid);
+  scene::Scene scene;
+  scene.hit.field = scene::Field::trilinear;
+  scene.derivatives.field = scene::Field::cubic;
+  EXPECT_TRUE(fields.readyFor(scene));
+  scene.derivatives.field = scene::Field::cubic_interpolating;
+  EXPECT_FALSE(fields.readyFor(scene));
+  EXPECT_FALSE(fields.find(scene::Field::cubic_interpolating));
+  base::Progress progress;
+  fields.makeFor(scene, progress);
+  EXPECT_TRUE(fields.readyFor(scene));
+  EXPECT_FALSE(fields.find(scene::Field::cubic));
+  const auto made = fields.find(scene::Field::cubic_interpolating);
+  ASSERT_TRUE(made && made->coefficients);
+  EXPECT_EQ(made->coefficients->values, interpolatingCoefficients(*grid).values);
+  EXPECT_EQ(fields.make(scene::Field::cubic_interpolating, progress), made);
+  EXPECT_FALSE(fields.make(scene::Field::cubic, progress)->coefficients);
+  EXPECT_EQ(fields.make(scene::Field::trilinear, progress), nullptr);
+}
+
+TEST(CubicFields, AStoppedOneIsNotKept) {
+  CubicFields fields(ball());
+  base::Progress stopped, progress;
+  stopped.requestStop();
+  EXPECT_THROW(fields.make(scene::Field::cubic_interpolating, stopped), base::Error);
+  EXPECT_FALSE(fields.find(scene::Field::cubic_interpolating));
+  EXPECT_TRUE(fields.make(scene::Field::cubic_interpolating, progress));
+}
+
+TEST(CubicFields, ThreadsThatAskAtOnceGetTheSame) {
+  CubicFields fields(ball());
+  std::shared_ptr<const CubicField> found[2];
+  std::thread threads[2];
+  for (int i = 0; i < 2; ++i)
+    threads[i] = std::thread([&, i] {
+      base::Progress progress;
+      found[i] = fields.make(scene::Field::cubic_interpolating, progress);
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_TRUE(found[0]);
+  EXPECT_EQ(found[0], found[1]);
+}
+
+}  // namespace
+}  // namespace isolux::volume

@@ -1,0 +1,217 @@
+#include <cmath>
+
+#include "tests/volume/read/reader_support.h"
+
+namespace isolux {
+namespace {
+
+using test::bytesOf;
+using test::expectError;
+using test::expectNear;
+using test::NiftiFile;
+using test::ramp;
+using test::readFile;
+using test::valuesOf;
+using test::worldOf;
+using test::writeFile;
+
+const std::vector<double> zeroToSeven{0, 1, 2, 3, 4, 5, 6, 7};
+
+NiftiFile small() {
+  NiftiFile file;
+  file.voxels = bytesOf(ramp<std::uint8_t>(8));
+  file.sformCode = 1;
+  return file;
+}
+
+volume::Volume read(const NiftiFile& file, const volume::ReadOptions& options = {}) {
+  const auto path = test::temporaryFolder() / "v.nii";
+  writeFile(path, file.bytes());
+  return readFile(path, options);
+}
+
+TEST(Nifti, SformIsConvertedFromRasToLps) {
+  NiftiFile file = small();
+  file.srow = {0, -2, 0.5, 10, 1, 0, 0, -20, 0, 0, 3, 30};
+  const auto v = read(file);
+  EXPECT_EQ(v.format, "NIfTI-1");
+  EXPECT_EQ(valuesOf(v), zeroToSeven);
+  expectNear(worldOf(v, 0, 0, 0), {-10, 20, 30});
+  expectNear(worldOf(v, 1, 0, 0), {-10, 19, 30});    // RAS (0,1,0)
+  expectNear(worldOf(v, 0, 1, 0), {-8, 20, 30});     // RAS (-2,0,0)
+  expectNear(worldOf(v, 0, 0, 1), {-10.5, 20, 33});  // RAS (0.5,0,3)
+}
+
+TEST(Nifti, QformWithQfac) {
+  NiftiFile file = small();
+  file.sformCode = 0;
+  file.qformCode = 1;
+  // A turn of 90 degrees about z: x -> y, y -> -x (RAS).
+  file.quaternion = {0, 0, static_cast<float>(std::sqrt(0.5))};
+  file.qoffset = {1, 2, 3};
+  file.pixdim = {-1, 2, 3, 4};
+  const auto v = read(file);
+  expectNear(worldOf(v, 0, 0, 0), {-1, -2, 3}, 1e-5);
+  expectNear(worldOf(v, 1, 0, 0), {-1, -4, 3}, 1e-5);
+  expectNear(worldOf(v, 0, 1, 0), {2, -2, 3}, 1e-5);
+  expectNear(worldOf(v, 0, 0, 1), {-1, -2, -1}, 1e-5);  // qfac -1
+  EXPECT_TRUE(v.grid->geometry().leftHanded());
+  // Half a turn about x, rounded beyond 1: a = 0.
+  file.quaternion = {1.0000001f, 0, 0};
+  file.pixdim[0] = 1;
+  expectNear(worldOf(read(file), 0, 1, 0), {-1, 1, 3}, 1e-5);
+}
+
+TEST(Nifti, NoOrientationIsSaid) {
+  NiftiFile file = small();
+  file.sformCode = 0;
+  file.pixdim = {1, 2, 3, 4};
+  const auto v = read(file);
+  EXPECT_TRUE(test::warns(v, "left and right are not certain"));
+  expectNear(worldOf(v, 1, 1, 1), {-2, -3, 4});
+  file.pixdim = {1, 0, 3, std::nanf("")};
+  const auto degenerate = read(file);
+  EXPECT_TRUE(test::warns(degenerate, "pixdim[1]"));
+  expectNear(worldOf(degenerate, 1, 1, 1), {-1, -3, 1});
+}
+
+TEST(Nifti, SingularSformFallsBack) {
+  NiftiFile file = small();
+  file.srow = std::vector<float>(12, 0.0f);
+  file.qformCode = 1;
+  const auto v = read(file);
+  EXPECT_TRUE(test::warns(v, "sform is singular"));
+  expectNear(worldOf(v, 1, 0, 0), {-1, 0, 0});
+}
+
+TEST(Nifti, UnitsBecomeMillimetres) {
+  NiftiFile file = small();
+  file.units = 3;  // micrometres
+  expectNear(worldOf(read(file), 0, 0, 1), {0, 0, 0.001}, 1e-12);
+  file.units = 1 | 8;  // metres, seconds
+  expectNear(worldOf(read(file), 0, 0, 1), {0, 0, 1000});
+}
+
+TEST(Nifti, SlopeAndIntercept) {
+  NiftiFile file = small();
+  file.slope = 2;
+  file.intercept = -10;
+  const auto scaled = read(file);
+  EXPECT_EQ(scaled.grid->storedType(), volume::VoxelType::uint8);
+  EXPECT_EQ(scaled.grid->minimum(), -10.0);
+  EXPECT_EQ(scaled.grid->maximum(), 4.0);
+  for (const float none : {0.0f, std::nanf(""), INFINITY}) {
+    file.slope = none;
+    EXPECT_EQ(read(file).grid->maximum(), 7.0);
+  }
+  file.slope = 2;
+  file.intercept = std::nanf("");
+  EXPECT_EQ(read(file).grid->maximum(), 14.0);
+}
+
+TEST(Nifti, AScalingThatMapsAllValuesToOneIsLeftOut) {
+  NiftiFile file = small();
+  file.slope = 1e-20f;
+  file.intercept = 1;
+  const auto volume = read(file);
+  EXPECT_EQ(volume.grid->minimum(), 0.0);
+  EXPECT_EQ(volume.grid->maximum(), 7.0);
+  EXPECT_TRUE(test::warns(volume, "too extreme to apply"));
+}
+
+TEST(Nifti, BigEndianGzipAndPairs) {
+  NiftiFile file;
+  file.big = true;
+  file.datatype = 4;
+  file.bitpix = 16;
+  file.sformCode = 1;
+  file.voxels = bytesOf(ramp<std::int16_t>(8), true);
+  EXPECT_EQ(valuesOf(read(file)), zeroToSeven);
+  const auto folder = test::temporaryFolder();
+  writeFile(folder / "v.nii.gz", test::gzipped(file.bytes()));
+  EXPECT_EQ(valuesOf(readFile(folder / "v.nii.gz")), zeroToSeven);
+  // Two gzip members, as parallel compressors write them.
+  const std::string bytes = file.bytes();
+  writeFile(folder / "two.nii.gz", test::gzipped(bytes.substr(0, 355)) + test::gzipped(bytes.substr(355)));
+  EXPECT_EQ(valuesOf(readFile(folder / "two.nii.gz")), zeroToSeven);
+
+  file.magic = "ni1";
+  file.voxOffset = 0;
+  writeFile(folder / "p.hdr", file.header());
+  expectError(folder / "p.hdr", ".img file beside this header is missing");
+  writeFile(folder / "p.img", file.voxels);
+  EXPECT_EQ(valuesOf(readFile(folder / "p.hdr")), zeroToSeven);
+  EXPECT_EQ(valuesOf(readFile(folder / "p.img")), zeroToSeven);
+  writeFile(folder / "q.hdr", file.header());
+  writeFile(folder / "q.img.gz", test::gzipped(file.voxels));
+  EXPECT_EQ(valuesOf(readFile(folder / "q.hdr")), zeroToSeven);
+  EXPECT_EQ(valuesOf(readFile(folder / "q.img.gz")), zeroToSeven);
+}
+
+TEST(Nifti, Version2) {
+  std::string header(540, '\0');
+  const auto put = [&](std::size_t at, auto value) {
+    const std::string raw = bytesOf(std::vector{value});
+    header.replace(at, raw.size(), raw);
+  };
+  put(0, std::int32_t{540});
+  header.replace(4, 8, std::string("n+2\0\r\n\032\n", 8));
+  put(12, std::int16_t{2});
+  put(14, std::int16_t{8});
+  const std::int64_t dim[] = {3, 2, 2, 2, 1, 1, 1, 1};
+  for (std::size_t i = 0; i < 8; ++i) put(16 + 8 * i, dim[i]);
+  for (std::size_t i = 0; i < 8; ++i) put(104 + 8 * i, 1.0);
+  put(168, std::int64_t{544});
+  put(176, 0.5);
+  put(348, std::int32_t{1});
+  const double srow[] = {1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7};
+  for (std::size_t i = 0; i < 12; ++i) put(400 + 8 * i, srow[i]);
+  put(500, std::int32_t{2});
+  const auto path = test::temporaryFolder() / "v.nii";
+  writeFile(path, header + std::string(4, '\0') + bytesOf(ramp<std::uint8_t>(8)));
+  const auto v = readFile(path);
+  EXPECT_EQ(v.format, "NIfTI-2");
+  EXPECT_EQ(v.grid->maximum(), 3.5);
+  expectNear(worldOf(v, 0, 0, 0), {-5, -6, 7});
+}
+
+TEST(Nifti, TimeStepsVectorsAndColours) {
+  NiftiFile file = small();
+  file.dims = {2, 1, 1, 2, 3};  // 2 time steps, 3 components, one volume after the other
+  file.voxels = bytesOf(ramp<std::uint8_t>(12));
+  volume::ReadOptions options;
+  options.timeStep = 1;
+  options.component = 2;
+  const auto v = read(file, options);
+  EXPECT_EQ(v.components, 3);
+  EXPECT_EQ(v.timeSteps, 2);
+  EXPECT_THAT(valuesOf(v), testing::ElementsAre(10, 11));
+  options.component = -1;
+  EXPECT_NEAR(valuesOf(read(file, options))[0], std::sqrt(4.0 + 36.0 + 100.0), 1e-5);
+
+  file = small();
+  file.dims = {2, 1, 1};
+  file.datatype = 128;  // RGB
+  file.bitpix = 24;
+  file.slope = 5;  // not applied to colours
+  file.voxels = bytesOf<std::uint8_t>({1, 2, 2, 4, 5, 6});
+  options = {};
+  options.component = -1;
+  EXPECT_EQ(valuesOf(read(file, options))[0], 3.0);
+}
+
+TEST(Nifti, Float64KeepsSmallDifferences) {
+  NiftiFile file = small();
+  file.dims = {3, 1, 1};
+  file.datatype = 64;
+  file.bitpix = 64;
+  file.slope = 2;
+  file.intercept = 1;
+  file.voxels = bytesOf<double>({1e6, 1e6 + 1e-4, 1e6 + 2e-4});
+  const auto values = valuesOf(read(file));
+  EXPECT_NEAR(values[1] - values[0], 2e-4, 1e-9);
+  EXPECT_NEAR(values[0], 2e6 + 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace isolux

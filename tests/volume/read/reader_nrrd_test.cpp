@@ -1,0 +1,137 @@
+#include "tests/volume/read/reader_support.h"
+
+namespace isolux {
+namespace {
+
+using test::bytesOf;
+using test::expectError;
+using test::expectNear;
+using test::ramp;
+using test::readFile;
+using test::valuesOf;
+using test::worldOf;
+using test::writeFile;
+
+const std::vector<double> zeroToSeven{0, 1, 2, 3, 4, 5, 6, 7};
+
+std::string header(const std::string& fields) {
+  return "NRRD0005\n# a comment\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n" + fields;
+}
+
+TEST(Nrrd, SpacesBecomeLps) {
+  const auto folder = test::temporaryFolder();
+  const std::string geometry = "space directions: (2,0,0) (0,3,0) (0.5,0,4)\nspace origin: (10,20,30)\n\n";
+  const std::string voxels = bytesOf(ramp<std::uint8_t>(8));
+  // Signs of x and y from the space to LPS.
+  const std::tuple<const char*, double, double> spaces[] = {{"left-posterior-superior", 1, 1},
+                                                            {"LPS", 1, 1},
+                                                            {"right-anterior-superior", -1, -1},
+                                                            {"RAS", -1, -1},
+                                                            {"left-anterior-superior", 1, -1},
+                                                            {"LAS", 1, -1},
+                                                            {"scanner-xyz", 1, 1}};
+  for (const auto& [space, sx, sy] : spaces) {
+    SCOPED_TRACE(space);
+    writeFile(folder / "v.nrrd", header(std::string("space: ") + space + "\n" + geometry) + voxels);
+    const auto read = readFile(folder / "v.nrrd");
+    EXPECT_EQ(valuesOf(read), zeroToSeven);
+    expectNear(worldOf(read, 0, 0, 0), {10 * sx, 20 * sy, 30});
+    expectNear(worldOf(read, 1, 0, 0), {12 * sx, 20 * sy, 30});
+    expectNear(worldOf(read, 0, 1, 0), {10 * sx, 23 * sy, 30});
+    expectNear(worldOf(read, 0, 0, 1), {10.5 * sx, 20 * sy, 34});
+    EXPECT_EQ(test::warns(read, "where the patient lies"), std::string(space) == "scanner-xyz");
+  }
+}
+
+TEST(Nrrd, EncodingsAndSkips) {
+  const auto folder = test::temporaryFolder();
+  const std::string raw = bytesOf(ramp<std::uint16_t>(8, 0, 1), true);
+  const std::string fields =
+      "NRRD0004\ntype: unsigned short\ndimension: 3\nsizes: 2 2 2\nendian: big\nspacings: 1 1 1\n";
+  const auto check = [&](const std::string& name) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(valuesOf(readFile(folder / name)), zeroToSeven);
+  };
+  writeFile(folder / "gzip.nrrd", fields + "encoding: gzip\n\n" + test::gzipped(raw));
+  check("gzip.nrrd");
+  writeFile(folder / "gzipskip.nrrd", fields + "encoding: gz\nbyte skip: 3\n\n" + test::gzipped("abc" + raw));
+  check("gzipskip.nrrd");
+  writeFile(folder / "text.nrrd", fields + "encoding: ascii\n\n0 1 2 3,4\n5 6 7\n");
+  check("text.nrrd");
+  writeFile(folder / "data.raw", "line one\nline two\nxyz" + raw);
+  writeFile(folder / "skip.nhdr", fields + "encoding: raw\nline skip: 2\nbyteskip: 3\ndata file: data.raw\n");
+  check("skip.nhdr");
+  writeFile(folder / "end.nhdr", fields + "encoding: raw\nbyte skip: -1\ndatafile: data.raw\n");
+  check("end.nhdr");
+  writeFile(folder / "a.raw", raw.substr(0, 8));
+  writeFile(folder / "b.raw", raw.substr(8));
+  writeFile(folder / "list.nhdr", fields + "encoding: raw\ndata file: LIST\na.raw\nb.raw\n");
+  check("list.nhdr");
+  writeFile(folder / "crlf.nrrd",
+            "NRRD0001\r\ntype: uchar\r\ndimension: 3\r\nsizes: 2 2 2\r\nencoding: raw\r\n\r\n" +
+                bytesOf(ramp<std::uint8_t>(8)));
+  check("crlf.nrrd");
+  writeFile(folder / "bzip2.nrrd", fields + "encoding: bzip2\n\nBZh");
+  expectError(folder / "bzip2.nrrd", "not supported");
+}
+
+TEST(Nrrd, AxesThatAreNotSpatial) {
+  const auto folder = test::temporaryFolder();
+  const std::string common = "NRRD0005\ntype: uint8\nencoding: raw\nspace: LPS\n";
+  const std::string voxels = bytesOf(ramp<std::uint8_t>(24));
+  volume::ReadOptions options;
+
+  writeFile(folder / "rgb.nrrd", common +
+                                     "dimension: 4\nsizes: 3 2 2 2\nkinds: RGB-color domain domain domain\n"
+                                     "space directions: none (1,0,0) (0,1,0) (0,0,1)\n\n" +
+                                     voxels);
+  options.component = 2;
+  const auto rgb = readFile(folder / "rgb.nrrd", options);
+  EXPECT_EQ(rgb.components, 3);
+  EXPECT_THAT(valuesOf(rgb), testing::ElementsAre(2, 5, 8, 11, 14, 17, 20, 23));
+
+  writeFile(folder / "list.nrrd", common +
+                                      "dimension: 4\nsizes: 2 2 2 3\nkinds: domain domain domain list\n"
+                                      "space directions: (1,0,0) (0,1,0) (0,0,1) none\n\n" +
+                                      voxels);
+  options = {};
+  options.timeStep = 1;
+  const auto list = readFile(folder / "list.nrrd", options);
+  EXPECT_EQ(list.timeSteps, 3);
+  EXPECT_THAT(valuesOf(list), testing::ElementsAre(8, 9, 10, 11, 12, 13, 14, 15));
+
+  writeFile(folder / "vector.nrrd", common +
+                                        "dimension: 4\nsizes: 2 2 2 3\nkinds: domain domain domain vector\n"
+                                        "space directions: (1,0,0) (0,1,0) (0,0,1) none\n\n" +
+                                        voxels);
+  options = {};
+  options.component = -1;
+  const auto vector = readFile(folder / "vector.nrrd", options);
+  EXPECT_EQ(vector.components, 3);
+  EXPECT_NEAR(valuesOf(vector)[1], std::sqrt(1.0 + 81.0 + 289.0), 1e-5);
+
+  writeFile(folder / "middle.nrrd", common +
+                                        "dimension: 4\nsizes: 2 3 2 2\nkinds: domain vector domain domain\n"
+                                        "space directions: (1,0,0) none (0,1,0) (0,0,1)\n\n" +
+                                        voxels);
+  expectError(folder / "middle.nrrd", "between spatial ones");
+}
+
+TEST(Nrrd, SpacingsAndMissingFields) {
+  const auto folder = test::temporaryFolder();
+  const std::string voxels = bytesOf(ramp<std::uint8_t>(8));
+  writeFile(folder / "s.nrrd", header("spacings: 0.5 1 2\n\n") + voxels);
+  EXPECT_EQ(readFile(folder / "s.nrrd").grid->geometry().spacingMm(), glm::dvec3(0.5, 1, 2));
+  writeFile(folder / "m.nrrd",
+            header("axis mins: 0 0 0\naxis maxs: 1 2 4\ncenters: node cell cell\n\n") + voxels);
+  EXPECT_EQ(readFile(folder / "m.nrrd").grid->geometry().spacingMm(), glm::dvec3(1, 1, 2));
+  writeFile(folder / "n.nrrd", header("\n") + voxels);
+  EXPECT_TRUE(test::warns(readFile(folder / "n.nrrd"), "spacing is missing"));
+  writeFile(folder / "e.nrrd",
+            "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 1\nspacings: 1 1 1\nencoding: raw\n\n" +
+                bytesOf(ramp<std::int16_t>(4)));
+  EXPECT_TRUE(test::warns(readFile(folder / "e.nrrd"), "endian"));
+}
+
+}  // namespace
+}  // namespace isolux

@@ -1,0 +1,148 @@
+// Legacy .vtk and .vti files.
+#include "tests/volume/read/reader_support.h"
+
+namespace isolux {
+namespace {
+
+using test::bytesOf;
+using test::expectError;
+using test::expectNear;
+using test::ramp;
+using test::readFile;
+using test::valuesOf;
+using test::worldOf;
+using test::writeFile;
+
+const std::vector<double> zeroToSeven{0, 1, 2, 3, 4, 5, 6, 7};
+
+std::string legacy(const std::string& encoding, const std::string& attributes) {
+  return "# vtk DataFile Version 3.0\na title\n" + encoding +
+         "\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nSPACING 0.5 1 2\nORIGIN 10 20 30\n" + attributes;
+}
+
+TEST(VtkLegacy, TextAndBinary) {
+  const auto path = test::temporaryFolder() / "v.vtk";
+  writeFile(path, legacy("ASCII",
+                         "POINT_DATA 8\nSCALARS density float 1\nLOOKUP_TABLE default\n0 1 2 3\n4 5 6 7\n"));
+  const auto text = readFile(path);
+  EXPECT_EQ(valuesOf(text), zeroToSeven);
+  EXPECT_EQ(text.fileType, volume::VoxelType::float32);
+  expectNear(worldOf(text, 1, 1, 1), {10.5, 21, 32});
+  // Binary data are big endian; other arrays may follow.
+  writeFile(path, legacy("BINARY", "POINT_DATA 8\nSCALARS density short\nLOOKUP_TABLE default\n") +
+                      bytesOf(ramp<std::int16_t>(8), true) + "\nMETADATA\n");
+  const auto binary = readFile(path);
+  EXPECT_EQ(valuesOf(binary), zeroToSeven);
+  EXPECT_THAT(binary.warnings, testing::IsEmpty());
+}
+
+TEST(VtkLegacy, OtherAttributes) {
+  const auto path = test::temporaryFolder() / "v.vtk";
+  writeFile(path, legacy("BINARY", "POINT_DATA 8\nVECTORS flow double\n") + bytesOf(ramp<double>(24), true));
+  volume::ReadOptions options;
+  options.component = 1;
+  EXPECT_EQ(valuesOf(readFile(path, options))[7], 22.0);
+  writeFile(path, legacy("ASCII", "POINT_DATA 8\nFIELD data 1\nrho 1 8 int\n0 1 2 3 4 5 6 7\n"));
+  EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven);
+  writeFile(path, legacy("ASCII", "CELL_DATA 1\nSCALARS c unsigned_char\nLOOKUP_TABLE default\n9\n"));
+  const auto cells = readFile(path);
+  EXPECT_EQ(cells.grid->dims(), glm::ivec3(1));
+  expectNear(worldOf(cells, 0, 0, 0), {10.25, 20.5, 31});
+  EXPECT_TRUE(test::warns(cells, "cells"));
+  writeFile(path, "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n");
+  expectError(path, "STRUCTURED_POINTS");
+}
+
+std::string vti(const std::string& attributes, const std::string& array, const std::string& behind = "",
+                const std::string& file = "") {
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" " +
+         file + ">\n<ImageData WholeExtent=\"0 1 0 1 0 1\" " + attributes +
+         ">\n<Piece Extent=\"0 1 0 1 0 1\">\n<PointData Scalars=\"a\">\n" + array +
+         "\n</PointData>\n</Piece>\n</ImageData>\n" + behind + "</VTKFile>\n";
+}
+
+TEST(Vti, TextWithDirection) {
+  const auto path = test::temporaryFolder() / "v.vti";
+  // Row-major: the first column (0,1,0) is the direction of x.
+  writeFile(path, vti("Origin=\"10 20 30\" Spacing=\"0.5 1 2\" Direction=\"0 0 -1 1 0 0 0 1 0\"",
+                      "<DataArray type=\"Int16\" Name=\"a\" format=\"ascii\">0 1 2 3 4 5 6 7</DataArray>"));
+  const auto v = readFile(path);
+  EXPECT_EQ(valuesOf(v), zeroToSeven);
+  EXPECT_EQ(v.format, "VTK XML");
+  expectNear(worldOf(v, 0, 0, 0), {10, 20, 30});
+  expectNear(worldOf(v, 1, 0, 0), {10, 20.5, 30});
+  expectNear(worldOf(v, 0, 1, 0), {10, 20, 31});
+  expectNear(worldOf(v, 0, 0, 1), {8, 20, 30});
+}
+
+TEST(Vti, ExtentThatDoesNotStartAtZero) {
+  const auto path = test::temporaryFolder() / "v.vti";
+  std::string text = vti("Origin=\"10 20 30\" Spacing=\"0.5 1 2\"",
+                         "<DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">0 1 2 3 4 5 6 7</DataArray>");
+  for (std::size_t at; (at = text.find("\"0 1 0 1 0 1\"")) != std::string::npos;)
+    text.replace(at, 13, "\"4 5 -3 -2 0 1\"");
+  writeFile(path, text);
+  const auto v = readFile(path);
+  EXPECT_EQ(valuesOf(v), zeroToSeven);
+  expectNear(worldOf(v, 0, 0, 0), {12, 17, 30});
+}
+
+TEST(Vti, AppendedRawAndCompressed) {
+  const auto path = test::temporaryFolder() / "v.vti";
+  const std::string array = "<DataArray type=\"Float64\" Name=\"a\" format=\"appended\" offset=\"0\"/>";
+  const std::string data = bytesOf(ramp<double>(8, 0.5, 1.0));
+  writeFile(path, vti("", array,
+                      "<AppendedData encoding=\"raw\">_" + bytesOf<std::uint32_t>({64}) + data +
+                          "\n</AppendedData>"));
+  EXPECT_EQ(valuesOf(readFile(path))[7], 7.5);
+  const std::string block = test::zlibbed(data.substr(0, 40)), last = test::zlibbed(data.substr(40));
+  const std::string table = bytesOf<std::uint64_t>({2, 40, 24, block.size(), last.size()});
+  const std::string file = "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"";
+  writeFile(path, vti("", array,
+                      "<AppendedData encoding=\"raw\">_" + table + block + last + "\n</AppendedData>", file));
+  EXPECT_EQ(valuesOf(readFile(path))[7], 7.5);
+  // The same with a table that lies.
+  const auto refuse = [&](std::vector<std::uint64_t> numbers, const std::string& reason) {
+    writeFile(path,
+              vti("", array,
+                  "<AppendedData encoding=\"raw\">_" + bytesOf(numbers) + block + last + "\n</AppendedData>",
+                  file));
+    expectError(path, reason);
+  };
+  refuse({2, 40, 25, block.size(), last.size()}, "65 bytes");
+  refuse({0, 40, 24, block.size(), last.size()}, "no sense");
+  refuse({~0ull, 40, 24, block.size(), last.size()}, "no sense");
+  refuse({2, ~0ull, 24, block.size(), last.size()}, "no sense");
+  refuse({2, 40, 24, block.size(), 1ull << 60}, "truncated");
+  refuse({2, 40, 24, block.size() + 1, last.size() - 1}, "VTK");  // only the inflater can tell
+}
+
+TEST(Vti, Base64AndSeveralArrays) {
+  const auto path = test::temporaryFolder() / "v.vti";
+  // 8 as UInt32, then 0..7.
+  writeFile(path,
+            vti("",
+                "<DataArray type=\"Float32\" Name=\"other\" format=\"ascii\">9 9 9 9 9 9 9 9</DataArray>\n"
+                "<DataArray type=\"UInt8\" Name=\"a\" format=\"binary\">\n  CAAAAAABAgMEBQYH\n</DataArray>"));
+  const auto v = readFile(path);
+  EXPECT_EQ(valuesOf(v), zeroToSeven);
+  EXPECT_TRUE(test::warns(v, "several arrays"));
+}
+
+TEST(Vti, NothingReachesStderr) {
+  const auto path = test::temporaryFolder() / "v.vti";
+  const std::string array = "<DataArray type=\"Float64\" Name=\"a\" format=\"appended\" offset=\"0\"/>";
+  const std::string file = "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"";
+  writeFile(path, vti("", array,
+                      "<AppendedData encoding=\"raw\">_" + bytesOf<std::uint64_t>({1, 64, 0, 20}) +
+                          std::string(20, 'x') + "\n</AppendedData>",
+                      file));
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  expectError(path, "VTK");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+}  // namespace
+}  // namespace isolux

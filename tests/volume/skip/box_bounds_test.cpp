@@ -1,0 +1,131 @@
+// Boxes against a brute-force scan of their cells.
+#include "volume/skip/box_bounds.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "volume/field/reconstruct.h"
+#include "volume/skip/min_max_blocks.h"
+
+namespace isolux::volume {
+namespace {
+
+Grid randomGrid(glm::ivec3 dims, std::mt19937& random, bool gaps) {
+  std::vector<float> voxels(GridGeometry::make(dims, glm::dvec3(1.0)).voxelCount());
+  std::uniform_real_distribution<float> value(-1.0f, 1.0f);
+  float level = 0.0f;
+  for (float& v : voxels) {
+    level = 0.9f * level + 0.1f * value(random);  // neighbours along x are alike: boxes of both kinds
+    v = gaps && random() % 200 == 0 ? std::nanf("") : level;
+  }
+  return {GridGeometry::make(dims, glm::dvec3(1.0)), voxels};
+}
+
+// The cell has voxels on both sides, or one of them is missing.
+bool crossed(const Grid& grid, glm::ivec3 cell, float isovalue, int apron) {
+  bool below = false, above = false, missing = false;
+  for (int z = -apron; z <= 1 + apron; ++z)
+    for (int y = -apron; y <= 1 + apron; ++y)
+      for (int x = -apron; x <= 1 + apron; ++x) {
+        const glm::ivec3 p = glm::clamp(cell + glm::ivec3(x, y, z), glm::ivec3(0), grid.dims() - 1);
+        const double v = grid.stored(p.x, p.y, p.z);
+        below = below || v < static_cast<double>(isovalue);
+        above = above || v >= static_cast<double>(isovalue);
+        missing = missing || std::isnan(v);
+      }
+  return missing || (below && above);
+}
+
+TEST(BoxBoundsTest, NoBoxWithACrossingIsLeftOutAndFewOthersAreKept) {
+  std::mt19937 random(7);
+  for (const glm::ivec3& dims : {glm::ivec3(30, 17, 21), glm::ivec3(9, 9, 9), glm::ivec3(2, 33, 3)})
+    for (const bool gaps : {false, true})
+      for (const int apron : {0, 1}) {
+        const Grid grid = randomGrid(dims, random, gaps);
+        base::Progress progress;
+        const MinMaxBlocks blocks =
+            apron ? MinMaxBlocks::ofCubic(grid, 8, progress) : MinMaxBlocks(grid, 8, progress);
+        const BoxBounds boxes = apron ? BoxBounds::ofCubic(grid, progress) : BoxBounds(grid, progress);
+        ASSERT_EQ(boxes.blockDims(), blocks.dims());
+        for (const float isovalue : {0.0f, 0.05f, -0.2f, 0.4f}) {
+          std::vector<std::uint8_t> flags;
+          blocks.activeBlocks(isovalue, flags);
+          std::vector<std::uint64_t> masks;
+          const float isovalues[] = {isovalue};
+          boxes.masks(isovalues, flags, masks);
+          int kept = 0, wanted = 0;
+          for (int z = 0; z < dims.z - 1; z += 2)
+            for (int y = 0; y < dims.y - 1; y += 2)
+              for (int x = 0; x < dims.x - 1; x += 2) {
+                const std::size_t block = blocks.index(glm::ivec3(x, y, z) / 8);
+                const int bit = x / 2 % 4 + 4 * (y / 2 % 4) + 16 * (z / 2 % 4);
+                const bool can = (masks[block] >> bit & 1) != 0;
+                bool any = false;
+                for (int i = 0; i < 8; ++i) {
+                  const glm::ivec3 cell(x + (i & 1), y + (i >> 1 & 1), z + (i >> 2));
+                  if (cell.x < dims.x - 1 && cell.y < dims.y - 1 && cell.z < dims.z - 1)
+                    any = any || crossed(grid, cell, isovalue, apron);
+                }
+                kept += can;
+                wanted += any;
+                if (any && flags[block]) {
+                  EXPECT_TRUE(can) << x << ' ' << y << ' ' << z;
+                }
+              }
+          EXPECT_LE(kept, wanted + wanted / 20 + 2);
+        }
+      }
+}
+
+TEST(BoxBoundsTest, SeveralIsovaluesAreTheUnion) {
+  std::mt19937 random(8);
+  const Grid grid = randomGrid({25, 25, 25}, random, false);
+  base::Progress progress;
+  const BoxBounds boxes(grid, progress);
+  const std::vector<std::uint8_t> flags(27, 1);
+  std::vector<std::uint64_t> first, second, both;
+  const float isovalues[] = {-0.1f, 0.15f};
+  boxes.masks(std::span(isovalues, 1), flags, first);
+  boxes.masks(std::span(isovalues + 1, 1), flags, second);
+  boxes.masks(isovalues, flags, both);
+  for (std::size_t i = 0; i < both.size(); ++i) EXPECT_EQ(both[i], first[i] | second[i]);
+  EXPECT_NE(first, both);
+}
+
+// Bounds are kept in 65536 steps: an isovalue next to a voxel's own, within one step of it, finds the boxes
+// on both of its sides.
+TEST(BoxBoundsTest, RoundingIsOutward) {
+  std::mt19937 random(10);
+  const Grid grid = randomGrid({9, 9, 9}, random, false);
+  base::Progress progress;
+  const BoxBounds boxes(grid, progress);
+  const glm::ivec3 corners = grid.dims() - 1;
+  for (int z = 0; z < corners.z; ++z)
+    for (int y = 0; y < corners.y; ++y)
+      for (int x = 0; x < corners.x; ++x) {
+        const auto voxel = static_cast<float>(grid.stored(x, y, z));
+        for (const float isovalue : {voxel, std::nextafter(voxel, 9.0f), std::nextafter(voxel, -9.0f)}) {
+          if (!crossed(grid, {x, y, z}, isovalue, 0)) continue;
+          std::vector<std::uint64_t> masks;
+          boxes.masks(std::span(&isovalue, 1), {1}, masks);
+          EXPECT_TRUE(masks[0] >> (x / 2 + 4 * (y / 2) + 16 * (z / 2)) & 1) << x << ' ' << y << ' ' << z;
+        }
+      }
+}
+
+TEST(BoxBoundsTest, ConstantAndOutsideHaveNone) {
+  const GridGeometry geometry = GridGeometry::make({9, 9, 9}, glm::dvec3(1.0));
+  std::vector<std::uint64_t> masks;
+  const float isovalues[] = {4.0f};
+  base::Progress progress;
+  BoxBounds(Grid(geometry, std::vector<float>(729, 4.0f)), progress).masks(isovalues, {1}, masks);
+  EXPECT_EQ(masks[0], 0u);
+  std::mt19937 random(9);
+  BoxBounds(randomGrid({9, 9, 9}, random, false), progress).masks(isovalues, {1}, masks);
+  EXPECT_EQ(masks[0], 0u);
+}
+
+}  // namespace
+}  // namespace isolux::volume

@@ -1,0 +1,101 @@
+#include "volume/statistics/curvature_statistics.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/analytic_fields.h"
+#include "volume/field/reconstruct.h"
+#include "volume/phantom/phantom.h"
+
+namespace isolux::volume {
+namespace {
+
+struct Subject {
+  Subject(const std::string& name, const GridGeometry& geometry)
+      : grid(make(name, geometry)), blocks(grid, 8, progress) {}
+  static Grid make(const std::string& name, const GridGeometry& geometry) {
+    base::Progress progress;
+    PhantomRequest request;
+    request.name = name;
+    request.geometry = geometry;
+    return makePhantom(request, progress);
+  }
+  base::Progress progress;
+  Grid grid;
+  MinMaxBlocks blocks;
+};
+
+void expectAll(const Quantiles& q, double value, double tolerance) {
+  EXPECT_NEAR(q.low, value, tolerance);
+  EXPECT_NEAR(q.median, value, tolerance);
+  EXPECT_NEAR(q.high, value, tolerance);
+}
+
+TEST(CurvatureStatistics, OfABallAreItsRadius) {
+  for (const GridGeometry& geometry : {test::isotropicGeometry(96), test::obliqueLeftHandedGeometry(96)}) {
+    const Subject ball("ball", geometry);
+    const Coefficients coefficients = interpolatingCoefficients(ball.grid);
+    const CurvatureStatistics s = curvatureStatistics(ball.grid, ball.blocks, 0.0, -1.0, &coefficients);
+    const glm::dvec3 spacing = geometry.spacingMm();
+    const double k = 1.0 / (0.35 * 95.0 * std::min({spacing.x, spacing.y, spacing.z}));
+    EXPECT_EQ(s.samples, 2000u);
+    expectAll(s.kappa1, k, 0.02 * k);
+    expectAll(s.kappa2, k, 0.02 * k);
+    expectAll(s.mean, k, 0.02 * k);
+    expectAll(s.gaussian, k * k, 0.04 * k * k);
+    expectAll(s.curvedness, k, 0.02 * k);
+    // Seen from inside.
+    expectAll(curvatureStatistics(ball.grid, ball.blocks, 0.0, 1.0).mean, -k, 0.02 * k);
+  }
+}
+
+TEST(CurvatureStatistics, OfATorusHaveTheQuantilesOfItsClosedForm) {
+  const GridGeometry geometry = test::isotropicGeometry(128);
+  const Subject torus("torus", geometry);
+  const CurvatureStatistics s = curvatureStatistics(torus.grid, torus.blocks, 0.0);
+  const double major = 0.27 * 127.0, minor = 0.12 * 127.0;
+  expectAll(s.kappa1, 1.0 / minor, 0.03 / minor);
+  // kappa2 = cos w / (major + minor cos w) over angles w of the tube, with area (major + minor cos w) dw.
+  const auto quantile = [&](double fraction) {
+    double area = 0.0;
+    const double total = std::numbers::pi * major;
+    double w = std::numbers::pi;  // from the innermost circle outward
+    while (area < fraction * total) {
+      area += (major + minor * std::cos(w)) * 1e-4;
+      w -= 1e-4;
+    }
+    return std::cos(w) / (major + minor * std::cos(w));
+  };
+  // Edges weigh a surface by |nx| + |ny| + |nz|, which moves quantiles a little.
+  EXPECT_NEAR(s.kappa2.low, quantile(0.05), 0.004);
+  EXPECT_NEAR(s.kappa2.median, quantile(0.5), 0.004);
+  EXPECT_NEAR(s.kappa2.high, quantile(0.95), 0.002);
+}
+
+TEST(CurvatureStatistics, WithoutASurfaceAreZero) {
+  const Subject ball("ball", test::isotropicGeometry(24));
+  for (const double isovalue : {1000.0, -1000.0, std::nan("")})
+    EXPECT_EQ(curvatureStatistics(ball.grid, ball.blocks, isovalue).samples, 0u);
+  base::Progress progress;
+  const Grid flat(GridGeometry::make({9, 1, 9}, glm::dvec3(1)), std::vector<float>(81, 1.0f));
+  EXPECT_EQ(curvatureStatistics(flat, MinMaxBlocks(flat, 8, progress), 1.0).samples, 0u);
+}
+
+TEST(CurvatureStatistics, MissingVoxelsLeaveFiniteNumbers) {
+  const GridGeometry geometry = test::isotropicGeometry(32);
+  auto voxels = std::get<std::vector<float>>(Subject::make("ball", geometry).voxels());
+  for (std::size_t i = 0; i < voxels.size(); i += 97) voxels[i] = std::numeric_limits<float>::quiet_NaN();
+  const Grid grid(geometry, voxels);
+  base::Progress progress;
+  const CurvatureStatistics s = curvatureStatistics(grid, MinMaxBlocks(grid, 8, progress), 0.0);
+  EXPECT_GT(s.samples, 100u);
+  for (const Quantiles& q : {s.kappa1, s.kappa2, s.mean, s.gaussian, s.curvedness})
+    EXPECT_TRUE(std::isfinite(q.low) && std::isfinite(q.median) && std::isfinite(q.high));
+}
+
+}  // namespace
+}  // namespace isolux::volume

@@ -1,0 +1,138 @@
+#include "volume/statistics/histogram.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "volume/phantom/phantom.h"
+
+namespace isolux::volume {
+namespace {
+
+Grid lineOf(VoxelArray voxels, double slope = 1.0, double intercept = 0.0) {
+  const auto count = static_cast<int>(std::visit([](const auto& v) { return v.size(); }, voxels));
+  return Grid(GridGeometry::make({count, 1, 1}, glm::dvec3(1)), std::move(voxels), slope, intercept);
+}
+
+std::uint64_t total(const Histogram& histogram) {
+  return std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0});
+}
+
+TEST(Histogram, FewIntegersGetOneBinPerValue) {
+  const Grid grid = lineOf(std::vector<std::uint8_t>{3, 3, 5, 7, 7, 7}, 2.0, 1.0);
+  const Histogram histogram = makeHistogram(grid);
+  EXPECT_EQ(histogram.counts, (std::vector<std::uint64_t>{2, 0, 1, 0, 3}));
+  EXPECT_EQ(histogram.binCentre(0), 7.0);
+  EXPECT_EQ(histogram.binCentre(4), 15.0);
+  EXPECT_EQ(histogram.minimum, 6.0);
+  EXPECT_EQ(histogram.maximum, 16.0);
+}
+
+TEST(Histogram, ManyIntegersShareBinsOfWholeValues) {
+  std::vector<std::int16_t> voxels(65536);
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+    voxels[i] = static_cast<std::int16_t>(static_cast<int>(i) - 32768);
+  const Histogram histogram = makeHistogram(lineOf(std::move(voxels)), 500);
+  ASSERT_LE(histogram.counts.size(), 500u);
+  EXPECT_EQ(total(histogram), 65536u);
+  for (std::size_t i = 0; i + 1 < histogram.counts.size(); ++i) EXPECT_EQ(histogram.counts[i], 132u);
+}
+
+TEST(Histogram, NegativeSlopeTurnsItRound) {
+  const Histogram histogram = makeHistogram(lineOf(std::vector<std::uint8_t>{0, 1, 1}, -1.0));
+  EXPECT_EQ(histogram.counts, (std::vector<std::uint64_t>{2, 1}));
+  EXPECT_EQ(histogram.binCentre(0), -1.0);
+}
+
+TEST(Histogram, FloatsAreSpreadOverTheRangeAndMissingOnesLeftOut) {
+  const Grid grid =
+      lineOf(std::vector<float>{0.0f, 0.24f, 0.26f, 1.0f, std::numeric_limits<float>::quiet_NaN(), 0.99f});
+  const Histogram histogram = makeHistogram(grid, 4);
+  EXPECT_EQ(histogram.counts, (std::vector<std::uint64_t>{2, 1, 0, 2}));
+}
+
+// Nothing of the stored numbers is left in the values: bins must come from the numbers themselves.
+TEST(Histogram, CountsEveryVoxelWhereTheScalingMapsAllValuesToOne) {
+  for (const double slope : {1e-20, -1e-20, 1e-17}) {
+    std::vector<std::int16_t> integers(65536);
+    std::vector<float> floats;
+    for (std::size_t i = 0; i < integers.size(); ++i) {
+      integers[i] = static_cast<std::int16_t>(static_cast<int>(i) - 32768);
+      floats.push_back(static_cast<float>(integers[i]));
+    }
+    for (const Grid& grid :
+         {lineOf(std::move(integers), slope, 1.0), lineOf(std::move(floats), slope, 1.0)}) {
+      EXPECT_EQ(grid.storedMinimum(), -32768.0);
+      EXPECT_EQ(grid.storedMaximum(), 32767.0);
+      const Histogram histogram = makeHistogram(grid);
+      EXPECT_EQ(histogram.counts.size(), 512u);
+      for (const std::uint64_t count : histogram.counts) EXPECT_NEAR(static_cast<double>(count), 128.0, 1.0);
+    }
+  }
+}
+
+TEST(Histogram, ConstantEmptyTinyAndHugeValuesWork) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN(), most = std::numeric_limits<float>::max();
+  const Grid constant = lineOf(std::vector<float>{2.5f, 2.5f});
+  const Histogram one = makeHistogram(constant);
+  EXPECT_EQ(one.counts, (std::vector<std::uint64_t>{2}));
+  EXPECT_EQ(one.binCentre(0), 2.5);
+  EXPECT_EQ(suggestIsovalue(constant, one, ""), 2.5);
+  const Grid none = lineOf(std::vector<float>{nan, nan});
+  EXPECT_EQ(total(makeHistogram(none)), 0u);
+  EXPECT_TRUE(std::isfinite(suggestIsovalue(none, makeHistogram(none), "HU")));
+  for (const Grid& grid :
+       {lineOf(std::vector<float>{0.0f, 1e-20f, 2e-20f}), lineOf(std::vector<float>{-most, 0.0f, most}),
+        lineOf(std::vector<float>{1e6f, 1e6f + 0.0625f})}) {
+    const Histogram histogram = makeHistogram(grid);
+    EXPECT_EQ(total(histogram), grid.geometry().voxelCount());
+    const double iso = suggestIsovalue(grid, histogram, "");
+    EXPECT_LT(grid.minimum(), iso);
+    EXPECT_LT(iso, grid.maximum());
+  }
+}
+
+TEST(Histogram, PeaksOfThreeTissuesAreFound) {
+  std::vector<float> voxels;
+  for (std::uint64_t i = 0; i < 60000; ++i) {
+    const double centre = i < 40000 ? 0.0 : i < 55000 ? 60.0 : 150.0;
+    voxels.push_back(static_cast<float>(centre + 6.0 * base::normalNoise(1, i)));
+  }
+  const Histogram histogram = makeHistogram(lineOf(std::move(voxels)), 256);
+  ASSERT_GE(histogram.peaks.size(), 3u);
+  EXPECT_LE(histogram.peaks.size(), 8u);
+  for (const double expected : {0.0, 60.0, 150.0}) {
+    bool found = false;
+    for (std::size_t i = 0; i < 3; ++i) found = found || std::abs(histogram.peaks[i] - expected) < 4.0;
+    EXPECT_TRUE(found) << expected;
+  }
+}
+
+TEST(SuggestIsovalue, IsTheSkinForCtInHounsfieldUnits) {
+  base::Progress progress;
+  const Grid head = makePhantom(parsePhantom("head:48"), progress);
+  EXPECT_EQ(suggestIsovalue(head, makeHistogram(head), "HU"), -300.0);
+  const Grid brain = lineOf(std::vector<std::int16_t>{0, 20, 40, 80});
+  EXPECT_GT(suggestIsovalue(brain, makeHistogram(brain), "HU"), 0.0);
+}
+
+TEST(SuggestIsovalue, SeparatesTheObjectsFromTheBackgroundOrEachOther) {
+  // Much noisy background, two materials: any isovalue above the background shows an object.
+  std::vector<std::uint8_t> voxels;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double centre = i < 80000 ? 10.0 : i < 95000 ? 90.0 : 200.0;
+    voxels.push_back(static_cast<std::uint8_t>(std::max(0.0, centre + 3.0 * base::normalNoise(2, i))));
+  }
+  const Grid grid = lineOf(std::move(voxels));
+  const double iso = suggestIsovalue(grid, makeHistogram(grid), "");
+  EXPECT_GT(iso, 30.0);
+  EXPECT_LT(iso, 190.0);
+  const Grid binary = lineOf(std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 1});
+  EXPECT_EQ(suggestIsovalue(binary, makeHistogram(binary), ""), 0.5);
+}
+
+}  // namespace
+}  // namespace isolux::volume

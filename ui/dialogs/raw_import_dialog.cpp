@@ -1,0 +1,246 @@
+#include "ui/dialogs/raw_import_dialog.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "ui/dialogs/raw_slice.h"
+#include "ui/dialogs/slice_preview.h"
+#include "ui/editors/number_spin_box.h"
+#include "ui/editors/number_text.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+using volume::Endianness;
+using volume::RawDescription;
+using volume::VoxelType;
+
+constexpr std::array<VoxelType, 10> types{
+    VoxelType::uint8, VoxelType::int8,   VoxelType::uint16, VoxelType::int16,   VoxelType::uint32,
+    VoxelType::int32, VoxelType::uint64, VoxelType::int64,  VoxelType::float32, VoxelType::float64};
+
+QString typeName(VoxelType type) {
+  const auto name = volume::nameOf(type);
+  return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+QString guessText(const RawDescription& guess) {
+  QString text = QString("%1 × %2 × %3  %4")
+                     .arg(guess.dims.x)
+                     .arg(guess.dims.y)
+                     .arg(guess.dims.z)
+                     .arg(typeName(guess.type));
+  if (volume::bytesOf(guess.type) > 1 && guess.endianness == Endianness::big) text += " big endian";
+  if (guess.headerBytes > 0) text += QString(", header %1 bytes").arg(guess.headerBytes);
+  return text;
+}
+
+QString grouped(std::uint64_t number) {
+  QString text = QString::number(number);
+  for (qsizetype i = text.size() - 3; i > 0; i -= 3) text.insert(i, QChar(0x202F));  // narrow no-break space
+  return text;
+}
+
+template <class Box>
+QWidget* inARow(const std::array<Box*, 3>& boxes, const QString& between) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (i > 0) layout->addWidget(new QLabel(between));
+    layout->addWidget(boxes[i], 1);
+  }
+  return row;
+}
+}  // namespace
+
+RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
+    : QDialog(parent),
+      file_(file),
+      fileBytes_(static_cast<std::uint64_t>(QFileInfo(file).size())),
+      suggestions_(new QComboBox(this)),
+      type_(new QComboBox(this)),
+      endianness_(new QComboBox(this)),
+      header_(new QSpinBox(this)),
+      size_(new QLabel(this)),
+      sliceLabel_(new QLabel(this)),
+      preview_(new SlicePreview(this)),
+      slice_(new QSlider(Qt::Horizontal, this)),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)),
+      guesses_(volume::guessRaw(QFileInfo(file).fileName().toStdString(), fileBytes_)) {
+  setWindowTitle("Open raw file – " + QFileInfo(file).fileName());
+  auto* intro = new QLabel(QString("<b>%1</b> has no header that Isolux knows. How are its voxels stored?")
+                               .arg(QFileInfo(file).fileName().toHtmlEscaped()),
+                           this);
+  intro->setWordWrap(true);
+
+  suggestions_->addItem(guesses_.empty() ? "nothing fits by name or size" : "choose …");
+  for (const RawDescription& guess : guesses_) suggestions_->addItem(guessText(guess));
+  suggestions_->setEnabled(!guesses_.empty());
+  for (const VoxelType type : types) type_->addItem(typeName(type), static_cast<int>(type));
+  endianness_->addItem("little endian", static_cast<int>(Endianness::little));
+  endianness_->addItem("big endian", static_cast<int>(Endianness::big));
+  const char* axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    dims_[i] = new QSpinBox(this);
+    dims_[i]->setRange(1, 65536);
+    dims_[i]->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    dims_[i]->setAccessibleName(QString("Voxels along ") + axes[i]);
+    dims_[i]->setMinimumWidth(64);
+    spacing_[i] = new NumberSpinBox(this);
+    spacing_[i]->setRange(1e-6, 1e6);
+    spacing_[i]->setValue(1.0);
+    spacing_[i]->setAccessibleName(QString("Spacing along ") + axes[i]);
+    spacing_[i]->setMinimumWidth(64);
+  }
+  header_->setRange(0, 1 << 30);
+  header_->setSuffix(" bytes");
+  header_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  size_->setWordWrap(true);
+  size_->setMinimumHeight(2 * fontMetrics().height() + 4);
+  size_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(9);
+  form->setHorizontalSpacing(14);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->addRow("Suggestions", suggestions_);
+  form->addRow("Voxels", inARow(dims_, "×"));
+  form->addRow("Type", type_);
+  form->addRow("Byte order", endianness_);
+  form->addRow("Header", header_);
+  form->addRow("Spacing, mm", inARow(spacing_, "×"));
+  form->addRow("Size", size_);
+  auto* left = new QVBoxLayout;
+  left->addWidget(intro);
+  left->addSpacing(8);
+  left->addLayout(form);
+  left->addStretch(1);
+  auto* sliceRow = new QHBoxLayout;
+  sliceRow->addWidget(slice_, 1);
+  sliceRow->addWidget(sliceLabel_);
+  sliceLabel_->setMinimumWidth(fontMetrics().horizontalAdvance("slice 9999 of 9999"));
+  auto* right = new QVBoxLayout;
+  right->addWidget(preview_, 1);
+  right->addLayout(sliceRow);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(20);
+  columns->addLayout(left, 0);
+  columns->addLayout(right, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(18, 16, 18, 14);
+  layout->setSpacing(14);
+  layout->addLayout(columns, 1);
+  layout->addWidget(buttons_);
+  resize(820, 500);
+
+  previewTimer_.setSingleShot(true);
+  connect(&previewTimer_, &QTimer::timeout, this, &RawImportDialog::showSlice);
+  const auto changed = [this] { describedAnew(); };
+  for (QSpinBox* box : dims_) connect(box, &QSpinBox::valueChanged, this, changed);
+  for (NumberSpinBox* box : spacing_) connect(box, &NumberSpinBox::valueChanged, this, changed);
+  connect(header_, &QSpinBox::valueChanged, this, changed);
+  connect(type_, &QComboBox::currentIndexChanged, this, changed);
+  connect(endianness_, &QComboBox::currentIndexChanged, this, changed);
+  connect(slice_, &QSlider::valueChanged, this, [this] { previewTimer_.start(0); });
+  connect(suggestions_, &QComboBox::activated, this, [this](int index) {
+    if (index > 0) setDescription(guesses_[static_cast<std::size_t>(index - 1)]);
+  });
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+  if (guesses_.empty()) {
+    setDescription({.dims = glm::ivec3(64)});
+  } else {
+    suggestions_->setCurrentIndex(1);
+    setDescription(guesses_.front());
+  }
+}
+
+RawDescription RawImportDialog::description() const {
+  RawDescription result;
+  result.dims = {dims_[0]->value(), dims_[1]->value(), dims_[2]->value()};
+  result.type = static_cast<VoxelType>(type_->currentData().toInt());
+  result.endianness = static_cast<Endianness>(endianness_->currentData().toInt());
+  result.spacingMm = {spacing_[0]->value(), spacing_[1]->value(), spacing_[2]->value()};
+  result.headerBytes = static_cast<std::size_t>(header_->value());
+  return result;
+}
+
+void RawImportDialog::setDescription(const RawDescription& description) {
+  {
+    const QSignalBlocker blockType(type_), blockEndianness(endianness_), blockHeader(header_);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const QSignalBlocker blockDims(dims_[i]);
+      dims_[i]->setValue(description.dims[static_cast<int>(i)]);
+      spacing_[i]->showValue(description.spacingMm[static_cast<int>(i)]);
+    }
+    type_->setCurrentIndex(type_->findData(static_cast<int>(description.type)));
+    endianness_->setCurrentIndex(endianness_->findData(static_cast<int>(description.endianness)));
+    header_->setValue(static_cast<int>(std::min<std::size_t>(description.headerBytes, 1 << 30)));
+  }
+  slice_->setRange(0, description.dims.z - 1);
+  slice_->setValue(description.dims.z / 2);
+  describedAnew();
+}
+
+bool RawImportDialog::fits() const {
+  return bytesNeeded(description()) <= fileBytes_;
+}
+
+QString RawImportDialog::sizeText() const {
+  return size_->text();
+}
+
+const QImage& RawImportDialog::previewImage() const {
+  return preview_->image();
+}
+
+void RawImportDialog::describedAnew() {
+  const RawDescription described = description();
+  const std::uint64_t needed = bytesNeeded(described);
+  QString text = QString("%1 bytes described, the file has %2.").arg(grouped(needed), grouped(fileBytes_));
+  QColor colour = colours::quietText;
+  if (needed == fileBytes_) {
+    text += " They match.";
+    colour = QColor(0x7f, 0xc8, 0x8a);
+  } else if (needed < fileBytes_) {
+    text += QString(" The last %1 would be ignored.").arg(grouped(fileBytes_ - needed));
+    colour = colours::warning;
+  } else {
+    text += QString(" %1 are missing.").arg(grouped(needed - fileBytes_));
+    colour = colours::error;
+  }
+  size_->setText(text);
+  size_->setStyleSheet("color: " + colour.name());
+  buttons_->button(QDialogButtonBox::Open)->setEnabled(fits());
+  endianness_->setEnabled(volume::bytesOf(described.type) > 1);
+  slice_->setRange(0, described.dims.z - 1);
+  previewTimer_.start(0);  // one preview for a burst of changes
+}
+
+void RawImportDialog::showSlice() {
+  const RawDescription described = description();
+  const int z = slice_->value();
+  sliceLabel_->setText(QString("slice %1 of %2").arg(z + 1).arg(described.dims.z));
+  const auto image = rawSlice(file_, described, z, 512);
+  const double aspect =
+      described.dims.x * described.spacingMm.x / std::max(1e-12, described.dims.y * described.spacingMm.y);
+  preview_->showSlice(image.value_or(QImage()), aspect, "This slice lies beyond the end of the file.");
+}
+
+}  // namespace isolux::ui

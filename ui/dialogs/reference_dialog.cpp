@@ -1,0 +1,211 @@
+#include "ui/dialogs/reference_dialog.h"
+
+#include <chrono>
+#include <cmath>
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "app/documents/session.h"
+#include "app/files/image_io.h"
+#include "app/files/reference_image.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/editors/number_text.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr int pollMilliseconds = 100, defaultSamples = 256;
+
+QSpinBox* makeBox(int low, int high, int value, const QString& name, QWidget* parent) {
+  auto* box = new QSpinBox(parent);
+  box->setRange(low, high);
+  box->setValue(value);
+  box->setAccessibleName(name);
+  return box;
+}
+
+void write(const gi::ReferenceImage& image, const scene::Scene& resolved, const std::filesystem::path& file) {
+  const std::string session = app::pictureSessionText(resolved, file.parent_path());
+  const QString name = QString::fromStdString(file.filename().string());
+  if (name.endsWith(".png", Qt::CaseInsensitive)) {
+    app::writePng(app::screenImage(image, resolved.look), file, session);
+  } else if (name.endsWith(".exr", Qt::CaseInsensitive)) {
+    app::writeReferenceExr(image, file, session);
+  } else {
+    base::throwInput(name.toStdString(), "", "is not written: the name of a picture ends in .png or .exr");
+  }
+}
+}  // namespace
+
+ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
+                                 QSize size, QWidget* parent)
+    : QDialog(parent),
+      volume_(std::move(volume)),
+      resolved_(std::move(resolved)),
+      width_(makeBox(1, 16384, size.width(), "Width", this)),
+      height_(makeBox(1, 16384, size.height(), "Height", this)),
+      samples_(makeBox(1, 1000000, defaultSamples, "Paths per pixel", this)),
+      shown_(new QComboBox(this)),
+      preview_(new QLabel(this)),
+      text_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      start_(new QPushButton("Trace", this)),
+      save_(new QPushButton("Save…", this)) {
+  setWindowTitle("Path traced picture");
+  resize(820, 640);
+  preview_->setAlignment(Qt::AlignCenter);
+  preview_->setMinimumSize(320, 240);
+  preview_->setStyleSheet(QString("background: %1;").arg(colours::base.name()));
+  preview_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+  text_->setWordWrap(true);
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setFixedHeight(8);
+  shown_->addItems({"Picture", "Noise (white: 10 % or more)"});
+  shown_->setAccessibleName("Shown");
+  save_->setEnabled(false);
+  start_->setDefault(true);
+
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel("Size", this));
+  row->addWidget(width_);
+  row->addWidget(new QLabel("×", this));
+  row->addWidget(height_);
+  row->addSpacing(16);
+  row->addWidget(new QLabel("Paths per pixel", this));
+  row->addWidget(samples_);
+  row->addStretch(1);
+  row->addWidget(shown_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(text_, 1);
+  buttons->addWidget(start_);
+  buttons->addWidget(save_);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(row);
+  layout->addWidget(preview_, 1);
+  layout->addWidget(bar_);
+  layout->addLayout(buttons);
+  tell(
+      "Every pixel is traced by itself, without stored light. Twice as many paths take twice the time; "
+      "four times as many halve the noise.");
+
+  timer_.setInterval(pollMilliseconds);
+  connect(&timer_, &QTimer::timeout, this, &ReferenceDialog::poll);
+  saveTimer_.setInterval(pollMilliseconds);
+  connect(&saveTimer_, &QTimer::timeout, this, &ReferenceDialog::pollSaving);
+  connect(start_, &QPushButton::clicked, this, &ReferenceDialog::startOrStop);
+  connect(save_, &QPushButton::clicked, this, &ReferenceDialog::choose);
+  connect(shown_, &QComboBox::currentIndexChanged, this, &ReferenceDialog::showImage);
+}
+
+ReferenceDialog::~ReferenceDialog() = default;
+
+void ReferenceDialog::tell(const QString& text, bool wrong) {
+  text_->setText(text);
+  text_->setStyleSheet(QString("color: %1;").arg((wrong ? colours::error : colours::quietText).name()));
+}
+
+QString ReferenceDialog::text() const {
+  return text_->text();
+}
+
+void ReferenceDialog::startOrStop() {
+  if (tracing()) {
+    job_->progress().requestStop();
+    return;
+  }
+  round_.reset();
+  job_ =
+      std::make_unique<app::ReferenceJob>(volume_, resolved_, glm::ivec2(width_->value(), height_->value()),
+                                          static_cast<std::uint32_t>(samples_->value()));
+  start_->setText("Stop");
+  timer_.start();
+}
+
+void ReferenceDialog::poll() {
+  const bool finished = job_->finished();  // before the image is looked at: none comes after it
+  if (const app::RoundPointer round = job_->round(); round != round_) {
+    round_ = round;
+    save_->setEnabled(!saving());
+    showImage();
+  }
+  bar_->setValue(static_cast<int>(std::lround(1000.0 * job_->progress().fraction())));
+  QString noise;
+  if (round_ && round_->noisePart)
+    noise = QString("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
+  if (!finished) {
+    tell(noise.isEmpty() ? QString("Tracing …") : "Tracing … " + noise);
+    return;
+  }
+  timer_.stop();
+  start_->setText("Trace");
+  if (job_->error()) {
+    tell(QString::fromStdString(job_->error()->what()), true);
+  } else {
+    const QString end = job_->progress().stopRequested() ? "Stopped" : "Complete";
+    tell(noise.isEmpty() ? end : end + ": " + noise);
+  }
+}
+
+void ReferenceDialog::showImage() {
+  if (!round_) return;
+  const render::ColorImage& screen = shown_->currentIndex() == 0 ? round_->picture : round_->noise;
+  const QImage image(screen.rgba.data(), screen.size.x, screen.size.y, 4 * screen.size.x,
+                     QImage::Format_RGBA8888);
+  preview_->setPixmap(
+      QPixmap::fromImage(image).scaled(preview_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
+}
+
+void ReferenceDialog::resizeEvent(QResizeEvent* event) {
+  QDialog::resizeEvent(event);
+  showImage();
+}
+
+void ReferenceDialog::choose() {
+  const SaveAnswer answer = askForFileToSave(
+      this,
+      {"Save path traced picture",
+       QSettings().value("lastFolder").toString() + "/reference.exr",
+       {"OpenEXR, linear colours, irradiance and variance (*.exr)", "PNG, carries the session (*.png)"}});
+  if (answer.file.isEmpty()) return;
+  QSettings().setValue("lastFolder", QFileInfo(answer.file).absolutePath());
+  saveAs(answer.file);
+}
+
+bool ReferenceDialog::saveAs(const QString& file) {
+  if (!round_ || saving()) return false;
+  savedName_ = QFileInfo(file).fileName();
+  const std::filesystem::path path = file.toStdString();
+  saving_ = std::async(std::launch::async, [round = round_, resolved = resolved_, path] {
+    try {
+      write(round->image, resolved, path);
+      return QString();
+    } catch (const std::exception& error) {
+      return QString(error.what());
+    }
+  });
+  save_->setEnabled(false);
+  tell("Saving " + savedName_ + " …");
+  saveTimer_.start();
+  return true;
+}
+
+void ReferenceDialog::pollSaving() {
+  if (saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  saveTimer_.stop();
+  const QString problem = saving_.get();
+  save_->setEnabled(round_ != nullptr);
+  tell(problem.isEmpty() ? "Saved as " + savedName_ : problem, !problem.isEmpty());
+}
+
+}  // namespace isolux::ui

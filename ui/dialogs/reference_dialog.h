@@ -1,0 +1,68 @@
+// Path traces the view pixel by pixel, for print: size and samples, a preview that becomes better, saving.
+//
+// Traces the scene as it was when tracing began; the window stays usable meanwhile.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <vector>
+
+#include <QDialog>
+#include <QTimer>
+
+#include "app/jobs/reference_job.h"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace isolux::ui {
+
+class ReferenceDialog : public QDialog {
+  Q_OBJECT
+ public:
+  ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved, QSize size,
+                  QWidget* parent = nullptr);
+  ~ReferenceDialog() override;  // stops; a file that is being written is finished
+
+  bool tracing() const { return job_ && !job_->finished(); }
+  app::ReferencePointer image() const { return {round_, round_ ? &round_->image : nullptr}; }
+  QSpinBox* samplesBox() const { return samples_; }
+  QSpinBox* widthBox() const { return width_; }
+  QSpinBox* heightBox() const { return height_; }
+  QPushButton* startButton() const { return start_; }  // also stops
+  QPushButton* saveButton() const { return save_; }
+  QString text() const;
+  // .exr (with the variance) or .png, written beside the window; text() tells the end. False: nothing to
+  // save, or still saving.
+  bool saveAs(const QString& file);
+  bool saving() const { return saving_.valid(); }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void startOrStop();
+  void poll();
+  void showImage();
+  void pollSaving();
+  void tell(const QString& text, bool wrong = false);
+  void choose();
+
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  scene::Scene resolved_;
+  std::unique_ptr<app::ReferenceJob> job_;
+  app::RoundPointer round_;
+  std::future<QString> saving_;  // why it failed; empty: it did not
+  QString savedName_;
+  QSpinBox *width_, *height_, *samples_;
+  QComboBox* shown_;
+  QLabel *preview_, *text_;
+  QProgressBar* bar_;
+  QPushButton *start_, *save_;
+  QTimer timer_, saveTimer_;
+};
+
+}  // namespace isolux::ui

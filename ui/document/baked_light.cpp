@@ -1,0 +1,149 @@
+#include "ui/document/baked_light.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/rules/relevance.h"
+
+namespace isolux::ui {
+
+namespace {
+
+using Phase = app::LightState::Phase;
+
+constexpr int busyMilliseconds = 33, calmMilliseconds = 250;
+constexpr int stateMilliseconds = 200;  // progress is told this often
+// Of the time between two pictures that only show more light, at most a fifth is drawing.
+constexpr double partForBaking = 4.0;
+constexpr double longestPauseMilliseconds = 1000.0;
+
+// Without what light depends on in no way: a view that turns is no news.
+scene::Scene withoutView(scene::Scene scene) {
+  scene.camera = {};
+  scene.flow = {};
+  return scene;
+}
+
+}  // namespace
+
+BakedLight::BakedLight(QObject* parent) : QObject(parent), controller_({.background = true}) {
+  connect(&timer_, &QTimer::timeout, this, &BakedLight::poll);
+}
+
+BakedLight::~BakedLight() = default;
+
+bool BakedLight::changing() const {
+  if (cancelled_) return false;  // units of work that were begun are ended, nothing more
+  return state_.phase == Phase::preparing || state_.phase == Phase::baking;
+}
+
+void BakedLight::setVolume(VolumePointer volume) {
+  volume_ = std::move(volume);
+  hits_.clear();
+  volumeIsNew_ = true;
+  toldScene_ = false;
+  light_.reset();
+  Q_EMIT lightChanged(light_, false);
+}
+
+void BakedLight::setScene(const scene::Scene& resolved) {
+  scene::Scene wanted = withoutView(resolved);
+  if (!volume_ || (toldScene_ && wanted == scene_)) return;
+  scene_ = std::move(wanted);
+  toldScene_ = true;
+  cancelled_ = false;
+  controller_.setScene(resolved, volume_);
+  timer_.start(busyMilliseconds);
+}
+
+void BakedLight::setVisible(std::vector<glm::vec3> hitVoxels, bool finer) {
+  hits_ = std::move(hitVoxels);
+  if (cancelled_ && finer) return;  // nobody has turned to anything new
+  cancelled_ = false;
+  controller_.setVisible(hits_);
+  timer_.start(busyMilliseconds);
+}
+
+void BakedLight::setDrawing(bool drawing) {
+  controller_.yield(drawing);
+}
+
+void BakedLight::setDrawn(double milliseconds) {
+  drawMilliseconds_ = milliseconds;
+}
+
+void BakedLight::setPaused(bool paused) {
+  controller_.setPaused(paused);
+  takeState();
+  timer_.start(busyMilliseconds);
+}
+
+void BakedLight::cancel() {
+  cancelled_ = true;
+  controller_.setPaused(false);
+  controller_.cancel();
+  takeState();
+  timer_.start(busyMilliseconds);
+}
+
+void BakedLight::goOn() {
+  controller_.setPaused(false);
+  if (std::exchange(cancelled_, false)) controller_.setVisible(hits_);
+  takeState();
+  timer_.start(busyMilliseconds);
+}
+
+double BakedLight::pauseBetweenPictures() const {
+  return std::clamp(partForBaking * drawMilliseconds_, static_cast<double>(busyMilliseconds),
+                    longestPauseMilliseconds);
+}
+
+void BakedLight::poll() {
+  if (!volume_) {
+    timer_.stop();
+    return;
+  }
+  if (volumeIsNew_ && !controller_.settle(0.0)) return;
+  volumeIsNew_ = false;
+  const Phase before = state_.phase;
+  state_ = controller_.state();
+  if (state_.phase != before || !sinceState_.isValid() || sinceState_.elapsed() >= stateMilliseconds)
+    takeState();
+
+  const LightPointer light = controller_.light();
+  const std::uint64_t revision = controller_.revision();
+  const bool isChanging = changing(), other = light != light_;
+  const bool due = !sincePicture_.isValid() ||
+                   static_cast<double>(sincePicture_.elapsed()) >= pauseBetweenPictures() || !isChanging;
+  if (other || isChanging != wasChanging_ || (revision != revision_ && due)) {
+    light_ = light;
+    revision_ = revision;
+    wasChanging_ = isChanging;
+    sincePicture_.start();
+    Q_EMIT lightChanged(light_, isChanging);
+  }
+  if (scene::shadingOf(scene_) != scene::Shading::gi && !isChanging) {
+    timer_.stop();
+  } else if (const int wanted = isChanging ? busyMilliseconds : calmMilliseconds;
+             timer_.interval() != wanted) {
+    timer_.start(wanted);
+  }
+}
+
+void BakedLight::takeState() {
+  state_ = controller_.state();
+  sinceState_.start();
+  tellProblems();
+  Q_EMIT stateChanged(state_, cancelled_);
+}
+
+void BakedLight::tellProblems() {
+  const QString problem = state_.error ? QString::fromStdString(state_.error->what()) : QString();
+  if (problem != std::exchange(problem_, problem) && !problem.isEmpty()) Q_EMIT failed(problem);
+  QString warnings;
+  for (const std::string& warning : state_.warnings)
+    warnings += (warnings.isEmpty() ? "" : "; ") + QString::fromStdString(warning);
+  if (warnings != std::exchange(warnings_, warnings) && !warnings.isEmpty()) Q_EMIT noted(warnings);
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,75 @@
+// The light of the document's scene for the window: owns the app::LightController, tells it what is shown and
+// seen, and polls it.
+//
+// Lives on the GUI thread; nothing runs on a foreign thread. Pictures are asked for no more often than they
+// leave most of the time to the bake.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include "app/light/light_controller.h"
+#include "ui/document/document.h"
+
+namespace isolux::ui {
+
+using LightPointer = std::shared_ptr<const gi::PictureLight>;
+
+class BakedLight : public QObject {
+  Q_OBJECT
+ public:
+  explicit BakedLight(QObject* parent = nullptr);
+  ~BakedLight() override;  // stops the bake: at most 100 ms
+
+  void setVolume(VolumePointer volume);  // its light is gone at once; setScene() follows
+  void setScene(const scene::Scene& resolved);
+  // The surface points of the picture. `finer`: of the same view as the last, with more pixels.
+  void setVisible(std::vector<glm::vec3> hitVoxels, bool finer);
+  void setDrawing(bool drawing);  // a frame is drawn now: the processor is needed
+  void setDrawn(double milliseconds);
+
+  const app::LightState& state() const { return state_; }
+  const LightPointer& light() const { return light_; }
+  // The light has not changed for good: more is on its way without anyone doing anything.
+  bool changing() const;
+  bool cancelled() const { return cancelled_; }
+
+  void setPaused(bool paused);
+  void cancel();  // keeps what there is
+  void goOn();    // after setPaused(true) or cancel()
+
+ Q_SIGNALS:
+  // Another picture would show other light, or the light will not change any more.
+  void lightChanged(const isolux::ui::LightPointer& light, bool changing);
+  void stateChanged(const isolux::app::LightState& state, bool cancelled);
+  void failed(const QString& message);
+  void noted(const QString& message);
+
+ private:
+  void poll();
+  void takeState();
+  void tellProblems();
+  double pauseBetweenPictures() const;  // milliseconds
+
+  app::LightController controller_;
+  app::LightState state_;
+  VolumePointer volume_;
+  scene::Scene scene_;
+  std::vector<glm::vec3> hits_;
+  LightPointer light_;
+  std::uint64_t revision_ = 0;
+  bool toldScene_ = false;
+  bool volumeIsNew_ = false;  // the controller may still have the light of the one before
+  bool cancelled_ = false;
+  bool wasChanging_ = false;
+  double drawMilliseconds_ = 0.0;
+  QString problem_, warnings_;  // told already
+  QTimer timer_;
+  QElapsedTimer sincePicture_, sinceState_;
+};
+
+}  // namespace isolux::ui

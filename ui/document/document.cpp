@@ -1,0 +1,381 @@
+#include "ui/document/document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "app/documents/session.h"
+#include "app/files/output_guard.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr int flowMilliseconds = 33;  // 30 pictures a second, as far as the machine can draw them
+
+std::filesystem::path pathOf(const QString& file) {
+  return {file.toStdString()};
+}
+
+QString textOf(const base::Error& error) {
+  return QString::fromStdString(error.what());
+}
+
+// As short as a title bar wants it.
+QString shortName(const std::string& path) {
+  const QString text = QString::fromStdString(path);
+  if (text.startsWith("phantom:")) return text.mid(8).section(':', 0, 0) + " phantom";
+  return QFileInfo(QDir::cleanPath(text)).fileName();
+}
+
+void makeAutomatic(scene::Scene& scene) {
+  scene.isosurface.value.reset();
+  scene.camera.eye.reset();
+  scene.camera.target.reset();
+  scene.camera.up.reset();
+}
+}  // namespace
+
+Document::Document(QObject* parent)
+    : QObject(parent), savedScene_(history_.scene()), flow_(history_.scene()) {
+  pollTimer_.setInterval(15);
+  connect(&pollTimer_, &QTimer::timeout, this, &Document::poll);
+  pauseTimer_.setSingleShot(true);
+  pauseTimer_.setInterval(700);
+  connect(&pauseTimer_, &QTimer::timeout, this, &Document::endGesture);
+  flowTimer_.setTimerType(Qt::PreciseTimer);
+  flowTimer_.setInterval(flowMilliseconds);
+  connect(&flowTimer_, &QTimer::timeout, this, &Document::moveFlow);
+}
+
+Document::~Document() = default;
+
+scene::Scene Document::shownScene() const {
+  scene::Scene shown = scene();
+  shown.flow.time = flow_.seconds();
+  return shown;
+}
+
+scene::Scene Document::resolvedScene() const {
+  return scene::resolve(shownScene(), volume_ ? volume_->facts : scene::VolumeFacts{});
+}
+
+QString Document::name() const {
+  if (!sessionFile_.isEmpty()) return QFileInfo(sessionFile_).fileName();
+  if (!volume_) return {};
+  return shortName(loadedSource_.path);
+}
+
+double Document::secondsSinceRead() const {
+  if (!volume_) return 0.0;
+  const std::chrono::duration<double> total = std::chrono::steady_clock::now() - loadBegin_;
+  return total.count() - volume_->readSeconds;
+}
+
+// ---- Opening
+// ------------------------------------------------------------------------------------------------
+
+void Document::open(const QString& path) {
+  try {
+    const bool builtIn = path.startsWith("phantom:");
+    const QString absolute = builtIn ? path : QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    if (!builtIn && QFileInfo(absolute).isFile()) {
+      if (app::isSession(pathOf(absolute))) {
+        openScene(app::loadSession(pathOf(absolute)), absolute);
+        return;
+      }
+      if (app::isRecording(pathOf(absolute))) {
+        const QString name = QFileInfo(absolute).fileName();
+        base::throwInput(name.toStdString(), "",
+                         QString("is a recording: isolux replay %1 --out FOLDER makes pictures of it")
+                             .arg(name)
+                             .toStdString());
+      }
+      if (volume::needsRawDescription(pathOf(absolute))) {
+        Q_EMIT rawDescriptionNeeded(absolute);
+        return;
+      }
+    }
+    scene::Scene next = scene();
+    next.source = {};
+    next.source.path = absolute.toStdString();
+    makeAutomatic(next);
+    openScene(next, {});
+  } catch (const base::Error& error) {
+    Q_EMIT failed(textOf(error));
+  }
+}
+
+void Document::openRaw(const QString& path, const QString& description) {
+  scene::Scene next = scene();
+  next.source = {};
+  next.source.path = QFileInfo(path).absoluteFilePath().toStdString();
+  next.source.raw = description.toStdString();
+  makeAutomatic(next);
+  openScene(next, {});
+}
+
+void Document::openScene(const scene::Scene& scene, const QString& sessionFile) {
+  pendingOpened_ = sessionFile.isEmpty() ? QString::fromStdString(scene.source.path) : sessionFile;
+  pendingSessionFile_ = sessionFile;
+  startLoading(scene, After::replaceDocument);
+}
+
+app::OpenDocument Document::kept() const {
+  return {name().toStdString(), history_, savedScene_, sessionFile_.toStdString(),
+          recording() ? recordingFile_.toStdString() : std::string()};
+}
+
+void Document::restore(const app::OpenDocument& kept) {
+  pendingOpened_.clear();
+  startLoading(kept.history.scene(), After::restoreDocument);
+  pendingKept_ = kept;
+}
+
+void Document::startLoading(const scene::Scene& scene, After after) {
+  cancelLoading();
+  after_ = after;
+  pendingKept_.reset();
+  pendingScene_ = scene;
+  loadBegin_ = std::chrono::steady_clock::now();
+  job_ = std::make_unique<app::LoadJob>(scene.source);
+  pollTimer_.start();
+  Q_EMIT loadStarted(shortName(scene.source.path));
+}
+
+void Document::cancelLoading() {
+  if (!job_) return;
+  job_->progress().requestStop();
+  stopping_.push_back(std::move(job_));
+  keepLoadedSource();
+  Q_EMIT loadEnded(false);
+}
+
+// Undo had already gone to another source, which is not to be had: stay with the volume that is on screen.
+void Document::keepLoadedSource() {
+  if (after_ != After::keepScene || scene().source == loadedSource_) return;
+  const scene::Scene before = scene();
+  scene::Scene next = before;
+  next.source = loadedSource_;
+  history_.edit(next, "Keep the volume");
+  commit(before, "Keep the volume");
+}
+
+void Document::poll() {
+  std::erase_if(stopping_, [](const auto& job) { return job->finished(); });
+  if (job_) {
+    Q_EMIT loadProgress(job_->progress().fraction(), QString::fromUtf8(job_->progress().stage()));
+    if (job_->finished()) finishLoading();
+  }
+  if (!job_ && stopping_.empty()) pollTimer_.stop();
+}
+
+void Document::finishLoading() {
+  const std::unique_ptr<app::LoadJob> job = std::move(job_);
+  const QString openedPath = std::exchange(pendingOpened_, {});
+  if (job->error() || !job->volume()) {
+    keepLoadedSource();
+    announce();  // the widgets show again what holds
+    Q_EMIT loadEnded(false);
+    if (!job->error()) {
+      Q_EMIT failed("the volume could not be loaded");
+    } else if (job->error()->kind() != base::ErrorKind::interrupted) {
+      Q_EMIT failed(textOf(*job->error()));
+    }
+    return;
+  }
+  const scene::Scene before = scene();
+  const VolumePointer volume = job->volume();
+  loadedSource_ = job->source();
+  QString name = "Open " + shortName(loadedSource_.path);
+  if (after_ == After::replaceDocument) {
+    replaceDocument();
+  } else if (after_ == After::restoreDocument) {
+    restoreDocument();
+  } else if (after_ == After::editSource) {
+    changeSource(*volume);
+    name = pendingName_;
+  }
+  volume_ = volume;
+  Q_EMIT volumeChanged(volume_);
+  if (after_ == After::keepScene) {
+    announce();  // undo() recorded the change already
+  } else {
+    commit(before, name);
+  }
+  Q_EMIT loadEnded(true);
+  if (!openedPath.isEmpty() && after_ == After::replaceDocument) Q_EMIT opened(openedPath);
+  if (after_ == After::restoreDocument) Q_EMIT restored();
+}
+
+void Document::replaceDocument() {
+  sessionFile_ = pendingSessionFile_;
+  history_.reset(pendingScene_);
+  savedScene_ = pendingScene_;
+}
+
+void Document::restoreDocument() {
+  sessionFile_ = QString::fromStdString(pendingKept_->sessionFile);
+  history_ = std::move(pendingKept_->history);
+  savedScene_ = pendingKept_->saved;
+  pendingKept_.reset();
+}
+
+void Document::changeSource(const volume::PreparedVolume& volume) {
+  scene::Scene next = scene();  // edits made while it loaded stay
+  const bool otherSeries = next.source.series != loadedSource_.series;
+  next.source = loadedSource_;
+  if (otherSeries) makeAutomatic(next);
+  if (next.isosurface.value && (*next.isosurface.value <= volume.grid().minimum() ||
+                                *next.isosurface.value >= volume.grid().maximum())) {
+    next.isosurface.value.reset();
+  }
+  history_.edit(next, pendingName_.toStdString());
+}
+
+// ---- Editing
+// ------------------------------------------------------------------------------------------------
+
+void Document::announce() {
+  flow_.setScene(scene());
+  const bool runs = flow_.runs() && volume_;
+  if (runs && !flowTimer_.isActive()) {
+    sinceFlowMoved_.start();
+    flowTimer_.start();
+  } else if (!runs) {
+    flowTimer_.stop();
+  }
+  Q_EMIT sceneChanged(scene(), resolvedScene());
+  Q_EMIT stateChanged();
+}
+
+void Document::commit(const scene::Scene& before, const QString& name) {
+  if (recorder_) {
+    const scene::SceneDiff diff = scene::difference(before, scene(), name.toStdString());
+    try {
+      if (!diff.changes.empty()) recorder_->add(diff);
+    } catch (const base::Error& error) {
+      stopRecording();
+      Q_EMIT failed("recording stopped: " + textOf(error));
+    }
+  }
+  announce();
+}
+
+void Document::edit(const Edit& edit) {
+  if (edit.scene == scene()) return;
+  if (edit.scene.source != scene().source) {
+    pendingName_ = edit.name;
+    pendingOpened_.clear();
+    scene::Scene next = edit.scene;
+    if (job_ && after_ == After::editSource)  // to be added to what is on its way already
+      next.source =
+          scene::applied(pendingScene_, scene::difference(scene(), edit.scene, edit.name.toStdString()))
+              .source;
+    startLoading(next, After::editSource);
+    return;
+  }
+  const scene::Scene before = scene();
+  scene::Scene next = edit.scene;
+  // A flow that is stopped stands where it is seen.
+  if (!next.flow.animate && next.flow.time == before.flow.time) next.flow.time = flow_.seconds();
+  try {
+    history_.edit(next, edit.name.toStdString(), edit.mergeKey.toStdString());
+  } catch (const base::Error& error) {  // a value outside its range
+    Q_EMIT failed(textOf(error));
+    announce();  // the widget shows again what holds
+    return;
+  }
+  if (edit.endsAfterPause) {
+    pauseTimer_.start();
+  } else {
+    pauseTimer_.stop();
+  }
+  commit(before, edit.name);
+}
+
+void Document::endGesture() {
+  pauseTimer_.stop();
+  history_.seal();
+}
+
+void Document::undo() {
+  if (!history_.canUndo()) return;
+  const scene::Scene before = scene();
+  const QString name = "Undo " + QString::fromStdString(history_.undoName());
+  history_.seal();
+  history_.undo();
+  commit(before, name);
+  reloadIfSourceChanged();
+}
+
+void Document::redo() {
+  if (!history_.canRedo()) return;
+  const scene::Scene before = scene();
+  const QString name = "Redo " + QString::fromStdString(history_.redoName());
+  history_.seal();
+  history_.redo();
+  commit(before, name);
+  reloadIfSourceChanged();
+}
+
+void Document::toggleFlow() {
+  Edit toggled{scene(), scene().flow.animate ? "Pause flow" : "Animate flow", {}, false};
+  toggled.scene.flow.animate = !scene().flow.animate;
+  edit(toggled);
+}
+
+void Document::moveFlow() {
+  flow_.advance(static_cast<double>(sinceFlowMoved_.nsecsElapsed()) * 1e-9);
+  sinceFlowMoved_.start();
+  Q_EMIT flowMoved(flow_.seconds());
+}
+
+void Document::reloadIfSourceChanged() {
+  if (scene().source != loadedSource_) startLoading(scene(), After::keepScene);
+}
+
+// ---- Sessions and recordings
+// --------------------------------------------------------------------------------
+
+void Document::checkOutput(const QString& file) const {
+  app::OutputGuard guard;
+  guard.reads(scene());
+  guard.writes(pathOf(file), "the new file");
+}
+
+bool Document::saveSession(const QString& file) {
+  try {
+    checkOutput(file);
+    app::saveSession(scene(), pathOf(file));
+  } catch (const base::Error& error) {
+    Q_EMIT failed(textOf(error));
+    return false;
+  }
+  sessionFile_ = file;
+  savedScene_ = scene();
+  Q_EMIT stateChanged();
+  return true;
+}
+
+bool Document::startRecording(const QString& file) {
+  try {
+    checkOutput(file);
+    recorder_ = std::make_unique<app::Recorder>(pathOf(file), shownScene());
+    recordingFile_ = QFileInfo(file).absoluteFilePath();
+  } catch (const base::Error& error) {
+    recorder_.reset();
+    Q_EMIT failed(textOf(error));
+  }
+  Q_EMIT stateChanged();
+  return recording();
+}
+
+void Document::stopRecording() {
+  recorder_.reset();
+  Q_EMIT stateChanged();
+}
+
+}  // namespace isolux::ui

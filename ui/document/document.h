@@ -1,0 +1,131 @@
+// The document: the Scene with its history, the volume on screen, and the loading of the next one.
+//
+// Everything the window shows comes from here by signals that carry values; every change of the Scene goes
+// through edit(), undo() or redo(), so that history and recordings are complete. Lives on the GUI thread; a
+// LoadJob works beside it and is polled, so that nothing runs on a foreign thread.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "app/documents/autosave.h"
+#include "app/documents/recording.h"
+#include "app/documents/unsaved_work.h"
+#include "app/jobs/load_job.h"
+#include "scene/flow_clock.h"
+#include "ui/document/edit.h"
+
+namespace isolux::ui {
+
+using VolumePointer = std::shared_ptr<const volume::PreparedVolume>;
+
+class Document : public QObject {
+  Q_OBJECT
+ public:
+  explicit Document(QObject* parent = nullptr);
+  ~Document() override;
+
+  const scene::Scene& scene() const { return history_.scene(); }
+  // As it is on screen: an animated flow has moved on since scene().
+  scene::Scene shownScene() const;
+  scene::Scene resolvedScene() const;  // shownScene() with automatic settings filled in from the volume
+  const VolumePointer& volume() const { return volume_; }
+  const app::History& history() const { return history_; }
+
+  bool loading() const { return job_ != nullptr; }
+  bool recording() const { return recorder_ != nullptr; }
+  const QString& recordingFile() const { return recordingFile_; }  // of the recording that runs, or ran last
+  bool modified() const { return scene() != savedScene_; }
+  app::UnsavedWork unsavedWork() const { return app::unsavedWork(savedScene_, scene()); }
+  const QString& sessionFile() const { return sessionFile_; }  // empty: not saved yet
+  QString name() const;                                        // for the title bar
+  // Since the volume's bytes were read; for the time to the first picture.
+  double secondsSinceRead() const;
+
+  // A volume, DICOM folder, "phantom:NAME[:SIZE]", session, or picture that carries a session. Keeps the
+  // look, makes isovalue and camera automatic. Emits rawDescriptionNeeded for a file without a known header.
+  void open(const QString& path);
+  // Loads scene.source and then shows exactly this scene, with an empty history.
+  void openScene(const scene::Scene& scene, const QString& sessionFile);
+  void openRaw(const QString& path, const QString& description);
+  // All but the volume, as an autosave holds it.
+  app::OpenDocument kept() const;
+  // Loads the kept document's volume and goes on with its scene and undo list; then emits restored().
+  void restore(const app::OpenDocument& kept);
+  void cancelLoading();
+
+  void edit(const Edit& edit);  // a changed source is loaded first and takes effect when it is there
+  void endGesture();
+  void undo();
+  void redo();
+  void toggleFlow();  // lets the flow move, or stand where it is seen
+
+  // Throws base::Error when `file` holds what the picture is made of: nothing is written over that.
+  void checkOutput(const QString& file) const;
+  bool saveSession(const QString& file);
+  bool startRecording(const QString& file);
+  void stopRecording();
+
+ Q_SIGNALS:
+  void volumeChanged(isolux::ui::VolumePointer volume);
+  void sceneChanged(const isolux::scene::Scene& scene, const isolux::scene::Scene& resolved);
+  void flowMoved(double seconds);  // to this flow.time; not an edit
+  void stateChanged();             // history, modified mark, name, recording
+  void loadStarted(const QString& name);
+  void loadProgress(double fraction, const QString& stage);
+  void loadEnded(bool success);
+  void restored();
+  void opened(const QString& path);  // for the recent files: a volume or session the user asked for
+  void failed(const QString& message);
+  void rawDescriptionNeeded(const QString& path);
+
+ private:
+  // What to do when the running job has succeeded.
+  enum class After {
+    replaceDocument,  // a new document shows pendingScene_
+    restoreDocument,  // an autosaved one, pendingKept_, is continued
+    editSource,       // one undoable step: another series, component or time step
+    keepScene         // undo or redo came to another source; the scene says so already
+  };
+  void startLoading(const scene::Scene& scene, After after);
+  void poll();
+  void finishLoading();
+  void keepLoadedSource();
+  void replaceDocument();
+  void restoreDocument();
+  void changeSource(const volume::PreparedVolume& volume);
+  void commit(const scene::Scene& before, const QString& name);
+  void announce();
+  void reloadIfSourceChanged();
+  void moveFlow();
+
+  app::History history_;
+  VolumePointer volume_;
+  scene::Source loadedSource_;
+  scene::Scene savedScene_;
+  QString sessionFile_;
+
+  std::unique_ptr<app::LoadJob> job_;
+  std::vector<std::unique_ptr<app::LoadJob>> stopping_;  // cancelled, still finding their way out
+  After after_ = After::replaceDocument;
+  scene::Scene pendingScene_;
+  std::optional<app::OpenDocument> pendingKept_;
+  QString pendingName_, pendingSessionFile_, pendingOpened_;
+  QTimer pollTimer_, pauseTimer_, flowTimer_;
+  std::chrono::steady_clock::time_point loadBegin_;
+
+  std::unique_ptr<app::Recorder> recorder_;
+  QString recordingFile_;
+
+  scene::FlowClock flow_;
+  QElapsedTimer sinceFlowMoved_;
+};
+
+}  // namespace isolux::ui

@@ -1,0 +1,22 @@
+// Edits of the environment that several places make: turning it, and choosing a light probe.
+#pragma once
+
+#include <glm/vec4.hpp>
+
+#include "ui/document/edit.h"
+
+namespace isolux::ui {
+
+// Why turning the environment would do nothing; empty: it turns.
+QString whyItCannotTurn(const scene::Scene& scene);
+
+// A part of one gesture. With gi.mode auto an environment that is turned is one that moves: from then on
+// light is stored so that turning costs nothing.
+Edit environmentTurned(const scene::Scene& scene, const glm::dvec4& rotation);
+// Whether `edit`, made of `before`, was what first let the environment move.
+bool letsEnvironmentMove(const scene::Scene& before, const Edit& edit);
+
+// Takes the file as light probe, and the look that it lights where none does yet.
+Edit lightProbeChosen(const scene::Scene& scene, const QString& file);
+
+}  // namespace isolux::ui

@@ -1,0 +1,70 @@
+// The light probe as it stands around the volume now: an equirectangular picture in the world's axes, turned
+// by dragging.
+//
+// The middle is posterior (+Y), its right side the patient's left (+X), the top superior (+Z). The cross is
+// where the viewer looks. Loads the probe beside the window's thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include "app/jobs/probe_job.h"
+#include "scene/world_axes.h"
+#include "ui/document/edit.h"
+
+namespace isolux::ui {
+
+class EnvironmentPreview : public QWidget {
+  Q_OBJECT
+ public:
+  explicit EnvironmentPreview(QWidget* parent = nullptr);
+  ~EnvironmentPreview() override;
+
+  void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void setAxes(scene::WorldAxes axes);              // of the marks along the bottom
+  bool hasProbe() const { return !file_.empty(); }  // there is something to show
+  bool loaded() const { return !thumbnail_.pixels.empty(); }
+  QSize sizeHint() const override { return {300, 150}; }
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override { return width / 2; }
+
+ Q_SIGNALS:
+  void edited(const isolux::ui::Edit& edit);
+  void dragStarted();
+  void dragEnded();
+  void failed(const QString& message);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void load();
+  void poll();
+  void draw();
+  QPointF placeOf(glm::dvec3 worldDirection) const;
+  void paintMarks(QPainter& painter) const;
+  void endDrag();
+
+  scene::Scene scene_, resolved_;
+  scene::WorldAxes axes_ = scene::WorldAxes::anatomical;
+  std::string file_;  // that is shown, or on its way; empty: none
+  app::ProbeThumbnail thumbnail_;
+  QString problem_;
+  QImage image_;  // null: to be drawn
+  std::unique_ptr<app::ProbeJob> job_;
+  std::vector<std::unique_ptr<app::ProbeJob>> stopping_;  // no longer wanted, still loading
+  QTimer pollTimer_;
+  bool dragging_ = false;
+  QPointF last_;
+};
+
+}  // namespace isolux::ui

@@ -1,0 +1,376 @@
+#include "ui/editors/histogram_slider.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+
+#include "base/numbers.h"
+#include "base/retire.h"
+#include "ui/editors/number_text.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr double sideMargin = 14.0, topMargin = 24.0, axisHeight = 20.0;
+constexpr double grabPixels = 8.0;
+constexpr int detailBins = 16384;
+}  // namespace
+
+// Counts the bins of a volume once more, finer.
+struct HistogramSlider::DetailJob {
+  struct Work {
+    explicit Work(VolumePointer counted) : volume(std::move(counted)) {}
+    VolumePointer volume;
+    base::Progress progress;
+    volume::Histogram histogram;  // empty when it was stopped, or there is no memory for it
+    std::atomic<bool> finished{false};
+  };
+  explicit DetailJob(VolumePointer volume) : work(std::make_shared<Work>(std::move(volume)), count) {}
+  ~DetailJob() { work->progress.requestStop(); }
+
+  static void count(Work& work) noexcept {
+    try {
+      work.histogram = volume::makeHistogram(work.volume->grid(), detailBins, work.progress);
+    } catch (const std::exception&) {
+      work.histogram = {};
+    }
+    work.finished.store(true, std::memory_order_release);
+  }
+
+  base::RetiringThread<Work> work;
+};
+
+HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAccessibleName("Isovalue on the histogram");
+  sendTimer_.setSingleShot(true);
+  connect(&sendTimer_, &QTimer::timeout, this, &HistogramSlider::sendPending);
+  detailTimer_.setInterval(30);
+  connect(&detailTimer_, &QTimer::timeout, this, [this] {
+    if (!detailJob_->work->finished.load(std::memory_order_acquire)) return;
+    detailTimer_.stop();
+    detail_ = std::move(detailJob_->work->histogram);
+    detailJob_.reset();
+    update();
+  });
+}
+
+HistogramSlider::~HistogramSlider() {
+  stopDetail();
+}
+
+void HistogramSlider::stopDetail() {
+  detailTimer_.stop();
+  detailJob_.reset();  // one that still counts is stopped, and ends elsewhere
+}
+
+void HistogramSlider::setVolume(VolumePointer volume) {
+  volume_ = std::move(volume);
+  stopDetail();
+  detail_ = {};
+  pending_.reset();
+  hovered_.reset();
+  dragging_ = panning_ = false;
+  if (volume_) plot_ = app::HistogramPlot(volume_->histogram.minimum, volume_->histogram.maximum);
+  zoomed();
+}
+
+void HistogramSlider::setIsovalue(double value, bool insideAbove) {
+  if (!dragging_) {
+    isovalue_ = value;
+    if (volume_) plot_.reveal(std::clamp(value, plot_.minimum(), plot_.maximum()));
+  }
+  insideAbove_ = insideAbove;
+  update();
+}
+
+void HistogramSlider::showAll() {
+  plot_.showAll();
+  zoomed();
+}
+
+void HistogramSlider::zoomAtLine(double factor) {
+  plot_.zoom(factor, isovalue_);
+  wantDetail();
+  zoomed();
+}
+
+void HistogramSlider::zoomed() {
+  Q_EMIT zoomChanged(plot_.zoomed());
+  update();
+}
+
+void HistogramSlider::wantDetail() {
+  if (!volume_ || !detail_.counts.empty() || detailJob_) return;
+  const double bins = static_cast<double>(volume_->histogram.counts.size());
+  const double shown = bins * plot_.shownRange() / (plot_.maximum() - plot_.minimum());
+  if (shown > plotArea().width()) return;  // still more bins than pixels
+  detailJob_ = std::make_shared<DetailJob>(volume_);
+  detailTimer_.start();
+}
+
+// ---- Painting
+// -----------------------------------------------------------------------------------------------
+
+QRectF HistogramSlider::plotArea() const {
+  return QRectF(rect()).adjusted(sideMargin, topMargin, -sideMargin, -axisHeight);
+}
+
+QPointF HistogramSlider::positionOf(double value) const {
+  const QRectF area = plotArea();
+  return {area.left() + plot_.pixelOf(value, area.width()), area.center().y()};
+}
+
+QPointF HistogramSlider::linePosition() const {
+  return positionOf(isovalue_);
+}
+
+QString HistogramSlider::text(double value) const {
+  return valueText(value, volume_ ? QString::fromStdString(volume_->volume.unit) : QString());
+}
+
+void HistogramSlider::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF area = plotArea();
+  painter.fillRect(area, colours::base);
+  if (volume_) {
+    paintColumns(painter, area);
+    paintAxis(painter, area);
+    paintLine(painter, area);
+  }
+  if (!volume_) {
+    painter.setPen(colours::disabledText);
+    painter.drawText(area, Qt::AlignCenter, "The histogram of the volume appears here");
+  }
+  painter.setPen(QPen(hasFocus() ? colours::accent : colours::border, 1.0));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5));
+}
+
+void HistogramSlider::paintColumns(QPainter& painter, const QRectF& area) const {
+  const int width = static_cast<int>(area.width());
+  const auto heights = plot_.columns(detail_.counts.empty() ? volume_->histogram : detail_, width);
+  const double line = plot_.pixelOf(isovalue_, area.width());
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  const QColor inside(0x8f, 0xb4, 0xd4), outside(0x4d, 0x5d, 0x6e);
+  for (int x = 0; x < width; ++x) {
+    const double height = heights[static_cast<std::size_t>(x)] * (area.height() - 4.0);
+    if (height <= 0.0) continue;
+    const bool in = insideAbove_ ? x >= line : x < line;
+    painter.fillRect(
+        QRectF(area.left() + x, area.bottom() - std::max(1.0, height), 1.0, std::max(1.0, height)),
+        in ? inside : outside);
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  // Peaks: small marks on the floor of the plot.
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0xf4, 0xf6, 0xf8, 150));
+  for (const double peak : volume_->histogram.peaks) {
+    const double x = area.left() + plot_.pixelOf(peak, area.width());
+    if (x < area.left() || x > area.right()) continue;
+    painter.drawPolygon(
+        QPolygonF({{x - 3.5, area.bottom()}, {x + 3.5, area.bottom()}, {x, area.bottom() - 6.0}}));
+  }
+  if (hovered_) {
+    painter.setPen(QPen(QColor(0xf4, 0xf6, 0xf8, 90), 1.0, Qt::DotLine));
+    const double x = area.left() + plot_.pixelOf(*hovered_, area.width());
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+  }
+}
+
+void HistogramSlider::paintAxis(QPainter& painter, const QRectF& area) const {
+  QFont font = this->font();
+  font.setPointSizeF(font.pointSizeF() - 1.0);
+  painter.setFont(font);
+  const QFontMetricsF metrics(font);
+  for (const double tick : plot_.ticks(area.width(), 85.0)) {
+    const double x = area.left() + plot_.pixelOf(tick, area.width());
+    painter.setPen(QPen(colours::border, 1.0));
+    painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 4.0));
+    painter.setPen(colours::quietText);
+    const QString label = numberText(tick);
+    const double labelWidth = metrics.horizontalAdvance(label);
+    const double left = std::clamp(x - 0.5 * labelWidth, 2.0, this->width() - labelWidth - 2.0);
+    painter.drawText(QPointF(left, area.bottom() + 5.0 + metrics.ascent()), label);
+  }
+  if (plot_.zoomed()) {  // which part of the whole range is shown
+    const double whole = plot_.maximum() - plot_.minimum();
+    const double from = (plot_.shownMinimum() - plot_.minimum()) / whole * area.width();
+    const double length = std::max(4.0, plot_.shownRange() / whole * area.width());
+    painter.fillRect(QRectF(area.left(), area.top() - 5.0, area.width(), 3.0), colours::border);
+    painter.fillRect(QRectF(area.left() + from, area.top() - 5.0, length, 3.0), colours::accent);
+  }
+  if (hovered_ && !dragging_) {
+    painter.setPen(colours::quietText);
+    const QString label = text(*hovered_);
+    const double x = area.left() + plot_.pixelOf(*hovered_, area.width());
+    const double labelWidth = metrics.horizontalAdvance(label);
+    const bool fitsRight = x + 6.0 + labelWidth < area.right();
+    painter.drawText(QPointF(fitsRight ? x + 6.0 : x - 6.0 - labelWidth, area.top() + metrics.ascent() + 4.0),
+                     label);
+  }
+}
+
+void HistogramSlider::paintLine(QPainter& painter, const QRectF& area) const {
+  const double x = area.left() + plot_.pixelOf(isovalue_, area.width());
+  QFont font = this->font();
+  font.setWeight(QFont::DemiBold);
+  const QFontMetricsF metrics(font);
+  const QString label = text(isovalue_);
+  const bool left = x<area.left() - 0.5, right = x> area.right() + 0.5;
+  const double lineX = std::clamp(x, area.left(), area.right());
+  const double labelWidth = metrics.horizontalAdvance(label) + 14.0;
+  QRectF box(lineX - 0.5 * labelWidth, 1.0, labelWidth, 18.0);
+  box.moveLeft(std::clamp(box.left(), 1.0, std::max(1.0, width() - 1.0 - labelWidth)));
+  if (!left && !right) {
+    painter.setPen(QPen(colours::isovalue, 2.0));
+    painter.drawLine(QPointF(lineX, box.bottom()), QPointF(lineX, area.bottom()));
+  }
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colours::isovalue);
+  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.setFont(font);
+  painter.setPen(QColor(0x22, 0x1a, 0x08));
+  painter.drawText(box, Qt::AlignCenter, label);
+}
+
+// ---- Mouse and keys
+// -----------------------------------------------------------------------------------------
+
+void HistogramSlider::moveTo(double value) {
+  const double step = base::niceBelow(plot_.shownRange() / std::max(1.0, plotArea().width()));
+  value = std::clamp(base::roundedToStep(value, step), plot_.minimum(), plot_.maximum());
+  if (value == isovalue_) return;
+  isovalue_ = value;
+  pending_ = value;
+  if (!sendTimer_.isActive()) sendTimer_.start(0);
+  update();
+}
+
+void HistogramSlider::sendPending() {
+  sendTimer_.stop();
+  if (const auto value = std::exchange(pending_, std::nullopt)) Q_EMIT isovalueChanged(*value, false);
+}
+
+void HistogramSlider::nudge(double steps) {
+  if (!volume_ || steps == 0.0) return;
+  const double step = plot_.fineStep();
+  isovalue_ =
+      std::clamp(base::roundedToStep(isovalue_ + steps * step, step), plot_.minimum(), plot_.maximum());
+  plot_.reveal(isovalue_);
+  update();
+  Q_EMIT isovalueChanged(isovalue_, true);
+}
+
+void HistogramSlider::mousePressEvent(QMouseEvent* event) {
+  if (!volume_ || dragging_ || panning_) return;
+  if (event->button() == Qt::LeftButton) {
+    const double line = linePosition().x();
+    grabOffset_ = std::abs(event->position().x() - line) <= grabPixels ? line - event->position().x() : 0.0;
+    dragging_ = true;
+    Q_EMIT dragStarted();
+    if (grabOffset_ == 0.0)
+      moveTo(plot_.valueAt(event->position().x() - plotArea().left(), plotArea().width()));
+  } else if (event->button() == Qt::MiddleButton) {
+    panning_ = true;
+    panPixel_ = event->position().x();
+    setCursor(Qt::ClosedHandCursor);
+  }
+}
+
+void HistogramSlider::mouseMoveEvent(QMouseEvent* event) {
+  if (!volume_) return;
+  if (dragging_ && !(event->buttons() & Qt::LeftButton)) endDrag();  // it was let go elsewhere
+  if (panning_ && !(event->buttons() & Qt::MiddleButton)) endPan();
+  const QRectF area = plotArea();
+  const double x = event->position().x();
+  if (dragging_) {
+    hovered_.reset();
+    moveTo(plot_.valueAt(x + grabOffset_ - area.left(), area.width()));
+  } else if (panning_) {
+    plot_.pan((panPixel_ - x) * plot_.shownRange() / area.width());
+    panPixel_ = x;
+    update();
+  } else {
+    const bool onLine = std::abs(x - linePosition().x()) <= grabPixels;
+    setCursor(onLine ? Qt::SplitHCursor : Qt::ArrowCursor);
+    hovered_.reset();
+    if (!onLine && x >= area.left() && x <= area.right()) {
+      hovered_ = base::roundedToStep(plot_.valueAt(x - area.left(), area.width()),
+                                     base::niceBelow(plot_.shownRange() / std::max(1.0, area.width())));
+    }
+    update();
+  }
+}
+
+void HistogramSlider::mouseReleaseEvent(QMouseEvent* event) {
+  if (dragging_ && event->button() == Qt::LeftButton) {
+    endDrag();
+  } else if (panning_ && event->button() == Qt::MiddleButton) {
+    endPan();
+  }
+}
+
+void HistogramSlider::endDrag() {
+  sendPending();
+  dragging_ = false;
+  Q_EMIT dragEnded();
+}
+
+void HistogramSlider::endPan() {
+  panning_ = false;
+  unsetCursor();
+}
+
+void HistogramSlider::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && volume_) Q_EMIT suggestionWanted();
+}
+
+void HistogramSlider::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  if (!volume_ || notches == 0.0) return;
+  if (event->modifiers() & Qt::ControlModifier) {
+    plot_.zoom(std::pow(1.25, notches),
+               plot_.valueAt(event->position().x() - plotArea().left(), plotArea().width()));
+    wantDetail();
+    zoomed();
+  } else {
+    nudge(event->modifiers() & Qt::ShiftModifier ? 10.0 * notches : notches);
+  }
+  event->accept();
+}
+
+void HistogramSlider::keyPressEvent(QKeyEvent* event) {
+  const double factor = event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0;
+  switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Down:
+      return nudge(-factor);
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+      return nudge(factor);
+    case Qt::Key_PageDown:
+      return nudge(-50.0 * factor);
+    case Qt::Key_PageUp:
+      return nudge(50.0 * factor);
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void HistogramSlider::leaveEvent(QEvent*) {
+  hovered_.reset();
+  update();
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,58 @@
+#include "ui/editors/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHash>
+
+namespace isolux::ui {
+
+QString numberText(double value, int significant) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "missing" : value > 0 ? "∞" : "−∞";
+  if (value == 0.0) return "0";
+  const double magnitude = std::abs(value);
+  if (magnitude < 1e-4 || magnitude >= 1e9) return QString::number(value, 'g', significant);
+  const int decimals = std::max(0, significant - 1 - static_cast<int>(std::floor(std::log10(magnitude))));
+  QString text = QString::number(value, 'f', decimals);
+  if (text.contains('.')) {
+    while (text.endsWith('0')) text.chop(1);
+    if (text.endsWith('.')) text.chop(1);
+  }
+  return text == "-0" ? "0" : text;
+}
+
+QString valueText(double value, const QString& unit, int significant) {
+  const QString number = numberText(value, significant);
+  return unit.isEmpty() ? number : number + ' ' + unit;
+}
+
+QString bytesText(double bytes) {
+  const char* units[] = {"bytes", "kB", "MB", "GB", "TB"};
+  int unit = 0;
+  while (bytes >= 1000.0 && unit < 4) {
+    bytes /= 1000.0;
+    ++unit;
+  }
+  return numberText(bytes, unit == 0 ? 6 : 3) + ' ' + units[unit];
+}
+
+QString wordsOf(const QString& identifier) {
+  // Names of people, signs, and colours joined by a dash.
+  static const QHash<QString, QString> special = {{"blinn_phong", "Blinn-Phong"},
+                                                  {"gi", "Global illumination"},
+                                                  {"color", "Colour"},
+                                                  {"map", "Colour map"},
+                                                  {"kappa1", "κ₁ (larger curvature)"},
+                                                  {"kappa2", "κ₂ (smaller curvature)"},
+                                                  {"curvature_2d", "κ₁ and κ₂"},
+                                                  {"coolwarm", "Cool–warm"},
+                                                  {"blue_orange", "Blue–orange"},
+                                                  {"purple_green", "Purple–green"}};
+  if (const auto found = special.find(identifier); found != special.end()) return *found;
+  QString words = identifier;
+  words.replace('_', ' ');
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,17 @@
+// Numbers as people read them: enough digits, no noise, a point in every country.
+#pragma once
+
+#include <QString>
+
+namespace isolux::ui {
+
+// At most `significant` digits, without trailing zeros; an exponent only below 1e-4 and from 1e9 on.
+QString numberText(double value, int significant = 6);
+// numberText with the unit behind it ("300 HU"; no unit: "300").
+QString valueText(double value, const QString& unit, int significant = 6);
+// "1.2 kB", "34 MB".
+QString bytesText(double bytes);
+// "blinn_phong" -> "Blinn phong".
+QString wordsOf(const QString& identifier);
+
+}  // namespace isolux::ui

@@ -1,0 +1,65 @@
+#include "ui/editors/rotation_widget.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "ui/editors/number_spin_box.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+RotationWidget::RotationWidget(QWidget* parent) : ValueWidget(parent) {
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setHorizontalSpacing(4);
+  layout->setVerticalSpacing(1);
+  struct Angle {
+    const char *name, *tip;
+    double range;
+  };
+  const std::array<Angle, 3> angles{
+      {{"Heading", "About the vertical axis, counterclockwise as seen from above", 180.0},
+       {"Elevation", "How high the middle of the light probe stands above the horizon", 90.0},
+       {"Roll", "About the direction of the middle of the light probe", 180.0}}};
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    auto* box = boxes_[i] = new NumberSpinBox(this);
+    const int column = static_cast<int>(i);
+    box->setRange(-angles[i].range, angles[i].range);
+    box->setWrapping(angles[i].range == 180.0);
+    box->setSingleStep(5.0);
+    box->setSuffix("°");
+    box->setMinimumWidth(48);
+    box->setAccessibleName(angles[i].name);
+    box->setToolTip(angles[i].tip);
+    auto* name = new QLabel(angles[i].name, this);
+    name->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+    layout->addWidget(name, 0, column);
+    layout->addWidget(box, 1, column);
+    layout->setColumnStretch(column, 1);
+    connect(box, &NumberSpinBox::valueChanged, this, &RotationWidget::edit);
+  }
+  setFocusProxy(boxes_[0]);
+}
+
+void RotationWidget::showValue(const nlohmann::json& value) {
+  const glm::dvec4 rotation(value[0].get<double>(), value[1].get<double>(), value[2].get<double>(),
+                            value[3].get<double>());
+  // What was entered stays as entered: straight up, other angles mean the same rotation.
+  if (rotation == rotation_) return;
+  rotation_ = rotation;
+  const app::TurnAngles angles = app::anglesOf(rotation);
+  boxes_[0]->showValue(angles.heading);
+  boxes_[1]->showValue(angles.elevation);
+  boxes_[2]->showValue(angles.roll);
+}
+
+void RotationWidget::edit() {
+  rotation_ = app::rotationOf({boxes_[0]->value(), boxes_[1]->value(), boxes_[2]->value()});
+  Q_EMIT changed(true);
+}
+
+nlohmann::json RotationWidget::value() const {
+  return {rotation_.x, rotation_.y, rotation_.z, rotation_.w};
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,32 @@
+// A rotation as heading, elevation and roll in degrees: the value widget of settings that are quaternions.
+#pragma once
+
+#include <array>
+
+#include <glm/vec4.hpp>
+
+#include "app/interaction/turning.h"
+#include "ui/editors/setting_editor.h"
+
+namespace isolux::ui {
+
+class NumberSpinBox;
+
+class RotationWidget : public ValueWidget {
+  Q_OBJECT
+ public:
+  explicit RotationWidget(QWidget* parent = nullptr);
+  void showValue(const nlohmann::json& value) override;
+  nlohmann::json value() const override;  // unit length, or exactly what was shown while nobody edits it
+  NumberSpinBox* headingBox() const { return boxes_[0]; }
+  NumberSpinBox* elevationBox() const { return boxes_[1]; }
+  NumberSpinBox* rollBox() const { return boxes_[2]; }
+
+ private:
+  void edit();
+
+  glm::dvec4 rotation_{1.0, 0.0, 0.0, 0.0};
+  std::array<NumberSpinBox*, 3> boxes_;
+};
+
+}  // namespace isolux::ui

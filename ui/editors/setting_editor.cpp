@@ -1,0 +1,150 @@
+#include "ui/editors/setting_editor.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QToolTip>
+
+#include "base/error.h"
+#include "scene/rules/relevance.h"
+#include "ui/editors/number_text.h"
+#include "ui/window/icons.h"
+
+namespace isolux::ui {
+
+namespace {
+QString nameOf(const scene::Setting& setting) {
+  const QString path = QString::fromStdString(setting.path);
+  // The lamps and the further isosurfaces have the same members: the group tells them apart.
+  const QString group = path.section('.', 0, 0);
+  const QString name = path.section('.', 1).replace('_', ' ').replace('.', ' ');
+  return group.back().isDigit() ? group + ' ' + name : name;
+}
+
+QString describe(const scene::Setting& setting) {
+  QString text = QString::fromStdString(setting.meaning) + "\n\n" + QString::fromStdString(setting.path);
+  if (setting.type == scene::SettingType::number || setting.type == scene::SettingType::integer) {
+    text += QString(" = %1 … %2 ").arg(numberText(setting.minimum), numberText(setting.maximum)) +
+            QString::fromStdString(setting.unit);
+  }
+  const nlohmann::json value = setting.defaultValue();
+  if (setting.type == scene::SettingType::points) return text;
+  return text.trimmed() +
+         "\nDefault: " + QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+// Rows do not jump.
+void keepPlaceWhenHidden(QWidget* widget) {
+  QSizePolicy policy = widget->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  widget->setSizePolicy(policy);
+}
+}  // namespace
+
+SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
+    : QWidget(parent),
+      setting_(setting),
+      value_(makeValueWidget(setting, this)),
+      reset_(new QToolButton(this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(value_, 1);
+  if (setting.mayBeAutomatic) {
+    keepPlaceWhenHidden(value_);
+    automatic_ = new QCheckBox("auto", this);
+    automatic_->setToolTip("Chosen from the volume");
+    layout->addWidget(automatic_);
+    connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
+      const nlohmann::json seen = setting_.get(resolved_);
+      send(automatic ? nlohmann::json("auto") : seen == "auto" ? value_->value() : seen, false);
+    });
+  }
+  reset_->setIcon(icon("restore"));
+  reset_->setIconSize({14, 14});
+  reset_->setAutoRaise(true);
+  reset_->setToolTip("Back to the default");
+  reset_->setAccessibleName("Reset " + nameOf(setting));
+  keepPlaceWhenHidden(reset_);
+  layout->addWidget(reset_);
+  description_ = describe(setting);
+  setToolTip(description_);
+  value_->setAccessibleName(nameOf(setting));
+
+  connect(value_, &ValueWidget::changed, this,
+          [this](bool endsAfterPause) { send(value_->value(), endsAfterPause); });
+  connect(value_, &ValueWidget::refused, this, [this](const QString& why) {
+    const QString text = wordsOf(nameOf(setting_)) + ": " + why;
+    QToolTip::showText(value_->mapToGlobal(QPoint(0, value_->height() / 2)), text, value_);
+    Q_EMIT failed(text);
+  });
+  connect(value_, &ValueWidget::dragStarted, this, [this] {
+    dragging_ = true;
+    Q_EMIT dragStarted();
+  });
+  connect(value_, &ValueWidget::dragEnded, this, [this] {
+    dragging_ = false;
+    Q_EMIT dragEnded();
+  });
+  connect(reset_, &QToolButton::clicked, this, &SettingEditor::resetToDefault);
+}
+
+void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  scene_ = scene;
+  resolved_ = resolved;
+  explain();
+  const nlohmann::json own = setting_.get(scene), seen = setting_.get(resolved);
+  const bool automatic = setting_.mayBeAutomatic && own == "auto";
+  reset_->setVisible(own != setting_.defaultValue());
+  if (automatic_) {
+    const QSignalBlocker block(automatic_);
+    automatic_->setChecked(automatic);
+  }
+  // Some automatic values are found while the picture is drawn: there is no number to show.
+  const bool unknown = automatic && seen == "auto";
+  value_->setVisible(!unknown);
+  if (seen == shown_ || unknown) return;
+  shown_ = seen;
+  value_->showValue(seen);
+}
+
+void SettingEditor::explain() {
+  const std::string_view reason = scene::whyInactive(setting_.path, resolved_);
+  const QString why = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size()));
+  if (why == whyInactive_) return;
+  whyInactive_ = why;
+  setEnabled(why.isEmpty());
+  setToolTip(why.isEmpty() ? description_ : "Does nothing now: " + why + ".\n\n" + description_);
+}
+
+bool SettingEditor::isWide() const {
+  const bool numbers = setting_.type == scene::SettingType::pair ||
+                       (setting_.type == scene::SettingType::vector && !isColour(setting_));
+  const bool slider = value_->findChild<QSlider*>() != nullptr;
+  return setting_.type == scene::SettingType::points || setting_.type == scene::SettingType::quaternion ||
+         ((numbers || slider) && setting_.mayBeAutomatic);
+}
+
+void SettingEditor::resetToDefault() {
+  send(setting_.defaultValue(), false);
+}
+
+void SettingEditor::send(const nlohmann::json& value, bool endsAfterPause) {
+  // A gesture of one widget is one step; a single choice is a step of its own.
+  const bool gesture = dragging_ || endsAfterPause;
+  Edit edit{scene_, "Change " + nameOf(setting_), gesture ? QString::fromStdString(setting_.path) : QString(),
+            endsAfterPause};
+  shown_ = nullptr;  // whatever comes back is shown
+  try {
+    setting_.set(edit.scene, value);
+  } catch (const base::Error& error) {
+    setScene(scene_, resolved_);
+    Q_EMIT failed(QString::fromStdString(error.what()));
+    return;
+  }
+  Q_EMIT edited(edit);
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,71 @@
+// One row of the settings panel: the fitting widget for one scene::Setting, made from its description alone.
+#pragma once
+
+#include <memory>
+
+#include <QWidget>
+
+#include "scene/settings.h"
+#include "ui/document/edit.h"
+
+class QCheckBox;
+class QLabel;
+class QToolButton;
+
+namespace isolux::ui {
+
+// The widget that holds one setting's value; a subclass for each SettingType.
+class ValueWidget : public QWidget {
+  Q_OBJECT
+ public:
+  using QWidget::QWidget;
+  virtual void showValue(const nlohmann::json& value) = 0;  // never "auto"
+  virtual nlohmann::json value() const = 0;                 // what the user has just entered
+
+ Q_SIGNALS:
+  // The user changed it. Between dragStarted() and dragEnded() all changes are one gesture.
+  void changed(bool endsAfterPause);
+  void refused(const QString& why);  // what was entered cannot be taken; the old value stays
+  void dragStarted();
+  void dragEnded();
+};
+
+// A vector of linear RGB.
+bool isColour(const scene::Setting& setting);
+ValueWidget* makeValueWidget(const scene::Setting& setting, QWidget* parent);
+
+class SettingEditor : public QWidget {
+  Q_OBJECT
+ public:
+  SettingEditor(const scene::Setting& setting, QWidget* parent);
+
+  const scene::Setting& setting() const { return setting_; }
+  ValueWidget* valueWidget() const { return value_; }
+  bool isWide() const;  // needs the whole width of the panel
+  // Why the setting does nothing in this scene; empty: it acts.
+  const QString& whyInactive() const { return whyInactive_; }
+  // Shows the scene's value, or the resolved one where the scene's is automatic.
+  void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void resetToDefault();
+
+ Q_SIGNALS:
+  void edited(const isolux::ui::Edit& edit);
+  void dragStarted();
+  void dragEnded();
+  void failed(const QString& message);
+
+ private:
+  void send(const nlohmann::json& value, bool endsAfterPause);
+  void explain();
+
+  const scene::Setting& setting_;
+  scene::Scene scene_, resolved_;
+  nlohmann::json shown_;
+  QString description_, whyInactive_;
+  bool dragging_ = false;
+  ValueWidget* value_;
+  QCheckBox* automatic_ = nullptr;
+  QToolButton* reset_;
+};
+
+}  // namespace isolux::ui

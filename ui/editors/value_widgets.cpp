@@ -1,0 +1,299 @@
+// The value widgets of ui/editors/setting_editor.h, one for each type of setting.
+#include <array>
+#include <cmath>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QWheelEvent>
+
+#include "base/numbers.h"
+#include "ui/editors/color_button.h"
+#include "ui/editors/curvature_map_editor.h"
+#include "ui/editors/file_widget.h"
+#include "ui/editors/number_spin_box.h"
+#include "ui/editors/number_text.h"
+#include "ui/editors/rotation_widget.h"
+#include "ui/editors/setting_editor.h"
+
+namespace isolux::ui {
+
+namespace {
+
+using nlohmann::json;
+using scene::Setting;
+using scene::SettingType;
+
+QHBoxLayout* rowLayout(QWidget* widget) {
+  auto* layout = new QHBoxLayout(widget);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  return layout;
+}
+
+QString suffixOf(const Setting& setting) {
+  if (setting.unit == "degrees") return "°";
+  if (setting.unit.empty() || setting.unit.size() > 4) return {};  // long ones stand in the tooltip
+  const bool rate = setting.unit.starts_with("1/");                // "5 /s"
+  return ' ' + QString::fromStdString(rate ? setting.unit.substr(1) : setting.unit);
+}
+
+// A wheel turned over a panel scrolls it and changes nothing, unless the widget has the focus.
+template <class Base>
+class CalmWheel : public Base {
+ public:
+  explicit CalmWheel(QWidget* parent) : Base(parent) { this->setFocusPolicy(Qt::StrongFocus); }
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (this->hasFocus()) {
+      Base::wheelEvent(event);
+    } else {
+      event->ignore();
+    }
+  }
+};
+
+class NumberWidget : public ValueWidget {
+ public:
+  NumberWidget(const Setting& setting, QWidget* parent)
+      : ValueWidget(parent),
+        minimum_(setting.minimum),
+        maximum_(setting.maximum),
+        box_(new NumberSpinBox(this)) {
+    auto* layout = rowLayout(this);
+    box_->setRange(minimum_, maximum_);
+    box_->setSuffix(suffixOf(setting));
+    setFocusProxy(box_);
+    connect(box_, &NumberSpinBox::refused, this, &ValueWidget::refused);
+    const double range = maximum_ - minimum_;
+    if (range <= 1e4) {  // a slider where its whole length makes sense
+      // Over several decades (shininess 1 to 1000) equal lengths are equal ratios.
+      logarithmic_ = minimum_ > 0.0 && maximum_ / minimum_ >= 100.0;
+      slider_ = new CalmWheel<QSlider>(this);
+      slider_->setOrientation(Qt::Horizontal);
+      slider_->setRange(0, steps);
+      slider_->setMinimumWidth(60);
+      layout->addWidget(slider_, 1);
+      box_->setFixedWidth(74);
+      box_->setSingleStep(base::niceBelow(range / 50.0));
+      connect(slider_, &QSlider::valueChanged, this, [this](int step) {
+        box_->showValue(valueOf(step));
+        Q_EMIT changed(!slider_->isSliderDown());
+      });
+      connect(slider_, &QSlider::sliderPressed, this, &ValueWidget::dragStarted);
+      connect(slider_, &QSlider::sliderReleased, this, &ValueWidget::dragEnded);
+    }
+    layout->addWidget(box_, slider_ ? 0 : 1);
+    connect(box_, &NumberSpinBox::valueChanged, this, [this] {
+      showSlider();
+      Q_EMIT changed(true);
+    });
+  }
+
+  void showValue(const json& value) override {
+    box_->showValue(value.get<double>());
+    showSlider();
+  }
+  json value() const override { return box_->value(); }
+
+ private:
+  static constexpr int steps = 1000;
+
+  double valueOf(int step) const {
+    const double fraction = static_cast<double>(step) / steps;
+    if (step == 0) return minimum_;
+    if (step == steps) return maximum_;
+    if (!logarithmic_) {
+      return base::roundedToStep(minimum_ + fraction * (maximum_ - minimum_),
+                                 base::niceBelow((maximum_ - minimum_) / steps));
+    }
+    const double value = minimum_ * std::pow(maximum_ / minimum_, fraction);
+    return base::roundedToStep(value, base::niceBelow(value / 100.0));
+  }
+  void showSlider() {
+    if (!slider_ || slider_->isSliderDown()) return;
+    const QSignalBlocker block(slider_);
+    const double fraction = logarithmic_ ? std::log(box_->value() / minimum_) / std::log(maximum_ / minimum_)
+                                         : (box_->value() - minimum_) / (maximum_ - minimum_);
+    slider_->setValue(static_cast<int>(std::lround(fraction * steps)));
+  }
+
+  double minimum_, maximum_;
+  bool logarithmic_ = false;
+  NumberSpinBox* box_;
+  QSlider* slider_ = nullptr;
+};
+
+class IntegerWidget : public ValueWidget {
+ public:
+  IntegerWidget(const Setting& setting, QWidget* parent)
+      : ValueWidget(parent), box_(new IntegerSpinBox(this)) {
+    box_->setRange(static_cast<int>(setting.minimum), static_cast<int>(setting.maximum));
+    box_->setSuffix(suffixOf(setting));
+    connect(box_, &IntegerSpinBox::refused, this, &ValueWidget::refused);
+    rowLayout(this)->addWidget(box_, 1);
+    setFocusProxy(box_);
+    connect(box_, &QSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
+  }
+  void showValue(const json& value) override {
+    const QSignalBlocker block(box_);
+    box_->setValue(value.get<int>());
+  }
+  json value() const override { return box_->value(); }
+
+ private:
+  IntegerSpinBox* box_;
+};
+
+class TextWidget : public ValueWidget {
+ public:
+  TextWidget(const Setting&, QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
+    rowLayout(this)->addWidget(line_, 1);
+    setFocusProxy(line_);
+    connect(line_, &QLineEdit::editingFinished, this, [this] {
+      if (line_->isModified()) Q_EMIT changed(false);
+      line_->setModified(false);
+    });
+  }
+  void showValue(const json& value) override {
+    line_->setText(QString::fromStdString(value.get<std::string>()));
+    line_->setCursorPosition(0);
+  }
+  json value() const override { return line_->text().toStdString(); }
+
+ private:
+  QLineEdit* line_;
+};
+
+class ToggleWidget : public ValueWidget {
+ public:
+  ToggleWidget(const Setting&, QWidget* parent) : ValueWidget(parent), box_(new QCheckBox(this)) {
+    rowLayout(this)->addWidget(box_, 1);
+    setFocusProxy(box_);
+    connect(box_, &QCheckBox::toggled, this, [this] { Q_EMIT changed(false); });
+  }
+  void showValue(const json& value) override {
+    const QSignalBlocker block(box_);
+    box_->setChecked(value.get<bool>());
+  }
+  json value() const override { return box_->isChecked(); }
+
+ private:
+  QCheckBox* box_;
+};
+
+class ChoiceWidget : public ValueWidget {
+ public:
+  ChoiceWidget(const Setting& setting, QWidget* parent)
+      : ValueWidget(parent), combo_(new CalmWheel<QComboBox>(this)) {
+    for (const std::string& choice : setting.choices) {
+      const QString word = QString::fromStdString(choice);
+      combo_->addItem(word == "color" ? QString("One colour") : wordsOf(word), word);
+    }
+    combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // not the longest choice
+    combo_->setMinimumContentsLength(8);
+    rowLayout(this)->addWidget(combo_, 1);
+    setFocusProxy(combo_);
+    connect(combo_, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT changed(false); });
+  }
+  void showValue(const json& value) override {
+    const QSignalBlocker block(combo_);
+    combo_->setCurrentIndex(combo_->findData(QString::fromStdString(value.get<std::string>())));
+  }
+  json value() const override { return combo_->currentData().toString().toStdString(); }
+
+ private:
+  QComboBox* combo_;
+};
+
+class ColourWidget : public ValueWidget {
+ public:
+  ColourWidget(const Setting&, QWidget* parent) : ValueWidget(parent), button_(new ColorButton(this)) {
+    auto* layout = rowLayout(this);
+    layout->addWidget(button_);
+    layout->addStretch(1);
+    setFocusProxy(button_);
+    connect(button_, &ColorButton::chosen, this, [this](glm::dvec3 colour) {
+      button_->showColour(colour);
+      Q_EMIT changed(true);
+    });
+  }
+  void showValue(const json& value) override { button_->showColour({value[0], value[1], value[2]}); }
+  json value() const override {
+    const glm::dvec3 colour = button_->colour();
+    return {colour.x, colour.y, colour.z};
+  }
+
+ private:
+  ColorButton* button_;
+};
+
+class VectorWidget : public ValueWidget {
+ public:
+  VectorWidget(const Setting& setting, QWidget* parent) : ValueWidget(parent) {
+    auto* layout = rowLayout(this);
+    layout->setSpacing(4);
+    boxes_.resize(scene::componentsOf(setting.type));
+    const char* names[] = {"x", "y", "z"};
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      boxes_[i] = new NumberSpinBox(this);
+      boxes_[i]->setRange(setting.minimum, setting.maximum);
+      boxes_[i]->setSingleStep(0.05);
+      boxes_[i]->setAccessibleName(names[i]);
+      boxes_[i]->setMinimumWidth(48);
+      layout->addWidget(boxes_[i], 1);
+      connect(boxes_[i], &NumberSpinBox::refused, this, &ValueWidget::refused);
+      connect(boxes_[i], &NumberSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
+    }
+    setFocusProxy(boxes_[0]);
+  }
+  void showValue(const json& value) override {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i]->showValue(value[i].get<double>());
+  }
+  json value() const override {
+    json list = json::array();
+    for (const NumberSpinBox* box : boxes_) list.push_back(box->value());
+    return list;
+  }
+
+ private:
+  std::vector<NumberSpinBox*> boxes_;
+};
+
+}  // namespace
+
+bool isColour(const Setting& setting) {
+  return setting.type == SettingType::vector && setting.unit.starts_with("linear RGB");
+}
+
+ValueWidget* makeValueWidget(const Setting& setting, QWidget* parent) {
+  switch (setting.type) {
+    case SettingType::number:
+      return new NumberWidget(setting, parent);
+    case SettingType::integer:
+      return new IntegerWidget(setting, parent);
+    case SettingType::text:
+      if (setting.path.ends_with(".file")) return new FileWidget(parent);
+      return new TextWidget(setting, parent);
+    case SettingType::choice:
+      return new ChoiceWidget(setting, parent);
+    case SettingType::toggle:
+      return new ToggleWidget(setting, parent);
+    case SettingType::points:
+      return new CurvatureMapEditor(parent);
+    case SettingType::quaternion:
+      return new RotationWidget(parent);
+    case SettingType::pair:
+    case SettingType::vector:
+      break;
+  }
+  if (isColour(setting)) return new ColourWidget(setting, parent);
+  return new VectorWidget(setting, parent);
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,159 @@
+#include "ui/panels/light_status.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "ui/editors/number_text.h"
+#include "ui/window/icons.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+
+using Phase = app::LightState::Phase;
+
+double fractionOf(const gi::BakeCounters& counters) {
+  if (counters.samplesWanted == 0) return 1.0;
+  return std::clamp(static_cast<double>(counters.samplesDone) / static_cast<double>(counters.samplesWanted),
+                    0.0, 1.0);
+}
+
+QString percentText(double fraction) {  // 100 % only when it is done
+  return QString("%1 %").arg(static_cast<int>(std::floor(100.0 * fraction)));
+}
+
+QString progressText(const app::LightState& state) {
+  QStringList parts{percentText(fractionOf(state.counters))};
+  if (state.counters.raysPerSecond > 0.0) parts += rateText(state.counters.raysPerSecond);
+  if (state.counters.secondsLeft > 0.0) parts += durationText(state.counters.secondsLeft) + " left";
+  return parts.join(" · ");
+}
+
+QString stateText(const app::LightState& state, bool cancelled) {
+  if (cancelled) return "Light stopped";
+  switch (state.phase) {
+    case Phase::off:
+      return {};
+    case Phase::preparing:
+      return "Light: preparing";
+    case Phase::baking:
+      return "Light: " + progressText(state);
+    case Phase::paused:
+      return "Light paused at " + percentText(fractionOf(state.counters));
+    case Phase::finished:
+      return "Light complete";
+    case Phase::failed:
+      return "No light";
+  }
+  return {};
+}
+
+QString whyText(const app::LightState& state) {
+  if (state.error) return QString::fromStdString(state.error->what());
+  QString text = "Stored: " + QString::fromStdString(state.mode);
+  if (!state.choice.reason.empty())
+    text += "\n" + QString::fromStdString(state.choice.reason).replace("; ", ";\n");
+  const gi::BakeCounters& counters = state.counters;
+  if (counters.texelsLit > 0)
+    text +=
+        QString("\n%1 texels lit, %2 million rays in %3")
+            .arg(counters.texelsLit)
+            .arg(numberText(static_cast<double>(counters.rays) * 1e-6, 3), durationText(counters.seconds));
+  return text;
+}
+
+}  // namespace
+
+QString rateText(double raysPerSecond) {
+  if (raysPerSecond >= 1e6) return numberText(raysPerSecond * 1e-6, 2) + " million rays/s";
+  if (raysPerSecond >= 1e3) return numberText(raysPerSecond * 1e-3, 2) + " thousand rays/s";
+  return numberText(raysPerSecond, 2) + " rays/s";
+}
+
+QString durationText(double seconds) {
+  if (!(seconds >= 0.0)) return {};
+  if (seconds < 10.0) return numberText(std::max(seconds, 0.1), seconds < 1.0 ? 1 : 2) + " s";
+  if (seconds < 100.0) return QString("%1 s").arg(std::lround(seconds));
+  if (seconds < 6000.0) return QString("%1 min").arg(std::lround(seconds / 60.0));
+  return QString("%1 h").arg(numberText(seconds / 3600.0, 2));
+}
+
+QString unfinishedLightText(const app::LightState& state, bool cancelled) {
+  const bool onItsWay = state.phase == Phase::preparing || state.phase == Phase::baking ||
+                        state.phase == Phase::paused || cancelled;
+  if (!onItsWay || state.phase == Phase::off) return {};
+  // While it is prepared nothing is counted yet: no texel is there.
+  const double fraction = state.phase == Phase::preparing ? 0.0 : fractionOf(state.counters);
+  return fraction < 1.0 ? "light was at " + percentText(fraction) : QString();
+}
+
+LightStatus::LightStatus(QWidget* parent)
+    : QWidget(parent),
+      label_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      pause_(new QToolButton(this)),
+      stop_(new QToolButton(this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(10, 0, 0, 0);
+  layout->setSpacing(6);
+  label_->setTextFormat(Qt::PlainText);
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setFixedSize(90, 6);
+  bar_->setAccessibleName("Light");
+  for (QToolButton* button : {pause_, stop_}) {
+    button->setAutoRaise(true);
+    button->setIconSize({14, 14});
+    button->setFixedSize(22, 22);
+  }
+  stop_->setIcon(icon("close"));
+  stop_->setToolTip("Stop computing light; what there is stays");
+  stop_->setAccessibleName("Stop computing light");
+  layout->addWidget(label_);
+  layout->addWidget(bar_);
+  layout->addWidget(pause_);
+  layout->addWidget(stop_);
+  connect(pause_, &QToolButton::clicked, this, [this] {
+    if (halted_) {
+      Q_EMIT goOn();
+    } else {
+      Q_EMIT paused();
+    }
+  });
+  connect(stop_, &QToolButton::clicked, this, &LightStatus::cancelled);
+  setState({}, false);
+}
+
+void LightStatus::setState(const app::LightState& state, bool cancelled) {
+  const bool works = !cancelled && (state.phase == Phase::baking || state.phase == Phase::paused ||
+                                    state.phase == Phase::preparing);
+  halted_ = cancelled || state.phase == Phase::paused;
+  label_->setText(stateText(state, cancelled));
+  label_->setToolTip(whyText(state));
+  const QColor colour = state.phase == Phase::failed ? colours::error : colours::quietText;
+  label_->setStyleSheet(QString("color: %1;").arg(colour.name()));
+  bar_->setVisible(works);
+  bar_->setValue(state.phase == Phase::preparing
+                     ? 0
+                     : static_cast<int>(std::lround(1000.0 * fractionOf(state.counters))));
+  bar_->setToolTip(whyText(state));
+  pause_->setVisible((works && state.phase != Phase::preparing) || cancelled);
+  pause_->setIcon(icon(halted_ ? "play" : "pause"));
+  const QString says = halted_ ? "Go on computing light" : "Pause computing light";
+  pause_->setToolTip(says);
+  pause_->setAccessibleName(says);
+  stop_->setVisible(works);
+  setVisible(state.phase != Phase::off);
+}
+
+QString LightStatus::text() const {
+  return label_->text();
+}
+
+}  // namespace isolux::ui

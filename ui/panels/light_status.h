@@ -1,0 +1,45 @@
+// How far the light is: what is stored, per cent, rate, time left, with pause and stop. Lives in the status
+// bar and is not there when no light is stored.
+#pragma once
+
+#include <QWidget>
+
+#include "app/light/light_controller.h"
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace isolux::ui {
+
+class LightStatus : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LightStatus(QWidget* parent = nullptr);
+
+  void setState(const app::LightState& state, bool cancelled);
+  QString text() const;
+  QToolButton* pauseButton() const { return pause_; }  // also goes on
+  QToolButton* stopButton() const { return stop_; }
+
+ Q_SIGNALS:
+  void paused();
+  void goOn();
+  void cancelled();
+
+ private:
+  QLabel* label_;
+  QProgressBar* bar_;
+  QToolButton *pause_, *stop_;
+  bool halted_ = false;  // the first button goes on
+};
+
+// "light was at 9 %" while light is on its way or stopped on it; "" when a picture shows all of it, or has
+// none.
+QString unfinishedLightText(const app::LightState& state, bool cancelled);
+
+// "1.2 million rays/s", "45 s", "12 min": as people read them.
+QString rateText(double raysPerSecond);
+QString durationText(double seconds);
+
+}  // namespace isolux::ui

@@ -1,0 +1,139 @@
+#include "ui/panels/panel_layout.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "ui/editors/number_text.h"
+
+namespace isolux::ui {
+
+namespace {
+
+struct GroupPlan {
+  const char* title;
+  bool open;
+  std::vector<std::string_view> paths;  // "group." takes what is left of a prefix
+};
+
+// What a user reaches for first comes first.
+const std::vector<GroupPlan>& plan() {
+  static const std::vector<GroupPlan> groups = {
+      {"Look",
+       true,
+       {"look.mode", "look.shading", "look.ambient", "look.ambient_variation", "look.specular",
+        "look.shininess", "look.tone_cool", "look.tone_warm", "look.accessibility", "look."}},
+      {"Colour map",
+       true,
+       {"look.colormap", "look.curvature_points", "look.range_low", "look.range_high", "look.legend"}},
+      {"Lines",
+       true,
+       {"look.contours", "look.suggestive_contours", "look.contour_width", "look.contour_color",
+        "look.ridges", "look.ridge_threshold", "look.ridge_color", "look.valley_color"}},
+      {"Flow", true, {"flow.strength", "flow.animate", "flow.speed", "flow."}},
+      {"Light", true, {"light.", "look.shadow"}},
+      {environmentGroup,
+       true,
+       {"light.environment.file", "light.environment.constant", "light.environment.rotation",
+        "light.environment.exposure", "light.environment.visible", "light.environment.moves",
+        "light.environment."}},
+      {"Lamps", true, {"lamp1.", "lamp2.", "lamp3."}},
+      {"Global illumination",
+       true,
+       {"picture.exposure", "gi.mode", "gi.samples", "gi.bounces", "gi.extent", "gi.band", "gi.lattice_scale",
+        "gi.interpolation", "gi."}},
+      {"Texture and fog", false, {"look.texture", "look.texture_scale", "look.fog", "look.fog_color"}},
+      {"Isosurface",
+       true,
+       {"isosurface.value", "isosurface.inside", "isosurface.albedo_source", "isosurface.albedo",
+        "isosurface.albedo_map", "isosurface.albedo_low", "isosurface.albedo_high", "isosurface."}},
+      {"More isosurfaces", false, {"isosurface2.", "isosurface3.", "isosurface4."}},
+      {"Hit", false, {"hit."}},
+      {"Derivatives", false, {"derivatives."}},
+      {"Camera", false, {"camera."}},
+      {"Picture", false, {"look.background_top", "look.background_bottom", "picture."}},
+      {"Memory", false, {"memory."}},
+  };
+  return groups;
+}
+
+// In the volume panel, which knows the choices the file offers.
+constexpr std::string_view elsewhere = "source.";
+
+std::string prefixOf(const scene::Setting& setting) {
+  return setting.path.substr(0, setting.path.find('.') + 1);
+}
+
+// How much of the path an entry of the plan names: all of it, a prefix ("light.environment."), or nothing.
+std::size_t lengthCovered(std::string_view entry, const scene::Setting& setting) {
+  const bool covers =
+      entry.ends_with('.') ? setting.path.starts_with(entry) : std::string_view(setting.path) == entry;
+  return covers ? entry.size() : 0;
+}
+
+// The entry that names most of a setting's path; empty: none.
+std::string_view entryOf(const scene::Setting& setting) {
+  std::string_view best;
+  const auto consider = [&](std::string_view entry) {
+    if (lengthCovered(entry, setting) > best.size()) best = entry;
+  };
+  consider(elsewhere);
+  for (const GroupPlan& group : plan())
+    for (const std::string_view entry : group.paths) consider(entry);
+  return best;
+}
+
+QString environmentLabel(const QString& name) {
+  if (name == "file") return "Light probe";
+  if (name == "constant") return "Sky colour";
+  if (name == "visible") return "Shown behind";
+  return wordsOf(name);
+}
+
+QString lampLabel(const QString& lamp, const QString& name) {
+  if (name == "shown") return "Lamp " + lamp;
+  return name == "color" ? QString("Colour") : wordsOf(name);
+}
+
+}  // namespace
+
+std::vector<PanelGroup> panelGroups() {
+  std::vector<PanelGroup> result;
+  for (const GroupPlan& group : plan()) {
+    PanelGroup& made = result.emplace_back(PanelGroup{group.title, group.open, {}});
+    for (const std::string_view entry : group.paths)
+      for (const scene::Setting& setting : scene::settings())
+        if (entryOf(setting) == entry) made.settings.push_back(&setting);
+  }
+  for (const scene::Setting& setting : scene::settings()) {
+    if (!entryOf(setting).empty()) continue;
+    const QString title = wordsOf(QString::fromStdString(prefixOf(setting)).chopped(1));
+    auto found = std::find_if(result.begin(), result.end(), [&](const auto& g) { return g.title == title; });
+    if (found == result.end()) found = result.insert(result.end(), {title, false, {}});
+    found->settings.push_back(&setting);
+  }
+  return result;
+}
+
+RowLabel labelOf(const scene::Setting& setting) {
+  const QString path = QString::fromStdString(setting.path), name = path.section('.', 1);
+  // The further isosurfaces share a group: a check box for each, its details below it.
+  if (path.startsWith("isosurface") && path[10].isDigit()) {
+    if (name == "shown") return {QString("Isosurface ") + path[10], false};
+    return {name == "albedo" ? QString("Colour") : wordsOf(name), true};
+  }
+  if (path.startsWith("lamp")) return {lampLabel(path.mid(4, 1), name), name != "shown"};
+  if (path.startsWith("light.environment.")) return {environmentLabel(path.section('.', 2)), false};
+  if (name == "albedo") return {"Colour", false};
+  if (name == "albedo_source") return {"Colour from", false};
+  if (name.startsWith("albedo_")) return {wordsOf("colour_" + name.mid(7)), true};
+  if (path == "gi.sh_order") return {"SH order", false};
+  if (path == "gi.sh_window") return {"SH window", false};
+  if (path == "look.curvature_points") return {"Colours of κ₁ and κ₂", false};
+  if (path == "memory.gpu_budget_mb") return {"GPU budget", false};
+  QString words = wordsOf(name);
+  words.replace("color", "colour").replace("Color", "Colour");
+  if (words == "Colourmap") words = "Colour map";
+  return {words, false};
+}
+
+}  // namespace isolux::ui

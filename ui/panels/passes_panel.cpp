@@ -1,0 +1,188 @@
+#include "ui/panels/passes_panel.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "ui/editors/number_text.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int refreshMilliseconds = 200;
+enum Column { nameColumn, stateColumn, timeColumn, memoryColumn, columns };
+
+QString timeText(double milliseconds) {
+  return milliseconds < 0.005 ? "0 ms" : numberText(milliseconds, milliseconds < 10.0 ? 2 : 3) + " ms";
+}
+
+QString sizeText(const render::FrameRequest& request) {
+  QString text = QString("%1 × %2").arg(request.size.x).arg(request.size.y);
+  if (request.supersampling > 1) text += QString(", %1 × %1 rays per pixel").arg(request.supersampling);
+  return text;
+}
+
+bool anyRan(const render::FrameReport& report) {
+  return std::any_of(report.passes.begin(), report.passes.end(),
+                     [](const auto& pass) { return pass.state == render::PassState::ran; });
+}
+
+}  // namespace
+
+PassesPanel::PassesPanel(QWidget* parent)
+    : QWidget(parent),
+      heading_(new QLabel("No picture yet", this)),
+      summary_(new QLabel(this)),
+      table_(new QTreeWidget(this)),
+      copy_(new QToolButton(this)) {
+  heading_->setWordWrap(true);
+  summary_->setWordWrap(true);
+  summary_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  copy_->setText("Copy");
+  copy_->setToolTip("Copy the table, to paste it into a text or a spreadsheet");
+  connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
+
+  table_->setColumnCount(columns);
+  table_->setHeaderLabels({"Pass", "State", "Time", "Memory"});
+  for (const Column column : {timeColumn, memoryColumn})
+    table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  table_->setRootIsDecorated(false);
+  table_->setItemsExpandable(false);
+  table_->setIndentation(0);
+  table_->setSelectionMode(QAbstractItemView::NoSelection);
+  table_->setFocusPolicy(Qt::NoFocus);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setAccessibleName("Passes of the last picture");
+  QHeaderView* header = table_->header();
+  header->setStretchLastSection(false);
+  header->setSectionsClickable(false);
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+
+  auto* top = new QHBoxLayout;
+  top->addWidget(heading_, 1);
+  top->addWidget(copy_, 0, Qt::AlignTop);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 10, 12, 12);
+  layout->setSpacing(8);
+  layout->addLayout(top);
+  layout->addWidget(table_, 1);
+  layout->addWidget(summary_);
+
+  timer_.setSingleShot(true);
+  timer_.setInterval(refreshMilliseconds);
+  connect(&timer_, &QTimer::timeout, this, &PassesPanel::refresh);
+}
+
+void PassesPanel::setReport(const render::FrameReport& report, const render::FrameRequest& request) {
+  if (anyRan(report) || report_.passes.empty()) {
+    report_ = report;
+    request_ = request;
+    shownAgain_ = 0;
+    for (const render::PassReport& pass : report.passes)
+      if (pass.state == render::PassState::ran) lastTimes_[pass.name] = pass.milliseconds;
+  } else {
+    ++shownAgain_;
+  }
+  if (isVisible() && !timer_.isActive()) timer_.start();
+}
+
+void PassesPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+void PassesPanel::refresh() {
+  if (!isVisible() || report_.passes.empty()) return;
+  heading_->setText(QString("<b>%1</b><br>%2").arg(timeText(report_.milliseconds), sizeText(request_)));
+  summary_->setText(summary());
+  showPasses();
+}
+
+// A line for each pass and, below it, why it ran or did not.
+void PassesPanel::showPasses() {
+  const int count = static_cast<int>(report_.passes.size());
+  while (table_->topLevelItemCount() > count) delete table_->takeTopLevelItem(count);
+  QFont small = font();
+  small.setPointSizeF(0.9 * small.pointSizeF());
+  while (table_->topLevelItemCount() < count) {
+    auto* item = new QTreeWidgetItem(table_);
+    for (const Column column : {timeColumn, memoryColumn})
+      item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    item->setSizeHint(nameColumn, {0, fontMetrics().height() + 8});
+    auto* why = new QTreeWidgetItem(item);
+    why->setFirstColumnSpanned(true);
+    why->setForeground(nameColumn, colours::quietText);
+    why->setFont(nameColumn, small);
+    why->setSizeHint(nameColumn, {0, fontMetrics().height() + 5});
+    why->setTextAlignment(nameColumn, Qt::AlignLeft | Qt::AlignTop);
+    item->setExpanded(true);
+  }
+  for (int row = 0; row < count; ++row) {
+    const render::PassReport& pass = report_.passes[static_cast<std::size_t>(row)];
+    const bool ran = pass.state == render::PassState::ran;
+    QTreeWidgetItem* item = table_->topLevelItem(row);
+    item->setText(nameColumn, QString::fromStdString(pass.name));
+    QFont bold = font();
+    bold.setWeight(ran ? QFont::DemiBold : QFont::Normal);
+    item->setFont(nameColumn, bold);
+    item->setText(stateColumn, render::nameOf(pass.state));
+    item->setText(timeColumn, ran ? timeText(pass.milliseconds) : "–");
+    item->setText(memoryColumn, pass.bytes > 0 ? bytesText(static_cast<double>(pass.bytes)) : "–");
+    for (int column = 0; column < columns; ++column)
+      item->setForeground(column, ran ? colours::text : colours::disabledText);
+    const auto last = lastTimes_.find(pass.name);
+    item->setToolTip(timeColumn, ran || last == lastTimes_.end()
+                                     ? QString()
+                                     : "Took " + timeText(last->second) + " when it last ran");
+    const QString reason = QString::fromStdString(pass.reason);
+    item->child(0)->setText(nameColumn, reason);
+    item->child(0)->setToolTip(nameColumn, reason);
+  }
+}
+
+QString PassesPanel::repeats() const {
+  return shownAgain_ == 1
+             ? "Shown again once since: every pass cached, nothing ran."
+             : QString("Shown again %1 times since: every pass cached, nothing ran.").arg(shownAgain_);
+}
+
+QString PassesPanel::summary() const {
+  QStringList lines;
+  lines += "Graphics memory: " + bytesText(static_cast<double>(report_.gpuBytes));
+  if (report_.blocksTotal > 0) {
+    const double part =
+        100.0 * static_cast<double>(report_.blocksActive) / static_cast<double>(report_.blocksTotal);
+    lines += QString("Active blocks: %1 of %2 (%3 %)")
+                 .arg(report_.blocksActive)
+                 .arg(report_.blocksTotal)
+                 .arg(numberText(part, 2));
+  }
+  if (shownAgain_ > 0) lines += repeats();
+  return lines.join('\n');
+}
+
+QString PassesPanel::text() const {
+  QStringList lines{"pass\tstate\tms\tbytes\twhy"};
+  for (const render::PassReport& pass : report_.passes)
+    lines += QString("%1\t%2\t%3\t%4\t%5")
+                 .arg(QString::fromStdString(pass.name), render::nameOf(pass.state))
+                 .arg(numberText(pass.milliseconds, 4))
+                 .arg(pass.bytes)
+                 .arg(QString::fromStdString(pass.reason));
+  lines += QString("picture\t%1\t%2\t%3\t")
+               .arg(sizeText(request_), numberText(report_.milliseconds, 4))
+               .arg(report_.gpuBytes);
+  return lines.join('\n') + '\n';
+}
+
+}  // namespace isolux::ui

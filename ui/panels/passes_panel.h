@@ -1,0 +1,49 @@
+// What the last picture cost: each pass of the frame graph, whether it ran, why, how long, how much memory.
+//
+// Shows the last picture for which something ran; that the same picture was shown again for nothing is said
+// below it. Follows moving pictures a few times a second and costs nothing while it is hidden.
+#pragma once
+
+#include <map>
+
+#include <QTimer>
+#include <QWidget>
+
+#include "render/graph/frame.h"
+
+class QLabel;
+class QToolButton;
+class QTreeWidget;
+
+namespace isolux::ui {
+
+class PassesPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PassesPanel(QWidget* parent = nullptr);
+
+  // Of every picture; cheap.
+  void setReport(const render::FrameReport& report, const render::FrameRequest& request);
+  QString text() const;  // the table as tab-separated lines, for other programs
+  QTreeWidget* table() const { return table_; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void refresh();
+  void showPasses();
+  QString summary() const;
+  QString repeats() const;
+
+  QLabel *heading_, *summary_;
+  QTreeWidget* table_;
+  QToolButton* copy_;
+  QTimer timer_;
+  render::FrameReport report_;
+  render::FrameRequest request_;
+  int shownAgain_ = 0;                       // since report_
+  std::map<std::string, double> lastTimes_;  // milliseconds, of each pass when it last ran
+};
+
+}  // namespace isolux::ui

@@ -1,0 +1,235 @@
+#include "ui/panels/settings_panel.h"
+
+#include <algorithm>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/editors/environment_preview.h"
+#include "ui/editors/setting_editor.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int labelWidth = 104, indentation = 10;
+constexpr int settleMilliseconds = 600;  // after the last turn of a wheel
+
+QString wordsToSearch(const scene::Setting& setting, const QString& label, const QString& group) {
+  QString words = group + ' ' + label + ' ' + QString::fromStdString(setting.path) + ' ' +
+                  QString::fromStdString(setting.meaning) + ' ' + QString::fromStdString(setting.unit);
+  for (const std::string& choice : setting.choices) words += ' ' + QString::fromStdString(choice);
+  words.replace('_', ' ');
+  return words.toLower().replace("colour", "color");
+}
+
+QToolButton* makeHeader(const PanelGroup& plan, QWidget* parent) {
+  auto* header = new QToolButton(parent);
+  header->setObjectName(plan.title);
+  header->setText(plan.title);
+  header->setCheckable(true);
+  header->setAutoRaise(true);
+  header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  QFont font = header->font();
+  font.setWeight(QFont::DemiBold);
+  header->setFont(font);
+  header->setStyleSheet("QToolButton { border: 0; padding: 6px 4px; text-align: left; }");
+  return header;
+}
+
+// Rows one below the other. Not a QFormLayout: rows of one that are hidden and shown again in another order
+// get lost.
+QVBoxLayout* makeRows(QWidget* box) {
+  auto* rows = new QVBoxLayout(box);
+  rows->setContentsMargins(8, 2, 0, 8);
+  rows->setSpacing(5);
+  return rows;
+}
+
+}  // namespace
+
+SettingsPanel::SettingsPanel(QWidget* parent)
+    : QWidget(parent),
+      search_(new QLineEdit(this)),
+      scroll_(new QScrollArea(this)),
+      nothing_(new QLabel("No setting is called that.", this)),
+      environment_(new EnvironmentPreview(this)) {
+  setMinimumWidth(330);
+  search_->setPlaceholderText("Find a setting");
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName("Find a setting");
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  nothing_->setAlignment(Qt::AlignHCenter);
+  nothing_->setContentsMargins(0, 24, 0, 0);
+  nothing_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  nothing_->hide();
+
+  auto* content = new QWidget(scroll_);
+  auto* groups = new QVBoxLayout(content);
+  groups->setContentsMargins(8, 2, 6, 8);
+  groups->setSpacing(2);
+  groups->addWidget(nothing_);
+  for (const PanelGroup& plan : panelGroups()) addGroup(plan, groups);
+  groups->addStretch(1);
+  scroll_->setWidget(content);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  auto* searchBox = new QVBoxLayout;
+  searchBox->setContentsMargins(12, 8, 12, 6);
+  searchBox->addWidget(search_);
+  layout->addLayout(searchBox);
+  layout->addWidget(scroll_, 1);
+  settle_.setSingleShot(true);
+  settle_.setInterval(settleMilliseconds);
+  connect(&settle_, &QTimer::timeout, this, &SettingsPanel::showRows);
+  connect(search_, &QLineEdit::textChanged, this, &SettingsPanel::search);
+  connect(environment_, &EnvironmentPreview::edited, this, &SettingsPanel::edited);
+  connect(environment_, &EnvironmentPreview::dragStarted, this, &SettingsPanel::dragStarted);
+  connect(environment_, &EnvironmentPreview::dragEnded, this, &SettingsPanel::dragEnded);
+  connect(environment_, &EnvironmentPreview::failed, this, &SettingsPanel::failed);
+}
+
+void SettingsPanel::addGroup(const PanelGroup& plan, QVBoxLayout* layout) {
+  auto* box = new QWidget(this);
+  Group group{makeHeader(plan, this), box, {}, plan.open};
+  layout->addWidget(group.header);
+  layout->addWidget(box);
+  QVBoxLayout* rows = makeRows(box);
+  if (plan.title == environmentGroup) rows->addWidget(environment_);
+  for (const scene::Setting* setting : plan.settings) group.rows.push_back(addRow(*setting, group));
+  groups_.push_back(std::move(group));
+  connect(groups_.back().header, &QToolButton::clicked, this, [this, index = groups_.size() - 1](bool open) {
+    groups_[index].open = open;
+    showGroup(groups_[index]);
+  });
+}
+
+SettingsPanel::Row SettingsPanel::addRow(const scene::Setting& setting, const Group& group) {
+  auto* editor = new SettingEditor(setting, group.box);
+  const RowLabel words = labelOf(setting);
+  auto* label = new QLabel(words.text, group.box);
+  label->setBuddy(editor->valueWidget());
+  label->setWordWrap(true);
+  auto* line = new QWidget(group.box);
+  const Row row{editor, label, line, wordsToSearch(setting, words.text, group.header->text())};
+  const bool wide = editor->isWide();
+  auto* both = new QBoxLayout(wide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, line);
+  both->setContentsMargins(0, wide ? 2 : 0, 0, 0);
+  both->setSpacing(wide ? 4 : 10);
+  both->addWidget(label);
+  both->addWidget(editor, 1);
+  if (!wide) label->setFixedWidth(labelWidth);
+  if (words.indented) label->setContentsMargins(indentation, 0, 0, 0);
+  group.box->layout()->addWidget(line);
+  holdRows(editor);
+  connect(editor, &SettingEditor::edited, this, &SettingsPanel::edited);
+  connect(editor, &SettingEditor::dragStarted, this, &SettingsPanel::dragStarted);
+  connect(editor, &SettingEditor::dragEnded, this, &SettingsPanel::dragEnded);
+  connect(editor, &SettingEditor::failed, this, &SettingsPanel::failed);
+  return row;
+}
+
+void SettingsPanel::holdRows(SettingEditor* editor) {
+  connect(editor, &SettingEditor::dragStarted, this, [this] { dragging_ = true; });
+  connect(editor, &SettingEditor::dragEnded, this, [this] {
+    dragging_ = false;
+    showRows();
+  });
+  connect(editor, &SettingEditor::edited, this, [this](const Edit& edit) {
+    if (edit.endsAfterPause) settle_.start();
+  });
+}
+
+bool SettingsPanel::searching() const {
+  return !search_->text().trimmed().isEmpty();
+}
+
+void SettingsPanel::showGroup(Group& group) {
+  const auto useful = [](const Row& row) { return row.editor->whyInactive().isEmpty(); };
+  const bool anyUseful = std::any_of(group.rows.begin(), group.rows.end(), useful);
+  const bool anyFound =
+      std::any_of(group.rows.begin(), group.rows.end(), [](auto& row) { return row.found; });
+  for (Row& row : group.rows) {
+    const bool shown = searching() ? row.found : useful(row);
+    const QString tip = row.editor->toolTip();
+    if (row.label->toolTip() != tip) row.label->setToolTip(tip);
+    row.label->setEnabled(useful(row));
+    if (shown == row.shown) continue;
+    row.shown = shown;
+    row.line->setVisible(shown);
+  }
+  const bool open = searching() ? anyFound : group.open && anyUseful;
+  group.header->setVisible(!searching() || anyFound);
+  group.header->setEnabled(searching() || anyUseful);
+  group.header->setToolTip(anyUseful ? QString()
+                                     : "Nothing to set here: " + group.rows.front().editor->whyInactive());
+  group.header->setChecked(open);
+  group.header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+  group.box->setVisible(open);
+}
+
+void SettingsPanel::search(const QString& text) {
+  const QStringList wanted =
+      text.toLower().replace("colour", "color").replace('_', ' ').split(' ', Qt::SkipEmptyParts);
+  bool any = false;
+  for (Group& group : groups_) {
+    for (Row& row : group.rows) {
+      row.found = std::all_of(wanted.begin(), wanted.end(),
+                              [&row](const QString& word) { return row.words.contains(word); });
+      any = any || row.found;
+    }
+    showGroup(group);
+  }
+  nothing_->setVisible(!any);
+}
+
+void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  environment_->setScene(scene, resolved);
+  for (Group& group : groups_) {
+    for (const Row& row : group.rows) row.editor->setScene(scene, resolved);
+  }
+  showRows();
+}
+
+void SettingsPanel::showRows() {
+  if (dragging_ || settle_.isActive()) return;
+  environment_->setVisible(environment_->hasProbe());
+  for (Group& group : groups_) showGroup(group);
+}
+
+SettingEditor* SettingsPanel::editor(const QString& path) const {
+  for (const Group& group : groups_)
+    for (const Row& row : group.rows)
+      if (QString::fromStdString(row.editor->setting().path) == path) return row.editor;
+  return nullptr;
+}
+
+bool SettingsPanel::shows(const QString& path) const {
+  for (const Group& group : groups_)
+    for (const Row& row : group.rows)
+      if (QString::fromStdString(row.editor->setting().path) == path) return row.shown;
+  return false;
+}
+
+void SettingsPanel::focusSearch() {
+  search_->setFocus();
+  search_->selectAll();
+}
+
+void SettingsPanel::setGroupOpen(const QString& title, bool open) {
+  for (Group& group : groups_) {
+    if (group.header->text() != title) continue;
+    group.open = open;
+    showGroup(group);
+  }
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,79 @@
+// All settings of the scene as a panel, generated from scene::settings(): a new setting appears by itself.
+//
+// What does nothing under the current choices (scene/rules/relevance.h) is not shown; a search finds it all
+// the same and says why it does nothing.
+#pragma once
+
+#include <vector>
+
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/document/edit.h"
+#include "ui/panels/panel_layout.h"
+
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace isolux::ui {
+
+class EnvironmentPreview;
+class SettingEditor;
+
+class SettingsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SettingsPanel(QWidget* parent = nullptr);
+
+  void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  SettingEditor* editor(const QString& path) const;  // null: not edited here
+  bool shows(const QString& path) const;             // the row is there, if its group is open
+  QLineEdit* searchLine() const { return search_; }
+  EnvironmentPreview* environmentPreview() const { return environment_; }
+  void focusSearch();
+  void setGroupOpen(const QString& title, bool open);
+
+ Q_SIGNALS:
+  void edited(const isolux::ui::Edit& edit);
+  void dragStarted();
+  void dragEnded();
+  void failed(const QString& message);
+
+ private:
+  struct Row {
+    SettingEditor* editor;
+    QLabel* label;
+    QWidget* line;      // holds both; shown and hidden as a whole
+    QString words;      // what a search looks through, in lower case
+    bool found = true;  // by the search
+    bool shown = true;
+  };
+  struct Group {
+    QToolButton* header;
+    QWidget* box;
+    std::vector<Row> rows;
+    bool open;  // as the user left it
+  };
+  void addGroup(const PanelGroup& plan, QVBoxLayout* layout);
+  Row addRow(const scene::Setting& setting, const Group& group);
+  void holdRows(SettingEditor* editor);
+  void showRows();
+  void showGroup(Group& group);
+  void search(const QString& text);
+  bool searching() const;
+
+  QLineEdit* search_;
+  QScrollArea* scroll_;
+  QLabel* nothing_;
+  EnvironmentPreview* environment_;
+  std::vector<Group> groups_;
+  // While a value is dragged, or turned by the wheel or keys, no row comes or goes: none may slip under the
+  // pointer.
+  bool dragging_ = false;
+  QTimer settle_;
+};
+
+}  // namespace isolux::ui

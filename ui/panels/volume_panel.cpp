@@ -1,0 +1,249 @@
+#include "ui/panels/volume_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "ui/editors/number_text.h"
+#include "ui/editors/wrapped_text.h"
+#include "ui/panels/source_panel.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr int shownDigits = 4, allDigits = 15;
+
+QString triple(glm::dvec3 v, int significant, const char* between = " × ") {
+  return numberText(v.x, significant) + between + numberText(v.y, significant) + between +
+         numberText(v.z, significant);
+}
+
+// "x → L, y → P, z → S", with an angle where an axis is oblique; "x → +X" and so on where no side is known.
+QString axesText(const glm::dmat3& directions, scene::WorldAxes axes) {
+  const char* names[] = {"x", "y", "z"};
+  QStringList parts;
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 direction = directions[axis];
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    const double degrees = std::acos(std::min(1.0, largest)) * 180.0 / std::numbers::pi;
+    QString part = QString("%1 → %2").arg(names[axis], QString::fromStdString(axisEnd(axes, direction)));
+    if (degrees > 0.05) part += QString(" (%1° off)").arg(numberText(degrees, 3));
+    parts += part;
+  }
+  return parts.join(", ");
+}
+}  // namespace
+
+InfoPanel::InfoPanel(QWidget* parent)
+    : QScrollArea(parent), facts_(new QFormLayout), choices_(new QFormLayout), choiceBox_(new QWidget(this)) {
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setMinimumWidth(310);
+  facts_->setHorizontalSpacing(14);
+  facts_->setVerticalSpacing(6);
+  facts_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
+  facts_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  name_ = addRow("Name");
+  format_ = addRow("Format");
+  dims_ = addRow("Voxels");
+  type_ = addRow("Type");
+  spacing_ = addRow("Spacing");
+  extent_ = addRow("Extent");
+  axes_ = addRow("Axes");
+  range_ = addRow("Values");
+  missing_ = addRow("Missing");
+  memory_ = addRow("Memory");
+  time_ = addRow("Time");
+
+  series_ = new QComboBox(choiceBox_);
+  series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  series_->setMinimumContentsLength(12);
+  component_ = new QComboBox(choiceBox_);
+  timeStep_ = new QSpinBox(choiceBox_);
+  timeStep_->setKeyboardTracking(false);
+  choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  choices_->setContentsMargins(0, 0, 0, 8);
+  choices_->addRow("Series", series_);
+  choices_->addRow("Component", component_);
+  choices_->addRow("Time step", timeStep_);
+  choiceBox_->setLayout(choices_);
+
+  source_ = new SourcePanel(this);
+  connect(source_, &SourcePanel::edited, this, &InfoPanel::edited);
+  connect(source_, &SourcePanel::failed, this, &InfoPanel::failed);
+
+  warningTitle_ = new QLabel("Notes of the reader", this);
+  QFont bold = warningTitle_->font();
+  bold.setWeight(QFont::DemiBold);
+  warningTitle_->setFont(bold);
+  warningTitle_->setStyleSheet(QString("color: %1").arg(colours::warning.name()));
+  warnings_ = new WrappedText(this);
+
+  auto* content = new QWidget(this);
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(14, 12, 12, 12);
+  layout->setSpacing(8);
+  layout->addWidget(choiceBox_);
+  layout->addLayout(facts_);
+  layout->addSpacing(6);
+  layout->addWidget(source_);
+  layout->addSpacing(6);
+  layout->addWidget(warningTitle_);
+  layout->addWidget(warnings_);
+  layout->addStretch(1);
+  setWidget(content);
+  showFacts();
+  showChoices();
+
+  connect(series_, &QComboBox::activated, this, [this] {
+    Edit edit{scene_, "Choose series", {}, false};
+    edit.scene.source.series = series_->currentData().toString().toStdString();
+    Q_EMIT edited(edit);
+  });
+  connect(component_, &QComboBox::activated, this, [this] {
+    Edit edit{scene_, "Choose component", {}, false};
+    edit.scene.source.component = component_->currentData().toInt();
+    Q_EMIT edited(edit);
+  });
+  connect(timeStep_, &QSpinBox::valueChanged, this, [this](int step) {
+    Edit edit{scene_, "Choose time step", {}, false};
+    edit.scene.source.timeStep = step;
+    Q_EMIT edited(edit);
+  });
+}
+
+WrappedText* InfoPanel::addRow(const QString& name) {
+  auto* value = new WrappedText(this);
+  auto* label = new QLabel(name, this);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+  label->setStyleSheet(QString("color: %1").arg(colours::quietText.name()));
+  facts_->addRow(label, value);
+  return value;
+}
+
+void InfoPanel::setVolume(VolumePointer volume) {
+  volume_ = std::move(volume);
+  showFacts();
+  showChoices();
+  source_->show(scene_, volume_);
+}
+
+void InfoPanel::setScene(const scene::Scene& scene) {
+  const bool changed = scene.source != scene_.source;
+  scene_ = scene;
+  if (changed) showChoices();
+  source_->show(scene_, volume_);
+}
+
+void InfoPanel::setFirstPicture(double seconds) {
+  if (!volume_) return;
+  time_->setText(QString("read %1 s, prepared %2 s; picture %3 s after reading")
+                     .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2),
+                          numberText(seconds, 2)));
+}
+
+QString InfoPanel::warnings() const {
+  return warnings_->text();
+}
+
+void InfoPanel::showFacts() {
+  for (WrappedText* label :
+       {name_, format_, dims_, type_, spacing_, extent_, axes_, range_, missing_, memory_, time_}) {
+    label->setText("–");
+    label->setToolTip({});
+  }
+  warningTitle_->hide();
+  warnings_->hide();
+  warnings_->setText({});
+  facts_->setRowVisible(missing_, false);
+  if (!volume_) return;
+
+  const volume::Volume& volume = volume_->volume;
+  const volume::Grid& grid = *volume.grid;
+  const volume::GridGeometry& geometry = grid.geometry();
+  const glm::dvec3 spacing = geometry.spacingMm();
+  const auto text = [](std::string_view s) {
+    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+  };
+  name_->setText(text(volume.name));
+  format_->setText(text(volume.format));
+  dims_->setText(triple(glm::dvec3(grid.dims()), 9));
+  QString type = text(volume::nameOf(volume.fileType));
+  if (volume.fileType != grid.storedType()) type += ", kept as " + text(volume::nameOf(grid.storedType()));
+  if (grid.slope() != 1.0 || grid.intercept() != 0.0) {
+    type += QString("\nvalue = %1 · stored").arg(numberText(grid.slope(), shownDigits));
+    if (grid.intercept() != 0.0) {
+      type += QString(" %1 %2").arg(grid.intercept() < 0.0 ? "−" : "+",
+                                    numberText(std::abs(grid.intercept()), shownDigits));
+    }
+  }
+  type_->setText(type);
+  const glm::dvec3 extent = spacing * glm::dvec3(grid.dims() - 1);
+  spacing_->setText(triple(spacing, shownDigits) + " mm");
+  spacing_->setToolTip(triple(spacing, allDigits) + " mm");
+  extent_->setText(triple(extent, shownDigits) + " mm");
+  extent_->setToolTip(triple(extent, allDigits) + " mm");
+  axes_->setText(axesText(geometry.directions(), volume.axes) +
+                 (geometry.leftHanded() ? "; left-handed" : "") +
+                 (volume.axes == scene::WorldAxes::anatomical ? "" : "\norientation not stated"));
+  const auto range = [&](int digits) {
+    return numberText(grid.minimum(), digits) + " … " + valueText(grid.maximum(), text(volume.unit), digits);
+  };
+  range_->setText(range(shownDigits));
+  range_->setToolTip(range(allDigits));
+  facts_->setRowVisible(missing_, grid.missingCount() > 0);
+  missing_->setText(QString("%1 voxels").arg(grid.missingCount()));
+  memory_->setText(bytesText(static_cast<double>(grid.bytes())));
+  time_->setText(QString("read %1 s, prepared %2 s")
+                     .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2)));
+  if (!volume.warnings.empty()) {
+    QStringList lines;
+    for (const std::string& warning : volume.warnings) lines += "• " + text(warning);
+    warnings_->setText(lines.join("\n\n"));
+    warningTitle_->show();
+    warnings_->show();
+  }
+}
+
+void InfoPanel::showChoices() {
+  const QSignalBlocker blockSeries(series_), blockComponent(component_), blockTime(timeStep_);
+  series_->clear();
+  component_->clear();
+  const bool severalSeries = volume_ && volume_->volume.seriesChoices.size() > 1;
+  const bool severalComponents = volume_ && volume_->volume.components > 1;
+  const bool severalSteps = volume_ && volume_->volume.timeSteps > 1;
+  if (severalSeries) {
+    for (const std::string& choice : volume_->volume.seriesChoices) {  // "UID<TAB>description, N slices"
+      const QString entry = QString::fromStdString(choice);
+      series_->addItem(entry.section('\t', 1), entry.section('\t', 0, 0));
+    }
+    const int current = series_->findData(QString::fromStdString(scene_.source.series));
+    series_->setCurrentIndex(std::max(0, current));
+  }
+  if (severalComponents) {
+    for (int i = 0; i < volume_->volume.components; ++i) component_->addItem(QString("%1").arg(i), i);
+    component_->addItem("Magnitude", -1);
+    component_->setCurrentIndex(component_->findData(scene_.source.component));
+  }
+  if (severalSteps) {
+    timeStep_->setRange(0, volume_->volume.timeSteps - 1);
+    timeStep_->setSuffix(QString(" of 0 … %1").arg(volume_->volume.timeSteps - 1));
+    timeStep_->setValue(scene_.source.timeStep);
+  }
+  choices_->setRowVisible(series_, severalSeries);
+  choices_->setRowVisible(component_, severalComponents);
+  choices_->setRowVisible(timeStep_, severalSteps);
+  choiceBox_->setVisible(severalSeries || severalComponents || severalSteps);
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,275 @@
+// Views and the mouse of ui/viewport/viewport.h: gestures become edited scenes.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <glm/geometric.hpp>
+
+#include "app/interaction/turning.h"
+#include "ui/editors/environment_edit.h"
+#include "ui/viewport/viewport.h"
+#include "ui/viewport/viewport_overlay.h"
+
+namespace isolux::ui {
+
+// ---- Views
+// --------------------------------------------------------------------------------------------------
+
+void Viewport::sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey,
+                          bool endsAfterPause) {
+  if (!volume_) return;
+  Edit edit{scene_, name, mergeKey, endsAfterPause};
+  edit.scene.camera = camera;
+  Q_EMIT edited(edit);
+}
+
+void Viewport::applyStandardView(scene::StandardView view) {
+  if (!volume_) return;
+  const scene::VolumeFacts& facts = volume_->facts;
+  sendCamera(scene::standardView(resolved_.camera, view, facts.axes, facts.boundsMinMm, facts.boundsMaxMm),
+             (scene::standardViewName(view, facts.axes) + " view").c_str(), "", false);
+}
+
+void Viewport::fitView() {
+  if (!volume_) return;
+  sendCamera(scene::fitted(resolved_.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
+             "Fit view", "", false);
+}
+
+void Viewport::resetView() {
+  scene::Camera camera = scene_.camera;
+  camera.eye.reset();
+  camera.target.reset();
+  camera.up.reset();
+  sendCamera(camera, "Reset view", "", false);
+}
+
+void Viewport::toggleProjection() {
+  scene::Camera camera = scene_.camera;
+  const bool perspective = camera.projection == scene::Projection::perspective;
+  camera.projection = perspective ? scene::Projection::orthographic : scene::Projection::perspective;
+  sendCamera(camera, perspective ? "Orthographic view" : "Perspective view", "", false);
+}
+
+// ---- Mouse
+// --------------------------------------------------------------------------------------------------
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  if (drag_ != Drag::none) return;  // the first button decides
+  const Qt::KeyboardModifiers modifiers = event->modifiers();
+  switch (event->button()) {
+    case Qt::LeftButton:
+      grip_ = lampUnder(event->position());
+      drag_ = grip_                             ? Drag::lamp
+              : modifiers & Qt::ControlModifier ? Drag::roll
+              : modifiers & Qt::ShiftModifier   ? Drag::pan
+                                                : Drag::orbit;
+      break;
+    case Qt::MiddleButton:
+      drag_ = Drag::pan;
+      break;
+    case Qt::RightButton:
+      if (!(modifiers & Qt::ShiftModifier)) {
+        drag_ = Drag::zoom;
+      } else if (const QString why = whyItCannotTurn(resolved_); !why.isEmpty()) {
+        Q_EMIT noted("The environment is not turned: " + why);
+        return;
+      } else {
+        drag_ = Drag::environment;
+        turnedFrom_ = resolved_.light.environment.rotation;
+      }
+      break;
+    default:
+      return;
+  }
+  dragButton_ = event->button();
+  dragMoved_ = false;
+  last_ = pressed_ = event->position();
+  if (drag_ == Drag::lamp) takeHold(event->position());
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  if (drag_ != Drag::none && !(event->buttons() & dragButton_))
+    endDrag(event->position());  // it was let go elsewhere
+  if (drag_ == Drag::lamp) {
+    dragLamp(event->position(), event->modifiers() & Qt::ControlModifier);
+    return;
+  }
+  if (drag_ != Drag::none) {
+    dragTo(event->position());
+    return;
+  }
+  hover(lampUnder(event->position()));
+  pointed_ = event->position();
+  if (!pointTimer_.isActive()) pointTimer_.start();
+}
+
+void Viewport::dragTo(QPointF position) {
+  const double unit = std::max(1, height());
+  const QPointF step = (position - last_) / unit;
+  if (step.isNull() || !volume_) return;
+  const scene::Camera& camera = resolved_.camera;
+  switch (drag_) {
+    case Drag::orbit:  // a drag across the picture's height turns by 180 degrees
+      sendCamera(scene::orbited(camera, -step.x() * std::numbers::pi, step.y() * std::numbers::pi), "Rotate",
+                 "rotate", false);
+      break;
+    case Drag::pan:
+      sendCamera(scene::panned(camera, {step.x(), -step.y()}), "Pan", "pan", false);
+      break;
+    case Drag::zoom:
+      sendCamera(scene::zoomed(camera, std::exp(-3.0 * step.y())), "Zoom", "zoom", false);
+      break;
+    case Drag::roll: {
+      const QPointF centre(0.5 * width(), 0.5 * height());
+      const QPointF from = last_ - centre, to = position - centre;
+      const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
+      sendCamera(scene::rolled(camera, angle), "Roll", "roll", false);
+      break;
+    }
+    case Drag::environment: {
+      const double half = 0.5 * std::max(1, std::min(width(), height()));
+      const auto onBall = [&](QPointF p) {
+        return glm::dvec2(p.x() - 0.5 * width(), 0.5 * height() - p.y()) / half;
+      };
+      Q_EMIT edited(environmentTurned(scene_, app::turnedByDrag(turnedFrom_, scene::frameOf(camera),
+                                                                onBall(pressed_), onBall(position))));
+      break;
+    }
+    case Drag::lamp:
+    case Drag::none:
+      return;
+  }
+  dragMoved_ = true;
+  last_ = position;
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  if (drag_ != Drag::none && event->button() == dragButton_) endDrag(event->position());
+}
+
+void Viewport::endDrag(QPointF position) {
+  const bool held = drag_ == Drag::lamp;
+  drag_ = Drag::none;
+  if (held) hover(lampUnder(position));
+  if (dragMoved_) Q_EMIT gestureEnded();
+  rest();
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !volume_) return;
+  const auto pick = pickAt(event->position());
+  if (!pick) return;
+  // The point moves to the centre, the view direction and the eye's depth stay.
+  const scene::CameraFrame frame = scene::frameOf(resolved_.camera);
+  scene::Camera camera = resolved_.camera;
+  const glm::dvec3 shift = pick->worldMm - camera.target.value_or(pick->worldMm);
+  camera.eye = frame.eye + shift - glm::dot(shift, frame.back) * frame.back;
+  camera.target = pick->worldMm;
+  sendCamera(camera, "Centre on point", "", false);
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  if (!volume_ || event->angleDelta().y() == 0) return;
+  const double notches = event->angleDelta().y() / 120.0;
+  event->accept();
+  if (const auto grip = lampUnder(event->position())) {
+    sendLamp(*grip, app::lampMovedAway(app::lampOf(resolved_, grip->lamp), lampStage(), 0.03 * notches),
+             true);
+    return;
+  }
+  sendCamera(scene::zoomed(resolved_.camera, std::pow(1.1, notches)), "Zoom", "wheel", true);
+}
+
+void Viewport::leaveEvent(QEvent*) {
+  pointTimer_.stop();
+  if (drag_ == Drag::none) hover(std::nullopt);
+  Q_EMIT pointed(std::nullopt);
+}
+
+void Viewport::reportPointed() {
+  if (drag_ == Drag::none && !interacting_) Q_EMIT pointed(pickAt(pointed_));
+}
+
+// ---- Lamps
+// --------------------------------------------------------------------------------------------------
+
+app::LampStage Viewport::lampStage() const {
+  return app::lampStageOf(resolved_, volume_ ? volume_->facts : scene::VolumeFacts{}, {width(), height()});
+}
+
+std::vector<app::LampHandle> Viewport::lamps() const {
+  return volume_ ? app::lampHandles(resolved_, lampStage()) : std::vector<app::LampHandle>{};
+}
+
+std::optional<app::LampGrip> Viewport::lampUnder(QPointF position) const {
+  return app::lampAt(lamps(), {position.x(), position.y()});
+}
+
+void Viewport::showLamps() {
+  overlay_->setLamps(lamps(), grip_);
+}
+
+void Viewport::hover(const std::optional<app::LampGrip>& grip) {
+  if (grip == grip_ && drag_ == Drag::none && grip.has_value() == !toolTip().isEmpty()) return;
+  grip_ = grip;
+  if (!grip) {
+    unsetCursor();
+    setToolTip({});
+  } else if (grip->part == app::LampPart::ring) {
+    setCursor(Qt::SizeAllCursor);
+    setToolTip(QString("Lamp %1: drag its outline to make it larger or smaller").arg(grip->lamp));
+  } else {
+    setCursor(Qt::OpenHandCursor);
+    setToolTip(
+        QString("Lamp %1: drag to move it; with Ctrl, or by the wheel, nearer and farther").arg(grip->lamp));
+  }
+  showLamps();
+}
+
+void Viewport::takeHold(QPointF position) {
+  setCursor(grip_->part == app::LampPart::ring ? Qt::SizeAllCursor : Qt::ClosedHandCursor);
+  for (const app::LampHandle& handle : lamps())
+    if (handle.lamp == grip_->lamp)  // the handle stays where it is under the pointer
+      gripOffset_ = QPointF(handle.pixel.x, handle.pixel.y) - position;
+  showLamps();
+}
+
+void Viewport::dragLamp(QPointF position, bool inDepth) {
+  if (!volume_ || position == last_) return;
+  const scene::Lamp& lamp = app::lampOf(resolved_, grip_->lamp);
+  if (!lamp.shown) return;  // switched off meanwhile
+  const glm::dvec2 pixel(position.x(), position.y());
+  if (grip_->part == app::LampPart::ring) {
+    sendLamp(*grip_, app::lampResizedTo(lamp, lampStage(), pixel), false);
+  } else if (inDepth) {
+    const double fraction = (last_.y() - position.y()) / std::max(1, height());
+    sendLamp(*grip_, app::lampMovedAway(lamp, lampStage(), fraction), false);
+    takeHold(position);
+  } else {
+    const glm::dvec2 offset(gripOffset_.x(), gripOffset_.y());
+    sendLamp(*grip_, app::lampMovedTo(lamp, lampStage(), pixel + offset), false);
+  }
+  dragMoved_ = true;
+  last_ = position;
+}
+
+void Viewport::sendLamp(const app::LampGrip& grip, const scene::Lamp& moved, bool endsAfterPause) {
+  const bool ring = grip.part == app::LampPart::ring;
+  const QString name = QString(ring ? "Resize lamp %1" : "Move lamp %1").arg(grip.lamp);
+  Edit edit{scene_, name, name, endsAfterPause};
+  scene::Lamp& lamp = app::lampOf(edit.scene, grip.lamp);
+  if (ring) {
+    lamp.radius = moved.radius;
+  } else if (moved.kind == scene::LampKind::directional) {
+    lamp.direction = moved.direction;
+  } else {
+    lamp.position = moved.position;
+  }
+  Q_EMIT edited(edit);
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,219 @@
+#include "ui/viewport/viewport_overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/numbers.h"
+#include "ui/editors/number_text.h"
+#include "ui/viewport/lamp_painter.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+ViewportOverlay::Inks ViewportOverlay::inksAt(double heightFraction) const {
+  const QColor light(0xf4, 0xf6, 0xf8), dark(0x0a, 0x0c, 0x0f);
+  const glm::dvec3 background = glm::mix(backgroundTop_, backgroundBottom_, heightFraction);
+  // Relative luminance (ITU-R BT.709); at 0.18 black and white have about the same contrast.
+  const double luminance = glm::dot(background, glm::dvec3(0.2126, 0.7152, 0.0722));
+  Inks inks = luminance < 0.18 ? Inks{light, dark} : Inks{dark, light};
+  inks.rim.setAlpha(210);
+  return inks;
+}
+
+// Text with a rim: reads on the surface, too, whatever its brightness.
+void ViewportOverlay::drawText(QPainter& painter, const QFont& font, QPointF baseline,
+                               const QString& text) const {
+  const Inks inks = inksAt(baseline.y() / std::max(1, height()));
+  QPainterPath path;
+  path.addText(baseline, font, text);
+  painter.setPen(QPen(inks.rim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
+  painter.fillPath(path, inks.ink);
+}
+
+ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+}
+
+void ViewportOverlay::setScene(const scene::Scene& resolved, bool visible, scene::WorldAxes axes) {
+  const bool same = visible == visible_ && axes == axes_ && resolved.camera == camera_ &&
+                    resolved.look.backgroundTop == backgroundTop_ &&
+                    resolved.look.backgroundBottom == backgroundBottom_;
+  if (same) return;
+  camera_ = resolved.camera;
+  backgroundTop_ = resolved.look.backgroundTop;
+  backgroundBottom_ = resolved.look.backgroundBottom;
+  visible_ = visible;
+  axes_ = axes;
+  if (visible) frame_ = scene::frameOf(camera_);
+  update();
+}
+
+void ViewportOverlay::setProblem(const QString& reason, const QString& advice) {
+  if (reason == problem_ && advice == advice_) return;
+  problem_ = reason;
+  advice_ = advice;
+  setAccessibleDescription(reason.isEmpty() ? note_ : reason + "\n\n" + advice);
+  update();
+}
+
+void ViewportOverlay::setTopInset(int pixels) {
+  if (pixels == topInset_) return;
+  topInset_ = pixels;
+  update();
+}
+
+void ViewportOverlay::setHint(const QString& text) {
+  hint_ = text;
+  update();
+}
+
+void ViewportOverlay::setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip) {
+  if (lamps == lamps_ && grip == grip_) return;
+  lamps_ = std::move(lamps);
+  grip_ = grip;
+  update();
+}
+
+void ViewportOverlay::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  if (!problem_.isEmpty()) {
+    paintProblem(painter);
+  } else if (visible_) {
+    paintLetters(painter);
+    paintCube(painter);
+    paintScale(painter);
+    paintLamps(painter, lamps_, grip_);
+    if (!note_.isEmpty()) paintNote(painter);
+  } else if (!hint_.isEmpty()) {
+    const QFontMetricsF metrics(font());
+    drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(hint_)), 0.5 * height()),
+             hint_);
+  }
+}
+
+void ViewportOverlay::setNote(const QString& text) {
+  if (text == note_) return;
+  note_ = text;
+  if (problem_.isEmpty()) setAccessibleDescription(text);
+  update();
+}
+
+void ViewportOverlay::paintNote(QPainter& painter) const {
+  const QFontMetricsF metrics(font());
+  const double belowLetter = topInset_ + 48.0;
+  drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(note_)), belowLetter), note_);
+}
+
+void ViewportOverlay::paintLetters(QPainter& painter) const {
+  const scene::EdgeLetters letters = scene::edgeLetters(frame_, axes_);
+  QFont font = this->font();
+  font.setPointSizeF(font.pointSizeF() + 5.0);
+  font.setWeight(QFont::DemiBold);
+  const QFontMetricsF metrics(font);
+  const double margin = 12.0, x = 0.5 * width(), y = 0.5 * height() + 0.5 * metrics.capHeight();
+  const auto text = [](const std::string& letter) { return QString::fromStdString(letter); };
+  drawText(painter, font, {margin, y}, text(letters.left));
+  drawText(painter, font, {width() - margin - metrics.horizontalAdvance(text(letters.right)), y},
+           text(letters.right));
+  drawText(painter, font,
+           {x - 0.5 * metrics.horizontalAdvance(text(letters.top)), topInset_ + margin + metrics.capHeight()},
+           text(letters.top));
+  drawText(painter, font, {x - 0.5 * metrics.horizontalAdvance(text(letters.bottom)), height() - margin},
+           text(letters.bottom));
+}
+
+void ViewportOverlay::paintCube(QPainter& painter) const {
+  struct Face {
+    glm::dvec3 normal, right, up;  // the letter stands upright along `up`
+  };
+  // As in the standard views: the sides round `up` stand on it, its own ends lean to the front.
+  const glm::dvec3 x(1.0, 0.0, 0.0), up = upOf(axes_), front = frontOf(axes_);
+  const std::array<Face, 6> faces{
+      {{x, -front, up}, {-x, front, up}, {-front, -x, up}, {front, x, up}, {up, x, -front}, {-up, x, front}}};
+  constexpr double half = 17.0;
+  const QPointF centre(width() - 48.0, topInset_ + 48.0);  // the legend stands in the lower corner
+  const auto onScreen = [this](glm::dvec3 v) {
+    return QPointF(half * glm::dot(v, frame_.right), -half * glm::dot(v, frame_.up));
+  };
+  QFont font = this->font();
+  font.setPixelSize(20);
+  font.setWeight(QFont::DemiBold);
+  const QFontMetricsF metrics(font);
+  for (const Face& face : faces) {
+    const double facing = glm::dot(face.normal, frame_.back);
+    if (facing <= 0.01) continue;
+    // Letters of the top and bottom face stand whichever way is upright for the viewer.
+    const double upright = glm::dot(face.up, frame_.up) < 0.0 ? -1.0 : 1.0;
+    const QPointF n = onScreen(face.normal), r = upright * onScreen(face.right),
+                  u = upright * onScreen(face.up);
+    const QPolygonF square({centre + n - r - u, centre + n + r - u, centre + n + r + u, centre + n - r + u});
+    const int shade = static_cast<int>(46.0 + 44.0 * facing);
+    painter.setBrush(QColor(shade, shade + 5, shade + 12, 225));
+    painter.setPen(QPen(QColor(0xd5, 0xda, 0xe0, 200), 1.0));
+    painter.drawPolygon(square);
+    if (facing < 0.25) continue;
+    // The letter lies on its face: path units of one pixel become face units of 1/half.
+    QPainterPath path;
+    const QString letter = QString::fromStdString(axisEnd(axes_, face.normal));
+    path.addText(-0.5 * metrics.horizontalAdvance(letter), 0.5 * metrics.capHeight(), font, letter);
+    const QTransform onFace(r.x() / half, r.y() / half, -u.x() / half, -u.y() / half, centre.x() + n.x(),
+                            centre.y() + n.y());
+    painter.fillPath(onFace.map(path), QColor(0xf4, 0xf6, 0xf8));
+  }
+}
+
+void ViewportOverlay::paintScale(QPainter& painter) const {
+  const bool perspective = frame_.projection == scene::Projection::perspective;
+  const double heightMm = 2.0 * frame_.halfHeight * (perspective ? frame_.distance : 1.0);
+  const double pixelMm = heightMm / std::max(1, height());
+  if (!(pixelMm > 0.0) || !std::isfinite(pixelMm)) return;
+  const double lengthMm = base::niceBelow(140.0 * pixelMm);
+  const double length = lengthMm / pixelMm;
+  // In perspective a length holds at one depth only: that of the centre of rotation.
+  const QString text = valueText(lengthMm, "mm") + (perspective ? " at the centre" : "");
+
+  const double left = 18.5, bottom = height() - 20.5;
+  QPainterPath bar;
+  bar.moveTo(left, bottom - 6.0);
+  bar.lineTo(left, bottom);
+  bar.lineTo(left + length, bottom);
+  bar.lineTo(left + length, bottom - 6.0);
+  painter.setBrush(Qt::NoBrush);
+  const Inks inks = inksAt(bottom / std::max(1, height()));
+  painter.setPen(QPen(inks.rim, 4.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawPath(bar);
+  painter.setPen(QPen(inks.ink, 1.6, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawPath(bar);
+  QFont font = this->font();
+  font.setWeight(QFont::Medium);
+  drawText(painter, font, {left, bottom - 11.0}, text);
+}
+
+void ViewportOverlay::paintProblem(QPainter& painter) const {
+  painter.fillRect(rect(), colours::base);
+  QFont title = font();
+  title.setPointSizeF(title.pointSizeF() + 4.0);
+  title.setWeight(QFont::DemiBold);
+  const QRectF box = QRectF(rect()).adjusted(40, 0, -40, 0);
+  painter.setPen(colours::text);
+  painter.setFont(title);
+  painter.drawText(box.adjusted(0, 0, 0, -0.5 * height() - 8.0), Qt::AlignHCenter | Qt::AlignBottom,
+                   "The picture cannot be drawn");
+  painter.setPen(colours::quietText);
+  painter.setFont(font());
+  painter.drawText(box.adjusted(0, 0.5 * height() + 8.0, 0, 0), Qt::AlignHCenter | Qt::TextWordWrap,
+                   problem_ + "\n\n" + advice_);
+}
+
+}  // namespace isolux::ui

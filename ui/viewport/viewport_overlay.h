@@ -1,0 +1,55 @@
+// What stands over the picture: letters of the axes, orientation cube, scale bar, or why there is no picture.
+// Painted by the raster engine, so that letters and lines are crisp at any device pixel ratio.
+#pragma once
+
+#include <QWidget>
+
+#include "app/interaction/lamp_handles.h"
+#include "scene/camera.h"
+
+namespace isolux::ui {
+
+class ViewportOverlay : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ViewportOverlay(QWidget* parent);
+
+  // Letters and lines are light on a dark background and dark on a light one.
+  void setScene(const scene::Scene& resolved, bool visible, scene::WorldAxes axes);
+  // Why there is no picture, and what can be done; empty: there is one. Both are the widget's accessible
+  // description.
+  void setProblem(const QString& reason, const QString& advice = {});
+  void setTopInset(int pixels);       // letters, cube and note stand below
+  void setNote(const QString& text);  // over a picture that is not all there; empty: none
+  // Lamps that can be dragged, and which of them the pointer holds or is over.
+  void setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip);
+  void setHint(const QString& text);  // in place of a picture: what to do first
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintLetters(QPainter& painter) const;
+  void paintCube(QPainter& painter) const;
+  void paintScale(QPainter& painter) const;
+  void paintProblem(QPainter& painter) const;
+  void paintNote(QPainter& painter) const;
+
+  struct Inks {
+    QColor ink, rim;
+  };
+  Inks inksAt(double heightFraction) const;  // 0 is the top of the picture
+  void drawText(QPainter& painter, const QFont& font, QPointF baseline, const QString& text) const;
+
+  scene::Camera camera_;
+  glm::dvec3 backgroundTop_{0.0}, backgroundBottom_{0.0};
+  scene::CameraFrame frame_{};
+  bool visible_ = false;
+  scene::WorldAxes axes_ = scene::WorldAxes::zUp;
+  QString problem_, advice_, note_, hint_;
+  int topInset_ = 0;
+  std::vector<app::LampHandle> lamps_;
+  std::optional<app::LampGrip> grip_;
+};
+
+}  // namespace isolux::ui

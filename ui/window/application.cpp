@@ -1,0 +1,113 @@
+#include "ui/window/application.h"
+
+#include <clocale>
+#include <cstdlib>
+#include <string_view>
+
+#include <dlfcn.h>
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSurfaceFormat>
+
+#include "app/files/state_folder.h"
+#include "app/version.h"
+#include "ui/window/icons.h"
+#include "ui/window/main_window.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+bool isSet(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0';
+}
+
+// Whether an X server answers, asked through libxcb without linking to it. True when that cannot be asked.
+bool xServerAnswers() {
+  void* library = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
+  if (library == nullptr) return true;
+  using Connect = void* (*)(const char*, int*);
+  using HasError = int (*)(void*);
+  using Disconnect = void (*)(void*);
+  const auto connect = reinterpret_cast<Connect>(dlsym(library, "xcb_connect"));
+  const auto hasError = reinterpret_cast<HasError>(dlsym(library, "xcb_connection_has_error"));
+  const auto disconnect = reinterpret_cast<Disconnect>(dlsym(library, "xcb_disconnect"));
+  bool answers = true;
+  if (connect != nullptr && hasError != nullptr && disconnect != nullptr) {
+    void* connection = connect(nullptr, nullptr);
+    answers = hasError(connection) == 0;
+    disconnect(connection);
+  }
+  dlclose(library);
+  return answers;
+}
+
+bool waylandPluginInstalled() {
+  const QDir folder(QLibraryInfo::path(QLibraryInfo::PluginsPath) + "/platforms");
+  return !folder.entryList({"libqwayland*"}, QDir::Files).isEmpty();
+}
+}  // namespace
+
+std::optional<std::string> displayProblem() {
+  if (isSet("QT_QPA_PLATFORM")) return std::nullopt;  // the user knows better
+  if (isSet("WAYLAND_DISPLAY") && waylandPluginInstalled()) return std::nullopt;
+  if (isSet("DISPLAY")) {
+    if (xServerAnswers()) return std::nullopt;
+    return "the X server at DISPLAY=" + std::string(std::getenv("DISPLAY")) + " does not answer";
+  }
+  if (isSet("WAYLAND_DISPLAY")) return "Qt's Wayland plugin is not installed (package qt6-wayland)";
+  return "there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)";
+}
+
+void prepareApplication() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(4, 5);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  format.setSwapInterval(1);
+  QSurfaceFormat::setDefaultFormat(format);
+  QCoreApplication::setOrganizationName("Isolux");
+  QCoreApplication::setApplicationName("isolux");
+  const std::string_view version = app::version();
+  QCoreApplication::setApplicationVersion(
+      QString::fromUtf8(version.data(), static_cast<qsizetype>(version.size())));
+}
+
+void finishApplication() {
+  // QApplication takes the user's locale; files and settings are written with a point in every country.
+  std::setlocale(LC_NUMERIC, "C");
+  QLocale::setDefault(QLocale::c());
+  applyStyle();
+  QApplication::setWindowIcon(applicationIcon());
+  QGuiApplication::setApplicationDisplayName("Isolux");
+}
+
+int openWindow(const app::WindowRequest& request) {
+  if (const auto problem = displayProblem()) {
+    throw base::Error(base::ErrorKind::graphics, "", "no window",
+                      *problem + "; `isolux render` makes pictures without one");
+  }
+  prepareApplication();
+  int argc = 1;
+  char name[] = "isolux";
+  char* argv[] = {name, nullptr};
+  const QApplication application(argc, argv);
+  finishApplication();
+
+  MainWindow window;
+  QObject::connect(&application, &QGuiApplication::commitDataRequest, &window, &MainWindow::commitData,
+                   Qt::DirectConnection);
+  window.show();
+  window.open(request);
+  if (const auto folder = app::stateFolder(); !folder.empty()) window.keepDocument(folder / "autosave");
+  return QApplication::exec();
+}
+
+}  // namespace isolux::ui

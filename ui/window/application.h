@@ -1,0 +1,23 @@
+// Opens the window: what `isolux [PATH]` does without a subcommand.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/commands/command_line.h"
+
+namespace isolux::ui {
+
+// Makes the QApplication, shows the window and runs it until it is closed. Returns the exit code. Throws
+// base::Error{graphics} when no display can be reached.
+int openWindow(const app::WindowRequest& request);
+
+// Why no window can be shown on this machine, or nothing when one can. Asks before Qt is started, because Qt
+// aborts the process when it cannot reach its display.
+std::optional<std::string> displayProblem();
+
+// What must be set before the QApplication is made (GL 4.5 core for every context), and after.
+void prepareApplication();
+void finishApplication();
+
+}  // namespace isolux::ui

@@ -1,0 +1,317 @@
+#include "ui/window/main_window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScreen>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "app/documents/session.h"
+#include "scene/rules/relevance.h"
+#include "scene/settings.h"
+#include "ui/document/baked_light.h"
+#include "ui/document/recent_files.h"
+#include "ui/editors/environment_edit.h"
+#include "ui/editors/environment_preview.h"
+#include "ui/editors/number_text.h"
+#include "ui/panels/isovalue_panel.h"
+#include "ui/panels/light_status.h"
+#include "ui/panels/passes_panel.h"
+#include "ui/panels/settings_panel.h"
+#include "ui/panels/volume_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/load_card.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr auto openHint = "Open a volume with Ctrl+O, or drop a file or folder here";
+constexpr int panelWidth = 350;  // pixels, at first
+}  // namespace
+
+QSize firstWindowSize(QSize available) {
+  constexpr QSize wanted(1280, 800), frame(16, 44);  // title bar and borders of usual window managers
+  return wanted.boundedTo(available - frame);
+}
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      document_(new Document(this)),
+      light_(new BakedLight(this)),
+      viewport_(new Viewport(this)),
+      isovalue_(new IsovaluePanel(this)),
+      settings_(new SettingsPanel(this)),
+      info_(new InfoPanel(this)),
+      passes_(new PassesPanel(this)),
+      message_(new MessageBar(viewport_)),
+      loadCard_(new LoadCard(viewport_)),
+      lightStatus_(new LightStatus(this)),
+      pointedLabel_(new QLabel(this)),
+      recordingLabel_(new QLabel(this)),
+      frameLabel_(new QLabel(this)) {
+  setAcceptDrops(true);
+  setWindowTitle("Isolux[*]");
+  resize(firstWindowSize(screen()->availableSize()));
+  makePanels();
+  makeFileMenu();
+  makeEditMenu();
+  makeViewMenu();
+  makeHelpMenu();
+  makeToolBar();
+  connectDocument();
+  connectLight();
+  showScene(document_->scene(), document_->resolvedScene());
+  viewport_->setHint(openHint);
+  showState();
+  viewport_->setFocus();
+  const QByteArray geometry = QSettings().value("window/geometry").toByteArray();
+  if (!geometry.isEmpty()) restoreGeometry(geometry);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makePanels() {
+  auto* centre = new QWidget(this);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(viewport_, 1);
+  layout->addWidget(isovalue_);
+  setCentralWidget(centre);
+
+  const auto dock = [this](const QString& name, QWidget* content) {
+    auto* widget = new QDockWidget(name, this);
+    widget->setObjectName(name);
+    widget->setWidget(content);
+    widget->setFeatures(QDockWidget::DockWidgetClosable);
+    widget->setTitleBarWidget(new QWidget(widget));  // the tab says the name already
+    addDockWidget(Qt::RightDockWidgetArea, widget);
+    return widget;
+  };
+  settingsDock_ = dock("Settings", settings_);
+  infoDock_ = dock("Volume", info_);
+  passesDock_ = dock("Passes", passes_);
+  tabifyDockWidget(settingsDock_, infoDock_);
+  tabifyDockWidget(infoDock_, passesDock_);
+  settingsDock_->raise();
+  resizeDocks({settingsDock_}, {panelWidth}, Qt::Horizontal);
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  setDocumentMode(true);
+
+  recordingLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::error.name()));
+  frameLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::quietText.name()));
+  frameLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance("00000 ms (draft)") + 24);
+  frameLabel_->setToolTip("Time for the last picture");
+  pointedLabel_->setContentsMargins(10, 0, 0, 0);
+  statusBar()->addWidget(pointedLabel_, 1);
+  // The text under the pointer gives way, so that the window can be as narrow as before.
+  pointedLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  statusBar()->addPermanentWidget(lightStatus_);
+  statusBar()->addPermanentWidget(recordingLabel_);
+  statusBar()->addPermanentWidget(frameLabel_);
+  statusBar()->setSizeGripEnabled(false);
+  // Whatever comes and goes in it, the picture above keeps its size.
+  statusBar()->setFixedHeight(std::max(28, fontMetrics().height() + 12));
+}
+
+void MainWindow::connectDocument() {
+  connect(document_, &Document::volumeChanged, this, [this](const VolumePointer& volume) {
+    isovalue_->setVolume(volume);
+    light_->setVolume(volume);
+    viewport_->setVolume(volume);
+    info_->setVolume(volume);
+    settings_->environmentPreview()->setAxes(volume->volume.axes);
+    nameViews();
+    awaitsFirstPicture_ = true;
+    if (!volume->volume.warnings.empty()) {
+      const auto count = volume->volume.warnings.size();
+      message_->show(MessageBar::Kind::note,
+                     QString("%1 (%2 in the Volume panel)")
+                         .arg(QString::fromStdString(volume->volume.warnings.front()))
+                         .arg(count == 1 ? QString("also") : QString("all %1 notes").arg(count)));
+    }
+  });
+  connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
+  connect(document_, &Document::flowMoved, viewport_, &Viewport::setFlowTime);
+  connect(document_, &Document::stateChanged, this, &MainWindow::showState);
+  connect(document_, &Document::loadStarted, this, [this](const QString& name) {
+    message_->clear();
+    viewport_->setHint({});
+    loadCard_->begin(name);
+  });
+  connect(document_, &Document::loadProgress, loadCard_, &LoadCard::report);
+  connect(document_, &Document::loadEnded, this, [this] {
+    loadCard_->end();
+    viewport_->setHint(openHint);
+  });
+  connect(document_, &Document::opened, this, [](const QString& path) { addRecentFile(path); });
+  connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
+  connect(loadCard_, &LoadCard::cancelled, document_, &Document::cancelLoading);
+
+  const auto showError = [this](const QString& text) { message_->show(MessageBar::Kind::error, text); };
+  connect(document_, &Document::failed, this, showError);
+  connect(viewport_, &Viewport::failed, this, showError);
+  connect(settings_, &SettingsPanel::failed, this, showError);
+  connect(info_, &InfoPanel::failed, this, showError);
+
+  connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
+  connect(viewport_, &Viewport::noted, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(viewport_, &Viewport::edited, this, &MainWindow::applyEdit);
+  connect(viewport_, &Viewport::gestureEnded, this, &MainWindow::endGesture);
+  connect(viewport_, &Viewport::pointed, this, &MainWindow::showPointed);
+  connect(viewport_, &Viewport::drawn, this, [this](double milliseconds, bool complete) {
+    frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : " (draft)"));
+    if (awaitsFirstPicture_) {
+      awaitsFirstPicture_ = false;
+      info_->setFirstPicture(document_->secondsSinceRead());
+      showState();  // the title names what is on show
+    }
+  });
+  connect(viewport_, &Viewport::reported, passes_, &PassesPanel::setReport);
+  connect(isovalue_, &IsovaluePanel::edited, document_, &Document::edit);
+  connect(settings_, &SettingsPanel::edited, this, &MainWindow::applyEdit);
+  connect(info_, &InfoPanel::edited, document_, &Document::edit);
+  const auto begin = [this] { viewport_->setInteracting(true); };
+  const auto end = [this] {
+    viewport_->setInteracting(false);
+    endGesture();
+  };
+  connect(isovalue_, &IsovaluePanel::dragStarted, this, begin);
+  connect(isovalue_, &IsovaluePanel::dragEnded, this, end);
+  connect(settings_, &SettingsPanel::dragStarted, this, begin);
+  connect(settings_, &SettingsPanel::dragEnded, this, end);
+}
+
+void MainWindow::connectLight() {
+  connect(viewport_, &Viewport::drawing, light_, &BakedLight::setDrawing);
+  connect(viewport_, &Viewport::drawn, light_, &BakedLight::setDrawn);
+  connect(viewport_, &Viewport::seen, light_, &BakedLight::setVisible);
+  connect(light_, &BakedLight::lightChanged, viewport_, &Viewport::setLight);
+  connect(light_, &BakedLight::stateChanged, lightStatus_, &LightStatus::setState);
+  connect(light_, &BakedLight::failed, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
+  connect(light_, &BakedLight::noted, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(lightStatus_, &LightStatus::paused, light_, [this] { light_->setPaused(true); });
+  connect(lightStatus_, &LightStatus::goOn, light_, &BakedLight::goOn);
+  connect(lightStatus_, &LightStatus::cancelled, light_, &BakedLight::cancel);
+}
+
+void MainWindow::applyEdit(const Edit& edit) {
+  const bool moves = letsEnvironmentMove(document_->scene(), edit);
+  document_->edit(edit);
+  if (!moves) return;
+  tellsOfMoving_ = true;
+  if (edit.endsAfterPause) tellOfMoving();
+}
+
+// Not during a drag: the bar would move the picture away under the pointer.
+void MainWindow::tellOfMoving() {
+  if (!std::exchange(tellsOfMoving_, false)) return;
+  message_->show(MessageBar::Kind::note,
+                 "Light is now stored so that the environment may turn: it is computed once more, "
+                 "then turning costs nothing");
+}
+
+void MainWindow::endGesture() {
+  document_->endGesture();
+  tellOfMoving();
+}
+
+void MainWindow::open(const app::WindowRequest& request) {
+  try {
+    scene::Scene scene = request.scene;
+    const QString path = QString::fromStdString(scene.source.path);
+    const bool builtIn = path.startsWith("phantom:");
+    if (!builtIn) scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
+    const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
+                                 !volume::needsRawDescription(scene.source.path);
+    if (describesItself) {
+      document_->openScene(scene, QString::fromStdString(request.sessionFile));
+    } else {
+      chooseRaw(QString::fromStdString(scene.source.path));
+    }
+    // Not before: what opening begins with takes the message away that it cannot be recorded.
+    if (!request.recordFile.empty()) document_->startRecording(QString::fromStdString(request.recordFile));
+  } catch (const base::Error& error) {
+    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+  }
+}
+
+void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  isovalue_->setScene(scene, resolved);
+  light_->setScene(resolved);
+  viewport_->setScene(scene, resolved);
+  settings_->setScene(scene, resolved);
+  info_->setScene(scene);
+  projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
+  animate_->setEnabled(scene::showsFlow(scene));
+  animate_->setChecked(scene.flow.animate);
+  const QSignalBlocker block(look_);
+  look_->setCurrentIndex(static_cast<int>(scene.look.mode));
+}
+
+void MainWindow::showState() {
+  const bool pictureComes =
+      awaitsFirstPicture_ && viewport_->isVisible() && !isMinimized() && !viewport_->problem();
+  const QString name = document_->name();
+  if (!pictureComes) setWindowTitle(name.isEmpty() ? "Isolux[*]" : name + "[*] – Isolux");
+  setWindowModified(document_->modified());
+  const app::History& history = document_->history();
+  undo_->setEnabled(history.canUndo());
+  redo_->setEnabled(history.canRedo());
+  undo_->setText(history.canUndo() ? "&Undo " + QString::fromStdString(history.undoName()) : "&Undo");
+  redo_->setText(history.canRedo() ? "&Redo " + QString::fromStdString(history.redoName()) : "&Redo");
+  const bool loaded = document_->volume() != nullptr;
+  for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
+    action->setEnabled(loaded);
+  for (QAction* action : views_) action->setEnabled(loaded);
+  const bool recording = document_->recording();
+  record_->setText(recording ? "Stop &recording" : "Start &recording…");
+  record_->setChecked(recording);
+  recordingLabel_->setText(recording ? "● Recording" : "");
+}
+
+void MainWindow::showPointed(const std::optional<render::Pick>& pick) {
+  if (!pick || !document_->volume()) {
+    pointedLabel_->clear();
+    return;
+  }
+  const volume::Volume& volume = document_->volume()->volume;
+  // The way a radiologist says them: "L 12.3"; "X −12.3" where no side is known.
+  const auto place = [&](int axis) {
+    const double mm = pick->worldMm[axis];
+    const bool sides = volume.axes == scene::WorldAxes::anatomical;
+    const QString letter =
+        sides ? QString::fromStdString(axisEnd(volume.axes, axis, mm >= 0.0)) : QString(QChar("XYZ"[axis]));
+    return QString("%1 %2%3").arg(letter, !sides && mm < 0.0 ? "−" : "").arg(std::abs(mm), 0, 'f', 1);
+  };
+  const QString unit = QString::fromStdString(volume.unit);
+  pointedLabel_->setText(QString("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
+                             .arg(place(0), place(1), place(2))
+                             .arg(pick->voxel.x, 0, 'f', 1)
+                             .arg(pick->voxel.y, 0, 'f', 1)
+                             .arg(pick->voxel.z, 0, 'f', 1)
+                             .arg(valueText(pick->value, unit)));
+}
+
+void MainWindow::showPanel(const QString& name) {
+  QDockWidget* dock = name == "volume" ? infoDock_ : name == "passes" ? passesDock_ : settingsDock_;
+  dock->show();
+  dock->raise();
+}
+
+}  // namespace isolux::ui

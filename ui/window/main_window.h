@@ -1,0 +1,143 @@
+// The window: picture, isovalue, settings and facts about the volume, all fed by one Document.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <QAction>
+#include <QMainWindow>
+
+#include "app/commands/command_line.h"
+#include "render/graph/frame.h"
+#include "ui/document/document.h"
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QSessionManager;
+class QShortcut;
+
+namespace isolux::ui {
+
+class BakedLight;
+class DocumentKeeper;
+class InfoPanel;
+class IsovaluePanel;
+class LightStatus;
+class LoadCard;
+class MessageBar;
+class PassesPanel;
+class SettingsPanel;
+class Viewport;
+
+// Of a window that was never opened before: 1280x800, or what the screen has room for. Pixels of the screen's
+// scale.
+QSize firstWindowSize(QSize available);
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  void open(const app::WindowRequest& request);
+  // File, folder, session, picture with a session, or "phantom:NAME"; asks first for a raw file.
+  void openPath(const QString& path);
+  // From now on the document is autosaved in `folder`; offers to continue what a killed window has left
+  // there.
+  void keepDocument(const std::filesystem::path& folder);
+  // The desktop's session ends: asks about unsaved work where that is allowed, and may hold up the end.
+  void commitData(QSessionManager& manager);
+  // The same without the manager: whether the session may end.
+  bool endSession(bool mayAsk);
+
+  Document* document() const { return document_; }
+  DocumentKeeper* keeper() const { return keeper_; }  // null until keepDocument()
+  Viewport* viewport() const { return viewport_; }
+  IsovaluePanel* isovaluePanel() const { return isovalue_; }
+  SettingsPanel* settingsPanel() const { return settings_; }
+  InfoPanel* infoPanel() const { return info_; }
+  PassesPanel* passesPanel() const { return passes_; }
+  QComboBox* lookChoice() const { return look_; }
+  MessageBar* messageBar() const { return message_; }
+  LoadCard* loadCard() const { return loadCard_; }
+  BakedLight* light() const { return light_; }
+  LightStatus* lightStatus() const { return lightStatus_; }
+
+  // .png or .exr; tells what was saved, or why not.
+  bool savePicture(const QString& file, bool withSession = true);
+  void showPanel(const QString& name);  // "settings", "volume" or "passes"
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QAction* newAction(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
+                     const QString& tip);
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeHelpMenu();
+  void nameViews();
+  void makeToolBar();
+  void makePanels();
+  void connectDocument();
+  void connectLight();
+  void applyEdit(const Edit& edit);
+  void endGesture();
+  void tellOfMoving();
+  void showScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void showState();  // title, undo names, recording: what stateChanged() announces
+  void showPointed(const std::optional<render::Pick>& pick);
+  void showRecent();
+
+  void chooseFile();
+  void chooseFolder();
+  void chooseRaw(const QString& path);
+  bool saveSession();
+  bool saveSessionAs();
+  bool saveSessionTo(const QString& file);
+  QString proposedFile(const QString& suffix) const;
+  void tellSaved(const QString& file, const QString& more);
+  void tellRecorded();
+  void offerLost();
+  void choosePicture();
+  void tracePicture();
+  void toggleRecording();
+  void toggleFullScreen(bool on);
+  void chooseLook(int mode);
+  void stepLook(int step);
+  void findSetting();
+  void showHelp();
+  void showAbout();
+  // True when there is no unsaved work, or the user has saved or discarded it.
+  bool mayDiscard();
+
+  Document* document_;
+  DocumentKeeper* keeper_ = nullptr;
+  BakedLight* light_;
+  Viewport* viewport_;
+  IsovaluePanel* isovalue_;
+  SettingsPanel* settings_;
+  InfoPanel* info_;
+  PassesPanel* passes_;
+  MessageBar* message_;
+  LoadCard* loadCard_;
+  LightStatus* lightStatus_;
+  QDockWidget *settingsDock_ = nullptr, *infoDock_ = nullptr, *passesDock_ = nullptr;
+  QMenu* recentMenu_ = nullptr;
+  QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_;
+  QComboBox* look_;
+  QShortcut* leaveFullScreen_ = nullptr;  // Esc
+  QByteArray layoutBefore_;               // full screen: which panels were open
+  std::vector<QAction*> views_;
+  QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
+  bool awaitsFirstPicture_ = false;
+  bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time
+};
+
+}  // namespace isolux::ui

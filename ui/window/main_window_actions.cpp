@@ -1,0 +1,69 @@
+// What the menu entries of ui/window/main_window.h do to the view, and help. Files:
+// ui/window/main_window_documents.cpp.
+#include <QComboBox>
+#include <QMessageBox>
+
+#include "app/version.h"
+#include "ui/panels/settings_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+
+namespace isolux::ui {
+
+void MainWindow::chooseLook(int mode) {
+  Edit edit{document_->scene(), "Change look", {}, false};
+  edit.scene.look.mode = static_cast<scene::LookMode>(mode);
+  document_->edit(edit);
+}
+
+void MainWindow::stepLook(int step) {
+  const int count = look_->count();
+  chooseLook((static_cast<int>(document_->scene().look.mode) + step + count) % count);
+}
+
+void MainWindow::findSetting() {
+  showPanel("settings");
+  settings_->focusSearch();
+}
+
+void MainWindow::showHelp() {
+  QMessageBox box(this);
+  box.setWindowTitle("Mouse and keys");
+  box.setTextFormat(Qt::RichText);
+  box.setText(R"(
+    <style>td { padding: 2px 18px 2px 0; } h4 { margin: 10px 0 4px 0; }</style>
+    <h4>Picture</h4>
+    <table>
+    <tr><td><b>Left drag</b></td><td>rotate</td></tr>
+    <tr><td><b>Middle drag</b>, <b>Shift+left drag</b></td><td>pan</td></tr>
+    <tr><td><b>Right drag</b>, <b>wheel</b></td><td>zoom</td></tr>
+    <tr><td><b>Ctrl+left drag</b></td><td>roll</td></tr>
+    <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
+    <tr><td><b>Shift+right drag</b></td><td>turn the light probe (global illumination)</td></tr>
+    <tr><td><b>Lamp handles</b></td><td>drag; with Ctrl, or by the wheel, nearer and farther (global illumination)</td></tr>
+    <tr><td><b>1 2 3 4 5 6</b></td><td>from anterior, posterior, left, right, superior, inferior (front, back, +X, −X, up, down where the file states no orientation)</td></tr>
+    <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset the view, fit the volume, orthographic</td></tr>
+    <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>
+    <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
+    <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
+    <tr><td><b>F11</b>, <b>Esc</b></td><td>full screen, and back</td></tr>
+    </table>
+    <h4>Histogram</h4>
+    <table>
+    <tr><td><b>Drag the line</b></td><td>choose the isovalue</td></tr>
+    <tr><td><b>Wheel</b>, <b>arrow keys</b></td><td>fine steps; with Shift ten times larger</td></tr>
+    <tr><td><b>Double click</b></td><td>suggested isovalue</td></tr>
+    <tr><td><b>Ctrl+wheel</b>, <b>middle drag</b></td><td>zoom and move the axis of values</td></tr>
+    </table>)");
+  box.exec();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, "About Isolux",
+                     QString("<h3>Isolux %1</h3><p>Explore scans and simulations as isosurfaces, drawn "
+                             "directly from the voxels.</p><p>Graphics: %2</p><p>Qt %3</p>")
+                         .arg(QString::fromStdString(std::string(app::version())),
+                              viewport_->description().toHtmlEscaped(), QString(qVersion())));
+}
+
+}  // namespace isolux::ui

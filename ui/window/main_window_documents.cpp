@@ -1,0 +1,316 @@
+// What the menu entries of ui/window/main_window.h do with files: opening, saving, recording, closing, and
+// what a killed window has left.
+#include <QCloseEvent>
+#include <QDesktopServices>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSessionManager>
+#include <QSettings>
+#include <QUrl>
+
+#include "app/documents/session.h"
+#include "app/files/file_names.h"
+#include "app/files/image_io.h"
+#include "ui/dialogs/raw_import_dialog.h"
+#include "ui/dialogs/reference_dialog.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/document/baked_light.h"
+#include "ui/document/document_keeper.h"
+#include "ui/editors/environment_edit.h"
+#include "ui/editors/file_widget.h"
+#include "ui/panels/light_status.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr auto sessionFilter = "Isolux session (*.isolux)";
+constexpr auto recordingFilter = "Isolux recording (*.jsonl)";
+constexpr auto pngFilter = "PNG, carries the session (*.png)";
+constexpr auto bareFilter = "PNG, picture only (*.png)";
+constexpr auto exrFilter = "OpenEXR, linear colours (*.exr)";
+
+QString lastFolder() {
+  return QSettings().value("lastFolder").toString();
+}
+
+void rememberFolder(const QString& path) {
+  QSettings().setValue("lastFolder", QFileInfo(path).absolutePath());
+}
+
+bool isFormat(const QString& file, const char* suffix) {
+  return QFileInfo(file).suffix().compare(QLatin1String(suffix), Qt::CaseInsensitive) == 0;
+}
+
+// The buttons of a message about a new file.
+std::vector<MessageBar::Answer> showInFolder(const QString& file) {
+  const QString folder = QFileInfo(file).absolutePath();
+  return {{"Show in folder", [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}};
+}
+}  // namespace
+
+// ---- Opening
+// ------------------------------------------------------------------------------------------------
+
+void MainWindow::openPath(const QString& path) {
+  if (mayDiscard()) document_->open(path);
+}
+
+void MainWindow::chooseFile() {
+  QStringList filters, patterns;
+  for (const std::string& filter : volume::fileFilters()) {
+    const QString text = QString::fromStdString(filter);
+    filters += text;
+    const QString inside = text.section('(', -1).section(')', 0, 0);
+    if (inside != "*") patterns += inside;
+  }
+  filters.prepend("Volumes, sessions and pictures (" + patterns.join(' ') + " *.isolux *.png)");
+  filters += {sessionFilter, "Raw voxels (*.raw *.bin *.img *.dat)", "All files (*)"};
+  filters.removeDuplicates();
+  const QString path = QFileDialog::getOpenFileName(this, "Open", lastFolder(), filters.join(";;"));
+  if (path.isEmpty()) return;
+  rememberFolder(path);
+  openPath(path);
+}
+
+void MainWindow::chooseFolder() {
+  const QString path = QFileDialog::getExistingDirectory(this, "Open folder", lastFolder());
+  if (path.isEmpty()) return;
+  rememberFolder(path);
+  openPath(path);
+}
+
+void MainWindow::chooseRaw(const QString& path) {
+  auto* dialog = new RawImportDialog(path, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
+    document_->openRaw(path, QString::fromStdString(volume::toText(dialog->description())));
+  });
+  dialog->open();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) {
+      event->acceptProposedAction();
+      return;
+    }
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (!url.isLocalFile()) continue;
+    event->acceptProposedAction();
+    const QString path = url.toLocalFile();
+    // After the drop is answered: a dialog must not hold up the program that the file comes from.
+    QMetaObject::invokeMethod(
+        this,
+        [this, path] {
+          if (isLightProbe(path)) {
+            document_->edit(lightProbeChosen(document_->scene(), path));
+          } else {
+            openPath(path);
+          }
+        },
+        Qt::QueuedConnection);
+    return;
+  }
+}
+
+// ---- Saving
+// -------------------------------------------------------------------------------------------------
+
+// Beside the volume, by the name of the session or of the volume.
+QString MainWindow::proposedFile(const QString& suffix) const {
+  const QString session = document_->sessionFile();
+  const QString source = QString::fromStdString(document_->scene().source.path);
+  const QString name =
+      QString::fromStdString(app::plainName((session.isEmpty() ? source : session).toStdString()));
+  const QString folder = folderBeside(session.isEmpty() ? source : session, lastFolder());
+  return (folder.isEmpty() ? QDir::homePath() : folder) + '/' + (name.isEmpty() ? "untitled" : name) + suffix;
+}
+
+void MainWindow::tellSaved(const QString& file, const QString& more) {
+  const QString text = "Saved " + QFileInfo(file).fileName() + (more.isEmpty() ? QString() : "; " + more);
+  message_->show(MessageBar::Kind::note, text, showInFolder(file));
+}
+
+bool MainWindow::saveSession() {
+  const QString file = document_->sessionFile();
+  // A picture that carries a session is not overwritten with one.
+  if (file.isEmpty() || isFormat(file, "png")) return saveSessionAs();
+  return saveSessionTo(file);
+}
+
+bool MainWindow::saveSessionAs() {
+  const SaveAnswer answer =
+      askForFileToSave(this, {"Save session", proposedFile(".isolux"), {sessionFilter}});
+  if (answer.file.isEmpty()) return false;
+  rememberFolder(answer.file);
+  return saveSessionTo(answer.file);
+}
+
+bool MainWindow::saveSessionTo(const QString& file) {
+  if (!document_->saveSession(file)) return false;
+  tellSaved(file, {});
+  return true;
+}
+
+void MainWindow::choosePicture() {
+  const SaveAnswer answer =
+      askForFileToSave(this, {"Save picture", proposedFile(".png"), {pngFilter, bareFilter, exrFilter}});
+  if (answer.file.isEmpty()) return;
+  rememberFolder(answer.file);
+  savePicture(answer.file, answer.filter != bareFilter);
+}
+
+void MainWindow::tracePicture() {
+  const double ratio = viewport_->devicePixelRatioF();
+  auto* dialog = new ReferenceDialog(document_->volume(), document_->resolvedScene(),
+                                     (QSizeF(viewport_->size()) * ratio).toSize(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
+}
+
+bool MainWindow::savePicture(const QString& file, bool withSession) {
+  try {
+    const std::filesystem::path path = file.toStdString();
+    if (!isFormat(file, "png") && !isFormat(file, "exr"))
+      base::throwInput(path.filename().string(), "",
+                       "is not written: the name of a picture ends in .png or .exr");
+    document_->checkOutput(file);
+    const std::string session =
+        withSession ? app::pictureSessionText(document_->shownScene(), path.parent_path()) : std::string();
+    const bool linear = isFormat(file, "exr");
+    const render::StillPicture picture = viewport_->picture(linear);
+    const QString light = unfinishedLightText(light_->state(), light_->cancelled());
+    if (linear) {
+      app::writeExr(&picture.linear, {}, path, session);
+    } else {
+      app::writePng(picture.color, path, session);
+    }
+    tellSaved(file, light);
+    return true;
+  } catch (const base::Error& error) {
+    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+void MainWindow::toggleRecording() {
+  if (document_->recording()) {
+    document_->stopRecording();
+    tellRecorded();
+    return;
+  }
+  const QString start = QFileInfo(proposedFile("")).absolutePath() + "/recording.jsonl";
+  const SaveAnswer answer = askForFileToSave(this, {"Record into", start, {recordingFilter}});
+  if (!answer.file.isEmpty()) {
+    rememberFolder(answer.file);
+    document_->startRecording(answer.file);
+  }
+  showState();  // the entry is checkable: a cancelled dialog must not leave it checked
+}
+
+void MainWindow::tellRecorded() {
+  const QString file = document_->recordingFile();
+  const QString name = QFileInfo(file).fileName();
+  tellSaved(file, QString("isolux replay %1 --out FOLDER makes pictures of it").arg(name));
+}
+
+// ---- Closing
+// -------------------------------------------------------------------------------------------------
+
+bool MainWindow::mayDiscard() {
+  const QString file = document_->sessionFile();
+  if (!document_->volume() || !app::asksBeforeDiscarding(document_->unsavedWork(), !file.isEmpty()))
+    return true;
+  const bool hasSession = !file.isEmpty() && !isFormat(file, "png");
+  QMessageBox box(QMessageBox::Question, "Isolux", {},
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setText(hasSession ? QString("Save the changes to %1?").arg(QFileInfo(file).fileName())
+                         : QString("Save what you did with %1 as a session?").arg(document_->name()));
+  box.setInformativeText(
+      "A session keeps the isovalue, the look, the light and the view, not the stored light.");
+  box.setDefaultButton(QMessageBox::Save);
+  box.setEscapeButton(QMessageBox::Cancel);
+  const int answer = box.exec();
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveSession());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  document_->cancelLoading();
+  if (keeper_) keeper_->forget();
+  if (!isFullScreen()) QSettings().setValue("window/geometry", saveGeometry());
+  event->accept();
+}
+
+void MainWindow::commitData(QSessionManager& manager) {
+  const bool mayAsk = manager.allowsInteraction();
+  const bool ends = endSession(mayAsk);
+  if (mayAsk) manager.release();
+  if (!ends) manager.cancel();
+}
+
+bool MainWindow::endSession(bool mayAsk) {
+  if (mayAsk && !mayDiscard()) return false;
+  if (!keeper_) return true;
+  if (mayAsk) {
+    keeper_->forget();
+  } else {  // the next start offers what is open
+    keeper_->save();
+    keeper_->finish();
+  }
+  return true;
+}
+
+// ---- What a killed window has left
+// -------------------------------------------------------------------------------------------------
+
+void MainWindow::keepDocument(const std::filesystem::path& folder) {
+  keeper_ = new DocumentKeeper(document_, folder, this);
+  connect(keeper_, &DocumentKeeper::failed, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
+  connect(keeper_, &DocumentKeeper::noted, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  offerLost();
+  if (keeper_->damaged().empty()) return;
+  message_->show(MessageBar::Kind::note,
+                 QString("An autosave could not be read. It is kept as %1")
+                     .arg(QString::fromStdString(keeper_->damaged().front().string())),
+                 showInFolder(QString::fromStdString(keeper_->damaged().front().string())));
+}
+
+void MainWindow::offerLost() {
+  const app::Autosave* lost = keeper_->lost();
+  if (!lost) return;
+  const auto restore = [this] {
+    if (mayDiscard()) {
+      keeper_->restoreLost();
+    } else {
+      offerLost();
+    }
+  };
+  const auto discard = [this] {
+    keeper_->discardLost();
+    offerLost();
+  };
+  const auto age = std::chrono::system_clock::now() - lost->time;
+  message_->show(MessageBar::Kind::question,
+                 QString("Continue: %1, %2")
+                     .arg(QString::fromStdString(app::plainName(lost->document.name)),
+                          QString::fromStdString(app::agoText(age))),
+                 {{"Restore", restore}, {"Discard", discard}});
+}
+
+}  // namespace isolux::ui

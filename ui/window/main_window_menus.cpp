@@ -1,0 +1,200 @@
+// The menus and the tool bar of ui/window/main_window.h.
+#include <array>
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QShortcut>
+#include <QToolBar>
+
+#include "scene/settings.h"
+#include "ui/document/recent_files.h"
+#include "ui/editors/number_text.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/icons.h"
+#include "ui/window/main_window.h"
+#include "volume/phantom/phantom.h"
+
+namespace isolux::ui {
+
+QAction* MainWindow::newAction(QMenu* menu, const QString& text, const QString& iconName,
+                               const QKeySequence& keys, const QString& tip) {
+  QAction* action = menu->addAction(text);
+  if (!iconName.isEmpty()) action->setIcon(icon(iconName));
+  action->setShortcut(keys);
+  action->setIconVisibleInMenu(false);
+  const QString shortcut = keys.toString(QKeySequence::NativeText);
+  action->setToolTip(shortcut.isEmpty() ? tip : QString("%1 (%2)").arg(tip, shortcut));
+  return action;
+}
+
+void MainWindow::makeFileMenu() {
+  QMenu* menu = menuBar()->addMenu("&File");
+  open_ = newAction(menu, "&Open…", "open", QKeySequence::Open, "Open a volume, session or picture");
+  connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
+  openFolder_ = newAction(menu, "Open &folder (DICOM)…", "folder", QKeySequence("Ctrl+Shift+O"),
+                          "Open a folder of DICOM files or numbered images");
+  connect(openFolder_, &QAction::triggered, this, &MainWindow::chooseFolder);
+  recentMenu_ = menu->addMenu("Open &recent");
+  connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::showRecent);
+  QMenu* phantoms = menu->addMenu("Open built-in &phantom");
+  phantoms->setToolTipsVisible(true);
+  for (const volume::PhantomInfo& phantom : volume::phantoms()) {
+    const QString name = QString::fromStdString(std::string(phantom.name));
+    QAction* action = phantoms->addAction(wordsOf(name));
+    action->setToolTip(QString::fromStdString(std::string(phantom.meaning)));
+    connect(action, &QAction::triggered, this, [this, name] { openPath("phantom:" + name); });
+  }
+  menu->addSeparator();
+  save_ = newAction(menu, "&Save session", "save", QKeySequence::Save, "Save the session");
+  connect(save_, &QAction::triggered, this, &MainWindow::saveSession);
+  saveAs_ =
+      newAction(menu, "Save session &as…", "", QKeySequence("Ctrl+Shift+S"), "Save the session elsewhere");
+  connect(saveAs_, &QAction::triggered, this, &MainWindow::saveSessionAs);
+  picture_ = newAction(menu, "Save p&icture…", "picture", QKeySequence("Ctrl+E"), "Save the picture");
+  connect(picture_, &QAction::triggered, this, &MainWindow::choosePicture);
+  trace_ = newAction(menu, "&Path trace picture…", "", {},
+                     "Trace every pixel of this view by itself, for a still without stored light");
+  connect(trace_, &QAction::triggered, this, &MainWindow::tracePicture);
+  menu->addSeparator();
+  record_ = newAction(menu, "Start &recording…", "record", QKeySequence("Ctrl+R"),
+                      "Record every change, to replay it with `isolux replay`");
+  record_->setCheckable(true);
+  connect(record_, &QAction::triggered, this, &MainWindow::toggleRecording);
+  menu->addSeparator();
+  QAction* quit = newAction(menu, "&Quit", "", QKeySequence::Quit, "Quit Isolux");
+  connect(quit, &QAction::triggered, this, &QWidget::close);
+}
+
+void MainWindow::makeEditMenu() {
+  QMenu* menu = menuBar()->addMenu("&Edit");
+  undo_ = newAction(menu, "&Undo", "undo", QKeySequence::Undo, "Undo");
+  connect(undo_, &QAction::triggered, document_, &Document::undo);
+  redo_ = newAction(menu, "&Redo", "redo", QKeySequence::Redo, "Redo");
+  connect(redo_, &QAction::triggered, document_, &Document::redo);
+  menu->addSeparator();
+  QAction* find = newAction(menu, "&Find a setting", "", QKeySequence::Find, "Find a setting by its name");
+  connect(find, &QAction::triggered, this, &MainWindow::findSetting);
+}
+
+void MainWindow::makeViewMenu() {
+  QMenu* menu = menuBar()->addMenu("&View");
+  for (int i = 0; i < scene::standardViewCount; ++i) {
+    QAction* action = newAction(menu, "", "", QKeySequence(QString::number(i + 1)), "");
+    connect(action, &QAction::triggered, this,
+            [this, i] { viewport_->applyStandardView(static_cast<scene::StandardView>(i)); });
+    views_.push_back(action);
+  }
+  nameViews();
+  menu->addSeparator();
+  reset_ = newAction(menu, "&Reset view", "reset_view", QKeySequence("R"), "Reset the view");
+  connect(reset_, &QAction::triggered, viewport_, &Viewport::resetView);
+  fit_ = newAction(menu, "&Fit volume", "fit", QKeySequence("F"), "Fit the volume into the picture");
+  connect(fit_, &QAction::triggered, viewport_, &Viewport::fitView);
+  projection_ = newAction(menu, "&Orthographic", "perspective", QKeySequence("O"),
+                          "Switch between perspective and orthographic");
+  projection_->setCheckable(true);
+  connect(projection_, &QAction::triggered, viewport_, &Viewport::toggleProjection);
+  menu->addSeparator();
+  QAction* next = newAction(menu, "&Next look", "", QKeySequence("L"), "Next look");
+  connect(next, &QAction::triggered, this, [this] { stepLook(1); });
+  QAction* previous = newAction(menu, "Pre&vious look", "", QKeySequence("Shift+L"), "Previous look");
+  connect(previous, &QAction::triggered, this, [this] { stepLook(-1); });
+  animate_ = newAction(menu, "&Animate the flow", "animate", QKeySequence("Space"),
+                       "Let the flow move, or stand still");
+  animate_->setCheckable(true);
+  // Only while the picture has the focus: elsewhere the space bar presses buttons.
+  animate_->setShortcutContext(Qt::WidgetShortcut);
+  viewport_->addAction(animate_);
+  connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
+  menu->addSeparator();
+  menu->addAction(settingsDock_->toggleViewAction());
+  menu->addAction(infoDock_->toggleViewAction());
+  menu->addAction(passesDock_->toggleViewAction());
+  menu->addSeparator();
+  fullScreen_ = newAction(menu, "Full &screen", "", QKeySequence("F11"), "Full screen; Esc ends it");
+  fullScreen_->setCheckable(true);
+  connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);
+  leaveFullScreen_ = new QShortcut(QKeySequence(Qt::Key_Escape), this);
+  leaveFullScreen_->setEnabled(false);
+  connect(leaveFullScreen_, &QShortcut::activated, this, [this] { fullScreen_->setChecked(false); });
+}
+
+// By the volume's axes: "Anterior", or "−Y" where nobody says where the patient lies.
+void MainWindow::nameViews() {
+  const VolumePointer volume = document_->volume();
+  const scene::WorldAxes axes = volume ? volume->volume.axes : scene::WorldAxes::anatomical;
+  for (int i = 0; i < scene::standardViewCount; ++i) {
+    QAction* action = views_[static_cast<std::size_t>(i)];
+    const auto view = static_cast<scene::StandardView>(i);
+    const QString name = QString::fromStdString(scene::standardViewName(view, axes));
+    action->setText(axes == scene::WorldAxes::anatomical ? "&" + name : "From " + name);
+    action->setIconText(QString::fromStdString(scene::standardViewMark(view, axes)));
+    action->setToolTip(QString("From %1 (%2)")
+                           .arg(axes == scene::WorldAxes::anatomical ? name.toLower() : name,
+                                action->shortcut().toString()));
+  }
+}
+
+void MainWindow::makeHelpMenu() {
+  QMenu* menu = menuBar()->addMenu("&Help");
+  QAction* help = newAction(menu, "&Mouse and keys", "", QKeySequence::HelpContents, "Mouse and keys");
+  connect(help, &QAction::triggered, this, &MainWindow::showHelp);
+  QAction* about = newAction(menu, "&About Isolux", "", {}, "Version and graphics");
+  connect(about, &QAction::triggered, this, &MainWindow::showAbout);
+}
+
+void MainWindow::makeToolBar() {
+  QToolBar* bar = addToolBar("Tools");
+  bar->setObjectName("Tools");
+  bar->setMovable(false);
+  bar->setIconSize({20, 20});
+  bar->addActions({open_, openFolder_, save_, picture_});
+  bar->addSeparator();
+  bar->addActions({undo_, redo_});
+  bar->addSeparator();
+  bar->addActions({reset_, fit_, projection_});
+  bar->addSeparator();
+  for (QAction* action : views_) bar->addAction(action);
+  bar->addSeparator();
+  look_ = new QComboBox(bar);
+  look_->setToolTip("What the picture shows (L, Shift+L: next and previous)");
+  look_->setAccessibleName("Look");
+  look_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  for (const std::string& mode : scene::setting("look.mode").choices)
+    look_->addItem(wordsOf(QString::fromStdString(mode)));
+  look_->setMaxVisibleItems(look_->count());
+  connect(look_, &QComboBox::currentIndexChanged, this, &MainWindow::chooseLook);
+  bar->addWidget(look_);
+  bar->addAction(animate_);
+  bar->addSeparator();
+  bar->addAction(record_);
+}
+
+void MainWindow::showRecent() {
+  recentMenu_->clear();
+  const QStringList files = recentFiles();
+  for (const QString& file : files) {
+    constexpr int widest = 420;  // pixels
+    const QString name = file.startsWith("phantom:") ? file : QFileInfo(file).fileName();
+    QString shown = recentMenu_->fontMetrics().elidedText(name, Qt::ElideMiddle, widest);
+    QAction* action = recentMenu_->addAction(shown.replace('&', "&&"));
+    action->setToolTip(file);
+    connect(action, &QAction::triggered, this, [this, file] {
+      if (!file.startsWith("phantom:") && !QFileInfo::exists(file)) removeRecentFile(file);
+      openPath(file);
+    });
+  }
+  recentMenu_->setToolTipsVisible(true);
+  if (files.isEmpty()) {
+    recentMenu_->addAction("Nothing yet")->setEnabled(false);
+    return;
+  }
+  recentMenu_->addSeparator();
+  connect(recentMenu_->addAction("Clear this list"), &QAction::triggered, this, [] { clearRecentFiles(); });
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,122 @@
+#include "ui/window/message_bar.h"
+
+#include <utility>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "ui/editors/wrapped_text.h"
+#include "ui/window/icons.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent),
+      symbol_(new QLabel(this)),
+      label_(new WrappedText(this)),
+      layout_(new QHBoxLayout(this)) {
+  setObjectName("messageBar");
+  setAttribute(Qt::WA_NoMousePropagation);  // a press here is no drag of the picture
+  setCursor(Qt::ArrowCursor);
+  auto* close = new QToolButton(this);
+  close->setIcon(icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip("Close this message");
+  layout_->setContentsMargins(12, 7, 8, 7);
+  layout_->setSpacing(10);
+  layout_->addWidget(symbol_);
+  layout_->addWidget(label_, 1, Qt::AlignVCenter);
+  layout_->addWidget(close);
+  timer_.setSingleShot(true);
+  timer_.setInterval(8000);
+  connect(&timer_, &QTimer::timeout, this, &MessageBar::clear);
+  connect(close, &QToolButton::clicked, this, &MessageBar::close);
+  parent->installEventFilter(this);
+  QFrame::hide();
+}
+
+void MessageBar::show(Kind kind, const QString& text, std::vector<Answer> answers) {
+  Message message{kind, text, std::move(answers)};
+  if (kind == Kind::question) question_ = message;
+  present(std::move(message));
+}
+
+void MessageBar::present(Message message) {
+  shown_ = std::move(message);
+  label_->setText(shown_.text);
+  makeButtons();
+  const bool error = shown_.kind == Kind::error;
+  const QColor colour = error ? colours::error : colours::accent;
+  symbol_->setPixmap(iconPixmap(error ? "error" : "info", 18, colour, devicePixelRatioF()));
+  setStyleSheet(QString("#messageBar { background: %1; border: 0; border-left: 4px solid %2; "
+                        "border-bottom: 1px solid %3; } #messageBar QTextEdit { background: transparent; }")
+                    .arg(error ? "#3a2829" : "#26323d", colour.name(), colours::border.name()));
+  if (shown_.kind == Kind::note) {
+    timer_.start();
+  } else {
+    timer_.stop();
+  }
+  place();
+  QFrame::show();
+  raise();
+}
+
+void MessageBar::makeButtons() {
+  for (QPushButton* button : std::exchange(buttons_, {})) button->deleteLater();
+  for (const Answer& answer : shown_.answers) {
+    auto* button = new QPushButton(answer.text, this);
+    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys with the picture
+    layout_->insertWidget(layout_->count() - 1, button);
+    button->show();  // at once: the height of the bar depends on it
+    connect(button, &QPushButton::clicked, this, [this, chosen = answer.chosen] {
+      close();
+      if (chosen) chosen();
+    });
+    buttons_.push_back(button);
+  }
+}
+
+void MessageBar::close() {
+  if (shown_.kind == Kind::question) question_.reset();
+  clear();
+}
+
+void MessageBar::clear() {
+  timer_.stop();
+  if (question_) {
+    if (shown_.kind != Kind::question) present(*question_);
+    return;
+  }
+  shown_ = {};
+  label_->setText({});
+  makeButtons();
+  hide();
+}
+
+QString MessageBar::text() const {
+  return label_->text();
+}
+
+void MessageBar::place() {
+  const int width = parentWidget()->width();
+  layout_->activate();
+  const int height = layout_->totalHeightForWidth(width);
+  setGeometry(0, 0, width, height);
+  Q_EMIT heightTaken(height);
+}
+
+bool MessageBar::eventFilter(QObject* parent, QEvent* event) {
+  if (event->type() == QEvent::Resize && !isHidden()) place();
+  return QFrame::eventFilter(parent, event);
+}
+
+void MessageBar::hideEvent(QHideEvent* event) {
+  QFrame::hideEvent(event);
+  if (isHidden()) Q_EMIT heightTaken(0);
+}
+
+}  // namespace isolux::ui

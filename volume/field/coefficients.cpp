@@ -1,0 +1,147 @@
+#include "volume/field/coefficients.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <tbb/combinable.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include "volume/field/fill_missing.h"
+#include "volume/parallel_steps.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr const char* kStage = "interpolating";
+constexpr std::size_t kLines = 16;  // filtered side by side: one SIMD lane each
+const double kPole = std::sqrt(3.0) - 2.0;
+
+// Neighbouring lines of samples along one axis: line r has sample k at first[k * stride + r * lineStride].
+struct Lines {
+  float* first;
+  std::size_t count, length, stride, lineStride;
+};
+
+// Turns samples into cubic B-spline coefficients in place (Unser, Aldroubi & Eden 1993, part II, box 2): one
+// causal and one anticausal first-order recursion. Both boundaries are mirrors half a sample beyond the
+// border sample, c[-1] = c[0] and c[n] = c[n-1], because that is what clamped lookups see: so the spline
+// interpolates at the border samples too.
+class Prefilter {
+ public:
+  explicit Prefilter(std::size_t length) : n_(length), c_(length * kLines) {}
+
+  void operator()(const Lines& lines) {
+    for (std::size_t k = 0; k < n_; ++k)
+      for (std::size_t r = 0; r < lines.count; ++r)
+        c_[k * kLines + r] = static_cast<double>(lines.first[k * lines.stride + r * lines.lineStride]);
+    start();
+    for (std::size_t k = 1; k < n_; ++k)
+      for (std::size_t r = 0; r < kLines; ++r) c_[k * kLines + r] += kPole * c_[(k - 1) * kLines + r];
+    for (std::size_t r = 0; r < kLines; ++r) c_[(n_ - 1) * kLines + r] *= kPole / (kPole - 1.0);
+    for (std::size_t k = n_ - 1; k-- > 0;)
+      for (std::size_t r = 0; r < kLines; ++r)
+        c_[k * kLines + r] = kPole * (c_[(k + 1) * kLines + r] - c_[k * kLines + r]);
+    for (std::size_t k = 0; k < n_; ++k)
+      for (std::size_t r = 0; r < lines.count; ++r)
+        lines.first[k * lines.stride + r * lines.lineStride] = static_cast<float>(6.0 * c_[k * kLines + r]);
+  }
+
+ private:
+  // c+[0] = f[0] + sum_{m>=1} z^m f[-m], the mirrored signal having period 2n.
+  void start() {
+    std::array<double, kLines> sum{};
+    const auto add = [&](double weight, std::size_t k) {
+      for (std::size_t r = 0; r < kLines; ++r) sum[r] += weight * c_[k * kLines + r];
+    };
+    double power = kPole;
+    const double wrap = std::pow(kPole, 2.0 * static_cast<double>(n_));
+    for (std::size_t k = 0; k < n_ && std::abs(power) >= 1e-30; ++k, power *= kPole) add(power, k);
+    if (std::abs(wrap) > 1e-30) {
+      double back = wrap;
+      for (std::size_t k = 0; k < n_; ++k, back /= kPole) add(back, k);
+    }
+    for (std::size_t r = 0; r < kLines; ++r) c_[r] += sum[r] / (1.0 - wrap);
+  }
+
+  std::size_t n_;
+  std::vector<double> c_;  // sample k of line r at k * kLines + r
+};
+
+void filterAlong(int axis, std::vector<float>& values, const glm::ivec3& size, base::Progress& progress,
+                 Share share) {
+  const std::size_t dims[3] = {static_cast<std::size_t>(size.x), static_cast<std::size_t>(size.y),
+                               static_cast<std::size_t>(size.z)};
+  const std::size_t strides[3] = {1, dims[0], dims[0] * dims[1]};
+  const int along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2;  // lines beside one another; and the rest
+  if (dims[axis] < 2) return;
+  const std::size_t bundles = (dims[along] + kLines - 1) / kLines;
+  tbb::enumerable_thread_specific<Prefilter> filters([&] { return Prefilter(dims[axis]); });
+  parallelSteps(bundles * dims[across], progress, share, [&](std::size_t step) {
+    const std::size_t line = step % bundles * kLines;
+    filters.local()({values.data() + line * strides[along] + step / bundles * strides[across],
+                     std::min(kLines, dims[along] - line), dims[axis], strides[axis], strides[along]});
+  });
+}
+
+std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progress& progress) {
+  std::vector<float> values;
+  resizeStoppably(values, grid.geometry().voxelCount(), progress);
+  std::visit(
+      [&](const auto& voxels) {
+        parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {0.0, 0.1, kStage},
+                       [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t i = begin; i < end; ++i)
+                           values[i] = static_cast<float>(static_cast<double>(voxels[i]) - offset);
+                       });
+      },
+      grid.voxels());
+  return values;
+}
+
+void findRange(Coefficients& coefficients, base::Progress& progress) {
+  struct Range {
+    float least = std::numeric_limits<float>::infinity(), most = -std::numeric_limits<float>::infinity();
+    void add(float low, float high) {
+      least = std::min(least, low);
+      most = std::max(most, high);
+    }
+  };
+  const std::vector<float>& values = coefficients.values;
+  tbb::combinable<Range> partial;
+  parallelPieces(values.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
+    Range range;
+    for (std::size_t i = begin; i < end; ++i) range.add(values[i], values[i]);
+    partial.local().add(range.least, range.most);
+  });
+  Range all;
+  partial.combine_each([&](const Range& range) { all.add(range.least, range.most); });
+  coefficients.least = all.least;
+  coefficients.most = all.most;
+}
+
+}  // namespace
+
+Coefficients interpolatingCoefficients(const Grid& grid) {
+  base::Progress unwatched;
+  return interpolatingCoefficients(grid, unwatched);
+}
+
+Coefficients interpolatingCoefficients(const Grid& grid, base::Progress& progress) {
+  Coefficients result;
+  result.held = base::machineMemory().reserve(
+      grid.geometry().voxelCount() * sizeof(float), "the field cubic_interpolating",
+      "the field cubic of hit.field and derivatives.field needs none");
+  const double middle = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
+  if (std::abs(middle) > grid.storedMaximum() - grid.storedMinimum()) result.offset = middle;
+  result.values = differencesFrom(result.offset, grid, progress);
+  if (grid.missingCount() > 0) fillMissing(result.values, grid.dims(), progress, {0.1, 0.4, kStage});
+  for (int axis = 0; axis < 3; ++axis)
+    filterAlong(axis, result.values, grid.dims(), progress, {0.4 + 0.2 * axis, 0.6 + 0.2 * axis, kStage});
+  findRange(result, progress);
+  return result;
+}
+
+}  // namespace isolux::volume

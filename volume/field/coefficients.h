@@ -1,0 +1,35 @@
+// Coefficients of the tri-cubic B-spline that passes through a grid's samples (the field
+// cubic_interpolating).
+#pragma once
+
+#include <vector>
+
+#include "base/progress.h"
+#include "volume/grid.h"
+
+namespace isolux::volume {
+
+// A coefficient is offset + values[Grid::index(x, y, z)], stored units. What is the same in all of them
+// stands apart: of values like 1e6 + small, float32 would keep nothing of what their derivatives are made of.
+// A spline's weights sum to 1, so its value is the offset more than that of `values`, its derivatives the
+// same.
+struct Coefficients {
+  // The middle of the range of the samples where they lie further from 0 than they spread, else 0: then there
+  // is little to gain, and what float32 has most digits for stays at 0, where distance fields have their
+  // surface.
+  double offset = 0.0;
+  std::vector<float> values;
+  float least = 0.0f, most = 0.0f;  // of values
+  base::MemoryBudget::Held held{};
+  bool empty() const { return values.empty(); }
+};
+
+// The recursive prefilter per axis. The boundary is a mirror half a voxel beyond the border samples
+// (c[-1] = c[0]): what clamped lookups see, so that the border samples are interpolated too. Missing voxels
+// are filled first (fill_missing.h). Multithreaded, float result, double arithmetic, time proportional to the
+// voxels. With `progress` it reports how far it is and throws Error{interrupted}. Throws
+// Error{memory} before anything is made.
+Coefficients interpolatingCoefficients(const Grid& grid);
+Coefficients interpolatingCoefficients(const Grid& grid, base::Progress& progress);
+
+}  // namespace isolux::volume

@@ -1,0 +1,38 @@
+// Continuous fields from samples: trilinear and tri-cubic B-spline, value and derivatives, in double
+// precision.
+//
+// The CPU reference for what the shaders do. Positions are voxel coordinates inside [0, n-1]; outside they
+// are clamped. Derivatives are per voxel; GridGeometry carries them to world: g_w = A^-T g_v, H_w = A^-T H_v
+// A^-1. Values are data units. A missing voxel among the samples of a lookup (8 or 64) makes its result NaN.
+// Samples beyond the border repeat the border sample (clamp), on CPU and GPU alike.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "volume/field/coefficients.h"
+#include "volume/grid.h"
+
+namespace isolux::volume {
+
+struct FieldSample {
+  double value = 0.0;
+  glm::dvec3 gradient{0.0};  // per voxel
+  glm::dmat3 hessian{0.0};   // per voxel squared, symmetric
+};
+
+// Uniform cubic B-spline weights of samples floor(x)-1 .. floor(x)+2 at fraction t in [0,1], and derivatives.
+struct CubicWeights {
+  double w[4], d1[4], d2[4];
+};
+CubicWeights cubicWeights(double t);
+
+FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel);  // hessian: only the mixed terms are not 0
+FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel);  // B-spline of the samples themselves (smooths)
+// The spline that passes through the samples: interpolatingCoefficients(grid).
+FieldSample sampleCubic(const Coefficients& coefficients, const Grid& grid, glm::dvec3 voxel);
+
+glm::dvec3 worldGradient(const GridGeometry& geometry, glm::dvec3 voxelGradient);
+glm::dmat3 worldHessian(const GridGeometry& geometry, const glm::dmat3& voxelHessian);
+
+}  // namespace isolux::volume

@@ -1,0 +1,33 @@
+// First hit of a ray with the trilinear isosurface, exactly: the double-precision reference of every other
+// hit finder.
+//
+// The ray is walked cell by cell; in each cell the cubic along the ray is solved for its first root, so that
+// no crossing is missed: thin sheets, double crossings, rays along axes and through corners included. Cells
+// with a missing corner hold no surface.
+#pragma once
+
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+#include "volume/grid.h"
+#include "volume/skip/min_max_blocks.h"
+
+namespace isolux::volume {
+
+struct RayHit {
+  double t = 0.0;           // along the ray, in units of |direction|
+  glm::dvec3 voxel{0.0};    // hit position, voxel coordinates
+  double valueError = 0.0;  // |f - isovalue| at the hit, data units
+  bool entering = false;    // f rises through the isovalue along the ray
+};
+
+// origin and direction in voxel space (direction need not be unit, not zero); first crossing with t in
+// [tMinimum, tMaximum]. A crossing is a change of (f >= isovalue); touching without crossing is no hit.
+// A ray that starts on the surface does not hit it there. Not finite or zero rays hit nothing. Where a ray
+// runs in a plane between two cells, one of them decides (only missing voxels make that matter).
+std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                               glm::dvec3 origin, glm::dvec3 direction, double tMinimum = 0.0,
+                               double tMaximum = std::numeric_limits<double>::infinity());
+
+}  // namespace isolux::volume

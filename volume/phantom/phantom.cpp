@@ -1,0 +1,215 @@
+#include "volume/phantom/phantom.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "base/random.h"
+#include "volume/field/reconstruct.h"
+#include "volume/parallel_steps.h"
+#include "volume/phantom/phantom_head.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr PhantomInfo kPhantoms[] = {
+    {"head", "CT-like head: skin, skull, teeth, brain, eyes, airways; a bead on the patient's left ear", "HU",
+     300.0, 192, scene::WorldAxes::anatomical},
+    {"ball", "signed distance to a ball", "mm", 0.0, 128},
+    {"torus", "signed distance to a torus round the z axis", "mm", 0.0, 128},
+    {"cylinder", "signed distance to an endless cylinder along z", "mm", 0.0, 128},
+    {"plane", "signed distance to a tilted plane", "mm", 0.0, 128},
+    {"saddle", "height below a hyperbolic paraboloid", "mm", 0.0, 128},
+    {"gyroid", "the triply periodic gyroid, four periods per edge", "", 0.0, 128},
+    {"marschner_lobb", "the reconstruction test signal of Marschner and Lobb", "", 0.5, 64},
+    {"two_balls", "two balls that touch in one point, where the gradient vanishes", "mm", 0.0, 128},
+    {"sheet", "a sheet thinner than a voxel", "mm", 0.0, 64},
+    {"noise", "smooth random field with white noise", "", 0.0, 128},
+};
+constexpr int kMinimumSize = 2, kMaximumSize = 1024;
+constexpr double kPi = std::numbers::pi;
+
+// Where the closed forms are put: the middle of the voxel domain and the length of its shortest edge, mm.
+struct Placement {
+  glm::dvec3 centre;
+  double edge;
+  glm::dvec3 layerNormal;  // unit, across the z layers of voxels
+  double layerOffset;      // dot(layerNormal, p) on the layer nearest to the centre
+  double layerSpacing;     // between layers
+
+  explicit Placement(const GridGeometry& geometry) {
+    const glm::dvec3 middle = glm::dvec3(geometry.dims - 1) * 0.5;
+    centre = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(middle, 1.0));
+    const glm::dvec3 lengths = glm::dvec3(glm::max(geometry.dims - 1, glm::ivec3(1))) * geometry.spacingMm();
+    edge = std::min({lengths.x, lengths.y, lengths.z});
+    // Voxel z = dot(row, p) + constant, where the row is that of the inverse: its length is layers per mm.
+    const glm::dmat4 inverse = geometry.voxelFromWorld();
+    const glm::dvec3 row(inverse[0][2], inverse[1][2], inverse[2][2]);
+    layerSpacing = 1.0 / glm::length(row);
+    layerNormal = row * layerSpacing;
+    const glm::dvec3 onLayer(geometry.worldFromVoxel *
+                             glm::dvec4(middle.x, middle.y, std::floor(middle.z), 1.0));
+    layerOffset = glm::dot(layerNormal, onLayer);
+  }
+};
+
+// Evaluates field(world position, voxel index) at every voxel, on all cores, and adds noise.
+template <class Field>
+std::vector<float> fill(const GridGeometry& geometry, const PhantomRequest& request, base::Progress& progress,
+                        const Field& field) {
+  const glm::ivec3 dims = geometry.dims;
+  std::vector<float> values;
+  resizeStoppably(values, geometry.voxelCount(), progress);
+  const glm::dvec3 origin = geometry.originMm();
+  const glm::dmat3 linear(geometry.worldFromVoxel);
+  const auto ny = static_cast<std::size_t>(dims.y), rows = ny * static_cast<std::size_t>(dims.z);
+  parallelSteps(rows, progress, {0.0, 1.0, "making the phantom"}, [&](std::size_t row) {
+    std::size_t i = row * static_cast<std::size_t>(dims.x);
+    const glm::dvec3 start =
+        origin + linear[1] * static_cast<double>(row % ny) + linear[2] * static_cast<double>(row / ny);
+    for (int x = 0; x < dims.x; ++x, ++i) {
+      double value = field(start + linear[0] * static_cast<double>(x), i);
+      if (request.noise > 0.0) value += request.noise * base::normalNoise(request.seed, i);
+      values[i] = static_cast<float>(value);
+    }
+  });
+  return values;
+}
+
+// Smooth random field: random numbers on a unit lattice, blended by the cubic B-spline (so twice
+// differentiable).
+double latticeNoise(glm::dvec3 p, std::uint64_t seed) {
+  const glm::dvec3 cell = glm::floor(p);
+  const CubicWeights x = cubicWeights(p.x - cell.x), y = cubicWeights(p.y - cell.y),
+                     z = cubicWeights(p.z - cell.z);
+  const auto key = [](double c, int k) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(c) + k - 1) & 0x1fffffu;
+  };
+  double sum = 0.0;
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) {
+        const std::uint64_t counter = key(cell.x, i) | key(cell.y, j) << 21 | key(cell.z, k) << 42;
+        sum += x.w[i] * y.w[j] * z.w[k] * (2.0 * base::uniformNoise(seed, counter) - 1.0);
+      }
+  return sum;
+}
+
+std::vector<float> closedForm(const PhantomRequest& request, const GridGeometry& geometry,
+                              base::Progress& progress) {
+  const Placement at(geometry);
+  const glm::dvec3 c = at.centre;
+  const double e = at.edge;
+  const std::string& name = request.name;
+  const auto make = [&](const auto& field) { return fill(geometry, request, progress, field); };
+
+  if (name == "ball") return make([=](glm::dvec3 p, std::size_t) { return 0.35 * e - glm::length(p - c); });
+  if (name == "torus")
+    return make([=](glm::dvec3 p, std::size_t) {
+      const glm::dvec3 q = p - c;
+      return 0.12 * e - glm::length(glm::dvec2(glm::length(glm::dvec2(q)) - 0.27 * e, q.z));
+    });
+  if (name == "cylinder")
+    return make([=](glm::dvec3 p, std::size_t) { return 0.25 * e - glm::length(glm::dvec2(p - c)); });
+  if (name == "plane")
+    return make([=](glm::dvec3 p, std::size_t) { return -glm::dot(glm::dvec3(2, 3, 6), p - c) / 7.0; });
+  if (name == "saddle")
+    return make([=](glm::dvec3 p, std::size_t) {
+      const glm::dvec3 q = p - c;
+      return 2.0 * (q.x * q.x - q.y * q.y) / e - q.z;
+    });
+  if (name == "gyroid")
+    return make([=](glm::dvec3 p, std::size_t) {
+      const glm::dvec3 q = (p - c) * (8.0 * kPi / e);
+      return std::sin(q.x) * std::cos(q.y) + std::sin(q.y) * std::cos(q.z) + std::sin(q.z) * std::cos(q.x);
+    });
+  if (name == "marschner_lobb")
+    return make([=](glm::dvec3 p, std::size_t) {
+      const glm::dvec3 q = (p - c) * (2.0 / e);
+      const double ripple = std::cos(12.0 * kPi * std::cos(0.5 * kPi * glm::length(glm::dvec2(q))));
+      return (1.0 - std::sin(0.5 * kPi * q.z) + 0.25 * (1.0 + ripple)) / 2.5;
+    });
+  if (name == "two_balls")
+    return make([=](glm::dvec3 p, std::size_t) {
+      const double radius = 0.2 * e;
+      const glm::dvec3 q = p - c, shift(radius, 0.0, 0.0);
+      const double a = glm::dot(q - shift, q - shift) - radius * radius;
+      const double b = glm::dot(q + shift, q + shift) - radius * radius;
+      return -a * b / (8.0 * radius * radius * radius);
+    });
+  if (name == "sheet") {
+    const double half = 0.5 * request.sheetVoxels * at.layerSpacing;
+    return make([=](glm::dvec3 p, std::size_t) {
+      return half - std::abs(glm::dot(at.layerNormal, p) - at.layerOffset);
+    });
+  }
+  const std::uint64_t seed = request.seed;  // "noise"
+  return make([=](glm::dvec3 p, std::size_t i) {
+    const glm::dvec3 q = (p - c) / e;
+    return 2.0 * latticeNoise(q * 8.0, seed + 1) + latticeNoise(q * 20.0, seed + 2) +
+           0.02 * base::normalNoise(seed + 3, i);
+  });
+}
+
+}  // namespace
+
+std::span<const PhantomInfo> phantoms() {
+  return kPhantoms;
+}
+
+const PhantomInfo& phantomNamed(const std::string& name) {
+  for (const PhantomInfo& info : kPhantoms)
+    if (info.name == name) return info;
+  std::string known;
+  for (const PhantomInfo& info : kPhantoms) known += (known.empty() ? "" : ", ") + std::string(info.name);
+  throw base::Error(base::ErrorKind::usage, "", "phantom", "\"" + name + "\" is none of " + known);
+}
+
+Grid makePhantom(const PhantomRequest& request, base::Progress& progress) {
+  const PhantomInfo& info = phantomNamed(request.name);
+  const int size = request.size == 0 ? info.defaultSize : request.size;
+  if (!request.geometry && (size < kMinimumSize || size > kMaximumSize))
+    throw base::Error(base::ErrorKind::usage, "", "phantom size",
+                      std::to_string(size) + " is outside " + std::to_string(kMinimumSize) + " to " +
+                          std::to_string(kMaximumSize));
+  if (!(request.noise >= 0.0) || !std::isfinite(request.noise))
+    throw base::Error(base::ErrorKind::usage, "", "phantom noise", "must be 0 or more");
+  progress.report(0.0, "making the phantom");
+  const bool head = info.name == "head";
+  const GridGeometry geometry =
+      request.geometry ? *request.geometry
+      : head           ? headGeometry(size)
+                       : GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0), glm::dvec3(-0.5 * (size - 1)));
+  base::machineMemory().check(geometry.voxelCount() * (head ? sizeof(std::int16_t) : sizeof(float)),
+                              "this phantom", "a smaller size needs less");
+  VoxelArray voxels;
+  if (head)
+    voxels = headVoxels(geometry, request.noise, request.seed, progress);
+  else
+    voxels = closedForm(request, geometry, progress);
+  return Grid(geometry, std::move(voxels), 1.0, 0.0, progress);
+}
+
+PhantomRequest parsePhantom(std::string_view text) {
+  PhantomRequest request;
+  const std::size_t colon = text.find(':');
+  request.name = std::string(text.substr(0, colon));
+  phantomNamed(request.name);
+  if (colon != std::string_view::npos) {
+    const std::string_view digits = text.substr(colon + 1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), request.size);
+    const bool whole = error == std::errc() && end == digits.data() + digits.size();
+    if (!whole || request.size < kMinimumSize || request.size > kMaximumSize)
+      throw base::Error(base::ErrorKind::usage, "", "phantom size",
+                        "\"" + std::string(digits) + "\" is no whole number from " +
+                            std::to_string(kMinimumSize) + " to " + std::to_string(kMaximumSize));
+  }
+  return request;
+}
+
+}  // namespace isolux::volume

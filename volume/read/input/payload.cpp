@@ -1,0 +1,394 @@
+#include "volume/read/input/payload.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "base/error.h"
+#include "volume/read/input/streams.h"
+#include "volume/read/input/text.h"
+
+namespace isolux::volume {
+
+using base::throwInput;
+
+static_assert(std::endian::native == std::endian::little, "voxels are swapped to little endian");
+
+namespace {
+
+constexpr std::size_t chunkBytes = std::size_t{1} << 20;
+
+template <typename T>
+void swapBytes(std::span<T> values) {
+  for (T& value : values) {
+    std::byte bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    std::reverse(bytes, bytes + sizeof(T));
+    std::memcpy(&value, bytes, sizeof(T));
+  }
+}
+
+// Where the data of one file begin: after the skipped lines and bytes.
+std::uint64_t beginOf(const Payload& payload, const Bytes& bytes, std::uint64_t dataBytes) {
+  if (payload.fromEnd) {
+    if (dataBytes > bytes.size())
+      throwInput(bytes.name(), "",
+                 "truncated: " + std::to_string(dataBytes) + " bytes of voxels are announced, the file has " +
+                     std::to_string(bytes.size()));
+    return bytes.size() - dataBytes;
+  }
+  std::uint64_t at = payload.offset;
+  std::vector<std::byte> buffer(payload.lineSkip > 0 ? std::size_t{4096} : 0);
+  for (std::uint64_t lines = payload.lineSkip; lines > 0;) {
+    const auto count = static_cast<std::size_t>(
+        std::min<std::uint64_t>(buffer.size(), bytes.size() - std::min(at, bytes.size())));
+    if (count == 0) throwInput(bytes.name(), "line skip", "the file has fewer lines than are to be skipped");
+    bytes.read(at, std::span(buffer).first(count));
+    std::size_t used = 0;
+    while (used < count && lines > 0)
+      if (buffer[used++] == std::byte{'\n'}) --lines;
+    at += used;
+  }
+  if (__builtin_add_overflow(at, payload.skipBytes, &at)) at = std::numeric_limits<std::uint64_t>::max();
+  if (at > bytes.size())
+    throwInput(bytes.name(), "byte " + std::to_string(at),
+               "truncated: the voxels start behind the end of the file (" + std::to_string(bytes.size()) +
+                   " bytes)");
+  return at;
+}
+
+// Refuses a claim that the bytes from `begin` on cannot hold.
+void checkClaim(const Payload& payload, const Bytes& bytes, std::uint64_t begin, std::uint64_t dataBytes,
+                std::uint64_t elements) {
+  std::uint64_t available = bytes.size() - begin;
+  const auto truncated = [&](const std::string& what) {
+    throwInput(
+        bytes.name(), "byte " + std::to_string(begin),
+        "truncated: the header announces " + std::to_string(dataBytes) + " bytes of voxels, but " + what);
+  };
+  switch (payload.encoding) {
+    case Encoding::raw:
+      if (dataBytes > available) truncated("only " + std::to_string(available) + " follow");
+      break;
+    case Encoding::zlib: {
+      if (payload.compressedBytes > available)
+        throwInput(bytes.name(), "byte " + std::to_string(begin),
+                   "truncated: the header announces " + std::to_string(payload.compressedBytes) +
+                       " compressed bytes, but only " + std::to_string(available) + " follow");
+      if (payload.compressedBytes > 0) available = payload.compressedBytes;
+      constexpr std::uint64_t bestRatio = 1032;  // of deflate
+      if (dataBytes / bestRatio > available)
+        truncated(std::to_string(available) + " compressed bytes cannot hold that");
+      break;
+    }
+    case Encoding::ascii:
+      if (elements - 1 > available / 2) truncated("only " + std::to_string(available) + " characters follow");
+      break;
+  }
+}
+
+// The voxel stream of the whole payload, file after file.
+class PayloadStream {
+ public:
+  PayloadStream(const ImageHeader& header, const Bytes& own, const OpenBeside& beside,
+                const base::Progress& progress)
+      : header_(header), own_(own), beside_(beside), progress_(progress) {
+    const std::uint64_t files = std::max<std::uint64_t>(1, header.payload.files.size());
+    const std::uint64_t total = header.elements() * bytesOf(header.type);
+    if (header.elements() % files != 0)
+      throwInput(own.name(), "data file",
+                 std::to_string(files) + " data files cannot share " + std::to_string(header.elements()) +
+                     " values equally");
+    shareBytes_ = total / files;
+    // All files are looked at before the first voxel is stored.
+    for (std::uint64_t file = files; file-- > 0;) open(file);
+  }
+
+  void read(std::span<std::byte> out) {
+    while (!out.empty()) {
+      if (left_ == 0) open(file_ + 1);
+      const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(out.size(), left_));
+      stream_->read(out.first(part));
+      left_ -= part;
+      out = out.subspan(part);
+    }
+  }
+
+  // Passes over bytes; without reading them where the file allows it.
+  void skip(std::uint64_t bytes) {
+    std::vector<std::byte> scratch;
+    while (bytes > 0) {
+      if (left_ == 0) open(file_ + 1);
+      const std::uint64_t part = std::min(bytes, left_);
+      bytes -= part;
+      left_ -= part;
+      if (header_.payload.encoding == Encoding::raw) {
+        stream_ = rawStream(*bytes_, begin_ + (shareBytes_ - left_));
+        continue;
+      }
+      scratch.resize(chunkBytes);
+      for (std::uint64_t rest = part; rest > 0;) {
+        progress_.throwIfStopped();
+        const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(rest, scratch.size()));
+        stream_->read(std::span(scratch).first(count));
+        rest -= count;
+      }
+    }
+  }
+
+  // After everything was read: do data follow that the header does not know of?
+  bool hasMore() {
+    return left_ == 0 && !header_.payload.fromEnd && !header_.payload.moreMayFollow && stream_->hasMore();
+  }
+
+ private:
+  void open(std::uint64_t file) {
+    progress_.throwIfStopped();
+    const Payload& payload = header_.payload;
+    file_ = file;
+    if (!payload.files.empty()) opened_ = beside_(payload.files[file]);
+    bytes_ = payload.files.empty() ? &own_ : opened_.get();
+    begin_ = beginOf(payload, *bytes_, shareBytes_);
+    checkClaim(payload, *bytes_, begin_, shareBytes_, shareBytes_ / bytesOf(header_.type));
+    left_ = shareBytes_;
+    switch (payload.encoding) {
+      case Encoding::raw:
+        stream_ = rawStream(*bytes_, begin_);
+        break;
+      case Encoding::ascii:
+        stream_ = textStream(*bytes_, begin_, header_.type);
+        break;
+      case Encoding::zlib: {
+        const std::uint64_t length =
+            payload.compressedBytes > 0 ? payload.compressedBytes : bytes_->size() - begin_;
+        stream_ = inflateStream(*bytes_, begin_, length);
+        std::byte scratch[16384];
+        for (std::uint64_t rest = payload.skipDecoded; rest > 0;) {
+          progress_.throwIfStopped();
+          const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(rest, sizeof scratch));
+          stream_->read({scratch, count});
+          rest -= count;
+        }
+        break;
+      }
+    }
+  }
+
+  const ImageHeader& header_;
+  const Bytes& own_;
+  const OpenBeside& beside_;
+  const base::Progress& progress_;
+  std::unique_ptr<Bytes> opened_;
+  const Bytes* bytes_ = nullptr;
+  std::unique_ptr<VoxelStream> stream_;
+  std::uint64_t file_ = 0, shareBytes_ = 0, begin_ = 0, left_ = 0;
+};
+
+// Passes one volume of the payload, chunk by chunk of whole voxels, to f(values: span<T>).
+template <typename T, typename F>
+void forEachChunk(const ImageHeader& header, PayloadStream& stream, const base::Progress& progress, F&& f) {
+  const auto components = static_cast<std::uint64_t>(header.components);
+  const std::uint64_t chunkVoxels = std::max<std::uint64_t>(1, chunkBytes / (components * sizeof(T)));
+  const bool swap =
+      header.payload.endianness == Endianness::big && header.payload.encoding != Encoding::ascii;
+  std::vector<T> chunk;
+  for (std::uint64_t done = 0; done < header.voxels();) {
+    progress.throwIfStopped();
+    const std::uint64_t count = std::min(chunkVoxels, header.voxels() - done);
+    chunk.resize(static_cast<std::size_t>(count * components));
+    stream.read(std::as_writable_bytes(std::span(chunk)));
+    if (swap && sizeof(T) > 1) swapBytes(std::span(chunk));
+    f(std::span<const T>(chunk));
+    done += count;
+  }
+}
+
+template <typename T>
+FileVoxels decodeAs(const ImageHeader& header, PayloadStream& stream, const ReadOptions& options,
+                    base::Progress& progress, bool& dataFollow) {
+  const auto voxels = static_cast<std::size_t>(header.voxels());
+  const auto components = static_cast<std::size_t>(header.components);
+  const std::uint64_t volumeBytes =
+      header.voxels() * static_cast<std::uint64_t>(header.components) * sizeof(T);
+  const auto steps = static_cast<std::uint64_t>(header.timeSteps);
+  const auto step = static_cast<std::uint64_t>(options.timeStep);
+  const auto slow = static_cast<std::uint64_t>(header.slowComponents);
+  std::uint64_t position = 0;  // volumes passed
+  const auto seekVolume = [&](std::uint64_t volume) {
+    stream.skip((volume - position) * volumeBytes);
+    position = volume + 1;
+  };
+  std::size_t done = 0;
+  const auto report = [&](std::size_t total) {
+    progress.report(static_cast<double>(done) / static_cast<double>(total), "reading");
+  };
+
+  if (options.component < 0) {  // the magnitude, in float32 whatever the type
+    std::vector<float> magnitude;
+    magnitude.reserve(voxels);
+    for (std::uint64_t block = 0; block < slow; ++block) {
+      seekVolume(block * steps + step);
+      std::size_t voxel = 0;
+      forEachChunk<T>(header, stream, progress, [&](std::span<const T> chunk) {
+        for (std::size_t i = 0; i < chunk.size(); i += components, ++voxel) {
+          double length = block == 0 ? 0.0 : static_cast<double>(magnitude[voxel]);
+          for (std::size_t c = 0; c < components; ++c)
+            length = std::hypot(length, static_cast<double>(chunk[i + c]));
+          const float stored = static_cast<float>(std::min(length, 3.4e38));
+          if (block == 0)
+            magnitude.push_back(std::isfinite(length) ? stored : std::numeric_limits<float>::quiet_NaN());
+          else
+            magnitude[voxel] = std::isfinite(length) ? stored : std::numeric_limits<float>::quiet_NaN();
+        }
+        done += chunk.size() / components;
+        report(voxels * static_cast<std::size_t>(slow));
+      });
+    }
+    dataFollow = position == slow * steps && stream.hasMore();
+    return magnitude;
+  }
+
+  const auto component = static_cast<std::size_t>(options.component) % components;
+  const auto block = static_cast<std::uint64_t>(options.component) / static_cast<std::uint64_t>(components);
+  seekVolume(block * steps + step);
+  std::vector<T> values;
+  values.reserve(voxels);
+  forEachChunk<T>(header, stream, progress, [&](std::span<const T> chunk) {
+    if (components == 1)
+      values.insert(values.end(), chunk.begin(), chunk.end());
+    else
+      for (std::size_t i = component; i < chunk.size(); i += components) values.push_back(chunk[i]);
+    done += chunk.size() / components;
+    report(voxels);
+  });
+  dataFollow = position == slow * steps && stream.hasMore();
+  return values;
+}
+
+}  // namespace
+
+void checkChoices(const ImageHeader& header, const std::string& file, const ReadOptions& options) {
+  const std::int64_t components = header.components * header.slowComponents;
+  if (options.component < -1 || options.component >= components)
+    throw base::Error(base::ErrorKind::usage, file, "source.component",
+                      "component " + std::to_string(options.component) + " is asked for; the file has " +
+                          std::to_string(components) + " (0 is the first, -1 the magnitude)");
+  if (options.timeStep < 0 || options.timeStep >= header.timeSteps)
+    throw base::Error(base::ErrorKind::usage, file, "source.time_step",
+                      "time step " + std::to_string(options.timeStep) + " is asked for; the file has " +
+                          std::to_string(header.timeSteps) + " (0 is the first)");
+}
+
+void checkBudget(const ImageHeader& header, const std::string& file, const ReadOptions& options) {
+  const VoxelType type = header.type;
+  const bool wide = type >= VoxelType::int32 && type != VoxelType::float32;  // another type is made of it
+  checkBudget(header.voxels() * (bytesOf(type) + (wide ? sizeof(float) : 0)), "the volume", "", file,
+              options);
+}
+
+void checkBudget(std::uint64_t bytes, std::string_view what, std::string_view remedy, const std::string& file,
+                 const ReadOptions& options) {
+  if (bytes <= options.budgetBytes) return;
+  const std::size_t held = base::machineMemory().held();
+  throw base::Error(base::ErrorKind::memory, file, "",
+                    base::overBudgetText(bytes, held, options.budgetBytes + held, what, remedy));
+}
+
+FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const OpenBeside& beside,
+                         const ReadOptions& options, base::Progress& progress,
+                         std::vector<std::string>& warnings) {
+  checkChoices(header, own.name(), options);
+  progress.report(0.0, "reading");
+  PayloadStream stream(header, own, beside, progress);  // compares the claim with the files
+  checkBudget(header, own.name(), options);
+  bool dataFollow = false;
+  FileVoxels voxels = withType(header.type, [&](auto zero) {
+    return decodeAs<decltype(zero)>(header, stream, options, progress, dataFollow);
+  });
+  if (dataFollow)
+    warnings.push_back("the file holds more data than the header announces; the rest is ignored");
+  return voxels;
+}
+
+namespace {
+
+constexpr const char* kScalingLeftOut = "slope and intercept are too extreme to apply; left out";
+
+// Values are finite, also their differences, and the stored range is not mapped to a single one.
+bool scalingIsUsable(const Grid& grid) {
+  const double range = grid.maximum() - grid.minimum();
+  return std::isfinite(range) && (range > 0.0 || grid.storedMinimum() == grid.storedMaximum());
+}
+
+}  // namespace
+
+Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOptions& options,
+                    base::Progress& progress) {
+  Volume volume;
+  volume.format = header.format;
+  volume.fileType = header.type;
+  volume.unit = header.unit;
+  volume.axes = header.axes;
+  volume.components = static_cast<int>(header.components * header.slowComponents);
+  volume.timeSteps = static_cast<int>(header.timeSteps);
+  volume.warnings = header.warnings;
+  if (volume.components > 1) {
+    const std::string shown =
+        options.component < 0 ? "their magnitude" : "component " + std::to_string(options.component);
+    volume.warnings.push_back(std::to_string(volume.components) + " components per voxel, " + shown +
+                              " is shown; source.component chooses another, -1 the magnitude");
+  }
+  if (volume.timeSteps > 1)
+    volume.warnings.push_back(std::to_string(volume.timeSteps) + " time steps, step " +
+                              std::to_string(options.timeStep) +
+                              " is shown; source.time_step chooses another");
+
+  StoredVoxels stored = toStored(std::move(voxels), progress, volume.warnings);
+  double slope = header.slope, intercept = header.intercept;
+  if (!std::isfinite(slope) || slope == 0.0 || !std::isfinite(intercept)) {
+    slope = 1.0;
+    intercept = 0.0;
+  }
+  // The magnitude has no offset: slope * |v| would be its scaled length, the intercept means nothing.
+  if (options.component < 0 && intercept != 0.0) {
+    volume.warnings.push_back("the intercept is left out of the magnitude");
+    intercept = 0.0;
+  }
+  double combinedSlope = slope * stored.slope, combinedIntercept = slope * stored.intercept + intercept;
+  if (!std::isfinite(combinedSlope) || combinedSlope == 0.0 || !std::isfinite(combinedIntercept)) {
+    volume.warnings.emplace_back(kScalingLeftOut);
+    combinedSlope = stored.slope;
+    combinedIntercept = stored.intercept;
+  }
+  progress.throwIfStopped();
+  GridGeometry geometry;
+  geometry.dims = {static_cast<int>(header.dims[0]), static_cast<int>(header.dims[1]),
+                   static_cast<int>(header.dims[2])};
+  geometry.worldFromVoxel = header.worldFromVoxel;
+  auto grid =
+      std::make_shared<Grid>(geometry, std::move(stored.voxels), combinedSlope, combinedIntercept, progress);
+  const bool scaled = combinedSlope != stored.slope || combinedIntercept != stored.intercept;
+  if (scaled && !scalingIsUsable(*grid)) {
+    volume.warnings.emplace_back(kScalingLeftOut);
+    grid = std::make_shared<Grid>(geometry, std::move(*grid).takeVoxels(), stored.slope, stored.intercept,
+                                  progress);
+  }
+  if (grid->missingCount() > 0)
+    volume.warnings.push_back(std::to_string(grid->missingCount()) + " of " +
+                              std::to_string(geometry.voxelCount()) +
+                              " voxels are NaN or infinite and count as missing");
+  volume.grid = std::move(grid);
+  progress.report(1.0, "reading");
+  return volume;
+}
+
+Volume volumeFrom(ImageHeader header, const Bytes& own, const OpenBeside& beside, const ReadOptions& options,
+                  base::Progress& progress) {
+  FileVoxels voxels = decodePayload(header, own, beside, options, progress, header.warnings);
+  return finishVolume(header, std::move(voxels), options, progress);
+}
+
+}  // namespace isolux::volume

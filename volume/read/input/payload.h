@@ -1,0 +1,37 @@
+// Decodes the voxels a header describes: the one path for raw, MetaImage, NRRD, NIfTI and legacy VTK.
+//
+// The claim of the header is compared with the real size of the file before anything is allocated: exactly
+// for uncompressed data, by zlib's best ratio (1032:1) for compressed data, by two characters per number
+// for text. Memory: the chosen component of the chosen time step in the file's type, and 1 MiB chunks.
+#pragma once
+
+#include "base/progress.h"
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/convert.h"
+#include "volume/read/input/image_header.h"
+
+namespace isolux::volume {
+
+// Throws Error{input} when the file cannot hold the claim, Error{memory} when the volume is over the budget,
+// Error{usage} when the component or time step does not exist, Error{interrupted}.
+FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const OpenBeside& beside,
+                         const ReadOptions& options, base::Progress& progress,
+                         std::vector<std::string>& warnings);
+
+// Everything after the header: checks, decodes, converts and fills the Volume (all but `name`).
+Volume volumeFrom(ImageHeader header, const Bytes& own, const OpenBeside& beside, const ReadOptions& options,
+                  base::Progress& progress);
+
+// The last step, for readers that decode by other means: Grid, unit, warnings about components, time steps
+// and missing voxels. `voxels` are those chosen by the options.
+Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOptions& options,
+                    base::Progress& progress);
+
+// Throws as decodePayload() does.
+void checkChoices(const ImageHeader& header, const std::string& file, const ReadOptions& options);
+// The second: of anything else that reading makes; `remedy` as in base::MemoryBudget.
+void checkBudget(const ImageHeader& header, const std::string& file, const ReadOptions& options);
+void checkBudget(std::uint64_t bytes, std::string_view what, std::string_view remedy, const std::string& file,
+                 const ReadOptions& options);
+
+}  // namespace isolux::volume

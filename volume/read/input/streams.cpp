@@ -1,0 +1,235 @@
+#include "volume/read/input/streams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#define ZLIB_CONST
+#include <zlib.h>
+
+#include "base/error.h"
+#include "volume/read/input/convert.h"
+#include "volume/read/input/text.h"
+
+namespace isolux::volume {
+
+using base::throwInput;
+
+namespace {
+
+class RawStream final : public VoxelStream {
+ public:
+  RawStream(const Bytes& bytes, std::uint64_t offset) : bytes_(bytes), at_(offset) {}
+  void read(std::span<std::byte> out) override {
+    bytes_.read(at_, out);
+    at_ += out.size();
+  }
+  bool hasMore() override { return at_ < bytes_.size(); }
+
+ private:
+  const Bytes& bytes_;
+  std::uint64_t at_;
+};
+
+class InflateStream final : public VoxelStream {
+ public:
+  InflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length)
+      : bytes_(bytes), at_(offset), end_(offset + length) {
+    constexpr int zlibOrGzip = 15 + 32;
+    if (inflateInit2(&z_, zlibOrGzip) != Z_OK) throwInput(bytes_.name(), "", "zlib cannot start");
+  }
+  ~InflateStream() override { inflateEnd(&z_); }
+  InflateStream(const InflateStream&) = delete;
+  InflateStream& operator=(const InflateStream&) = delete;
+
+  void read(std::span<std::byte> out) override {
+    constexpr std::size_t most = std::size_t{1} << 20;
+    while (!out.empty()) {
+      const auto part = out.first(std::min(out.size(), most));
+      const std::size_t got = readSome(part);
+      produced_ += got;
+      if (got < part.size())
+        throwInput(
+            bytes_.name(), "byte " + std::to_string(at_),
+            "truncated: the compressed data end after " + std::to_string(produced_) + " bytes of voxels");
+      out = out.subspan(got);
+    }
+  }
+
+  bool hasMore() override {
+    std::byte one;
+    try {
+      return readSome({&one, 1}) == 1;
+    } catch (const base::Error&) {
+      return false;  // rubbish after the data
+    }
+  }
+
+  // As many bytes as there are, up to out.size().
+  std::size_t readSome(std::span<std::byte> out) {
+    z_.next_out = reinterpret_cast<Bytef*>(out.data());
+    z_.avail_out = static_cast<uInt>(out.size());
+    while (z_.avail_out > 0) {
+      if (z_.avail_in == 0 && !refill()) break;
+      if (ended_) {
+        // Another gzip member may follow; anything else is padding.
+        if (*z_.next_in != 0x1f || inflateReset(&z_) != Z_OK) break;
+        ended_ = false;
+      }
+      const int result = inflate(&z_, Z_NO_FLUSH);
+      if (result == Z_STREAM_END) {
+        ended_ = true;
+      } else if (result != Z_OK && result != Z_BUF_ERROR) {
+        throwInput(bytes_.name(), "byte " + std::to_string(at_ - z_.avail_in),
+                   std::string("the compressed data are damaged: ") + (z_.msg ? z_.msg : "zlib error"));
+      }
+    }
+    return out.size() - z_.avail_out;
+  }
+
+ private:
+  bool refill() {
+    const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(input_.size(), end_ - at_));
+    if (count == 0) return false;
+    bytes_.read(at_, std::span(input_).first(count));
+    at_ += count;
+    z_.next_in = reinterpret_cast<const Bytef*>(input_.data());
+    z_.avail_in = static_cast<uInt>(count);
+    return true;
+  }
+
+  const Bytes& bytes_;
+  std::uint64_t at_, end_, produced_ = 0;
+  std::vector<std::byte> input_ = std::vector<std::byte>(std::size_t{1} << 16);
+  z_stream z_{};
+  bool ended_ = false;
+};
+
+class TextStream final : public VoxelStream {
+ public:
+  TextStream(const Bytes& bytes, std::uint64_t offset, VoxelType type)
+      : bytes_(bytes), at_(offset), type_(type) {}
+
+  void read(std::span<std::byte> out) override {
+    withType(type_, [&](auto zero) {
+      using T = decltype(zero);
+      for (std::size_t i = 0; i + sizeof(T) <= out.size(); i += sizeof(T)) {
+        const T value = parse<T>();
+        std::memcpy(out.data() + i, &value, sizeof(T));
+      }
+    });
+  }
+
+  bool hasMore() override { return !nextWord().empty(); }
+
+ private:
+  static bool separates(char c) {
+    return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == ',' || c == '\f' || c == '\v';
+  }
+
+  // Empty at the end of the file. Valid until the next call.
+  std::string_view nextWord() {
+    word_.clear();
+    for (;;) {
+      if (position_ == count_) {
+        count_ = static_cast<std::size_t>(std::min<std::uint64_t>(buffer_.size(), bytes_.size() - at_));
+        position_ = 0;
+        if (count_ == 0) return word_;
+        bytes_.read(at_, std::as_writable_bytes(std::span(buffer_).first(count_)));
+        at_ += count_;
+      }
+      const char c = buffer_[position_++];
+      if (!separates(c))
+        word_ += c;
+      else if (!word_.empty())
+        return word_;
+      if (word_.size() > 400) fail("a number has more than 400 characters");
+    }
+  }
+
+  template <typename T>
+  T parse() {
+    const std::string_view word = nextWord();
+    if (word.empty())
+      throwInput(bytes_.name(), "byte " + std::to_string(bytes_.size()),
+                 "truncated: the text ends after " + std::to_string(produced_) + " numbers");
+    ++produced_;
+    if constexpr (std::is_integral_v<T>) {
+      if (const auto whole = integerOf(word)) {
+        if (!std::in_range<T>(*whole)) fail(inQuotes(word) + " does not fit " + std::string(nameOf(type_)));
+        return static_cast<T>(*whole);
+      }
+      if constexpr (std::is_same_v<T, std::uint64_t>) {
+        if (const auto big = unsignedOf(word)) return *big;
+      }
+      // Some writers print integers as "3.0".
+      const auto real = realOf(word);
+      if (!real || *real != std::trunc(*real) || std::abs(*real) > 0x1p53)
+        fail(inQuotes(word) + " is not a whole number");
+      const auto whole = static_cast<std::int64_t>(*real);
+      if (!std::in_range<T>(whole)) fail(inQuotes(word) + " does not fit " + std::string(nameOf(type_)));
+      return static_cast<T>(whole);
+    } else {
+      const auto real = realOf(word);
+      if (!real) fail(inQuotes(word) + " is not a number");
+      if constexpr (std::is_same_v<T, float>) {
+        if (std::abs(*real) > static_cast<double>(std::numeric_limits<float>::max()))
+          return std::numeric_limits<float>::infinity();
+      }
+      return static_cast<T>(*real);
+    }
+  }
+
+  static std::optional<std::uint64_t> unsignedOf(std::string_view word) {
+    std::uint64_t value = 0;
+    for (char c : word) {
+      if (c < '0' || c > '9' || __builtin_mul_overflow(value, std::uint64_t{10}, &value) ||
+          __builtin_add_overflow(value, static_cast<std::uint64_t>(c - '0'), &value))
+        return std::nullopt;
+    }
+    return value;
+  }
+
+  [[noreturn]] void fail(const std::string& reason) {
+    throwInput(bytes_.name(), "byte " + std::to_string(at_ - count_ + position_), reason);
+  }
+
+  const Bytes& bytes_;
+  std::uint64_t at_;
+  VoxelType type_;
+  std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 16);
+  std::size_t position_ = 0, count_ = 0;
+  std::string word_;
+  std::uint64_t produced_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset) {
+  return std::make_unique<RawStream>(bytes, offset);
+}
+
+std::unique_ptr<VoxelStream> inflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length) {
+  return std::make_unique<InflateStream>(bytes, offset, length);
+}
+
+std::unique_ptr<VoxelStream> textStream(const Bytes& bytes, std::uint64_t offset, VoxelType type) {
+  return std::make_unique<TextStream>(bytes, offset, type);
+}
+
+std::string inflatedHead(const Bytes& bytes, std::size_t most) {
+  std::string head(most, '\0');
+  try {
+    InflateStream stream(bytes, 0, bytes.size());
+    head.resize(stream.readSome(std::as_writable_bytes(std::span(head))));
+  } catch (const base::Error&) {
+    head.clear();
+  }
+  return head;
+}
+
+}  // namespace isolux::volume

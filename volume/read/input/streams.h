@@ -1,0 +1,33 @@
+// Forward streams of voxel bytes out of a file: plain, inflated, or parsed from text.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/image_header.h"
+
+namespace isolux::volume {
+
+class VoxelStream {
+ public:
+  virtual ~VoxelStream() = default;
+  // Fills `out`, a whole number of elements, or throws Error{input} "truncated ...".
+  virtual void read(std::span<std::byte> out) = 0;
+  // True when data follow the part that was read, as far as can be told cheaply.
+  virtual bool hasMore() = 0;
+};
+
+// Bytes from `offset` to the end of the file.
+std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset);
+// zlib or gzip (several members, too) between `offset` and offset + length.
+std::unique_ptr<VoxelStream> inflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length);
+// Numbers separated by white space or commas, as values of `type` in the machine's byte order.
+std::unique_ptr<VoxelStream> textStream(const Bytes& bytes, std::uint64_t offset, VoxelType type);
+
+// The first bytes of a zlib or gzip stream, at most `most`; fewer when it is shorter, none when broken.
+std::string inflatedHead(const Bytes& bytes, std::size_t most);
+
+}  // namespace isolux::volume

@@ -1,0 +1,127 @@
+#include "volume/read/process/foreign.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/process/reader_process.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* vtkReader = "isolux-reader-vtk";
+constexpr const char* dicomReader = "isolux-reader-dicom";
+constexpr const char* imageReader = "isolux-reader-images";
+
+Request requestFor(Task task, const fs::path& path, const ReadOptions& options) {
+  Request request;
+  request.task = task;
+  request.path = path.string();
+  request.options.series = options.series;
+  request.options.component = options.component;
+  request.options.timeStep = options.timeStep;
+  request.options.budgetBytes = options.budgetBytes;
+  return request;
+}
+
+// What the reader says about a mesh it has read is not believed either.
+void checkMesh(const TriangleMesh& mesh, const fs::path& path) {
+  const auto count = static_cast<std::int64_t>(mesh.points.size());
+  constexpr double farthest = 1e12;  // mm, as for volumes
+  for (const glm::dvec3& p : mesh.points)
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(p[axis]) <= farthest))
+        base::throwInput(path.string(), "points", "a coordinate is not finite or beyond 1e12 mm");
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i)
+      if (t[i] < 0 || t[i] >= count)
+        base::throwInput(path.string(), "triangles", "a corner is no point of the mesh");
+}
+
+}  // namespace
+
+Volume readVolumeBy(const fs::path& program, const fs::path& path, const ReadOptions& options,
+                    base::Progress& progress, double patienceSeconds) {
+  progress.report(0.0, "reading");
+  ReaderProcess reader(program, requestFor(Task::volume, path, options), progress, patienceSeconds);
+  DecodedVolume decoded = reader.announced(MessageKind::volume, decodeVolume);
+  checkChoices(decoded.header, path.string(), options);
+  reader.receive(bulkBytes(decoded));
+  std::visit(
+      [&](auto& voxels) {
+        voxels.resize(static_cast<std::size_t>(decoded.header.voxels()));
+        reader.read(0, std::as_writable_bytes(std::span(voxels)));
+      },
+      decoded.voxels);
+  reader.forgetMemory();  // before the conversion allocates
+  Volume volume = finishVolume(decoded.header, std::move(decoded.voxels), options, progress);
+  volume.name = decoded.name;
+  volume.seriesChoices = std::move(decoded.seriesChoices);
+  return volume;
+}
+
+TriangleMesh readMeshBy(const fs::path& program, const fs::path& path, std::size_t budgetBytes,
+                        base::Progress& progress) {
+  ReadOptions options;
+  options.budgetBytes = budgetBytes;
+  ReaderProcess reader(program, requestFor(Task::mesh, path, options), progress);
+  const MeshCounts counts = reader.announced(MessageKind::mesh, decodeMesh);
+  reader.receive(bulkBytes(counts));
+  TriangleMesh mesh;
+  mesh.points.resize(static_cast<std::size_t>(counts.points));
+  mesh.triangles.resize(static_cast<std::size_t>(counts.triangles));
+  const auto points = std::as_writable_bytes(std::span(mesh.points));
+  reader.read(0, points);
+  reader.read(points.size(), std::as_writable_bytes(std::span(mesh.triangles)));
+  checkMesh(mesh, path);
+  return mesh;
+}
+
+DecodedImage readImageBy(const fs::path& program, const fs::path& path, base::Progress& progress) {
+  ReaderProcess reader(program, requestFor(Task::image, path, ReadOptions()), progress);
+  const ImageSize size = reader.announced(MessageKind::image, decodeImage);
+  reader.receive(bulkBytes(size));
+  DecodedImage image{size.width, size.height, {}};
+  image.pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  reader.read(0, std::as_writable_bytes(std::span(image.pixels)));
+  return image;
+}
+
+Volume readVti(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+  return readVolumeBy(readerProgram(vtkReader), path, options, progress);
+}
+
+Volume readTiff(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+  return readVolumeBy(readerProgram(imageReader), path, options, progress);
+}
+
+Volume readDicom(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+  return readVolumeBy(readerProgram(dicomReader), path, options, progress);
+}
+
+TriangleMesh readPolyDataMesh(const fs::path& path, std::size_t budgetBytes, base::Progress& progress) {
+  return readMeshBy(readerProgram(vtkReader), path, budgetBytes, progress);
+}
+
+DecodedImage readImage(const fs::path& path, base::Progress& progress) {
+  return readImageBy(readerProgram(imageReader), path, progress);
+}
+
+std::vector<std::string> readerVersions(base::Progress& progress) {
+  std::vector<std::string> lines;
+  for (const char* name : {vtkReader, dicomReader, imageReader}) {
+    try {
+      ReaderProcess reader(readerProgram(name), requestFor(Task::versions, name, ReadOptions()), progress);
+      lines.push_back(reader.expect(MessageKind::text));
+    } catch (const base::Error& error) {
+      if (error.kind() == base::ErrorKind::interrupted) throw;
+      lines.push_back(std::string(name) + ": " + error.reason());
+    }
+  }
+  return lines;
+}
+
+}  // namespace isolux::volume

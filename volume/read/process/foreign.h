@@ -1,0 +1,40 @@
+// Files that other people's libraries parse: each in a reader, a process of its own (reader_process.h).
+//
+// Here is which format goes where, and what becomes of the answer. Throws base::Error (input, memory, usage,
+// interrupted).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "volume/read/process/reader_messages.h"
+#include "volume/read/reader.h"
+
+namespace isolux::volume {
+
+// VTK XML image data (.vti); TIFF, a file or a folder; DICOM, a file or a folder.
+Volume readVti(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
+Volume readTiff(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
+Volume readDicom(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
+
+// VTK XML PolyData (.vtp). All points are finite and all indices in range.
+TriangleMesh readPolyDataMesh(const std::filesystem::path& path, std::size_t budgetBytes,
+                              base::Progress& progress);
+
+// A flat image of one channel (grey) or more, as linear RGB (any format OpenImageIO knows).
+DecodedImage readImage(const std::filesystem::path& path, base::Progress& progress);
+
+// "VTK 9.1.0", ...: what each reader reports, or why it cannot be asked. For `isolux doctor`.
+std::vector<std::string> readerVersions(base::Progress& progress);
+
+// The steps of those functions with any program in the reader's place.
+Volume readVolumeBy(const std::filesystem::path& program, const std::filesystem::path& path,
+                    const ReadOptions& options, base::Progress& progress, double patienceSeconds = 30.0);
+TriangleMesh readMeshBy(const std::filesystem::path& program, const std::filesystem::path& path,
+                        std::size_t budgetBytes, base::Progress& progress);
+DecodedImage readImageBy(const std::filesystem::path& program, const std::filesystem::path& path,
+                         base::Progress& progress);
+
+}  // namespace isolux::volume

@@ -1,0 +1,175 @@
+#include "volume/read/reader.h"
+
+#include <new>
+
+#include "base/error.h"
+#include "volume/phantom/phantom.h"
+#include "volume/read/dicom/dicom_files.h"
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/streams.h"
+#include "volume/read/input/text.h"
+#include "volume/read/mesh/mesh.h"
+#include "volume/read/meta_image.h"
+#include "volume/read/nifti.h"
+#include "volume/read/nrrd.h"
+#include "volume/read/process/foreign.h"
+#include "volume/read/raw.h"
+#include "volume/read/tiff/tiff_pages.h"
+#include "volume/read/vtk/vtk_legacy.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+using base::throwInput;
+
+namespace {
+
+using ReadFunction = Volume (*)(const fs::path&, const ReadOptions&, base::Progress&);
+
+std::string extensionOf(const fs::path& path) {
+  const std::string last = lowered(path.extension().string());
+  return last == ".gz" ? lowered(path.stem().extension().string()) + last : last;
+}
+
+// By content first, then by name; nullptr for a file without a known header.
+ReadFunction readerOf(const Bytes& bytes, const fs::path& path) {
+  const std::string head = bytes.head(4096);
+  const std::string extension = extensionOf(path);
+  if (head.starts_with("NRRD0")) return readNrrd;
+  if (head.starts_with("# vtk DataFile")) return readVtkLegacy;
+  if (isMesh(head, extension)) return readMesh;
+  if (head.find("<VTKFile") != std::string::npos) return readVti;
+  if (looksLikeTiff(head)) return readTiff;
+  if (looksLikeDicom(head)) return readDicom;
+  if (looksLikeNifti(head)) return readNifti;
+  if (head.starts_with("\x1f\x8b") && looksLikeNifti(inflatedHead(bytes, niftiHeaderBytes))) return readNifti;
+  if (looksLikeMetaImage(head)) return readMetaImage;
+  if (extension == ".mhd" || extension == ".mha") return readMetaImage;
+  if (extension == ".nrrd" || extension == ".nhdr") return readNrrd;
+  if (extension == ".nii" || extension == ".nii.gz" || extension == ".hdr" || extension == ".hdr.gz")
+    return readNifti;
+  if (extension == ".vtk") return readVtkLegacy;
+  if (extension == ".vti") return readVti;
+  if (extension == ".tif" || extension == ".tiff") return readTiff;
+  if (extension == ".dcm") return readDicom;
+  if (extension == ".img" || extension == ".img.gz") {  // of a NIfTI pair, unless its header is missing
+    for (const char* ending : {".hdr", ".hdr.gz"}) {
+      std::error_code ignored;
+      fs::path header = extension == ".img" ? path : path.parent_path() / path.stem();
+      if (fs::exists(header.replace_extension(ending), ignored)) return readNifti;
+    }
+  }
+  return nullptr;
+}
+
+Volume readFolder(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+  if (hasDicomFiles(path)) return readDicom(path, options, progress);
+  if (!tiffFilesIn(path).empty()) return readTiff(path, options, progress);
+  throwInput(path.string(), "", "the folder has neither DICOM nor TIFF files");
+}
+
+Volume readPhantom(const std::string& text, const ReadOptions& options, base::Progress& progress) {
+  PhantomRequest request = parsePhantom(text);
+  if (request.size == 0) request.geometry = options.grid;
+  Volume volume;
+  volume.grid = std::make_shared<Grid>(makePhantom(request, progress));
+  volume.format = "phantom";
+  volume.fileType = volume.grid->storedType();
+  volume.name = request.name;
+  const PhantomInfo& info = phantomNamed(request.name);
+  volume.axes = info.axes;
+  volume.unit = info.unit;
+  if (volume.grid->minimum() < info.isovalue && info.isovalue < volume.grid->maximum())
+    volume.isovalue = info.isovalue;
+  return volume;
+}
+
+}  // namespace
+
+ReadOptions readOptions(const scene::Source& source) {
+  ReadOptions options;
+  options.raw = source.raw;
+  options.series = source.series;
+  options.component = source.component;
+  options.timeStep = source.timeStep;
+  options.meshVoxels = source.meshVoxels;
+  return options;
+}
+
+namespace {
+
+Volume readAny(const std::string& path, const ReadOptions& options, base::Progress& progress) {
+  constexpr std::string_view phantom = "phantom:";
+  if (path.starts_with(phantom)) return readPhantom(path.substr(phantom.size()), options, progress);
+  if (path.empty()) throwInput("", "path", "is empty");
+  if (path.find('\0') != std::string::npos) throwInput("", "path", "contains a zero byte");
+  fs::path file(path);
+  if (!file.has_filename()) file = file.parent_path();  // "folder/"
+  std::error_code ignored;
+  Volume volume;
+  if (fs::is_directory(file, ignored)) {
+    volume = readFolder(file, options, progress);
+  } else if (!options.raw.empty()) {
+    volume = readRaw(file, options, progress);
+  } else {
+    ReadFunction read = nullptr;
+    {
+      const FileBytes bytes(file);  // closed before the reader opens it
+      if (bytes.size() == 0) throwInput(path, "", "the file is empty");
+      read = readerOf(bytes, file);
+    }
+    if (!read)
+      throwInput(path, "byte 0",
+                 "no volume format is recognised; a raw file needs its size and type (--raw)");
+    volume = read(file, options, progress);
+  }
+  // "None" is what some programs write for a description that nobody gave.
+  if (volume.name.empty() || sameIgnoringCase(volume.name, "none")) volume.name = file.filename().string();
+  return volume;
+}
+
+}  // namespace
+
+Volume readVolume(const std::string& path, const ReadOptions& options, base::Progress& progress) {
+  try {
+    return readAny(path, options, progress);
+  } catch (const std::bad_alloc&) {
+    throw base::Error(base::ErrorKind::memory, path, "", "not enough memory for this volume");
+  } catch (const fs::filesystem_error& error) {
+    throwInput(path, "", error.code().message());
+  }
+}
+
+std::optional<BoxMm> meshBounds(const std::string& path, const ReadOptions& options,
+                                base::Progress& progress) {
+  std::error_code ignored;
+  if (!options.raw.empty() || !fs::is_regular_file(path, ignored)) return std::nullopt;
+  if (const FileBytes bytes(path); readerOf(bytes, path) != readMesh) return std::nullopt;
+  return readMeshBounds(path, options, progress);
+}
+
+bool needsRawDescription(const fs::path& path) {
+  try {
+    const FileBytes bytes(path);
+    return bytes.size() > 0 && readerOf(bytes, path) == nullptr;
+  } catch (const base::Error&) {
+    return false;
+  }
+}
+
+std::vector<std::string> fileFilters() {
+  return {
+      "Volumes (*.nii *.nii.gz *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.raw "
+      "*.stl *.obj *.ply *.vtp)",
+      "NIfTI (*.nii *.nii.gz *.hdr *.img)",
+      "MetaImage (*.mhd *.mha)",
+      "NRRD (*.nrrd *.nhdr)",
+      "VTK (*.vti *.vtk)",
+      "DICOM (*.dcm)",
+      "TIFF (*.tif *.tiff)",
+      "Triangle meshes (*.stl *.obj *.ply *.vtp)",
+      "Raw (*.raw *.bin *.dat *.img)",
+      "All files (*)"};
+}
+
+}  // namespace isolux::volume

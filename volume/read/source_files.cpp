@@ -1,0 +1,92 @@
+#include "volume/read/source_files.h"
+
+#include <string_view>
+
+#include "base/error.h"
+#include "volume/read/dicom/dicom_files.h"
+#include "volume/read/input/bytes.h"
+#include "volume/read/input/image_header.h"
+#include "volume/read/input/text.h"
+#include "volume/read/meta_image.h"
+#include "volume/read/nrrd.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kLongestHeader = std::size_t{1} << 20;  // bytes
+
+std::string headOf(const fs::path& file, std::size_t most) {
+  try {
+    return FileBytes(file).head(most);
+  } catch (const base::Error&) {
+    return {};
+  }
+}
+
+bool isSlice(const fs::path& file) {
+  const std::string extension = lowered(file.extension().string());
+  return extension == ".dcm" || extension == ".tif" || extension == ".tiff" ||
+         looksLikeDicom(headOf(file, 132));
+}
+
+void addSlicesOf(const fs::path& folder, bool withSubfolders, std::vector<fs::path>& files) {
+  std::error_code error;
+  constexpr auto options = fs::directory_options::skip_permission_denied;
+  for (fs::directory_iterator entry(folder, options, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored) && isSlice(entry->path())) files.push_back(entry->path());
+    if (withSubfolders && entry->is_directory(ignored)) addSlicesOf(entry->path(), false, files);
+  }
+}
+
+// The data files that a MetaImage or NRRD header names.
+std::vector<std::string> namesInHeader(const fs::path& file) {
+  const std::string head = headOf(file, kLongestHeader);
+  try {
+    if (head.starts_with("NRRD0")) return parseNrrdHeader(head, file.string()).payload.files;
+    if (looksLikeMetaImage(head)) return parseMetaImageHeader(head, file.string()).payload.files;
+  } catch (const base::Error&) {  // damaged: nothing is read from it
+  }
+  return {};
+}
+
+// "scan.hdr" and "scan.img", each perhaps gzipped, belong together.
+void addCounterparts(const fs::path& file, std::vector<fs::path>& files) {
+  fs::path stem = file;
+  if (lowered(stem.extension().string()) == ".gz") stem.replace_extension();
+  const std::string extension = lowered(stem.extension().string());
+  if (extension != ".hdr" && extension != ".img") return;
+  for (const char* ending : {".hdr", ".hdr.gz", ".img", ".img.gz"}) {
+    const fs::path candidate = fs::path(stem).replace_extension(ending);
+    std::error_code ignored;
+    if (fs::is_regular_file(candidate, ignored)) files.push_back(candidate);
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> filesOfVolume(const std::string& path) {
+  std::vector<fs::path> files;
+  fs::path file(path);
+  if (!file.has_filename()) file = file.parent_path();  // "folder/"
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    addSlicesOf(file, true, files);
+    return files;
+  }
+  if (path.starts_with("phantom:") || !fs::is_regular_file(file, ignored)) return files;
+  files.push_back(file);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  for (const std::string& name : namesInHeader(file))
+    if (fs::is_regular_file(folder / name, ignored)) files.push_back(folder / name);
+  addCounterparts(file, files);
+  if (lowered(file.extension().string()) == ".dcm" || looksLikeDicom(headOf(file, 132)))
+    addSlicesOf(folder, true, files);
+  return files;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,187 @@
+#include "volume/skip/box_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "volume/parallel_steps.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr int kBoxes = 4;             // per axis of a block
+constexpr int kMostRows = 8 + 1 + 2;  // voxels of a block on an axis, with an apron of 1
+
+struct Range {
+  float low = kInfinity, high = -kInfinity;
+  void add(Range other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
+};
+
+Range rangeOf(const Grid& grid) {
+  if (grid.missingCount() == grid.geometry().voxelCount()) return {};
+  return {static_cast<float>(grid.storedMinimum()), static_cast<float>(grid.storedMaximum())};
+}
+
+// The ranges of the boxes of one block, one axis after the other: rows to boxes along x, then along y, then
+// z.
+template <class T>
+class BlockScan {
+ public:
+  BlockScan(const std::vector<T>& voxels, glm::ivec3 dims, glm::ivec3 first, int apron)
+      : voxels_(voxels),
+        dims_(dims),
+        first_(first),
+        span_(BoxBounds::kBoxCells + 1 + 2 * apron),
+        apron_(apron) {}
+
+  // Box (x, y, z); infinite in both directions where a voxel is missing.
+  std::array<Range, kBoxes * kBoxes * kBoxes> boxes() const {
+    const int rows = BoxBounds::kBlockCells + 1 + 2 * apron_;
+    std::array<Range, kBoxes * kMostRows * kMostRows> alongX;
+    for (int z = 0; z < rows; ++z)
+      for (int y = 0; y < rows; ++y)
+        scanRow(y, z, &alongX[static_cast<std::size_t>((z * rows + y) * kBoxes)]);
+    std::array<Range, kBoxes * kBoxes * kMostRows> alongY;
+    for (int z = 0; z < rows; ++z)
+      for (int box = 0; box < kBoxes; ++box)
+        for (int x = 0; x < kBoxes; ++x) {
+          Range& range = alongY[static_cast<std::size_t>((z * kBoxes + box) * kBoxes + x)];
+          for (int y = 2 * box; y < 2 * box + span_; ++y)
+            range.add(alongX[static_cast<std::size_t>((z * rows + y) * kBoxes + x)]);
+        }
+    std::array<Range, kBoxes * kBoxes * kBoxes> result;
+    for (int box = 0; box < kBoxes; ++box)
+      for (int yx = 0; yx < kBoxes * kBoxes; ++yx)
+        for (int z = 2 * box; z < 2 * box + span_; ++z)
+          result[static_cast<std::size_t>(box * kBoxes * kBoxes + yx)].add(
+              alongY[static_cast<std::size_t>(z * kBoxes * kBoxes + yx)]);
+    return result;
+  }
+
+ private:
+  void scanRow(int y, int z, Range* boxes) const {
+    const int at[2] = {std::clamp(first_.y - apron_ + y, 0, dims_.y - 1),
+                       std::clamp(first_.z - apron_ + z, 0, dims_.z - 1)};
+    const T* row = voxels_.data() + (static_cast<std::size_t>(at[1]) * static_cast<std::size_t>(dims_.y) +
+                                     static_cast<std::size_t>(at[0])) *
+                                        static_cast<std::size_t>(dims_.x);
+    for (int box = 0; box < kBoxes; ++box)
+      for (int x = 2 * box; x < 2 * box + span_; ++x) {
+        const auto v = static_cast<float>(row[std::clamp(first_.x - apron_ + x, 0, dims_.x - 1)]);
+        boxes[box].add(std::isnan(v) ? Range{-kInfinity, kInfinity} : Range{v, v});
+      }
+  }
+
+  const std::vector<T>& voxels_;
+  glm::ivec3 dims_, first_;
+  int span_, apron_;
+};
+
+}  // namespace
+
+BoxBounds::BoxBounds(glm::ivec3 voxels, const base::Progress& progress) {
+  const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
+  dims_ = (cells + kBlockCells - 1) / kBlockCells;
+  const std::size_t blocks = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
+                             static_cast<std::size_t>(dims_.z);
+  held_ = base::machineMemory().reserve(blocks * sizeof(Bounds), "what empty space is skipped by",
+                                        "a volume of fewer voxels needs less");
+  resizeStoppably(bounds_, blocks, progress);
+}
+
+BoxBounds::BoxBounds(const Grid& grid, base::Progress& progress) : BoxBounds(grid.dims(), progress) {
+  const Range range = rangeOf(grid);
+  std::visit([&](const auto& voxels) { fill(voxels, range.low, range.high, grid.dims(), 0, progress); },
+             grid.voxels());
+}
+
+BoxBounds BoxBounds::ofCubic(const Grid& grid, base::Progress& progress) {
+  BoxBounds result(grid.dims(), progress);
+  const Range range = rangeOf(grid);
+  std::visit(
+      [&](const auto& voxels) { result.fill(voxels, range.low, range.high, grid.dims(), 1, progress); },
+      grid.voxels());
+  return result;
+}
+
+BoxBounds BoxBounds::ofCubic(const Coefficients& coefficients, const Grid& grid, base::Progress& progress) {
+  assert(coefficients.values.size() == grid.geometry().voxelCount());
+  BoxBounds result(grid.dims(), progress);
+  result.fill(coefficients.values, coefficients.least, coefficients.most, grid.dims(), 1, progress);
+  return result;
+}
+
+template <class T>
+void BoxBounds::fill(const std::vector<T>& voxels, float lowest, float highest, glm::ivec3 voxelDims,
+                     int apron, base::Progress& progress) {
+  constexpr double steps = 65535.0;
+  origin_ = static_cast<double>(lowest);
+  const double extent = static_cast<double>(highest) - origin_;
+  if (!(extent > 0.0)) {  // constant or missing: nothing can be crossed
+    origin_ = 0.0;
+    for (Bounds& bounds : bounds_) {
+      std::fill(std::begin(bounds.low), std::end(bounds.low), std::uint16_t{1});
+      std::fill(std::begin(bounds.high), std::end(bounds.high), std::uint16_t{0});
+    }
+    return;
+  }
+  scale_ = steps / extent;
+  const auto quantised = [&](float v, bool up) {
+    const double q = (static_cast<double>(v) - origin_) * scale_;
+    return static_cast<std::uint16_t>(
+        std::clamp(up ? std::ceil(q + 1e-6) : std::floor(q - 1e-6), 0.0, steps));
+  };
+  const auto width = static_cast<std::size_t>(dims_.x), height = static_cast<std::size_t>(dims_.y);
+  parallelSteps(height * static_cast<std::size_t>(dims_.z), progress, {}, [&](std::size_t row) {
+    for (int x = 0; x < dims_.x; ++x) {
+      const glm::ivec3 block(x, static_cast<int>(row % height), static_cast<int>(row / height));
+      const auto boxes = BlockScan<T>(voxels, voxelDims, block * kBlockCells, apron).boxes();
+      Bounds& bounds = bounds_[row * width + static_cast<std::size_t>(x)];
+      for (int i = 0; i < kBoxesPerBlock; ++i) {
+        const Range& box = boxes[static_cast<std::size_t>(i)];
+        bounds.low[i] = quantised(box.low, false);
+        bounds.high[i] = quantised(box.high, true);
+      }
+    }
+  });
+}
+
+void BoxBounds::masks(std::span<const float> storedIsovalues, const std::vector<std::uint8_t>& flags,
+                      std::vector<std::uint64_t>& result) const {
+  assert(flags.size() == bounds_.size() && storedIsovalues.size() <= 4);
+  struct Level {
+    std::uint16_t floor, ceiling;
+  };
+  std::vector<Level> levels;
+  for (const float stored : storedIsovalues) {
+    const double q = (static_cast<double>(stored) - origin_) * scale_;
+    if (q >= 0.0 && q <= 65535.0)
+      levels.push_back({static_cast<std::uint16_t>(std::floor(q)), static_cast<std::uint16_t>(std::ceil(q))});
+  }
+  result.resize(bounds_.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bounds_.size(), 512),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t block = range.begin(); block < range.end(); ++block) {
+                        std::uint64_t mask = 0;
+                        if (flags[block])
+                          for (const Level level : levels)
+                            for (int i = 0; i < kBoxesPerBlock; ++i)
+                              mask |= static_cast<std::uint64_t>(bounds_[block].low[i] <= level.floor &&
+                                                                 bounds_[block].high[i] >= level.ceiling)
+                                      << i;
+                        result[block] = mask;
+                      }
+                    });
+}
+
+}  // namespace isolux::volume

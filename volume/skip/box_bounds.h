@@ -1,0 +1,56 @@
+// Which 2x2x2-cell boxes of a block an isosurface can cross: a second, finer level below MinMaxBlocks, for
+// blocks of 8.
+//
+// A box holds 2x2x2 cells and so 3x3x3 voxels (with the apron of a cubic field: 5x5x5). Its bounds are kept
+// in 16 bits, rounded outward, so an answer may be "can" where it cannot, never the other way. A box with a
+// missing voxel can always. Values are stored units.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/progress.h"
+#include "volume/field/coefficients.h"
+#include "volume/grid.h"
+
+namespace isolux::volume {
+
+class BoxBounds {
+ public:
+  static constexpr int kBlockCells = 8, kBoxCells = 2, kBoxesPerBlock = 64;
+
+  // Of the trilinear field. Multithreaded; 256 bytes for each block of 8x8x8 cells; throws
+  // Error: memory, before anything is made; interrupted.
+  BoxBounds(const Grid& grid, base::Progress& progress);
+  // Of the cubic B-spline whose coefficients are the samples themselves, or those given (without
+  // their offset).
+  static BoxBounds ofCubic(const Grid& grid, base::Progress& progress);
+  static BoxBounds ofCubic(const Coefficients& coefficients, const Grid& grid, base::Progress& progress);
+
+  glm::ivec3 blockDims() const { return dims_; }
+  // Of each block a mask: bit x + 4 y + 16 z is set where that box can hold a crossing of one of the
+  // isovalues (at most four); 0 for blocks whose flag is 0. `flags`: one byte per block, x fastest.
+  // Multithreaded.
+  void masks(std::span<const float> storedIsovalues, const std::vector<std::uint8_t>& flags,
+             std::vector<std::uint64_t>& result) const;
+  std::size_t bytes() const { return bounds_.size() * sizeof(Bounds); }
+
+ private:
+  struct Bounds {  // of a block's boxes; low > high where there is no box
+    std::uint16_t low[kBoxesPerBlock], high[kBoxesPerBlock];
+  };
+  BoxBounds(glm::ivec3 voxels, const base::Progress& progress);
+  template <class T>
+  void fill(const std::vector<T>& voxels, float lowest, float highest, glm::ivec3 voxelDims, int apron,
+            base::Progress& progress);
+
+  glm::ivec3 dims_;
+  double origin_ = 0.0, scale_ = 1.0;  // quantised = (stored - origin) * scale
+  std::vector<Bounds> bounds_;
+  base::MemoryBudget::Held held_;
+};
+
+}  // namespace isolux::volume

@@ -1,0 +1,95 @@
+#include "volume/skip/min_max_blocks.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace isolux::volume {
+
+namespace {
+
+// Minimum and maximum of the voxels [low, high] (inclusive); comparisons with NaN are false, so missing
+// voxels do not count.
+template <class T>
+void blockRange(const std::vector<T>& voxels, const Grid& grid, glm::ivec3 low, glm::ivec3 high,
+                float& minimum, float& maximum) {
+  T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
+  const int width = high.x - low.x + 1;
+  for (int z = low.z; z <= high.z; ++z) {
+    for (int y = low.y; y <= high.y; ++y) {
+      const T* row = voxels.data() + grid.index(low.x, y, z);
+      for (int x = 0; x < width; ++x) {
+        least = row[x] < least ? row[x] : least;
+        most = row[x] > most ? row[x] : most;
+      }
+    }
+  }
+  minimum = static_cast<float>(least);
+  maximum = static_cast<float>(most);
+}
+
+}  // namespace
+
+MinMaxBlocks::MinMaxBlocks(glm::ivec3 voxels, int blockCells) : blockCells_(blockCells) {
+  assert(blockCells == 4 || blockCells == 8);
+  const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
+  dims_ = (cells + blockCells - 1) / blockCells;
+  const std::size_t total = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
+                            static_cast<std::size_t>(dims_.z);
+  minimum_.resize(total);
+  maximum_.resize(total);
+}
+
+MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& progress)
+    : MinMaxBlocks(grid.dims(), blockCells) {
+  std::visit([&](const auto& voxels) { fill(voxels, grid, 0, progress); }, grid.voxels());
+}
+
+MinMaxBlocks MinMaxBlocks::ofCubic(const Grid& grid, int blockCells, base::Progress& progress) {
+  MinMaxBlocks blocks(grid.dims(), blockCells);
+  std::visit([&](const auto& voxels) { blocks.fill(voxels, grid, 1, progress); }, grid.voxels());
+  return blocks;
+}
+
+MinMaxBlocks MinMaxBlocks::ofCubic(const Coefficients& coefficients, const Grid& grid, int blockCells,
+                                   base::Progress& progress) {
+  assert(coefficients.values.size() == grid.geometry().voxelCount());
+  MinMaxBlocks blocks(grid.dims(), blockCells);
+  blocks.fill(coefficients.values, grid, 1, progress);
+  return blocks;
+}
+
+template <class T>
+void MinMaxBlocks::fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress) {
+  if (count() == 0) return;
+  const int rows = dims_.y * dims_.z;
+  tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
+    for (int row = range.begin(); row != range.end(); ++row) {
+      if (progress.stopRequested()) return;
+      for (int x = 0; x < dims_.x; ++x) {
+        const glm::ivec3 block(x, row % dims_.y, row / dims_.y);
+        const glm::ivec3 first = block * blockCells_;
+        const glm::ivec3 low = glm::max(first - apron, glm::ivec3(0));
+        const glm::ivec3 high = glm::min(first + blockCells_ + apron, grid.dims() - 1);
+        const std::size_t i = index(block);
+        blockRange(voxels, grid, low, high, minimum_[i], maximum_[i]);
+      }
+    }
+  });
+  progress.throwIfStopped();
+}
+
+std::size_t MinMaxBlocks::activeBlocks(float storedIsovalue, std::vector<std::uint8_t>& flags) const {
+  flags.resize(count());
+  std::size_t found = 0;
+  for (std::size_t block = 0; block < count(); ++block) {
+    flags[block] = active(block, storedIsovalue) ? 1 : 0;
+    found += flags[block];
+  }
+  return found;
+}
+
+}  // namespace isolux::volume

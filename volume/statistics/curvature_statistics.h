@@ -1,0 +1,33 @@
+// How strongly an isosurface is curved as a whole, independent of any view: automatic ranges of colour maps.
+#pragma once
+
+#include <vector>
+
+#include "volume/field/coefficients.h"
+#include "volume/grid.h"
+#include "volume/skip/min_max_blocks.h"
+
+namespace isolux::volume {
+
+// Robust bounds of a quantity over the surface: the 5 %, 50 % and 95 % quantiles.
+struct Quantiles {
+  double low = 0.0, median = 0.0, high = 0.0;
+};
+
+struct CurvatureStatistics {
+  std::size_t samples = 0;         // 0 where there is no surface: all else is 0 then
+  Quantiles kappa1, kappa2, mean;  // 1/mm
+  Quantiles gaussian;              // 1/mm^2
+  Quantiles curvedness;            // sqrt((kappa1^2 + kappa2^2) / 2), 1/mm
+};
+
+// Over about `wanted` points where the surface cuts edges between neighbouring voxels, chosen by a fixed
+// random sequence: edges of all axes are alike, so the points cover the surface evenly but for a factor that
+// depends on its slant (1 to sqrt 3). `blocks` are those of the samples. Curvature is that of the B-spline of
+// the samples, or of the `coefficients` where given; `outward` as in volume/field/curvature.h. A few
+// milliseconds.
+CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                        double outward = -1.0, const Coefficients* coefficients = nullptr,
+                                        std::size_t wanted = 2000);
+
+}  // namespace isolux::volume

@@ -1,0 +1,227 @@
+#include "volume/statistics/histogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include <tbb/combinable.h>
+
+#include "volume/parallel_steps.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kMaximumPeaks = 8;
+// A peak counts when it stands this much above the higher of the valleys beside it, as ln(1 + count).
+constexpr double kPeakProminence = 0.2;
+constexpr double kSkinHu = -300.0;
+
+using Counts = std::vector<std::uint64_t>;
+
+double between(double low, double high, double t) {
+  const double range = high - low;  // overflows for float64 data of both signs near the largest number
+  return std::isfinite(range) ? low + t * range : (1.0 - t) * low + t * high;
+}
+
+// Calls binOf(voxel) for every voxel that is not missing, on all cores, and adds up the bins.
+template <class T, class BinOf>
+Counts countVoxels(const std::vector<T>& voxels, std::size_t bins, base::Progress& progress,
+                   const BinOf& binOf) {
+  tbb::combinable<Counts> partial([bins] { return Counts(bins, 0); });
+  parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
+    Counts& counts = partial.local();
+    for (std::size_t i = begin; i != end; ++i) {
+      if constexpr (std::is_floating_point_v<T>) {
+        if (std::isnan(voxels[i])) continue;
+      }
+      ++counts[std::min(binOf(voxels[i]), bins - 1)];
+    }
+  });
+  Counts sum(bins, 0);
+  partial.combine_each([&](const Counts& counts) {
+    for (std::size_t i = 0; i < bins; ++i) sum[i] += counts[i];
+  });
+  return sum;
+}
+
+// Counts smoothed by a binomial filter over five bins (with many bins), on a logarithmic scale.
+std::vector<double> smoothedLog(const Counts& counts) {
+  const auto size = static_cast<int>(counts.size());
+  std::vector<double> result(counts.size());
+  constexpr double weights[5] = {1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
+  for (int i = 0; i < size; ++i) {
+    double sum = 0.0;
+    if (size < 48) {
+      sum = static_cast<double>(counts[static_cast<std::size_t>(i)]);
+    } else {
+      for (int k = -2; k <= 2; ++k)
+        sum += weights[k + 2] *
+               static_cast<double>(counts[static_cast<std::size_t>(std::clamp(i + k, 0, size - 1))]);
+    }
+    result[static_cast<std::size_t>(i)] = std::log1p(sum);
+  }
+  return result;
+}
+
+struct Peak {
+  std::size_t bin;
+  double prominence;
+};
+
+// Topographic prominence: how far one must descend from the peak to reach anything higher. Neighbouring equal
+// bins count as one peak, at their first bin.
+std::vector<Peak> findPeaks(const std::vector<double>& height) {
+  std::vector<Peak> peaks;
+  const std::size_t size = height.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i > 0 && height[i - 1] >= height[i]) continue;
+    std::size_t end = i;
+    while (end + 1 < size && height[end + 1] == height[i]) ++end;
+    if (end + 1 < size && height[end + 1] > height[i]) continue;
+    double leftValley = height[i], rightValley = height[i];
+    bool higherLeft = false, higherRight = false;
+    for (std::size_t k = i; k-- > 0 && !higherLeft;) {
+      higherLeft = height[k] > height[i];
+      if (!higherLeft) leftValley = std::min(leftValley, height[k]);
+    }
+    for (std::size_t k = end + 1; k < size && !higherRight; ++k) {
+      higherRight = height[k] > height[i];
+      if (!higherRight) rightValley = std::min(rightValley, height[k]);
+    }
+    // Beside a border the ground is 0.
+    const double left = higherLeft ? leftValley : 0.0, right = higherRight ? rightValley : 0.0;
+    const double prominence = height[i] - std::max(left, right);
+    if (prominence >= kPeakProminence) peaks.push_back({(i + end) / 2, prominence});
+  }
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [](const Peak& a, const Peak& b) { return a.prominence > b.prominence; });
+  return peaks;
+}
+
+// The bins of the background: the fullest bin and, on both sides, the bins down to the next valley or to a
+// hundredth of its count (fields that only fade away have no valley). Empty (first > last) when no value is
+// frequent enough to be one.
+struct BinRange {
+  std::size_t first = 1, last = 0;
+  bool contains(std::size_t bin) const { return first <= bin && bin <= last; }
+};
+BinRange backgroundOf(const Counts& counts) {
+  std::uint64_t total = 0;
+  for (const std::uint64_t count : counts) total += count;
+  const std::vector<double> height = smoothedLog(counts);
+  const auto fullest =
+      static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+  BinRange range{fullest, fullest};
+  const double floor = height[fullest] - std::log(100.0);
+  const auto descends = [&](std::size_t from, std::size_t to) {
+    return height[to] < height[from] && height[to] > floor;
+  };
+  while (range.first > 0 && descends(range.first, range.first - 1)) --range.first;
+  while (range.last + 1 < counts.size() && descends(range.last, range.last + 1)) ++range.last;
+  std::uint64_t inside = 0;
+  for (std::size_t i = range.first; i <= range.last; ++i) inside += counts[i];
+  if (5 * inside < total) return {};
+  return range;
+}
+
+// Otsu 1979, eq. (18): the split of `counts` into two classes with the largest variance between them.
+// Returns the last bin of the lower class.
+std::size_t otsuSplit(const Histogram& histogram, const Counts& counts) {
+  double total = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    total += static_cast<double>(counts[i]);
+    sum += static_cast<double>(counts[i]) * histogram.binCentre(i);
+  }
+  double below = 0.0, sumBelow = 0.0, best = -1.0;
+  std::size_t bestFirst = 0, bestLast = 0;
+  for (std::size_t i = 0; i + 1 < counts.size(); ++i) {
+    below += static_cast<double>(counts[i]);
+    sumBelow += static_cast<double>(counts[i]) * histogram.binCentre(i);
+    const double above = total - below;
+    if (below <= 0.0 || above <= 0.0) continue;
+    const double difference = sumBelow / below - (sum - sumBelow) / above;
+    const double variance = below / total * (above / total) * difference * difference;
+    if (variance > best) {
+      best = variance;
+      bestFirst = i;
+    }
+    if (variance == best) bestLast = i;  // empty bins between the classes: all splits are equal
+  }
+  return best < 0.0 ? counts.size() / 2 : bestFirst + (std::max(bestLast, bestFirst) - bestFirst) / 2;
+}
+
+}  // namespace
+
+double Histogram::binCentre(std::size_t bin) const {
+  const auto bins = static_cast<double>(counts.size());
+  return between(minimum, maximum, (static_cast<double>(bin) + 0.5) / bins);
+}
+
+Histogram makeHistogram(const Grid& grid, int bins) {
+  base::Progress unwatched;
+  return makeHistogram(grid, bins, unwatched);
+}
+
+Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
+  Histogram histogram;
+  const std::size_t limit = static_cast<std::size_t>(std::max(bins, 1));
+  std::visit(
+      [&](const auto& voxels) {
+        using T = typename std::decay_t<decltype(voxels)>::value_type;
+        double low = grid.storedMinimum(), high = grid.storedMaximum();
+        if constexpr (std::is_integral_v<T>) {
+          // Whole values per bin, or some bins would hold one value more than others and show as a comb.
+          const auto first = static_cast<std::int64_t>(low), last = static_cast<std::int64_t>(high);
+          const std::int64_t values = last - first + 1;
+          const std::int64_t perBin =
+              (values + static_cast<std::int64_t>(limit) - 1) / static_cast<std::int64_t>(limit);
+          const std::size_t used = static_cast<std::size_t>((values + perBin - 1) / perBin);
+          histogram.counts = countVoxels(voxels, used, progress, [first, perBin](T v) {
+            return static_cast<std::size_t>((static_cast<std::int64_t>(v) - first) / perBin);
+          });
+          low = static_cast<double>(first) - 0.5;
+          high = low + static_cast<double>(perBin) * static_cast<double>(used);
+        } else {
+          const std::size_t used = high > low ? limit : 1;
+          const double scale = high > low ? static_cast<double>(used) / (high - low) : 0.0;
+          histogram.counts = countVoxels(voxels, used, progress, [low, scale](T v) {
+            return static_cast<std::size_t>(std::max((static_cast<double>(v) - low) * scale, 0.0));
+          });
+        }
+        histogram.minimum = grid.valueOfStored(low);
+        histogram.maximum = grid.valueOfStored(high);
+        if (grid.slope() < 0.0) {
+          std::swap(histogram.minimum, histogram.maximum);
+          std::reverse(histogram.counts.begin(), histogram.counts.end());
+        }
+      },
+      grid.voxels());
+  for (const Peak& peak : findPeaks(smoothedLog(histogram.counts))) {
+    if (histogram.peaks.size() == kMaximumPeaks) break;
+    histogram.peaks.push_back(histogram.binCentre(peak.bin));
+  }
+  return histogram;
+}
+
+double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit) {
+  const double low = grid.minimum(), high = grid.maximum();
+  if (!(low < high)) return low;
+  if (unit == "HU" && low < kSkinHu && kSkinHu < high) return kSkinHu;
+
+  Counts counts = histogram.counts;
+  const BinRange background = backgroundOf(counts);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (background.contains(i)) counts[i] = 0;
+    left += counts[i] > 0 ? 1 : 0;
+  }
+  if (left < 2) counts = histogram.counts;  // nothing but background: split that
+  const std::size_t split = otsuSplit(histogram, counts);
+  const double bins = static_cast<double>(histogram.counts.size());
+  const double edge = between(histogram.minimum, histogram.maximum, static_cast<double>(split + 1) / bins);
+  if (low < edge && edge < high) return edge;
+  return between(low, high, 0.5);
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,27 @@
+// Distribution of the values of a volume, for the isovalue slider and `isolux info`.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "volume/grid.h"
+
+namespace isolux::volume {
+
+struct Histogram {
+  double minimum = 0.0, maximum = 0.0;  // data units: lower edge of the first bin, upper edge of the last
+  std::vector<std::uint64_t> counts;    // equal bins; integer data of few values get one bin per value
+  std::vector<double> peaks;            // data units, most prominent first, at most 8
+  double binCentre(std::size_t bin) const;
+};
+// At most `bins` bins over [grid.minimum, grid.maximum]; missing voxels do not count. Multithreaded. With
+// `progress` it throws Error{interrupted} once a stop was requested.
+Histogram makeHistogram(const Grid& grid, int bins = 512);
+Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress);
+
+// A first isovalue that shows an object, not noise or the border: for CT in HU the skin (-300 HU) when
+// the range holds it, else Otsu's threshold of the histogram without its background peak. Always strictly
+// inside (minimum, maximum) when these differ.
+double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit);
+
+}  // namespace isolux::volume

@@ -1,0 +1,102 @@
+// Gradients: one point at a time, four samples of a row at once. Included once per instruction set by
+// isosurface_tracer_simd.cpp.
+#if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H
+#undef ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H
+#else
+#define ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <hwy/highway.h>
+
+#include "volume/tracer/kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isolux::volume::tracing {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F4 = hn::FixedTag<float, 4>;
+using V4 = hn::Vec<F4>;
+
+HWY_INLINE V4 loadRow(const float* row) {
+  return hn::LoadU(F4(), row);
+}
+
+template <class T>
+HWY_INLINE V4 loadRow(const T* row) {
+  return hn::ConvertTo(F4(),
+                       hn::PromoteTo(hn::FixedTag<std::int32_t, 4>(), hn::LoadU(hn::FixedTag<T, 4>(), row)));
+}
+
+// Weights of four samples round fraction t, and of the derivative (volume/field/reconstruct.h).
+HWY_INLINE void splineWeights(float t, float w[4], float d[4]) {
+  const float s = 1.0f - t;
+  constexpr float sixth = 1.0f / 6.0f;
+  w[0] = s * s * s * sixth;
+  w[1] = (4.0f + t * t * (3.0f * t - 6.0f)) * sixth;
+  w[2] = (4.0f + s * s * (3.0f * s - 6.0f)) * sixth;
+  w[3] = t * t * t * sixth;
+  d[0] = -0.5f * s * s;
+  d[1] = t * (1.5f * t - 2.0f);
+  d[2] = -s * (1.5f * s - 2.0f);
+  d[3] = 0.5f * t * t;
+}
+
+template <class T>
+HWY_INLINE void gradientsOf(const View& view, const T* voxels, const glm::vec3* points, std::size_t count,
+                            glm::vec3* result) {
+  const F4 f;
+  const std::size_t row = static_cast<std::size_t>(view.dims.x),
+                    slice = row * static_cast<std::size_t>(view.dims.y);
+  const glm::vec3 last(view.dims - 2);
+  const auto scalar = scalarKernels().gradients;
+  for (std::size_t n = 0; n < count; ++n) {
+    const glm::vec3 p = points[n];
+    // All 64 samples in the volume.
+    if (!(p.x >= 1.0f && p.y >= 1.0f && p.z >= 1.0f && p.x < last.x && p.y < last.y && p.z < last.z)) {
+      scalar(view, &p, 1, result + n);
+      continue;
+    }
+    const int x = static_cast<int>(p.x), y = static_cast<int>(p.y), z = static_cast<int>(p.z);
+    alignas(16) float wx[4], dx[4], wy[4], dy[4], wz[4], dz[4];
+    splineWeights(p.x - static_cast<float>(x), wx, dx);
+    splineWeights(p.y - static_cast<float>(y), wy, dy);
+    splineWeights(p.z - static_cast<float>(z), wz, dz);
+    const T* corner = voxels + static_cast<std::size_t>(z - 1) * slice +
+                      static_cast<std::size_t>(y - 1) * row + static_cast<std::size_t>(x - 1);
+    // Sums over y and z, with the derivative along neither, y and z.
+    V4 alongX = hn::Zero(f), alongY = alongX, alongZ = alongX;
+    for (int k = 0; k < 4; ++k, corner += slice) {
+      V4 s = hn::Mul(hn::Set(f, wy[0]), loadRow(corner)), sy = hn::Mul(hn::Set(f, dy[0]), loadRow(corner));
+      for (std::size_t j = 1; j < 4; ++j) {
+        const V4 samples = loadRow(corner + j * row);
+        s = hn::MulAdd(hn::Set(f, wy[j]), samples, s);
+        sy = hn::MulAdd(hn::Set(f, dy[j]), samples, sy);
+      }
+      alongX = hn::MulAdd(hn::Set(f, wz[k]), s, alongX);
+      alongY = hn::MulAdd(hn::Set(f, wz[k]), sy, alongY);
+      alongZ = hn::MulAdd(hn::Set(f, dz[k]), s, alongZ);
+    }
+    const V4 weights = hn::Load(f, wx);
+    const float gx = hn::GetLane(hn::SumOfLanes(f, hn::Mul(hn::Load(f, dx), alongX)));
+    const float gy = hn::GetLane(hn::SumOfLanes(f, hn::Mul(weights, alongY)));
+    const float gz = hn::GetLane(hn::SumOfLanes(f, hn::Mul(weights, alongZ)));
+    result[n] = {gx, gy, gz};
+    if (std::is_same_v<T, float> && std::isnan(gx + gy + gz)) scalar(view, &p, 1, result + n);
+  }
+}
+
+#endif
+}  // namespace HWY_NAMESPACE
+}  // namespace isolux::volume::tracing
+HWY_AFTER_NAMESPACE();
+
+#endif

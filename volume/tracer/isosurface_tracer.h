@@ -1,0 +1,87 @@
+// Traces many rays, each with its own isovalue, to where they first enter the inside of the trilinear
+// isosurface: the CPU tracer of the light bake.
+//
+// Semantics as firstEntry() (tests/support/reference_entry.h), in float: t agrees to about 1e-4 voxels where
+// the ray is not grazing, and rays whose answer hangs on the last digits of the isovalue may differ.
+// Positions are voxel coordinates, isovalues and gradients stored units (Grid::storedOfValue), t is in units
+// of |direction|. Rays that are not finite or have no direction, NaN isovalues and grids without cells:
+// nothing is hit. Const members are safe from many threads.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/memory_budget.h"
+#include "base/progress.h"
+#include "scene/scene.h"
+#include "volume/grid.h"
+#include "volume/skip/cell_ranges.h"
+
+namespace isolux::volume {
+
+namespace tracing {
+struct Kernels;
+struct View;
+}  // namespace tracing
+
+struct TraceRay {
+  glm::vec3 origin;     // voxel coordinates
+  glm::vec3 direction;  // voxels per unit of t; need not be unit
+  float isovalue;       // stored units
+  float tMaximum = std::numeric_limits<float>::infinity();
+};
+
+// Instruction sets the tracer is compiled for.
+enum class TracerTarget { automatic, scalar, sse4, avx2, avx512, neon };
+
+// The largest volumes whose places have the 32 bits of a SIMD lane: about 1600^3 voxels. Larger ones are
+// traced by the scalar kernels, at a third of the speed. Smaller numbers are for tests.
+struct TracerReach {
+  std::size_t voxels = std::size_t{1} << 32;
+  std::size_t tableBytes = std::size_t{1} << 33;  // of CellRanges
+};
+
+class IsosurfaceTracer {
+ public:
+  // Builds what rays skip by, on all threads. Throws Error: interrupted; memory, before anything is made.
+  // `target`: automatic is the widest of this machine; one of availableTargets() for tests and benchmarks.
+  IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside, base::Progress& progress,
+                   TracerTarget target = TracerTarget::automatic, TracerReach reach = {});
+  ~IsosurfaceTracer();
+  IsosurfaceTracer(const IsosurfaceTracer&) = delete;
+  IsosurfaceTracer& operator=(const IsosurfaceTracer&) = delete;
+
+  // Those compiled in that this machine can run; scalar is always the first.
+  static std::vector<TracerTarget> availableTargets();
+
+  // t of the first entry in (0, tMaximum], +inf where there is none. Spans of equal length.
+  void firstEntries(std::span<const TraceRay> rays, std::span<float> t) const;
+  // 1 where firstEntries would find one, else 0; faster.
+  void anyEntries(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const;
+
+  // Gradient of the tri-cubic B-spline of the samples, stored units per voxel (sampleCubic without the
+  // slope); that of the trilinear cell where one of the 64 samples is missing, 0 where one of those 8 is.
+  // Positions are clamped to the domain.
+  void gradients(std::span<const glm::vec3> voxels, std::span<glm::vec3> gradients) const;
+
+  const Grid& grid() const { return *grid_; }
+  std::size_t bytes() const;                       // beside the grid
+  const char* target() const;                      // "AVX-512", "AVX2", "SSE4", "NEON" or "scalar"
+  bool beyondSimd() const { return beyondSimd_; }  // scalar only because of TracerReach
+
+ private:
+  base::MemoryBudget::Held held_;
+  std::shared_ptr<const Grid> grid_;
+  CellRanges ranges_;
+  std::vector<std::int16_t> widened_;  // the voxels of 8-bit grids
+  std::unique_ptr<tracing::View> view_;
+  const tracing::Kernels* kernels_;
+  bool beyondSimd_ = false;
+};
+
+}  // namespace isolux::volume
