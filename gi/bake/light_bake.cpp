@@ -135,6 +135,8 @@ struct LightBake::Parts {
   void end();
   void work(int worker, const std::stop_token& stop) noexcept;
   bool workOnce(int worker, UnitRunner& runner, const std::stop_token& stop);
+  // With `threadsLock` locked. Returns how many are left.
+  int leaveThreadsToOthers();
   void wakeWaiters();
   void fail(std::exception_ptr thrown) noexcept;
 };
@@ -224,6 +226,18 @@ bool LightBake::Parts::workOnce(int worker, UnitRunner& runner, const std::stop_
   return true;
 }
 
+// The system has no more threads: some end again, because libraries that find none when they want one end the
+// process.
+int LightBake::Parts::leaveThreadsToOthers() {
+  constexpr std::size_t left = 4;
+  const std::size_t kept =
+      workers.size() > left ? workers.size() - left : std::min<std::size_t>(workers.size(), 1);
+  for (std::size_t i = kept; i < workers.size(); ++i) workers[i].request_stop();
+  wake();
+  workers.resize(kept);  // joins: a worker ends after a call of 8 ms
+  return static_cast<int>(kept);
+}
+
 void LightBake::Parts::wakeWaiters() {
   const std::lock_guard lock(finishedLock);
   finished.notify_all();
@@ -296,7 +310,7 @@ void LightBake::setThreads(int threads) {
             [parts = parts_.get(), worker](const std::stop_token& stop) { parts->work(worker, stop); });
       }
     } catch (const std::system_error&) {  // the system gives no more
-      threads = static_cast<int>(parts_->workers.size());
+      threads = parts_->leaveThreadsToOthers();
       if (threads == 0)
         parts_->fail(std::make_exception_ptr(
             base::Error(base::ErrorKind::memory, "", "light", "the system refuses a thread to compute it")));

@@ -22,7 +22,7 @@ TEST(Numbers, RoundedOnesAreTheNearestDecimals) {
   EXPECT_EQ(roundedToStep(0.30000000000000004, 0.1), 0.3);
   EXPECT_EQ(roundedToStep(1234.4, 5.0), 1235.0);
   EXPECT_EQ(roundedToStep(-0.26, 0.05), -0.25);
-  EXPECT_EQ(roundedToStep(1.7e308, 1e300), 1.7e308);
+  EXPECT_DOUBLE_EQ(roundedToStep(1.7e308, 1e300), 1.7e308);
   EXPECT_EQ(roundedToStep(3.14, 0.0), 3.14) << "no step: as it is";
   EXPECT_TRUE(std::isnan(roundedToStep(std::nan(""), 0.1)));
 }

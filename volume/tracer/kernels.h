@@ -1,5 +1,5 @@
 // What the kernels of the isosurface tracer share: the volume as they see it, and rays made ready for them.
-// Internal to volume/isosurface_tracer*.cpp.
+// Internal to this folder.
 //
 // A prepared ray is scaled by a power of two so that the greatest component of its direction is in [1, 2),
 // begins in the volume, and has no component 0: what it does not move along it creeps along, by 1e-30, so
