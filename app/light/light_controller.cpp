@@ -80,7 +80,7 @@ struct LightController::Parts {
   scene::Scene scene;
   VolumePointer volume;
   std::vector<glm::vec3> hits;
-  bool sceneTold = false, hitsTold = false, cancelTold = false, busy = false;
+  bool sceneTold = false, hitsTold = false, cancelTold = false, compressTold = false, busy = false;
   bool planning =
       false;  // the planner thread is at work on `planner`, busy or only looking whether to compress
 
@@ -112,19 +112,19 @@ void LightController::Parts::run(const std::stop_token& stop) {
   std::unique_lock lock(mutex);
   while (!stop.stop_requested()) {
     const bool compresses = plan.light && plan.choice.sky == scene::GiMode::transfer;
-    const auto told = [this] { return sceneTold || hitsTold || cancelTold; };
+    const auto told = [this] { return sceneTold || hitsTold || cancelTold || compressTold; };
     if (compresses)
       changed.wait_for(lock, stop, 100ms, told);
     else
       changed.wait(lock, stop, told);
     if (stop.stop_requested()) return;
     const bool withScene = std::exchange(sceneTold, false), withHits = std::exchange(hitsTold, false);
-    const bool cancel = std::exchange(cancelTold, false);
+    const bool cancel = std::exchange(cancelTold, false), compress = std::exchange(compressTold, false);
     const scene::Scene now = scene;
     const VolumePointer of = volume;
     // Looking whether to compress needs no points.
     const std::vector<glm::vec3> seen = withScene || withHits ? hits : std::vector<glm::vec3>();
-    busy = withScene || withHits || cancel;
+    busy = withScene || withHits || cancel || compress;
     planning = true;
     lock.unlock();
     work(withScene, withHits, cancel, now, of, seen);
@@ -269,7 +269,8 @@ LightState LightController::state() const {
 bool LightController::settle(double timeoutSeconds) const {
   std::unique_lock lock(parts_->mutex);
   return parts_->changed.wait_for(lock, std::chrono::duration<double>(timeoutSeconds), [this] {
-    return !parts_->sceneTold && !parts_->hitsTold && !parts_->cancelTold && !parts_->busy;
+    return !parts_->sceneTold && !parts_->hitsTold && !parts_->cancelTold && !parts_->compressTold &&
+           !parts_->busy;
   });
 }
 
@@ -297,17 +298,20 @@ bool LightController::finish(base::Progress& progress, double timeoutSeconds) {
       progress.report(static_cast<double>(counters.samplesDone) / wanted, "tracing light");
     }
   }
-  // The planner compresses the last texels.
+  // Threads put down what they were at; only then is what the planner compresses all that there will be.
+  for (const auto& bake : bakes)
+    while (!bake->counters().idle)
+      if (over())
+        return false;
+      else
+        std::this_thread::sleep_for(1ms);
   {
     const std::lock_guard guard(parts_->mutex);
-    parts_->hitsTold = true;
+    parts_->compressTold = true;
     parts_->changed.notify_all();
   }
   while (!settle(slice))
     if (over()) return false;
-  // Threads put down what they were at, and see that the same wishes are fulfilled.
-  for (const auto& bake : bakes)
-    while (!bake->counters().idle && !over()) std::this_thread::sleep_for(1ms);
   return true;
 }
 

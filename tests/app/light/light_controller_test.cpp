@@ -225,6 +225,31 @@ TEST_F(LightControllerTest, TransferIsCompressedWhenItIsFinished) {
   EXPECT_NEAR(controller.light()->environment[0].x, picture->environment[0].x, 1e-5f);
 }
 
+// Else two pictures of the same scene differ, by which texels there were when the last thread was still at
+// work.
+TEST_F(LightControllerTest, TransferOfAFinishedPictureIsCompressedFromAllItsTexels) {
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.shOrder = 3;
+  scene.gi.threads = 2;
+  scene.gi.samples = 1024;  // long enough for a first basis while light is traced
+  const std::vector<glm::vec3> seen = surface();
+  for (int i = 0; i < 4; ++i) {
+    app::LightController fresh{app::LightController::Options{}};
+    fresh.setScene(resolved(), volume);
+    fresh.setVisible(seen);
+    base::Progress progress;
+    ASSERT_TRUE(fresh.finish(progress, 120.0));
+    const auto picture = fresh.light();
+    ASSERT_TRUE(picture && picture->sky && picture->basis);
+    const auto expected =
+        gi::TransferBasis::fit(*picture->sky, picture->basis->components(), picture->basis->bits());
+    for (int k = 0; k < expected->components(); ++k) {
+      ASSERT_EQ(picture->basis->low(k), expected->low(k)) << "round " << i << ", component " << k;
+      ASSERT_EQ(picture->basis->step(k), expected->step(k)) << "round " << i << ", component " << k;
+    }
+  }
+}
+
 // The planner looks every 100 ms whether to compress, and at each new plan: load() meets it at work.
 TEST_F(LightControllerTest, LoadsWhileThePlannerCompresses) {
   scene.gi.mode = scene::GiMode::transfer;
