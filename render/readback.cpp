@@ -35,32 +35,32 @@ struct Source {
 
 Source sourceOf(const FrameState& frame, Aov aov) {
   Source source;
-  source.surface = frame.image(pass::refine, 0).readFloats(4);
+  source.surface = frame.image(image::surface, 0).readFloats(4);
   switch (aov) {
     case Aov::value_error:
-      source.info = frame.image(pass::refine, 1).readFloats(2);
+      source.info = frame.image(image::surface, 1).readFloats(2);
       break;
     case Aov::normal:
     case Aov::gradient:
       source.gradient = frame.gradientImage().readFloats(4);
       break;
     case Aov::hessian:
-      source.first = frame.image(pass::hessian, 1).readFloats(4);
-      source.second = frame.image(pass::hessian, 2).readFloats(4);
+      source.first = frame.image(image::hessian, 1).readFloats(4);
+      source.second = frame.image(image::hessian, 2).readFloats(4);
       break;
     case Aov::kappa:
     case Aov::curvature_confidence:
-      source.first = frame.image(pass::curvature, 0).readFloats(4);
+      source.first = frame.image(image::curvature, 0).readFloats(4);
       break;
     case Aov::direction1:
-      source.second = frame.image(pass::curvature, 1).readFloats(4);
+      source.second = frame.image(image::curvature, 1).readFloats(4);
       break;
     case Aov::direction2:
       source.gradient = frame.gradientImage().readFloats(4);
-      source.second = frame.image(pass::curvature, 1).readFloats(4);
+      source.second = frame.image(image::curvature, 1).readFloats(4);
       break;
     case Aov::irradiance:
-      source.first = frame.image(pass::irradiance).readFloats(4);
+      source.first = frame.image(image::irradiance).readFloats(4);
       break;
     case Aov::hit:
     case Aov::voxel:
@@ -94,12 +94,12 @@ LinearImage topRowFirst(const Texture& texture) {
 
 }  // namespace
 
-LinearImage readLinear(const FrameState& frame, const DrawnFrame& drawn) {
-  return topRowFirst(frame.images.at(drawn.layered ? pass::layers : pass::shade).images[0]);
+LinearImage readLinear(const FrameState& frame) {
+  return topRowFirst(frame.images.at(image::color).images[0]);
 }
 
-LinearImage readLinearPicture(const FrameState& frame, const DrawnFrame&) {
-  return topRowFirst(frame.images.at(kLinearPicture).images[0]);
+LinearImage readLinearPicture(const FrameState& frame) {
+  return topRowFirst(frame.images.at(image::linear).images[0]);
 }
 
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn) {
@@ -109,7 +109,7 @@ ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn) {
   const std::size_t row = static_cast<std::size_t>(image.size.x) * 4;
   std::vector<std::uint8_t> flipped(row * static_cast<std::size_t>(image.size.y));
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl.GetTextureImage(frame.images.at(pass::resolve).images[0].id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+  gl.GetTextureImage(frame.images.at(image::picture).images[0].id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
                      static_cast<GLsizei>(flipped.size()), flipped.data());
   image.rgba.resize(flipped.size());
   for (int y = 0; y < image.size.y; ++y)
@@ -183,7 +183,7 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
 }
 
 void appendHits(const FrameState& frame, std::size_t most, std::vector<glm::vec3>& hits) {
-  const Target& surface = frame.images.at(pass::refine + frame.layer);
+  const Target& surface = frame.images.at(image::surface + frame.layer);
   const glm::ivec2 size(surface.images[0].size());
   glm::ivec2 grid = size;
   for (int step = 1; static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y) > most;)
@@ -205,7 +205,7 @@ void appendHits(const FrameState& frame, std::size_t most, std::vector<glm::vec3
 std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
   constexpr std::size_t most = 1u << 20;
   std::vector<glm::vec3> hits;
-  if (drawn.raySize.x == 0 || !frame.images.has(pass::refine)) return hits;
+  if (drawn.raySize.x == 0 || !frame.images.has(image::surface)) return hits;
   appendHits(frame, most, hits);
   if (drawn.layered) hits.insert(hits.end(), frame.hitsBehind.begin(), frame.hitsBehind.end());
   return hits;
@@ -217,7 +217,7 @@ std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::
     return std::nullopt;
   const int s = drawn.raySize.x / drawn.pictureSize.x;
   float surface[4];
-  frame.gl->GetTextureSubImage(frame.images.at(pass::refine).images[0].id(), 0, pixel.x * s + s / 2,
+  frame.gl->GetTextureSubImage(frame.images.at(image::surface).images[0].id(), 0, pixel.x * s + s / 2,
                                (drawn.pictureSize.y - 1 - pixel.y) * s + s / 2, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
                                sizeof surface, surface);
   if (surface[3] < 0.0f) return std::nullopt;

@@ -17,13 +17,13 @@ struct DrawnFrame {
   glm::ivec2 wholeSize{0}, tileOrigin{0};  // rays: of the picture that the frame is a tile of
   double outward = -1.0;                   // times the gradient: the outward normal
   scene::Field hitField = scene::Field::trilinear;
-  bool layered = false;  // the layers pass wrote the colour
+  bool layered = false;  // there are surfaces behind transparent ones
   bool lit = false;      // somebody had said what the light is
 };
 
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
-LinearImage readLinear(const FrameState& frame, const DrawnFrame& drawn);
-LinearImage readLinearPicture(const FrameState& frame, const DrawnFrame& drawn);
+LinearImage readLinear(const FrameState& frame);
+LinearImage readLinearPicture(const FrameState& frame);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
 // The surface points, voxel coordinates, of every n-th ray on both axes, with n so that there are at most
 // `most`: spread evenly over the picture. Only those are read back. Of the layer that `frame` draws now.

@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <functional>
-#include <map>
-#include <set>
 
 #include "base/error.h"
 #include "render/empty_picture.h"
 #include "render/gl/gl_messages.h"
-#include "render/passes/derivative_passes.h"
-#include "render/passes/effect_passes.h"
+#include "render/graph/pass_declarations.h"
 #include "render/passes/frame_state.h"
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
-#include "render/passes/look_passes.h"
+#include "render/passes/pass_list.h"
 #include "render/readback.h"
 #include "render/volume/brick_rounds.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
@@ -70,10 +67,6 @@ void setKnownState(const Gl& gl) {
   for (const GLenum buffer : {GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_PACK_BUFFER}) gl.BindBuffer(buffer, 0);
   constexpr GLuint textureUnits = 16;
   for (GLuint unit = 0; unit < textureUnits; ++unit) gl.BindSampler(unit, 0);
-}
-
-bool castsRays(const std::string& name) {
-  return name == pass::cast || name == pass::shadow || name == pass::layers;
 }
 
 std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
@@ -129,14 +122,10 @@ class PassClock {
 }  // namespace
 
 struct Renderer::Parts {
-  explicit Parts(const GlPtr& gl) : frame(gl), hits(gl), lights(gl) {}
+  explicit Parts(const GlPtr& gl) : frame(gl), passes(makePasses()) {}
 
   FrameState frame;
-  HitPasses hits;
-  DerivativePasses derivatives;
-  EffectPasses effects;
-  LightPasses lights;
-  LookPasses looks;
+  PassList passes;
   FrameGraph graph;
   FrameReport report;
   DrawnFrame drawn;
@@ -150,12 +139,13 @@ struct Renderer::Parts {
   void prepare(const scene::Scene& scene, const FrameRequest& request);
   VolumeState volumeState() const;
   BrickState brickState();
-  void run(const std::string& pass);
-  // In bricks: `pass` casts rays, `planned` are the passes of this frame that run.
-  void runInBricks(const std::string& pass, const std::set<std::string>& planned);
-  void uploadBricks();  // what the last frame asked for
+  // Those of the plan that are not skipped are the frame's.
+  void plan(const std::vector<PassDeclaration>& declared, const std::vector<PlannedPass>& planned);
+  void run(Pass& pass, const std::vector<Pass*>& running);
+  // In bricks: `pass` casts rays, `running` are the passes of this frame that run.
+  void runInBricks(Pass& pass, const std::vector<Pass*>& running);
   void reportBricks();
-  std::size_t bytesOf(const std::string& pass) const;
+  std::size_t bytesOf(const Pass& pass, const PassDeclaration& declared) const;
 };
 
 Renderer::Renderer(std::shared_ptr<const Gl> gl) : parts_(std::make_unique<Parts>(std::move(gl))) {}
@@ -173,6 +163,7 @@ void Renderer::setLight(std::shared_ptr<const gi::PictureLight> light) {
 
 void Renderer::invalidate() {
   parts_->graph.invalidate();
+  for (const auto& pass : parts_->passes) pass->forget();
 }
 
 void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& request) {
@@ -191,12 +182,12 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   if (frame.volume) frame.volume->require(scene);
   frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
   frame.readsLight =
-      (request.color && needsOf(scene).light) ||
+      (request.color && scene::usesGi(scene)) ||
       std::find(request.aovs.begin(), request.aovs.end(), Aov::irradiance) != request.aovs.end();
   // What the volume leaves of the budget, but a quarter in any case: a cache of bricks takes all there is.
   const std::size_t budget = static_cast<std::size_t>(scene.memory.gpuBudgetMb) << 20;
   const std::size_t taken = frame.volume ? frame.volume->bytes() : 0;
-  lights.prepare(frame, std::max(budget / 4, budget - std::min(budget, taken)));
+  frame.lighting->prepare(frame, std::max(budget / 4, budget - std::min(budget, taken)));
   const volume::GridGeometry none = volume::GridGeometry::make(glm::ivec3(2), glm::dvec3(1.0));
   frame.view.emplace(scene.camera, static_cast<double>(request.size.x) / request.size.y,
                      volume ? volume->grid().geometry() : none);
@@ -211,30 +202,30 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
            frame.tileOrigin() * request.supersampling,
            frame.outward(),
            scene.hit.field,
-           isTransparent(scene),
+           scene::isTransparent(scene),
            frame.light != nullptr};
 }
 
-void Renderer::Parts::run(const std::string& name) {
-  static const std::map<std::string, std::function<void(Parts&)>> runs = {
-      {pass::blocks, [](Parts& p) { p.hits.blocks(p.frame); }},
-      {pass::segments, [](Parts& p) { p.hits.segments(p.frame); }},
-      {pass::bricks, [](Parts& p) { p.uploadBricks(); }},
-      {pass::cast, [](Parts& p) { p.hits.cast(p.frame); }},
-      {pass::refine, [](Parts& p) { p.hits.refine(p.frame); }},
-      {pass::gradient, [](Parts& p) { p.derivatives.gradient(p.frame); }},
-      {pass::hessian, [](Parts& p) { p.derivatives.hessian(p.frame); }},
-      {pass::curvature, [](Parts& p) { p.derivatives.curvature(p.frame); }},
-      {pass::ranges, [](Parts& p) { p.looks.ranges(p.frame); }},
-      {pass::shadow, [](Parts& p) { p.effects.shadow(p.frame); }},
-      {pass::flowField, [](Parts& p) { p.effects.flowField(p.frame); }},
-      {pass::flow, [](Parts& p) { p.effects.flow(p.frame); }},
-      {pass::light, [](Parts& p) { p.lights.light(p.frame); }},
-      {pass::irradiance, [](Parts& p) { p.lights.irradiance(p.frame); }},
-      {pass::shade, [](Parts& p) { p.looks.shade(p.frame); }},
-      {pass::layers, [](Parts& p) { p.looks.layers(p.frame, p.hits, p.derivatives, p.effects, p.lights); }},
-      {pass::resolve, [](Parts& p) { p.looks.resolve(p.frame, p.lights); }}};
-  runs.at(name)(*this);
+void Renderer::Parts::plan(const std::vector<PassDeclaration>& declared,
+                           const std::vector<PlannedPass>& planned) {
+  frame.used.clear();
+  frame.withGradient = frame.withHessian = false;
+  for (const PlannedPass& entry : planned) {
+    if (entry.state == PassState::skipped) continue;
+    frame.used.push_back(passes[entry.index].get());
+    for (const std::string& image : declared[entry.index].writes) {
+      frame.withGradient = frame.withGradient || image == image::gradient;
+      frame.withHessian = frame.withHessian || image == image::hessian;
+    }
+  }
+}
+
+void Renderer::Parts::run(Pass& pass, const std::vector<Pass*>& running) {
+  if (pass.kind.castsRays) frame.keepHits = false;
+  if (pass.kind.castsRays && frame.volume && frame.volume->bricks())
+    runInBricks(pass, running);
+  else
+    pass.run(frame);
 }
 
 VolumeState Renderer::Parts::volumeState() const {
@@ -252,21 +243,16 @@ BrickState Renderer::Parts::brickState() {
   return {true, !bricks->holdsAll(), frame.volume->bricksMade(), bricksAsked};
 }
 
-void Renderer::Parts::uploadBricks() {
-  Bricks& bricks = *frame.volume->bricks();
-  if (frame.request.brickUploadBytes > 0) bricks.serve(bricks.frameRound(), frame.request.brickUploadBytes);
-}
-
-void Renderer::Parts::runInBricks(const std::string& name, const std::set<std::string>& planned) {
-  BrickRounds rounds(frame, hits, [&] {
-    for (const char* at : {pass::refine, pass::gradient, pass::hessian})
-      if (planned.count(at) > 0) run(at);
+void Renderer::Parts::runInBricks(Pass& pass, const std::vector<Pass*>& running) {
+  BrickRounds rounds(frame, pass, [&] {
+    for (Pass* const at : running)
+      if (at->kind.atHits) at->run(frame);
     frame.keepHits = true;
   });
-  if (name == pass::cast)
+  if (pass.name == pass::cast)
     waitingRays = rounds.cast();
   else
-    waitingRays = std::max(waitingRays, rounds.draw([&] { run(name); }));
+    waitingRays = std::max(waitingRays, rounds.draw());
 }
 
 void Renderer::Parts::reportBricks() {
@@ -293,13 +279,11 @@ void Renderer::Parts::reportBricks() {
     }
 }
 
-std::size_t Renderer::Parts::bytesOf(const std::string& name) const {
-  if (name == pass::blocks) return frame.volume ? frame.volume->blockBytes() : 0;
-  if (name == pass::bricks)
-    return frame.volume && frame.volume->bricks() ? frame.volume->bricks()->bytes() : 0;
-  if (name == pass::light) return lights.atlasBytes();
-  // Exact hits are surface points without a bracket before.
-  return frame.images.bytesOf(name == pass::cast && !frame.images.has(pass::cast) ? pass::refine : name);
+std::size_t Renderer::Parts::bytesOf(const Pass& pass, const PassDeclaration& declared) const {
+  if (const std::optional<std::size_t> own = pass.bytes(frame)) return *own;
+  std::size_t sum = 0;
+  for (const std::string& image : declared.writes) sum += frame.images.bytesOf(image);
+  return sum;
 }
 
 const FrameReport& Renderer::render(const scene::Scene& scene, const FrameRequest& request) {
@@ -314,39 +298,30 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   try {
     parts.prepare(scene, request);
     Bricks* const bricks = parts.frame.volume ? parts.frame.volume->bricks() : nullptr;
-    const auto passes = declarePasses(scene, request, parts.volumeState(), parts.brickState(),
-                                      parts.lights.state(parts.frame));
-    const auto plan = parts.graph.plan(passes, wantedImages(request));
-    parts.frame.withGradient = std::any_of(plan.begin(), plan.end(), [&](const PlannedPass& entry) {
-      const std::string& name = passes[entry.index].name;
-      return (name == pass::gradient || name == pass::hessian) && entry.state != PassState::skipped;
-    });
-    parts.frame.withHessian = std::any_of(plan.begin(), plan.end(), [&](const PlannedPass& entry) {
-      return passes[entry.index].name == pass::hessian && entry.state != PassState::skipped;
-    });
-    std::set<std::string> planned;
+    const auto declared =
+        declarePasses(parts.passes, Asked(scene, request, parts.volumeState(), parts.brickState(),
+                                          parts.frame.lighting->state(parts.frame)));
+    const auto plan = parts.graph.plan(declared, wantedImages(request));
+    parts.plan(declared, plan);
+    std::vector<Pass*> running;
     for (const PlannedPass& entry : plan)
-      if (entry.state == PassState::ran) planned.insert(passes[entry.index].name);
+      if (entry.state == PassState::ran) running.push_back(parts.passes[entry.index].get());
     if (bricks) bricks->beginFrame();
     PassClock clock(parts.frame.gl);
     for (const PlannedPass& now : plan) {
-      const PassDeclaration& declared = passes[now.index];
-      PassReport entry{declared.name, now.state, now.reason, 0.0, 0};
+      Pass& pass = *parts.passes[now.index];
+      PassReport entry{pass.name, now.state, now.reason, 0.0, 0};
       if (now.state == PassState::ran) {
         clock.begin();
-        if (castsRays(declared.name)) parts.frame.keepHits = false;
-        if (bricks && castsRays(declared.name))
-          parts.runInBricks(declared.name, planned);
-        else
-          parts.run(declared.name);
+        parts.run(pass, running);
         clock.end(parts.report.passes.size());
-        parts.graph.completed(declared);
+        parts.graph.completed(declared[now.index]);
       }
-      if (now.state != PassState::skipped) entry.bytes = parts.bytesOf(declared.name);
+      if (now.state != PassState::skipped) entry.bytes = parts.bytesOf(pass, declared[now.index]);
       parts.report.passes.push_back(std::move(entry));
     }
-    const bool cast = planned.count(pass::cast) > 0 || planned.count(pass::refine) > 0;
-    if (cast) parts.hit = parts.hits.anyHit(parts.frame);
+    if (passRan(parts.report, pass::cast) || passRan(parts.report, pass::refine))
+      parts.hit = anyHit(parts.frame);
     gl.Finish();
     clock.write(parts.report.passes);
   } catch (...) {  // no room: nothing that was drawn is still there
@@ -355,6 +330,7 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     parts.graph.invalidate();
     parts.frame.scene = nullptr;
     parts.frame.layer.clear();
+    parts.frame.onlyWaiting = false;
     gl.BindVertexArray(0);
     gl.UseProgram(0);
     throw;
@@ -363,14 +339,14 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   gl.UseProgram(0);
   if (passRan(parts.report, pass::cast)) parts.complete = request.brickUploadBytes == 0;
   parts.reportBricks();
-  if (parts.frame.readsLight) parts.lights.report(parts.report.light);
+  if (parts.frame.readsLight) parts.frame.lighting->report(parts.report.light);
   if (parts.volume && parts.waitingRays == 0)
     parts.report.empty = whyEmpty(scene, *parts.volume, static_cast<double>(request.size.x) / request.size.y,
                                   !parts.frame.empty(), parts.hit);
   parts.report.surfaceChanged = passRan(parts.report, pass::cast) || passRan(parts.report, pass::refine);
   parts.report.milliseconds = millisecondsSince(begin);
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;
-  parts.report.gpuBytes = parts.frame.images.bytes() + parts.lights.bytes();
+  parts.report.gpuBytes = parts.frame.images.bytes() + parts.frame.lighting->bytes();
   if (parts.frame.volume) {
     parts.report.blocksActive = parts.frame.volume->activeBlocks();
     parts.report.gpuBytes += parts.frame.volume->bytes();
@@ -387,7 +363,7 @@ void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_FRAMEBUFFER_SRGB);
   const glm::ivec2 from = parts_->drawn.pictureSize;
-  gl.BlitNamedFramebuffer(parts_->frame.images.at(pass::resolve).framebuffer.id(), framebuffer, 0, 0, from.x,
+  gl.BlitNamedFramebuffer(parts_->frame.images.at(image::picture).framebuffer.id(), framebuffer, 0, 0, from.x,
                           from.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT,
                           from == size ? GL_NEAREST : GL_LINEAR);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -398,11 +374,11 @@ ColorImage Renderer::readColor() {
 }
 
 LinearImage Renderer::readLinear() {
-  return render::readLinear(parts_->frame, parts_->drawn);
+  return render::readLinear(parts_->frame);
 }
 
 LinearImage Renderer::readLinearPicture() {
-  return render::readLinearPicture(parts_->frame, parts_->drawn);
+  return render::readLinearPicture(parts_->frame);
 }
 
 AovImage Renderer::readAov(Aov aov) {

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
-#include "render/graph/pass_declarations.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
@@ -23,7 +23,7 @@ int marginOf(const scene::Scene& scene, const FrameRequest& request) {
   if (!request.color) return 0;
   double margin = 2.0;
   if (scene.look.suggestiveContours > 0.0) margin += request.size.y / 90.0;
-  if (needsOf(scene).flow)
+  if (scene::showsFlow(scene))
     margin += std::max(0.5 * scene.flow.length, scene.flow.grain) * request.pixelRatio + 2.0;
   return static_cast<int>(std::ceil(margin));
 }

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <string_view>
 
-#include "render/graph/pass_declarations.h"
+#include "render/graph/pass.h"
 
 namespace isolux::app {
 

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/suggestion.h"
-#include "render/graph/pass_declarations.h"
+#include "render/graph/pass.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 

@@ -19,7 +19,7 @@ enum class Cost { passes, bakeSeconds, lookupMilliseconds, gpuMegabytes };
 // An error that is shown against what it costs.
 struct Panel {
   const char *key, *label;          // "depth_rms_voxels"; with unit, for tables and plots
-  std::vector<const char*> passes;  // render/graph/pass_declarations.h; of the cost that is their time
+  std::vector<const char*> passes;  // render/graph/pass.h; of the cost that is their time
   double (*error)(const Errors&);
 };
 struct Knob;

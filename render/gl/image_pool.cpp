@@ -10,9 +10,9 @@ std::size_t Target::bytes() const {
   return sum;
 }
 
-Target& ImagePool::make(const GlPtr& gl, const std::string& pass, glm::ivec2 size,
+Target& ImagePool::make(const GlPtr& gl, const std::string& name, glm::ivec2 size,
                         const std::vector<GLenum>& formats) {
-  const auto found = entries_.find(pass);
+  const auto found = entries_.find(name);
   if (found != entries_.end()) {
     if (found->second.size == size && found->second.formats == formats) return found->second.target;
     entries_.erase(found);  // before its successor is made: both need not fit
@@ -22,24 +22,24 @@ Target& ImagePool::make(const GlPtr& gl, const std::string& pass, glm::ivec2 siz
   for (const GLenum format : formats) target.images.push_back(Texture::make2D(gl, format, size));
   for (const Texture& image : target.images) colors.push_back(&image);
   target.framebuffer = Framebuffer(gl, colors);
-  return entries_.emplace(pass, Entry{size, formats, std::move(target)}).first->second.target;
+  return entries_.emplace(name, Entry{size, formats, std::move(target)}).first->second.target;
 }
 
-const Target& ImagePool::at(const std::string& pass) const {
-  const auto found = entries_.find(pass);
+const Target& ImagePool::at(const std::string& name) const {
+  const auto found = entries_.find(name);
   if (found == entries_.end())
-    throw std::logic_error("images of pass " + pass + " are read, but were never drawn");
+    throw std::logic_error("images of " + name + " are read, but were never drawn");
   return found->second.target;
 }
 
-std::size_t ImagePool::bytesOf(const std::string& pass) const {
-  const auto found = entries_.find(pass);
+std::size_t ImagePool::bytesOf(const std::string& name) const {
+  const auto found = entries_.find(name);
   return found == entries_.end() ? 0 : found->second.target.bytes();
 }
 
 std::size_t ImagePool::bytes() const {
   std::size_t sum = 0;
-  for (const auto& [name, entry] : entries_) sum += entry.target.bytes();
+  for (const auto& [key, entry] : entries_) sum += entry.target.bytes();
   return sum;
 }
 

@@ -1,4 +1,5 @@
-// The images that passes draw into, by the name of the pass: made when first asked for, kept between frames.
+// The images that passes draw into, by their names (render/graph/pass.h): made when first asked for, kept
+// between frames.
 #pragma once
 
 #include <map>
@@ -18,16 +19,16 @@ struct Target {
 
 class ImagePool {
  public:
-  // The target of `pass`, made (anew) where there is none of this size and these formats.
+  // The target of this name, made (anew) where there is none of this size and these formats.
   // Throws base::Error{memory, graphics}.
-  Target& make(const GlPtr& gl, const std::string& pass, glm::ivec2 size, const std::vector<GLenum>& formats);
+  Target& make(const GlPtr& gl, const std::string& name, glm::ivec2 size, const std::vector<GLenum>& formats);
   // What make() has made. Throws std::logic_error where it has not.
-  const Target& at(const std::string& pass) const;
-  bool has(const std::string& pass) const { return entries_.count(pass) > 0; }
+  const Target& at(const std::string& name) const;
+  bool has(const std::string& name) const { return entries_.count(name) > 0; }
 
-  void drop(const std::string& pass) { entries_.erase(pass); }
+  void drop(const std::string& name) { entries_.erase(name); }
   void clear() { entries_.clear(); }
-  std::size_t bytesOf(const std::string& pass) const;
+  std::size_t bytesOf(const std::string& name) const;
   std::size_t bytes() const;
 
  private:

@@ -13,16 +13,20 @@ std::string joined(const std::vector<std::string>& words) {
     out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
   return out;
 }
+
+// A change of the look changes many settings that a pass depends on: the first few say enough.
+std::string reasonOf(std::vector<std::string> changes) {
+  constexpr std::size_t most = 4;
+  if (changes.size() <= most) return joined(changes);
+  const std::size_t more = changes.size() - (most - 1);
+  changes.resize(most - 1);
+  changes.push_back(std::to_string(more) + " more");
+  return joined(changes);
+}
 }  // namespace
 
-std::uint64_t FrameGraph::versionOf(const std::string& image) const {
-  const auto found = versions_.find(image);
-  return found == versions_.end() ? 0 : found->second;
-}
-
-std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& passes,
-                                          const std::vector<std::string>& wanted) const {
-  // Backwards: who is read.
+std::vector<bool> usedPasses(const std::vector<PassDeclaration>& passes,
+                             const std::vector<std::string>& wanted) {
   std::set<std::string> needed(wanted.begin(), wanted.end());
   std::vector<bool> used(passes.size(), false);
   for (std::size_t i = passes.size(); i-- > 0;) {
@@ -31,6 +35,17 @@ std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& pa
                           [&](const std::string& image) { return needed.count(image) > 0; });
     if (used[i]) needed.insert(pass.reads.begin(), pass.reads.end());
   }
+  return used;
+}
+
+std::uint64_t FrameGraph::versionOf(const std::string& image) const {
+  const auto found = versions_.find(image);
+  return found == versions_.end() ? 0 : found->second;
+}
+
+std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& passes,
+                                          const std::vector<std::string>& wanted) const {
+  const std::vector<bool> used = usedPasses(passes, wanted);
   // Forwards: what has changed.
   std::vector<PlannedPass> planned;
   std::set<std::string> renewed, written;
@@ -67,7 +82,7 @@ std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& pa
       planned.push_back({i, PassState::cached, "nothing it depends on changed"});
     } else {
       renewed.insert(pass.writes.begin(), pass.writes.end());
-      planned.push_back({i, PassState::ran, joined(changed)});
+      planned.push_back({i, PassState::ran, reasonOf(std::move(changed))});
     }
   }
   return planned;

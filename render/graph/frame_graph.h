@@ -16,7 +16,7 @@
 
 namespace isolux::render {
 
-// A named group of settings, as a hash: "camera", "isovalue". The name is what --explain says.
+// A setting ("camera.eye") or another input ("volume"), as a hash. The name is what --explain says.
 struct Parameter {
   std::string name;
   std::uint64_t hash;
@@ -28,6 +28,10 @@ struct PassDeclaration {
   std::vector<Parameter> parameters;
   std::string notNeeded = {};  // why it is skipped; empty: because nothing reads what it writes
 };
+
+// Which of the passes somebody reads, directly or through others, down to a wanted image.
+std::vector<bool> usedPasses(const std::vector<PassDeclaration>& passes,
+                             const std::vector<std::string>& wanted);
 
 struct PlannedPass {
   std::size_t index;  // in the declarations

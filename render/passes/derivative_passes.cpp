@@ -1,18 +1,27 @@
 #include "render/passes/derivative_passes.h"
 
+#include <algorithm>
+
 #include <glm/matrix.hpp>
 
+#include "render/graph/pass_declarations.h"
+#include "scene/rules/needs.h"
 #include "volume/field/curvature.h"
 
 namespace isolux::render {
 
 namespace {
+
 constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+
+// Second derivatives are read: by the look, where there is a surface, or by a deferred image.
+bool hessianIsRead(const Asked& asked) {
+  const std::vector<Aov>& images = asked.request.aovs;
+  return (asked.request.color && asked.volume.crossed && scene::needsCurvature(asked.scene)) ||
+         std::any_of(images.begin(), images.end(), readsHessian);
 }
 
-void DerivativePasses::derivatives(FrameState& frame, bool hessian) {
-  const Target& target = hessian ? frame.target(pass::hessian, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F})
-                                 : frame.target(pass::gradient, {GL_RGBA32F});
+void drawDerivatives(FrameState& frame, const Target& target, const char* shader, bool hessian) {
   frame.begin(target);
   for (std::size_t i = 0; i < target.images.size() && !frame.keepHits; ++i)
     frame.clear(target, static_cast<int>(i), kZero);
@@ -21,26 +30,69 @@ void DerivativePasses::derivatives(FrameState& frame, bool hessian) {
   std::string defines = hessian ? "#define HESSIAN\n" : "";
   if (settings.field != scene::Field::trilinear) defines += "#define CUBIC\n";
   if (settings.fetch == scene::Fetch::fast) defines += "#define FAST\n";
-  Program& p = frame.program("derivatives.frag.glsl", defines);
+  Program& p = frame.program(shader, defines);
   frame.setView(p);
   frame.volume->bind(p, settings.field);
-  p.setTexture("uSurface", 2, frame.image(pass::refine));
+  p.setTexture("uSurface", 2, frame.image(image::surface));
   const glm::dmat3 linear(frame.volume->grid().geometry().worldFromVoxel);
   p.set("uInverseTransposed", glm::mat3(glm::transpose(glm::inverse(linear))));
   p.set("uDataUnits", static_cast<float>(frame.volume->dataUnitsPerTexel()));
   frame.drawFullscreen(p);
 }
 
-void DerivativePasses::curvature(FrameState& frame) {
-  const Target& target = frame.target(pass::curvature, {GL_RGBA32F, GL_RGBA32F});
+}  // namespace
+
+void GradientPass::declare(Declaring& d) const {
+  d.reads(image::surface).volume().settings({"derivatives.field", "derivatives.fetch"});
+  if (hessianIsRead(d.asked))
+    d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
+  else
+    d.writes(image::gradient);
+}
+
+std::optional<LookInput> GradientPass::forLook(const scene::Scene& scene) const {
+  if (!scene::needsGradient(scene)) return std::nullopt;
+  return LookInput{image::gradient};  // FrameState::setPoint() binds them
+}
+
+void GradientPass::run(FrameState& frame) {
+  drawDerivatives(frame, frame.target(image::gradient, {GL_RGBA32F}), shader, false);
+}
+
+void HessianPass::declare(Declaring& d) const {
+  d.reads(image::surface).writes(image::hessian);
+  d.volume().settings({"derivatives.field", "derivatives.fetch"});
+  if (hessianIsRead(d.asked)) d.writes(image::gradient);
+}
+
+void HessianPass::run(FrameState& frame) {
+  drawDerivatives(frame, frame.target(image::hessian, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}), shader, true);
+}
+
+std::optional<std::size_t> HessianPass::bytes(const FrameState& frame) const {
+  return frame.images.bytesOf(image::hessian);  // the gradients are its first image
+}
+
+void CurvaturePass::declare(Declaring& d) const {
+  d.reads(image::gradient).reads(image::hessian).writes(image::curvature);
+  d.settings({"isosurface.inside", "derivatives.noise"});
+}
+
+std::optional<LookInput> CurvaturePass::forLook(const scene::Scene& scene) const {
+  if (!scene::needsCurvature(scene)) return std::nullopt;
+  return LookInput{image::curvature, "CURVATURE", {"uKappa", "uDirection"}};
+}
+
+void CurvaturePass::run(FrameState& frame) {
+  const Target& target = frame.target(image::curvature, {GL_RGBA32F, GL_RGBA32F});
   frame.begin(target);
   frame.clear(target, 0, kZero);
   frame.clear(target, 1, kZero);
   if (frame.empty()) return;
-  Program& p = frame.program("curvature.frag.glsl");
-  p.setTexture("uGradient", 0, frame.image(pass::hessian, 0));
-  p.setTexture("uHessianDiagonal", 1, frame.image(pass::hessian, 1));
-  p.setTexture("uHessianMixed", 2, frame.image(pass::hessian, 2));
+  Program& p = frame.program(shader);
+  p.setTexture("uGradient", 0, frame.image(image::hessian, 0));
+  p.setTexture("uHessianDiagonal", 1, frame.image(image::hessian, 1));
+  p.setTexture("uHessianMixed", 2, frame.image(image::hessian, 2));
   p.set("uOutward", static_cast<float>(frame.outward()));
   const volume::CurvatureScale scale = volume::curvatureScale(
       frame.volume->grid().geometry(), frame.scene->derivatives.field, *frame.scene->derivatives.noise);

@@ -1,19 +1,35 @@
-// Surface points to derivatives and curvature, once per pixel: gradient, hessian and curvature
-// (render/graph/pass_declarations.h).
+// Surface points to derivatives and curvature, once per pixel: the passes gradient, hessian and curvature.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-class DerivativePasses {
+// The world gradient at the surface point, by the field of derivatives.field.
+class GradientPass : public Pass {
  public:
-  void gradient(FrameState& frame) { derivatives(frame, false); }
-  void hessian(FrameState& frame) { derivatives(frame, true); }  // gradients too, from the same samples
-  void curvature(FrameState& frame);
+  GradientPass() : Pass(pass::gradient, "derivatives.frag.glsl", {.atHits = true, .ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
+  void run(FrameState& frame) override;
+};
 
- private:
-  void derivatives(FrameState& frame, bool hessian);
+// The same with the world Hessian, from the same samples: runs instead where second derivatives are read.
+class HessianPass : public Pass {
+ public:
+  HessianPass() : Pass(pass::hessian, "derivatives.frag.glsl", {.atHits = true, .ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+  std::optional<std::size_t> bytes(const FrameState& frame) const override;
+};
+
+// Principal curvatures, first direction, confidence.
+class CurvaturePass : public Pass {
+ public:
+  CurvaturePass() : Pass("curvature", "curvature.frag.glsl", {.ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
+  void run(FrameState& frame) override;
 };
 
 }  // namespace isolux::render

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "render/passes/hit_passes.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
@@ -15,10 +16,29 @@ namespace {
 constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 constexpr float kNoField[4] = {0.0f, 0.0f, -1.0f, 0.0f};
 
+// Where the pattern of the flow stands in its period, [0, 1).
+double phaseOf(const scene::Flow& flow) {
+  const double periods = flow.time * flow.speed;
+  return periods - std::floor(periods);
+}
+
 }  // namespace
 
-void EffectPasses::shadow(FrameState& frame) {
-  const Target& target = frame.target(pass::shadow, {GL_R8});
+void ShadowPass::declare(Declaring& d) const {
+  d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow);
+  d.settings({"camera.", "hit.method", "hit.field", "isosurface.inside", "light.space", "light.direction"});
+  const scene::Scene& s = d.asked.scene;
+  d.input("what is opaque", s.isosurface.opacity >= 1.0, s.isosurface2.opacity >= 1.0,
+          s.isosurface3.opacity >= 1.0, s.isosurface4.opacity >= 1.0);
+}
+
+std::optional<LookInput> ShadowPass::forLook(const scene::Scene& scene) const {
+  if (!scene::showsShadow(scene)) return std::nullopt;
+  return LookInput{image::shadow, "SHADOW", {"uLit"}};
+}
+
+void ShadowPass::run(FrameState& frame) {
+  const Target& target = frame.target(image::shadow, {GL_R8});
   frame.begin(target);
   frame.clear(target, 0, kZero);
   if (frame.empty()) return;
@@ -26,8 +46,8 @@ void EffectPasses::shadow(FrameState& frame) {
   std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
   if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
-  Program& p = frame.program("shadow.frag.glsl", defines);
-  HitPasses::setTrace(frame, p);
+  Program& p = frame.program(shader, defines);
+  setTrace(frame, p);
   frame.setPoint(p, 4);
   p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));
   p.set("uLight", glm::vec3(frame.towardLight()));
@@ -38,41 +58,59 @@ void EffectPasses::shadow(FrameState& frame) {
   frame.drawFullscreen(p);
 }
 
-void EffectPasses::flowField(FrameState& frame) {
-  const Target& target = frame.target(pass::flowField, {GL_RGBA32F, GL_RGBA16F});
+void FlowFieldPass::declare(Declaring& d) const {
+  d.reads(image::surface).reads(image::gradient).reads(image::curvature).writes(image::flowField);
+  d.settings({"camera.", "isosurface.inside", "flow.direction", "flow.grain"}).pictureSize();
+  d.input("pixel ratio", d.asked.request.pixelRatio);
+}
+
+void FlowFieldPass::run(FrameState& frame) {
+  const Target& target = frame.target(image::flowField, {GL_RGBA32F, GL_RGBA16F});
   frame.begin(target);
   frame.clear(target, 0, kNoField);
   frame.clear(target, 1, kZero);
   if (frame.empty()) return;
   const scene::Flow& flow = frame.scene->flow;
-  Program& p = frame.program("flow_field.frag.glsl",
-                             flow.direction == scene::FlowDirection::minimum ? "#define MINIMUM\n" : "");
+  Program& p =
+      frame.program(shader, flow.direction == scene::FlowDirection::minimum ? "#define MINIMUM\n" : "");
   frame.setView(p);
   frame.setPoint(p, 0);
-  p.setTexture("uKappa", 3, frame.image(pass::curvature, 0));
-  p.setTexture("uDirection", 4, frame.image(pass::curvature, 1));
+  p.setTexture("uKappa", 3, frame.image(image::curvature, 0));
+  p.setTexture("uDirection", 4, frame.image(image::curvature, 1));
   p.set("uGrain", static_cast<float>(flow.grain * frame.raysPerWidth()));
   frame.drawFullscreen(p);
 }
 
-void EffectPasses::flow(FrameState& frame) {
-  const Target& target = frame.target(pass::flow, {GL_R16F});
+void FlowPass::declare(Declaring& d) const {
+  d.reads(image::flowField).writes(image::flow).settings({"flow.length", "flow.grain"}).pictureSize();
+  d.input("pixel ratio", d.asked.request.pixelRatio);
+  const bool moves = d.asked.acts("flow.time");  // flow.time and flow.speed act through the phase alone
+  d.input("phase of the flow", moves ? phaseOf(d.asked.scene.flow) : 0.0);
+}
+
+std::optional<LookInput> FlowPass::forLook(const scene::Scene& scene) const {
+  if (!scene::showsFlow(scene)) return std::nullopt;
+  return LookInput{image::flow, "FLOW", {"uFlow"}};
+}
+
+void FlowPass::run(FrameState& frame) {
+  const Target& target = frame.target(image::flow, {GL_R16F});
   frame.begin(target);
   const scene::Flow& flow = frame.scene->flow;
   const double raysPerPixel = frame.raysPerWidth(), grain = flow.grain * raysPerPixel;
   // Steps of half a grain miss nothing; long streaks of fine grain take at most 128 a way.
   const double half = 0.5 * flow.length * raysPerPixel;
   const double step = std::max({1.0, 0.5 * grain, half / 128.0});
-  const Texture& noise = frame.image(pass::flowField, 1);
+  const Texture& noise = frame.image(image::flowField, 1);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     frame.gl->TextureParameteri(noise.id(), filter, GL_LINEAR);
-  Program& p = frame.program("flow.frag.glsl");
-  p.setTexture("uField", 0, frame.image(pass::flowField, 0));
+  Program& p = frame.program(shader);
+  p.setTexture("uField", 0, frame.image(image::flowField, 0));
   p.setTexture("uNoise", 1, noise);
   p.set("uHalfLength", static_cast<float>(std::max(half, step)));
   p.set("uStep", static_cast<float>(step));
   p.set("uGrain", static_cast<float>(grain));
-  p.set("uPhase", static_cast<float>(2.0 * std::numbers::pi * flowPhase(flow)));
+  p.set("uPhase", static_cast<float>(2.0 * std::numbers::pi * phaseOf(flow)));
   frame.drawFullscreen(p);
 }
 

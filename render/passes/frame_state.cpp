@@ -1,9 +1,9 @@
 #include "render/passes/frame_state.h"
 
-#include "scene/albedo.h"
-
 #include <glm/geometric.hpp>
 
+#include "render/passes/light_passes.h"
+#include "scene/albedo.h"
 #include "volume/field/curvature.h"
 
 namespace isolux::render {
@@ -20,6 +20,14 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene) {
   std::erase_if(surfaces, [](const Surface& surface) { return !(surface.opacity > 0.0); });
   return surfaces;
 }
+
+FrameState::FrameState(GlPtr pointer)
+    : gl(std::move(pointer)),
+      lighting(std::make_unique<FrameLight>(gl)),
+      emptyArray_(gl),
+      anySamples_(gl, GL_ANY_SAMPLES_PASSED) {}
+
+FrameState::~FrameState() = default;
 
 Program& FrameState::program(const std::string& fragment, const std::string& defines) {
   const std::string all = volume && volume->bricks() ? "#define BRICKS\n" + defines : defines;
@@ -44,8 +52,17 @@ void FrameState::clear(const Target& target, int image, const float (&value)[4])
 
 void FrameState::drawFullscreen(const Program& program) const {
   gl->UseProgram(program.id());
-  gl->BindVertexArray(emptyArray.id());
+  gl->BindVertexArray(emptyArray_.id());
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+bool FrameState::drawsAny(const Program& program) {
+  gl->BeginQuery(GL_ANY_SAMPLES_PASSED, anySamples_.id());
+  drawFullscreen(program);
+  gl->EndQuery(GL_ANY_SAMPLES_PASSED);
+  GLuint64 any = 0;
+  gl->GetQueryObjectui64v(anySamples_.id(), GL_QUERY_RESULT, &any);
+  return any != 0;
 }
 
 void FrameState::setView(Program& program) const {
@@ -61,9 +78,9 @@ void FrameState::setView(Program& program) const {
 }
 
 void FrameState::setPoint(Program& program, int unit) const {
-  program.setTexture("uSurface", unit, image(pass::refine, 0));
+  program.setTexture("uSurface", unit, image(image::surface, 0));
   if (withGradient) program.setTexture("uGradient", unit + 1, gradientImage());
-  program.setTexture("uInfo", unit + 2, image(pass::refine, 1));
+  program.setTexture("uInfo", unit + 2, image(image::surface, 1));
   program.set("uRightWorld", glm::vec3(view->rightWorld));
   program.set("uUpWorld", glm::vec3(view->upWorld));
   program.set("uForwardWorld", glm::vec3(view->forwardWorld));

@@ -1,8 +1,8 @@
-// What the passes of one frame share. The renderer owns it; pass groups keep only what is theirs between
-// frames.
+// What the passes of one frame share. The renderer owns it; passes keep only what is theirs between frames.
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,10 +10,11 @@
 #include "gi/picture_light.h"
 #include "render/gl/image_pool.h"
 #include "render/graph/frame.h"
-#include "render/graph/pass_declarations.h"
+#include "render/graph/pass.h"
 #include "render/passes/view_uniforms.h"
 #include "render/volume/gpu_volume.h"
 #include "scene/scene.h"
+#include "volume/statistics/curvature_statistics.h"
 
 namespace isolux::render {
 
@@ -26,8 +27,11 @@ struct Surface {
 // The first and those further ones that are shown, without those of opacity 0: none to four.
 std::vector<Surface> surfacesOf(const scene::Scene& scene);
 
+class FrameLight;
+
 struct FrameState {
-  explicit FrameState(GlPtr pointer) : gl(std::move(pointer)), emptyArray(gl) {}
+  explicit FrameState(GlPtr pointer);
+  ~FrameState();
 
   GlPtr gl;
   const scene::Scene* scene = nullptr;  // resolved; during render() only
@@ -37,11 +41,19 @@ struct FrameState {
   std::optional<GpuVolume> volume;                // none: nothing is loaded
   std::shared_ptr<const gi::PictureLight> light;  // null: nobody has said what it is
   bool readsLight = false;                        // something in this frame reads light of the surface points
+  std::unique_ptr<FrameLight> lighting;           // what passes and the renderer know of it, on the GPU
+  volume::CurvatureStatistics statistics;         // of the ranges pass
   ImagePool images;
-  // Of the hits in bricks: nothing is cleared, what cannot be drawn anew stays (renderer.cpp).
-  bool keepHits = false;
+  std::vector<Pass*> used;  // the passes that this frame needs, drawn anew or not, in their order
+
+  // Rays in bricks (render/volume/brick_rounds.h). onlyWaiting: the cast is of the rays that waited for a
+  // brick. keepHits: nothing of the hits is cleared, because what cannot be drawn anew stays.
+  bool onlyWaiting = false, keepHits = false;
+
+  // The crossing that is drawn now: "" the first, otherwise one behind (layers pass), and the one before it.
+  std::string layer, layerBefore;
+  bool anyBehind = false;             // the cast of the layer found a crossing
   std::vector<glm::vec3> hitsBehind;  // of the layers, where the look reads stored light: voxel coordinates
-  std::string layer;  // of the images drawn now: "" the first crossing, otherwise one behind (layers pass)
 
   // What is drawn: the picture, or a tile of it.
   glm::ivec2 drawnSize() const { return request.tile ? request.tile->size : request.size; }
@@ -55,17 +67,17 @@ struct FrameState {
     return scene->isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
   }  // times gradient
 
-  // The images of a pass at the size of the rays: to draw into, and to read from.
-  Target& target(const std::string& pass, const std::vector<GLenum>& formats) {
-    return images.make(gl, pass + layer, raySize(), formats);
+  // Images at the size of the rays (render/graph/pass.h, image::): to draw into, and to read from.
+  Target& target(const std::string& name, const std::vector<GLenum>& formats) {
+    return images.make(gl, name + layer, raySize(), formats);
   }
-  const Texture& image(const std::string& pass, std::size_t which = 0) const {
-    return images.at(pass + layer).images[which];
+  const Texture& image(const std::string& name, std::size_t which = 0) const {
+    return images.at(name + layer).images[which];
   }
 
-  // The gradients of whichever pass wrote them.
+  // The gradients of whichever pass wrote them: the first image of the Hessians, or their own.
   bool withGradient = false, withHessian = false;  // they are drawn in this frame
-  const Texture& gradientImage() const { return image(withHessian ? pass::hessian : pass::gradient); }
+  const Texture& gradientImage() const { return image(withHessian ? image::hessian : image::gradient); }
 
   // A fullscreen pass: its program (made once for each set of defines; BRICKS is one where the volume is in
   // bricks), its target, and one triangle over it.
@@ -80,11 +92,14 @@ struct FrameState {
   void setPoint(Program& program, int unit) const;
   glm::dvec3 towardLight() const;  // unit, world
   double flatCurvature() const;    // below which a surface counts as flat, 1/mm: volume/field/curvature.h
+  // Draws, and says whether any sample passed.
+  bool drawsAny(const Program& program);
   // uIsovalues and uIsovalueShifts, as texels of what `field` is made from.
   void setIsovalues(Program& program, scene::Field field) const;
 
  private:
-  VertexArray emptyArray;
+  VertexArray emptyArray_;
+  Query anySamples_;
   std::map<std::string, Program> programs_;
 };
 

@@ -34,72 +34,115 @@ bool eyeInActiveBlock(const FrameState& frame) {
   return false;
 }
 
-}  // namespace
-
-HitPasses::HitPasses(const GlPtr& gl)
-    : faceArray_(gl),
-      segmentsProgram_(gl, "faces.vert.glsl", "segments.frag.glsl"),
-      anyHit_(gl, GL_ANY_SAMPLES_PASSED) {
-  gl->EnableVertexArrayAttrib(faceArray_.id(), 0);
-  gl->VertexArrayAttribIFormat(faceArray_.id(), 0, 1, GL_UNSIGNED_INT, 0);
-  gl->VertexArrayAttribBinding(faceArray_.id(), 0, 0);
-  gl->VertexArrayBindingDivisor(faceArray_.id(), 0, 1);
+bool isExact(const FrameState& frame) {
+  return frame.scene->hit.method == scene::HitMethod::exact;
 }
 
-void HitPasses::blocks(FrameState& frame) {
+// Exact hits are the surface points themselves; sampled ones are brackets yet.
+const Target& castTarget(FrameState& frame) {
+  return isExact(frame) ? frame.target(image::surface, {GL_RGBA32F, GL_RG32F})
+                        : frame.target(image::bracket, {GL_RGBA32F});
+}
+
+void clearHits(const FrameState& frame, const Target& target) {
+  frame.clear(target, 0, isExact(frame) ? kNoSurface : kNoBracket);
+  if (isExact(frame)) frame.clear(target, 1, kZero);
+}
+
+}  // namespace
+
+void BlocksPass::declare(Declaring& d) const {
+  d.volume().isovalues().settings({"hit.field"}).input("graphics copy of the volume", d.asked.volume.made);
+  d.writes(image::activeBlocks).writes(image::faces);
+}
+
+void BlocksPass::run(FrameState& frame) {
   if (!frame.volume) return;
   std::vector<double> values;
   for (const Surface& surface : frame.surfaces) values.push_back(surface.value);
   frame.volume->activate(frame.scene->hit.field, values);
 }
 
-void HitPasses::segments(FrameState& frame) {
-  const Target& target = frame.target(pass::segments, {GL_R32F});
+std::optional<std::size_t> BlocksPass::bytes(const FrameState& frame) const {
+  return frame.volume ? frame.volume->blockBytes() : 0;
+}
+
+void SegmentsPass::declare(Declaring& d) const {
+  d.reads(image::activeBlocks).reads(image::faces).writes(image::segments);
+  d.settings({"camera."}).pictureSize();
+}
+
+SegmentsPass::Faces::Faces(const GlPtr& gl, const char* shader)
+    : array(gl), program(gl, "faces.vert.glsl", shader) {
+  gl->EnableVertexArrayAttrib(array.id(), 0);
+  gl->VertexArrayAttribIFormat(array.id(), 0, 1, GL_UNSIGNED_INT, 0);
+  gl->VertexArrayAttribBinding(array.id(), 0, 0);
+  gl->VertexArrayBindingDivisor(array.id(), 0, 1);
+}
+
+void SegmentsPass::run(FrameState& frame) {
+  const Target& target = frame.target(image::segments, {GL_R32F});
   frame.begin(target);
   const bool atEye = !frame.empty() && !frame.view->orthographic && eyeInActiveBlock(frame);
   frame.clear(target, 0, {atEye ? 0.0f : kNever, 0.0f, 0.0f, 0.0f});
   if (frame.empty()) return;
+  if (!faces_) faces_.emplace(frame.gl, shader);
   const Gl& gl = *frame.gl;
-  frame.setView(segmentsProgram_);
+  Program& p = faces_->program;
+  frame.setView(p);
   const glm::dmat3 voxelFromCamera(frame.view->rightVoxel, frame.view->upVoxel, frame.view->forwardVoxel);
-  segmentsProgram_.set("uCameraFromVoxel", glm::mat3(glm::inverse(voxelFromCamera)));
-  segmentsProgram_.set("uBlockCells", frame.volume->blocks().blockCells());
-  segmentsProgram_.set("uDims", frame.volume->grid().dims());
+  p.set("uCameraFromVoxel", glm::mat3(glm::inverse(voxelFromCamera)));
+  p.set("uBlockCells", frame.volume->blocks().blockCells());
+  p.set("uDims", frame.volume->grid().dims());
   const glm::dvec2 whole(frame.request.size), part(frame.drawnSize());
-  segmentsProgram_.set("uTileScale", glm::vec2(whole / part));
-  segmentsProgram_.set("uTileShift", glm::vec2((whole - 2.0 * glm::dvec2(frame.tileOrigin())) / part - 1.0));
+  p.set("uTileScale", glm::vec2(whole / part));
+  p.set("uTileShift", glm::vec2((whole - 2.0 * glm::dvec2(frame.tileOrigin())) / part - 1.0));
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_MIN);
-  gl.UseProgram(segmentsProgram_.id());
-  gl.VertexArrayVertexBuffer(faceArray_.id(), 0, frame.volume->faceBuffer().id(), 0, sizeof(PackedFace));
-  gl.BindVertexArray(faceArray_.id());
+  gl.UseProgram(p.id());
+  const GLuint array = faces_->array.id();
+  gl.VertexArrayVertexBuffer(array, 0, frame.volume->faceBuffer().id(), 0, sizeof(PackedFace));
+  gl.BindVertexArray(array);
   gl.DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(frame.volume->faceCount()));
   gl.Disable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);
 }
 
-void HitPasses::setTrace(FrameState& frame, Program& p) {
-  const scene::Field field = frame.scene->hit.field;
-  frame.setView(p);
-  frame.volume->bind(p, field);
-  frame.setIsovalues(p, field);
-  p.setTexture("uBlockMasks", 3, frame.volume->maskTexture());
-  p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
-  p.set("uBlockShift", std::countr_zero(static_cast<unsigned>(frame.volume->blocks().blockCells())));
+void BricksPass::declare(Declaring& d) const {
+  d.writes(image::bricks).notNeeded("the volume is one texture");
+  d.volume().input("graphics copy of the volume", d.asked.volume.made);
+  if (!d.asked.bricks.inUse) return;
+  d.input("graphics memory", d.asked.bricks.made).input("what rays ask for", d.asked.bricks.asked);
 }
 
-Program& HitPasses::castProgram(FrameState& frame, Rays rays) {
+void BricksPass::run(FrameState& frame) {
+  Bricks& bricks = *frame.volume->bricks();
+  if (frame.request.brickUploadBytes > 0) bricks.serve(bricks.frameRound(), frame.request.brickUploadBytes);
+}
+
+std::optional<std::size_t> BricksPass::bytes(const FrameState& frame) const {
+  return frame.volume && frame.volume->bricks() ? frame.volume->bricks()->bytes() : 0;
+}
+
+void CastPass::declare(Declaring& d) const {
+  const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
+  d.reads(image::activeBlocks).reads(image::segments).writes(exact ? image::surface : image::bracket);
+  d.volume().isovalues().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
+  d.input("volume in bricks", d.asked.bricks.inUse);
+  if (d.asked.bricks.inUse) d.reads(image::bricks);
+}
+
+Program& CastPass::program(FrameState& frame, Rays rays) const {
   const scene::Hit& hit = frame.scene->hit;
-  const bool exact = hit.method == scene::HitMethod::exact;
   std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
-  if (exact) defines += "#define EXACT\n";
+  if (isExact(frame)) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
   if (rays == Rays::behind) defines += "#define BEHIND\n";
   if (rays == Rays::again) defines += "#define AGAIN\n";
-  Program& p = frame.program("cast.frag.glsl", defines);
+  Program& p = frame.program(shader, defines);
   setTrace(frame, p);
-  p.setTexture("uSegments", 2, frame.images.at(pass::segments).images[0]);
-  if (!exact) {
+  p.setTexture("uSegments", 2, frame.images.at(image::segments).images[0]);
+  if (!isExact(frame)) {
     p.set("uStep", static_cast<float>(1.0 / hit.rate));
     p.set("uNearFactor", static_cast<float>(hit.nearFactor));
     p.set("uNearThreshold",
@@ -110,70 +153,48 @@ Program& HitPasses::castProgram(FrameState& frame, Rays rays) {
   return p;
 }
 
-// Exact hits are the surface points themselves; sampled ones are brackets yet.
-const Target& HitPasses::castTarget(FrameState& frame) const {
-  return frame.scene->hit.method == scene::HitMethod::exact
-             ? frame.target(pass::refine, {GL_RGBA32F, GL_RG32F})
-             : frame.target(pass::cast, {GL_RGBA32F});
-}
-
-void HitPasses::clearHits(const FrameState& frame, const Target& target) const {
-  const bool exact = frame.scene->hit.method == scene::HitMethod::exact;
-  frame.clear(target, 0, exact ? kNoSurface : kNoBracket);
-  if (exact) frame.clear(target, 1, kZero);
-}
-
-void HitPasses::cast(FrameState& frame, bool again) {
+void CastPass::run(FrameState& frame) {
+  if (!frame.layer.empty()) {
+    castBehind(frame);
+    return;
+  }
   const Target& target = castTarget(frame);
   frame.begin(target);
   if (frame.empty()) {
     clearHits(frame, target);
     return;
   }
-  Program& p = castProgram(frame, again ? Rays::again : Rays::all);
-  if (again) {  // each pixel reads only what it wrote itself
+  Program& p = program(frame, frame.onlyWaiting ? Rays::again : Rays::all);
+  if (frame.onlyWaiting) {  // each pixel reads only what it wrote itself
     frame.gl->TextureBarrier();
     p.setTexture("uBefore", 4, target.images.back());
   }
   frame.drawFullscreen(p);
 }
 
-bool HitPasses::castBehind(FrameState& frame, const std::string& front) {
+void CastPass::castBehind(FrameState& frame) const {
   const Target& target = castTarget(frame);
   frame.begin(target);
   clearHits(frame, target);
-  Program& p = castProgram(frame, Rays::behind);
-  const Target& surface = frame.images.at(pass::refine + front);
+  Program& p = program(frame, Rays::behind);
+  const Target& surface = frame.images.at(image::surface + frame.layerBefore);
   p.setTexture("uSurface", 4, surface.images[0]);
   p.setTexture("uInfo", 5, surface.images[1]);
-  p.setTexture("uColor", 6, frame.images.at(pass::layers).images[0]);
-  const Gl& gl = *frame.gl;
-  gl.BeginQuery(GL_ANY_SAMPLES_PASSED, anyHit_.id());
-  frame.drawFullscreen(p);
-  gl.EndQuery(GL_ANY_SAMPLES_PASSED);
-  GLuint64 any = 0;
-  gl.GetQueryObjectui64v(anyHit_.id(), GL_QUERY_RESULT, &any);
-  return any != 0;
+  p.setTexture("uColor", 6, frame.images.at(image::color).images[0]);
+  frame.anyBehind = frame.drawsAny(p);
 }
 
-bool HitPasses::anyHit(FrameState& frame) {
-  if (frame.empty()) return false;
-  const Gl& gl = *frame.gl;
-  frame.begin(frame.images.at(pass::segments));  // nothing is written there
-  Program& p = frame.program("any_hit.frag.glsl");
-  p.setTexture("uSurface", 0, frame.image(pass::refine));
-  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  gl.BeginQuery(GL_ANY_SAMPLES_PASSED, anyHit_.id());
-  frame.drawFullscreen(p);
-  gl.EndQuery(GL_ANY_SAMPLES_PASSED);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  GLuint64 any = 0;
-  gl.GetQueryObjectui64v(anyHit_.id(), GL_QUERY_RESULT, &any);
-  return any != 0;
+void RefinePass::declare(Declaring& d) const {
+  if (d.asked.scene.hit.method == scene::HitMethod::exact) {
+    d.writes("refined points").notNeeded("exact hits are solved in their cells");
+    return;
+  }
+  d.reads(image::bracket).writes(image::surface);
+  d.volume().isovalues().pictureSize().settings({"camera.", "hit.field", "hit.refinements"});
 }
 
-void HitPasses::refine(FrameState& frame) {
-  const Target& target = frame.target(pass::refine, {GL_RGBA32F, GL_RG32F});
+void RefinePass::run(FrameState& frame) {
+  const Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
   frame.begin(target);
   if (!frame.keepHits) {
     frame.clear(target, 0, kNoSurface);
@@ -181,13 +202,35 @@ void HitPasses::refine(FrameState& frame) {
   }
   if (frame.empty()) return;
   const scene::Field field = frame.scene->hit.field;
-  Program& p = frame.program("refine.frag.glsl", field == scene::Field::trilinear ? "" : "#define CUBIC\n");
+  Program& p = frame.program(shader, field == scene::Field::trilinear ? "" : "#define CUBIC\n");
   frame.setView(p);
   frame.volume->bind(p, field);
   frame.setIsovalues(p, field);
-  p.setTexture("uBrackets", 2, frame.image(pass::cast));
+  p.setTexture("uBrackets", 2, frame.image(image::bracket));
   p.set("uRefinements", frame.scene->hit.refinements);
   frame.drawFullscreen(p);
+}
+
+bool anyHit(FrameState& frame) {
+  if (frame.empty()) return false;
+  const Gl& gl = *frame.gl;
+  frame.begin(frame.images.at(image::segments));  // nothing is written there
+  Program& p = frame.program("any_hit.frag.glsl");
+  p.setTexture("uSurface", 0, frame.image(image::surface));
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const bool any = frame.drawsAny(p);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  return any;
+}
+
+void setTrace(FrameState& frame, Program& p) {
+  const scene::Field field = frame.scene->hit.field;
+  frame.setView(p);
+  frame.volume->bind(p, field);
+  frame.setIsovalues(p, field);
+  p.setTexture("uBlockMasks", 3, frame.volume->maskTexture());
+  p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
+  p.set("uBlockShift", std::countr_zero(static_cast<unsigned>(frame.volume->blocks().blockCells())));
 }
 
 }  // namespace isolux::render

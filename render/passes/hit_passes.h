@@ -1,37 +1,71 @@
-// Rays to surface points: blocks, segments, cast and refine (render/graph/pass_declarations.h).
+// Rays to surface points: the passes blocks, segments, bricks, cast and refine.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-class HitPasses {
+// The active blocks of the isovalues, and the faces between active and inactive ones (object order).
+class BlocksPass : public Pass {
  public:
-  explicit HitPasses(const GlPtr& gl);
+  BlocksPass() : Pass("blocks", "", {}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+  std::optional<std::size_t> bytes(const FrameState& frame) const override;
+};
 
-  void blocks(FrameState& frame);
-  void segments(FrameState& frame);
-  // behind: the crossing behind the one in the surface image of layer `front`; the pixels without one are not
-  // touched. False when no pixel has one.
-  // again: only the rays that waited for a brick.
-  void cast(FrameState& frame, bool again = false);
-  bool castBehind(FrameState& frame, const std::string& front);
-  void refine(FrameState& frame);
-  bool anyHit(FrameState& frame);  // of the surface points that are there
+// Where each ray enters the active blocks, by rasterising those faces.
+class SegmentsPass : public Pass {
+ public:
+  SegmentsPass() : Pass("segments", "segments.frag.glsl", {}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
 
-  // Sets what trace.glsl and trace_cubic.glsl read: view, volume, isovalues, block masks. Texture units 0,
-  // 1, 3.
-  static void setTrace(FrameState& frame, Program& program);
+ private:
+  struct Faces {
+    explicit Faces(const GlPtr& gl, const char* shader);
+    VertexArray array;
+    Program program;
+  };
+  std::optional<Faces> faces_;
+};
+
+// Uploads of the bricks that the rays of the frame before asked for; none in a volume of one texture.
+class BricksPass : public Pass {
+ public:
+  BricksPass() : Pass(pass::bricks, "", {}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+  std::optional<std::size_t> bytes(const FrameState& frame) const override;
+};
+
+// The first crossing of an isovalue on each ray: exact hits are the surface points, sampled ones a bracket
+// [t0, t1] yet. In a layer: the crossing behind the one of the layer before; pixels without one are not
+// touched.
+class CastPass : public Pass {
+ public:
+  CastPass() : Pass(pass::cast, "cast.frag.glsl", {.castsRays = true, .ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
 
  private:
   enum class Rays { all, again, behind };
-  Program& castProgram(FrameState& frame, Rays rays);
-  const Target& castTarget(FrameState& frame) const;
-  void clearHits(const FrameState& frame, const Target& target) const;
-
-  VertexArray faceArray_;
-  Program segmentsProgram_;
-  Query anyHit_;
+  Program& program(FrameState& frame, Rays rays) const;
+  void castBehind(FrameState& frame) const;
 };
+
+// The surface point of a sampled hit: its bracket narrowed on the exact field of hit.field.
+class RefinePass : public Pass {
+ public:
+  RefinePass() : Pass(pass::refine, "refine.frag.glsl", {.atHits = true, .ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+};
+
+bool anyHit(FrameState& frame);  // of the surface points that are there
+
+// Sets what trace.glsl and trace_cubic.glsl read: view, volume, isovalues, block masks. Texture units 0,
+// 1, 3.
+void setTrace(FrameState& frame, Program& program);
 
 }  // namespace isolux::render

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/rules/relevance.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
@@ -62,9 +62,9 @@ float exposureOf(const scene::Scene& scene, const gi::PictureLight* light) {
   return static_cast<float>(std::exp2(scene.picture.exposure.value_or(automatic)));
 }
 
-LightPasses::LightPasses(const GlPtr& gl) : atlas_(gl), factors_(gl) {}
+FrameLight::FrameLight(const GlPtr& gl) : atlas_(gl), factors_(gl) {}
 
-void LightPasses::prepare(FrameState& frame, std::size_t budgetBytes) {
+void FrameLight::prepare(FrameState& frame, std::size_t budgetBytes) {
   const scene::GiInterpolation interpolation = frame.scene->gi.interpolation;
   LightAtlas::Source source;
   if (frame.readsLight) source.light = frame.light;
@@ -80,7 +80,7 @@ void LightPasses::prepare(FrameState& frame, std::size_t budgetBytes) {
   if (atlas_.setSource(source)) ++storage_;
 }
 
-LightState LightPasses::state(const FrameState& frame) const {
+LightState FrameLight::state(const FrameState& frame) const {
   LightState state;
   const gi::PictureLight* const light = frame.light.get();
   state.stored = frame.readsLight && atlas_.stores();
@@ -94,16 +94,16 @@ LightState LightPasses::state(const FrameState& frame) const {
   return state;
 }
 
-void LightPasses::light(FrameState& frame) {
-  atlas_.update(frame.request.lightUploadBytes);
+void FrameLight::upload(std::size_t limitBytes) {
+  atlas_.update(limitBytes);
   if (atlas_.pending()) ++unfinished_;
 }
 
-std::size_t LightPasses::bytes() const {
+std::size_t FrameLight::bytes() const {
   return atlas_.bytes() + factors_.bytes() + background_.bytes();
 }
 
-void LightPasses::report(LightReport& out) const {
+void FrameLight::report(LightReport& out) const {
   out.stored = atlas_.stores();
   out.resident = atlas_.resident();
   out.uploaded = atlas_.uploaded();
@@ -112,7 +112,7 @@ void LightPasses::report(LightReport& out) const {
   out.pending = atlas_.pending();
 }
 
-std::string LightPasses::definesOf(const FrameState& frame) const {
+std::string FrameLight::defines(const FrameState& frame) const {
   const LightTexelLayout& layout = atlas_.layout();
   const auto number = [](const char* name, auto value) {
     return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
@@ -124,7 +124,7 @@ std::string LightPasses::definesOf(const FrameState& frame) const {
          number("CODE_BITS", layout.codeBits) + number("INTERPOLATION", frame.scene->gi.interpolation);
 }
 
-void LightPasses::setLocalLight(const FrameState& frame, Program& p) const {
+void FrameLight::setLocalLight(const FrameState& frame, Program& p) const {
   const std::array<glm::vec3, 9> sky = frame.light ? frame.light->irradianceSh : neutralSky();
   for (std::size_t i = 0; i < sky.size(); ++i)
     p.set(("uLocalSky[" + std::to_string(i) + "]").c_str(), kHarmonics[i] * sky[i]);
@@ -138,7 +138,7 @@ void LightPasses::setLocalLight(const FrameState& frame, Program& p) const {
   }
 }
 
-void LightPasses::setLattice(const FrameState& frame, Program& p) {
+void FrameLight::setLattice(const FrameState& frame, Program& p) {
   atlas_.bind(p, 3);
   const gi::LatticeGeometry& geometry = atlas_.geometry();
   p.set("uLatticeDims", geometry.dims);
@@ -171,22 +171,12 @@ void LightPasses::setLattice(const FrameState& frame, Program& p) {
   frame.gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFactorsBinding, factors_.id());
 }
 
-void LightPasses::irradiance(FrameState& frame) {
-  const Target& target = frame.target(pass::irradiance, {GL_RGBA32F});
-  frame.begin(target);
-  if (frame.empty()) {
-    frame.clear(target, 0, kZero);
-    return;
-  }
-  Program& p = frame.program("irradiance.frag.glsl", definesOf(frame));
-  frame.setView(p);
-  frame.setPoint(p, 0);
+void FrameLight::bind(FrameState& frame, Program& p) {
   setLocalLight(frame, p);
   if (atlas_.stores()) setLattice(frame, p);
-  frame.drawFullscreen(p);
 }
 
-void LightPasses::setBackground(FrameState& frame, Program& p, int unit) {
+void FrameLight::setBackground(FrameState& frame, Program& p, int unit) {
   const gi::PictureLight& light = *frame.light;
   if (backgroundOf_ != light.background) {
     const glm::ivec2 size(light.background->width(), light.background->height());
@@ -211,6 +201,50 @@ void LightPasses::setBackground(FrameState& frame, Program& p, int unit) {
   if (frame.view->orthographic)
     extent /= std::max(glm::length(*frame.scene->camera.eye - *frame.scene->camera.target), 1e-9);
   p.set("uViewExtent", glm::vec2(extent));
+}
+
+void LightPass::declare(Declaring& d) const {
+  const LightState& light = d.asked.light;
+  d.writes(image::light).notNeeded("no look reads stored light");
+  d.input("lattice", light.storage).input("stored light", light.skyRevision, light.lampsRevision);
+  d.input("uploads left over", light.unfinished);
+}
+
+void LightPass::run(FrameState& frame) {
+  frame.lighting->upload(frame.request.lightUploadBytes);
+}
+
+std::optional<std::size_t> LightPass::bytes(const FrameState& frame) const {
+  return frame.lighting->atlasBytes();
+}
+
+void IrradiancePass::declare(Declaring& d) const {
+  const LightState& light = d.asked.light;
+  d.reads(image::surface).reads(image::gradient).writes(image::irradiance);
+  d.notNeeded("no look reads light of the surface points");
+  d.settings({"camera.", "isosurface.inside"}).input("light", light.version);
+  if (!light.stored) return;
+  d.reads(image::light).input("lattice", light.storage);
+  d.input("gi.interpolation", d.asked.scene.gi.interpolation);  // wherever light is stored, planned or not
+}
+
+std::optional<LookInput> IrradiancePass::forLook(const scene::Scene& scene) const {
+  if (!scene::usesGi(scene)) return std::nullopt;
+  return LookInput{image::irradiance, "", {"uIrradiance"}};  // by SHADING
+}
+
+void IrradiancePass::run(FrameState& frame) {
+  const Target& target = frame.target(image::irradiance, {GL_RGBA32F});
+  frame.begin(target);
+  if (frame.empty()) {
+    frame.clear(target, 0, kZero);
+    return;
+  }
+  Program& p = frame.program(shader, frame.lighting->defines(frame));
+  frame.setView(p);
+  frame.setPoint(p, 0);
+  frame.lighting->bind(frame, p);
+  frame.drawFullscreen(p);
 }
 
 }  // namespace isolux::render

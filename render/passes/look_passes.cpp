@@ -1,9 +1,12 @@
 #include "render/passes/look_passes.h"
 
+#include <set>
+
 #include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
+#include "render/passes/light_passes.h"
 #include "render/readback.h"
-#include "scene/rules/relevance.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
@@ -18,54 +21,85 @@ enum Unit {
   surfaceUnit,  // surfaceUnit to infoUnit: FrameState::setPoint()
   gradientUnit,
   infoUnit,
-  kappaUnit,
-  directionUnit,
   colorMapUnit,
-  shadowUnit,
-  flowUnit,
-  irradianceUnit
+  firstInputUnit  // from here on: LookInput::samplers
 };
 
+// What the look reads of the passes that this frame needs.
+std::vector<LookInput> inputsOf(const FrameState& frame) {
+  std::vector<LookInput> inputs;
+  for (const Pass* pass : frame.used)
+    if (const std::optional<LookInput> input = pass->forLook(*frame.scene)) inputs.push_back(*input);
+  return inputs;
+}
+
 // The parts of shade.frag.glsl that this scene needs.
-std::string definesOf(const scene::Scene& scene) {
+std::string definesOf(const scene::Scene& scene, const std::vector<LookInput>& inputs) {
   const scene::Look& look = scene.look;
-  const LookNeeds needs = needsOf(scene);
   const auto number = [](const char* name, auto value) {
     return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
   };
   const auto flag = [](const char* name, bool on) {
     return on ? "#define " + std::string(name) + "\n" : std::string();
   };
-  return number("LOOK", look.mode) + number("SHADING", scene::shadingOf(scene)) +
-         number("TEXTURE", look.texture) + flag("CURVATURE", needs.curvature) + flag("SHADOW", needs.shadow) +
-         flag("FLOW", needs.flow) + flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
-         flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility) +
-         flag("RIDGES", look.ridges > 0.0) + flag("CONTOURS", look.contours > 0.0) +
-         flag("SUGGESTIVE", look.suggestiveContours > 0.0);
+  std::string defines =
+      number("LOOK", look.mode) + number("SHADING", scene::shadingOf(scene)) +
+      number("TEXTURE", look.texture) + flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
+      flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility) +
+      flag("RIDGES", look.ridges > 0.0) + flag("CONTOURS", look.contours > 0.0) +
+      flag("SUGGESTIVE", look.suggestiveContours > 0.0);
+  for (const LookInput& input : inputs) defines += flag(input.define, *input.define != '\0');
+  return defines;
+}
+
+// The look's own background shows through its fog.
+bool fogIsBackground(const Asked& asked) {
+  return asked.acts("look.fog_color") && !asked.scene.look.fogColor;
+}
+
+// The environment is seen behind the surface.
+bool showsEnvironment(const Asked& asked) {
+  return scene::usesGi(asked.scene) && asked.light.background;
+}
+
+void addExposure(Declaring& d) {
+  const bool automatic = !d.asked.scene.picture.exposure && d.asked.acts("picture.exposure");
+  d.settings({"picture.exposure"});
+  d.input("automatic exposure", automatic ? d.asked.light.automaticExposure : 0.0f);
 }
 
 }  // namespace
 
-void LookPasses::ranges(FrameState& frame) {
+void RangesPass::declare(Declaring& d) const {
+  d.writes(image::ranges).volume().isovalues().settings({"isosurface.inside"});
+  // The curvature of the samples' spline, or of the one through them.
+  d.input("derivatives.field", d.asked.scene.derivatives.field == scene::Field::cubic_interpolating);
+}
+
+std::optional<LookInput> RangesPass::forLook(const scene::Scene& scene) const {
+  if (!readsCurvatureRanges(scene)) return std::nullopt;
+  return LookInput{image::ranges};  // FrameState::statistics
+}
+
+void RangesPass::run(FrameState& frame) {
   std::vector<volume::CurvatureStatistics> all;
   if (frame.volume)
     for (const Surface& surface : frame.surfaces)
       all.push_back(
           frame.volume->curvatureStatistics(frame.scene->derivatives.field, surface.value, frame.outward()));
-  statistics_ = outerBounds(all);
+  frame.statistics = outerBounds(all);
 }
 
-void LookPasses::setSurfaces(FrameState& frame, Program& p) const {
+void ShadePass::setSurfaces(FrameState& frame, Program& p) const {
   glm::vec4 opacities(1.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
-    const std::string name = "uAlbedos[" + std::to_string(i) + "]";
-    p.set(name.c_str(), glm::vec3(frame.surfaces[i].albedo));
+    p.set(("uAlbedos[" + std::to_string(i) + "]").c_str(), glm::vec3(frame.surfaces[i].albedo));
     opacities[static_cast<int>(i)] = static_cast<float>(frame.surfaces[i].opacity);
   }
   p.set("uOpacities", opacities);
 }
 
-void LookPasses::setLight(FrameState& frame, Program& p) const {
+void ShadePass::setLight(FrameState& frame, Program& p) const {
   const scene::Look& look = frame.scene->look;
   const scene::Light& light = frame.scene->light;
   p.set("uAmbient", static_cast<float>(look.ambient));
@@ -77,19 +111,14 @@ void LookPasses::setLight(FrameState& frame, Program& p) const {
   p.set("uHeadlight", static_cast<float>(light.headlight));
   p.set("uToneCool", glm::vec3(look.toneCool));
   p.set("uToneWarm", glm::vec3(look.toneWarm));
-  if (needsOf(*frame.scene).shadow) p.setTexture("uLit", shadowUnit, frame.image(pass::shadow));
   p.set("uShadow", static_cast<float>(look.shadow));
-  if (!needsOf(*frame.scene).light) return;
-  p.setTexture("uIrradiance", irradianceUnit, frame.image(pass::irradiance));
-  p.set("uExposure", exposureOf(*frame.scene, frame.light.get()));
+  if (scene::usesGi(*frame.scene)) p.set("uExposure", exposureOf(*frame.scene, frame.light.get()));
 }
 
-void LookPasses::setMeasure(FrameState& frame, Program& p) {
+void ShadePass::setMeasure(FrameState& frame, Program& p) {
   const scene::Look& look = frame.scene->look;
-  p.setTexture("uKappa", kappaUnit, frame.image(pass::curvature, 0));
-  p.setTexture("uDirection", directionUnit, frame.image(pass::curvature, 1));
   p.set("uFlat", static_cast<float>(frame.flatCurvature()));
-  if (!isMeasure(look.mode)) return;
+  if (!scene::isMeasure(look.mode)) return;
   const bool same = colors_ && colorsOf_.mode == look.mode && colorsOf_.colormap == look.colormap &&
                     colorsOf_.curvaturePoints == look.curvaturePoints;
   if (!same) {
@@ -101,29 +130,29 @@ void LookPasses::setMeasure(FrameState& frame, Program& p) {
     colorsOf_ = look;
   }
   p.setTexture("uColorMap", colorMapUnit, colors_);
-  p.set("uRange", glm::vec2(measureRange(*frame.scene, statistics_, frame.flatCurvature())));
+  p.set("uRange", glm::vec2(measureRange(*frame.scene, frame.statistics, frame.flatCurvature())));
 }
 
-void LookPasses::setLines(FrameState& frame, Program& p) const {
+void ShadePass::setLines(FrameState& frame, Program& p) const {
   const scene::Look& look = frame.scene->look;
   p.set("uRidges", static_cast<float>(look.ridges));
-  p.set("uRidgeThresholds", glm::vec2(ridgeThresholds(*frame.scene, statistics_, frame.flatCurvature())));
+  p.set("uRidgeThresholds",
+        glm::vec2(ridgeThresholds(*frame.scene, frame.statistics, frame.flatCurvature())));
   p.set("uRidgeColor", glm::vec3(look.ridgeColor));
   p.set("uValleyColor", glm::vec3(look.valleyColor));
   p.set("uContours", static_cast<float>(look.contours));
   p.set("uSuggestiveContours", static_cast<float>(look.suggestiveContours));
   p.set("uContourWidth", static_cast<float>(look.contourWidth * frame.raysPerWidth()));
   p.set("uContourColor", glm::vec3(look.contourColor));
-  p.set("uCurvatureScale", static_cast<float>(curvatureScale(statistics_, frame.flatCurvature())));
+  p.set("uCurvatureScale", static_cast<float>(curvatureScale(frame.statistics, frame.flatCurvature())));
 }
 
-void LookPasses::setOverlays(FrameState& frame, Program& p) const {
+void ShadePass::setOverlays(FrameState& frame, Program& p) const {
   const scene::Scene& scene = *frame.scene;
   const scene::Look& look = scene.look;
   const bool full = look.mode == scene::LookMode::accessibility;
   p.set("uAccessibility", static_cast<float>(full ? 1.0 : look.accessibility));
-  p.set("uHollow", static_cast<float>(curvatureScale(statistics_, frame.flatCurvature())));
-  if (needsOf(scene).flow) p.setTexture("uFlow", flowUnit, frame.image(pass::flow));
+  p.set("uHollow", static_cast<float>(curvatureScale(frame.statistics, frame.flatCurvature())));
   p.set("uFlowStrength", static_cast<float>(look.mode == scene::LookMode::flow ? 1.0 : scene.flow.strength));
   p.set("uTextureScale", static_cast<float>(look.textureScale.value_or(1.0)));
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
@@ -133,13 +162,37 @@ void LookPasses::setOverlays(FrameState& frame, Program& p) const {
   p.set("uBackgroundBottom", glm::vec3(look.backgroundBottom));
 }
 
-void LookPasses::drawShading(FrameState& frame) {
-  Program& p = frame.program("shade.frag.glsl", definesOf(*frame.scene));
+void ShadePass::declare(Declaring& d) const {
+  const bool transparent = scene::isTransparent(d.asked.scene);
+  d.reads(image::surface).writes(transparent ? image::front : image::color);
+  d.input("surfaces let light through", transparent);
+  // Where no ray can hit anything, colours read nothing of the surface.
+  if (d.asked.volume.crossed)
+    for (const auto& pass : d.passes)
+      if (const std::optional<LookInput> input = pass->forLook(d.asked.scene)) d.reads(input->image);
+  d.settings({"camera.", "isosurface.", "isosurface2.", "isosurface3.", "isosurface4."},
+             {"isosurface.value", "isosurface.layers", "isosurface2.value", "isosurface3.value",
+              "isosurface4.value"});
+  d.settings({"look."}, {"look.legend", "look.background_top", "look.background_bottom"});
+  d.settings({"flow.strength", "light.space", "light.direction", "light.color", "light.intensity",
+              "light.headlight"});
+  if (fogIsBackground(d.asked)) d.settings({"look.background_top", "look.background_bottom"});
+  if (d.asked.acts("look.contour_width")) d.input("pixel ratio", d.asked.request.pixelRatio);
+  addExposure(d);
+}
+
+void ShadePass::draw(FrameState& frame) {
+  const std::vector<LookInput> inputs = inputsOf(frame);
+  Program& p = frame.program(shader, definesOf(*frame.scene, inputs));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);
+  int unit = firstInputUnit;
+  for (const LookInput& input : inputs)
+    for (std::size_t i = 0; i < input.samplers.size(); ++i)
+      p.setTexture(input.samplers[i], unit++, frame.image(input.image, i));
   setSurfaces(frame, p);
   setLight(frame, p);
-  if (needsOf(*frame.scene).curvature) {
+  if (scene::needsCurvature(*frame.scene)) {
     setMeasure(frame, p);
     setLines(frame, p);
   }
@@ -147,79 +200,102 @@ void LookPasses::drawShading(FrameState& frame) {
   frame.drawFullscreen(p);
 }
 
-void LookPasses::shade(FrameState& frame) {
-  const Target& target = frame.target(pass::shade, {GL_RGBA16F});
+void ShadePass::run(FrameState& frame) {
+  const Gl& gl = *frame.gl;
+  if (!frame.layer.empty()) {  // premultiplied, front to back
+    frame.begin(frame.images.at(image::color));
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    draw(frame);
+    gl.Disable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ZERO);
+    return;
+  }
+  const bool transparent = scene::isTransparent(*frame.scene);
+  const Target& target = frame.target(transparent ? image::front : image::color, {GL_RGBA16F});
   frame.begin(target);
   if (frame.empty())
     frame.clear(target, 0, kZero);
   else
-    drawShading(frame);
+    draw(frame);
 }
 
-void LookPasses::layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives,
-                        EffectPasses& effects, LightPasses& light) {
-  const Target& color = frame.target(pass::layers, {GL_RGBA16F});
-  const Target& front = frame.images.at(pass::shade);
+void LayersPass::declare(Declaring& d) const {
+  d.reads(image::surface);
+  if (!scene::isTransparent(d.asked.scene)) {
+    d.writes("layers").notNeeded("every surface is opaque");
+    return;
+  }
+  d.reads(image::front).writes(image::color).settings({"isosurface.layers"});
+  // It draws the passes of a crossing again: it depends on what they do, and reads what they read of others.
+  const std::vector<bool> used = usedPasses(d.earlier, {image::front});
+  std::set<std::string> own;
+  for (std::size_t i = 0; i < d.earlier.size(); ++i)
+    if (used[i] && d.passes[i]->kind.ofCrossing)
+      own.insert(d.earlier[i].writes.begin(), d.earlier[i].writes.end());
+  for (std::size_t i = 0; i < d.earlier.size(); ++i) {
+    if (!used[i] || !d.passes[i]->kind.ofCrossing) continue;
+    for (const Parameter& parameter : d.earlier[i].parameters) d.add(parameter);
+    for (const std::string& image : d.earlier[i].reads)
+      if (own.count(image) == 0) d.reads(image.c_str());
+  }
+}
+
+void LayersPass::run(FrameState& frame) {
+  const Target& color = frame.target(image::color, {GL_RGBA16F});
+  const Target& front = frame.images.at(image::front);
   const glm::ivec2 size = frame.raySize();
-  const Gl& gl = *frame.gl;
-  gl.BlitNamedFramebuffer(front.framebuffer.id(), color.framebuffer.id(), 0, 0, size.x, size.y, 0, 0, size.x,
-                          size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  frame.gl->BlitNamedFramebuffer(front.framebuffer.id(), color.framebuffer.id(), 0, 0, size.x, size.y, 0, 0,
+                                 size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   frame.hitsBehind.clear();
   if (frame.empty()) return;
+  const int layers = frame.scene->isosurface.layers;
   // Each layer reads the surface image of the one before it: two names in turn.
   const char* const names[2] = {" of a layer", " of the next layer"};
-  std::string before;
-  for (int layer = 1; layer < frame.scene->isosurface.layers; ++layer) {
+  frame.layerBefore.clear();
+  frame.anyBehind = true;
+  for (int layer = 1; layer < layers && frame.anyBehind; ++layer) {
     frame.layer = names[layer % 2];
-    if (!hits.castBehind(frame, before)) break;
-    if (frame.scene->hit.method == scene::HitMethod::sampled) hits.refine(frame);
-    if (frame.withHessian) {
-      derivatives.hessian(frame);
-      derivatives.curvature(frame);
-    } else if (frame.withGradient) {
-      derivatives.gradient(frame);
-    }
-    const LookNeeds needs = needsOf(*frame.scene);
-    if (needs.light) {
-      light.irradiance(frame);
-      appendHits(frame, kMostHitsBehind / static_cast<std::size_t>(frame.scene->isosurface.layers),
-                 frame.hitsBehind);
-    }
-    if (needs.shadow) effects.shadow(frame);
-    if (needs.flow) {
-      effects.flowField(frame);
-      effects.flow(frame);
-    }
-    frame.begin(color);
-    gl.Enable(GL_BLEND);
-    gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);  // premultiplied, front to back
-    drawShading(frame);
-    gl.Disable(GL_BLEND);
-    gl.BlendFunc(GL_ONE, GL_ZERO);
-    before = frame.layer;
+    for (Pass* pass : frame.used)
+      if (pass->kind.ofCrossing && frame.anyBehind) pass->run(frame);  // the first is the cast
+    if (frame.anyBehind && scene::usesGi(*frame.scene))
+      appendHits(frame, kMostHitsBehind / static_cast<std::size_t>(layers), frame.hitsBehind);
+    frame.layerBefore = frame.layer;
   }
   frame.layer.clear();
 }
 
-void LookPasses::resolve(FrameState& frame, LightPasses& light) {
-  const Target& target = frame.images.make(frame.gl, pass::resolve, frame.drawnSize(), {GL_RGBA8});
-  drawResolved(frame, light, target, "");
-  if (!frame.empty() && showsLegend(*frame.scene))
-    drawLegendOver(frame, target, measureRange(*frame.scene, statistics_, frame.flatCurvature()));
-  if (frame.request.linear)
-    drawResolved(frame, light, frame.images.make(frame.gl, kLinearPicture, frame.drawnSize(), {GL_RGBA32F}),
-                 "#define LINEAR\n");
-  else
-    frame.images.drop(kLinearPicture);
+void ResolvePass::declare(Declaring& d) const {
+  const scene::Scene& scene = d.asked.scene;
+  d.reads(image::color).writes(image::picture).pictureSize();
+  d.settings({"look.background_top", "look.background_bottom", "look.legend"});
+  d.input("linear picture", d.asked.request.linear);
+  if (showsEnvironment(d.asked)) {
+    d.input("light", d.asked.light.version).settings({"camera."});
+    addExposure(d);
+  }
+  if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
+    d.reads(image::ranges);
 }
 
-void LookPasses::drawResolved(FrameState& frame, LightPasses& light, const Target& target,
-                              const std::string& defines) {
+void ResolvePass::run(FrameState& frame) {
+  const Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
+  draw(frame, target, "");
+  if (!frame.empty() && scene::showsLegend(*frame.scene))
+    drawLegendOver(frame, target, measureRange(*frame.scene, frame.statistics, frame.flatCurvature()));
+  if (frame.request.linear)
+    draw(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
+         "#define LINEAR\n");
+  else
+    frame.images.drop(image::linear);
+}
+
+void ResolvePass::draw(FrameState& frame, const Target& target, const std::string& defines) const {
   frame.begin(target, frame.drawnSize());
-  const bool environment = needsOf(*frame.scene).light && frame.light && frame.light->background;
-  Program& p = frame.program("resolve.frag.glsl", defines + (environment ? "#define ENVIRONMENT\n" : ""));
-  if (environment) light.setBackground(frame, p, 1);
-  p.setTexture("uColor", 0, frame.image(isTransparent(*frame.scene) ? pass::layers : pass::shade));
+  const bool environment = scene::usesGi(*frame.scene) && frame.light && frame.light->background;
+  Program& p = frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : ""));
+  if (environment) frame.lighting->setBackground(frame, p, 1);
+  p.setTexture("uColor", 0, frame.image(image::color));
   p.set("uSupersampling", frame.request.supersampling);
   p.set("uTileOrigin", frame.tileOrigin());
   p.set("uPictureSize", frame.request.size);

@@ -1,39 +1,58 @@
-// From surface points and their derivatives to the picture: ranges, shade, layers and resolve
-// (render/graph/pass_declarations.h).
+// From surface points and their derivatives to the picture: the passes ranges, shade, layers and resolve.
 #pragma once
 
-#include "render/passes/derivative_passes.h"
-#include "render/passes/effect_passes.h"
 #include "render/passes/frame_state.h"
-#include "render/passes/hit_passes.h"
-#include "render/passes/light_passes.h"
-#include "volume/statistics/curvature_statistics.h"
 
 namespace isolux::render {
 
-class LookPasses {
+// The surface's curvature as a whole, from the volume: numbers that are automatic. Knows no view.
+class RangesPass : public Pass {
  public:
-  void ranges(FrameState& frame);
-  void shade(FrameState& frame);
-  // Crossings behind transparent surfaces, one after another until nothing is seen any more.
-  void layers(FrameState& frame, HitPasses& hits, DerivativePasses& derivatives, EffectPasses& effects,
-              LightPasses& light);
-  void resolve(FrameState& frame, LightPasses& light);
+  RangesPass() : Pass("ranges", "", {}) {}
+  void declare(Declaring& d) const override;
+  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
+  void run(FrameState& frame) override;
+};
+
+// The look, linear colour, of the first crossing; of a layer, blended behind what is there.
+class ShadePass : public Pass {
+ public:
+  ShadePass() : Pass("shade", "shade.frag.glsl", {.ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+  void forget() override { colors_ = Texture(); }
 
  private:
-  void drawResolved(FrameState& frame, LightPasses& light, const Target& target, const std::string& defines);
-  // Draws the look of the frame's layer into what is bound.
-  void drawShading(FrameState& frame);
+  void draw(FrameState& frame);  // into what is bound
   void setSurfaces(FrameState& frame, Program& program) const;
   void setLight(FrameState& frame, Program& program) const;
   void setMeasure(FrameState& frame, Program& program);
   void setLines(FrameState& frame, Program& program) const;
   void setOverlays(FrameState& frame, Program& program) const;
 
-  volume::CurvatureStatistics statistics_;
   // The colour map's samples, and what they were made from.
   Texture colors_;
   scene::Look colorsOf_;
+};
+
+// Crossings behind transparent surfaces, one after another until nothing is seen any more: for each, all
+// passes of a crossing are drawn again, from cast to shade.
+class LayersPass : public Pass {
+ public:
+  LayersPass() : Pass(pass::layers, "", {.castsRays = true}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+};
+
+// Background, supersamples averaged, sRGB encoded, legend.
+class ResolvePass : public Pass {
+ public:
+  ResolvePass() : Pass("resolve", "resolve.frag.glsl", {}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+
+ private:
+  void draw(FrameState& frame, const Target& target, const std::string& defines) const;
 };
 
 }  // namespace isolux::render

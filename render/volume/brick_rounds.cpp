@@ -12,9 +12,9 @@ constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 constexpr int kSmallestArea = 8;  // rays per axis
 }  // namespace
 
-BrickRounds::BrickRounds(FrameState& frame, HitPasses& hits, std::function<void()> drawAtHits)
+BrickRounds::BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits)
     : frame_(frame),
-      hits_(hits),
+      pass_(pass),
       bricks_(*frame.volume->bricks()),
       drawAtHits_(std::move(drawAtHits)),
       complete_(frame.request.brickUploadBytes == 0) {}
@@ -25,7 +25,9 @@ void BrickRounds::castRound(const Area& area, bool again) {
   gl.Enable(GL_SCISSOR_TEST);
   bricks_.forgetWanted();
   bricks_.beginRound();
-  hits_.cast(frame_, again);
+  frame_.onlyWaiting = again;
+  pass_.run(frame_);
+  frame_.onlyWaiting = false;
   bricks_.endRound();
   gl.Disable(GL_SCISSOR_TEST);
 }
@@ -63,10 +65,10 @@ std::size_t BrickRounds::settle(const Area& area) {
   return left;
 }
 
-std::size_t BrickRounds::draw(const std::function<void()>& pass) {
+std::size_t BrickRounds::draw() {
   do {
     bricks_.beginRound();
-    pass();
+    pass_.run(frame_);
     bricks_.endRound();
   } while (complete_ && bricks_.waitingRays() > 0 && bricks_.serve(bricks_.thisRound(), kNoLimit) > 0);
   return bricks_.waitingRays();

@@ -7,20 +7,21 @@
 
 #include <functional>
 
-#include "render/passes/hit_passes.h"
+#include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
 class BrickRounds {
  public:
-  // drawAtHits draws what needs the bricks at the hits found so far, and keeps what it drew before.
-  BrickRounds(FrameState& frame, HitPasses& hits, std::function<void()> drawAtHits);
+  // Of a pass that casts rays. drawAtHits draws what needs the bricks at the hits found so far, and keeps
+  // what it drew before.
+  BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits);
 
   // The cast pass. Returns the number of rays that still wait: with FrameRequest::brickUploadBytes all that
   // came to a brick that was not resident, otherwise those whose bricks do not fit.
   std::size_t cast();
   // Another pass that casts rays: drawn again while it gets bricks it asked for.
-  std::size_t draw(const std::function<void()>& pass);
+  std::size_t draw();
 
  private:
   struct Area {
@@ -30,7 +31,7 @@ class BrickRounds {
   std::size_t settle(const Area& area);
 
   FrameState& frame_;
-  HitPasses& hits_;
+  Pass& pass_;
   Bricks& bricks_;
   std::function<void()> drawAtHits_;
   bool complete_;  // a picture of which nothing may be missing

@@ -11,29 +11,12 @@ namespace isolux::scene {
 
 namespace {
 
-bool isColored(LookMode mode) {  // gives a colour that a shading is laid over
-  return mode >= LookMode::kappa1 && mode <= LookMode::flow;
-}
-
-bool isMeasure(LookMode mode) {  // a number shown through a one-dimensional colour map
-  return mode >= LookMode::kappa1 && mode <= LookMode::curvedness;
-}
-
 bool colorsMeanNumbers(const Scene& s) {
-  return isMeasure(s.look.mode) || s.look.mode == LookMode::curvature_2d;
-}
-
-// Modes that show a raw quantity, with nothing laid over it.
-bool isPlain(const Scene& s) {
-  return s.look.mode == LookMode::normal || s.look.mode == LookMode::depth;
+  return isMeasure(s.look.mode);
 }
 
 bool isLit(const Scene& s) {
   return shadingOf(s) != Shading::unlit;
-}
-
-bool usesGi(const Scene& s) {
-  return shadingOf(s) == Shading::gi;
 }
 
 bool hasLocalLight(const Scene& s) {
@@ -60,22 +43,6 @@ bool showsAlbedo(const Scene& s) {
 
 bool drawsContours(const Scene& s) {
   return s.look.contours > 0.0 || s.look.suggestiveContours > 0.0;
-}
-
-bool needsCurvature(const Scene& s) {
-  if (isPlain(s)) return false;
-  return isColored(s.look.mode) || s.look.accessibility > 0.0 || s.look.ridges > 0.0 ||
-         s.look.suggestiveContours > 0.0 || s.look.contours > 0.0 || showsFlow(s);
-}
-
-bool needsGradient(const Scene& s) {
-  return s.look.mode != LookMode::depth;
-}
-
-bool isTransparent(const Scene& s) {
-  return s.isosurface.opacity < 1.0 || (s.isosurface2.shown && s.isosurface2.opacity < 1.0) ||
-         (s.isosurface3.shown && s.isosurface3.opacity < 1.0) ||
-         (s.isosurface4.shown && s.isosurface4.opacity < 1.0);
 }
 
 bool isMesh(const Scene& s) {
@@ -217,7 +184,8 @@ const std::array rules = {
     Rule{"look.fog_color", isNotPlain, plain},
     Rule{"look.fog_color", [](const Scene& s) { return s.look.fog > 0.0; }, "there is no fog"},
 
-    Rule{"look.colormap", [](const Scene& s) { return isMeasure(s.look.mode); },
+    Rule{"look.colormap",
+         [](const Scene& s) { return isMeasure(s.look.mode) && s.look.mode != LookMode::curvature_2d; },
          "this look does not show one number in colour"},
     Rule{"look.range_low", colorsMeanNumbers, noNumbers},
     Rule{"look.range_high", colorsMeanNumbers, noNumbers},
@@ -304,35 +272,6 @@ const std::array rules = {
 };
 
 }  // namespace
-
-Shading shadingOf(const Scene& scene) {
-  switch (scene.look.mode) {
-    case LookMode::blinn_phong:
-      return Shading::blinn_phong;
-    case LookMode::lambert:
-      return Shading::lambert;
-    case LookMode::tone:
-      return Shading::tone;
-    case LookMode::gi:
-      return Shading::gi;
-    default:
-      return isColored(scene.look.mode) ? scene.look.shading : Shading::unlit;
-  }
-}
-
-bool keyLightActs(const Scene& scene) {
-  const Shading shading = shadingOf(scene);
-  if (shading == Shading::tone) return true;  // by its direction alone
-  if (shading == Shading::unlit || shading == Shading::gi) return false;
-  const glm::dvec3& color = scene.light.color;
-  const bool shines = scene.light.intensity > 0.0 && (color.r > 0.0 || color.g > 0.0 || color.b > 0.0);
-  const bool highlight = shading == Shading::blinn_phong && scene.look.specular > 0.0;
-  return shines && (scene.look.ambient < 1.0 || highlight);
-}
-
-bool showsFlow(const Scene& scene) {
-  return scene.look.mode == LookMode::flow || (!isPlain(scene) && scene.flow.strength > 0.0);
-}
 
 std::string_view whyInactive(std::string_view path, const Scene& scene) {
   for (const Rule& rule : rules)

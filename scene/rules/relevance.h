@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "scene/rules/needs.h"
 #include "scene/scene.h"
 
 namespace isolux::scene {
@@ -13,12 +14,5 @@ namespace isolux::scene {
 // Empty when the setting of this path acts, that is, when changing it can change the picture, the memory or
 // the time it takes; else one clause that says why not: "hits are exact". `scene` may have automatic members.
 std::string_view whyInactive(std::string_view path, const Scene& scene);
-
-// The shading that applies: the mode's own, look.shading under modes that give a colour, else unlit.
-Shading shadingOf(const Scene& scene);
-// Whether the key light brightens anything, so that its shadow is seen.
-bool keyLightActs(const Scene& scene);
-// Whether streaks along the curvature are drawn.
-bool showsFlow(const Scene& scene);
 
 }  // namespace isolux::scene

@@ -7,7 +7,7 @@
 #include <QOpenGLFunctions>
 #include <QPushButton>
 
-#include "render/graph/pass_declarations.h"
+#include "render/graph/pass.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
 #include "ui/viewport/gl_bridge.h"

@@ -1,0 +1,108 @@
+#include "render/graph/pass.h"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+
+#include "scene/rules/relevance.h"
+
+namespace isolux::render {
+
+namespace {
+
+// The settings of a path, or of a group ("camera."). Throws base::Error where there is none.
+std::vector<const scene::Setting*> settingsOf(std::string_view path) {
+  if (!path.ends_with('.')) return {&scene::setting(path)};
+  std::vector<const scene::Setting*> group;
+  for (const scene::Setting& setting : scene::settings())
+    if (setting.path.starts_with(path)) group.push_back(&setting);
+  assert(!group.empty());
+  return group;
+}
+
+// The list is searched once for each path that a pass names.
+const std::vector<const scene::Setting*>& known(std::string_view path) {
+  thread_local std::unordered_map<std::string, std::vector<const scene::Setting*>> found;
+  const auto at = found.find(std::string(path));
+  return at != found.end() ? at->second : found.emplace(path, settingsOf(path)).first->second;
+}
+
+}  // namespace
+
+Asked::Asked(const scene::Scene& ofScene, const FrameRequest& ofRequest, const VolumeState& ofVolume,
+             const BrickState& ofBricks, const LightState& ofLight)
+    : scene(ofScene), request(ofRequest), volume(ofVolume), bricks(ofBricks), light(ofLight) {
+  if (request.aovs.empty()) return;
+  ofImages_ = scene;
+  ofImages_->look.mode = scene::LookMode::kappa1;
+  ofImages_->look.shading = scene::Shading::gi;
+}
+
+bool Asked::acts(std::string_view path) const {
+  if (request.color && scene::whyInactive(path, scene).empty()) return true;
+  return ofImages_ && scene::whyInactive(path, *ofImages_).empty();
+}
+
+std::uint64_t Asked::hashOf(const scene::Setting& setting) const {
+  const auto at = hashes_.find(&setting);
+  if (at != hashes_.end()) return at->second;
+  constexpr std::uint64_t inactive = 0;
+  const std::uint64_t hash = acts(setting.path) ? std::hash<nlohmann::json>{}(setting.get(scene)) : inactive;
+  return hashes_.emplace(&setting, hash).first->second;
+}
+
+Declaring& Declaring::reads(const char* image) {
+  const auto at = std::find(declared.reads.begin(), declared.reads.end(), image);
+  if (at == declared.reads.end()) declared.reads.emplace_back(image);
+  return *this;
+}
+
+Declaring& Declaring::writes(const char* image) {
+  declared.writes.emplace_back(image);
+  return *this;
+}
+
+Declaring& Declaring::settings(std::initializer_list<std::string_view> paths,
+                               std::initializer_list<std::string_view> except) {
+  for (const std::string_view path : paths)
+    for (const scene::Setting* setting : known(path))
+      if (std::find(except.begin(), except.end(), setting->path) == except.end())
+        add({setting->path, asked.hashOf(*setting)});
+  return *this;
+}
+
+Declaring& Declaring::add(const Parameter& parameter) {
+  const auto same = [&](const Parameter& other) { return other.name == parameter.name; };
+  const auto at = std::find_if(declared.parameters.begin(), declared.parameters.end(), same);
+  if (at == declared.parameters.end())
+    declared.parameters.push_back(parameter);
+  else
+    assert(at->hash == parameter.hash && "two inputs of one name");
+  return *this;
+}
+
+Declaring& Declaring::notNeeded(const char* why) {
+  declared.notNeeded = why;
+  return *this;
+}
+
+Declaring& Declaring::volume() {
+  return input("volume", asked.volume.hash);
+}
+
+Declaring& Declaring::pictureSize() {
+  const FrameRequest& request = asked.request;
+  const Tile tile = request.tile.value_or(Tile{});
+  return input("picture size", request.size.x, request.size.y, request.supersampling, tile.origin.x,
+               tile.origin.y, tile.size.x, tile.size.y);
+}
+
+Declaring& Declaring::isovalues() {
+  const scene::Scene& s = asked.scene;
+  const auto isThere = [](const scene::ExtraIsosurface& extra) { return extra.shown && extra.opacity > 0.0; };
+  settings({"isosurface.value", "isosurface2.value", "isosurface3.value", "isosurface4.value"});
+  return input("which isosurfaces are there", s.isosurface.opacity > 0.0, isThere(s.isosurface2),
+               isThere(s.isosurface3), isThere(s.isosurface4), asked.volume.crossed);
+}
+
+}  // namespace isolux::render

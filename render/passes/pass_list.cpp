@@ -1,0 +1,46 @@
+#include "render/passes/pass_list.h"
+
+#include "render/passes/derivative_passes.h"
+#include "render/passes/effect_passes.h"
+#include "render/passes/hit_passes.h"
+#include "render/passes/light_passes.h"
+#include "render/passes/look_passes.h"
+
+namespace isolux::render {
+
+namespace {
+
+template <class... Passes>
+PassList listOf() {
+  PassList list;
+  (list.push_back(std::make_unique<Passes>()), ...);
+  return list;
+}
+
+}  // namespace
+
+// clang-format off
+PassList makePasses() {
+  return listOf<
+      BlocksPass,      // active blocks of the isovalues, and the faces around them
+      SegmentsPass,    // where each ray enters them
+      BricksPass,      // uploads of what the rays of the frame before asked for
+      CastPass,        // the first crossing on each ray
+      RefinePass,      // the surface point of a sampled hit
+      GradientPass,    // world gradient at the surface point
+      HessianPass,     // the same with the world Hessian
+      CurvaturePass,   // principal curvatures, first direction, confidence
+      RangesPass,      // the surface's curvature as a whole
+      ShadowPass,      // a second ray to the key light
+      FlowFieldPass,   // direction on screen and noise on the surface
+      FlowPass,        // streaks along it
+      LightPass,       // uploads of stored light
+      IrradiancePass,  // light at the surface points
+      ShadePass,       // the look, linear colour, of the first crossing
+      LayersPass,      // the crossings behind transparent surfaces
+      ResolvePass      // background, supersamples averaged, sRGB, legend
+      >();
+}
+// clang-format on
+
+}  // namespace isolux::render

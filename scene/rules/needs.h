@@ -1,0 +1,36 @@
+// What a scene's look needs and shows: facts that follow from several settings at once.
+//
+// Pure functions of the Scene, resolved or not. Rules of relevance, passes of the renderer and the light all
+// ask here, so that they agree.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace isolux::scene {
+
+// The mode gives a colour that a shading is laid over.
+bool isColored(LookMode mode);
+// Colours stand for numbers: of one dimension, or the (kappa1, kappa2) square of curvature_2d.
+bool isMeasure(LookMode mode);
+// Shows a raw quantity, with nothing laid over it.
+bool isPlain(const Scene& scene);
+
+// The shading that applies: the mode's own, look.shading under modes that give a colour, else unlit.
+Shading shadingOf(const Scene& scene);
+// Light of the surface points comes from global illumination: stored, or local where nothing is.
+bool usesGi(const Scene& scene);
+// Whether the key light brightens anything, so that its shadow is seen.
+bool keyLightActs(const Scene& scene);
+// Whether the key light's shadow is drawn.
+bool showsShadow(const Scene& scene);
+// Whether streaks along the curvature are drawn.
+bool showsFlow(const Scene& scene);
+bool showsLegend(const Scene& scene);
+
+bool needsGradient(const Scene& scene);
+bool needsCurvature(const Scene& scene);
+
+// Some surface lets through what lies behind it. One of opacity 0 is not there.
+bool isTransparent(const Scene& scene);
+
+}  // namespace isolux::scene
