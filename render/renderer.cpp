@@ -129,6 +129,7 @@ struct Renderer::Parts {
   FrameGraph graph;
   FrameReport report;
   DrawnFrame drawn;
+  std::vector<std::pair<const Pass*, std::string>> held;  // images of the last frame, and who wrote them
   std::shared_ptr<const volume::PreparedVolume> volume;
   std::uint64_t copiesMade = 0;   // VolumeState::made
   std::uint64_t bricksAsked = 0;  // BrickState::asked
@@ -209,11 +210,13 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
 void Renderer::Parts::plan(const std::vector<PassDeclaration>& declared,
                            const std::vector<PlannedPass>& planned) {
   frame.used.clear();
+  held.clear();
   frame.withGradient = frame.withHessian = false;
   for (const PlannedPass& entry : planned) {
     if (entry.state == PassState::skipped) continue;
     frame.used.push_back(passes[entry.index].get());
     for (const std::string& image : declared[entry.index].writes) {
+      held.emplace_back(frame.used.back(), image);
       frame.withGradient = frame.withGradient || image == image::gradient;
       frame.withHessian = frame.withHessian || image == image::hessian;
     }
@@ -387,6 +390,18 @@ AovImage Renderer::readAov(Aov aov) {
 
 std::vector<glm::vec3> Renderer::hitVoxels() {
   return render::hitVoxels(parts_->frame, parts_->drawn);
+}
+
+std::map<std::string, std::uint64_t> Renderer::imageHashes() {
+  const FrameState& frame = parts_->frame;
+  std::map<std::string, Hasher> hashes;
+  for (const auto& [pass, image] : parts_->held) {
+    // With Hessians, the gradients are the first image of theirs.
+    if (!frame.images.has(image) || (frame.withHessian && image == image::gradient)) continue;
+    for (const Texture& texture : frame.images.at(image).images)
+      for (const float value : texture.readFloats(4)) hashes[pass->name].add(value);
+  }
+  return {hashes.begin(), hashes.end()};
 }
 
 std::optional<Pick> Renderer::pick(glm::ivec2 pixel) {

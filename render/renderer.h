@@ -5,8 +5,12 @@
 // All members need the context current on the calling thread. Errors: base::Error{graphics, memory}.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "gi/picture_light.h"
 #include "render/graph/frame.h"
@@ -53,6 +57,9 @@ class Renderer {
   // the look reads stored light; about a million at most of the first crossings and of
   // those behind, spread evenly over the picture. Pixels without one are left out.
   std::vector<glm::vec3> hitVoxels();
+  // A hash of what each pass that the last picture needed holds in its images, drawn anew or kept: what tests
+  // compare. Passes that hold none are left out.
+  std::map<std::string, std::uint64_t> imageHashes();
 
  private:
   struct Parts;

@@ -26,7 +26,7 @@ double phaseOf(const scene::Flow& flow) {
 
 void ShadowPass::declare(Declaring& d) const {
   d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow);
-  d.settings({"camera.", "hit.method", "hit.field", "isosurface.inside", "light.space", "light.direction"});
+  d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"});
   const scene::Scene& s = d.asked.scene;
   d.input("what is opaque", s.isosurface.opacity >= 1.0, s.isosurface2.opacity >= 1.0,
           s.isosurface3.opacity >= 1.0, s.isosurface4.opacity >= 1.0);

@@ -222,8 +222,9 @@ void IrradiancePass::declare(Declaring& d) const {
   const LightState& light = d.asked.light;
   d.reads(image::surface).reads(image::gradient).writes(image::irradiance);
   d.notNeeded("no look reads light of the surface points");
-  d.settings({"camera.", "isosurface.inside"}).input("light", light.version);
+  d.settings({"camera."}).input("light", light.version);
   if (!light.stored) return;
+  d.settings({"isosurface.inside"});  // light is stored on the outer side
   d.reads(image::light).input("lattice", light.storage);
   d.input("gi.interpolation", d.asked.scene.gi.interpolation);  // wherever light is stored, planned or not
 }

@@ -171,11 +171,13 @@ void ShadePass::declare(Declaring& d) const {
     for (const auto& pass : d.passes)
       if (const std::optional<LookInput> input = pass->forLook(d.asked.scene)) d.reads(input->image);
   d.settings({"camera.", "isosurface.", "isosurface2.", "isosurface3.", "isosurface4."},
-             {"isosurface.value", "isosurface.layers", "isosurface2.value", "isosurface3.value",
-              "isosurface4.value"});
+             {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface2.value",
+              "isosurface3.value", "isosurface4.value"});
   d.settings({"look."}, {"look.legend", "look.background_top", "look.background_bottom"});
   d.settings({"flow.strength", "light.space", "light.direction", "light.color", "light.intensity",
               "light.headlight"});
+  // Normals are turned to the viewer, and curvatures have their sign when they come.
+  if (d.asked.scene.look.mode == scene::LookMode::normal) d.settings({"isosurface.inside"});
   if (fogIsBackground(d.asked)) d.settings({"look.background_top", "look.background_bottom"});
   if (d.asked.acts("look.contour_width")) d.input("pixel ratio", d.asked.request.pixelRatio);
   addExposure(d);
