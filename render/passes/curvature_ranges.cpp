@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/rules/relevance.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
@@ -19,8 +19,8 @@ double magnitude(const Quantiles& q) {
 
 bool rangeFollowsSurface(const scene::Look& look) {
   if (look.mode == LookMode::curvature_2d) return !look.rangeLow && !look.rangeHigh;
-  return look.mode >= LookMode::kappa1 && look.mode <= LookMode::curvedness &&
-         look.mode != LookMode::shape_index && (!look.rangeLow || !look.rangeHigh);
+  return scene::isMeasure(look.mode) && look.mode != LookMode::shape_index &&
+         (!look.rangeLow || !look.rangeHigh);
 }
 
 glm::dvec2 automaticRange(LookMode mode, const CurvatureStatistics& s, double flat) {
@@ -47,7 +47,7 @@ glm::dvec2 automaticRange(LookMode mode, const CurvatureStatistics& s, double fl
 
 bool readsCurvatureRanges(const scene::Scene& scene) {
   const scene::Look& look = scene.look;
-  if (look.mode == LookMode::normal || look.mode == LookMode::depth) return false;
+  if (scene::isPlain(scene)) return false;
   return rangeFollowsSurface(look) || look.mode == LookMode::accessibility || look.accessibility > 0.0 ||
          (look.ridges > 0.0 && !look.ridgeThreshold) || look.suggestiveContours > 0.0;
 }

@@ -191,7 +191,7 @@ TEST_P(EverySettingWithStoredLightGlTest, ChangesThePassesThatRun) {
   });
   for (render::Renderer* renderer : {renderer_.get(), fresh_.get()})
     renderer->setLight(pictureLight(lattice));
-  changeEverySetting({"look.ridge_threshold=0.02", "look.shading=gi"});
+  changeEverySetting({"look.ridge_threshold=0.02", "look.shading=gi", "gi.interpolation=trilinear"});
 }
 
 const auto kNameOfLook = [](const auto& look) { return look.param; };

@@ -1,0 +1,71 @@
+// What a scene's look needs and shows, at the borders between one look and the next.
+#include "scene/rules/needs.h"
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene/settings.h"
+
+namespace isolux::test {
+
+namespace {
+
+std::set<std::string> looksWith(bool (*holds)(const scene::Scene&)) {
+  const scene::Setting& mode = scene::setting("look.mode");
+  std::set<std::string> names;
+  for (const std::string& name : mode.choices) {
+    scene::Scene scene;
+    mode.set(scene, name);
+    if (holds(scene)) names.insert(name);
+  }
+  return names;
+}
+
+using Names = std::set<std::string>;
+
+}  // namespace
+
+TEST(Needs, OfEachLook) {
+  const Names measures = {"kappa1",      "kappa2",     "mean_curvature", "gaussian_curvature",
+                          "shape_index", "curvedness", "curvature_2d"};
+  EXPECT_EQ(looksWith([](const scene::Scene& s) { return scene::isMeasure(s.look.mode); }), measures);
+  EXPECT_EQ(looksWith(scene::showsLegend), measures);
+  Names coloured = measures;
+  coloured.insert({"accessibility", "flow"});
+  EXPECT_EQ(looksWith([](const scene::Scene& s) { return scene::isColored(s.look.mode); }), coloured);
+  EXPECT_EQ(looksWith(scene::needsCurvature), coloured);
+  EXPECT_EQ(looksWith(scene::isPlain), (Names{"normal", "depth"}));
+  EXPECT_EQ(looksWith(scene::showsFlow), Names{"flow"});
+  EXPECT_EQ(looksWith(scene::usesGi), Names{"gi"});
+  EXPECT_EQ(looksWith([](const scene::Scene& s) { return !scene::needsGradient(s); }), Names{"depth"});
+}
+
+TEST(Needs, NothingIsLaidOverARawQuantity) {
+  for (const auto mode : {scene::LookMode::normal, scene::LookMode::depth}) {
+    scene::Scene scene;
+    scene.look.mode = mode;
+    scene.look.ridges = scene.look.contours = scene.look.accessibility = scene.flow.strength = 1.0;
+    scene.look.shadow = 1.0;
+    EXPECT_FALSE(scene::needsCurvature(scene));
+    EXPECT_FALSE(scene::showsFlow(scene));
+    EXPECT_FALSE(scene::showsShadow(scene));
+  }
+}
+
+TEST(Needs, ASurfaceOfOpacity0IsNotThereNorTransparent) {
+  scene::Scene scene;
+  EXPECT_FALSE(scene::isTransparent(scene));
+  scene.isosurface.opacity = 0.0;
+  EXPECT_FALSE(scene::isTransparent(scene));
+  scene.isosurface3.opacity = 0.5;
+  EXPECT_FALSE(scene::isTransparent(scene));  // not shown
+  scene.isosurface3.shown = true;
+  EXPECT_TRUE(scene::isTransparent(scene));
+  scene.isosurface3.opacity = 0.0;
+  scene.isosurface.opacity = 0.99;
+  EXPECT_TRUE(scene::isTransparent(scene));
+}
+
+}  // namespace isolux::test
