@@ -84,6 +84,7 @@ class EverySettingGlTest : public RenderGlTest, public ::testing::WithParamInter
  protected:
   void SetUp() override {
     RenderGlTest::SetUp();
+    request_.size = {36, 27};
     volume_ = phantom("gyroid", 24);
     renderer_->setVolume(volume_);
     fresh_ = std::make_unique<render::Renderer>(context_->gl());
@@ -98,11 +99,9 @@ class EverySettingGlTest : public RenderGlTest, public ::testing::WithParamInter
     Hashes images;
     std::map<std::string, std::string> ran;  // why
   };
-  static Drawn draw(render::Renderer& renderer, const scene::Scene& scene) {
-    render::FrameRequest request;
-    request.size = {36, 27};
+  Drawn draw(render::Renderer& renderer, const scene::Scene& scene) const {
     Drawn drawn;
-    for (const render::PassReport& pass : renderer.render(scene, request).passes)
+    for (const render::PassReport& pass : renderer.render(scene, request_).passes)
       if (pass.state == render::PassState::ran) drawn.ran[pass.name] = pass.reason;
     drawn.images = renderer.imageHashes();
     return drawn;
@@ -164,6 +163,7 @@ class EverySettingGlTest : public RenderGlTest, public ::testing::WithParamInter
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
   std::unique_ptr<render::Renderer> fresh_;  // draws everything each time
+  render::FrameRequest request_;
   scene::Scene together_;
 };
 
@@ -177,6 +177,15 @@ TEST_P(EverySettingGlTest, ChangesThePassesThatRunWithEverythingLaidOver) {
                       "look.shadow=0.5", "look.fog=0.5", "look.texture=marble", "look.accessibility=0.4",
                       "look.ridges=0.5", "look.ridge_threshold=0.02", "look.contours=0.6",
                       "look.suggestive_contours=0.5", "flow.strength=0.5", "flow.time=0.3"});
+}
+
+// Deferred images read what the look may not.
+class EverySettingOfDeferredImagesGlTest : public EverySettingGlTest {};
+
+TEST_P(EverySettingOfDeferredImagesGlTest, ChangesThePassesThatRun) {
+  request_.color = false;
+  for (const render::AovInfo& info : render::aovs()) request_.aovs.push_back(info.aov);
+  changeEverySetting({"hit.method=sampled", "hit.refinements=1"});
 }
 
 class EverySettingWithStoredLightGlTest : public EverySettingGlTest {};
@@ -196,6 +205,8 @@ TEST_P(EverySettingWithStoredLightGlTest, ChangesThePassesThatRun) {
 
 const auto kNameOfLook = [](const auto& look) { return look.param; };
 INSTANTIATE_TEST_SUITE_P(Looks, EverySettingGlTest, ::testing::ValuesIn(scene::setting("look.mode").choices),
+                         kNameOfLook);
+INSTANTIATE_TEST_SUITE_P(Looks, EverySettingOfDeferredImagesGlTest, ::testing::Values("lambert", "depth"),
                          kNameOfLook);
 INSTANTIATE_TEST_SUITE_P(Looks, EverySettingWithStoredLightGlTest, ::testing::Values("gi", "kappa1"),
                          kNameOfLook);
