@@ -1,4 +1,6 @@
-# Every third-party library, found once. docs/dependencies.md says why each is here.
+# Every third-party library, found once, and only where it is needed. docs/dependencies.md says why each is here.
+
+# --- the program and its readers
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(ZLIB REQUIRED)
@@ -13,22 +15,36 @@ pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
 pkg_check_modules(libhwy REQUIRED IMPORTED_TARGET libhwy)
 # OpenImageIO's CMake package wants OpenCV's headers; its pkg-config file does not.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOImage IOXML
-  FiltersCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)  # of the benchmarks only
+set(vtk_modules CommonCore CommonDataModel CommonExecutionModel IOImage IOXML)  # IOImage: vtk-dicom's
+if(ISOLUX_BENCH)  # what Isolux is compared with
+  list(APPEND vtk_modules FiltersCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
+endif()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_modules})
 find_package(DICOM REQUIRED)  # vtk-dicom
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg)
-find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
-find_package(GTest REQUIRED)
-find_package(benchmark REQUIRED)
-find_package(embree 3 REQUIRED)  # of the benchmarks only
-# Teem's own CMake package changes the flags of the whole project.
-find_path(TEEM_INCLUDE_DIR teem/gage.h REQUIRED)
-find_library(TEEM_LIBRARY teem REQUIRED)
-add_library(isolux_teem INTERFACE)
-target_include_directories(isolux_teem SYSTEM INTERFACE ${TEEM_INCLUDE_DIR})
-target_link_libraries(isolux_teem INTERFACE ${TEEM_LIBRARY})
 
 # Third-party headers are not ours to warn about.
 add_library(isolux_glm INTERFACE)
 target_link_libraries(isolux_glm INTERFACE PkgConfig::glm)
 target_compile_definitions(isolux_glm INTERFACE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
+
+# --- tests
+if(ISOLUX_TESTS OR ISOLUX_BENCH)  # tests/support, which benchmarks use, too
+  find_package(GTest REQUIRED)
+endif()
+if(ISOLUX_TESTS)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
+  find_program(XVFB_RUN xvfb-run REQUIRED)
+  # Teem's own CMake package changes the flags of the whole project.
+  find_path(TEEM_INCLUDE_DIR teem/gage.h REQUIRED)
+  find_library(TEEM_LIBRARY teem REQUIRED)
+  add_library(isolux_teem INTERFACE)
+  target_include_directories(isolux_teem SYSTEM INTERFACE ${TEEM_INCLUDE_DIR})
+  target_link_libraries(isolux_teem INTERFACE ${TEEM_LIBRARY})
+endif()
+
+# --- benchmarks
+if(ISOLUX_BENCH)
+  find_package(benchmark REQUIRED)
+  find_package(embree 3 REQUIRED)
+endif()

@@ -5,6 +5,8 @@ target_compile_options(isolux_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
   -Woverloaded-virtual -Wnull-dereference -Wimplicit-fallthrough -Wformat=2
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps in "x" + std::string (GCC bug 105651)
+  # Files that are compiled as one hide each other's names; and GCC 12 sees null pointers in their vectors.
+  $<$<BOOL:${ISOLUX_UNITY}>:-Wno-shadow -Wno-null-dereference>
   $<$<BOOL:${ISOLUX_WERROR}>:-Werror>)
 
 add_library(isolux_options INTERFACE)
@@ -30,6 +32,22 @@ function(isolux_library name)
   add_library(isolux_${name} STATIC ${ARG_SOURCES})
   add_library(isolux::${name} ALIAS isolux_${name})
   target_link_libraries(isolux_${name} PUBLIC isolux_options ${ARG_LINK})
+  isolux_compile_by_folder(isolux_${name} ${ARG_SOURCES})
+endfunction()
+
+# isolux_compile_by_folder(TARGET SOURCE ...): with ISOLUX_UNITY all sources of a folder are compiled as one.
+function(isolux_compile_by_folder target)
+  if(NOT ISOLUX_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS ARGN)
+    cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+    cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    cmake_path(GET path PARENT_PATH folder)
+    string(REPLACE / _ group ${folder})
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
 endfunction()
 
 # isolux_layer(NAME LINK ...): the library of this directory from all its .cpp files (subfolders included).

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/commands/command.h"
+#include "app/commands/man_page.h"
 #include "app/documents/recording.h"
 #include "app/documents/session.h"
 #include "app/process/interrupt.h"
@@ -43,6 +44,7 @@ void declare(Program& program) {
   CLI::App& parser = program.parser;
   parser.get_formatter()->column_width(34);
   parser.set_version_flag("--version", "isolux " + std::string(version()), "Print the version and exit");
+  parser.add_flag("--man-page")->group("");  // for the build, not for --help
   parser.require_subcommand(0, 1);
   parser.add_option(
       "PATH", program.window.path,
@@ -211,6 +213,11 @@ int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
         Program program;
         declare(program);
         if (!parse(program, argc, argv)) {
+          checkStandardOutput();
+          return 0;
+        }
+        if (program.parser.count("--man-page") > 0) {
+          std::cout << manPage(program.parser, std::string(version()));
           checkStandardOutput();
           return 0;
         }

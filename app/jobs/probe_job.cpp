@@ -16,7 +16,7 @@ namespace {
 
 constexpr int mostColumns = 512;
 
-ProbeThumbnail reduced(const gi::Environment& environment) {
+ProbeThumbnail thumbnailOf(const gi::Environment& environment) {
   ProbeThumbnail small;
   const glm::ivec2 from(environment.width(), environment.height());
   small.size = {std::min(from.x, mostColumns), std::clamp(from.y, 1, mostColumns / 2)};
@@ -66,7 +66,7 @@ ProbeJob::ProbeJob(std::string file)
 
 void ProbeJob::run(Work& work) {
   try {
-    work.thumbnail = reduced(gi::Environment::load(work.file));
+    work.thumbnail = thumbnailOf(gi::Environment::load(work.file));
   } catch (const base::Error& error) {
     work.error = error;
   } catch (const std::bad_alloc&) {

@@ -51,13 +51,16 @@ void say(const char* text) {
   ::_exit(1);
 }
 
-// isolux-program, in the folder of this program.
+// isolux-program: in the folder of this program where it was built, in ../libexec/isolux where it is
+// installed.
 void findProgram(char (&path)[PATH_MAX]) {
-  constexpr char name[] = "isolux-program";
-  const ssize_t length = ::readlink("/proc/self/exe", path, sizeof path - sizeof name);
+  constexpr char beside[] = "isolux-program", installed[] = "../libexec/isolux/isolux-program";
+  const ssize_t length = ::readlink("/proc/self/exe", path, sizeof path - sizeof installed);
   if (length <= 0) fail("cannot find its own folder: is /proc mounted?");
   path[length] = '\0';
-  std::strcpy(std::strrchr(path, '/') + 1, name);
+  char* const name = std::strrchr(path, '/') + 1;
+  std::strcpy(name, beside);
+  if (::access(path, X_OK) != 0) std::strcpy(name, installed);
 }
 
 // A word that can be no path and names no file: everything else opens the window.
@@ -146,7 +149,7 @@ class Supervisor {
     if (::getppid() != self) ::_exit(kInterrupted);
     sigprocmask(SIG_SETMASK, &before_, nullptr);
     ::execv(program, arguments);
-    fail("cannot start isolux-program, which belongs beside it");
+    fail("cannot start isolux-program, which belongs beside it or in ../libexec/isolux");
   }
 
   int watch() {
@@ -254,7 +257,7 @@ int main(int argc, char** argv) {
   if (argc < 2 || !isCommand(argv[1])) {
     findProgram(program);
     ::execv(program, argv);
-    fail("cannot start isolux-program, which belongs beside it");
+    fail("cannot start isolux-program, which belongs beside it or in ../libexec/isolux");
   }
   Supervisor supervisor;
   findProgram(program);

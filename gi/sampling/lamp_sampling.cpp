@@ -12,14 +12,14 @@ namespace isolux::gi {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float piFloat = std::numbers::pi_v<float>;
 
 // Irradiance of a surface by radiance 1 from a cone whose axis has this cosine with the normal, as long as
 // the cone is above the horizon; then a value that falls to 0 only when the whole cone is below.
 float coneWeight(float cosine, float oneMinusCosine) {
   const float sine2 = oneMinusCosine * (2.0f - oneMinusCosine);
   const float sine = oneMinusCosine < 1.0f ? std::sqrt(std::max(0.0f, sine2)) : 1.0f;
-  return pi * sine * sine * std::max(0.0f, (cosine + sine) / (1.0f + sine));
+  return piFloat * sine * sine * std::max(0.0f, (cosine + sine) / (1.0f + sine));
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ LampSample LampSampler::sample(int index, glm::vec3 voxel, glm::vec3 normal, glm
   if (lamp.kind == scene::LampKind::directional) {
     const glm::vec3 direction =
         lamp.extended ? Frame::about(lamp.toward).toWorld(uniformCone(u, lamp.oneMinusCosine)) : lamp.toward;
-    const float weight = lamp.extended ? 2.0f * pi * lamp.oneMinusCosine : 1.0f;
+    const float weight = lamp.extended ? 2.0f * piFloat * lamp.oneMinusCosine : 1.0f;
     return {lamp.power * (weight * std::max(0.0f, glm::dot(normal, direction))), direction, true};
   }
   const glm::vec3 toCentre = mmTo(lamp, voxel);
@@ -73,7 +73,7 @@ LampSample LampSampler::sample(int index, glm::vec3 voxel, glm::vec3 normal, glm
     const float along = glm::dot(toCentre, direction);
     const float within = lamp.radiusMm * lamp.radiusMm - distance * distance;
     const float toSurface = along + std::sqrt(std::max(0.0f, along * along + within));
-    return {pi * lamp.power, std::max(0.0f, toSurface) * direction, false};
+    return {piFloat * lamp.power, std::max(0.0f, toSurface) * direction, false};
   }
   const float open = oneMinusCosineOfBall(lamp.radiusMm, distance);
   const glm::vec3 local = uniformCone(u, open);
@@ -83,7 +83,7 @@ LampSample LampSampler::sample(int index, glm::vec3 voxel, glm::vec3 normal, glm
   const float half = std::sqrt(std::max(0.0f, lamp.radiusMm * lamp.radiusMm - distance * distance * sine2));
   const float toSurface = std::max(0.0f, distance * local.z - half);
   const float cosine = std::max(0.0f, glm::dot(normal, direction));
-  return {lamp.power * (2.0f * pi * open * cosine), toSurface * direction, false};
+  return {lamp.power * (2.0f * piFloat * open * cosine), toSurface * direction, false};
 }
 
 float LampSampler::brightness(const Lamp& lamp, glm::vec3 voxel, glm::vec3 normal) const {
@@ -94,9 +94,9 @@ float LampSampler::brightness(const Lamp& lamp, glm::vec3 voxel, glm::vec3 norma
   }
   const glm::vec3 toCentre = mmTo(lamp, voxel);
   const float distance = glm::length(toCentre);
-  if (!(distance > 0.0f)) return lamp.extended ? pi * lamp.luminance : 0.0f;
+  if (!(distance > 0.0f)) return lamp.extended ? piFloat * lamp.luminance : 0.0f;
   const float cosine = glm::dot(normal, toCentre) / distance;
-  if (lamp.extended && !(distance > lamp.radiusMm)) return pi * lamp.luminance;
+  if (lamp.extended && !(distance > lamp.radiusMm)) return piFloat * lamp.luminance;
   if (lamp.extended)
     return lamp.luminance * coneWeight(cosine, oneMinusCosineOfBall(lamp.radiusMm, distance));
   const float reach = std::max(distance, nearestMm_);

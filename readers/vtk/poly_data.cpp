@@ -52,7 +52,7 @@ void checkClaims(const Bytes& bytes, const base::Progress& progress) {
   if (!hasPiece) throwInput(bytes.name(), "Piece", "truncated: is missing");
 }
 
-void observe(vtkObject* caller, unsigned long, void* clientData, void*) {
+void stopWhenAsked(vtkObject* caller, unsigned long, void* clientData, void*) {
   if (static_cast<base::Progress*>(clientData)->stopRequested())
     static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
 }
@@ -89,7 +89,7 @@ TriangleMesh decodePolyData(const std::filesystem::path& path, base::Progress& p
   VtkMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
   vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(observe);
+  observer->SetCallback(stopWhenAsked);
   observer->SetClientData(&progress);
   reader->AddObserver(vtkCommand::ProgressEvent, observer);
   reader->SetFileName(path.c_str());

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -315,6 +316,30 @@ TEST(CommandLine, HelpCoversEveryCommandAndOption) {
       EXPECT_THAT(page, HasSubstr(option)) << "docs/commands.md does not mention it";
     }
   }
+}
+
+TEST(CommandLine, TheManualPageHasEveryCommandAndOption) {
+  const std::string page = success({"--man-page"}).out;
+  EXPECT_THAT(page, testing::StartsWith(".TH ISOLUX 1 "));
+  EXPECT_THAT(success({"--help"}).out, testing::Not(HasSubstr("man-page")));
+  for (const char* name :
+       {"info", "render", "bake", "reference", "replay", "study", "phantom", "settings", "doctor"}) {
+    const std::size_t start = page.find(std::string(".SS \"isolux ") + name + "\"\n");
+    ASSERT_NE(start, std::string::npos) << name;
+    const std::string section = page.substr(start, page.find("\n.S", start + 1) - start);
+    const std::string help = success({name, "--help"}).out;
+    for (std::size_t at = 0; (at = help.find("\n  --", at)) != std::string::npos; ++at) {
+      const std::string option = help.substr(at + 5, help.find_first_of(" ,\n", at + 5) - at - 5);
+      std::string written = "\\-\\-";
+      for (const char c : option) written += c == '-' ? "\\-" : std::string(1, c);
+      EXPECT_THAT(section, HasSubstr(written)) << name;
+    }
+  }
+  // Text that begins with a point would be taken for a request to roff.
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with('.') || line.starts_with('\''))
+      EXPECT_THAT(line, testing::MatchesRegex("\\.(TH|SH|SS|TP|PP|B|br|nf|fi|nh|ad)( .*)?"));
 }
 
 TEST(CommandLine, VersionIsPrinted) {

@@ -116,12 +116,9 @@ Descriptor::~Descriptor() {
 fs::path readerProgram(const std::string& name) {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  if (!error)
-    for (const fs::path& candidate : {folder / name, folder.parent_path() / "libexec" / "isolux" / name})
-      if (::access(candidate.c_str(), X_OK) == 0) return candidate;
-  base::throwInput(
-      name, "",
-      "the program that reads such files is missing; it belongs beside isolux, in " + folder.string());
+  if (!error && ::access((folder / name).c_str(), X_OK) == 0) return folder / name;
+  base::throwInput(name, "",
+                   "the program that reads such files is missing; it belongs in " + folder.string());
 }
 
 ReaderProcess::ReaderProcess(const fs::path& program, Request request, base::Progress& progress,

@@ -21,8 +21,8 @@
 
 namespace isolux::volume {
 
-// Where the readers are: beside the running program, else in ../libexec/isolux. `name`: "isolux-reader-vtk".
-// Throws Error{input} when there is none.
+// A reader, which lies beside the running program. `name`: "isolux-reader-vtk". Throws Error{input} when
+// there is none.
 std::filesystem::path readerProgram(const std::string& name);
 
 // Closes a file descriptor.

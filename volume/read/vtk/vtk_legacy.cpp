@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longestHeader = std::size_t{1} << 16;  // up to the first array
 
-std::optional<VoxelType> typeNamed(std::string_view name) {
+std::optional<VoxelType> legacyTypeNamed(std::string_view name) {
   struct Name {
     std::string_view name;
     VoxelType type;
@@ -83,7 +83,7 @@ class Parser {
     return *value;
   }
   void readType(std::string_view name) {
-    const auto type = typeNamed(name);
+    const auto type = legacyTypeNamed(name);
     if (!type) fail("the voxel type " + inQuotes(name) + " is not supported");
     header_.type = *type;
   }

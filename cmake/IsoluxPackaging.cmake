@@ -1,0 +1,17 @@
+# `cpack` in the build folder makes isolux_VERSION_ARCHITECTURE.deb (./dev deb).
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_CONTACT "The Isolux developers <isolux@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "explore scans and simulations as isosurfaces")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+  "Draws isosurfaces of voxel volumes directly from the voxels, in a window or\n offscreen, with global illumination. Reads NIfTI, MetaImage, NRRD, DICOM,\n VTK, TIFF and raw files, and triangle meshes.")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What is opened while running, so that no linker knows: EGL and Mesa's drivers, and OSMesa for machines without
+# either GPU or display.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libosmesa6")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core, qt6-wayland, shared-mime-info")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gnuplot-nox, ffmpeg")  # plots of `isolux study`, movies of `isolux replay`
+include(CPack)
