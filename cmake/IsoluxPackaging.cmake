@@ -5,7 +5,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_CONTACT "The Isolux developers <isolux@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "explore scans and simulations as isosurfaces")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-  "Draws isosurfaces of voxel volumes directly from the voxels, in a window or\n offscreen, with global illumination. Reads NIfTI, MetaImage, NRRD, DICOM,\n VTK, TIFF and raw files, and triangle meshes.")
+  "Draws isosurfaces of voxel volumes directly from the voxels, in a window or\noffscreen, with global illumination. Reads NIfTI, MetaImage, NRRD, DICOM,\nVTK, TIFF and raw files, and triangle meshes.")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

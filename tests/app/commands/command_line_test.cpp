@@ -338,8 +338,9 @@ TEST(CommandLine, TheManualPageHasEveryCommandAndOption) {
   // Text that begins with a point would be taken for a request to roff.
   std::istringstream lines(page);
   for (std::string line; std::getline(lines, line);)
-    if (line.starts_with('.') || line.starts_with('\''))
+    if (line.starts_with('.') || line.starts_with('\'')) {
       EXPECT_THAT(line, testing::MatchesRegex("\\.(TH|SH|SS|TP|PP|B|br|nf|fi|nh|ad)( .*)?"));
+    }
 }
 
 TEST(CommandLine, VersionIsPrinted) {
