@@ -313,7 +313,7 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     PassClock clock(parts.frame.gl);
     for (const PlannedPass& now : plan) {
       Pass& pass = *parts.passes[now.index];
-      PassReport entry{pass.name, now.state, now.reason, 0.0, 0};
+      PassReport entry{std::string(pass.name), now.state, now.reason, 0.0, 0};
       if (now.state == PassState::ran) {
         clock.begin();
         parts.run(pass, running);
@@ -399,7 +399,7 @@ std::map<std::string, std::uint64_t> Renderer::imageHashes() {
     // With Hessians, the gradients are the first image of theirs.
     if (!frame.images.has(image) || (frame.withHessian && image == image::gradient)) continue;
     for (const Texture& texture : frame.images.at(image).images)
-      for (const float value : texture.readFloats(4)) hashes[pass->name].add(value);
+      for (const float value : texture.readFloats(4)) hashes[std::string(pass->name)].add(value);
   }
   return {hashes.begin(), hashes.end()};
 }

@@ -103,7 +103,7 @@ class Asked {
 class Declaring {
  public:
   Declaring(const Asked& of, const PassList& list, const std::vector<PassDeclaration>& before,
-            const char* name)
+            std::string_view name)
       : asked(of), passes(list), earlier(before) {
     declared.name = name;
   }
@@ -155,7 +155,7 @@ class Pass {
   Pass(const Pass&) = delete;
   Pass& operator=(const Pass&) = delete;
 
-  const char* const name;
+  const std::string_view name;  // compared as text: equal literals need not lie at one place
   const char* const shader;  // the fragment shader; "": it draws nothing
   const Kind kind;
 

@@ -38,8 +38,9 @@ inline void writeBlock(gi::LightLattice& lattice, std::uint32_t block, const Tex
     out.samples[at] = light.samples;
     out.normals[at] = light.samples > 0 ? light.normal : glm::vec3(0.0f);
     out.unlit[at] = light.unlit;
-    std::copy(light.means.begin(), light.means.end(),
-              out.means.begin() + static_cast<std::ptrdiff_t>(at * components));
+    // A lattice of one channel takes the first.
+    std::copy_n(light.means.begin(), std::min(components, light.means.size()),
+                out.means.begin() + static_cast<std::ptrdiff_t>(at * components));
   }
   lattice.write(block, out);
 }
