@@ -156,7 +156,7 @@ class Pass {
   Pass& operator=(const Pass&) = delete;
 
   const std::string_view name;  // compared as text: equal literals need not lie at one place
-  const char* const shader;  // the fragment shader; "": it draws nothing
+  const char* const shader;     // the fragment shader; "": it draws nothing
   const Kind kind;
 
   // Pure, and without GL.

@@ -11,7 +11,6 @@ namespace isolux::app {
 
 namespace {
 
-
 constexpr glm::ivec2 pixels{800, 600};
 
 double raysOf(const render::FrameRequest& request) {
