@@ -30,8 +30,7 @@ void compare(const render::OffscreenContext& context, const Subject& subject) {
   for (const auto layout : {scene::MemoryLayout::whole, scene::MemoryLayout::bricks}) {
     scene::Scene scene;
     scene.isosurface.value = subject.isovalue;
-    scene.memory.layout = layout;
-    frames.emplace_back(context.gl(), subject.volume, scene);
+    frames.emplace_back(context.gl(), subject.volume, scene, 1, scene::Memory{.layout = layout});
   }
   const std::vector<PassTimes> times = passTimes(frames, rounds);
   const render::FrameReport& report = frames[1].changed();
@@ -54,16 +53,15 @@ void orbit(const render::OffscreenContext& context, const std::string& name) {
   whole.changed();
   const render::ColorImage expected = whole.renderer->readColor();
   whole.renderer.reset();  // its textures make room
-  scene::Scene scene;
-  scene.memory.gpuBudgetMb = static_cast<int>(mebibytes / 4);
-  Frame bricks(context.gl(), volume, scene);
+  const scene::Memory memory{.gpuBudgetMb = static_cast<int>(mebibytes / 4)};
+  Frame bricks(context.gl(), volume, {}, 1, memory);
   const render::FrameReport first = bricks.changed();
   std::printf(
       " %s %d, %zu MiB in a budget of %d MiB (%zu slots): %zu bricks uploaded, %zu replaced, %.3g %% "
       "missing, "
       "largest difference %d of 255\n",
-      name.c_str(), largeVoxels, mebibytes, scene.memory.gpuBudgetMb, first.bricks.slots,
-      first.bricks.uploaded, first.bricks.evicted, 100.0 * first.bricks.missing,
+      name.c_str(), largeVoxels, mebibytes, memory.gpuBudgetMb, first.bricks.slots, first.bricks.uploaded,
+      first.bricks.evicted, 100.0 * first.bricks.missing,
       largestDifference(expected, bricks.renderer->readColor()));
   const glm::dvec3 target = *bricks.scene.camera.target, eye = *bricks.scene.camera.eye - target;
   const double radius = glm::length(eye);

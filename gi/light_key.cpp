@@ -1,11 +1,10 @@
-// What stored light depends on, as text.
+#include "gi/light_key.h"
+
 #include <cstdio>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
-
-#include "gi/light_scene.h"
 
 namespace isolux::gi {
 
@@ -69,10 +68,8 @@ ordered_json albedoJson(const scene::Scene& resolved, const LightScene& light) {
   ordered_json json = ordered_json::array();
   json.push_back(
       {{"isovalue", resolved.isosurface.value.value()}, {"albedo", arrayOf(resolved.isosurface.albedo)}});
-  for (const scene::ExtraIsosurface* extra :
-       {&resolved.isosurface2, &resolved.isosurface3, &resolved.isosurface4})
-    if (extra->shown)
-      json.push_back({{"isovalue", extra->value.value()}, {"albedo", arrayOf(extra->albedo)}});
+  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
+    if (extra.shown) json.push_back({{"isovalue", extra.value.value()}, {"albedo", arrayOf(extra.albedo)}});
   return json;
 }
 

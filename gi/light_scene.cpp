@@ -41,23 +41,23 @@ std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridG
   const glm::dvec3 centre = 0.5 * (low + high);
   const double diagonal = std::max(glm::length(high - low), 1e-9);
   std::vector<LampLight> lights;
-  for (const scene::Lamp* lamp : {&resolved.lamp1, &resolved.lamp2, &resolved.lamp3}) {
-    if (!shines(*lamp)) continue;
+  for (const scene::Lamp& lamp : resolved.lamps) {
+    if (!shines(lamp)) continue;
     LampLight light;
-    light.kind = lamp->kind;
-    const glm::dvec3 brightness = lamp->intensity * lamp->color;
-    if (lamp->kind == LampKind::directional) {
-      light.toward = glm::normalize(lamp->direction);
-      light.cosHalfAngle = std::cos(0.5 * lamp->angle * std::numbers::pi / 180.0);
+    light.kind = lamp.kind;
+    const glm::dvec3 brightness = lamp.intensity * lamp.color;
+    if (lamp.kind == LampKind::directional) {
+      light.toward = glm::normalize(lamp.direction);
+      light.cosHalfAngle = std::cos(0.5 * lamp.angle * std::numbers::pi / 180.0);
       const double sine2 = (1.0 - light.cosHalfAngle) * (1.0 + light.cosHalfAngle);
       light.power = sine2 > 0.0 ? brightness / sine2 : std::numbers::pi * brightness;
     } else {
-      light.positionMm = lamp->position.value();
+      light.positionMm = lamp.position.value();
       const double distance = std::max(glm::length(light.positionMm - centre), nearestDistance * diagonal);
-      if (lamp->kind == LampKind::point) {
+      if (lamp.kind == LampKind::point) {
         light.power = std::numbers::pi * distance * distance * brightness;
       } else {
-        light.radiusMm = lamp->radius.value();
+        light.radiusMm = lamp.radius.value();
         const double apart = std::max(1.0, distance / light.radiusMm);  // 1: the centre is inside the sphere
         light.power = apart * apart * brightness;
       }
@@ -68,7 +68,7 @@ std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridG
 }
 
 std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
-                                                 std::shared_ptr<const volume::PreparedVolume> volume,
+                                                 const std::shared_ptr<const volume::PreparedVolume>& volume,
                                                  std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                                                  std::shared_ptr<const Environment> environment) {
   const scene::GiChoice choice = scene::giChoiceOf(resolved);

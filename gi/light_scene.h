@@ -6,7 +6,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -52,7 +51,7 @@ struct LightScene {
 
 // `environment` is what scene.light.environment names, loaded (loadEnvironment()); it stays shared.
 std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
-                                                 std::shared_ptr<const volume::PreparedVolume> volume,
+                                                 const std::shared_ptr<const volume::PreparedVolume>& volume,
                                                  std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                                                  std::shared_ptr<const Environment> environment);
 // The file, or the constant sky. Throws base::Error{input}.
@@ -60,9 +59,6 @@ std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& set
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry);
 glm::dmat3 rotationOf(const glm::dvec4& wxyz);  // worldFromEnvironment
 
-// JSON of all that the stored light of the sky or of the lamps depends on, and of nothing else: equal keys,
-// equal light. Number of samples, view, look, exposure and what lights the other lattice are not in it.
-enum class LightPart { sky, lamps };
-std::string lightKey(const scene::Scene& resolved, const LightScene& light, LightPart part);
+enum class LightPart { sky, lamps };  // that are stored apart
 
 }  // namespace isolux::gi

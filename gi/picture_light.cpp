@@ -38,8 +38,8 @@ float exposureFor(const PictureLight& light, const scene::Scene& resolved) {
     for (std::size_t k = 0; k < 9; ++k) irradiance += basis[k] * glm::dvec3(light.irradianceSh[k]);
     brightest = std::max(brightest, luminance(irradiance) / std::numbers::pi);
   }
-  for (const scene::Lamp* lamp : {&resolved.lamp1, &resolved.lamp2, &resolved.lamp3})
-    if (lamp->shown) brightest += lamp->intensity * luminance(lamp->color);
+  for (const scene::Lamp& lamp : resolved.lamps)
+    if (lamp.shown) brightest += lamp.intensity * luminance(lamp.color);
   if (!(brightest > 0.0)) return 0.0f;
   return static_cast<float>(std::clamp(-std::log2(brightest), -mostStops, mostStops));
 }

@@ -36,8 +36,8 @@ Shown shownOf(const scene::Scene& scene) {
     shown.visible = shown.visible || opacity >= kInvisible;
   };
   add(scene.isosurface.value.value_or(0.0), scene.isosurface.opacity);
-  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    if (extra->shown) add(extra->value.value_or(0.0), extra->opacity);
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown) add(extra.value.value_or(0.0), extra.opacity);
   return shown;
 }
 

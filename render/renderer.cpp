@@ -71,6 +71,7 @@ void setKnownState(const Gl& gl) {
 
 std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
   std::vector<double> values;
+  values.reserve(surfaces.size());
   for (const Surface& surface : surfaces) values.push_back(surface.value);
   return values;
 }
@@ -131,6 +132,7 @@ struct Renderer::Parts {
   DrawnFrame drawn;
   std::vector<std::pair<const Pass*, std::string>> held;  // images of the last frame, and who wrote them
   std::shared_ptr<const volume::PreparedVolume> volume;
+  scene::Memory memory;
   std::uint64_t copiesMade = 0;   // VolumeState::made
   std::uint64_t bricksAsked = 0;  // BrickState::asked
   std::size_t waitingRays = 0;    // of the last frame that cast rays
@@ -149,8 +151,12 @@ struct Renderer::Parts {
   std::size_t bytesOf(const Pass& pass, const PassDeclaration& declared) const;
 };
 
-Renderer::Renderer(std::shared_ptr<const Gl> gl) : parts_(std::make_unique<Parts>(std::move(gl))) {}
+Renderer::Renderer(const std::shared_ptr<const Gl>& gl) : parts_(std::make_unique<Parts>(gl)) {}
 Renderer::~Renderer() = default;
+
+void Renderer::setMemory(const scene::Memory& memory) {
+  parts_->memory = memory;
+}
 
 void Renderer::setVolume(std::shared_ptr<const volume::PreparedVolume> volume) {
   if (volume == parts_->volume) return;
@@ -180,13 +186,13 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
     frame.volume.emplace(frame.gl, volume);
     ++copiesMade;
   }
-  if (frame.volume) frame.volume->require(scene);
+  if (frame.volume) frame.volume->require(scene, memory);
   frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
   frame.readsLight =
       (request.color && scene::usesGi(scene)) ||
       std::find(request.aovs.begin(), request.aovs.end(), Aov::irradiance) != request.aovs.end();
   // What the volume leaves of the budget, but a quarter in any case: a cache of bricks takes all there is.
-  const std::size_t budget = static_cast<std::size_t>(scene.memory.gpuBudgetMb) << 20;
+  const std::size_t budget = static_cast<std::size_t>(memory.gpuBudgetMb) << 20;
   const std::size_t taken = frame.volume ? frame.volume->bytes() : 0;
   frame.lighting->prepare(frame, std::max(budget / 4, budget - std::min(budget, taken)));
   const volume::GridGeometry none = volume::GridGeometry::make(glm::ivec3(2), glm::dvec3(1.0));

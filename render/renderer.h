@@ -14,6 +14,7 @@
 
 #include "gi/picture_light.h"
 #include "render/graph/frame.h"
+#include "scene/machine.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 
@@ -23,10 +24,14 @@ struct Gl;
 
 class Renderer {
  public:
-  explicit Renderer(std::shared_ptr<const Gl> gl);
+  explicit Renderer(const std::shared_ptr<const Gl>& gl);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
+
+  // What volumes and light may take of the graphics card, and how volumes lie there. From the next render()
+  // on.
+  void setMemory(const scene::Memory& memory);
 
   // Uploads at the next render(). Null: the background only.
   void setVolume(std::shared_ptr<const volume::PreparedVolume> volume);

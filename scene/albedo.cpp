@@ -13,17 +13,15 @@ namespace isolux::scene {
 AlbedoOfIsovalue::AlbedoOfIsovalue(const Scene& scene) {
   if (scene.isosurface.albedoSource == AlbedoSource::map) {
     constexpr int mapSamples = 256;
-    const ColorMap map =
-        scene.isosurface.albedoMap == ColorMap::automatic ? ColorMap::viridis : scene.isosurface.albedoMap;
-    samples_ = colorMapSamples(map, LookMode::kappa1, mapSamples);
+    samples_ = colorMapSamples(scene.isosurface.albedoMap, mapSamples);
     low_ = scene.isosurface.albedoLow.value();
     high_ = scene.isosurface.albedoHigh.value();
     return;
   }
   std::vector<std::pair<double, glm::vec3>> shown = {
       {scene.isosurface.value.value(), glm::vec3(scene.isosurface.albedo)}};
-  for (const ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    if (extra->shown) shown.emplace_back(extra->value.value(), glm::vec3(extra->albedo));
+  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown) shown.emplace_back(extra.value.value(), glm::vec3(extra.albedo));
   std::stable_sort(shown.begin(), shown.end(), [](auto& a, auto& b) { return a.first < b.first; });
   const bool same = std::all_of(shown.begin(), shown.end(),
                                 [&](const auto& one) { return one.second == shown.front().second; });

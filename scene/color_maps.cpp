@@ -94,15 +94,22 @@ glm::dvec3 fromGray(double t) {
   return linearOfLab({100.0 * t, 0.0, 0.0});
 }
 
-glm::dvec3 fromAutomatic(LookMode mode, double t) {
-  if (mode == LookMode::shape_index) return fromTable(shapeIndex, t);
-  return isSignedMeasure(mode) ? fromDiverging(coolwarm, t) : fromTable(viridis, t);
+glm::dvec3 fromAutomatic(LookColors colors, double t) {
+  switch (colors) {
+    case LookColors::shape:
+      return fromTable(shapeIndex, t);
+    case LookColors::diverging:
+      return fromDiverging(coolwarm, t);
+    case LookColors::sequential:
+      break;
+  }
+  return fromTable(viridis, t);
 }
 
-glm::dvec3 colorOf(ColorMap map, LookMode mode, double t) {
+glm::dvec3 colorOf(ColorMap map, LookColors automatic, double t) {
   switch (map) {
     case ColorMap::automatic:
-      return fromAutomatic(mode, t);
+      return fromAutomatic(automatic, t);
     case ColorMap::viridis:
       return fromTable(viridis, t);
     case ColorMap::cividis:
@@ -133,16 +140,12 @@ double decodeSrgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-bool isSignedMeasure(LookMode mode) {
-  return mode != LookMode::curvedness;
-}
-
-std::vector<glm::vec3> colorMapSamples(ColorMap map, LookMode mode, int size) {
+std::vector<glm::vec3> colorMapSamples(ColorMap map, int size, LookColors automatic) {
   assert(size >= 2);
   std::vector<glm::vec3> samples;
   samples.reserve(static_cast<std::size_t>(size));
   for (int i = 0; i < size; ++i)
-    samples.emplace_back(glm::clamp(colorOf(map, mode, static_cast<double>(i) / (size - 1)), 0.0, 1.0));
+    samples.emplace_back(glm::clamp(colorOf(map, automatic, static_cast<double>(i) / (size - 1)), 0.0, 1.0));
   return samples;
 }
 

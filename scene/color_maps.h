@@ -14,15 +14,12 @@
 
 #include <glm/vec3.hpp>
 
-#include "scene/scene.h"
+#include "scene/looks.h"
 
 namespace isolux::scene {
 
-// Of an automatic choice: what fits the measure that `mode` shows.
-std::vector<glm::vec3> colorMapSamples(ColorMap map, LookMode mode, int size);
-
-// Whether the measure of `mode` has a sign, so that its automatic range is symmetric around 0.
-bool isSignedMeasure(LookMode mode);
+// `automatic`: what ColorMap::automatic stands for.
+std::vector<glm::vec3> colorMapSamples(ColorMap map, int size, LookColors automatic = LookColors::sequential);
 
 // The sRGB transfer function (IEC 61966-2-1), per component in [0, 1].
 double encodeSrgb(double linear);

@@ -9,6 +9,7 @@
 // scene/rules/automatic.h fills it in from the volume.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,59 +18,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-namespace isolux::scene {
+#include "scene/choices.h"
 
-enum class Csg { none, unite, intersection, difference };  // of the volume and a second one
-enum class Inside { above, below };                        // inside is f >= isovalue, or f <= isovalue
-enum class HitMethod { sampled, exact };  // Hadwiger et al. 2005 sec. 3.2, or every cell's first root
-// Trilinear interpolation, the tri-cubic B-spline of the samples (smooth), or the B-spline through the
-// samples.
-enum class Field { trilinear, cubic, cubic_interpolating };
-enum class Fetch { fast, exact };  // the texture unit's linear filter, or single texels weighted in float
-enum class LookMode {
-  blinn_phong,
-  lambert,
-  tone,
-  kappa1,
-  kappa2,
-  mean_curvature,
-  gaussian_curvature,
-  shape_index,
-  curvedness,
-  curvature_2d,
-  accessibility,
-  flow,
-  gi,
-  normal,
-  depth
-};
-enum class Shading { unlit, lambert, blinn_phong, tone, gi };  // gi: stored global illumination
-enum class SolidTexture { none, marble, wood, checker };
-enum class ColorMap {
-  automatic,
-  viridis,
-  cividis,
-  inferno,
-  gray,
-  coolwarm,
-  blue_orange,
-  purple_green,
-  spectral
-};
-enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa1 or kappa2
-enum class LightSpace { camera, world };
-enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
-enum class LampKind { point, directional, sphere };
-// What is stored of the light; automatic: the least that the scene needs (scene/rules/gi_choice.h).
-enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
-enum class GiExtent { full, band, view };  // which texels are lit
-enum class DirectionSequence { sobol_owen, r2, random };
-// How stored light is read between texels, Wyman et al. 2006 fig. 6; weighted: trilinear weights times how
-// well a texel's normal fits that of the point, of texels whose noise is filtered along their own isosurface.
-enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, weighted };
-enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
-enum class Projection { perspective, orthographic };
-enum class MemoryLayout { automatic, whole, bricks };
+namespace isolux::scene {
 
 struct Source {
   std::string path = "phantom:head";  // file, folder, or "phantom:NAME[:SIZE]"
@@ -230,7 +181,6 @@ struct Gi {
   double shWindow = 0.0;  // 0 none, 1 full: against ringing
   int components = 24;    // of a compressed transfer vector
   int componentBits = 8;  // 8 or 16
-  std::optional<int> threads;
   bool operator==(const Gi&) const = default;
 };
 
@@ -245,34 +195,29 @@ struct Camera {
 
 struct Picture {
   int supersampling = 2;           // rays per pixel and axis of a picture at rest
-  bool adaptive = true;            // pictures in motion shrink until they are quick enough
-  double motionTarget = 50.0;      // milliseconds of a picture in motion
   std::optional<double> exposure;  // stops, of pictures lit by global illumination
   bool operator==(const Picture&) const = default;
 };
 
-struct Memory {
-  int gpuBudgetMb = 2048;
-  MemoryLayout layout = MemoryLayout::automatic;  // whole where it fits, else bricks
-  bool operator==(const Memory&) const = default;
-};
+constexpr int kExtraIsosurfaces = 3;
+constexpr int kLamps = 3;
 
 struct Scene {
   Source source;
   Isosurface isosurface;
-  ExtraIsosurface isosurface2{false, {}, {0.25, 0.45, 0.75}, 0.5};
-  ExtraIsosurface isosurface3{false, {}, {0.30, 0.62, 0.35}, 0.5};
-  ExtraIsosurface isosurface4{false, {}, {0.75, 0.28, 0.22}, 0.5};
+  // isosurface2, isosurface3, isosurface4 in paths.
+  std::array<ExtraIsosurface, kExtraIsosurfaces> extraIsosurfaces{{{false, {}, {0.25, 0.45, 0.75}, 0.5},
+                                                                   {false, {}, {0.30, 0.62, 0.35}, 0.5},
+                                                                   {false, {}, {0.75, 0.28, 0.22}, 0.5}}};
   Hit hit;
   Derivatives derivatives;
   Look look;
   Flow flow;
   Light light;
-  Lamp lamp1, lamp2, lamp3;
+  std::array<Lamp, kLamps> lamps;  // lamp1, lamp2, lamp3 in paths
   Gi gi;
   Camera camera;
   Picture picture;
-  Memory memory;
   bool operator==(const Scene&) const = default;
 };
 

@@ -5,46 +5,29 @@
 // name the path.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "scene/scene.h"
+#include "scene/setting/setting.h"
 
 namespace isolux::scene {
 
-// pair, vector, quaternion: two, three, four numbers; points: a list of CurvaturePoint, each [kappa1, kappa2,
-// r, g, b]
-enum class SettingType { number, integer, text, choice, pair, vector, quaternion, toggle, points };
-// Numbers in a pair, vector or quaternion; 0 for other types.
-std::size_t componentsOf(SettingType type);
-
-struct Setting {
-  std::string path;
-  SettingType type;
-  std::string unit;                                 // "mm", "degrees", "data units", "" where none
-  std::string meaning;                              // one sentence
-  double minimum, maximum;                          // of numbers, integers and vector components, inclusive
-  bool mayBeAutomatic = false;                      // accepts "auto" (an empty optional)
-  std::vector<std::string> choices;                 // of a choice
-  std::function<nlohmann::json(const Scene&)> get;  // "auto" for an empty optional
-  std::function<void(Scene&, const nlohmann::json&)> set;  // throws Error when type, range or choice is wrong
-
-  nlohmann::json defaultValue() const { return get(Scene{}); }
-};
+using Setting = SettingOf<Scene>;
 
 std::span<const Setting> settings();
+// Whether a pattern stands for a path: "camera." for all of a group, '#' for the number of an item of a list
+// ("lamp#.kind"), else the path itself.
+bool covers(std::string_view pattern, std::string_view path);
 const Setting& setting(std::string_view path);  // throws Error, with the nearest path as a suggestion
 
-// "a.b=VALUE" as on the command line: numbers, "x,y,z", words; VALUE may be "auto" where allowed.
+// As on the command line: scene/setting/assignment.h.
 void applyAssignment(Scene& scene, std::string_view assignment);
 
 // Whole scenes as nested JSON objects. A missing key takes its default; an unknown key throws, naming its
-// path.
+// path. Settings of the machine (scene/machine.h), which older files have, are passed over.
 nlohmann::json toJson(const Scene& scene);
 Scene fromJson(const nlohmann::json& json);
 

@@ -1,11 +1,10 @@
 // Scenes as JSON, assignments from the command line, and named changes: all made from settings().
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "scene/machine.h"
+#include "scene/setting/assignment.h"
 #include "scene/settings.h"
 
 namespace isolux::scene {
@@ -14,69 +13,16 @@ namespace {
 
 using nlohmann::json;
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-// A whole word as a finite number; empty when it is none.
-std::optional<double> numberOf(std::string_view word) {
-  word = trimmed(word);
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-json numberOrWord(std::string_view word) {
-  const std::optional<double> number = numberOf(word);
-  return number ? json(*number) : json(std::string(word));
-}
-
-// What the words of an assignment mean for this setting; a word that makes no sense stays a word, which
-// Setting::set then refuses with the reason.
-json valueOf(const Setting& target, std::string_view text) {
-  if (target.type == SettingType::text) return std::string(text);
-  const std::string_view word = trimmed(text);
-  if (target.type == SettingType::choice || (target.mayBeAutomatic && word == "auto"))
-    return std::string(word);
-  if (target.type == SettingType::points) {
-    json list = json::parse(word, nullptr, false);
-    return list.is_discarded() ? json(std::string(word)) : list;
-  }
-  const bool yes = word == "true" || word == "on", no = word == "false" || word == "off";
-  if (target.type == SettingType::toggle) {
-    if (yes || word == "1") return true;
-    if (no || word == "0") return false;
-    return std::string(word);
-  }
-  // A strength from 0 to 1 is also switched by word.
-  if (target.type == SettingType::number && target.minimum == 0.0 && target.maximum == 1.0 && (yes || no))
-    return yes ? 1.0 : 0.0;
-  const std::size_t components = componentsOf(target.type);
-  if (components == 0) return numberOrWord(word);
-  json list = json::array();
-  std::size_t begin = 0;
-  while (begin <= word.size() && list.size() <= components) {
-    const std::size_t comma = std::min(word.find(',', begin), word.size());
-    const std::optional<double> number = numberOf(word.substr(begin, comma - begin));
-    if (!number) return std::string(word);
-    list.push_back(*number);
-    begin = comma + 1;
-  }
-  return list.size() == components ? list : json(std::string(word));
-}
-
 // The groups of the list ("camera"), for telling an unknown key from a group.
 void checkGroup(const std::string& name) {
   static const std::vector<std::string> groups = [] {
     std::vector<std::string> names;
-    for (const Setting& s : settings()) {
+    const auto add = [&names](const SettingInfo& s) {
       const std::string group = s.path.substr(0, s.path.find('.'));
       if (names.empty() || names.back() != group) names.push_back(group);
-    }
+    };
+    for (const Setting& s : settings()) add(s);
+    for (const MachineSetting& s : machineSettings()) add(s);
     return names;
   }();
   if (std::find(groups.begin(), groups.end(), name) != groups.end()) return;
@@ -89,14 +35,14 @@ void checkGroup(const std::string& name) {
 // The members of a group, and those of the groups within it.
 void assignMembers(Scene& scene, const std::string& group, const json& members) {
   for (const auto& [name, value] : members.items()) {
-    const std::string path = group + '.' + name;
+    const std::string path = std::string(group).append(1, '.').append(name);
     const std::span<const Setting> all = settings();
     const bool isGroup = value.is_object() && std::any_of(all.begin(), all.end(), [&](const Setting& s) {
-                           return s.path.starts_with(path + '.');
+                           return covers(path + '.', s.path);
                          });
     if (isGroup)
       assignMembers(scene, path, value);
-    else
+    else if (!isOfMachine(path))  // in files of before they left the scene: another user's hardware
       setting(path).set(scene, value);
   }
 }
@@ -104,11 +50,10 @@ void assignMembers(Scene& scene, const std::string& group, const json& members) 
 }  // namespace
 
 void applyAssignment(Scene& scene, std::string_view assignment) {
-  const auto equals = assignment.find('=');
-  if (equals == std::string_view::npos)
+  if (assignment.find('=') == std::string_view::npos)
     throw base::Error(base::ErrorKind::usage, "", std::string(assignment), "expected PATH=VALUE");
-  const Setting& target = setting(trimmed(assignment.substr(0, equals)));
-  target.set(scene, valueOf(target, assignment.substr(equals + 1)));
+  const Setting& target = setting(pathOf(assignment));
+  target.set(scene, valueOf(target, assignment));
 }
 
 nlohmann::json toJson(const Scene& scene) {
@@ -147,7 +92,8 @@ SceneDiff difference(const Scene& from, const Scene& to, std::string name) {
 }
 
 Scene applied(Scene scene, const SceneDiff& diff) {
-  for (const SceneChange& change : diff.changes) setting(change.path).set(scene, change.value);
+  for (const SceneChange& change : diff.changes)
+    if (!isOfMachine(change.path)) setting(change.path).set(scene, change.value);
   return scene;
 }
 

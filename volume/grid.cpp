@@ -130,10 +130,11 @@ std::vector<Piece> scanPieces(std::vector<T>& voxels, base::Progress& progress) 
 
 }  // namespace
 
-Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept)
+Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept)
     : Grid(geometry, std::move(voxels), slope, intercept, *std::make_unique<base::Progress>()) {}
 
-Grid::Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept, base::Progress& progress)
+Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept,
+           base::Progress& progress)
     : geometry_(geometry), voxels_(std::move(voxels)), slope_(slope), intercept_(intercept) {
   assert(std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept));
   const std::vector<Piece> pieces = std::visit(

@@ -61,8 +61,9 @@ class Grid {
   // Counts missing voxels (NaN; +-Inf become NaN), finds the range and the hash: one pass, on all cores.
   // `voxels` must hold geometry.voxelCount() entries; slope must be finite and not 0. With `progress` it
   // reports how far it is and throws Error{interrupted} once a stop was requested.
-  Grid(GridGeometry geometry, VoxelArray voxels, double slope = 1.0, double intercept = 0.0);
-  Grid(GridGeometry geometry, VoxelArray voxels, double slope, double intercept, base::Progress& progress);
+  Grid(const GridGeometry& geometry, VoxelArray voxels, double slope = 1.0, double intercept = 0.0);
+  Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept,
+       base::Progress& progress);
 
   const GridGeometry& geometry() const { return geometry_; }
   glm::ivec3 dims() const { return geometry_.dims; }

@@ -32,8 +32,7 @@ struct BlockBox {
 template <class IsWanted>
 BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, base::Progress& progress) {
   const glm::ivec3 dims = blocks.dims();
-  const BlockBox nothing{dims, glm::ivec3(-1)};
-  tbb::combinable<BlockBox> partial([&] { return nothing; });
+  tbb::combinable<BlockBox> partial([&] { return BlockBox{dims, glm::ivec3(-1)}; });
   parallelSteps(static_cast<std::size_t>(dims.z), progress, {}, [&](std::size_t layer) {
     BlockBox& box = partial.local();
     const auto z = static_cast<int>(layer);
@@ -45,7 +44,7 @@ BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, base:
           box.last = glm::max(box.last, glm::ivec3(x, y, z));
         }
   });
-  BlockBox all = nothing;
+  BlockBox all{dims, glm::ivec3(-1)};
   partial.combine_each([&](const BlockBox& box) {
     all.first = glm::min(all.first, box.first);
     all.last = glm::max(all.last, box.last);

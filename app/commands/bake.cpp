@@ -47,6 +47,7 @@ void seeView(LightController& controller, const BakeOptions& options, const scen
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
   render::Renderer renderer(context->gl());
+  renderer.setMemory(machineOf(*options.scene).memory);
   renderer.setVolume(prepared);
   render::FrameRequest request;
   request.size = parseSize(options.size);
@@ -89,7 +90,7 @@ void runBake(const BakeOptions& options, base::Progress& progress) {
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
 
-  LightController controller({});
+  LightController controller({.threads = machineOf(*options.scene).threads});
   std::string replaced;
   controller.setScene(scene, prepared);
   {

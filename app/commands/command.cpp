@@ -167,8 +167,16 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
       scene.source = scene::Source{};  // how to read the session's volume says nothing about this one
     scene.source.path = path;
   }
-  for (const std::string& assignment : options.assignments) scene::applyAssignment(scene, assignment);
+  for (const std::string& assignment : options.assignments)
+    if (!scene::isOfMachine(assignment)) scene::applyAssignment(scene, assignment);
   return scene;
+}
+
+scene::Machine machineOf(const SceneOptions& options) {
+  scene::Machine machine;
+  for (const std::string& assignment : options.assignments)
+    if (scene::isOfMachine(assignment)) scene::applyAssignment(machine, assignment);
+  return machine;
 }
 
 OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene) {

@@ -18,6 +18,7 @@
 #include "app/files/output_guard.h"
 #include "base/progress.h"
 #include "render/gl/gl_context.h"
+#include "scene/machine.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 
@@ -56,6 +57,8 @@ void requireSource(const std::string& path, const SceneOptions& options);
 // The session (or the default scene), then PATH (a volume, a session, or a picture with one; "": none), then
 // the assignments.
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options);
+// What the assignments say of the machine.
+scene::Machine machineOf(const SceneOptions& options);
 // Knows all files that `scene`, made by sceneOf() of the same arguments, is read from.
 OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene);
 // Refuses `file` if the guard does, and throws if it cannot be written. An empty name: nothing to check.

@@ -104,7 +104,8 @@ std::string mistypedOption(const CLI::App& used, int argc, char** argv) {
     word.resize(std::min(word.find('='), word.size()));
     if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
     const std::string suggestion = base::nearest(word, known);
-    if (!suggestion.empty()) return "unknown option " + word + ", did you mean " + suggestion + "?";
+    if (!suggestion.empty())
+      return word.insert(0, "unknown option ").append(", did you mean ").append(suggestion).append("?");
   }
   return {};
 }
@@ -154,6 +155,10 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
   if (!session.empty() && isSession(session))
     request.sessionFile = fs::absolute(session).lexically_normal().string();
   request.recordFile = options.record;
+  machineOf(*options.scene);  // throws here, not in the window
+  const auto& assignments = options.scene->assignments;
+  std::copy_if(assignments.begin(), assignments.end(), std::back_inserter(request.machine),
+               scene::isOfMachine);
   OutputGuard guard = outputGuard(options.path, *options.scene, request.scene);
   checkOutput(guard, options.record, "--record");
   if (!options.record.empty()) checkMayRecordInto(options.record);

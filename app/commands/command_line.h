@@ -16,7 +16,8 @@ struct WindowRequest {
   scene::Scene scene;  // of PATH, the session and --set; what they leave automatic is still so
   std::string
       sessionFile;  // absolute; where the scene came from, so that Save goes there; "": from no session
-  std::string recordFile;  // --record FILE
+  std::string recordFile;            // --record FILE
+  std::vector<std::string> machine;  // --set of scene::Machine, for this run
 };
 using OpenWindow = std::function<int(const WindowRequest&)>;
 

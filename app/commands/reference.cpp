@@ -85,7 +85,7 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
   gi::Reference::Options reference{pictureSize(options.size, options.path, *options.scene),
-                                   scene.gi.threads.value_or(threadsInForce())};
+                                   machineOf(*options.scene).threads.value_or(threadsInForce())};
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);  // before anything slow starts
   checkOutput(guard, options.out, "--out");
   checkOutput(guard, options.stats, "--stats");

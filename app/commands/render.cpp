@@ -156,6 +156,7 @@ void writePicture(const render::StillPicture& picture, const render::FrameReques
 void runRender(const RenderOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
+  const scene::Machine machine = machineOf(*options.scene);
   const render::FrameRequest request = requestOf(options, scene);
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);  // before anything slow starts
   guard.reads(options.light, "the stored light");
@@ -167,8 +168,9 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
   render::Renderer renderer(context->gl());
+  renderer.setMemory(machine.memory);
   renderer.setVolume(prepared);
-  LightController light({});
+  LightController light({.threads = machine.threads});
   Drawn drawn;
   {
     progress.report(0.0, "drawing");

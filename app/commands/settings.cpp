@@ -1,15 +1,18 @@
 // isolux settings [WORD] [--markdown|--json]: every setting, from the one list.
 #include <cmath>
+#include <functional>
 #include <iostream>
 
 #include "app/commands/command.h"
+#include "scene/looks.h"
+#include "scene/machine.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
 
 namespace {
 
-using scene::Setting;
+using scene::SettingInfo;
 using scene::SettingType;
 
 struct SettingsOptions {
@@ -17,7 +20,7 @@ struct SettingsOptions {
   bool markdown = false, json = false;
 };
 
-std::string typeName(const Setting& setting) {
+std::string typeName(const SettingInfo& setting) {
   switch (setting.type) {
     case SettingType::number:
       return "number";
@@ -58,7 +61,7 @@ std::string valueText(const nlohmann::json& value) {
   return text;
 }
 
-std::string allowedText(const Setting& setting) {
+std::string allowedText(const SettingInfo& setting) {
   std::string text;
   if (setting.type == SettingType::choice) {
     for (const std::string& choice : setting.choices) text += (text.empty() ? "" : ", ") + choice;
@@ -70,20 +73,30 @@ std::string allowedText(const Setting& setting) {
   return setting.mayBeAutomatic ? text + ", or auto" : text;
 }
 
-bool matches(const Setting& setting, const std::string& word) {
+bool matches(const SettingInfo& setting, const std::string& word) {
   return setting.path.find(word) != std::string::npos || setting.meaning.find(word) != std::string::npos;
+}
+
+// All settings whose path or meaning contains the word, of the scene and then of the machine: each(setting,
+// default value, whether it is of the machine).
+void forEachSetting(const std::string& word,
+                    const std::function<void(const SettingInfo&, const nlohmann::json&, bool)>& each) {
+  for (const scene::Setting& setting : scene::settings())
+    if (matches(setting, word)) each(setting, setting.defaultValue(), false);
+  for (const scene::MachineSetting& setting : scene::machineSettings())
+    if (matches(setting, word)) each(setting, setting.defaultValue(), true);
 }
 
 nlohmann::ordered_json settingsJson(const std::string& word) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Setting& setting : scene::settings()) {
-    if (!matches(setting, word)) continue;
+  forEachSetting(word, [&](const SettingInfo& setting, const nlohmann::json& byDefault, bool ofMachine) {
     nlohmann::ordered_json entry{{"path", setting.path},
                                  {"type", typeName(setting)},
-                                 {"default", setting.defaultValue()},
+                                 {"default", byDefault},
                                  {"automatic", setting.mayBeAutomatic},
                                  {"unit", setting.unit},
-                                 {"meaning", setting.meaning}};
+                                 {"meaning", setting.meaning},
+                                 {"of", ofMachine ? "machine" : "scene"}};
     if (setting.type == SettingType::choice) {
       entry["choices"] = setting.choices;
     } else if (setting.type != SettingType::text && setting.type != SettingType::toggle) {
@@ -91,19 +104,18 @@ nlohmann::ordered_json settingsJson(const std::string& word) {
       entry["maximum"] = setting.maximum;
     }
     list.push_back(std::move(entry));
-  }
+  });
   return list;
 }
 
 void printText(std::ostream& out, const std::string& word) {
-  for (const Setting& setting : scene::settings()) {
-    if (!matches(setting, word)) continue;
+  forEachSetting(word, [&](const SettingInfo& setting, const nlohmann::json& byDefault, bool) {
     out << setting.path << "\n    " << setting.meaning << "\n    " << typeName(setting);
     if (const std::string allowed = allowedText(setting); !allowed.empty()) out << ": " << allowed;
     if (!setting.unit.empty()) out << " (" << setting.unit << ')';
-    const std::string value = valueText(setting.defaultValue());
+    const std::string value = valueText(byDefault);
     out << "; default " << (value.empty() ? "empty" : value) << '\n';
-  }
+  });
 }
 
 std::string cell(std::string text) {
@@ -111,24 +123,44 @@ std::string cell(std::string text) {
   return text;
 }
 
+void printLooks(std::ostream& out) {
+  out << "\n## Looks\n\nWhat `look.mode` shows; formulas and sources are in [looks](looks.md).\n\n"
+         "| look | shows | unit | shaded by |\n|---|---|---|---|\n";
+  for (const scene::LookInfo& look : scene::looks()) {
+    const bool own = look.kind == scene::LookKind::shading, raw = look.kind == scene::LookKind::raw;
+    out << "| `" << look.name << "` | " << look.meaning << " | " << scene::unitOf(look) << " | "
+        << (own   ? "itself"
+            : raw ? "nothing"
+                  : "`look.shading`")
+        << " |\n";
+  }
+}
+
 void printMarkdown(std::ostream& out) {
   out << "# Settings\n\n"
          "Made by `isolux settings --markdown`; a test compares. Each is a key of a session "
-         "(docs/sessions.md) and can\n"
+         "([sessions](sessions.md)) and can\n"
          "be given as `--set PATH=VALUE` on the command line; three numbers are written `x,y,z`.\n";
-  std::string group;
-  for (const Setting& setting : scene::settings()) {
-    const std::string itsGroup = setting.path.substr(0, setting.path.rfind('.'));
-    if (itsGroup != group) {
-      group = itsGroup;
-      out << "\n## " << group
-          << "\n\n| path | type | default | allowed | unit | meaning |\n|---|---|---|---|---|---|\n";
+  constexpr const char* columns =
+      "\n\n| path | type | default | allowed | unit | meaning |\n|---|---|---|---|---|---|\n";
+  std::string title;
+  forEachSetting("", [&](const SettingInfo& setting, const nlohmann::json& byDefault, bool ofMachine) {
+    const std::string its = ofMachine ? "Of the machine" : setting.path.substr(0, setting.path.rfind('.'));
+    if (its != title) {
+      out << "\n## " << its;
+      if (ofMachine)
+        out << "\n\nNo part of a session: what the user's hardware is asked for. `--set` takes them for one "
+               "run; the "
+               "window\nkeeps them for its user (Edit, Preferences).";
+      out << columns;
+      title = its;
     }
-    const std::string value = valueText(setting.defaultValue());
+    const std::string value = valueText(byDefault);
     out << "| `" << setting.path << "` | " << typeName(setting) << " | "
         << (value.empty() ? "" : "`" + value + "`") << " | " << cell(allowedText(setting)) << " | "
         << cell(setting.unit) << " | " << cell(setting.meaning) << " |\n";
-  }
+  });
+  printLooks(out);
 }
 
 }  // namespace

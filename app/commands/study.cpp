@@ -76,7 +76,7 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
   const MadeFolder folder(options.out);
   StudyFolder output(folder.path(), {prepared, scene::resolve(scene, prepared->facts), context->description(),
                                      size, options.repeat});
-  Studio studio(context->gl(), prepared, scene, size, options.repeat);
+  Studio studio(context->gl(), prepared, scene, machineOf(*options.scene), size, options.repeat);
   {
     progress.report(0.0, "preparing");
     const ProgressBar bar(progress);

@@ -178,10 +178,11 @@ Autosave parseAutosave(const std::string& text, const std::string& file) {
 std::string agoText(system_clock::duration age) {
   const auto seconds =
       std::max<std::int64_t>(std::chrono::duration_cast<std::chrono::seconds>(age).count(), 0);
-  if (seconds < 60) return std::to_string(seconds) + " s ago";
-  if (seconds < 3600) return std::to_string(seconds / 60) + " min ago";
-  if (seconds < 48 * 3600) return std::to_string(seconds / 3600) + " h ago";
-  return std::to_string(seconds / (24 * 3600)) + " days ago";
+  constexpr std::int64_t minute = 60, hour = 3600, day = 86400;
+  if (seconds < minute) return std::to_string(seconds) + " s ago";
+  if (seconds < hour) return std::to_string(seconds / minute) + " min ago";
+  if (seconds < 2 * day) return std::to_string(seconds / hour) + " h ago";
+  return std::to_string(seconds / day) + " days ago";
 }
 
 // ---- One's own

@@ -15,7 +15,7 @@ History::History(scene::Scene scene, Steps steps, std::size_t position)
   for (const auto& step : steps_) trial = scene::applied(std::move(trial), step->forth);
 }
 
-SceneDiff History::edit(scene::Scene next, const std::string& name, const std::string& mergeKey) {
+SceneDiff History::edit(const scene::Scene& next, const std::string& name, const std::string& mergeKey) {
   SceneDiff forth = scene::difference(scene_, next, name);
   if (forth.changes.empty()) return forth;
   SceneDiff back = scene::difference(next, scene_, name);

@@ -27,7 +27,7 @@ class History {
   // Makes `next` current as one step named `name`. With the same non-empty `mergeKey` as the last edit, and
   // no seal() between, it replaces that step's result instead of adding a step. Returns the diff (empty:
   // nothing changed).
-  scene::SceneDiff edit(scene::Scene next, const std::string& name, const std::string& mergeKey = "");
+  scene::SceneDiff edit(const scene::Scene& next, const std::string& name, const std::string& mergeKey = "");
   void seal() { mergeKey_.clear(); }  // end of a gesture
   void reset(scene::Scene scene);     // a new document: history empty
 

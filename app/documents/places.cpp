@@ -73,7 +73,7 @@ std::string placeToken(const fs::path& file) {
     const auto known = std::find_if(places.begin(), places.end(),
                                     [&](const auto& place) { return place.second == file.string(); });
     if (known != places.end() && known + 1 == places.end()) return known->first;
-    const std::string token = known == places.end() ? newToken() : known->first;
+    std::string token = known == places.end() ? newToken() : known->first;
     if (known != places.end()) places.erase(known);
     places.emplace_back(token, file.string());
     if (places.size() > mostPlaces) places.erase(places.begin());

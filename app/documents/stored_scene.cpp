@@ -116,7 +116,8 @@ void checkKeys(const json& stored, std::initializer_list<std::string_view> known
   if (!stored.is_object()) base::throwInput(file, place, "a JSON object was expected");
   for (const auto& [key, value] : stored.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      base::throwInput(file, place.empty() ? key : place + ", " + key, "unknown key");
+      base::throwInput(file, place.empty() ? key : std::string(place).append(", ").append(key),
+                       "unknown key");
 }
 
 json parseJson(const std::string& text, const std::string& file, const std::string& place) {

@@ -79,6 +79,7 @@ void writeExr(const render::LinearImage* color, const std::vector<render::AovIma
   }
 
   std::vector<std::string> names;
+  names.reserve(channels.size());
   for (const Channel& channel : channels) names.push_back(channel.name);
   writeExrFile(size, names, values, textsOf(session), file);
 }

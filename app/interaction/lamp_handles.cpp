@@ -106,18 +106,18 @@ LampStage lampStageOf(const scene::Scene& resolved, const scene::VolumeFacts& fa
 }
 
 const scene::Lamp& lampOf(const scene::Scene& scene, int lamp) {
-  return lamp == 1 ? scene.lamp1 : lamp == 2 ? scene.lamp2 : scene.lamp3;
+  return scene.lamps[static_cast<std::size_t>(lamp - 1)];
 }
 
 scene::Lamp& lampOf(scene::Scene& scene, int lamp) {
-  return lamp == 1 ? scene.lamp1 : lamp == 2 ? scene.lamp2 : scene.lamp3;
+  return scene.lamps[static_cast<std::size_t>(lamp - 1)];
 }
 
 std::vector<LampHandle> lampHandles(const scene::Scene& resolved, const LampStage& stage) {
   std::vector<LampHandle> handles;
   if (scene::shadingOf(resolved) != scene::Shading::gi) return handles;
   const Projection centre = project(stage.centreMm, stage);
-  for (int number = 1; number <= 3; ++number) {
+  for (int number = 1; number <= scene::kLamps; ++number) {
     const scene::Lamp& lamp = lampOf(resolved, number);
     if (!lamp.shown) continue;
     const Projection place = project(placeOf(lamp, stage), stage);

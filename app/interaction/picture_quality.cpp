@@ -33,8 +33,8 @@ PictureQuality::PictureQuality(bool software)
     : levels_{software ? halfSize : fullSize, levels.size() - 1}, ceiling_(levels.size() - 1) {}
 
 std::size_t PictureQuality::level(Motion motion) const {
-  const std::size_t full = finest(picture_.supersampling);
-  if (!picture_.adaptive || stage_ == Stage::full) return full;
+  const std::size_t full = finest(supersampling_);
+  if (!machine_.adaptive || stage_ == Stage::full) return full;
   if (stage_ == Stage::sharp) return std::min(full, fullSize);
   const std::size_t affordable = levels_[static_cast<std::size_t>(motion)];
   return std::min({full, affordable, motion == Motion::look ? ceiling_ : full});
@@ -49,7 +49,7 @@ int PictureQuality::supersampling() const {
 }
 
 bool PictureQuality::complete() const {
-  return level(motion_) == finest(picture_.supersampling);
+  return level(motion_) == finest(supersampling_);
 }
 
 void PictureQuality::changed(Motion motion) {
@@ -80,23 +80,22 @@ bool PictureQuality::refine() {
 }
 
 double PictureQuality::pauseMilliseconds() const {
-  const double expected =
-      stage_ == Stage::sharp ? lastMilliseconds_ * picture_.supersampling * picture_.supersampling : 0.0;
+  const double expected = stage_ == Stage::sharp ? lastMilliseconds_ * supersampling_ * supersampling_ : 0.0;
   return std::clamp(0.5 * expected, 60.0, 1000.0);
 }
 
 void PictureQuality::measured(double milliseconds, Motion motion) {
   lastMilliseconds_ = milliseconds;
-  if (stage_ != Stage::moving || !picture_.adaptive) return;
-  const std::size_t drawn = level(motion_), full = finest(picture_.supersampling);
+  if (stage_ != Stage::moving || !machine_.adaptive) return;
+  const std::size_t drawn = level(motion_), full = finest(supersampling_);
   const auto expected = [&](std::size_t other) {
     return milliseconds * levels[other].rays() / levels[drawn].rays();
   };
   std::size_t next = drawn;
-  if (milliseconds > picture_.motionTarget) {
-    while (next > 0 && expected(next) > enough * picture_.motionTarget) --next;
+  if (milliseconds > machine_.motionTarget) {
+    while (next > 0 && expected(next) > enough * machine_.motionTarget) --next;
   } else {
-    while (next < full && expected(next + 1) <= comfortable * picture_.motionTarget) ++next;
+    while (next < full && expected(next + 1) <= comfortable * machine_.motionTarget) ++next;
   }
   if (next != drawn) levels_[static_cast<std::size_t>(motion)] = next;
 }

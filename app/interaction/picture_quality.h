@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 
 #include "render/graph/frame.h"
+#include "scene/machine.h"
 #include "scene/scene.h"
 
 namespace isolux::app {
@@ -28,7 +29,8 @@ class PictureQuality {
   // A software rasteriser starts with small pictures in motion instead of finding out with a slow one.
   explicit PictureQuality(bool software = false);
 
-  void setPicture(const scene::Picture& picture) { picture_ = picture; }
+  void setSupersampling(int rays) { supersampling_ = rays; }  // picture.supersampling
+  void setMachine(const scene::Machine& machine) { machine_ = machine; }
 
   Stage stage() const { return stage_; }
   double scale() const;       // of the next picture's width and height, 0..1
@@ -57,7 +59,8 @@ class PictureQuality {
  private:
   std::size_t level(Motion motion) const;
 
-  scene::Picture picture_;
+  int supersampling_ = scene::Picture{}.supersampling;
+  scene::Machine machine_;
   Stage stage_ = Stage::moving;
   Motion motion_ = Motion::rays;
   bool lightChanging_ = false;

@@ -64,7 +64,7 @@ RoundPointer roundOf(gi::ReferenceImage image, const scene::Look& look) {
 }  // namespace
 
 ReferenceJob::ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
-                           glm::ivec2 size, std::uint32_t samples)
+                           glm::ivec2 size, std::uint32_t samples, std::optional<int> threads)
     : work_(
           [&] {
             auto work = std::make_shared<Work>();
@@ -72,6 +72,8 @@ ReferenceJob::ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume,
             work->resolved = std::move(resolved);
             work->size = size;
             work->samples = samples;
+            work->threads =
+                threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
             return work;
           }(),
           run) {}
@@ -98,9 +100,8 @@ void ReferenceJob::trace(Work& work) {
   const auto environment = gi::loadEnvironment(work.resolved.light.environment);
   const auto tracer = std::make_shared<const volume::IsosurfaceTracer>(
       work.volume->volume.grid, work.resolved.isosurface.inside, work.progress);
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  gi::Reference picture(work.volume, tracer, environment, work.resolved,
-                        {work.size, work.resolved.gi.threads.value_or(cores)}, work.progress);
+  gi::Reference picture(work.volume, tracer, environment, work.resolved, {work.size, work.threads},
+                        work.progress);
   double done = 0.0;
   for (const std::uint32_t round : gi::referenceRounds(work.samples)) {
     const double to = static_cast<double>(round) / work.samples;

@@ -34,9 +34,9 @@ inline constexpr int previewPixels = 1600;  // along the longer side, at most
 
 class ReferenceJob {
  public:
-  // Starts at once. `resolved` by scene::resolve of that volume.
+  // Starts at once. `resolved` by scene::resolve of that volume; `threads`: scene::Machine::threads.
   ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved, glm::ivec2 size,
-               std::uint32_t samples);
+               std::uint32_t samples, std::optional<int> threads = {});
   ~ReferenceJob();  // stops; the end of the work is not waited for (base/retire.h)
 
   const scene::Scene& resolved() const { return work_->resolved; }
@@ -54,6 +54,7 @@ class ReferenceJob {
     scene::Scene resolved;
     glm::ivec2 size{0};
     std::uint32_t samples = 0;
+    int threads = 1;
     base::Progress progress;
     std::mutex mutex;
     RoundPointer round;  // guarded by mutex

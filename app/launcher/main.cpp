@@ -59,8 +59,8 @@ void findProgram(char (&path)[PATH_MAX]) {
   if (length <= 0) fail("cannot find its own folder: is /proc mounted?");
   path[length] = '\0';
   char* const name = std::strrchr(path, '/') + 1;
-  std::strcpy(name, beside);
-  if (::access(path, X_OK) != 0) std::strcpy(name, installed);
+  std::memcpy(name, beside, sizeof beside);
+  if (::access(path, X_OK) != 0) std::memcpy(name, installed, sizeof installed);
 }
 
 // A word that can be no path and names no file: everything else opens the window.

@@ -50,7 +50,6 @@ scene::Scene lightOf(scene::Scene scene) {
   scene.camera = {};
   scene.flow = {};
   scene.picture = {};
-  scene.memory = {};
   return scene;
 }
 
@@ -72,13 +71,14 @@ base::Error described(const std::exception_ptr& failure) {
 }  // namespace
 
 struct LightController::Parts {
-  explicit Parts(Options options) : planner(options.background) {}
+  explicit Parts(Options options) : threads(options.threads), planner(options.background) {}
 
   // What the planner thread has to do; guarded by `mutex`.
   mutable std::mutex mutex;
   mutable std::condition_variable_any changed;
   scene::Scene scene;
   VolumePointer volume;
+  std::optional<int> threads;
   std::vector<glm::vec3> hits;
   bool sceneTold = false, hitsTold = false, cancelTold = false, compressTold = false, busy = false;
   bool planning =
@@ -122,6 +122,7 @@ void LightController::Parts::run(const std::stop_token& stop) {
     const bool cancel = std::exchange(cancelTold, false), compress = std::exchange(compressTold, false);
     const scene::Scene now = scene;
     const VolumePointer of = volume;
+    planner.setThreads(threads);
     // Looking whether to compress needs no points.
     const std::vector<glm::vec3> seen = withScene || withHits ? hits : std::vector<glm::vec3>();
     busy = withScene || withHits || cancel || compress;
@@ -193,6 +194,15 @@ void LightController::setScene(const scene::Scene& resolved,
   parts_->scene = lit;
   parts_->volume = std::move(volume);
   parts_->sceneTold = true;
+  parts_->changed.notify_all();
+}
+
+void LightController::setThreads(std::optional<int> threads) {
+  const std::lock_guard guard(parts_->mutex);
+  if (threads == parts_->threads) return;
+  parts_->threads = threads;
+  if (!parts_->volume) return;
+  parts_->sceneTold = true;  // the plan is made with them
   parts_->changed.notify_all();
 }
 

@@ -41,7 +41,8 @@ struct LightState {
 class LightController {
  public:
   struct Options {
-    bool background = false;  // bake politely: gi::LightBake::Options
+    bool background = false;                    // bake politely: gi::LightBake::Options
+    std::optional<int> threads = std::nullopt;  // scene::Machine::threads
   };
   explicit LightController(Options options);
   ~LightController();  // stops all work without waiting for its end: base/retire.h
@@ -50,6 +51,7 @@ class LightController {
   void setScene(const scene::Scene& resolved, std::shared_ptr<const volume::PreparedVolume> volume);
   // The surface points of the picture, voxel coordinates, NaN where there is none: Renderer::hitVoxels().
   void setVisible(std::vector<glm::vec3> hitVoxels);
+  void setThreads(std::optional<int> threads);  // from now on
   void setPaused(bool paused);
   bool paused() const;
   void yield(bool yielding);  // gi::LightBake::yield()

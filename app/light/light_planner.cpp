@@ -8,8 +8,10 @@
 #include <tbb/global_control.h>
 
 #include "base/retire.h"
+#include "gi/light_key.h"
+#include "gi/texels/texel_band.h"
 #include "gi/texels/texel_sets.h"
-#include "gi/trace/path_tracer.h"
+#include "gi/trace/lattice_estimator.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 
@@ -21,10 +23,10 @@ namespace {
 std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
   std::vector<double> isovalues = {*scene.isosurface.value};
   bool transparent = scene.isosurface.opacity < 1.0;
-  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4}) {
-    if (!extra->shown) continue;
-    isovalues.push_back(*extra->value);
-    transparent = transparent || extra->opacity < 1.0;
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces) {
+    if (!extra.shown) continue;
+    isovalues.push_back(*extra.value);
+    transparent = transparent || extra.opacity < 1.0;
   }
   if (!transparent) isovalues.clear();
   return isovalues;
@@ -43,13 +45,13 @@ std::string nameOf(const scene::Environment& settings) {
   return settings.file + '\n' + (missing ? "" : std::to_string(written.time_since_epoch().count()));
 }
 
-int threadsOf(const scene::Gi& gi) {
-  // What --threads allows, else one per core.
-  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return gi.threads.value_or(static_cast<int>(std::max<std::size_t>(1, allowed)));
-}
-
 }  // namespace
+
+// Without a setting, what --threads allows, else one per core.
+int LightPlanner::threads() const {
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return threads_.value_or(static_cast<int>(std::max<std::size_t>(1, allowed)));
+}
 
 const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePointer& volume,
                                     base::Progress& progress) {
@@ -92,7 +94,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePo
         "reaches "
         "(about 1600 x 1600 x 1600)");
   for (const auto& bake : {sky_.bake, lamps_.bake})
-    if (const int wanted = threadsOf(resolved.gi); bake && bake->counters().threads < wanted)
+    if (const int wanted = threads(); bake && bake->counters().threads < wanted)
       plan_.warnings.push_back("the system gives " + std::to_string(bake->counters().threads) + " of the " +
                                std::to_string(wanted) + " threads wanted for light");
   publish();
@@ -117,7 +119,7 @@ void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const s
   const auto samples = static_cast<std::uint32_t>(scene_.gi.samples);
   if (part.bake && part.key == key) {
     part.bake->setSamples(samples);
-    part.bake->setThreads(threadsOf(scene_.gi));
+    part.bake->setThreads(threads());
     return;
   }
   if (part.bake) part.bake->requestStop();  // its threads end before those of the new one have much to do
@@ -131,10 +133,9 @@ void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const s
 
 std::shared_ptr<gi::LightBake> LightPlanner::makeBake(const Part& part,
                                                       std::shared_ptr<gi::LightLattice> lattice) const {
-  auto bake =
-      std::make_unique<gi::LightBake>(std::move(lattice), part.estimator,
-                                      gi::LightBake::Options{static_cast<std::uint32_t>(scene_.gi.samples),
-                                                             threadsOf(scene_.gi), background_});
+  auto bake = std::make_unique<gi::LightBake>(
+      std::move(lattice), part.estimator,
+      gi::LightBake::Options{static_cast<std::uint32_t>(scene_.gi.samples), threads(), background_});
   // Whoever drops the last reference does not wait for its threads.
   return {bake.release(), [](gi::LightBake* dead) {
             dead->requestStop();

@@ -38,6 +38,7 @@ struct LightPlan {
 class LightPlanner {
  public:
   explicit LightPlanner(bool background) : background_(background) {}
+  void setThreads(std::optional<int> threads) { threads_ = threads; }  // of the next plan
   ~LightPlanner() { stop(); }
   LightPlanner(const LightPlanner&) = delete;
   LightPlanner& operator=(const LightPlanner&) = delete;
@@ -77,11 +78,13 @@ class LightPlanner {
   void wish(Part& part, const std::vector<gi::WantedBlock>& visible,
             const std::vector<gi::WantedBlock>& nearby, base::Progress& progress);
   std::shared_ptr<gi::LightBake> makeBake(const Part& part, std::shared_ptr<gi::LightLattice> lattice) const;
+  int threads() const;
   void stop();
   void publish();
   int reach() const;
 
   bool background_;
+  std::optional<int> threads_;
   scene::Scene scene_;
   VolumePointer volume_;
 

@@ -40,20 +40,21 @@ struct LightStudio::Alternative {
   std::vector<float> irradiance{};
 };
 
-LightStudio::LightStudio(render::Renderer& renderer, ReferenceView& reference,
+LightStudio::LightStudio(render::Renderer& renderer, SurfaceTruth& truth,
                          std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene,
-                         glm::ivec2 size, int repeat)
+                         const scene::Machine& machine, glm::ivec2 size, int repeat)
     : renderer_(renderer),
-      reference_(reference),
+      truth_(truth),
       volume_(std::move(volume)),
       scene_(std::move(scene)),
       size_(size),
-      repeat_(repeat) {}
+      repeat_(repeat),
+      controller_({.threads = machine.threads}) {}
 
 void LightStudio::prepareHits(base::Progress& progress) {
   if (!hits_.empty()) return;
-  hits_ = reference_.of(scene::Field::trilinear, scene::Field::cubic, progress).hits;
-  for (const ReferenceHit& hit : hits_)
+  hits_ = truth_.of(scene::Field::trilinear, scene::Field::cubic, progress).hits;
+  for (const TrueHit& hit : hits_)
     hitVoxels_.push_back(hit.hit ? glm::vec3(hit.voxel) : glm::vec3(std::numeric_limits<float>::quiet_NaN()));
 }
 
@@ -69,9 +70,11 @@ const LightTruth& LightStudio::truthOf(const scene::Scene& lit, int bounces, bas
   const glm::dvec3 skyScale = light->choice.unitSky ? exposure * environment_->mean() : glm::dvec3(exposure);
 
   std::vector<bool> isHit;
-  for (const ReferenceHit& hit : hits_) isHit.push_back(hit.hit && hit.fromOutside);
+  isHit.reserve(hits_.size());
+  for (const TrueHit& hit : hits_) isHit.push_back(hit.hit && hit.fromOutside);
   const std::vector<std::size_t> pixels = chosenPixels(isHit, kTruthPixels);
   std::vector<glm::vec3> voxels;
+  voxels.reserve(pixels.size());
   for (const std::size_t pixel : pixels) voxels.push_back(hitVoxels_[pixel]);
   const auto isovalue = static_cast<float>(volume_->grid().storedOfValue(*scene.isosurface.value));
   return truths_.emplace(bounces, lightTruthAt(light, skyScale, isovalue, voxels, pixels, {}, progress))

@@ -23,10 +23,10 @@ inline constexpr std::size_t kTruthPixels = 1024;  // of the view's, at most
 
 class LightStudio {
  public:
-  // As Studio's. `renderer` and `reference` are the Studio's own.
-  LightStudio(render::Renderer& renderer, ReferenceView& reference,
-              std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene, glm::ivec2 size,
-              int repeat);
+  // As Studio's. `renderer` and `truth` are the Studio's own.
+  LightStudio(render::Renderer& renderer, SurfaceTruth& truth,
+              std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene,
+              const scene::Machine& machine, glm::ivec2 size, int repeat);
 
   // A knob that has an effect in this scene. Throws Error{interrupted}.
   KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
@@ -36,18 +36,18 @@ class LightStudio {
   void prepareHits(base::Progress& progress);
   const LightTruth& truthOf(const scene::Scene& lit, int bounces, base::Progress& progress);
   void bake(Alternative& alternative, bool anew, base::Progress& progress);
-  // E of every pixel; NaN where the picture does not show the reference's first crossing.
+  // E of every pixel; NaN where the picture does not show the truth's first crossing.
   std::vector<float> draw(Alternative& alternative);
   void time(Alternative& alternative, int frames, base::Progress& progress);
 
   render::Renderer& renderer_;
-  ReferenceView& reference_;
+  SurfaceTruth& truth_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
   scene::Scene scene_;
   glm::ivec2 size_;
   int repeat_;
-  LightController controller_{{}};
-  std::vector<ReferenceHit> hits_;
+  LightController controller_;
+  std::vector<TrueHit> hits_;
   std::vector<glm::vec3> hitVoxels_;  // NaN where there is none
   std::shared_ptr<const gi::Environment> environment_;
   std::shared_ptr<const volume::IsosurfaceTracer> tracer_;

@@ -26,7 +26,7 @@ using Means = std::vector<glm::dvec3>;  // [point * kReplicates + replicate]
 
 class Estimator {
  public:
-  Estimator(std::shared_ptr<const gi::LightScene> light, glm::dvec3 skyScale,
+  Estimator(const std::shared_ptr<const gi::LightScene>& light, glm::dvec3 skyScale,
             std::vector<gi::LightPoint> points)
       : tracer_(light),
         skyScale_(skyScale),

@@ -67,13 +67,15 @@ struct Studio::Alternative {
 };
 
 Studio::Studio(std::shared_ptr<const render::Gl> gl, std::shared_ptr<const volume::PreparedVolume> volume,
-               scene::Scene scene, glm::ivec2 size, int repeat)
+               scene::Scene scene, const scene::Machine& machine, glm::ivec2 size, int repeat)
     : volume_(std::move(volume)),
       scene_(std::move(scene)),
       size_(size),
+      machine_(machine),
       repeat_(repeat),
       renderer_(std::move(gl)),
-      reference_(volume_, scene::resolve(scene_, volume_->facts), size) {
+      truth_(volume_, scene::resolve(scene_, volume_->facts), size) {
+  renderer_.setMemory(machine_.memory);
   renderer_.setVolume(volume_);
 }
 
@@ -132,8 +134,8 @@ void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& pro
 }
 
 void Studio::requireSurface(const scene::Scene& scene, base::Progress& progress) {
-  const Reference reference = reference_.of(scene.hit.field, scene.derivatives.field, progress);
-  if (std::none_of(reference.hits.begin(), reference.hits.end(), [](const ReferenceHit& h) { return h.hit; }))
+  const TrueSurface truth = truth_.of(scene.hit.field, scene.derivatives.field, progress);
+  if (std::none_of(truth.hits.begin(), truth.hits.end(), [](const TrueHit& h) { return h.hit; }))
     throw base::Error(base::ErrorKind::usage, "", "isosurface.value",
                       "no pixel of this view shows the surface");
 }
@@ -141,9 +143,9 @@ void Studio::requireSurface(const scene::Scene& scene, base::Progress& progress)
 StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, base::Progress& progress) {
   const scene::Scene& scene = alternative.scene;
   const auto errors = [&](scene::Field hitField, scene::Field shapeField) {
-    const Reference reference = reference_.of(hitField, shapeField, progress);
-    return errorsOf(alternative.images, reference,
-                    [&](std::size_t pixel) { return reference_.undecided(hitField, pixel); });
+    const TrueSurface truth = truth_.of(hitField, shapeField, progress);
+    return errorsOf(alternative.images, truth,
+                    [&](std::size_t pixel) { return truth_.undecided(hitField, pixel); });
   };
   StudySetting setting;
   setting.value = alternative.value;
@@ -165,7 +167,7 @@ KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from,
     if (!skipped.skipped.empty()) return skipped;
     requireSurface(turned(knob, knob.values.front(), scene_, volume_->facts), progress);
     if (!light_)
-      light_ = std::make_unique<LightStudio>(renderer_, reference_, volume_, scene_, size_, repeat_);
+      light_ = std::make_unique<LightStudio>(renderer_, truth_, volume_, scene_, machine_, size_, repeat_);
     drawnField_.reset();
     return light_->study(knob, progress, from, to);
   }

@@ -15,9 +15,10 @@
 
 #include "app/study/study_errors.h"
 #include "app/study/study_knobs.h"
-#include "app/study/study_reference.h"
+#include "app/study/surface_truth.h"
 #include "base/progress.h"
 #include "render/renderer.h"
+#include "scene/machine.h"
 
 namespace isolux::app {
 
@@ -70,7 +71,7 @@ class Studio {
   // `scene` as the user gave it. `gl` stays current. Throws Error{usage} where no pixel of the view shows the
   // surface.
   Studio(std::shared_ptr<const render::Gl> gl, std::shared_ptr<const volume::PreparedVolume> volume,
-         scene::Scene scene, glm::ivec2 size, int repeat);
+         scene::Scene scene, const scene::Machine& machine, glm::ivec2 size, int repeat);
   ~Studio();
 
   // `from`, `to`: what part of the progress this is. Throws Error{interrupted}.
@@ -87,9 +88,10 @@ class Studio {
   std::shared_ptr<const volume::PreparedVolume> volume_;
   scene::Scene scene_;
   glm::ivec2 size_;
+  scene::Machine machine_;
   int repeat_;
   render::Renderer renderer_;
-  ReferenceView reference_;
+  SurfaceTruth truth_;
   std::optional<scene::Field> drawnField_;  // of the hits of the last frame
   std::unique_ptr<LightStudio> light_;      // once asked for
 };

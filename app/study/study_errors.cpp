@@ -14,7 +14,7 @@ double angleDegrees(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * (180.0 / std::numbers::pi);
 }
 
-double curvatureError(const float* drawn, const ReferenceShape& shape, double flat) {
+double curvatureError(const float* drawn, const TrueShape& shape, double flat) {
   const double size = std::max({std::abs(shape.kappa1), std::abs(shape.kappa2), flat});
   return std::max(std::abs(drawn[0] - shape.kappa1), std::abs(drawn[1] - shape.kappa2)) / size;
 }
@@ -25,10 +25,9 @@ double partsPerMillion(std::size_t count, std::size_t of) {
 
 }  // namespace
 
-bool isFirstCrossing(double depthMm, const ReferenceHit& reference) {
-  const double behind = depthMm - reference.depthMm;
-  return std::abs(behind) * reference.voxelsPerMm <= kSameCrossingVoxels &&
-         behind <= reference.nextMm - depthMm;
+bool isFirstCrossing(double depthMm, const TrueHit& truth) {
+  const double behind = depthMm - truth.depthMm;
+  return std::abs(behind) * truth.voxelsPerMm <= kSameCrossingVoxels && behind <= truth.nextMm - depthMm;
 }
 
 Spread spreadOf(std::vector<double> errors) {
@@ -40,7 +39,7 @@ Spread spreadOf(std::vector<double> errors) {
   }
   std::sort(errors.begin(), errors.end());
   const auto quantile = [&](double part) {
-    return errors[static_cast<std::size_t>(part * static_cast<double>(errors.size() - 1) + 0.5)];
+    return errors[static_cast<std::size_t>(std::lround(part * static_cast<double>(errors.size() - 1)))];
   };
   double squares = 0.0;
   for (const double error : errors) squares += error * error;
@@ -58,13 +57,13 @@ double Errors::inventedPpm() const {
   return partsPerMillion(invented, pixels);
 }
 
-Errors errorsOf(const DrawnImages& drawn, const Reference& reference,
+Errors errorsOf(const DrawnImages& drawn, const TrueSurface& truth,
                 const std::function<bool(std::size_t)>& undecided) {
   Errors errors;
-  errors.pixels = reference.hits.size();
+  errors.pixels = truth.hits.size();
   std::vector<double> depthVoxels, depthMm, normal, curvature;
   for (std::size_t i = 0; i < errors.pixels; ++i) {
-    const ReferenceHit& expected = reference.hits[i];
+    const TrueHit& expected = truth.hits[i];
     const bool hit = drawn.hit[i] != 0.0f;
     if (expected.hit) ++errors.surface;
     if (!expected.hit && !hit) continue;
@@ -77,12 +76,12 @@ Errors errorsOf(const DrawnImages& drawn, const Reference& reference,
     depthMm.push_back(std::abs(depth - expected.depthMm));
     depthVoxels.push_back(depthMm.back() * expected.voxelsPerMm);
 
-    const ReferenceShape& shape = reference.shapes[i];
+    const TrueShape& shape = truth.shapes[i];
     const glm::dvec3 n(drawn.normal[3 * i], drawn.normal[3 * i + 1], drawn.normal[3 * i + 2]);
     if (shape.hasNormal && !std::isnan(n.x)) normal.push_back(angleDegrees(n, shape.normal));
     const float* const kappa = &drawn.kappa[2 * i];
     if (shape.hasCurvature && !std::isnan(kappa[0]))
-      curvature.push_back(curvatureError(kappa, shape, reference.flatCurvature));
+      curvature.push_back(curvatureError(kappa, shape, truth.flatCurvature));
   }
   errors.depthVoxels = spreadOf(std::move(depthVoxels));
   errors.depthMm = spreadOf(std::move(depthMm));

@@ -15,7 +15,7 @@
 namespace isolux::app {
 
 // What a ray meets, in double precision.
-struct ReferenceHit {
+struct TrueHit {
   bool hit = false;
   double depthMm = 0.0;
   double nextMm = std::numeric_limits<double>::infinity();  // the crossing behind it, where there is one
@@ -25,7 +25,7 @@ struct ReferenceHit {
 };
 
 // The surface's shape where a ray meets it, in double precision.
-struct ReferenceShape {
+struct TrueShape {
   bool hasNormal = false;     // false: no hit, or no gradient
   bool hasCurvature = false;  // and the gradient stands clear of the volume's noise
   glm::dvec3 normal{0.0};     // unit
@@ -33,9 +33,9 @@ struct ReferenceShape {
 };
 
 // A view in double precision.
-struct Reference {
-  const std::vector<ReferenceHit>& hits;
-  const std::vector<ReferenceShape>& shapes;
+struct TrueSurface {
+  const std::vector<TrueHit>& hits;
+  const std::vector<TrueShape>& shapes;
   double flatCurvature = 0.0;  // 1/mm: smaller curvatures are judged as if they were this large
 };
 
@@ -55,10 +55,10 @@ Spread spreadOf(std::vector<double> errors);
 
 struct Errors {
   std::size_t pixels = 0;     // of the picture
-  std::size_t surface = 0;    // pixels where the reference hits
-  std::size_t missed = 0;     // the reference's crossing was not found: nothing, or one further behind
-  std::size_t invented = 0;   // a hit where the reference has none, or clearly in front of its first
-  std::size_t undecided = 0;  // would be one of these, but the reference's own answer hangs on a rounding
+  std::size_t surface = 0;    // pixels where the truth hits
+  std::size_t missed = 0;     // the truth's crossing was not found: nothing, or one further behind
+  std::size_t invented = 0;   // a hit where the truth has none, or clearly in front of its first
+  std::size_t undecided = 0;  // would be one of these, but the truth's own answer hangs on a rounding
   Spread depthVoxels, depthMm, normalDegrees;
   Spread curvature;   // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
   LightErrors light;  // of knobs of light, which have nothing of the above
@@ -67,16 +67,16 @@ struct Errors {
   double inventedPpm() const;
 };
 
-// The longest step between samples that the study measures, voxels: hits farther from the reference's first
+// The longest step between samples that the study measures, voxels: hits farther from the truth's first
 // crossing than this are not of that crossing.
 inline constexpr double kSameCrossingVoxels = 2.0;
 
-// A hit is of the reference's first crossing when it is nearer to it than to the next one behind, and not
+// A hit is of the truth's first crossing when it is nearer to it than to the next one behind, and not
 // farther from it than that step.
-bool isFirstCrossing(double depthMm, const ReferenceHit& reference);
+bool isFirstCrossing(double depthMm, const TrueHit& truth);
 
 // `undecided(pixel)`: asked about missed and invented pixels only.
-Errors errorsOf(const DrawnImages& drawn, const Reference& reference,
+Errors errorsOf(const DrawnImages& drawn, const TrueSurface& truth,
                 const std::function<bool(std::size_t)>& undecided);
 
 }  // namespace isolux::app

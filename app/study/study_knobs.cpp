@@ -25,7 +25,7 @@ const Knob* find(const std::string& name) {
 }
 
 scene::Scene resolvedFirstSurface(scene::Scene scene, const scene::VolumeFacts& facts) {
-  scene.isosurface2.shown = scene.isosurface3.shown = scene.isosurface4.shown = false;
+  for (scene::ExtraIsosurface& extra : scene.extraIsosurfaces) extra.shown = false;
   return scene::resolve(std::move(scene), facts);
 }
 

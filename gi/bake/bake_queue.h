@@ -13,9 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "gi/bake/light_bake.h"
+#include "gi/bake/wish.h"
 
 namespace isolux::gi {
+
+// Samples at the ends of the rounds up to `samples`: 4, 16, 64, ..., samples.
+std::vector<std::uint32_t> roundsUpTo(std::uint32_t samples);
 
 class BakeQueue {
  public:
@@ -53,6 +56,7 @@ class BakeQueue {
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct Item {
     std::uint32_t target = 0, index = 0;  // in the wish
+    // NOLINTNEXTLINE(modernize-use-nullptr): the 0 it compares with is the library's
     auto operator<=>(const Item&) const = default;
   };
   using Heap = std::priority_queue<Item, std::vector<Item>, std::greater<>>;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gi/bake/bake_queue.h"
+#include "gi/bake/texel_estimator.h"
 
 namespace isolux::gi {
 

@@ -14,26 +14,16 @@
 // bake and are kept as failure().
 #pragma once
 
-#include <bitset>
 #include <cstdint>
 #include <exception>
 #include <memory>
 #include <vector>
 
 #include "gi/bake/texel_estimator.h"
+#include "gi/bake/wish.h"
 #include "gi/lattice/light_lattice.h"
 
 namespace isolux::gi {
-
-// Texels of one block.
-struct WantedBlock {
-  std::uint32_t block = 0;
-  std::bitset<kTexelsOfBlock> texels;
-  bool operator==(const WantedBlock&) const = default;
-};
-
-// In the order in which they are served.
-enum class Wish { visible, nearby, band, rest };
 
 struct BakeCounters {
   // Of all wishes, each texel once; those whose isosurface has no normal are wanted until that is known.
@@ -87,8 +77,5 @@ class LightBake {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-// Samples at the ends of the rounds up to `samples`: 4, 16, 64, ..., samples.
-std::vector<std::uint32_t> roundsUpTo(std::uint32_t samples);
 
 }  // namespace isolux::gi

@@ -29,7 +29,7 @@ class TexelEstimator {
   // the texel and the samples. Returns false, with `sums` undefined, when stopped; looks at `stop` every few
   // ms. `rays` counts up. Thread-safe.
   virtual bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
-                   std::span<double> sums, std::uint64_t& rays, std::stop_token stop) const = 0;
+                   std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const = 0;
 };
 
 }  // namespace isolux::gi

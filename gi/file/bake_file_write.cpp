@@ -215,7 +215,8 @@ void write(const fs::path& path, const volume::Grid& grid, const StoredLight& li
         std::uint32_t* const to = numbers.data() + t * array.components;
         if (array.fill) return array.fill(*block, i, to);
         const glm::vec3 normal = block->normals[i] != glm::vec3(0.0f) ? block->normals[i] : otherNormal(b, i);
-        std::memcpy(to, &normal, sizeof normal);
+        const float components[] = {normal.x, normal.y, normal.z};
+        std::memcpy(to, components, sizeof components);
       });
       out.add(numbers.data(), numbers.size() * 4);
     }

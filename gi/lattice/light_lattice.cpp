@@ -25,7 +25,7 @@ constexpr std::size_t kTableEntry =
 
 }  // namespace
 
-LightLattice::LightLattice(LatticeGeometry geometry, LightContent content, std::string key)
+LightLattice::LightLattice(const LatticeGeometry& geometry, LightContent content, std::string key)
     : geometry_(geometry),
       content_(content),
       key_(std::move(key)),

@@ -52,7 +52,7 @@ struct LatticeBlock {
 
 class LightLattice {
  public:
-  LightLattice(LatticeGeometry geometry, LightContent content, std::string key);
+  LightLattice(const LatticeGeometry& geometry, LightContent content, std::string key);
 
   const LatticeGeometry& geometry() const { return geometry_; }
   const LightContent& content() const { return content_; }

@@ -1,3 +1,5 @@
+#include "gi/texels/texel_band.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -11,7 +13,6 @@
 #include <tbb/parallel_for.h>
 
 #include "gi/lattice/texel_bits.h"
-#include "gi/texels/texel_sets.h"
 
 namespace isolux::gi {
 
@@ -53,6 +54,12 @@ class Footprints {
   int reach_, margin_;
 };
 
+// In arrays of kBlockTexels^2 numbers a slice, kBlockTexels a row.
+std::size_t place(int z, int y, int x) {
+  const int index = (z * kBlockTexels + y) * kBlockTexels + x;
+  return static_cast<std::size_t>(index);
+}
+
 // Which texels of a block have values within [low, high] (stored units) in their footprints. One for each
 // thread: the tables are kept.
 template <class T>
@@ -86,7 +93,7 @@ class BlockScan {
           Range range;
           const Span span = spans[0][static_cast<std::size_t>(tx)];
           for (int x = span.first; x <= span.last; ++x) range.add(static_cast<float>(line[x]));
-          rows_[static_cast<std::size_t>(y * kBlockTexels + tx)] = range;
+          rows_[place(0, y, tx)] = range;
           all.add(range);
         }
       }
@@ -95,8 +102,8 @@ class BlockScan {
           Range range;
           const Span span = spans[1][static_cast<std::size_t>(ty)];
           for (int y = span.first - whole[1].first; y <= span.last - whole[1].first; ++y)
-            range.add(rows_[static_cast<std::size_t>(y * kBlockTexels + tx)]);
-          sheets_[static_cast<std::size_t>((z * kBlockTexels + ty) * kBlockTexels + tx)] = range;
+            range.add(rows_[place(0, y, tx)]);
+          sheets_[place(z, ty, tx)] = range;
         }
     }
     std::bitset<kTexelsOfBlock> texels;
@@ -107,8 +114,8 @@ class BlockScan {
         Range range;
         const Span span = spans[2][static_cast<std::size_t>(tz)];
         for (int z = span.first - whole[2].first; z <= span.last - whole[2].first; ++z)
-          range.add(sheets_[static_cast<std::size_t>(z * kBlockTexels * kBlockTexels + i)]);
-        texels[static_cast<std::size_t>(tz * kBlockTexels * kBlockTexels + i)] = range.meets(low, high);
+          range.add(sheets_[place(z, 0, i)]);
+        texels[place(tz, 0, i)] = range.meets(low, high);
       }
     return texels;
   }

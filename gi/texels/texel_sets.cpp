@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
+
 #include "gi/lattice/texel_bits.h"
 
 namespace isolux::gi {
@@ -82,7 +84,8 @@ TexelWords widened(const TexelWords& before, const TexelWords& self, const Texel
           out[s] |= before[s] | after[s];
       } else {
         const int low = z - step, high = z + step;
-        out[s] |= low >= 0 ? self[static_cast<std::size_t>(low)] : before[static_cast<std::size_t>(low + n)];
+        out[s] |=
+            low >= 0 ? self[static_cast<std::size_t>(low)] : before[s + n - static_cast<std::size_t>(step)];
         out[s] |= high < n ? self[static_cast<std::size_t>(high)] : after[static_cast<std::size_t>(high - n)];
       }
     }

@@ -1,16 +1,13 @@
-// Which texels a picture, a band of isovalues, or a whole volume needs.
+// Which texels a picture or a whole volume needs (a band of isovalues: gi/texels/texel_band.h).
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "base/progress.h"
-#include "gi/bake/light_bake.h"
-#include "scene/scene.h"
-#include "volume/grid.h"
+#include "gi/bake/wish.h"
+#include "gi/lattice/light_lattice.h"
 
 namespace isolux::gi {
 
@@ -21,12 +18,6 @@ std::vector<WantedBlock> texelsAround(const LatticeGeometry& lattice, std::span<
 // Those that are within `texels` steps along each axis of one of `inner`, and not in it.
 std::vector<WantedBlock> texelsBeside(const LatticeGeometry& lattice, const std::vector<WantedBlock>& inner,
                                       int texels);
-// Texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read, by the least and
-// greatest voxel around each: all of them, and few more. Of Field::cubic_interpolating, which overshoots its
-// voxels, some may be missing. Multithreaded; throws Error{interrupted}.
-std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volume::Grid& grid, double low,
-                                      double high, int reach, base::Progress& progress,
-                                      scene::Field field = scene::Field::trilinear);
 std::vector<WantedBlock> allTexels(const LatticeGeometry& lattice);
 
 }  // namespace isolux::gi

@@ -1,7 +1,7 @@
-// The texels of a lattice as points of the path tracer.
+#include "gi/trace/lattice_estimator.h"
+
 #include <cmath>
 
-#include "gi/trace/path_tracer.h"
 #include "gi/trace/path_wave.h"
 
 namespace isolux::gi {
@@ -34,7 +34,7 @@ std::uint32_t seedOf(std::uint64_t texel) {
 
 }  // namespace
 
-LatticeEstimator::LatticeEstimator(std::shared_ptr<const LightScene> light, LatticeGeometry geometry,
+LatticeEstimator::LatticeEstimator(std::shared_ptr<const LightScene> light, const LatticeGeometry& geometry,
                                    LightPart part)
     : tracer_(std::move(light)), geometry_(geometry), part_(part) {}
 
@@ -59,7 +59,7 @@ void LatticeEstimator::normals(std::span<const glm::ivec3> texels, std::span<glm
 
 bool LatticeEstimator::add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
                            SampleRange range, std::span<double> sums, std::uint64_t& rays,
-                           std::stop_token stop) const {
+                           const std::stop_token& stop) const {
   const volume::Grid& grid = tracer_.light().volume->grid();
   std::vector<LightPoint> points(texels.size());
   for (std::size_t i = 0; i < texels.size(); ++i) {

@@ -114,7 +114,7 @@ bool PathTracer::forEachEstimate(LightPart part, std::span<const LightPoint> poi
 
 bool PathTracer::irradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
                             std::span<glm::vec3> means, std::span<float> variances, std::uint64_t& rays,
-                            std::stop_token stop) const {
+                            const std::stop_token& stop) const {
   assert(means.size() == points.size() && (variances.empty() || variances.size() == points.size()));
   std::vector<PointSum> sums(points.size());
   std::vector<glm::vec3> constant(points.size(), glm::vec3(0.0f));
@@ -134,7 +134,8 @@ bool PathTracer::irradiance(LightPart part, std::span<const LightPoint> points, 
 }
 
 bool PathTracer::addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
-                               std::span<glm::dvec3> sums, std::uint64_t& rays, std::stop_token stop) const {
+                               std::span<glm::dvec3> sums, std::uint64_t& rays,
+                               const std::stop_token& stop) const {
   assert(sums.size() == points.size());
   return forEachEstimate(part, points, range, rays, stop,
                          [&](std::size_t point, glm::vec3 direct, glm::vec3 light) {
@@ -143,16 +144,16 @@ bool PathTracer::addIrradiance(LightPart part, std::span<const LightPoint> point
 }
 
 bool PathTracer::transfer(std::span<const LightPoint> points, SampleRange range, std::span<float> means,
-                          std::uint64_t& rays, std::stop_token stop) const {
+                          std::uint64_t& rays, const std::stop_token& stop) const {
   std::vector<double> sums(means.size(), 0.0);
-  if (!addTransfer(points, range, sums, rays, std::move(stop))) return false;
+  if (!addTransfer(points, range, sums, rays, stop)) return false;
   const double perPath = range.count > 0 ? 1.0 / range.count : 0.0;
   for (std::size_t i = 0; i < means.size(); ++i) means[i] = static_cast<float>(sums[i] * perPath);
   return true;
 }
 
 bool PathTracer::addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,
-                             std::uint64_t& rays, std::stop_token stop) const {
+                             std::uint64_t& rays, const std::stop_token& stop) const {
   const PathSetup& setup = *setup_;
   const int order = setup.light->shOrder, channels = setup.light->choice.channels;
   const auto terms = static_cast<std::size_t>(shTerms(order));

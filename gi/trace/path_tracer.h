@@ -44,17 +44,17 @@ class PathTracer {
   // when stopped.
   bool irradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
                   std::span<glm::vec3> means, std::span<float> variances, std::uint64_t& rays,
-                  std::stop_token stop) const;
+                  const std::stop_token& stop) const;
   // The same estimates, each added to its point's sum in the order of the samples: cut into calls in any way,
   // the sums are the same bit by bit.
   bool addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
-                     std::span<glm::dvec3> sums, std::uint64_t& rays, std::stop_token stop) const;
+                     std::span<glm::dvec3> sums, std::uint64_t& rays, const std::stop_token& stop) const;
   // Mean transfer vectors, light.choice.channels * order^2 floats a point (LightContent); or their sums, as
   // above.
   bool transfer(std::span<const LightPoint> points, SampleRange range, std::span<float> means,
-                std::uint64_t& rays, std::stop_token stop) const;
+                std::uint64_t& rays, const std::stop_token& stop) const;
   bool addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,
-                   std::uint64_t& rays, std::stop_token stop) const;
+                   std::uint64_t& rays, const std::stop_token& stop) const;
 
   // Outward unit normal, world, of a gradient of IsosurfaceTracer::gradients(); 0 where there is none.
   glm::vec3 normalOf(glm::vec3 gradient) const;
@@ -71,21 +71,6 @@ class PathTracer {
 
   std::shared_ptr<const PathSetup> setup_;
   std::shared_ptr<std::atomic<std::uint64_t>> capped_;  // of all copies
-};
-
-// The texels of a lattice as points: position, own isovalue, B-spline normal.
-class LatticeEstimator : public TexelEstimator {
- public:
-  LatticeEstimator(std::shared_ptr<const LightScene> light, LatticeGeometry geometry, LightPart part);
-  LightContent content() const override;
-  void normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const override;
-  bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
-           std::span<double> sums, std::uint64_t& rays, std::stop_token stop) const override;
-
- private:
-  PathTracer tracer_;
-  LatticeGeometry geometry_;
-  LightPart part_;
 };
 
 }  // namespace isolux::gi

@@ -45,9 +45,8 @@ PrimaryHits::PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, c
     surfaces_.push_back({isovalue, mapped ? map.at(isovalue) : glm::vec3(albedo)});
   };
   add(resolved.isosurface.value.value(), resolved.isosurface.albedo);
-  for (const scene::ExtraIsosurface* extra :
-       {&resolved.isosurface2, &resolved.isosurface3, &resolved.isosurface4})
-    if (extra->shown) add(extra->value.value(), extra->albedo);
+  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
+    if (extra.shown) add(extra.value.value(), extra.albedo);
 
   cubic_ = volume_->cubicFields->make(field_, progress);
 }

@@ -22,8 +22,8 @@ constexpr std::size_t kPointsOfTask = 256;
 
 scene::Scene checked(scene::Scene scene) {
   bool opaque = scene.isosurface.opacity >= 1.0;
-  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    opaque = opaque && (!extra->shown || extra->opacity >= 1.0);
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
+    opaque = opaque && (!extra.shown || extra.opacity >= 1.0);
   if (!opaque)
     throw base::Error(base::ErrorKind::usage, "", "isosurface.opacity",
                       "the reference is of opaque surfaces only: set it to 1");
@@ -84,7 +84,7 @@ std::size_t Reference::bytesOf(glm::ivec2 size) {
 Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
                      std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                      std::shared_ptr<const Environment> environment, const scene::Scene& resolved,
-                     Options options, base::Progress& progress)
+                     const Options& options, base::Progress& progress)
     : held_(base::machineMemory().reserve(bytesOf(options.size), "a path traced picture of this size",
                                           "a smaller one needs less")),
       scene_(checked(resolved)),
@@ -177,7 +177,7 @@ glm::vec3 Reference::localLight(glm::vec3 normal, glm::dvec3 worldMm) const {
 }
 
 bool Reference::refineTask(std::size_t task, std::uint32_t samples, std::uint64_t& rays,
-                           std::stop_token stop) {
+                           const std::stop_token& stop) {
   const std::size_t first = task * kPointsOfTask, count = std::min(kPointsOfTask, points_.size() - first);
   const SampleRange range{samples_[task], samples - samples_[task]};
   std::vector<LightPoint> points(points_.begin() + static_cast<std::ptrdiff_t>(first),

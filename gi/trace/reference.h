@@ -53,8 +53,8 @@ class Reference {
   // memory before anything is made, interrupted.
   Reference(std::shared_ptr<const volume::PreparedVolume> volume,
             std::shared_ptr<const volume::IsosurfaceTracer> tracer,
-            std::shared_ptr<const Environment> environment, const scene::Scene& resolved, Options options,
-            base::Progress& progress);
+            std::shared_ptr<const Environment> environment, const scene::Scene& resolved,
+            const Options& options, base::Progress& progress);
 
   // Adds samples to all pixels up to this number and reports fractions of [from, to]. False when stopped
   // (within 100 ms): what is finished stays, pixels then differ in their number of samples.
@@ -72,7 +72,7 @@ class Reference {
   };
   void findHits(const Options& options, base::Progress& progress);
   glm::vec3 localLight(glm::vec3 normal, glm::dvec3 worldMm) const;
-  bool refineTask(std::size_t task, std::uint32_t samples, std::uint64_t& rays, std::stop_token stop);
+  bool refineTask(std::size_t task, std::uint32_t samples, std::uint64_t& rays, const std::stop_token& stop);
 
   static std::size_t bytesOf(glm::ivec2 size);  // of all that there is per pixel, with an image()
 

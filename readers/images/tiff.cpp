@@ -23,7 +23,7 @@ struct PageOfFile {
   TiffPage page;
 };
 
-std::optional<VoxelType> typeOf(OIIO::TypeDesc format) {
+std::optional<VoxelType> typeOf(const OIIO::TypeDesc& format) {
   switch (format.basetype) {
     case OIIO::TypeDesc::INT8:
       return VoxelType::int8;

@@ -99,7 +99,7 @@ class OsMesa final : public OffscreenContext {
   unsigned char (*makeCurrent_)(OsMesaContext, void*, unsigned, int, int) = nullptr;
   void (*destroy_)(OsMesaContext) = nullptr;
   OsMesaContext context_ = nullptr;
-  std::array<unsigned char, 8 * 8 * 4> pixels_{};  // the default framebuffer nobody draws into
+  std::array<unsigned char, std::size_t{8} * 8 * 4> pixels_{};  // the default framebuffer nobody draws into
   std::shared_ptr<const Gl> gl_;
   ContextDescription description_;
 };
@@ -218,7 +218,9 @@ struct Candidate {
 
 std::vector<Candidate> eglCandidates() {
   std::vector<Candidate> candidates;
-  for (int device = 0; device < eglDeviceCount(); ++device)
+  const int devices = eglDeviceCount();
+  candidates.reserve(static_cast<std::size_t>(devices) + 1);
+  for (int device = 0; device < devices; ++device)
     candidates.push_back(
         {"EGL device " + std::to_string(device), [device] { return std::make_unique<EglContext>(device); }});
   candidates.push_back({"EGL surfaceless", [] { return std::make_unique<EglContext>(-1); }});

@@ -121,6 +121,7 @@ class Program : public GlObject<deleteProgram> {
   Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
           const std::string& defines = "");
 
+  bool uses(const char* name) { return location(name) >= 0; }
   void set(const char* name, float value);
   void set(const char* name, int value);
   void set(const char* name, glm::vec2 value);

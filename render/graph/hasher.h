@@ -17,6 +17,11 @@ class Hasher {
     for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 0x100000001b3ull;
     return *this;
   }
+  template <class T, std::size_t N>
+  Hasher& add(const std::array<T, N>& values) {
+    for (const T& value : values) add(value);
+    return *this;
+  }
   operator std::uint64_t() const { return hash_; }
 
  private:

@@ -10,14 +10,13 @@ namespace isolux::render {
 
 namespace {
 
-// The settings of a path, or of a group ("camera."). Throws base::Error where there is none.
-std::vector<const scene::Setting*> settingsOf(std::string_view path) {
-  if (!path.ends_with('.')) return {&scene::setting(path)};
-  std::vector<const scene::Setting*> group;
+// The settings that a pattern covers, at least one.
+std::vector<const scene::Setting*> settingsOf(std::string_view pattern) {
+  std::vector<const scene::Setting*> found;
   for (const scene::Setting& setting : scene::settings())
-    if (setting.path.starts_with(path)) group.push_back(&setting);
-  assert(!group.empty());
-  return group;
+    if (scene::covers(pattern, setting.path)) found.push_back(&setting);
+  assert(!found.empty());
+  return found;
 }
 
 // The list is searched once for each path that a pass names.
@@ -66,7 +65,8 @@ Declaring& Declaring::settings(std::initializer_list<std::string_view> paths,
                                std::initializer_list<std::string_view> except) {
   for (const std::string_view path : paths)
     for (const scene::Setting* setting : known(path))
-      if (std::find(except.begin(), except.end(), setting->path) == except.end())
+      if (std::none_of(except.begin(), except.end(),
+                       [&](std::string_view pattern) { return scene::covers(pattern, setting->path); }))
         add({setting->path, asked.hashOf(*setting)});
   return *this;
 }
@@ -99,10 +99,11 @@ Declaring& Declaring::pictureSize() {
 
 Declaring& Declaring::isovalues() {
   const scene::Scene& s = asked.scene;
-  const auto isThere = [](const scene::ExtraIsosurface& extra) { return extra.shown && extra.opacity > 0.0; };
-  settings({"isosurface.value", "isosurface2.value", "isosurface3.value", "isosurface4.value"});
-  return input("which isosurfaces are there", s.isosurface.opacity > 0.0, isThere(s.isosurface2),
-               isThere(s.isosurface3), isThere(s.isosurface4), asked.volume.crossed);
+  std::array<bool, scene::kExtraIsosurfaces> there{};
+  for (std::size_t i = 0; i < there.size(); ++i)
+    there[i] = s.extraIsosurfaces[i].shown && s.extraIsosurfaces[i].opacity > 0.0;
+  settings({"isosurface.value", "isosurface#.value"});
+  return input("which isosurfaces are there", s.isosurface.opacity > 0.0, there, asked.volume.crossed);
 }
 
 }  // namespace isolux::render

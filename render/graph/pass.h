@@ -115,7 +115,7 @@ class Declaring {
 
   Declaring& reads(const char* image);
   Declaring& writes(const char* image);
-  // The result depends on these settings; "camera." stands for all of the group, but those in `except`.
+  // The result depends on these settings (patterns of scene::covers()), but not on those in `except`.
   Declaring& settings(std::initializer_list<std::string_view> paths,
                       std::initializer_list<std::string_view> except = {});
   // It depends on these values, too, which are no settings or come from several.

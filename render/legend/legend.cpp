@@ -152,7 +152,8 @@ void drawTriangle(Canvas& canvas, const Legend& legend, glm::ivec2 top, int leng
   for (int y = 0; y < length; ++y)
     for (int x = 0; x < length; ++x) {
       const float covered = glm::clamp(static_cast<float>(x - (length - 1 - y)) + 0.5f, 0.0f, 1.0f);
-      const auto at = static_cast<std::size_t>(texel(length - 1 - y) * side + texel(x));
+      const auto at = static_cast<std::size_t>(texel(length - 1 - y)) * static_cast<std::size_t>(side) +
+                      static_cast<std::size_t>(texel(x));
       canvas.over(top + glm::ivec2(x, y), encoded(legend.colors[at]), covered);
     }
 }

@@ -5,44 +5,21 @@
 #include "render/legend/legend.h"
 #include "scene/color_maps.h"
 #include "scene/curvature_map.h"
+#include "scene/looks.h"
 
 namespace isolux::render {
 
 namespace {
 
-using scene::LookMode;
-
 Legend legendOf(const scene::Look& look, glm::dvec2 range) {
+  const scene::LookInfo& info = scene::lookInfo(look.mode);
   Legend legend;
-  legend.unit = "1/mm";
+  legend.quantity = info.quantity;
+  legend.quantityVertical = info.quantityVertical;
+  legend.unit = scene::unitOf(info);
   legend.low = range.x;
   legend.high = range.y;
   legend.colors = measureColors(look).texels;
-  switch (look.mode) {
-    case LookMode::kappa1:
-      legend.quantity = "κ₁";
-      break;
-    case LookMode::kappa2:
-      legend.quantity = "κ₂";
-      break;
-    case LookMode::mean_curvature:
-      legend.quantity = "mean";
-      break;
-    case LookMode::gaussian_curvature:
-      legend.quantity = "Gaussian";
-      legend.unit = "1/mm²";
-      break;
-    case LookMode::shape_index:
-      legend.quantity = "shape index";
-      legend.unit = "";
-      break;
-    case LookMode::curvature_2d:
-      legend.quantity = "κ₁";
-      legend.quantityVertical = "κ₂";
-      break;
-    default:
-      legend.quantity = "curvedness";
-  }
   return legend;
 }
 
@@ -50,9 +27,10 @@ Legend legendOf(const scene::Look& look, glm::dvec2 range) {
 
 MeasureColors measureColors(const scene::Look& look) {
   constexpr int samples = 256, side = 64;
-  if (look.mode == LookMode::curvature_2d)
+  const scene::LookInfo& info = scene::lookInfo(look.mode);
+  if (info.kind == scene::LookKind::square)
     return {glm::ivec2(side), scene::curvatureTexels(look.curvaturePoints, side)};
-  return {glm::ivec2(samples, 1), scene::colorMapSamples(look.colormap, look.mode, samples)};
+  return {glm::ivec2(samples, 1), scene::colorMapSamples(look.colormap, samples, info.colors)};
 }
 
 void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range) {

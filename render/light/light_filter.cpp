@@ -13,7 +13,8 @@ namespace {
 constexpr float kDistance = 0.6f, kIsovalueDistance = 0.5f;  // texels
 
 std::size_t at(int x, int y, int z) {
-  return static_cast<std::size_t>((z * kFilterTexels + y) * kFilterTexels + x);
+  const int index = (z * kFilterTexels + y) * kFilterTexels + x;
+  return static_cast<std::size_t>(index);
 }
 
 // Weights by distance, of 0 to 3 axes that differ by one texel.
@@ -45,8 +46,9 @@ FilterTexel filtered(const std::vector<FilterTexel>& texels, int x, int y, int z
         if (cosine <= 0.0f) continue;
         const float off = (other.isovalue - own.isovalue) / (steepness * kIsovalueDistance);
         const float c2 = cosine * cosine, c4 = c2 * c2;
-        const float weight = distanceWeights()[static_cast<std::size_t>(dx * dx + dy * dy + dz * dz)] * c4 *
-                             c4 * std::exp(-0.5f * std::min(off * off, 100.0f));
+        const int squared = dx * dx + dy * dy + dz * dz;
+        const float weight = distanceWeights()[static_cast<std::size_t>(squared)] * c4 * c4 *
+                             std::exp(-0.5f * std::min(off * off, 100.0f));
         skyWeight += weight * other.skyPaths;
         result.sky += weight * other.skyPaths * other.sky;
         lampsWeight += weight * other.lampsPaths;

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/looks.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
 
 namespace {
 
+using scene::LookInfo;
+using scene::LookKind;
 using scene::LookMode;
+using scene::LookRange;
 using volume::CurvatureStatistics;
 using volume::Quantiles;
 
@@ -17,30 +21,30 @@ double magnitude(const Quantiles& q) {
   return std::max(std::fabs(q.low), std::fabs(q.high));
 }
 
+bool isSquare(const scene::Look& look) {
+  return scene::lookInfo(look.mode).kind == LookKind::square;
+}
+
 bool rangeFollowsSurface(const scene::Look& look) {
-  if (look.mode == LookMode::curvature_2d) return !look.rangeLow && !look.rangeHigh;
-  return scene::isMeasure(look.mode) && look.mode != LookMode::shape_index &&
+  if (isSquare(look)) return !look.rangeLow && !look.rangeHigh;
+  return scene::isMeasure(look.mode) && scene::lookInfo(look.mode).range != LookRange::unit &&
          (!look.rangeLow || !look.rangeHigh);
 }
 
-glm::dvec2 automaticRange(LookMode mode, const CurvatureStatistics& s, double flat) {
+glm::dvec2 automaticRange(const LookInfo& look, const CurvatureStatistics& s, double flat) {
   const auto symmetric = [](double most) { return glm::dvec2(-most, most); };
-  switch (mode) {
-    case LookMode::kappa1:
-      return symmetric(std::max(magnitude(s.kappa1), flat));
-    case LookMode::kappa2:
-      return symmetric(std::max(magnitude(s.kappa2), flat));
-    case LookMode::mean_curvature:
-      return symmetric(std::max(magnitude(s.mean), flat));
-    case LookMode::gaussian_curvature:
-      return symmetric(std::max(magnitude(s.gaussian), flat * flat));
-    case LookMode::curvedness:
-      return {0.0, std::max(s.curvedness.high, flat)};
-    case LookMode::curvature_2d:
-      return symmetric(std::max({magnitude(s.kappa1), magnitude(s.kappa2), flat}));
-    default:
-      return {-1.0, 1.0};
+  if (look.kind == LookKind::square)
+    return symmetric(std::max({magnitude(s.of(LookMode::kappa1)), magnitude(s.of(LookMode::kappa2)), flat}));
+  const double least = look.dimension == 2 ? flat * flat : flat;
+  switch (look.range) {
+    case LookRange::symmetric:
+      return symmetric(std::max(magnitude(s.of(look.mode)), least));
+    case LookRange::fromZero:
+      return {0.0, std::max(s.of(look.mode).high, least)};
+    case LookRange::unit:
+      break;
   }
+  return {-1.0, 1.0};
 }
 
 }  // namespace
@@ -61,11 +65,9 @@ CurvatureStatistics outerBounds(const std::vector<CurvatureStatistics>& surfaces
       continue;
     }
     sum.samples += s.samples;
-    for (Quantiles CurvatureStatistics::*q :
-         {&CurvatureStatistics::kappa1, &CurvatureStatistics::kappa2, &CurvatureStatistics::mean,
-          &CurvatureStatistics::gaussian, &CurvatureStatistics::curvedness}) {
-      (sum.*q).low = std::min((sum.*q).low, (s.*q).low);
-      (sum.*q).high = std::max((sum.*q).high, (s.*q).high);
+    for (auto& [look, quantiles] : sum.measures) {
+      quantiles.low = std::min(quantiles.low, s.of(look).low);
+      quantiles.high = std::max(quantiles.high, s.of(look).high);
     }
   }
   return sum;
@@ -73,12 +75,12 @@ CurvatureStatistics outerBounds(const std::vector<CurvatureStatistics>& surfaces
 
 glm::dvec2 measureRange(const scene::Scene& scene, const CurvatureStatistics& statistics, double flat) {
   const scene::Look& look = scene.look;
-  if (look.mode == LookMode::curvature_2d && (look.rangeLow || look.rangeHigh)) {
+  if (isSquare(look) && (look.rangeLow || look.rangeHigh)) {
     const double most =
         std::max(std::fabs(look.rangeLow.value_or(0.0)), std::fabs(look.rangeHigh.value_or(0.0)));
     return {-most, most};
   }
-  glm::dvec2 range = automaticRange(look.mode, statistics, flat);
+  glm::dvec2 range = automaticRange(scene::lookInfo(look.mode), statistics, flat);
   if (look.rangeLow) range.x = *look.rangeLow;
   if (look.rangeHigh) range.y = *look.rangeHigh;
   return range;
@@ -89,13 +91,14 @@ glm::dvec2 ridgeThresholds(const scene::Scene& scene, const CurvatureStatistics&
   // Of the 95 % quantiles: lines on a few per cent of the surface. A surface without valleys has faint ones,
   // which are none: at least a quarter of what counts for the other kind.
   constexpr double part = 0.75, faint = 0.25;
-  const double ridge = std::max(part * statistics.kappa1.high, flat);
-  const double valley = std::max(-part * statistics.kappa2.low, flat);
+  const double ridge = std::max(part * statistics.of(LookMode::kappa1).high, flat);
+  const double valley = std::max(-part * statistics.of(LookMode::kappa2).low, flat);
   return {std::max(ridge, faint * valley), std::max(valley, faint * ridge)};
 }
 
 double curvatureScale(const CurvatureStatistics& statistics, double flat) {
-  return std::max({magnitude(statistics.kappa1), magnitude(statistics.kappa2), flat});
+  return std::max(
+      {magnitude(statistics.of(LookMode::kappa1)), magnitude(statistics.of(LookMode::kappa2)), flat});
 }
 
 }  // namespace isolux::render

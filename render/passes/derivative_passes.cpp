@@ -12,8 +12,6 @@ namespace isolux::render {
 
 namespace {
 
-constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-
 // Second derivatives are read: by the look, where there is a surface, or by a deferred image.
 bool hessianIsRead(const Asked& asked) {
   const std::vector<Aov>& images = asked.request.aovs;

@@ -13,7 +13,6 @@ namespace isolux::render {
 
 namespace {
 
-constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 constexpr float kNoField[4] = {0.0f, 0.0f, -1.0f, 0.0f};
 
 // Where the pattern of the flow stands in its period, [0, 1).
@@ -28,8 +27,9 @@ void ShadowPass::declare(Declaring& d) const {
   d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow);
   d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"});
   const scene::Scene& s = d.asked.scene;
-  d.input("what is opaque", s.isosurface.opacity >= 1.0, s.isosurface2.opacity >= 1.0,
-          s.isosurface3.opacity >= 1.0, s.isosurface4.opacity >= 1.0);
+  std::array<bool, scene::kExtraIsosurfaces> opaque{};
+  for (std::size_t i = 0; i < opaque.size(); ++i) opaque[i] = s.extraIsosurfaces[i].opacity >= 1.0;
+  d.input("what is opaque", s.isosurface.opacity >= 1.0, opaque);
 }
 
 std::optional<LookInput> ShadowPass::forLook(const scene::Scene& scene) const {

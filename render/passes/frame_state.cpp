@@ -11,8 +11,8 @@ namespace isolux::render {
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
   std::vector<Surface> surfaces = {
       {scene.isosurface.value.value(), scene.isosurface.albedo, scene.isosurface.opacity}};
-  for (const scene::ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    if (extra->shown) surfaces.push_back({extra->value.value(), extra->albedo, extra->opacity});
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown) surfaces.push_back({extra.value.value(), extra.albedo, extra.opacity});
   if (scene.isosurface.albedoSource == scene::AlbedoSource::map) {
     const scene::AlbedoOfIsovalue albedo(scene);
     for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);

@@ -18,6 +18,8 @@
 
 namespace isolux::render {
 
+inline constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};  // to clear images with
+
 // An isosurface that is drawn.
 struct Surface {
   double value;  // data units

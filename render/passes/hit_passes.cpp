@@ -15,7 +15,6 @@ namespace {
 constexpr float kNever = 1e30f;
 constexpr float kNoBracket[4] = {1.0f, 0.0f, 0.0f, 0.0f};
 constexpr float kNoSurface[4] = {0.0f, 0.0f, 0.0f, -1.0f};
-constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 
 // An eye inside an active block sees no face where its rays start: they start at the eye.
 bool eyeInActiveBlock(const FrameState& frame) {

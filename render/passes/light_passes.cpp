@@ -13,7 +13,6 @@ namespace isolux::render {
 
 namespace {
 
-constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 constexpr GLuint kFactorsBinding = 3;  // light_lattice.glsl
 constexpr std::size_t kMostLamps = 3;  // local_light.glsl
 constexpr double kPi = std::numbers::pi;
@@ -117,7 +116,7 @@ std::string FrameLight::defines(const FrameState& frame) const {
   const auto number = [](const char* name, auto value) {
     return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
   };
-  const std::string lamps = number("LAMP_COUNT", lampCount(frame.light.get()));
+  std::string lamps = number("LAMP_COUNT", lampCount(frame.light.get()));
   if (!layout.stores()) return lamps;
   return lamps + "#define STORED\n" + number("SKY", layout.sky) + number("LAMPS", layout.lamps) +
          number("WORDS", layout.words()) + number("CODE_WORDS", layout.codeWords) +

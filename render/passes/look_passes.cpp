@@ -1,12 +1,17 @@
 #include "render/passes/look_passes.h"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/light_passes.h"
 #include "render/readback.h"
+#include "scene/looks.h"
 #include "scene/rules/needs.h"
+#include "scene/setting/choice_names.h"
+#include "scene/settings.h"
 
 namespace isolux::render {
 
@@ -14,7 +19,6 @@ namespace {
 
 // Of all layers together.
 constexpr std::size_t kMostHitsBehind = 1u << 20;
-constexpr float kZero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 
 // Texture units of shade.frag.glsl.
 enum Unit {
@@ -33,6 +37,17 @@ std::vector<LookInput> inputsOf(const FrameState& frame) {
   return inputs;
 }
 
+template <class T>
+std::string constantsOf(const std::string& prefix) {
+  std::string defines;
+  for (const scene::Named<T>& choice : scene::choicesOf<T>()) {
+    std::string name(choice.name);
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+    defines += "#define " + prefix + name + ' ' + std::to_string(static_cast<int>(choice.value)) + '\n';
+  }
+  return defines;
+}
+
 // The parts of shade.frag.glsl that this scene needs.
 std::string definesOf(const scene::Scene& scene, const std::vector<LookInput>& inputs) {
   const scene::Look& look = scene.look;
@@ -42,14 +57,48 @@ std::string definesOf(const scene::Scene& scene, const std::vector<LookInput>& i
   const auto flag = [](const char* name, bool on) {
     return on ? "#define " + std::string(name) + "\n" : std::string();
   };
+  const scene::LookKind kind = scene::lookInfo(look.mode).kind;
+  static const std::string constants = constantsOf<scene::LookMode>("LOOK_") +
+                                       constantsOf<scene::Shading>("SHADING_") +
+                                       constantsOf<scene::SolidTexture>("TEXTURE_");
   std::string defines =
-      number("LOOK", look.mode) + number("SHADING", scene::shadingOf(scene)) +
-      number("TEXTURE", look.texture) + flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
+      constants + flag("MEASURE", kind == scene::LookKind::measure) +
+      flag("MEASURE_SQUARE", kind == scene::LookKind::square) + number("LOOK", look.mode) +
+      number("SHADING", scene::shadingOf(scene)) + number("TEXTURE", look.texture) +
+      flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
       flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility) +
       flag("RIDGES", look.ridges > 0.0) + flag("CONTOURS", look.contours > 0.0) +
       flag("SUGGESTIVE", look.suggestiveContours > 0.0);
   for (const LookInput& input : inputs) defines += flag(input.define, *input.define != '\0');
   return defines;
+}
+
+// "uFogColor" for "look.fog_color".
+std::string uniformOf(const std::string& path) {
+  std::string name = "u";
+  bool upper = true;
+  for (const char c : path.substr(path.find('.') + 1)) {
+    if (c != '_') name += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    upper = c == '_';
+  }
+  return name;
+}
+
+// Each number and colour of the look reaches the uniform of its name, where the shader has one.
+void setLook(const scene::Scene& scene, Program& p) {
+  static const std::vector<std::pair<const scene::Setting*, std::string>> uniforms = [] {
+    std::vector<std::pair<const scene::Setting*, std::string>> list;
+    for (const scene::Setting& setting : scene::settings())
+      if (scene::covers("look.", setting.path)) list.emplace_back(&setting, uniformOf(setting.path));
+    return list;
+  }();
+  for (const auto& [setting, name] : uniforms) {
+    if (!p.uses(name.c_str())) continue;
+    const nlohmann::json value = setting->get(scene);
+    if (value.is_number()) p.set(name.c_str(), value.get<float>());
+    if (value.is_array())
+      p.set(name.c_str(), glm::vec3(value[0].get<float>(), value[1].get<float>(), value[2].get<float>()));
+  }
 }
 
 // The look's own background shows through its fog.
@@ -100,18 +149,10 @@ void ShadePass::setSurfaces(FrameState& frame, Program& p) const {
 }
 
 void ShadePass::setLight(FrameState& frame, Program& p) const {
-  const scene::Look& look = frame.scene->look;
   const scene::Light& light = frame.scene->light;
-  p.set("uAmbient", static_cast<float>(look.ambient));
-  p.set("uAmbientVariation", static_cast<float>(look.ambientVariation));
-  p.set("uSpecular", static_cast<float>(look.specular));
-  p.set("uShininess", static_cast<float>(look.shininess));
   p.set("uLight", glm::vec3(frame.towardLight()));
   p.set("uLightColor", glm::vec3(light.color * light.intensity));
   p.set("uHeadlight", static_cast<float>(light.headlight));
-  p.set("uToneCool", glm::vec3(look.toneCool));
-  p.set("uToneWarm", glm::vec3(look.toneWarm));
-  p.set("uShadow", static_cast<float>(look.shadow));
   if (scene::usesGi(*frame.scene)) p.set("uExposure", exposureOf(*frame.scene, frame.light.get()));
 }
 
@@ -135,15 +176,9 @@ void ShadePass::setMeasure(FrameState& frame, Program& p) {
 
 void ShadePass::setLines(FrameState& frame, Program& p) const {
   const scene::Look& look = frame.scene->look;
-  p.set("uRidges", static_cast<float>(look.ridges));
   p.set("uRidgeThresholds",
         glm::vec2(ridgeThresholds(*frame.scene, frame.statistics, frame.flatCurvature())));
-  p.set("uRidgeColor", glm::vec3(look.ridgeColor));
-  p.set("uValleyColor", glm::vec3(look.valleyColor));
-  p.set("uContours", static_cast<float>(look.contours));
-  p.set("uSuggestiveContours", static_cast<float>(look.suggestiveContours));
   p.set("uContourWidth", static_cast<float>(look.contourWidth * frame.raysPerWidth()));
-  p.set("uContourColor", glm::vec3(look.contourColor));
   p.set("uCurvatureScale", static_cast<float>(curvatureScale(frame.statistics, frame.flatCurvature())));
 }
 
@@ -156,10 +191,7 @@ void ShadePass::setOverlays(FrameState& frame, Program& p) const {
   p.set("uFlowStrength", static_cast<float>(look.mode == scene::LookMode::flow ? 1.0 : scene.flow.strength));
   p.set("uTextureScale", static_cast<float>(look.textureScale.value_or(1.0)));
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
-  p.set("uFog", static_cast<float>(look.fog));
   p.set("uFogColor", glm::vec3(look.fogColor.value_or(glm::dvec3(0.0))));
-  p.set("uBackgroundTop", glm::vec3(look.backgroundTop));
-  p.set("uBackgroundBottom", glm::vec3(look.backgroundBottom));
 }
 
 void ShadePass::declare(Declaring& d) const {
@@ -170,9 +202,8 @@ void ShadePass::declare(Declaring& d) const {
   if (d.asked.volume.crossed)
     for (const auto& pass : d.passes)
       if (const std::optional<LookInput> input = pass->forLook(d.asked.scene)) d.reads(input->image);
-  d.settings({"camera.", "isosurface.", "isosurface2.", "isosurface3.", "isosurface4."},
-             {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface2.value",
-              "isosurface3.value", "isosurface4.value"});
+  d.settings({"camera.", "isosurface.", "isosurface#."},
+             {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface#.value"});
   d.settings({"look."}, {"look.legend", "look.background_top", "look.background_bottom"});
   d.settings({"flow.strength", "light.space", "light.direction", "light.color", "light.intensity",
               "light.headlight"});
@@ -193,6 +224,7 @@ void ShadePass::draw(FrameState& frame) {
     for (std::size_t i = 0; i < input.samplers.size(); ++i)
       p.setTexture(input.samplers[i], unit++, frame.image(input.image, i));
   setSurfaces(frame, p);
+  setLook(*frame.scene, p);
   setLight(frame, p);
   if (scene::needsCurvature(*frame.scene)) {
     setMeasure(frame, p);

@@ -10,7 +10,7 @@ namespace isolux::render {
 namespace {
 
 constexpr GLuint kUseBinding = 0;  // bricks.glsl
-constexpr int kReferenceUnit = 15;
+constexpr int kTableUnit = 15;
 constexpr std::size_t kFewestSlots = 8;
 constexpr std::uint32_t kUsed = 1, kAskedFor = 2;  // bricks.glsl
 
@@ -67,24 +67,24 @@ Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, std::size_t b
       dims_(brickDims(channels_[0]->dims())),
       slotDims_(checkedSlots(*gl_, channels_, product(dims_), budgetBytes)),
       cache_(product(dims_), std::min(product(slotDims_), product(dims_))),
-      reference_(Texture::make3D(gl_, GL_RGBA16UI, dims_, false)),
+      table_(Texture::make3D(gl_, GL_RGBA16UI, dims_, false)),
       use_(gl_),
       marks_(product(dims_) + 1, 0) {
   for (const TexelSource* channel : channels_)
     caches_.push_back(Texture::make3D(gl_, channel->internalFormat(), slotDims_ * brickTexels, true));
   const std::vector<std::uint16_t> nowhere(4 * product(dims_), 0);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TextureSubImage3D(reference_.id(), 0, 0, 0, 0, dims_.x, dims_.y, dims_.z, GL_RGBA_INTEGER,
+  gl_->TextureSubImage3D(table_.id(), 0, 0, 0, 0, dims_.x, dims_.y, dims_.z, GL_RGBA_INTEGER,
                          GL_UNSIGNED_SHORT, nowhere.data());
   use_.setData(nullptr, marks_.size() * sizeof(std::uint32_t));
 }
 
 void Bricks::bind(Program& program) const {
-  program.setTexture("uBricks", kReferenceUnit, reference_);
+  program.setTexture("uBricks", kTableUnit, table_);
 }
 
 std::size_t Bricks::bytes() const {
-  std::size_t sum = reference_.bytes() + use_.bytes();
+  std::size_t sum = table_.bytes() + use_.bytes();
   for (const Texture& cache : caches_) sum += cache.bytes();
   return sum;
 }
@@ -135,7 +135,7 @@ std::size_t Bricks::serve(BrickCache::Round kept, std::size_t limitBytes) {
     const auto placement = cache_.place(brick, kept);
     if (!placement) break;
     if (placement->evicted) {
-      reference(*placement->evicted, false);
+      setEntry(*placement->evicted, false);
       ++evicted_;
     }
     upload(brick, placement->slot);
@@ -153,13 +153,13 @@ glm::ivec3 Bricks::brickAt(BrickCache::Brick brick) const {
   return {b % dims_.x, b / dims_.x % dims_.y, b / (dims_.x * dims_.y)};
 }
 
-void Bricks::reference(BrickCache::Brick brick, bool isResident) const {
+void Bricks::setEntry(BrickCache::Brick brick, bool isResident) const {
   const int slot = isResident ? static_cast<int>(*cache_.slotOf(brick)) : 0;
   const auto part = [](int v) { return static_cast<std::uint16_t>(v); };
   const std::uint16_t entry[4] = {part(slot % slotDims_.x), part(slot / slotDims_.x % slotDims_.y),
                                   part(slot / (slotDims_.x * slotDims_.y)), part(isResident ? 1 : 0)};
   const glm::ivec3 at = brickAt(brick);
-  gl_->TextureSubImage3D(reference_.id(), 0, at.x, at.y, at.z, 1, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
+  gl_->TextureSubImage3D(table_.id(), 0, at.x, at.y, at.z, 1, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
                          entry);
 }
 
@@ -174,7 +174,7 @@ void Bricks::upload(BrickCache::Brick brick, BrickCache::Slot slot) {
     gl_->TextureSubImage3D(caches_[i].id(), 0, to.x, to.y, to.z, brickTexels, brickTexels, brickTexels,
                            GL_RED, channels_[i]->type(), texels_.data());
   }
-  reference(brick, true);
+  setEntry(brick, true);
 }
 
 }  // namespace isolux::render

@@ -3,7 +3,7 @@
 // Rays mark the bricks they use and those they wait for (bricks.glsl); after a round of rays endRound() reads
 // the marks and serve() uploads what was asked for, replacing what was least recently used. One cache texture
 // for each channel, the samples and, where there are any, the coefficients of the interpolating spline: a
-// brick has the same slot in both. The reference texture says which. Hadwiger et al. 2005 sec. 3.1.
+// brick has the same slot in both. The brick table, a texture, says which. Hadwiger et al. 2005 sec. 3.1.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,7 @@ class Bricks {
 
  private:
   glm::ivec3 brickAt(BrickCache::Brick brick) const;
-  void reference(BrickCache::Brick brick, bool isResident) const;
+  void setEntry(BrickCache::Brick brick, bool isResident) const;
   void upload(BrickCache::Brick brick, BrickCache::Slot slot);
 
   GlPtr gl_;
@@ -60,7 +60,7 @@ class Bricks {
   glm::ivec3 dims_, slotDims_;
   BrickCache cache_;
   std::vector<Texture> caches_;
-  Texture reference_;
+  Texture table_;
   Buffer use_;  // waiting rays, then a mark for each brick
   std::vector<std::uint32_t> marks_;
   std::vector<BrickCache::Brick> wanted_;

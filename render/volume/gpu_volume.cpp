@@ -71,19 +71,19 @@ void GpuVolume::makeBricks(std::size_t budgetBytes) {
   ++bricksMade_;
 }
 
-void GpuVolume::require(const scene::Scene& scene) {
+void GpuVolume::require(const scene::Scene& scene, const scene::Memory& memory) {
   if (!hasCells()) return;
-  const std::size_t budgetBytes = static_cast<std::size_t>(scene.memory.gpuBudgetMb) << 20;
+  const std::size_t budgetBytes = static_cast<std::size_t>(memory.gpuBudgetMb) << 20;
   if (!samples_) samples_.emplace(grid());
   if (scene.hit.field == scene::Field::cubic_interpolating ||
       scene.derivatives.field == scene::Field::cubic_interpolating)
     if (!coefficientTexels_)
       coefficientTexels_.emplace(*cubic(scene::Field::cubic_interpolating).coefficients, grid().dims());
-  const Layout wanted{scene.memory, coefficientTexels_.has_value()};
+  const Layout wanted{memory, coefficientTexels_.has_value()};
   if (layout_ == wanted) return;
   layout_.reset();
-  const bool whole = scene.memory.layout == scene::MemoryLayout::whole ||
-                     (scene.memory.layout == scene::MemoryLayout::automatic && fitsWhole(budgetBytes));
+  const bool whole = memory.layout == scene::MemoryLayout::whole ||
+                     (memory.layout == scene::MemoryLayout::automatic && fitsWhole(budgetBytes));
   if (whole)
     makeWhole(budgetBytes);
   else
@@ -102,9 +102,10 @@ std::size_t GpuVolume::activeBricks() const {
   for (int z = 0; z < dims.z; ++z)
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < dims.x; ++x, ++block)
-        if (isActive(block))
-          active[static_cast<std::size_t>((z / perBrick * bricks.y + y / perBrick) * bricks.x +
-                                          x / perBrick)] = 1;
+        if (isActive(block)) {
+          const int brick = (z / perBrick * bricks.y + y / perBrick) * bricks.x + x / perBrick;
+          active[static_cast<std::size_t>(brick)] = 1;
+        }
   activeBricks_ = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
   return *activeBricks_;
 }
@@ -189,6 +190,7 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   setField(field);
   if (!hasCells()) return;
   std::vector<float> stored;
+  stored.reserve(values.size());
   // Blocks and boxes of coefficients lack the coefficients' offset.
   const double offset = field == scene::Field::cubic_interpolating ? cubic(field).coefficients->offset : 0.0;
   for (const double value : values)

@@ -12,6 +12,7 @@
 #include "render/volume/block_faces.h"
 #include "render/volume/bricks.h"
 #include "render/volume/volume_texture.h"
+#include "scene/machine.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 #include "volume/skip/active_blocks.h"
@@ -33,7 +34,7 @@ class GpuVolume {
   // Makes room for what a scene's fields need and is not there yet, as one texture each or as bricks
   // (memory.layout), and uploads whole textures; memory.gpu_budget_mb is for all textures together. Throws
   // base::Error{memory}.
-  void require(const scene::Scene& scene);
+  void require(const scene::Scene& scene, const scene::Memory& memory);
   // None: the volume is whole.
   Bricks* bricks() { return bricks_ ? &*bricks_ : nullptr; }
   const Bricks* bricks() const { return bricks_ ? &*bricks_ : nullptr; }

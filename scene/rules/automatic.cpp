@@ -23,13 +23,13 @@ glm::dvec3 rightOf(WorldAxes axes) {
 void resolveLamps(Scene& scene, const VolumeFacts& facts) {
   const glm::dvec3 center = 0.5 * (facts.boundsMinMm + facts.boundsMaxMm);
   const double size = std::max(glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
-  Lamp* const lamps[] = {&scene.lamp1, &scene.lamp2, &scene.lamp3};
-  for (int i = 0; i < 3; ++i) {
-    const double angle = (-0.65 + i / 3.0 * 2.0) * std::numbers::pi;
+  for (std::size_t i = 0; i < scene.lamps.size(); ++i) {
+    Lamp& lamp = scene.lamps[i];
+    const double angle = (-0.65 + static_cast<double>(i) / 3.0 * 2.0) * std::numbers::pi;
     const glm::dvec3 toward = 0.7 * (std::cos(angle) * rightOf(facts.axes) -
                                      std::sin(angle) * frontOf(facts.axes) + upOf(facts.axes));
-    if (!lamps[i]->position) lamps[i]->position = center + size * toward;
-    if (!lamps[i]->radius) lamps[i]->radius = 0.1 * size;
+    if (!lamp.position) lamp.position = center + size * toward;
+    if (!lamp.radius) lamp.radius = 0.1 * size;
   }
 }
 
@@ -40,11 +40,11 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
     scene.isosurface.value = std::isfinite(facts.suggestedIsovalue) ? facts.suggestedIsovalue : 0.0;
   if (!scene.source.csgValue) scene.source.csgValue = facts.csgIsovalue;
 
-  ExtraIsosurface* const extras[] = {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4};
-  for (int i = 0; i < 3; ++i)
-    if (!extras[i]->value)
-      extras[i]->value =
-          std::lerp(*scene.isosurface.value, std::max(facts.maximum, *scene.isosurface.value), (i + 1) / 4.0);
+  for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i)
+    if (!scene.extraIsosurfaces[i].value)
+      scene.extraIsosurfaces[i].value =
+          std::lerp(*scene.isosurface.value, std::max(facts.maximum, *scene.isosurface.value),
+                    static_cast<double>(i + 1) / 4.0);
   if (!scene.isosurface.albedoLow) scene.isosurface.albedoLow = facts.minimum;
   if (!scene.isosurface.albedoHigh) scene.isosurface.albedoHigh = facts.maximum;
   if (!scene.gi.band) {

@@ -25,7 +25,7 @@ struct VolumeFacts {
 
 // Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
 // maps, the ridge threshold), the fog's colour and the exposure, which stay automatic for the renderer, those
-// of the bake's own business (gi.environment_share, gi.threads), and the isovalue
+// of the bake's own business (gi.environment_share), and the isovalue
 // of a second volume that is not there. An explicit setting
 // is never changed. An automatic camera looks from the front (frontOf(): a patient faces the viewer, patient
 // left at the right) and slightly above, and the whole box fits the picture of any aspect ratio >= 1. Lamps

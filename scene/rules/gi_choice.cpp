@@ -1,6 +1,6 @@
 #include "scene/rules/gi_choice.h"
 
-#include <initializer_list>
+#include <algorithm>
 
 #include "scene/rules/relevance.h"
 
@@ -23,8 +23,8 @@ bool shines(const Lamp& lamp) {
 bool albedoIsGrey(const Scene& scene) {
   if (scene.isosurface.albedoSource == AlbedoSource::map) return scene.isosurface.albedoMap == ColorMap::gray;
   bool grey = isGrey(scene.isosurface.albedo);
-  for (const ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    grey = grey && (!extra->shown || isGrey(extra->albedo));
+  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
+    grey = grey && (!extra.shown || isGrey(extra.albedo));
   return grey;
 }
 
@@ -69,7 +69,7 @@ GiChoice giChoiceOf(const Scene& scene) {
     choice.reason = "gi.mode is off: light is local";
     return choice;
   }
-  choice.lamps = shines(scene.lamp1) || shines(scene.lamp2) || shines(scene.lamp3);
+  choice.lamps = std::any_of(scene.lamps.begin(), scene.lamps.end(), shines);
   if (scene.gi.mode == GiMode::automatic) {
     choice.sky = leastMode(scene, choice);
   } else {

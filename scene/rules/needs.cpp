@@ -1,32 +1,25 @@
 #include "scene/rules/needs.h"
 
+#include "scene/looks.h"
+
 namespace isolux::scene {
 
 bool isColored(LookMode mode) {
-  return mode >= LookMode::kappa1 && mode <= LookMode::flow;
+  const LookKind kind = lookInfo(mode).kind;
+  return kind != LookKind::shading && kind != LookKind::raw;
 }
 
 bool isMeasure(LookMode mode) {
-  return mode >= LookMode::kappa1 && mode <= LookMode::curvature_2d;
+  const LookKind kind = lookInfo(mode).kind;
+  return kind == LookKind::measure || kind == LookKind::square;
 }
 
 bool isPlain(const Scene& scene) {
-  return scene.look.mode == LookMode::normal || scene.look.mode == LookMode::depth;
+  return lookInfo(scene.look.mode).kind == LookKind::raw;
 }
 
 Shading shadingOf(const Scene& scene) {
-  switch (scene.look.mode) {
-    case LookMode::blinn_phong:
-      return Shading::blinn_phong;
-    case LookMode::lambert:
-      return Shading::lambert;
-    case LookMode::tone:
-      return Shading::tone;
-    case LookMode::gi:
-      return Shading::gi;
-    default:
-      return isColored(scene.look.mode) ? scene.look.shading : Shading::unlit;
-  }
+  return isColored(scene.look.mode) ? scene.look.shading : lookInfo(scene.look.mode).shading;
 }
 
 bool usesGi(const Scene& scene) {
@@ -56,21 +49,21 @@ bool showsLegend(const Scene& scene) {
 }
 
 bool needsGradient(const Scene& scene) {
-  return scene.look.mode != LookMode::depth;
+  return lookInfo(scene.look.mode).readsGradient;
 }
 
 bool needsCurvature(const Scene& scene) {
   const Look& look = scene.look;
   if (isPlain(scene)) return false;
-  return isColored(look.mode) || look.accessibility > 0.0 || look.ridges > 0.0 || look.contours > 0.0 ||
-         look.suggestiveContours > 0.0 || showsFlow(scene);
+  return lookInfo(look.mode).readsCurvature || look.accessibility > 0.0 || look.ridges > 0.0 ||
+         look.contours > 0.0 || look.suggestiveContours > 0.0 || showsFlow(scene);
 }
 
 bool isTransparent(const Scene& scene) {
   const auto between = [](double opacity) { return opacity > 0.0 && opacity < 1.0; };
   if (between(scene.isosurface.opacity)) return true;
-  for (const ExtraIsosurface* extra : {&scene.isosurface2, &scene.isosurface3, &scene.isosurface4})
-    if (extra->shown && between(extra->opacity)) return true;
+  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown && between(extra.opacity)) return true;
   return false;
 }
 

@@ -1,11 +1,15 @@
 #include "scene/rules/relevance.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <functional>
+#include <map>
 #include <string>
+#include <vector>
 
+#include "scene/looks.h"
 #include "scene/rules/gi_choice.h"
+#include "scene/settings.h"
 
 namespace isolux::scene {
 
@@ -52,230 +56,178 @@ bool isMesh(const Scene& s) {
 }
 
 struct Rule {
-  std::string_view path;  // of a setting, or "group." for all settings of a group
+  std::string_view paths;  // patterns of covers(), with spaces between
   bool (*acts)(const Scene&);
-  std::string_view otherwise;  // why it does not act
+  std::string_view otherwise;  // why they do not act
 };
 
-bool covers(const Rule& rule, std::string_view path) {
-  return rule.path.ends_with('.') ? path.starts_with(rule.path) : path == rule.path;
+// Of an item of a list: `item` is its place in Scene::lamps, Scene::extraIsosurfaces.
+struct ItemRule {
+  std::string_view paths;
+  bool (*acts)(const Scene&, std::size_t item);
+  std::string_view otherwise;
+};
+
+bool coversAny(std::string_view patterns, std::string_view path) {
+  while (!patterns.empty()) {
+    const std::size_t end = std::min(patterns.find(' '), patterns.size());
+    if (covers(patterns.substr(0, end), path)) return true;
+    patterns.remove_prefix(std::min(end + 1, patterns.size()));
+  }
+  return false;
 }
 
-constexpr std::string_view plain = "this look shows a raw quantity, with nothing laid over it";
-constexpr std::string_view notLocal = "only local shading has this light";
-constexpr std::string_view noGi = "the shading is not global illumination";
-constexpr std::string_view nothingStored = "no light is stored";
-constexpr std::string_view noTransfer = "no transfer is stored";
-constexpr std::string_view noLamp = "that lamp is off";
-constexpr std::string_view noAlbedoMap = "isosurfaces have the reflectances given";
-constexpr std::string_view toneOnly = "this shading does not take its brightness from the key light";
-constexpr std::string_view noAlbedo = "this look does not show the surface's own colour";
-constexpr std::string_view noHighlight = "only Blinn-Phong shading has a highlight";
-constexpr std::string_view noTone = "the shading is not tone";
-constexpr std::string_view noNumbers = "colours do not stand for numbers in this look";
-constexpr std::string_view noRidges = "ridge and valley lines have no strength";
-constexpr std::string_view noContours = "contours have no strength";
-constexpr std::string_view exactHits = "hits are exact";
-constexpr std::string_view hidden = "that isosurface is not shown";
-constexpr std::string_view noFlow = "no flow is drawn: the look is not flow and flow.strength is 0";
-constexpr std::string_view oneVolume = "no second volume is combined with the first";
-
-constexpr auto isShown2 = [](const Scene& s) { return s.isosurface2.shown; };
-constexpr auto isShown3 = [](const Scene& s) { return s.isosurface3.shown; };
-constexpr auto isShown4 = [](const Scene& s) { return s.isosurface4.shown; };
-constexpr auto isSampled = [](const Scene& s) { return s.hit.method == HitMethod::sampled; };
-constexpr auto isNotPlain = [](const Scene& s) { return !isPlain(s); };
-constexpr auto hasRidges = [](const Scene& s) { return !isPlain(s) && s.look.ridges > 0.0; };
-constexpr auto hasContours = [](const Scene& s) { return !isPlain(s) && drawsContours(s); };
 constexpr auto storesLight = [](const Scene& s) { return giChoiceOf(s).wanted; };
-constexpr auto storesTransfer = [](const Scene& s) { return giChoiceOf(s).sky == GiMode::transfer; };
 constexpr auto storesIrradiance = [](const Scene& s) {
   const GiChoice choice = giChoiceOf(s);
   return choice.lamps || (choice.sky != GiMode::off && choice.sky != GiMode::transfer);
 };
 constexpr auto hasProbe = [](const Scene& s) { return !s.light.environment.file.empty(); };
-constexpr auto traces = [](const Scene& s) { return giChoiceOf(s).bounces > 0; };
 constexpr auto hasAlbedoMap = [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::map; };
-constexpr auto hasOwnAlbedo = [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; };
 constexpr auto isCombined = [](const Scene& s) { return s.source.csg != Csg::none; };
 
-#define ISOLUX_LAMP_RULES(n)                                                                               \
-  Rule{"lamp" #n ".kind", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                         \
-      Rule{"lamp" #n ".position", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                 \
-      Rule{"lamp" #n ".position", [](const Scene& s) { return s.lamp##n.kind != LampKind::directional; },  \
-           "the lamp is distant"},                                                                         \
-      Rule{"lamp" #n ".direction", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                \
-      Rule{"lamp" #n ".direction", [](const Scene& s) { return s.lamp##n.kind == LampKind::directional; }, \
-           "the lamp has a position"},                                                                     \
-      Rule{"lamp" #n ".radius", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                   \
-      Rule{"lamp" #n ".radius", [](const Scene& s) { return s.lamp##n.kind == LampKind::sphere; },         \
-           "the lamp is no sphere"},                                                                       \
-      Rule{"lamp" #n ".angle", [](const Scene& s) { return s.lamp##n.shown; }, noLamp},                    \
-      Rule{"lamp" #n ".angle", [](const Scene& s) { return s.lamp##n.kind == LampKind::directional; },     \
-           "the lamp is not distant"},                                                                     \
-      Rule{"lamp" #n ".color", [](const Scene& s) { return s.lamp##n.shown; }, noLamp}, Rule {             \
-    "lamp" #n ".intensity", [](const Scene& s) { return s.lamp##n.shown; }, noLamp                         \
-  }
-
 // All rules that cover a path must hold; the first that fails says why.
-const std::array rules = {
-    Rule{"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},
-    Rule{"source.csg_path", isCombined, oneVolume},
-    Rule{"source.csg_value", isCombined, oneVolume},
+constexpr Rule rules[] = {
+    {"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},
+    {"source.csg_path source.csg_value", isCombined, "no second volume is combined with the first"},
 
-    Rule{"isosurface.inside", needsGradient, "depth is the same from either side"},
-    Rule{"isosurface.albedo", showsAlbedo, noAlbedo},
-    Rule{"isosurface.albedo", hasOwnAlbedo, "the albedo comes from a colour map"},
-    Rule{"isosurface.albedo_source", showsAlbedo, noAlbedo},
-    Rule{"isosurface.albedo_map", hasAlbedoMap, noAlbedoMap},
-    Rule{"isosurface.albedo_map", showsAlbedo, noAlbedo},
-    Rule{"isosurface.albedo_low", hasAlbedoMap, noAlbedoMap},
-    Rule{"isosurface.albedo_low", showsAlbedo, noAlbedo},
-    Rule{"isosurface.albedo_high", hasAlbedoMap, noAlbedoMap},
-    Rule{"isosurface.albedo_high", showsAlbedo, noAlbedo},
-    Rule{"isosurface.layers", isTransparent, "every isosurface is opaque"},
-    Rule{"isosurface2.value", isShown2, hidden},
-    Rule{"isosurface2.albedo", isShown2, hidden},
-    Rule{"isosurface2.albedo", showsAlbedo, noAlbedo},
-    Rule{"isosurface2.albedo", hasOwnAlbedo, "the albedo comes from a colour map"},
-    Rule{"isosurface2.opacity", isShown2, hidden},
-    Rule{"isosurface3.value", isShown3, hidden},
-    Rule{"isosurface3.albedo", isShown3, hidden},
-    Rule{"isosurface3.albedo", showsAlbedo, noAlbedo},
-    Rule{"isosurface3.albedo", hasOwnAlbedo, "the albedo comes from a colour map"},
-    Rule{"isosurface3.opacity", isShown3, hidden},
-    Rule{"isosurface4.value", isShown4, hidden},
-    Rule{"isosurface4.albedo", isShown4, hidden},
-    Rule{"isosurface4.albedo", showsAlbedo, noAlbedo},
-    Rule{"isosurface4.albedo", hasOwnAlbedo, "the albedo comes from a colour map"},
-    Rule{"isosurface4.opacity", isShown4, hidden},
+    {"isosurface.inside", needsGradient, "depth is the same from either side"},
+    {"isosurface.albedo_map isosurface.albedo_low isosurface.albedo_high", hasAlbedoMap,
+     "isosurfaces have the reflectances given"},
+    {"isosurface.albedo isosurface.albedo_source isosurface.albedo_map isosurface.albedo_low "
+     "isosurface.albedo_high isosurface#.albedo",
+     showsAlbedo, "this look does not show the surface's own colour"},
+    {"isosurface.albedo isosurface#.albedo",
+     [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; },
+     "the albedo comes from a colour map"},
+    {"isosurface.layers", isTransparent, "every isosurface is opaque"},
 
-    Rule{"hit.rate", isSampled, exactHits},
-    Rule{"hit.near_factor", isSampled, exactHits},
-    Rule{"hit.near_threshold", isSampled, exactHits},
-    Rule{"hit.refinements", isSampled, exactHits},
-    Rule{"hit.near_threshold", [](const Scene& s) { return s.hit.nearFactor > 1.0; },
-         "the samples near the isovalue are no denser than the others"},
+    {"hit.rate hit.near_factor hit.near_threshold hit.refinements",
+     [](const Scene& s) { return s.hit.method == HitMethod::sampled; }, "hits are exact"},
+    {"hit.near_threshold", [](const Scene& s) { return s.hit.nearFactor > 1.0; },
+     "the samples near the isovalue are no denser than the others"},
 
-    Rule{"derivatives.", needsGradient, "this look needs no derivatives"},
-    Rule{"derivatives.fetch", [](const Scene& s) { return s.derivatives.field != Field::trilinear; },
-         "trilinear derivatives are read in one way only"},
-    Rule{"derivatives.noise", needsCurvature, "this look needs no curvature"},
+    {"derivatives.", needsGradient, "this look needs no derivatives"},
+    {"derivatives.fetch", [](const Scene& s) { return s.derivatives.field != Field::trilinear; },
+     "trilinear derivatives are read in one way only"},
+    {"derivatives.noise", needsCurvature, "this look needs no curvature"},
 
-    Rule{"look.shading", [](const Scene& s) { return isColored(s.look.mode); },
-         "this look is a shading itself, or shows a raw quantity"},
-    Rule{"look.ambient", hasLocalLight, notLocal},
-    Rule{"look.ambient", hasBrightness, toneOnly},
-    Rule{"look.ambient_variation", hasLocalLight, notLocal},
-    Rule{"look.ambient_variation", hasBrightness, toneOnly},
-    Rule{"look.specular", hasHighlight, noHighlight},
-    Rule{"look.shininess", hasHighlight, noHighlight},
-    Rule{"look.shininess", [](const Scene& s) { return s.look.specular > 0.0; },
-         "the highlight has no strength"},
-    Rule{"look.tone_cool", usesTone, noTone},
-    Rule{"look.tone_warm", usesTone, noTone},
-    Rule{"look.texture", showsAlbedo, noAlbedo},
-    Rule{"look.texture_scale", showsAlbedo, noAlbedo},
-    Rule{"look.texture_scale", [](const Scene& s) { return s.look.texture != SolidTexture::none; },
-         "there is no texture"},
-    Rule{"look.shadow", hasLocalLight, notLocal},
-    Rule{"look.shadow", keyLightActs, "the key light brightens nothing"},
-    Rule{"look.fog", isNotPlain, plain},
-    Rule{"look.fog_color", isNotPlain, plain},
-    Rule{"look.fog_color", [](const Scene& s) { return s.look.fog > 0.0; }, "there is no fog"},
+    {"look.shading", [](const Scene& s) { return isColored(s.look.mode); },
+     "this look is a shading itself, or shows a raw quantity"},
+    {"look.ambient look.ambient_variation look.shadow light.space light.direction light.color "
+     "light.intensity "
+     "light.headlight",
+     hasLocalLight, "only local shading has this light"},
+    {"look.ambient look.ambient_variation light.color light.intensity light.headlight", hasBrightness,
+     "this shading does not take its brightness from the key light"},
+    {"look.specular look.shininess", hasHighlight, "only Blinn-Phong shading has a highlight"},
+    {"look.shininess", [](const Scene& s) { return s.look.specular > 0.0; }, "the highlight has no strength"},
+    {"look.tone_cool look.tone_warm", usesTone, "the shading is not tone"},
+    {"look.texture look.texture_scale", showsAlbedo, "this look does not show the surface's own colour"},
+    {"look.texture_scale", [](const Scene& s) { return s.look.texture != SolidTexture::none; },
+     "there is no texture"},
+    {"look.shadow", keyLightActs, "the key light brightens nothing"},
+    {"look.fog look.fog_color look.accessibility look.ridges look.contours look.suggestive_contours "
+     "flow.strength",
+     [](const Scene& s) { return !isPlain(s); }, "this look shows a raw quantity, with nothing laid over it"},
+    {"look.fog_color", [](const Scene& s) { return s.look.fog > 0.0; }, "there is no fog"},
 
-    Rule{"look.colormap",
-         [](const Scene& s) { return isMeasure(s.look.mode) && s.look.mode != LookMode::curvature_2d; },
-         "this look does not show one number in colour"},
-    Rule{"look.range_low", colorsMeanNumbers, noNumbers},
-    Rule{"look.range_high", colorsMeanNumbers, noNumbers},
-    Rule{"look.curvature_points", [](const Scene& s) { return s.look.mode == LookMode::curvature_2d; },
-         "the look is not curvature 2D"},
-    Rule{"look.legend", colorsMeanNumbers, noNumbers},
+    {"look.colormap", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::measure; },
+     "this look does not show one number in colour"},
+    {"look.range_low look.range_high look.legend", colorsMeanNumbers,
+     "colours do not stand for numbers in this look"},
+    {"look.curvature_points", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::square; },
+     "the look is not curvature 2D"},
 
-    Rule{"look.accessibility", isNotPlain, plain},
-    Rule{"look.accessibility", [](const Scene& s) { return s.look.mode != LookMode::accessibility; },
-         "the look shows accessibility at full strength"},
-    Rule{"look.ridges", isNotPlain, plain},
-    Rule{"look.ridge_threshold", hasRidges, noRidges},
-    Rule{"look.ridge_color", hasRidges, noRidges},
-    Rule{"look.valley_color", hasRidges, noRidges},
-    Rule{"look.contours", isNotPlain, plain},
-    Rule{"look.suggestive_contours", isNotPlain, plain},
-    Rule{"look.contour_width", hasContours, noContours},
-    Rule{"look.contour_color", hasContours, noContours},
+    {"look.accessibility", [](const Scene& s) { return s.look.mode != LookMode::accessibility; },
+     "the look shows accessibility at full strength"},
+    {"look.ridge_threshold look.ridge_color look.valley_color",
+     [](const Scene& s) { return !isPlain(s) && s.look.ridges > 0.0; },
+     "ridge and valley lines have no strength"},
+    {"look.contour_width look.contour_color", [](const Scene& s) { return !isPlain(s) && drawsContours(s); },
+     "contours have no strength"},
 
-    Rule{"flow.strength", isNotPlain, plain},
-    Rule{"flow.strength", [](const Scene& s) { return s.look.mode != LookMode::flow; },
-         "the look shows flow at full strength"},
-    Rule{"flow.direction", showsFlow, noFlow},
-    Rule{"flow.length", showsFlow, noFlow},
-    Rule{"flow.grain", showsFlow, noFlow},
-    Rule{"flow.animate", showsFlow, noFlow},
-    Rule{"flow.speed", showsFlow, noFlow},
-    Rule{"flow.time", showsFlow, noFlow},
+    {"flow.strength", [](const Scene& s) { return s.look.mode != LookMode::flow; },
+     "the look shows flow at full strength"},
+    {"flow.direction flow.length flow.grain flow.animate flow.speed flow.time", showsFlow,
+     "no flow is drawn: the look is not flow and flow.strength is 0"},
 
-    Rule{"light.space", hasLocalLight, notLocal},
-    Rule{"light.direction", hasLocalLight, notLocal},
-    Rule{"light.color", hasLocalLight, notLocal},
-    Rule{"light.color", hasBrightness, toneOnly},
-    Rule{"light.intensity", hasLocalLight, notLocal},
-    Rule{"light.intensity", hasBrightness, toneOnly},
-    Rule{"light.headlight", hasLocalLight, notLocal},
-    Rule{"light.headlight", hasBrightness, toneOnly},
+    {"light.environment. lamp#. gi. picture.exposure", usesGi, "the shading is not global illumination"},
+    {"light.environment.constant", [](const Scene& s) { return !hasProbe(s); }, "there is a light probe"},
+    {"light.environment.rotation", hasProbe, "a sky of one colour looks the same however it is turned"},
+    {"light.environment.moves", hasProbe, "a sky of one colour may change anyway"},
+    {"light.environment.moves", [](const Scene& s) { return s.gi.mode == GiMode::automatic; },
+     "gi.mode says what is stored"},
 
-    Rule{"light.environment.", usesGi, noGi},
-    Rule{"light.environment.constant", [](const Scene& s) { return !hasProbe(s); }, "there is a light probe"},
-    Rule{"light.environment.rotation", hasProbe, "a sky of one colour looks the same however it is turned"},
-    Rule{"light.environment.moves", hasProbe, "a sky of one colour may change anyway"},
-    Rule{"light.environment.moves", [](const Scene& s) { return s.gi.mode == GiMode::automatic; },
-         "gi.mode says what is stored"},
-
-    Rule{"lamp1.", usesGi, noGi},
-    Rule{"lamp2.", usesGi, noGi},
-    Rule{"lamp3.", usesGi, noGi},
-    ISOLUX_LAMP_RULES(1),
-    ISOLUX_LAMP_RULES(2),
-    ISOLUX_LAMP_RULES(3),
-
-    Rule{"gi.", usesGi, noGi},
-    Rule{"gi.extent", storesLight, nothingStored},
-    Rule{"gi.band", storesLight, nothingStored},
-    Rule{"gi.band", [](const Scene& s) { return s.gi.extent == GiExtent::band; },
-         "texels are not chosen by isovalue"},
-    Rule{"gi.samples", storesLight, nothingStored},
-    Rule{"gi.sequence", storesLight, nothingStored},
-    Rule{"gi.bounces",
-         [](const Scene& s) { return s.gi.mode != GiMode::vicinity && s.gi.mode != GiMode::shadow; },
-         "gi.mode is direct light only"},
-    Rule{"gi.bounces", [](const Scene& s) { return s.gi.mode != GiMode::off; }, nothingStored},
-    Rule{"gi.roulette_depth", traces, "no bounces are traced"},
-    Rule{"gi.roulette_depth", [](const Scene& s) { return s.gi.rouletteDepth < s.gi.bounces; },
-         "paths end before that bounce"},
-    Rule{"gi.environment_share", storesIrradiance, "no irradiance is stored"},
-    Rule{"gi.environment_share", hasProbe, "a sky of one colour has no bright places"},
-    Rule{"gi.lattice_scale", storesLight, nothingStored},
-    Rule{"gi.interpolation", storesLight, nothingStored},
-    Rule{"gi.precision", storesIrradiance, "no irradiance is stored"},
-    Rule{"gi.sh_order", storesTransfer, noTransfer},
-    Rule{"gi.sh_window", storesTransfer, noTransfer},
-    Rule{"gi.components", storesTransfer, noTransfer},
-    Rule{"gi.component_bits", storesTransfer, noTransfer},
-    Rule{"gi.threads", storesLight, nothingStored},
-
-    Rule{"picture.exposure", usesGi, noGi},
-    Rule{"picture.motion_target", [](const Scene& s) { return s.picture.adaptive; },
-         "pictures in motion are not reduced"},
-    Rule{"memory.gpu_budget_mb",
-         [](const Scene& s) { return s.memory.layout != MemoryLayout::whole || storesLight(s); },
-         "the volume is kept whole"},
+    {"gi.extent gi.band gi.samples gi.sequence gi.lattice_scale gi.interpolation", storesLight,
+     "no light is stored"},
+    {"gi.band", [](const Scene& s) { return s.gi.extent == GiExtent::band; },
+     "texels are not chosen by isovalue"},
+    {"gi.bounces",
+     [](const Scene& s) { return s.gi.mode != GiMode::vicinity && s.gi.mode != GiMode::shadow; },
+     "gi.mode is direct light only"},
+    {"gi.bounces", [](const Scene& s) { return s.gi.mode != GiMode::off; }, "no light is stored"},
+    {"gi.roulette_depth", [](const Scene& s) { return giChoiceOf(s).bounces > 0; }, "no bounces are traced"},
+    {"gi.roulette_depth", [](const Scene& s) { return s.gi.rouletteDepth < s.gi.bounces; },
+     "paths end before that bounce"},
+    {"gi.environment_share gi.precision", storesIrradiance, "no irradiance is stored"},
+    {"gi.environment_share", hasProbe, "a sky of one colour has no bright places"},
+    {"gi.sh_order gi.sh_window gi.components gi.component_bits",
+     [](const Scene& s) { return giChoiceOf(s).sky == GiMode::transfer; }, "no transfer is stored"},
 };
+
+constexpr ItemRule itemRules[] = {
+    {"isosurface#.value isosurface#.albedo isosurface#.opacity",
+     [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].shown; },
+     "that isosurface is not shown"},
+    {"lamp#.kind lamp#.position lamp#.direction lamp#.radius lamp#.angle lamp#.color lamp#.intensity",
+     [](const Scene& s, std::size_t item) { return s.lamps[item].shown; }, "that lamp is off"},
+    {"lamp#.position",
+     [](const Scene& s, std::size_t item) { return s.lamps[item].kind != LampKind::directional; },
+     "the lamp is distant"},
+    {"lamp#.direction",
+     [](const Scene& s, std::size_t item) { return s.lamps[item].kind == LampKind::directional; },
+     "the lamp has a position"},
+    {"lamp#.radius", [](const Scene& s, std::size_t item) { return s.lamps[item].kind == LampKind::sphere; },
+     "the lamp is no sphere"},
+    {"lamp#.angle",
+     [](const Scene& s, std::size_t item) { return s.lamps[item].kind == LampKind::directional; },
+     "the lamp is not distant"},
+};
+
+// Of "lamp2.kind", "isosurface3.value": the number in paths less that of the first item.
+std::size_t itemOf(std::string_view path) {
+  const int first = path.starts_with("lamp") ? 1 : 2;
+  return static_cast<std::size_t>(path[path.find('.') - 1] - '0' - first);
+}
+
+struct RulesOfPath {
+  std::vector<const Rule*> rules;
+  std::vector<const ItemRule*> ofItem;
+};
+
+std::map<std::string, RulesOfPath, std::less<>> indexed() {
+  std::map<std::string, RulesOfPath, std::less<>> index;
+  for (const Setting& setting : settings()) {
+    RulesOfPath& of = index[setting.path];
+    for (const Rule& rule : rules)
+      if (coversAny(rule.paths, setting.path)) of.rules.push_back(&rule);
+    for (const ItemRule& rule : itemRules)
+      if (coversAny(rule.paths, setting.path)) of.ofItem.push_back(&rule);
+  }
+  return index;
+}
 
 }  // namespace
 
 std::string_view whyInactive(std::string_view path, const Scene& scene) {
-  for (const Rule& rule : rules)
-    if (covers(rule, path) && !rule.acts(scene)) return rule.otherwise;
+  static const auto index = indexed();
+  const auto found = index.find(path);
+  if (found == index.end()) return {};
+  for (const Rule* rule : found->second.rules)
+    if (!rule->acts(scene)) return rule->otherwise;
+  for (const ItemRule* rule : found->second.ofItem)
+    if (!rule->acts(scene, itemOf(path))) return rule->otherwise;
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "gi/light_key.h"
 #include "gi/sampling/lamp_sampling.h"
 #include "scene/rules/automatic.h"
 #include "tests/gi/light_fixture.h"
@@ -45,15 +46,15 @@ TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
   glm::dvec3 low, high;
   volume->grid().geometry().worldBounds(low, high);
   const glm::dvec3 centre = 0.5 * (low + high);
-  scene.lamp1.shown = true;
-  scene.lamp1.color = {1.0, 0.5, 0.25};
-  scene.lamp1.intensity = 1.7;
+  scene.lamps[0].shown = true;
+  scene.lamps[0].color = {1.0, 0.5, 0.25};
+  scene.lamps[0].intensity = 1.7;
   const auto check = [&](const char* what) {
     const std::vector<LampLight> lamps = lampsOf(scene, volume->grid().geometry());
     ASSERT_EQ(lamps.size(), 1u);
-    const glm::dvec3 toward = scene.lamp1.kind == scene::LampKind::directional
-                                  ? glm::normalize(scene.lamp1.direction)
-                                  : glm::normalize(*scene.lamp1.position - centre);
+    const glm::dvec3 toward = scene.lamps[0].kind == scene::LampKind::directional
+                                  ? glm::normalize(scene.lamps[0].direction)
+                                  : glm::normalize(*scene.lamps[0].position - centre);
     const LampSampler sampler(lamps, volume->grid().geometry());
     const glm::vec3 voxel(volume->grid().geometry().voxelFromWorld() * glm::dvec4(centre, 1.0));
     glm::dvec3 mean(0.0);
@@ -64,19 +65,19 @@ TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
       mean += glm::dvec3(sampler.sample(0, voxel, glm::vec3(toward), u).irradiance) / double(steps * steps);
     }
     for (int channel = 0; channel < 3; ++channel)
-      EXPECT_NEAR(mean[channel], pi * 1.7 * scene.lamp1.color[channel], 2e-4) << what;
+      EXPECT_NEAR(mean[channel], pi * 1.7 * scene.lamps[0].color[channel], 2e-4) << what;
   };
   for (const double distance : {0.5, 5.0, 500.0}) {
-    scene.lamp1.position = centre + distance * glm::normalize(glm::dvec3(1.0, 2.0, -2.0));
-    scene.lamp1.kind = scene::LampKind::point;
+    scene.lamps[0].position = centre + distance * glm::normalize(glm::dvec3(1.0, 2.0, -2.0));
+    scene.lamps[0].kind = scene::LampKind::point;
     check("point");
-    scene.lamp1.kind = scene::LampKind::sphere;
-    scene.lamp1.radius = 3.0;  // at 0.5 the centre is inside
+    scene.lamps[0].kind = scene::LampKind::sphere;
+    scene.lamps[0].radius = 3.0;  // at 0.5 the centre is inside
     check("sphere");
   }
-  scene.lamp1.kind = scene::LampKind::directional;
+  scene.lamps[0].kind = scene::LampKind::directional;
   for (const double angle : {0.0, 1e-9, 0.53, 60.0}) {
-    scene.lamp1.angle = angle;
+    scene.lamps[0].angle = angle;
     check("directional");
   }
 }
@@ -84,10 +85,10 @@ TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
 TEST(LightScene, OnlyLampsThatShineAreThere) {
   const auto volume = phantomOf("ball", 12);
   scene::Scene scene = giScene(*volume);
-  scene.lamp1.shown = scene.lamp2.shown = true;
-  scene.lamp2.intensity = 0.0;
-  scene.lamp3.shown = true;
-  scene.lamp3.color = glm::dvec3(0.0);
+  scene.lamps[0].shown = scene.lamps[1].shown = true;
+  scene.lamps[1].intensity = 0.0;
+  scene.lamps[2].shown = true;
+  scene.lamps[2].color = glm::dvec3(0.0);
   EXPECT_EQ(lampsOf(scene, volume->grid().geometry()).size(), 1u);
 }
 
@@ -123,7 +124,7 @@ class LightKey : public ::testing::Test {
  protected:
   LightKey() {
     scene_.light.environment.file = "probe.hdr";
-    scene_.lamp1.shown = true;
+    scene_.lamps[0].shown = true;
   }
   std::string key(const scene::Scene& scene, LightPart part) const {
     return lightKey(scene, *lightOf(scene, volume_, probe_), part);
@@ -159,8 +160,8 @@ TEST_F(LightKey, KeepsWhatOnlyThePictureDependsOn) {
   EXPECT_EQ(changed([](scene::Scene& s) { s.camera.fov = 12.0; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.interpolation = scene::GiInterpolation::nearest; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.extent = scene::GiExtent::full; }), "none");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.shOrder = 3; }), "none");         // of transfer only
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamp2.intensity = 7.0; }), "none");  // is not shown
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.shOrder = 3; }), "none");            // of transfer only
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[1].intensity = 7.0; }), "none");  // is not shown
   EXPECT_EQ(changed([](scene::Scene& s) {
               s.gi.rouletteDepth = 9;
               s.gi.bounces = 1;
@@ -179,9 +180,9 @@ TEST_F(LightKey, FollowsWhatLightDependsOn) {
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.rotation = {1.0, 1.0, 0.0, 0.0}; }), "sky");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.environmentShare = 0.1; }), "sky");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.mode = scene::GiMode::transfer; }), "sky");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamp1.intensity = 2.0; }), "lamps");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamp1.kind = scene::LampKind::sphere; }), "lamps");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamp2.shown = true; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[0].intensity = 2.0; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[0].kind = scene::LampKind::sphere; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[1].shown = true; }), "lamps");
 }
 
 TEST_F(LightKey, WithoutBouncesTheSurfacesColourDoesNotMatter) {

@@ -10,6 +10,7 @@
 #include "render/renderer.h"
 #include "scene/camera.h"
 #include "scene/rules/automatic.h"
+#include "scene/settings.h"
 #include "volume/phantom/phantom.h"
 
 namespace isolux::test {
@@ -53,6 +54,18 @@ class RenderGlTest : public ::testing::Test {
   void TearDown() override {
     renderer_.reset();
     for (const std::string& error : render::glErrors()) ADD_FAILURE() << "OpenGL: " << error;
+  }
+
+  // `scene` changed by assignments; those of the machine go to the renderer, which has the defaults else.
+  scene::Scene assigned(const std::vector<std::string>& assignments, scene::Scene scene = {}) {
+    scene::Machine machine;
+    for (const std::string& assignment : assignments)
+      if (scene::isOfMachine(assignment))
+        scene::applyAssignment(machine, assignment);
+      else
+        scene::applyAssignment(scene, assignment);
+    renderer_->setMemory(machine.memory);
+    return scene;
   }
 
   struct Images {

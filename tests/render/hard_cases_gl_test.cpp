@@ -120,8 +120,8 @@ class HardCasesGlTest : public RenderGlTest {
           "isosurface2.shown=1", "isosurface2.opacity=1", "isosurface3.shown=1", "isosurface3.opacity=0.3"})
       scene::applyAssignment(scene, setting);
     const double value = scene.isosurface.value.value_or(volume.facts.suggestedIsovalue);
-    scene.isosurface2.value = value + 0.3 * volume.facts.typicalStep;
-    scene.isosurface3.value = value;
+    scene.extraIsosurfaces[0].value = value + 0.3 * volume.facts.typicalStep;
+    scene.extraIsosurfaces[1].value = value;
     return scene;
   }
 
@@ -501,14 +501,14 @@ TEST_F(HardCasesGlTest, LightsAndAlbedosAtTheirEnds) {
 TEST_F(HardCasesGlTest, OverBudgetIsAnErrorNotACrash) {
   const auto volume = phantom("noise", 128);  // float32: 8 MiB
   scene::Scene scene;
-  scene.memory.gpuBudgetMb = 1;
+  renderer_->setMemory({.gpuBudgetMb = 1});
   try {
     images(volume, scene, {16, 16});
     FAIL() << "no error";
   } catch (const base::Error& error) {
     EXPECT_EQ(error.kind(), base::ErrorKind::memory);
   }
-  scene.memory.gpuBudgetMb = 64;
+  renderer_->setMemory({.gpuBudgetMb = 64});
   images(volume, scene, {16, 16});  // and the renderer still works
 }
 

@@ -21,8 +21,7 @@ class RendererLifeGlTest : public RenderGlTest {
                              const Settings& settings = {}) {
     render::FrameRequest request;
     request.size = {96, 80};
-    scene::Scene scene;
-    for (const std::string& setting : settings) scene::applyAssignment(scene, setting);
+    const scene::Scene scene = assigned(settings);
     renderer_->setVolume(volume);
     report_ = renderer_->render(scene::resolve(scene, volume->facts), request);
     return renderer_->readColor();

@@ -24,8 +24,7 @@ class StillPictureGlTest : public RenderGlTest {
  protected:
   scene::Scene sceneOf(const std::shared_ptr<const volume::PreparedVolume>& volume,
                        const Settings& settings) {
-    scene::Scene scene;
-    for (const std::string& setting : settings) scene::applyAssignment(scene, setting);
+    const scene::Scene scene = assigned(settings);
     renderer_->setVolume(volume);
     return scene::resolve(scene, volume->facts);
   }

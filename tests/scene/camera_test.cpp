@@ -329,7 +329,7 @@ TEST(Automatic, MeshesStandOnTheirYAxis) {
   EXPECT_GT(f.back.y, 0.05) << "slightly above";
   EXPECT_NEAR(f.right.x, 1.0, 1e-9);
   EXPECT_GT(f.up.y, 0.9);
-  EXPECT_GT(scene.lamp1.position->y, 95.0) << "lamps stand above, too";
+  EXPECT_GT(scene.lamps[0].position->y, 95.0) << "lamps stand above, too";
 }
 
 TEST(Automatic, NeverChangesWhatIsExplicit) {

@@ -12,7 +12,7 @@ namespace isolux::scene {
 namespace {
 
 std::vector<glm::vec3> samples(ColorMap map, LookMode mode = LookMode::kappa1) {
-  return colorMapSamples(map, mode, 256);
+  return colorMapSamples(map, 256, lookInfo(mode).colors);
 }
 
 // CIE lightness of a linear colour, from its luminance alone (not by the way of the code under test).
@@ -46,7 +46,7 @@ TEST(ColorMapsTest, UniformMapsHavePublishedColors) {
 
 // Moreland 2009 lists (59, 76, 192), (221, 221, 221) and (180, 4, 38) of 255 as ends and middle.
 TEST(ColorMapsTest, CoolwarmIsMorelands) {
-  const auto map = colorMapSamples(ColorMap::coolwarm, LookMode::kappa1, 257);
+  const auto map = colorMapSamples(ColorMap::coolwarm, 257);
   expectSrgb(map.front(), glm::dvec3(59, 76, 192) / 255.0, 2.5 / 255.0);
   expectSrgb(map[128], glm::dvec3(221, 221, 221) / 255.0, 2.5 / 255.0);
   expectSrgb(map.back(), glm::dvec3(180, 4, 38) / 255.0, 2.5 / 255.0);
@@ -83,7 +83,7 @@ TEST(ColorMapsTest, DivergingMapsAreSymmetricInLightness) {
 TEST(ColorMapsTest, AutomaticFitsTheMeasure) {
   EXPECT_EQ(samples(ColorMap::automatic, LookMode::mean_curvature), samples(ColorMap::coolwarm));
   EXPECT_EQ(samples(ColorMap::automatic, LookMode::curvedness), samples(ColorMap::viridis));
-  const auto shape = colorMapSamples(ColorMap::automatic, LookMode::shape_index, 9);
+  const auto shape = colorMapSamples(ColorMap::automatic, 9, LookColors::shape);
   EXPECT_GT(shape.front().y, shape.front().x);  // cup: green
   EXPECT_GT(shape.back().x, shape.back().y);    // cap: red
   EXPECT_GT(lightness(shape[4]), 90.0);         // saddle: white

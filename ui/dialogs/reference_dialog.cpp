@@ -48,10 +48,11 @@ void write(const gi::ReferenceImage& image, const scene::Scene& resolved, const 
 }  // namespace
 
 ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
-                                 QSize size, QWidget* parent)
+                                 QSize size, std::optional<int> threads, QWidget* parent)
     : QDialog(parent),
       volume_(std::move(volume)),
       resolved_(std::move(resolved)),
+      threads_(threads),
       width_(makeBox(1, 16384, size.width(), "Width", this)),
       height_(makeBox(1, 16384, size.height(), "Height", this)),
       samples_(makeBox(1, 1000000, defaultSamples, "Paths per pixel", this)),
@@ -127,7 +128,7 @@ void ReferenceDialog::startOrStop() {
   round_.reset();
   job_ =
       std::make_unique<app::ReferenceJob>(volume_, resolved_, glm::ivec2(width_->value(), height_->value()),
-                                          static_cast<std::uint32_t>(samples_->value()));
+                                          static_cast<std::uint32_t>(samples_->value()), threads_);
   start_->setText("Stop");
   timer_.start();
 }
@@ -160,7 +161,7 @@ void ReferenceDialog::poll() {
 void ReferenceDialog::showImage() {
   if (!round_) return;
   const render::ColorImage& screen = shown_->currentIndex() == 0 ? round_->picture : round_->noise;
-  const QImage image(screen.rgba.data(), screen.size.x, screen.size.y, 4 * screen.size.x,
+  const QImage image(screen.rgba.data(), screen.size.x, screen.size.y, qsizetype{4} * screen.size.x,
                      QImage::Format_RGBA8888);
   preview_->setPixmap(
       QPixmap::fromImage(image).scaled(preview_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));

@@ -24,7 +24,7 @@ class ReferenceDialog : public QDialog {
   Q_OBJECT
  public:
   ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved, QSize size,
-                  QWidget* parent = nullptr);
+                  std::optional<int> threads, QWidget* parent = nullptr);
   ~ReferenceDialog() override;  // stops; a file that is being written is finished
 
   bool tracing() const { return job_ && !job_->finished(); }
@@ -53,6 +53,7 @@ class ReferenceDialog : public QDialog {
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
   scene::Scene resolved_;
+  std::optional<int> threads_;  // scene::Machine::threads
   std::unique_ptr<app::ReferenceJob> job_;
   app::RoundPointer round_;
   std::future<QString> saving_;  // why it failed; empty: it did not

@@ -64,6 +64,10 @@ void BakedLight::setVisible(std::vector<glm::vec3> hitVoxels, bool finer) {
   timer_.start(busyMilliseconds);
 }
 
+void BakedLight::setThreads(std::optional<int> threads) {
+  controller_.setThreads(threads);
+}
+
 void BakedLight::setDrawing(bool drawing) {
   controller_.yield(drawing);
 }

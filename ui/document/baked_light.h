@@ -29,7 +29,8 @@ class BakedLight : public QObject {
   void setScene(const scene::Scene& resolved);
   // The surface points of the picture. `finer`: of the same view as the last, with more pixels.
   void setVisible(std::vector<glm::vec3> hitVoxels, bool finer);
-  void setDrawing(bool drawing);  // a frame is drawn now: the processor is needed
+  void setThreads(std::optional<int> threads);  // scene::Machine::threads
+  void setDrawing(bool drawing);                // a frame is drawn now: the processor is needed
   void setDrawn(double milliseconds);
 
   const app::LightState& state() const { return state_; }

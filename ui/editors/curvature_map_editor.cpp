@@ -66,8 +66,10 @@ QImage pictureOf(const std::vector<CurvaturePoint>& points) {
   const std::vector<glm::vec3> colours = scene::curvatureTexels(points, texels);
   for (int row = 0; row < texels; ++row)
     for (int column = 0; column < texels; ++column)
-      image.setPixel(column, texels - 1 - row,
-                     screenColour(colours[static_cast<std::size_t>(row * texels + column)]).rgb());
+      image.setPixel(
+          column, texels - 1 - row,
+          screenColour(colours[static_cast<std::size_t>(row) * texels + static_cast<std::size_t>(column)])
+              .rgb());
   return image;
 }
 

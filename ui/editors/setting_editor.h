@@ -7,32 +7,13 @@
 
 #include "scene/settings.h"
 #include "ui/document/edit.h"
+#include "ui/editors/value_widgets.h"
 
 class QCheckBox;
 class QLabel;
 class QToolButton;
 
 namespace isolux::ui {
-
-// The widget that holds one setting's value; a subclass for each SettingType.
-class ValueWidget : public QWidget {
-  Q_OBJECT
- public:
-  using QWidget::QWidget;
-  virtual void showValue(const nlohmann::json& value) = 0;  // never "auto"
-  virtual nlohmann::json value() const = 0;                 // what the user has just entered
-
- Q_SIGNALS:
-  // The user changed it. Between dragStarted() and dragEnded() all changes are one gesture.
-  void changed(bool endsAfterPause);
-  void refused(const QString& why);  // what was entered cannot be taken; the old value stays
-  void dragStarted();
-  void dragEnded();
-};
-
-// A vector of linear RGB.
-bool isColour(const scene::Setting& setting);
-ValueWidget* makeValueWidget(const scene::Setting& setting, QWidget* parent);
 
 class SettingEditor : public QWidget {
   Q_OBJECT

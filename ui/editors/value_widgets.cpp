@@ -1,4 +1,5 @@
-// The value widgets of ui/editors/setting_editor.h, one for each type of setting.
+#include "ui/editors/value_widgets.h"
+
 #include <array>
 #include <cmath>
 
@@ -18,14 +19,13 @@
 #include "ui/editors/number_spin_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/rotation_widget.h"
-#include "ui/editors/setting_editor.h"
 
 namespace isolux::ui {
 
 namespace {
 
 using nlohmann::json;
-using scene::Setting;
+using scene::SettingInfo;
 using scene::SettingType;
 
 QHBoxLayout* rowLayout(QWidget* widget) {
@@ -35,7 +35,7 @@ QHBoxLayout* rowLayout(QWidget* widget) {
   return layout;
 }
 
-QString suffixOf(const Setting& setting) {
+QString suffixOf(const SettingInfo& setting) {
   if (setting.unit == "degrees") return "°";
   if (setting.unit.empty() || setting.unit.size() > 4) return {};  // long ones stand in the tooltip
   const bool rate = setting.unit.starts_with("1/");                // "5 /s"
@@ -60,7 +60,7 @@ class CalmWheel : public Base {
 
 class NumberWidget : public ValueWidget {
  public:
-  NumberWidget(const Setting& setting, QWidget* parent)
+  NumberWidget(const SettingInfo& setting, QWidget* parent)
       : ValueWidget(parent),
         minimum_(setting.minimum),
         maximum_(setting.maximum),
@@ -131,7 +131,7 @@ class NumberWidget : public ValueWidget {
 
 class IntegerWidget : public ValueWidget {
  public:
-  IntegerWidget(const Setting& setting, QWidget* parent)
+  IntegerWidget(const SettingInfo& setting, QWidget* parent)
       : ValueWidget(parent), box_(new IntegerSpinBox(this)) {
     box_->setRange(static_cast<int>(setting.minimum), static_cast<int>(setting.maximum));
     box_->setSuffix(suffixOf(setting));
@@ -152,7 +152,7 @@ class IntegerWidget : public ValueWidget {
 
 class TextWidget : public ValueWidget {
  public:
-  TextWidget(const Setting&, QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
+  TextWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
     rowLayout(this)->addWidget(line_, 1);
     setFocusProxy(line_);
     connect(line_, &QLineEdit::editingFinished, this, [this] {
@@ -172,7 +172,7 @@ class TextWidget : public ValueWidget {
 
 class ToggleWidget : public ValueWidget {
  public:
-  ToggleWidget(const Setting&, QWidget* parent) : ValueWidget(parent), box_(new QCheckBox(this)) {
+  ToggleWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), box_(new QCheckBox(this)) {
     rowLayout(this)->addWidget(box_, 1);
     setFocusProxy(box_);
     connect(box_, &QCheckBox::toggled, this, [this] { Q_EMIT changed(false); });
@@ -189,7 +189,7 @@ class ToggleWidget : public ValueWidget {
 
 class ChoiceWidget : public ValueWidget {
  public:
-  ChoiceWidget(const Setting& setting, QWidget* parent)
+  ChoiceWidget(const SettingInfo& setting, QWidget* parent)
       : ValueWidget(parent), combo_(new CalmWheel<QComboBox>(this)) {
     for (const std::string& choice : setting.choices) {
       const QString word = QString::fromStdString(choice);
@@ -213,7 +213,7 @@ class ChoiceWidget : public ValueWidget {
 
 class ColourWidget : public ValueWidget {
  public:
-  ColourWidget(const Setting&, QWidget* parent) : ValueWidget(parent), button_(new ColorButton(this)) {
+  ColourWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), button_(new ColorButton(this)) {
     auto* layout = rowLayout(this);
     layout->addWidget(button_);
     layout->addStretch(1);
@@ -235,7 +235,7 @@ class ColourWidget : public ValueWidget {
 
 class VectorWidget : public ValueWidget {
  public:
-  VectorWidget(const Setting& setting, QWidget* parent) : ValueWidget(parent) {
+  VectorWidget(const SettingInfo& setting, QWidget* parent) : ValueWidget(parent) {
     auto* layout = rowLayout(this);
     layout->setSpacing(4);
     boxes_.resize(scene::componentsOf(setting.type));
@@ -267,11 +267,11 @@ class VectorWidget : public ValueWidget {
 
 }  // namespace
 
-bool isColour(const Setting& setting) {
+bool isColour(const SettingInfo& setting) {
   return setting.type == SettingType::vector && setting.unit.starts_with("linear RGB");
 }
 
-ValueWidget* makeValueWidget(const Setting& setting, QWidget* parent) {
+ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
   switch (setting.type) {
     case SettingType::number:
       return new NumberWidget(setting, parent);

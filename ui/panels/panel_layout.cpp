@@ -36,7 +36,7 @@ const std::vector<GroupPlan>& plan() {
        {"light.environment.file", "light.environment.constant", "light.environment.rotation",
         "light.environment.exposure", "light.environment.visible", "light.environment.moves",
         "light.environment."}},
-      {"Lamps", true, {"lamp1.", "lamp2.", "lamp3."}},
+      {"Lamps", true, {"lamp#."}},
       {"Global illumination",
        true,
        {"picture.exposure", "gi.mode", "gi.samples", "gi.bounces", "gi.extent", "gi.band", "gi.lattice_scale",
@@ -46,12 +46,11 @@ const std::vector<GroupPlan>& plan() {
        true,
        {"isosurface.value", "isosurface.inside", "isosurface.albedo_source", "isosurface.albedo",
         "isosurface.albedo_map", "isosurface.albedo_low", "isosurface.albedo_high", "isosurface."}},
-      {"More isosurfaces", false, {"isosurface2.", "isosurface3.", "isosurface4."}},
+      {"More isosurfaces", false, {"isosurface#."}},
       {"Hit", false, {"hit."}},
       {"Derivatives", false, {"derivatives."}},
       {"Camera", false, {"camera."}},
       {"Picture", false, {"look.background_top", "look.background_bottom", "picture."}},
-      {"Memory", false, {"memory."}},
   };
   return groups;
 }
@@ -65,9 +64,7 @@ std::string prefixOf(const scene::Setting& setting) {
 
 // How much of the path an entry of the plan names: all of it, a prefix ("light.environment."), or nothing.
 std::size_t lengthCovered(std::string_view entry, const scene::Setting& setting) {
-  const bool covers =
-      entry.ends_with('.') ? setting.path.starts_with(entry) : std::string_view(setting.path) == entry;
-  return covers ? entry.size() : 0;
+  return scene::covers(entry, setting.path) ? entry.size() : 0;
 }
 
 // The entry that names most of a setting's path; empty: none.
@@ -129,7 +126,6 @@ RowLabel labelOf(const scene::Setting& setting) {
   if (path == "gi.sh_order") return {"SH order", false};
   if (path == "gi.sh_window") return {"SH window", false};
   if (path == "look.curvature_points") return {"Colours of κ₁ and κ₂", false};
-  if (path == "memory.gpu_budget_mb") return {"GPU budget", false};
   QString words = wordsOf(name);
   words.replace("color", "colour").replace("Color", "Colour");
   if (words == "Colourmap") words = "Colour map";

@@ -39,7 +39,7 @@ bool anyRan(const render::FrameReport& report) {
 }  // namespace
 
 PassesPanel::PassesPanel(QWidget* parent)
-    : QWidget(parent),
+    : Panel(parent),
       heading_(new QLabel("No picture yet", this)),
       summary_(new QLabel(this)),
       table_(new QTreeWidget(this)),

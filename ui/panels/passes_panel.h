@@ -7,9 +7,8 @@
 #include <map>
 
 #include <QTimer>
-#include <QWidget>
 
-#include "render/graph/frame.h"
+#include "ui/panels/panel.h"
 
 class QLabel;
 class QToolButton;
@@ -17,13 +16,12 @@ class QTreeWidget;
 
 namespace isolux::ui {
 
-class PassesPanel : public QWidget {
+class PassesPanel : public Panel {
   Q_OBJECT
  public:
   explicit PassesPanel(QWidget* parent = nullptr);
 
-  // Of every picture; cheap.
-  void setReport(const render::FrameReport& report, const render::FrameRequest& request);
+  void setReport(const render::FrameReport& report, const render::FrameRequest& request) override;  // cheap
   QString text() const;  // the table as tab-separated lines, for other programs
   QTreeWidget* table() const { return table_; }
 

@@ -54,10 +54,12 @@ QVBoxLayout* makeRows(QWidget* box) {
 }  // namespace
 
 SettingsPanel::SettingsPanel(QWidget* parent)
-    : QWidget(parent),
+    : Panel(parent),
       search_(new QLineEdit(this)),
       scroll_(new QScrollArea(this)),
-      nothing_(new QLabel("No setting is called that.", this)),
+      nothing_(new QLabel(
+          "No setting is called that.\nMemory, threads and the speed in motion are in Edit, Preferences.",
+          this)),
       environment_(new EnvironmentPreview(this)) {
   setMinimumWidth(330);
   search_->setPlaceholderText("Find a setting");
@@ -66,6 +68,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   nothing_->setAlignment(Qt::AlignHCenter);
+  nothing_->setWordWrap(true);
   nothing_->setContentsMargins(0, 24, 0, 0);
   nothing_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
   nothing_->hide();
@@ -119,7 +122,7 @@ SettingsPanel::Row SettingsPanel::addRow(const scene::Setting& setting, const Gr
   label->setBuddy(editor->valueWidget());
   label->setWordWrap(true);
   auto* line = new QWidget(group.box);
-  const Row row{editor, label, line, wordsToSearch(setting, words.text, group.header->text())};
+  Row row{editor, label, line, wordsToSearch(setting, words.text, group.header->text())};
   const bool wide = editor->isWide();
   auto* both = new QBoxLayout(wide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, line);
   both->setContentsMargins(0, wide ? 2 : 0, 0, 0);
@@ -189,6 +192,10 @@ void SettingsPanel::search(const QString& text) {
     showGroup(group);
   }
   nothing_->setVisible(!any);
+}
+
+void SettingsPanel::setVolume(const VolumePointer& volume) {
+  environment_->setAxes(volume->volume.axes);
 }
 
 void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {

@@ -7,9 +7,7 @@
 #include <vector>
 
 #include <QTimer>
-#include <QWidget>
-
-#include "ui/document/edit.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_layout.h"
 
 class QLabel;
@@ -23,24 +21,19 @@ namespace isolux::ui {
 class EnvironmentPreview;
 class SettingEditor;
 
-class SettingsPanel : public QWidget {
+class SettingsPanel : public Panel {
   Q_OBJECT
  public:
   explicit SettingsPanel(QWidget* parent = nullptr);
 
-  void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void setVolume(const VolumePointer& volume) override;
+  void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
   SettingEditor* editor(const QString& path) const;  // null: not edited here
   bool shows(const QString& path) const;             // the row is there, if its group is open
   QLineEdit* searchLine() const { return search_; }
   EnvironmentPreview* environmentPreview() const { return environment_; }
   void focusSearch();
   void setGroupOpen(const QString& title, bool open);
-
- Q_SIGNALS:
-  void edited(const isolux::ui::Edit& edit);
-  void dragStarted();
-  void dragEnded();
-  void failed(const QString& message);
 
  private:
   struct Row {

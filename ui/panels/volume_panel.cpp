@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -32,7 +33,7 @@ QString axesText(const glm::dmat3& directions, scene::WorldAxes axes) {
   const char* names[] = {"x", "y", "z"};
   QStringList parts;
   for (int axis = 0; axis < 3; ++axis) {
-    const glm::dvec3 direction = directions[axis];
+    const glm::dvec3& direction = directions[axis];
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
     const double degrees = std::acos(std::min(1.0, largest)) * 180.0 / std::numbers::pi;
     QString part = QString("%1 → %2").arg(names[axis], QString::fromStdString(axisEnd(axes, direction)));
@@ -43,10 +44,14 @@ QString axesText(const glm::dmat3& directions, scene::WorldAxes axes) {
 }
 }  // namespace
 
-InfoPanel::InfoPanel(QWidget* parent)
-    : QScrollArea(parent), facts_(new QFormLayout), choices_(new QFormLayout), choiceBox_(new QWidget(this)) {
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+VolumePanel::VolumePanel(QWidget* parent)
+    : Panel(parent), facts_(new QFormLayout), choices_(new QFormLayout), choiceBox_(new QWidget(this)) {
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
   setMinimumWidth(310);
   facts_->setHorizontalSpacing(14);
   facts_->setVerticalSpacing(6);
@@ -78,8 +83,8 @@ InfoPanel::InfoPanel(QWidget* parent)
   choiceBox_->setLayout(choices_);
 
   source_ = new SourcePanel(this);
-  connect(source_, &SourcePanel::edited, this, &InfoPanel::edited);
-  connect(source_, &SourcePanel::failed, this, &InfoPanel::failed);
+  connect(source_, &SourcePanel::edited, this, &VolumePanel::edited);
+  connect(source_, &SourcePanel::failed, this, &VolumePanel::failed);
 
   warningTitle_ = new QLabel("Notes of the reader", this);
   QFont bold = warningTitle_->font();
@@ -100,7 +105,7 @@ InfoPanel::InfoPanel(QWidget* parent)
   layout->addWidget(warningTitle_);
   layout->addWidget(warnings_);
   layout->addStretch(1);
-  setWidget(content);
+  scroll->setWidget(content);
   showFacts();
   showChoices();
 
@@ -121,7 +126,7 @@ InfoPanel::InfoPanel(QWidget* parent)
   });
 }
 
-WrappedText* InfoPanel::addRow(const QString& name) {
+WrappedText* VolumePanel::addRow(const QString& name) {
   auto* value = new WrappedText(this);
   auto* label = new QLabel(name, this);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -131,32 +136,32 @@ WrappedText* InfoPanel::addRow(const QString& name) {
   return value;
 }
 
-void InfoPanel::setVolume(VolumePointer volume) {
-  volume_ = std::move(volume);
+void VolumePanel::setVolume(const VolumePointer& volume) {
+  volume_ = volume;
   showFacts();
   showChoices();
   source_->show(scene_, volume_);
 }
 
-void InfoPanel::setScene(const scene::Scene& scene) {
+void VolumePanel::setScene(const scene::Scene& scene, const scene::Scene&) {
   const bool changed = scene.source != scene_.source;
   scene_ = scene;
   if (changed) showChoices();
   source_->show(scene_, volume_);
 }
 
-void InfoPanel::setFirstPicture(double seconds) {
+void VolumePanel::setFirstPicture(double seconds) {
   if (!volume_) return;
   time_->setText(QString("read %1 s, prepared %2 s; picture %3 s after reading")
                      .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2),
                           numberText(seconds, 2)));
 }
 
-QString InfoPanel::warnings() const {
+QString VolumePanel::warnings() const {
   return warnings_->text();
 }
 
-void InfoPanel::showFacts() {
+void VolumePanel::showFacts() {
   for (WrappedText* label :
        {name_, format_, dims_, type_, spacing_, extent_, axes_, range_, missing_, memory_, time_}) {
     label->setText("–");
@@ -215,7 +220,7 @@ void InfoPanel::showFacts() {
   }
 }
 
-void InfoPanel::showChoices() {
+void VolumePanel::showChoices() {
   const QSignalBlocker blockSeries(series_), blockComponent(component_), blockTime(timeStep_);
   series_->clear();
   component_->clear();

@@ -1,10 +1,7 @@
 // What is known about the volume on screen, and the choices its file offers: series, component, time step.
 #pragma once
 
-#include <QScrollArea>
-
-#include "ui/document/document.h"
-#include "ui/document/edit.h"
+#include "ui/panels/panel.h"
 
 class QComboBox;
 class QFormLayout;
@@ -16,23 +13,19 @@ namespace isolux::ui {
 class SourcePanel;
 class WrappedText;
 
-class InfoPanel : public QScrollArea {
+class VolumePanel : public Panel {
   Q_OBJECT
  public:
-  explicit InfoPanel(QWidget* parent = nullptr);
+  explicit VolumePanel(QWidget* parent = nullptr);
 
-  void setVolume(VolumePointer volume);
-  void setScene(const scene::Scene& scene);
-  void setFirstPicture(double seconds);  // since the bytes were read
+  void setVolume(const VolumePointer& volume) override;
+  void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
+  void setFirstPicture(double seconds) override;
   QComboBox* seriesChoice() const { return series_; }
   QComboBox* componentChoice() const { return component_; }
   QSpinBox* timeStepChoice() const { return timeStep_; }
   SourcePanel* sourcePanel() const { return source_; }
   QString warnings() const;
-
- Q_SIGNALS:
-  void edited(const isolux::ui::Edit& edit);
-  void failed(const QString& message);
 
  private:
   WrappedText* addRow(const QString& name);

@@ -68,9 +68,7 @@ app::Motion motionBetween(const scene::Scene& from, scene::Scene to) {
   to.look = from.look;
   to.flow = from.flow;
   to.light = from.light;
-  to.lamp1 = from.lamp1;
-  to.lamp2 = from.lamp2;
-  to.lamp3 = from.lamp3;
+  to.lamps = from.lamps;
   to.gi = from.gi;
   to.picture.exposure = from.picture.exposure;
   to.isosurface.albedo = from.isosurface.albedo;
@@ -127,7 +125,8 @@ void Viewport::initializeGL() {
         [current](const char* name) { return reinterpret_cast<void*>(current->getProcAddress(name)); });
     glDescription_ = QString::fromStdString(describeGl(*gl_));
     quality_ = app::PictureQuality(isSoftware(*gl_));
-    quality_.setPicture(resolved_.picture);
+    quality_.setSupersampling(resolved_.picture.supersampling);
+    quality_.setMachine(machine_);
     redraw();
   } catch (...) {
     gl_.reset();
@@ -199,6 +198,7 @@ void Viewport::paintGL() {
 const render::FrameReport& Viewport::drawPicture() {
   if (!renderer_) {
     renderer_ = std::make_unique<render::Renderer>(gl_);
+    renderer_->setMemory(machine_.memory);
     renderer_->setVolume(volume_);
     current_ = false;
   }
@@ -377,6 +377,14 @@ void Viewport::setVolume(VolumePointer volume) {
   redraw();
 }
 
+void Viewport::setMachine(const scene::Machine& machine) {
+  if (machine == machine_) return;
+  machine_ = machine;
+  quality_.setMachine(machine);
+  if (renderer_) renderer_->setMemory(machine.memory);
+  redraw();
+}
+
 void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   const app::Motion motion = motionBetween(resolved_, resolved);
   const bool switchedOn =
@@ -386,7 +394,7 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
   resolved_ = resolved;
   overlay_->setScene(resolved, volume_ != nullptr, axes());
   showLamps();
-  quality_.setPicture(resolved.picture);
+  quality_.setSupersampling(resolved.picture.supersampling);
   redraw(motion);
 }
 

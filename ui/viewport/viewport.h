@@ -26,6 +26,7 @@ class QPushButton;
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/camera.h"
+#include "scene/machine.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
@@ -46,6 +47,7 @@ class Viewport : public QOpenGLWidget {
 
   void setVolume(VolumePointer volume);
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void setMachine(const scene::Machine& machine);
   void setHint(const QString& text);  // shown while there is no volume
   void setTopInset(int pixels);       // of the top that is covered: letters and cube stand below
   void setFlowTime(double seconds);   // an animated flow has moved on
@@ -133,6 +135,7 @@ class Viewport : public QOpenGLWidget {
   VolumePointer volume_;
   scene::Scene scene_, resolved_;
   LightPointer light_;
+  scene::Machine machine_;
   app::PictureQuality quality_;
   render::FrameRequest lastRequest_;
   double pictureMilliseconds_ = 0.0;

@@ -56,9 +56,9 @@ bool waylandPluginInstalled() {
 std::optional<std::string> displayProblem() {
   if (isSet("QT_QPA_PLATFORM")) return std::nullopt;  // the user knows better
   if (isSet("WAYLAND_DISPLAY") && waylandPluginInstalled()) return std::nullopt;
-  if (isSet("DISPLAY")) {
+  if (const char* const display = std::getenv("DISPLAY"); display && *display) {
     if (xServerAnswers()) return std::nullopt;
-    return "the X server at DISPLAY=" + std::string(std::getenv("DISPLAY")) + " does not answer";
+    return "the X server at DISPLAY=" + std::string(display) + " does not answer";
   }
   if (isSet("WAYLAND_DISPLAY")) return "Qt's Wayland plugin is not installed (package qt6-wayland)";
   return "there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)";

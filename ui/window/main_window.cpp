@@ -16,18 +16,17 @@
 #include <QVBoxLayout>
 
 #include "app/documents/session.h"
+#include "scene/looks.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 #include "ui/document/baked_light.h"
+#include "ui/document/preferences.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/environment_edit.h"
-#include "ui/editors/environment_preview.h"
 #include "ui/editors/number_text.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/light_status.h"
-#include "ui/panels/passes_panel.h"
-#include "ui/panels/settings_panel.h"
-#include "ui/panels/volume_panel.h"
+#include "ui/panels/panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/load_card.h"
 #include "ui/window/message_bar.h"
@@ -51,9 +50,6 @@ MainWindow::MainWindow(QWidget* parent)
       light_(new BakedLight(this)),
       viewport_(new Viewport(this)),
       isovalue_(new IsovaluePanel(this)),
-      settings_(new SettingsPanel(this)),
-      info_(new InfoPanel(this)),
-      passes_(new PassesPanel(this)),
       message_(new MessageBar(viewport_)),
       loadCard_(new LoadCard(viewport_)),
       lightStatus_(new LightStatus(this)),
@@ -71,6 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
   makeToolBar();
   connectDocument();
   connectLight();
+  setMachine(keptMachine());
   showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(openHint);
   showState();
@@ -90,22 +87,19 @@ void MainWindow::makePanels() {
   layout->addWidget(isovalue_);
   setCentralWidget(centre);
 
-  const auto dock = [this](const QString& name, QWidget* content) {
-    auto* widget = new QDockWidget(name, this);
-    widget->setObjectName(name);
-    widget->setWidget(content);
-    widget->setFeatures(QDockWidget::DockWidgetClosable);
-    widget->setTitleBarWidget(new QWidget(widget));  // the tab says the name already
-    addDockWidget(Qt::RightDockWidgetArea, widget);
-    return widget;
-  };
-  settingsDock_ = dock("Settings", settings_);
-  infoDock_ = dock("Volume", info_);
-  passesDock_ = dock("Passes", passes_);
-  tabifyDockWidget(settingsDock_, infoDock_);
-  tabifyDockWidget(infoDock_, passesDock_);
-  settingsDock_->raise();
-  resizeDocks({settingsDock_}, {panelWidth}, Qt::Horizontal);
+  for (const PanelInfo& info : panels()) {
+    auto* dock = new QDockWidget(info.title, this);
+    Panel* const panel = info.make(dock);
+    dock->setObjectName(info.title);
+    dock->setWidget(panel);
+    dock->setFeatures(QDockWidget::DockWidgetClosable);
+    dock->setTitleBarWidget(new QWidget(dock));  // the tab says the name already
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    if (!panels_.empty()) tabifyDockWidget(panels_.back().dock, dock);
+    panels_.push_back({dock, panel});
+  }
+  panels_.front().dock->raise();
+  resizeDocks({panels_.front().dock}, {panelWidth}, Qt::Horizontal);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDocumentMode(true);
 
@@ -131,8 +125,7 @@ void MainWindow::connectDocument() {
     isovalue_->setVolume(volume);
     light_->setVolume(volume);
     viewport_->setVolume(volume);
-    info_->setVolume(volume);
-    settings_->environmentPreview()->setAxes(volume->volume.axes);
+    for (const Docked& docked : panels_) docked.panel->setVolume(volume);
     nameViews();
     awaitsFirstPicture_ = true;
     if (!volume->volume.warnings.empty()) {
@@ -163,8 +156,6 @@ void MainWindow::connectDocument() {
   const auto showError = [this](const QString& text) { message_->show(MessageBar::Kind::error, text); };
   connect(document_, &Document::failed, this, showError);
   connect(viewport_, &Viewport::failed, this, showError);
-  connect(settings_, &SettingsPanel::failed, this, showError);
-  connect(info_, &InfoPanel::failed, this, showError);
 
   connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
   connect(viewport_, &Viewport::noted, this,
@@ -176,14 +167,11 @@ void MainWindow::connectDocument() {
     frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : " (draft)"));
     if (awaitsFirstPicture_) {
       awaitsFirstPicture_ = false;
-      info_->setFirstPicture(document_->secondsSinceRead());
+      for (const Docked& docked : panels_) docked.panel->setFirstPicture(document_->secondsSinceRead());
       showState();  // the title names what is on show
     }
   });
-  connect(viewport_, &Viewport::reported, passes_, &PassesPanel::setReport);
   connect(isovalue_, &IsovaluePanel::edited, document_, &Document::edit);
-  connect(settings_, &SettingsPanel::edited, this, &MainWindow::applyEdit);
-  connect(info_, &InfoPanel::edited, document_, &Document::edit);
   const auto begin = [this] { viewport_->setInteracting(true); };
   const auto end = [this] {
     viewport_->setInteracting(false);
@@ -191,8 +179,13 @@ void MainWindow::connectDocument() {
   };
   connect(isovalue_, &IsovaluePanel::dragStarted, this, begin);
   connect(isovalue_, &IsovaluePanel::dragEnded, this, end);
-  connect(settings_, &SettingsPanel::dragStarted, this, begin);
-  connect(settings_, &SettingsPanel::dragEnded, this, end);
+  for (const Docked& docked : panels_) {
+    connect(viewport_, &Viewport::reported, docked.panel, &Panel::setReport);
+    connect(docked.panel, &Panel::failed, this, showError);
+    connect(docked.panel, &Panel::edited, this, &MainWindow::applyEdit);
+    connect(docked.panel, &Panel::dragStarted, this, begin);
+    connect(docked.panel, &Panel::dragEnded, this, end);
+  }
 }
 
 void MainWindow::connectLight() {
@@ -233,6 +226,9 @@ void MainWindow::endGesture() {
 
 void MainWindow::open(const app::WindowRequest& request) {
   try {
+    scene::Machine machine = machine_;
+    for (const std::string& assignment : request.machine) scene::applyAssignment(machine, assignment);
+    setMachine(machine);
     scene::Scene scene = request.scene;
     const QString path = QString::fromStdString(scene.source.path);
     const bool builtIn = path.startsWith("phantom:");
@@ -255,13 +251,12 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   isovalue_->setScene(scene, resolved);
   light_->setScene(resolved);
   viewport_->setScene(scene, resolved);
-  settings_->setScene(scene, resolved);
-  info_->setScene(scene);
+  for (const Docked& docked : panels_) docked.panel->setScene(scene, resolved);
   projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
   animate_->setEnabled(scene::showsFlow(scene));
   animate_->setChecked(scene.flow.animate);
   const QSignalBlocker block(look_);
-  look_->setCurrentIndex(static_cast<int>(scene.look.mode));
+  look_->setCurrentIndex(static_cast<int>(&scene::lookInfo(scene.look.mode) - scene::looks().data()));
 }
 
 void MainWindow::showState() {
@@ -308,10 +303,12 @@ void MainWindow::showPointed(const std::optional<render::Pick>& pick) {
                              .arg(valueText(pick->value, unit)));
 }
 
-void MainWindow::showPanel(const QString& name) {
-  QDockWidget* dock = name == "volume" ? infoDock_ : name == "passes" ? passesDock_ : settingsDock_;
-  dock->show();
-  dock->raise();
+void MainWindow::showPanel(const QString& title) {
+  for (const Docked& docked : panels_) {
+    if (docked.dock->windowTitle().compare(title, Qt::CaseInsensitive) != 0) continue;
+    docked.dock->show();
+    docked.dock->raise();
+  }
 }
 
 }  // namespace isolux::ui

@@ -9,6 +9,7 @@
 
 #include "app/commands/command_line.h"
 #include "render/graph/frame.h"
+#include "scene/machine.h"
 #include "ui/document/document.h"
 
 class QComboBox;
@@ -21,13 +22,11 @@ namespace isolux::ui {
 
 class BakedLight;
 class DocumentKeeper;
-class InfoPanel;
 class IsovaluePanel;
 class LightStatus;
 class LoadCard;
 class MessageBar;
-class PassesPanel;
-class SettingsPanel;
+class Panel;
 class Viewport;
 
 // Of a window that was never opened before: 1280x800, or what the screen has room for. Pixels of the screen's
@@ -51,13 +50,15 @@ class MainWindow : public QMainWindow {
   // The same without the manager: whether the session may end.
   bool endSession(bool mayAsk);
 
+  const scene::Machine& machine() const { return machine_; }
   Document* document() const { return document_; }
   DocumentKeeper* keeper() const { return keeper_; }  // null until keepDocument()
   Viewport* viewport() const { return viewport_; }
   IsovaluePanel* isovaluePanel() const { return isovalue_; }
-  SettingsPanel* settingsPanel() const { return settings_; }
-  InfoPanel* infoPanel() const { return info_; }
-  PassesPanel* passesPanel() const { return passes_; }
+  template <class P>
+  P* panel() const {  // of ui/panels/panel.h
+    return findChild<P*>();
+  }
   QComboBox* lookChoice() const { return look_; }
   MessageBar* messageBar() const { return message_; }
   LoadCard* loadCard() const { return loadCard_; }
@@ -66,7 +67,7 @@ class MainWindow : public QMainWindow {
 
   // .png or .exr; tells what was saved, or why not.
   bool savePicture(const QString& file, bool withSession = true);
-  void showPanel(const QString& name);  // "settings", "volume" or "passes"
+  void showPanel(const QString& title);  // in front of the others
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -108,26 +109,30 @@ class MainWindow : public QMainWindow {
   void tracePicture();
   void toggleRecording();
   void toggleFullScreen(bool on);
-  void chooseLook(int mode);
+  void chooseLook(int row);  // of look_
   void stepLook(int step);
   void findSetting();
+  void showPreferences();
+  void setMachine(const scene::Machine& machine);
   void showHelp();
   void showAbout();
   // True when there is no unsaved work, or the user has saved or discarded it.
   bool mayDiscard();
 
+  scene::Machine machine_;  // as kept, and as --set says for this run
   Document* document_;
   DocumentKeeper* keeper_ = nullptr;
   BakedLight* light_;
   Viewport* viewport_;
   IsovaluePanel* isovalue_;
-  SettingsPanel* settings_;
-  InfoPanel* info_;
-  PassesPanel* passes_;
   MessageBar* message_;
   LoadCard* loadCard_;
   LightStatus* lightStatus_;
-  QDockWidget *settingsDock_ = nullptr, *infoDock_ = nullptr, *passesDock_ = nullptr;
+  struct Docked {
+    QDockWidget* dock;
+    Panel* panel;
+  };
+  std::vector<Docked> panels_;
   QMenu* recentMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_;

@@ -4,26 +4,46 @@
 #include <QMessageBox>
 
 #include "app/version.h"
+#include "scene/looks.h"
+#include "ui/dialogs/preferences_dialog.h"
+#include "ui/document/baked_light.h"
+#include "ui/document/preferences.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
 namespace isolux::ui {
 
-void MainWindow::chooseLook(int mode) {
+void MainWindow::chooseLook(int row) {
   Edit edit{document_->scene(), "Change look", {}, false};
-  edit.scene.look.mode = static_cast<scene::LookMode>(mode);
+  edit.scene.look.mode = scene::looks()[static_cast<std::size_t>(row)].mode;
   document_->edit(edit);
 }
 
 void MainWindow::stepLook(int step) {
   const int count = look_->count();
-  chooseLook((static_cast<int>(document_->scene().look.mode) + step + count) % count);
+  chooseLook((look_->currentIndex() + step + count) % count);
 }
 
 void MainWindow::findSetting() {
-  showPanel("settings");
-  settings_->focusSearch();
+  showPanel("Settings");
+  panel<SettingsPanel>()->focusSearch();
+}
+
+void MainWindow::setMachine(const scene::Machine& machine) {
+  machine_ = machine;
+  viewport_->setMachine(machine);
+  light_->setThreads(machine.threads);
+}
+
+void MainWindow::showPreferences() {
+  auto* dialog = new PreferencesDialog(machine_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PreferencesDialog::changed, this, [this](const scene::Machine& machine) {
+    keepMachine(machine_, machine);
+    setMachine(machine);
+  });
+  dialog->show();
 }
 
 void MainWindow::showHelp() {

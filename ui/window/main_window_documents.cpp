@@ -173,7 +173,7 @@ void MainWindow::choosePicture() {
 void MainWindow::tracePicture() {
   const double ratio = viewport_->devicePixelRatioF();
   auto* dialog = new ReferenceDialog(document_->volume(), document_->resolvedScene(),
-                                     (QSizeF(viewport_->size()) * ratio).toSize(), this);
+                                     (QSizeF(viewport_->size()) * ratio).toSize(), machine_.threads, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
 }

@@ -15,7 +15,7 @@ void MainWindow::toggleFullScreen(bool on) {
   if (on) {
     layoutBefore_ = saveState();
     for (QToolBar* bar : findChildren<QToolBar*>()) bar->hide();
-    for (QDockWidget* dock : {settingsDock_, infoDock_, passesDock_}) dock->hide();
+    for (const Docked& docked : panels_) docked.dock->hide();
     setWindowState(windowState() | Qt::WindowFullScreen);
   } else {
     setWindowState(windowState() & ~Qt::WindowFullScreen);  // maximised again, where it was

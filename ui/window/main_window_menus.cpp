@@ -10,6 +10,7 @@
 #include <QShortcut>
 #include <QToolBar>
 
+#include "scene/looks.h"
 #include "scene/settings.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/number_text.h"
@@ -78,6 +79,10 @@ void MainWindow::makeEditMenu() {
   menu->addSeparator();
   QAction* find = newAction(menu, "&Find a setting", "", QKeySequence::Find, "Find a setting by its name");
   connect(find, &QAction::triggered, this, &MainWindow::findSetting);
+  menu->addSeparator();
+  QAction* preferences = newAction(menu, "&Preferences …", "", QKeySequence::Preferences,
+                                   "Memory, threads and speed: settings of this machine");
+  connect(preferences, &QAction::triggered, this, &MainWindow::showPreferences);
 }
 
 void MainWindow::makeViewMenu() {
@@ -111,9 +116,7 @@ void MainWindow::makeViewMenu() {
   viewport_->addAction(animate_);
   connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
   menu->addSeparator();
-  menu->addAction(settingsDock_->toggleViewAction());
-  menu->addAction(infoDock_->toggleViewAction());
-  menu->addAction(passesDock_->toggleViewAction());
+  for (const Docked& docked : panels_) menu->addAction(docked.dock->toggleViewAction());
   menu->addSeparator();
   fullScreen_ = newAction(menu, "Full &screen", "", QKeySequence("F11"), "Full screen; Esc ends it");
   fullScreen_->setCheckable(true);
@@ -164,8 +167,11 @@ void MainWindow::makeToolBar() {
   look_->setToolTip("What the picture shows (L, Shift+L: next and previous)");
   look_->setAccessibleName("Look");
   look_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  for (const std::string& mode : scene::setting("look.mode").choices)
-    look_->addItem(wordsOf(QString::fromStdString(mode)));
+  for (const scene::LookInfo& look : scene::looks()) {
+    look_->addItem(wordsOf(QString::fromStdString(std::string(look.name))));
+    look_->setItemData(look_->count() - 1, QString::fromStdString(std::string(look.meaning)),
+                       Qt::ToolTipRole);
+  }
   look_->setMaxVisibleItems(look_->count());
   connect(look_, &QComboBox::currentIndexChanged, this, &MainWindow::chooseLook);
   bar->addWidget(look_);

@@ -70,8 +70,8 @@ std::vector<float> fill(const GridGeometry& geometry, const PhantomRequest& requ
   const auto ny = static_cast<std::size_t>(dims.y), rows = ny * static_cast<std::size_t>(dims.z);
   parallelSteps(rows, progress, {0.0, 1.0, "making the phantom"}, [&](std::size_t row) {
     std::size_t i = row * static_cast<std::size_t>(dims.x);
-    const glm::dvec3 start =
-        origin + linear[1] * static_cast<double>(row % ny) + linear[2] * static_cast<double>(row / ny);
+    const std::size_t y = row % ny, z = row / ny;
+    const glm::dvec3 start = origin + linear[1] * static_cast<double>(y) + linear[2] * static_cast<double>(z);
     for (int x = 0; x < dims.x; ++x, ++i) {
       double value = field(start + linear[0] * static_cast<double>(x), i);
       if (request.noise > 0.0) value += request.noise * base::normalNoise(request.seed, i);

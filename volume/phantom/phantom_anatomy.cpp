@@ -20,10 +20,10 @@ void orbitCone(Solid& solid, float wider, bool remove, float blend) {
 }
 
 void cranialCavity(Solid& solid, bool remove) {
-  const auto put = [&](Vec centre, Vec radii, float blend) {
+  const auto put = [&](const Vec& centre, const Vec& radii, float blend) {
     remove ? solid.remove(centre, radii, blend) : solid.add(centre, radii, blend);
   };
-  const auto putPair = [&](Vec centre, Vec radii, float blend) {
+  const auto putPair = [&](const Vec& centre, const Vec& radii, float blend) {
     remove ? solid.removePair(centre, radii, blend) : solid.addPair(centre, radii, blend);
   };
   put({0, 12, 50}, {63, 75, 56}, 1);

@@ -98,7 +98,7 @@ class Header {
 
 // The synonyms of the definition, without spaces around the name.
 std::string canonicalName(std::string_view name) {
-  const std::string lower = lowered(trimmed(name));
+  std::string lower = lowered(trimmed(name));
   struct Synonym {
     std::string_view other, name;
   };
@@ -136,7 +136,7 @@ Header::Header(std::string_view text, std::string file) : file_(std::move(file))
     if (!fields_.emplace(canonicalName(field.name), field).second)
       throwInput(file_, field.place(), "is given twice");
     if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 fields");
-    if (canonicalName(field.name) == "data file" && wordsOf(field.value).size() >= 1 &&
+    if (canonicalName(field.name) == "data file" && !wordsOf(field.value).empty() &&
         wordsOf(field.value)[0] == "LIST")
       break;  // the rest are file names
   }

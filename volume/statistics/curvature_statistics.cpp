@@ -1,7 +1,6 @@
 #include "volume/statistics/curvature_statistics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "base/random.h"
@@ -42,6 +41,11 @@ Quantiles quantilesOf(std::vector<double>& values) {
 
 }  // namespace
 
+Quantiles CurvatureStatistics::of(scene::LookMode look) const {
+  const auto found = measures.find(look);
+  return found == measures.end() ? Quantiles{} : found->second;
+}
+
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                         double outward, const Coefficients* coefficients,
                                         std::size_t wanted) {
@@ -52,10 +56,10 @@ CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& bl
     if (blocks.active(i, stored)) active.push_back(static_cast<std::uint32_t>(i));
   if (active.empty()) return result;
 
-  std::vector<double> kappa1, kappa2, mean, gaussian, curvedness;
+  std::vector<glm::dvec2> kappas;
   const glm::ivec3 dims = blocks.dims();
   // A surface through a block of 8^3 cells cuts about 100 of its 1536 edges.
-  for (std::uint64_t trial = 0; trial < 50 * wanted && kappa1.size() < wanted; ++trial) {
+  for (std::uint64_t trial = 0; trial < 50 * wanted && kappas.size() < wanted; ++trial) {
     const auto block = static_cast<int>(active[base::counterHash(40, trial) % active.size()]);
     const glm::ivec3 low =
         glm::ivec3(block % dims.x, block / dims.x % dims.y, block / (dims.x * dims.y)) * blocks.blockCells();
@@ -66,19 +70,17 @@ CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& bl
     const PrincipalCurvature k = principalCurvature(worldGradient(grid.geometry(), field.gradient),
                                                     worldHessian(grid.geometry(), field.hessian), outward);
     if (k.normal == glm::dvec3(0.0)) continue;
-    kappa1.push_back(k.kappa1);
-    kappa2.push_back(k.kappa2);
-    mean.push_back(0.5 * (k.kappa1 + k.kappa2));
-    gaussian.push_back(k.kappa1 * k.kappa2);
-    curvedness.push_back(std::sqrt(0.5) * std::hypot(k.kappa1, k.kappa2));
+    kappas.emplace_back(k.kappa1, k.kappa2);
   }
-  result.samples = kappa1.size();
-  if (result.samples == 0) return result;
-  result.kappa1 = quantilesOf(kappa1);
-  result.kappa2 = quantilesOf(kappa2);
-  result.mean = quantilesOf(mean);
-  result.gaussian = quantilesOf(gaussian);
-  result.curvedness = quantilesOf(curvedness);
+  result.samples = kappas.size();
+  if (kappas.empty()) return result;
+  std::vector<double> values(kappas.size());
+  for (const scene::LookInfo& look : scene::looks()) {
+    if (!look.measure) continue;
+    std::transform(kappas.begin(), kappas.end(), values.begin(),
+                   [&](const glm::dvec2& kappa) { return look.measure(kappa.x, kappa.y); });
+    result.measures[look.mode] = quantilesOf(values);
+  }
   return result;
 }
 

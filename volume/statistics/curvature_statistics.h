@@ -1,8 +1,9 @@
 // How strongly an isosurface is curved as a whole, independent of any view: automatic ranges of colour maps.
 #pragma once
 
-#include <vector>
+#include <map>
 
+#include "scene/looks.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
 #include "volume/skip/min_max_blocks.h"
@@ -15,10 +16,11 @@ struct Quantiles {
 };
 
 struct CurvatureStatistics {
-  std::size_t samples = 0;         // 0 where there is no surface: all else is 0 then
-  Quantiles kappa1, kappa2, mean;  // 1/mm
-  Quantiles gaussian;              // 1/mm^2
-  Quantiles curvedness;            // sqrt((kappa1^2 + kappa2^2) / 2), 1/mm
+  std::size_t samples = 0;                        // 0 where there is no surface
+  std::map<scene::LookMode, Quantiles> measures;  // of each look's measure (scene/looks.h)
+
+  // Zeros where there is no surface.
+  Quantiles of(scene::LookMode look) const;
 };
 
 // Over about `wanted` points where the surface cuts edges between neighbouring voxels, chosen by a fixed

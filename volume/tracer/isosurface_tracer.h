@@ -1,7 +1,7 @@
 // Traces many rays, each with its own isovalue, to where they first enter the inside of the trilinear
 // isosurface: the CPU tracer of the light bake.
 //
-// Semantics as firstEntry() (tests/support/reference_entry.h), in float: t agrees to about 1e-4 voxels where
+// Semantics as firstEntry() (tests/support/first_entry.h), in float: t agrees to about 1e-4 voxels where
 // the ray is not grazing, and rays whose answer hangs on the last digits of the isovalue may differ.
 // Positions are voxel coordinates, isovalues and gradients stored units (Grid::storedOfValue), t is in units
 // of |direction|. Rays that are not finite or have no direction, NaN isovalues and grids without cells:

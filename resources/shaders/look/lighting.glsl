@@ -1,4 +1,4 @@
-// Light on a surface of colour `base`. Needs surface.glsl and look_modes.glsl.
+// Light on a surface of colour `base`. Needs surface.glsl.
 uniform float uAmbient, uAmbientVariation, uSpecular, uShininess, uHeadlight;
 uniform vec3 uLight;       // unit, world, toward the key light
 uniform vec3 uLightColor;  // times its intensity

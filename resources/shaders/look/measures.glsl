@@ -1,4 +1,4 @@
-// Curvature measures and the colours that stand for them. Needs look_modes.glsl.
+// Curvature measures and the colours that stand for them.
 uniform sampler2D uKappa;          // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient
 uniform sampler2D uDirection;      // of kappa1, world
 uniform sampler2D uColorMap;       // samples along a row, or kappa1 by kappa2
@@ -32,11 +32,11 @@ vec3 mapped2d(vec2 t) {
 
 float curvednessOf(vec2 kappa) { return sqrt(0.5) * length(kappa); }
 
-#if LOOK == LOOK_CURVATURE_2D
+#ifdef MEASURE_SQUARE
 vec3 measureColor(vec4 kappa, float noise) {
   return mix(unknownColor, mapped2d(vec2(inRange(kappa.x), inRange(kappa.y))), kappa.w);
 }
-#elif LOOK >= LOOK_KAPPA1 && LOOK <= LOOK_CURVEDNESS
+#elif defined(MEASURE)
 float measureOf(vec2 kappa) {
 #if LOOK == LOOK_KAPPA1
   return kappa.x;
@@ -49,7 +49,7 @@ float measureOf(vec2 kappa) {
 #elif LOOK == LOOK_SHAPE_INDEX
   // Koenderink & van Doorn 1992: 2/pi atan((k1 + k2) / (k1 - k2)); +-1 at umbilics. Flat points have none.
   return curvednessOf(kappa) > 0.0 ? atan(kappa.x + kappa.y, kappa.x - kappa.y) / 1.57079633 : 0.0;
-#else
+#elif LOOK == LOOK_CURVEDNESS
   return curvednessOf(kappa);
 #endif
 }

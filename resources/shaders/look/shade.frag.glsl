@@ -1,8 +1,8 @@
 // The look, in linear colour: base colour x light, lines over it, fog over all.
 //
-// LOOK, SHADING, TEXTURE: numbers of look_modes.glsl. CURVATURE: kappas are bound. SHADOW, FLOW, FOG, ACCESSIBILITY,
-// RIDGES, CONTOURS, SUGGESTIVE: what is laid over. docs/looks.md has the formulas and their sources.
-#include "look_modes.glsl"
+// LOOK, SHADING, TEXTURE, and the LOOK_..., SHADING_... and TEXTURE_... they are compared with: from the names of the
+// settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound. SHADOW,
+// FLOW, FOG, ACCESSIBILITY, RIDGES, CONTOURS, SUGGESTIVE: what is laid over. docs/looks.md has the formulas and sources.
 #include "common.glsl"
 #if LOOK == LOOK_DEPTH
 #define NO_GRADIENT
@@ -60,7 +60,7 @@ float hollowness(vec4 kappa, float side) {
 
 vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
   vec3 base = albedo;
-#if LOOK >= LOOK_KAPPA1 && LOOK <= LOOK_CURVATURE_2D
+#if defined(MEASURE) || defined(MEASURE_SQUARE)
   base = measureColor(kappa, texelFetch(uDirection, pixel, 0).w);
 #else
 #if LOOK == LOOK_ACCESSIBILITY

@@ -40,19 +40,16 @@ std::vector<double> gesture(PictureQuality& quality, Machine& machine, Motion mo
   return rays;
 }
 
-scene::Picture picture(int supersampling, double target = 50.0, bool adaptive = true) {
-  scene::Picture result;
-  result.supersampling = supersampling;
-  result.motionTarget = target;
-  result.adaptive = adaptive;
-  return result;
+void set(PictureQuality& quality, int supersampling, double target = 50.0, bool adaptive = true) {
+  quality.setSupersampling(supersampling);
+  quality.setMachine({.adaptive = adaptive, .motionTarget = target});
 }
 
 }  // namespace
 
 TEST(PictureQuality, IsQuickWhileMovingThenSharpThenFull) {
   PictureQuality quality;
-  quality.setPicture(picture(2));
+  set(quality, 2);
   EXPECT_EQ(quality.request(pixels).supersampling, 1);
   quality.measured(400.0, Motion::rays);
   EXPECT_LT(quality.request(pixels).size.x, 400);
@@ -76,7 +73,7 @@ TEST(PictureQuality, ConvergesToTheTargetWithinAFewPicturesAndStays) {
     for (const double perMillion : {2.0, 20.0, 60.0, 150.0, 500.0, 1500.0}) {
       for (const double target : {25.0, 50.0, 200.0}) {
         PictureQuality quality;
-        quality.setPicture(picture(2, target));
+        set(quality, 2, target);
         Machine machine{fixed, perMillion};
         const std::vector<double> rays = gesture(quality, machine, Motion::rays, 60);
         const std::string where = "fixed " + std::to_string(fixed) + ", per million " +
@@ -97,7 +94,7 @@ TEST(PictureQuality, ConvergesToTheTargetWithinAFewPicturesAndStays) {
 TEST(PictureQuality, DoesNotOscillateUnderNoise) {
   for (const double perMillion : {30.0, 45.0, 80.0, 120.0, 180.0, 300.0}) {
     PictureQuality quality;
-    quality.setPicture(picture(2));
+    set(quality, 2);
     Machine machine{3.0, perMillion, 0.1};
     const std::vector<double> rays = gesture(quality, machine, Motion::rays, 300);
     int changes = 0;
@@ -108,7 +105,7 @@ TEST(PictureQuality, DoesNotOscillateUnderNoise) {
 
 TEST(PictureQuality, FollowsAMachineThatBecomesSlowerOrQuicker) {
   PictureQuality quality;
-  quality.setPicture(picture(2));
+  set(quality, 2);
   Machine machine{1.0, 5.0};
   EXPECT_EQ(gesture(quality, machine, Motion::rays, 5).back(), 4.0 * pixels.x * pixels.y);
   machine.perMillion = 400.0;
@@ -123,7 +120,7 @@ TEST(PictureQuality, TheFullPictureFollowsAtRestFromAnyLevel) {
     for (const int supersampling : {1, 2, 4}) {
       for (const Motion motion : {Motion::rays, Motion::look}) {
         PictureQuality quality(true);
-        quality.setPicture(picture(supersampling));
+        set(quality, supersampling);
         quality.changed(motion);
         quality.measured(milliseconds, motion);
         int steps = 0;
@@ -139,7 +136,7 @@ TEST(PictureQuality, TheFullPictureFollowsAtRestFromAnyLevel) {
 
 TEST(PictureQuality, OffMeansEveryPictureIsTheFullOne) {
   PictureQuality quality(true);
-  quality.setPicture(picture(3, 50.0, false));
+  set(quality, 3, 50.0, false);
   Machine machine{10.0, 3000.0};
   for (const Motion motion : {Motion::rays, Motion::look})
     for (const double rays : gesture(quality, machine, motion, 20))
@@ -150,7 +147,7 @@ TEST(PictureQuality, OffMeansEveryPictureIsTheFullOne) {
 
 TEST(PictureQuality, AQuickLookKeepsTheSizeThatIsOnScreen) {
   PictureQuality quality(true);
-  quality.setPicture(picture(2));
+  set(quality, 2);
   Machine machine{2.0, 400.0}, shading{1.0, 10.0};
   const double moving = gesture(quality, machine, Motion::rays, 10).back();
   // A larger picture would cast rays again: it waits for the rest.
@@ -165,7 +162,7 @@ TEST(PictureQuality, AQuickLookKeepsTheSizeThatIsOnScreen) {
 
 TEST(PictureQuality, AnAnimationIsAsFineAsTheTargetAllowsAndWaitsForNothing) {
   PictureQuality quality;
-  quality.setPicture(picture(2));
+  set(quality, 2);
   Machine rays{2.0, 400.0}, slowShading{1.0, 60.0};
   gesture(quality, rays, Motion::rays, 10);
   quality.animated();
@@ -186,7 +183,7 @@ TEST(PictureQuality, AnAnimationIsAsFineAsTheTargetAllowsAndWaitsForNothing) {
 
 TEST(PictureQuality, WhileLightComesInPicturesStaySharpAndTheFullOneFollows) {
   PictureQuality quality;
-  quality.setPicture(picture(3));
+  set(quality, 3);
   quality.changed(Motion::look);
   quality.setLightChanging(true);
   while (quality.refine()) {

@@ -136,7 +136,7 @@ TEST_F(LightControllerTest, ABallUnderAWhiteSkyIsLitByPi) {
 }
 
 TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
-  scene.lamp1.shown = true;
+  scene.lamps[0].shown = true;
   light();
   const auto before = controller.light();
   ASSERT_TRUE(before && before->sky && before->lamps);
@@ -162,7 +162,7 @@ TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
   EXPECT_EQ(now->sky, before->sky);
   EXPECT_EQ(now->lamps, before->lamps);
   EXPECT_NEAR(now->skyScale.y, 4.0f * 0.4f, 1e-5f) << "the colour of the sky is laid on in the picture";
-  now = change([](scene::Scene& s) { s.lamp1.color = glm::dvec3(1.0, 0.5, 0.2); });
+  now = change([](scene::Scene& s) { s.lamps[0].color = glm::dvec3(1.0, 0.5, 0.2); });
   EXPECT_EQ(now->sky, before->sky) << "a lamp drops the lamps' light only";
   EXPECT_NE(now->lamps, before->lamps);
   now = change([](scene::Scene& s) { s.look.mode = scene::LookMode::blinn_phong; });
@@ -230,11 +230,10 @@ TEST_F(LightControllerTest, TransferIsCompressedWhenItIsFinished) {
 TEST_F(LightControllerTest, TransferOfAFinishedPictureIsCompressedFromAllItsTexels) {
   scene.gi.mode = scene::GiMode::transfer;
   scene.gi.shOrder = 3;
-  scene.gi.threads = 2;
   scene.gi.samples = 1024;  // long enough for a first basis while light is traced
   const std::vector<glm::vec3> seen = surface();
   for (int i = 0; i < 4; ++i) {
-    app::LightController fresh{app::LightController::Options{}};
+    app::LightController fresh{{.threads = 2}};
     fresh.setScene(resolved(), volume);
     fresh.setVisible(seen);
     base::Progress progress;

@@ -21,12 +21,12 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 // One pixel after the other: what the reference sees, and what was drawn.
 struct View {
-  std::vector<ReferenceHit> hits;
-  std::vector<ReferenceShape> shapes;
+  std::vector<TrueHit> hits;
+  std::vector<TrueShape> shapes;
   DrawnImages drawn;
   std::vector<bool> hangs;  // on a rounding
 
-  void add(const ReferenceHit& hit, float depthMm, bool undecided = false) {
+  void add(const TrueHit& hit, float depthMm, bool undecided = false) {
     hits.push_back(hit);
     shapes.push_back({hit.hit, hit.hit, {0.0, 0.0, 1.0}, 0.5, -0.25});
     const bool found = !std::isnan(depthMm);
@@ -42,8 +42,8 @@ struct View {
 };
 
 // A hit at 100 mm, half a voxel per mm, the next crossing at 103 mm.
-const ReferenceHit surface{true, 100.0, 103.0, 0.5, {}};
-const ReferenceHit background{};
+const TrueHit surface{true, 100.0, 103.0, 0.5, {}};
+const TrueHit background{};
 
 TEST(StudyErrors, MissedAndInventedPixelsAreTold) {
   View view;
@@ -68,7 +68,7 @@ TEST(StudyErrors, MissedAndInventedPixelsAreTold) {
 }
 
 TEST(StudyErrors, WithoutACrossingBehindAHitMayBeOneLongestStepOff) {
-  ReferenceHit alone = surface;
+  TrueHit alone = surface;
   alone.nextMm = std::numeric_limits<double>::infinity();
   View view;
   view.add(alone, 103.9f);  // 1.95 voxels
@@ -127,9 +127,9 @@ TEST(StudyKnobs, ATurnedSceneDiffersInThatSettingAlone) {
   const scene::VolumeFacts facts{.boundsMaxMm = glm::dvec3(9.0), .maximum = 5.0, .typicalStep = 8.0};
   scene::Scene scene;
   scene.hit.method = scene::HitMethod::sampled;
-  scene.isosurface2.shown = true;
+  scene.extraIsosurfaces[0].shown = true;
   const scene::Scene plain = turned(parseKnobs("rate")[0], "2", scene, facts);
-  EXPECT_FALSE(plain.isosurface2.shown);
+  EXPECT_FALSE(plain.extraIsosurfaces[0].shown);
   EXPECT_EQ(plain.hit.nearThreshold, 4.0);
 
   scene::Scene expected = plain;

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "gi/bake/bake_queue.h"
 #include "gi/lattice/texel_bits.h"
 
 namespace isolux::gi {
@@ -56,7 +57,7 @@ void FormulaEstimator::normals(std::span<const glm::ivec3> texels, std::span<glm
 
 bool FormulaEstimator::add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
                            SampleRange range, std::span<double> sums, std::uint64_t& rays,
-                           std::stop_token stop) const {
+                           const std::stop_token& stop) const {
   ++calls;
   if (before && !before(texels, range, stop)) return false;
   const auto components = static_cast<std::size_t>(content_.components());

@@ -22,7 +22,7 @@ class FormulaEstimator : public TexelEstimator {
   LightContent content() const override { return content_; }
   void normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const override;
   bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
-           std::span<double> sums, std::uint64_t& rays, std::stop_token stop) const override;
+           std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const override;
 
   // One texel in seven has no normal.
   static glm::vec3 normalOf(glm::ivec3 texel);

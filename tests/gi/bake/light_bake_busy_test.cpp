@@ -24,7 +24,7 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 class WorkingEstimator : public FormulaEstimator {
  public:
   bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
-           std::span<double> sums, std::uint64_t& rays, std::stop_token stop) const override {
+           std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const override {
     const std::size_t wanted = texels.size() * range.count;
     for (std::size_t done = 0; done < wanted; done += kPathsOfMillisecond) {
       if (stop.stop_requested()) return false;

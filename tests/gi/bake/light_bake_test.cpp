@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "gi/bake/bake_queue.h"
 #include "tests/gi/bake/formula_estimator.h"
 
 namespace isolux::gi {
@@ -175,7 +176,8 @@ TEST(LightBake, NewWishesGoBeforeTheRestOfAUnit) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   Gate gate;
   Record record;
-  estimator->before = [&](std::span<const glm::ivec3> texels, SampleRange range, std::stop_token stop) {
+  estimator->before = [&](std::span<const glm::ivec3> texels, SampleRange range,
+                          const std::stop_token& stop) {
     record(texels, range);
     return gate.pass(stop);
   };
@@ -205,7 +207,7 @@ TEST(LightBake, NewWishesGoBeforeTheRestOfAUnit) {
 TEST(LightBake, EndsAtOnceWithAnEstimatorThatIsSlow) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   Gate gate;  // never opens; only a stop lets callers go
-  estimator->before = [&](std::span<const glm::ivec3>, SampleRange, std::stop_token stop) {
+  estimator->before = [&](std::span<const glm::ivec3>, SampleRange, const std::stop_token& stop) {
     return gate.pass(stop);
   };
   const auto lattice = makeLattice(*estimator);
@@ -231,7 +233,7 @@ TEST(LightBake, EndsAtOnceWithAnEstimatorThatIsSlow) {
 TEST(LightBake, PauseLetsNoCallBegin) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   Gate gate;
-  estimator->before = [&](std::span<const glm::ivec3>, SampleRange, std::stop_token stop) {
+  estimator->before = [&](std::span<const glm::ivec3>, SampleRange, const std::stop_token& stop) {
     return gate.pass(stop);
   };
   const auto lattice = makeLattice(*estimator);
@@ -315,7 +317,7 @@ TEST(LightBake, HeedsWishesWithinTheRoundOfATexelWhosePathsAreLong) {
 TEST(LightBake, WaitsForARound) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   Gate gate;
-  estimator->before = [&](std::span<const glm::ivec3>, SampleRange range, std::stop_token stop) {
+  estimator->before = [&](std::span<const glm::ivec3>, SampleRange range, const std::stop_token& stop) {
     return range.first < 4 || gate.pass(stop);
   };
   const auto lattice = makeLattice(*estimator);

@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gi/texels/texel_band.h"
+
 namespace isolux::gi {
 namespace {
 

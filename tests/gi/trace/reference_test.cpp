@@ -72,15 +72,15 @@ TEST_F(ReferencePicture, ABallUnderAnEvenSkyIsEvenlyLit) {
 // A lamp behind the viewer: what faces it has E = pi intensity cos of the ball's own normal.
 TEST_F(ReferencePicture, ALampLightsByTheCosine) {
   scene_.light.environment.constant = glm::dvec3(0.0);
-  scene_.lamp1.shown = true;
-  scene_.lamp1.kind = scene::LampKind::directional;
-  scene_.lamp1.direction = {0.2, -1.0, 0.3};
-  scene_.lamp1.intensity = 1.5;
+  scene_.lamps[0].shown = true;
+  scene_.lamps[0].kind = scene::LampKind::directional;
+  scene_.lamps[0].direction = {0.2, -1.0, 0.3};
+  scene_.lamps[0].intensity = 1.5;
   scene_.gi.bounces = 3;
   use(phantomOf("ball", 40));
   const ReferenceImage image = draw(4);
   const PrimaryHits hits(volume_, scene_, image.size, progress_);
-  const glm::dvec3 toward = glm::normalize(scene_.lamp1.direction);
+  const glm::dvec3 toward = glm::normalize(scene_.lamps[0].direction);
   for (int y = 0; y < image.size.y; ++y) {
     for (int x = 0; x < image.size.x; ++x) {
       const auto hit = hits.at({x, y});
@@ -95,8 +95,8 @@ TEST_F(ReferencePicture, ALampLightsByTheCosine) {
 }
 
 TEST_F(ReferencePicture, ThreadsAndRoundsDoNotChangeIt) {
-  scene_.lamp1.shown = true;
-  scene_.lamp1.kind = scene::LampKind::sphere;
+  scene_.lamps[0].shown = true;
+  scene_.lamps[0].kind = scene::LampKind::sphere;
   scene_.gi.bounces = 2;
   use(phantomOf("gyroid", 32));
   const ReferenceImage one = draw(12, 1), three = draw(12, 3);
@@ -121,8 +121,8 @@ TEST_F(ReferencePicture, ThreadsAndRoundsDoNotChangeIt) {
 // Independent pictures differ by what their variances say: the sum of z^2 over pixels is that of chi^2.
 TEST_F(ReferencePicture, VariancesAreThoseOfThePicture) {
   scene_.gi.sequence = scene::DirectionSequence::random;
-  scene_.lamp1.shown = true;
-  scene_.lamp1.kind = scene::LampKind::sphere;
+  scene_.lamps[0].shown = true;
+  scene_.lamps[0].kind = scene::LampKind::sphere;
   environment_ = environmentOf(16, 8, [](glm::dvec3 d) { return d.z > 0.3 ? 2.0 : 0.5; });
   scene_.light.environment.file = "probe.hdr";
   use(phantomOf("gyroid", 32));
@@ -187,7 +187,7 @@ TEST_F(ReferencePicture, TheNearestSurfaceHasItsOwnColour) {
       scene_.hit.field = field;
       scene_.camera.projection = projection;
       scene_.isosurface.albedo = glm::dvec3(0.25);
-      scene_.isosurface2 = {true, -4.0, glm::dvec3(0.75), 1.0};  // outside the first
+      scene_.extraIsosurfaces[0] = {true, -4.0, glm::dvec3(0.75), 1.0};  // outside the first
       scene_.picture.exposure = 0.0;
       use(phantomOf("ball", 40));
       const ReferenceImage image = draw(16);
@@ -203,7 +203,7 @@ TEST_F(ReferencePicture, TheNearestSurfaceHasItsOwnColour) {
 }
 
 TEST_F(ReferencePicture, TransparentSurfacesAreRefused) {
-  scene_.isosurface2 = {true, -4.0, glm::dvec3(0.75), 0.5};
+  scene_.extraIsosurfaces[0] = {true, -4.0, glm::dvec3(0.75), 0.5};
   use(phantomOf("ball", 16));
   try {
     (void)make();

@@ -142,9 +142,9 @@ TEST_F(FrameGraphTest, OnlyTransparentSurfacesHaveLayersBehindThem) {
   EXPECT_THAT(ran(scene, picture), ElementsAre("layers", "resolve"));
   scene.isosurface.opacity = 1.0;
   EXPECT_THAT(ran(scene, picture), ElementsAre("shade", "resolve"));
-  scene.isosurface2.opacity = 0.25;  // not shown
+  scene.extraIsosurfaces[0].opacity = 0.25;  // not shown
   EXPECT_THAT(ran(scene, picture), ElementsAre());
-  scene.isosurface2.shown = true;
+  scene.extraIsosurfaces[0].shown = true;
   EXPECT_THAT(ran(scene, picture),
               ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers", "resolve"));
 }

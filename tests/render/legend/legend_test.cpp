@@ -93,7 +93,7 @@ Legend bar() {
   legend.unit = "1/mm";
   legend.low = -0.2;
   legend.high = 0.2;
-  legend.colors = scene::colorMapSamples(scene::ColorMap::coolwarm, scene::LookMode::kappa1, 256);
+  legend.colors = scene::colorMapSamples(scene::ColorMap::coolwarm, 256);
   return legend;
 }
 

@@ -33,8 +33,7 @@ class LightGlTest : public RenderGlTest {
     scene::Scene scene;
     scene.look.mode = scene::LookMode::gi;
     scene.isosurface.value = 0.0;
-    for (const std::string& setting : settings) scene::applyAssignment(scene, setting);
-    scene_ = scene::resolve(scene, volume->facts);
+    scene_ = scene::resolve(assigned(settings, scene), volume->facts);
     renderer_->setVolume(volume);
     renderer_->setLight(std::move(light));
     render::FrameRequest request;

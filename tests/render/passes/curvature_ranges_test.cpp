@@ -12,11 +12,11 @@ using volume::CurvatureStatistics;
 CurvatureStatistics some() {
   CurvatureStatistics s;
   s.samples = 100;
-  s.kappa1 = {-0.1, 0.1, 0.4};
-  s.kappa2 = {-0.3, 0.0, 0.2};
-  s.mean = {-0.2, 0.05, 0.3};
-  s.gaussian = {-0.04, 0.0, 0.02};
-  s.curvedness = {0.01, 0.1, 0.35};
+  s.measures = {{LookMode::kappa1, {-0.1, 0.1, 0.4}},
+                {LookMode::kappa2, {-0.3, 0.0, 0.2}},
+                {LookMode::mean_curvature, {-0.2, 0.05, 0.3}},
+                {LookMode::gaussian_curvature, {-0.04, 0.0, 0.02}},
+                {LookMode::curvedness, {0.01, 0.1, 0.35}}};
   return s;
 }
 constexpr double kFlat = 1e-3;
@@ -62,7 +62,7 @@ TEST(CurvatureRangesTest, RidgesAndValleysHaveThresholdsOfTheirOwn) {
   scene::Scene scene;
   EXPECT_EQ(ridgeThresholds(scene, some(), kFlat), glm::dvec2(0.75 * 0.4, 0.75 * 0.3));
   CurvatureStatistics convex = some();
-  convex.kappa2 = {0.01, 0.02, 0.03};
+  convex.measures[LookMode::kappa2] = {0.01, 0.02, 0.03};
   EXPECT_EQ(ridgeThresholds(scene, convex, kFlat), glm::dvec2(0.75 * 0.4, 0.25 * 0.75 * 0.4));
   scene.look.ridgeThreshold = 0.2;
   EXPECT_EQ(ridgeThresholds(scene, some(), kFlat), glm::dvec2(0.2));
@@ -71,12 +71,12 @@ TEST(CurvatureRangesTest, RidgesAndValleysHaveThresholdsOfTheirOwn) {
 TEST(CurvatureRangesTest, SeveralSurfacesShareTheOuterBounds) {
   CurvatureStatistics other;
   other.samples = 50;
-  other.kappa1 = {-0.5, 0.0, 0.1};
+  other.measures[LookMode::kappa1] = {-0.5, 0.0, 0.1};
   const CurvatureStatistics both = outerBounds({CurvatureStatistics{}, some(), other});
   EXPECT_EQ(both.samples, 150u);
-  EXPECT_EQ(both.kappa1.low, -0.5);
-  EXPECT_EQ(both.kappa1.high, 0.4);
-  EXPECT_EQ(both.kappa2.low, -0.3);  // not the empty surface's 0
+  EXPECT_EQ(both.of(LookMode::kappa1).low, -0.5);
+  EXPECT_EQ(both.of(LookMode::kappa1).high, 0.4);
+  EXPECT_EQ(both.of(LookMode::kappa2).low, -0.3);  // not the empty surface's 0
 }
 
 }  // namespace

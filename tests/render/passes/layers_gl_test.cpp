@@ -37,25 +37,25 @@ TEST_F(LayersGlTest, EveryCrossingCountsOnceAndInOrder) {
   scene::Scene scene;
   scene.isosurface.albedo = {1.0, 0.0, 0.0};
   scene.isosurface.opacity = 0.25;
-  scene.isosurface2.value = middle;
-  scene.isosurface2.albedo = {0.0, 1.0, 0.0};
+  scene.extraIsosurfaces[0].value = middle;
+  scene.extraIsosurfaces[0].albedo = {0.0, 1.0, 0.0};
   for (const auto method : {scene::HitMethod::exact, scene::HitMethod::sampled})
     for (const auto field : {scene::Field::trilinear, scene::Field::cubic}) {
       scene.hit.method = method;
       scene.hit.field = field;
       SCOPED_TRACE(static_cast<int>(method) * 10 + static_cast<int>(field));
-      scene.isosurface2.shown = false;
+      scene.extraIsosurfaces[0].shown = false;
       glm::dvec3 seen = colorAt(ball, scene, {48, 48});
       EXPECT_NEAR(seen.x, 0.25 + 0.75 * 0.25, 0.01);  // in and out of the outer surface
       EXPECT_NEAR(seen.y, 0.0, 0.01);
 
-      scene.isosurface2.shown = true;
-      scene.isosurface2.opacity = 0.5;
+      scene.extraIsosurfaces[0].shown = true;
+      scene.extraIsosurfaces[0].opacity = 0.5;
       seen = colorAt(ball, scene, {48, 48});  // outer, inner, inner, outer
       EXPECT_NEAR(seen.x, 0.25 + 0.75 * 0.25 * 0.25, 0.01);
       EXPECT_NEAR(seen.y, 0.75 * (0.5 + 0.5 * 0.5), 0.01);
 
-      scene.isosurface2.opacity = 1.0;
+      scene.extraIsosurfaces[0].opacity = 1.0;
       seen = colorAt(ball, scene, {48, 48});  // what is opaque ends the ray
       EXPECT_NEAR(seen.x, 0.25, 0.01);
       EXPECT_NEAR(seen.y, 0.75, 0.01);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/color_maps.h"
+#include "scene/looks.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
 
@@ -151,23 +152,20 @@ TEST_F(LooksGlTest, ACameraLightTurnsWithTheCamera) {
 TEST_F(LooksGlTest, MeasuresOfABallAreTheMapsColors) {
   const auto ball = phantom("ball", 96);
   const double radius = 0.35 * edgeOf(*ball), kappa = 1.0 / radius;
-  struct Row {
-    LookMode mode;
-    double value, low, high;
-  };
-  for (const Row& row :
-       {Row{LookMode::kappa1, kappa, -0.05, 0.05}, Row{LookMode::kappa2, kappa, -0.05, 0.05},
-        Row{LookMode::mean_curvature, kappa, 0.0, 0.05},
-        Row{LookMode::gaussian_curvature, kappa * kappa, -0.002, 0.002},
-        Row{LookMode::curvedness, kappa, 0.0, 0.04}, Row{LookMode::shape_index, 1.0, -1.0, 1.0}}) {
-    const std::string name = scene::setting("look.mode").choices[static_cast<std::size_t>(row.mode)];
-    SCOPED_TRACE(name);
-    draw(ball,
-         {"look.mode=" + name, "look.shading=unlit", "look.range_low=" + std::to_string(row.low),
-          "look.range_high=" + std::to_string(row.high), "derivatives.field=cubic_interpolating"},
-         1.0);
-    const auto map = scene::colorMapSamples(scene::ColorMap::automatic, row.mode, 256);
-    const double t = (row.value - row.low) / (row.high - row.low) * 255.0;
+  for (const scene::LookInfo& look : scene::looks()) {
+    if (!look.measure) continue;
+    SCOPED_TRACE(look.name);
+    const double value = look.measure(kappa, kappa);
+    const bool unit = look.range == scene::LookRange::unit;
+    const double reach = unit ? 1.0 : 2.0 * std::max(std::abs(value), 0.01 * kappa);
+    const double low = look.range == scene::LookRange::fromZero ? 0.0 : -reach;
+    draw(
+        ball,
+        {"look.mode=" + std::string(look.name), "look.shading=unlit", "look.range_low=" + std::to_string(low),
+         "look.range_high=" + std::to_string(reach), "derivatives.field=cubic_interpolating"},
+        1.0);
+    const auto map = scene::colorMapSamples(scene::ColorMap::automatic, 256, look.colors);
+    const double t = (value - low) / (reach - low) * 255.0;
     const auto i = static_cast<std::size_t>(std::min(t, 254.0));
     const glm::dvec3 expected = glm::mix(glm::dvec3(map[i]), glm::dvec3(map[i + 1]),
                                          glm::clamp(t - static_cast<double>(i), 0.0, 1.0));

@@ -78,8 +78,8 @@ std::vector<scene::Scene> scenes() {
         scene.hit.method = scene::HitMethod::sampled;
       } else if (variant == 2) {
         scene.look.shading = scene::Shading::unlit;
-        scene.isosurface3.shown = true;
-        scene.isosurface3.opacity = 1.0;
+        scene.extraIsosurfaces[1].shown = true;
+        scene.extraIsosurfaces[1].opacity = 1.0;
         scene.derivatives.field = scene::Field::trilinear;
       } else if (variant == 3) {
         scene.look.shading = scene::Shading::tone;

@@ -43,8 +43,7 @@ class BricksGlTest : public RenderGlTest {
   };
   Drawn draw(const VolumePointer& volume, scene::Scene scene, MemoryLayout layout, int budgetMb = 2048,
              glm::ivec2 size = {96, 72}) {
-    scene.memory.layout = layout;
-    scene.memory.gpuBudgetMb = budgetMb;
+    renderer_->setMemory({budgetMb, layout});
     scene = scene::resolve(scene, volume->facts);
     renderer_->setVolume(volume);
     render::FrameRequest request;
@@ -196,8 +195,8 @@ TEST_F(BricksGlTest, EyeInsideAndTransparentSurfacesAreTheSame) {
   scene::Scene layered;
   layered.derivatives.fetch = scene::Fetch::exact;
   layered.isosurface.opacity = 0.4;
-  layered.isosurface2.shown = true;
-  layered.isosurface2.value = 0.3;
+  layered.extraIsosurfaces[0].shown = true;
+  layered.extraIsosurfaces[0].value = 0.3;
   expectEqual(draw(volume, layered, MemoryLayout::whole), draw(volume, layered, MemoryLayout::bricks),
               "layers");
 }
@@ -276,10 +275,9 @@ TEST_F(BricksGlTest, TooFewBricksAreRefusedAsMemory) {
 class StreamingGlTest : public BricksGlTest {
  protected:
   // As the window draws: a bounded upload for each frame.
-  const render::FrameReport& frame(const VolumePointer& volume, scene::Scene scene, int budgetMb,
+  const render::FrameReport& frame(const VolumePointer& volume, const scene::Scene& scene, int budgetMb,
                                    std::size_t bytes) {
-    scene.memory.layout = MemoryLayout::bricks;
-    scene.memory.gpuBudgetMb = budgetMb;
+    renderer_->setMemory({budgetMb, MemoryLayout::bricks});
     renderer_->setVolume(volume);
     render::FrameRequest request;
     request.size = {96, 72};

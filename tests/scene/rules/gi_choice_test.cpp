@@ -64,7 +64,7 @@ TEST(GiChoice, GreyNeedsOneChannel) {
   EXPECT_EQ(giChoiceOf(scene).channels, 3);
   scene.isosurface.albedo = glm::dvec3(0.7);
   EXPECT_EQ(giChoiceOf(scene).channels, 1);
-  scene.isosurface2.shown = true;
+  scene.extraIsosurfaces[0].shown = true;
   EXPECT_EQ(giChoiceOf(scene).channels, 3) << "the second surface is blue";
   scene.isosurface.albedoSource = AlbedoSource::map;
   scene.isosurface.albedoMap = ColorMap::gray;
@@ -73,9 +73,9 @@ TEST(GiChoice, GreyNeedsOneChannel) {
 
 TEST(GiChoice, LampsAndForcedModes) {
   Scene scene = underProbe();
-  scene.lamp2.shown = true;
+  scene.lamps[1].shown = true;
   EXPECT_TRUE(giChoiceOf(scene).lamps);
-  scene.lamp2.intensity = 0.0;
+  scene.lamps[1].intensity = 0.0;
   EXPECT_FALSE(giChoiceOf(scene).lamps) << "a lamp without light";
   scene.gi.bounces = 4;
   EXPECT_EQ(giChoiceOf(scene).bounces, 4);
@@ -95,9 +95,9 @@ TEST(AlbedoOfIsovalue, NearestIsosurfaceOrMap) {
   EXPECT_TRUE(AlbedoOfIsovalue(scene).isConstant());
   EXPECT_EQ(AlbedoOfIsovalue(scene).at(-1e30), glm::vec3(0.25f));
 
-  scene.isosurface3.shown = true;
-  scene.isosurface3.value = 4.0;
-  scene.isosurface3.albedo = glm::dvec3(0.5);
+  scene.extraIsosurfaces[1].shown = true;
+  scene.extraIsosurfaces[1].value = 4.0;
+  scene.extraIsosurfaces[1].albedo = glm::dvec3(0.5);
   const AlbedoOfIsovalue two(scene);
   EXPECT_FALSE(two.isConstant());
   EXPECT_EQ(two.at(6.9), glm::vec3(0.5f));
@@ -108,7 +108,7 @@ TEST(AlbedoOfIsovalue, NearestIsosurfaceOrMap) {
   scene.isosurface.albedoLow = 0.0;
   scene.isosurface.albedoHigh = 20.0;
   const AlbedoOfIsovalue map(scene);
-  const std::vector<glm::vec3> samples = colorMapSamples(ColorMap::gray, LookMode::kappa1, 256);
+  const std::vector<glm::vec3> samples = colorMapSamples(ColorMap::gray, 256);
   EXPECT_EQ(map.at(-5.0), samples.front());
   EXPECT_EQ(map.at(25.0), samples.back());
   EXPECT_NEAR(map.at(10.0).x, 0.5f * (samples[127].x + samples[128].x), 1e-6f);

@@ -59,11 +59,11 @@ TEST(Needs, ASurfaceOfOpacity0IsNotThereNorTransparent) {
   EXPECT_FALSE(scene::isTransparent(scene));
   scene.isosurface.opacity = 0.0;
   EXPECT_FALSE(scene::isTransparent(scene));
-  scene.isosurface3.opacity = 0.5;
+  scene.extraIsosurfaces[1].opacity = 0.5;
   EXPECT_FALSE(scene::isTransparent(scene));  // not shown
-  scene.isosurface3.shown = true;
+  scene.extraIsosurfaces[1].shown = true;
   EXPECT_TRUE(scene::isTransparent(scene));
-  scene.isosurface3.opacity = 0.0;
+  scene.extraIsosurfaces[1].opacity = 0.0;
   scene.isosurface.opacity = 0.99;
   EXPECT_TRUE(scene::isTransparent(scene));
 }

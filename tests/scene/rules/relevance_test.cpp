@@ -106,25 +106,19 @@ TEST(Relevance, StrengthsBringTheirDetails) {
     EXPECT_FALSE(acts(path, scene)) << path;
 }
 
-TEST(Relevance, HitsPictureAndMemory) {
+TEST(Relevance, HitsIsosurfacesAndSources) {
   scene::Scene scene;
   EXPECT_EQ(scene::whyInactive("hit.rate", scene), "hits are exact");
   EXPECT_FALSE(acts("isosurface3.value", scene));
   EXPECT_TRUE(acts("isosurface3.shown", scene));
-  EXPECT_TRUE(acts("picture.motion_target", scene));
-  EXPECT_TRUE(acts("memory.gpu_budget_mb", scene));
   EXPECT_FALSE(acts("source.csg_path", scene));
   EXPECT_FALSE(acts("source.mesh_voxels", scene));
   scene.hit.method = scene::HitMethod::sampled;
-  scene.isosurface3.shown = true;
-  scene.picture.adaptive = false;
-  scene.memory.layout = scene::MemoryLayout::whole;
+  scene.extraIsosurfaces[1].shown = true;
   scene.source.csg = scene::Csg::unite;
   scene.source.path = "/scans/Skull.STL";
   EXPECT_TRUE(acts("hit.rate", scene));
   EXPECT_TRUE(acts("isosurface3.value", scene));
-  EXPECT_FALSE(acts("picture.motion_target", scene));
-  EXPECT_FALSE(acts("memory.gpu_budget_mb", scene));
   EXPECT_TRUE(acts("source.csg_path", scene));
   EXPECT_TRUE(acts("source.mesh_voxels", scene));
 }

@@ -23,7 +23,8 @@ class ReferenceDialogTest : public WindowTest {
     ASSERT_TRUE(load(*window_, "phantom:ball:24"));
     scene::Scene resolved = window_->document()->resolvedScene();
     resolved.look.mode = scene::LookMode::gi;
-    dialog_ = std::make_unique<ui::ReferenceDialog>(window_->document()->volume(), resolved, QSize(40, 30));
+    dialog_ = std::make_unique<ui::ReferenceDialog>(window_->document()->volume(), resolved, QSize(40, 30),
+                                                    std::nullopt);
     dialog_->show();
   }
   void TearDown() override {
@@ -84,7 +85,7 @@ TEST_F(ReferenceDialogTest, WhatCannotBeTracedIsSaidInOneLine) {
   scene::Scene resolved = window_->document()->resolvedScene();
   resolved.look.mode = scene::LookMode::gi;
   resolved.light.environment.file = "/nowhere/sky.hdr";
-  ui::ReferenceDialog dialog(window_->document()->volume(), resolved, QSize(8, 8));
+  ui::ReferenceDialog dialog(window_->document()->volume(), resolved, QSize(8, 8), std::nullopt);
   dialog.startButton()->click();
   ASSERT_TRUE(waitUntil([&] { return dialog.startButton()->text() == "Trace"; }));
   EXPECT_TRUE(dialog.text().contains("sky.hdr")) << dialog.text().toStdString();

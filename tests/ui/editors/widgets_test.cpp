@@ -104,16 +104,16 @@ TEST_F(SettingsPanelTest, RowsThatDoNothingAreHiddenUntilTheyActAndASearchSaysWh
 TEST_F(SettingsPanelTest, ASearchOpensFoldedGroupsAndFindsChoices) {
   panel_.resize(350, 700);
   panel_.show();
-  QWidget* memory = panel_.editor("memory.layout");
-  EXPECT_FALSE(memory->isVisible());
-  panel_.searchLine()->setText("bricks");
-  EXPECT_TRUE(memory->isVisible());
+  QWidget* projection = panel_.editor("camera.projection");
+  EXPECT_FALSE(projection->isVisible());
+  panel_.searchLine()->setText("orthographic");
+  EXPECT_TRUE(projection->isVisible());
   panel_.searchLine()->setText("viridis");  // of a setting that does nothing under this look
   EXPECT_TRUE(panel_.editor("look.colormap")->isVisible());
   panel_.searchLine()->clear();
-  EXPECT_FALSE(memory->isVisible());
-  panel_.setGroupOpen("Memory", true);
-  EXPECT_TRUE(memory->isVisible());
+  EXPECT_FALSE(projection->isVisible());
+  panel_.setGroupOpen("Camera", true);
+  EXPECT_TRUE(projection->isVisible());
 }
 
 TEST_F(SettingsPanelTest, UnitIntervalsAreSlidersAndTogglesCheckBoxes) {

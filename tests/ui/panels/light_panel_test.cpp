@@ -55,7 +55,7 @@ class LightPanelTest : public WindowTest {
   }
   ui::Viewport* viewport() { return window_->viewport(); }
   ui::Document* document() { return window_->document(); }
-  ui::SettingsPanel* panel() { return window_->settingsPanel(); }
+  ui::SettingsPanel* panel() { return window_->panel<ui::SettingsPanel>(); }
   const scene::Environment& environment() { return document()->scene().light.environment; }
   QPoint centre() { return viewport()->rect().center(); }
   void set(const char* path, const nlohmann::json& value) {
@@ -251,16 +251,16 @@ TEST_F(LightPanelTest, ALampIsDraggedInItsPlaneAndAlongTheDepth) {
   EXPECT_EQ(pixelOf(), wanted);
   EXPECT_EQ(document()->history().undoName(), "Move lamp 1");
   EXPECT_EQ(steps(), before + 1);
-  ASSERT_TRUE(document()->scene().lamp1.position.has_value());
-  const glm::dvec3 placed = *document()->scene().lamp1.position;
+  ASSERT_TRUE(document()->scene().lamps[0].position.has_value());
+  const glm::dvec3 placed = *document()->scene().lamps[0].position;
   const glm::dvec3 back = scene::frameOf(document()->resolvedScene().camera).back;
   drag(viewport(), wanted, wanted - QPoint(0, 50), Qt::LeftButton, Qt::ControlModifier);
   EXPECT_EQ(pixelOf(), wanted);  // only its depth
-  EXPECT_LT(glm::dot(*document()->scene().lamp1.position - placed, back), -1.0);
-  const glm::dvec3 far = *document()->scene().lamp1.position;
+  EXPECT_LT(glm::dot(*document()->scene().lamps[0].position - placed, back), -1.0);
+  const glm::dvec3 far = *document()->scene().lamps[0].position;
   const scene::Camera camera = document()->scene().camera;
   wheel(viewport(), wanted, -2);
-  EXPECT_GT(glm::dot(*document()->scene().lamp1.position - far, back), 1.0);
+  EXPECT_GT(glm::dot(*document()->scene().lamps[0].position - far, back), 1.0);
   EXPECT_EQ(document()->scene().camera, camera);  // the wheel does not zoom here
 }
 
@@ -272,7 +272,7 @@ TEST_F(LightPanelTest, ADistantLampAndASpheresOutlineAreDragged) {
   const QPoint wanted = centre() + QPoint(-40, -30);
   drag(viewport(), QPoint(int(std::lround(handle().pixel.x)), int(std::lround(handle().pixel.y))), wanted);
   EXPECT_LT(glm::distance(handle().pixel, glm::dvec2(wanted.x(), wanted.y())), 1.5);
-  EXPECT_FALSE(document()->scene().lamp2.position.has_value());  // not touched
+  EXPECT_FALSE(document()->scene().lamps[1].position.has_value());  // not touched
 
   set("lamp2.kind", "sphere");
   set("lamp2.position", {0.0, 0.0, 0.0});

@@ -103,7 +103,7 @@ TEST_F(WindowTest, ThePassesOfTheLastPictureAreShownAndAStillPictureRunsNone) {
   ASSERT_TRUE(load(*window_, "phantom:ball:32"));
   window_->showPanel("passes");
   fullPicture(*window_);
-  ui::PassesPanel* panel = window_->passesPanel();
+  ui::PassesPanel* panel = window_->panel<ui::PassesPanel>();
   ASSERT_TRUE(waitUntil([&] { return panel->table()->topLevelItemCount() > 4; }));
   int ran = 0;
   QObject::connect(window_->viewport(), &ui::Viewport::reported, [&](const render::FrameReport& report) {

@@ -18,6 +18,7 @@
 #include <QThread>
 
 #include "scene/camera.h"
+#include "scene/machine.h"
 #include "scene/settings.h"
 #include "ui/document/baked_light.h"
 #include "ui/viewport/viewport.h"
@@ -90,11 +91,14 @@ int measure(const QCommandLineParser& options) {
   window.show();
   app::WindowRequest request;
   request.scene.source.path = options.positionalArguments().value(0, "phantom:head").toStdString();
-  request.scene.picture.adaptive = false;  // every picture has the same rays
+  request.machine = {"picture.adaptive=false"};  // every picture has the same rays
   request.scene.picture.supersampling = 1;
   request.scene.gi.samples = 1000000;  // never complete
   for (const QString& assignment : options.values("set"))
-    scene::applyAssignment(request.scene, assignment.toStdString());
+    if (const std::string text = assignment.toStdString(); scene::isOfMachine(text))
+      request.machine.push_back(text);
+    else
+      scene::applyAssignment(request.scene, text);
   window.open(request);
   if (!waitUntil([&] { return window.document()->volume() && window.viewport()->complete(); })) {
     std::fprintf(stderr, "isolux_light_rate: no picture\n");

@@ -18,6 +18,7 @@
 #include <QTemporaryDir>
 #include <QThread>
 
+#include "scene/machine.h"
 #include "scene/settings.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/document/baked_light.h"
@@ -72,7 +73,10 @@ int takePicture(const QCommandLineParser& options) {
   app::WindowRequest request;
   request.scene.source.path = path.toStdString();
   for (const QString& assignment : options.values("set"))
-    scene::applyAssignment(request.scene, assignment.toStdString());
+    if (const std::string text = assignment.toStdString(); scene::isOfMachine(text))
+      request.machine.push_back(text);
+    else
+      scene::applyAssignment(request.scene, text);
   window.open(request);
   const auto failed = [&] {
     return window.messageBar()->isVisible() && window.messageBar()->kind() == ui::MessageBar::Kind::error;
@@ -81,7 +85,7 @@ int takePicture(const QCommandLineParser& options) {
   if (failed()) return fail(window.messageBar()->text());
   window.messageBar()->clear();
   window.showPanel(options.value("panel"));
-  window.settingsPanel()->searchLine()->setText(options.value("find"));
+  window.panel<ui::SettingsPanel>()->searchLine()->setText(options.value("find"));
   const double zoom = options.value("histogram-zoom").toDouble();
   if (zoom > 1.0) window.isovaluePanel()->slider()->zoomAtLine(zoom);
   const auto drawn = [&] { return !window.light()->changing() && window.viewport()->complete(); };

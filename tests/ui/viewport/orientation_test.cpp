@@ -20,7 +20,7 @@ class OrientationTest : public WindowTest {
     return nullptr;
   }
   QString axes() {
-    for (const ui::WrappedText* text : window_->infoPanel()->findChildren<ui::WrappedText*>())
+    for (const ui::WrappedText* text : window_->panel<ui::VolumePanel>()->findChildren<ui::WrappedText*>())
       if (text->text().startsWith("x →")) return text->text();
     return {};
   }

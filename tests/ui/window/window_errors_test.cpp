@@ -91,10 +91,9 @@ TEST_F(WindowTest, ALostContextIsReplacedAndThePictureComesBack) {
 TEST_F(WindowTest, APictureThatFailsIsSaidAndComesBackWithUndo) {
   ASSERT_TRUE(load(*window_, "phantom:ball:132"));
   ui::Viewport* viewport = window_->viewport();
+  viewport->setMachine({.memory = {.gpuBudgetMb = 16, .layout = scene::MemoryLayout::whole}});
   const QImage before = fullPicture(*window_);
-  ui::Edit edit{window_->document()->scene(), "Little memory", {}, false};
-  edit.scene.memory.layout = scene::MemoryLayout::whole;
-  edit.scene.memory.gpuBudgetMb = 16;  // for 17.5 MiB
+  ui::Edit edit{window_->document()->scene(), "Other field", {}, false};  // whose textures need 17.5 MiB
   edit.scene.hit.field = scene::Field::cubic_interpolating;
   int drawing = 0;
   const auto counts =
@@ -132,8 +131,8 @@ TEST_F(WindowTest, AMistakeOfOurOwnCostsOnePictureAndNotTheWork) {
       QObject::connect(viewport, &ui::Viewport::drawing, [&](bool begins) { drawing += begins ? 1 : -1; });
   const scene::Scene good = window_->document()->resolvedScene();
   scene::Scene bad = good;
-  bad.isosurface2.shown = true;  // and nobody has said where it is: std::bad_optional_access
-  bad.isosurface2.value.reset();
+  bad.extraIsosurfaces[0].shown = true;  // and nobody has said where it is: std::bad_optional_access
+  bad.extraIsosurfaces[0].value.reset();
   viewport->setScene(bad, bad);
   ASSERT_TRUE(waitUntil([&] { return viewport->problem().has_value(); }));
   EXPECT_TRUE(viewport->problem()->contains("mistake in Isolux")) << viewport->problem()->toStdString();

@@ -10,6 +10,7 @@
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QTest>
 #include <QToolButton>
@@ -125,9 +126,9 @@ TEST_F(WindowTest, ALongNameWidensNothing) {
   window_->showPanel("volume");
   QTest::qWait(20);
   EXPECT_EQ(window_->minimumSizeHint().width(), before);
-  const auto* content = window_->infoPanel()->widget();
-  EXPECT_LE(content->minimumSizeHint().width(), window_->infoPanel()->viewport()->width());
-  EXPECT_EQ(content->width(), window_->infoPanel()->viewport()->width());
+  const auto* area = window_->panel<ui::VolumePanel>()->findChild<QScrollArea*>();
+  EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
+  EXPECT_EQ(area->widget()->width(), area->viewport()->width());
   for (QMenu* menu : window_->findChildren<QMenu*>()) {
     if (!menu->title().contains("recent")) continue;
     Q_EMIT menu->aboutToShow();

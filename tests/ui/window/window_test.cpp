@@ -215,7 +215,7 @@ TEST_F(WindowTest, AComponentCanBeChosenAndTheChoiceUndone) {
   std::ofstream(file.chopped(3).toStdString() + "raw", std::ios::binary) << bytes;
   ASSERT_TRUE(load(*window_, file));
   window_->showPanel("volume");
-  QComboBox* choice = window_->infoPanel()->componentChoice();
+  QComboBox* choice = window_->panel<ui::VolumePanel>()->componentChoice();
   ASSERT_EQ(choice->count(), 3);  // two and their magnitude
   EXPECT_EQ(window_->document()->volume()->grid().value(1, 0, 0), 1.0);
   choice->setFocus();
@@ -234,7 +234,7 @@ TEST_F(WindowTest, AMeshOpensAndIsCombinedWithASecondVolume) {
                                        "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   ASSERT_TRUE(load(*window_, file));
   window_->showPanel("volume");
-  ui::SourcePanel* panel = window_->infoPanel()->sourcePanel();
+  ui::SourcePanel* panel = window_->panel<ui::VolumePanel>()->sourcePanel();
   ui::Document* document = window_->document();
   const auto send = [&](const char* path, const nlohmann::json& value) {
     ui::Edit edit{document->scene(), "Combine", {}, false};

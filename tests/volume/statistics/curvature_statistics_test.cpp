@@ -14,6 +14,8 @@
 namespace isolux::volume {
 namespace {
 
+using scene::LookMode;
+
 struct Subject {
   Subject(const std::string& name, const GridGeometry& geometry)
       : grid(make(name, geometry)), blocks(grid, 8, progress) {}
@@ -43,13 +45,14 @@ TEST(CurvatureStatistics, OfABallAreItsRadius) {
     const glm::dvec3 spacing = geometry.spacingMm();
     const double k = 1.0 / (0.35 * 95.0 * std::min({spacing.x, spacing.y, spacing.z}));
     EXPECT_EQ(s.samples, 2000u);
-    expectAll(s.kappa1, k, 0.02 * k);
-    expectAll(s.kappa2, k, 0.02 * k);
-    expectAll(s.mean, k, 0.02 * k);
-    expectAll(s.gaussian, k * k, 0.04 * k * k);
-    expectAll(s.curvedness, k, 0.02 * k);
+    expectAll(s.of(LookMode::kappa1), k, 0.02 * k);
+    expectAll(s.of(LookMode::kappa2), k, 0.02 * k);
+    expectAll(s.of(LookMode::mean_curvature), k, 0.02 * k);
+    expectAll(s.of(LookMode::gaussian_curvature), k * k, 0.04 * k * k);
+    expectAll(s.of(LookMode::curvedness), k, 0.02 * k);
     // Seen from inside.
-    expectAll(curvatureStatistics(ball.grid, ball.blocks, 0.0, 1.0).mean, -k, 0.02 * k);
+    expectAll(curvatureStatistics(ball.grid, ball.blocks, 0.0, 1.0).of(LookMode::mean_curvature), -k,
+              0.02 * k);
   }
 }
 
@@ -58,7 +61,7 @@ TEST(CurvatureStatistics, OfATorusHaveTheQuantilesOfItsClosedForm) {
   const Subject torus("torus", geometry);
   const CurvatureStatistics s = curvatureStatistics(torus.grid, torus.blocks, 0.0);
   const double major = 0.27 * 127.0, minor = 0.12 * 127.0;
-  expectAll(s.kappa1, 1.0 / minor, 0.03 / minor);
+  expectAll(s.of(LookMode::kappa1), 1.0 / minor, 0.03 / minor);
   // kappa2 = cos w / (major + minor cos w) over angles w of the tube, with area (major + minor cos w) dw.
   const auto quantile = [&](double fraction) {
     double area = 0.0;
@@ -71,9 +74,9 @@ TEST(CurvatureStatistics, OfATorusHaveTheQuantilesOfItsClosedForm) {
     return std::cos(w) / (major + minor * std::cos(w));
   };
   // Edges weigh a surface by |nx| + |ny| + |nz|, which moves quantiles a little.
-  EXPECT_NEAR(s.kappa2.low, quantile(0.05), 0.004);
-  EXPECT_NEAR(s.kappa2.median, quantile(0.5), 0.004);
-  EXPECT_NEAR(s.kappa2.high, quantile(0.95), 0.002);
+  EXPECT_NEAR(s.of(LookMode::kappa2).low, quantile(0.05), 0.004);
+  EXPECT_NEAR(s.of(LookMode::kappa2).median, quantile(0.5), 0.004);
+  EXPECT_NEAR(s.of(LookMode::kappa2).high, quantile(0.95), 0.002);
 }
 
 TEST(CurvatureStatistics, WithoutASurfaceAreZero) {
@@ -93,8 +96,10 @@ TEST(CurvatureStatistics, MissingVoxelsLeaveFiniteNumbers) {
   base::Progress progress;
   const CurvatureStatistics s = curvatureStatistics(grid, MinMaxBlocks(grid, 8, progress), 0.0);
   EXPECT_GT(s.samples, 100u);
-  for (const Quantiles& q : {s.kappa1, s.kappa2, s.mean, s.gaussian, s.curvedness})
-    EXPECT_TRUE(std::isfinite(q.low) && std::isfinite(q.median) && std::isfinite(q.high));
+  EXPECT_EQ(s.measures.size(), 6u);
+  for (const auto& [look, q] : s.measures)
+    EXPECT_TRUE(std::isfinite(q.low) && std::isfinite(q.median) && std::isfinite(q.high))
+        << scene::lookInfo(look).name;
 }
 
 }  // namespace

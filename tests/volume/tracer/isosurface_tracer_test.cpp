@@ -14,9 +14,9 @@
 #include <glm/geometric.hpp>
 
 #include "base/random.h"
+#include "tests/support/first_entry.h"
 #include "tests/support/memory_limit.h"
 #include "tests/support/rays.h"
-#include "tests/support/reference_entry.h"
 #include "tests/support/test_data.h"
 #include "volume/field/reconstruct.h"
 #include "volume/phantom/phantom.h"

@@ -189,7 +189,7 @@ StoredVoxels toStored(FileVoxels&& voxels, const base::Progress& progress,
         } else if constexpr (std::is_integral_v<T> && sizeof(T) >= 4) {
           return fromWideInteger(array, progress, warnings);
         } else {
-          return {VoxelArray(std::move(array)), 1.0, 0.0};
+          return {VoxelArray(std::forward<decltype(array)>(array)), 1.0, 0.0};
         }
       },
       std::move(voxels));

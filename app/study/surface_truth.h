@@ -19,24 +19,24 @@
 
 namespace isolux::app {
 
-class ReferenceView {
+class SurfaceTruth {
  public:
   // `scene`: resolved; its camera, isovalue, sides and noise count.
-  ReferenceView(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene,
-                glm::ivec2 size);
+  SurfaceTruth(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene,
+               glm::ivec2 size);
 
   // Valid as long as this. Throws Error{interrupted}.
-  Reference of(scene::Field hitField, scene::Field shapeField, base::Progress& progress);
+  TrueSurface of(scene::Field hitField, scene::Field shapeField, base::Progress& progress);
 
   // Whether the answer for this pixel hangs on a rounding: a ray or an isovalue as far off as single
-  // precision cannot tell apart finds no crossing near the reference's, or one where it has none. After of()
+  // precision cannot tell apart finds no crossing near the truth's, or one where it has none. After of()
   // with this field.
   bool undecided(scene::Field hitField, std::size_t pixel) const;
 
  private:
   static constexpr std::size_t kFields = 3;
-  using Hits = std::vector<ReferenceHit>;
-  using Shapes = std::vector<ReferenceShape>;
+  using Hits = std::vector<TrueHit>;
+  using Shapes = std::vector<TrueShape>;
 
   volume::Ray rayOf(std::size_t pixel, glm::dvec2 offset = glm::dvec2(0.0)) const;
   struct Cast {
@@ -46,8 +46,8 @@ class ReferenceView {
   Cast cast(scene::Field field, const volume::Ray& ray, double isovalue) const;
   void prepare(scene::Field field, base::Progress& progress);
   const Hits& hitsOf(scene::Field field, base::Progress& progress);
-  ReferenceHit hitOf(scene::Field field, std::size_t pixel) const;
-  ReferenceShape shapeAt(scene::Field field, const glm::dvec3& voxel) const;
+  TrueHit hitOf(scene::Field field, std::size_t pixel) const;
+  TrueShape shapeAt(scene::Field field, const glm::dvec3& voxel) const;
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
   glm::ivec2 size_;

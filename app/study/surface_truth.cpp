@@ -1,4 +1,4 @@
-#include "app/study/study_reference.h"
+#include "app/study/surface_truth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,8 @@ void forEachPixel(std::size_t count, const base::Progress& progress, const Body&
 
 }  // namespace
 
-ReferenceView::ReferenceView(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene,
-                             glm::ivec2 size)
+SurfaceTruth::SurfaceTruth(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene,
+                           glm::ivec2 size)
     : volume_(std::move(volume)),
       size_(size),
       frame_(scene::frameOf(scene.camera)),
@@ -53,9 +53,10 @@ ReferenceView::ReferenceView(std::shared_ptr<const volume::PreparedVolume> volum
       outward_(scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0),
       noise_(scene.derivatives.noise.value()) {}
 
-volume::Ray ReferenceView::rayOf(std::size_t pixel, glm::dvec2 offset) const {
+volume::Ray SurfaceTruth::rayOf(std::size_t pixel, glm::dvec2 offset) const {
   const std::size_t width = static_cast<std::size_t>(size_.x);
-  const glm::dvec2 at(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+  const std::size_t column = pixel % width, row = pixel / width;
+  const glm::dvec2 at(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
   const glm::dvec2 ndc(at.x / size_.x * 2.0 - 1.0, 1.0 - at.y / size_.y * 2.0);
   const scene::Ray ray = scene::rayThrough(frame_, ndc, static_cast<double>(size_.x) / size_.y);
   const glm::dmat4 voxelFromWorld = volume_->grid().geometry().voxelFromWorld();
@@ -65,11 +66,11 @@ volume::Ray ReferenceView::rayOf(std::size_t pixel, glm::dvec2 offset) const {
   return {origin + across, direction, rayStartMm_};
 }
 
-void ReferenceView::prepare(Field field, base::Progress& progress) {
+void SurfaceTruth::prepare(Field field, base::Progress& progress) {
   cubic_[indexOf(field)] = volume_->cubicFields->make(field, progress);
 }
 
-ReferenceView::Cast ReferenceView::cast(Field field, const volume::Ray& ray, double isovalue) const {
+SurfaceTruth::Cast SurfaceTruth::cast(Field field, const volume::Ray& ray, double isovalue) const {
   const volume::Grid& grid = volume_->grid();
   if (field == Field::trilinear)
     return {volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum)};
@@ -80,9 +81,9 @@ ReferenceView::Cast ReferenceView::cast(Field field, const volume::Ray& ray, dou
   return {hit.hit, hit.certain};
 }
 
-ReferenceHit ReferenceView::hitOf(Field field, std::size_t pixel) const {
+TrueHit SurfaceTruth::hitOf(Field field, std::size_t pixel) const {
   volume::Ray ray = rayOf(pixel);
-  ReferenceHit result;
+  TrueHit result;
   result.voxelsPerMm = glm::length(ray.direction);
   const auto first = cast(field, ray, isovalue_).hit;
   if (!first) return result;
@@ -98,7 +99,7 @@ ReferenceHit ReferenceView::hitOf(Field field, std::size_t pixel) const {
   return result;
 }
 
-const ReferenceView::Hits& ReferenceView::hitsOf(Field field, base::Progress& progress) {
+const SurfaceTruth::Hits& SurfaceTruth::hitsOf(Field field, base::Progress& progress) {
   Hits& hits = hits_[indexOf(field)];
   if (!hits.empty()) return hits;
   prepare(field, progress);
@@ -108,7 +109,7 @@ const ReferenceView::Hits& ReferenceView::hitsOf(Field field, base::Progress& pr
   return hits;
 }
 
-ReferenceShape ReferenceView::shapeAt(Field field, const glm::dvec3& voxel) const {
+TrueShape SurfaceTruth::shapeAt(Field field, const glm::dvec3& voxel) const {
   const volume::Grid& grid = volume_->grid();
   volume::FieldSample sample = field == Field::trilinear ? volume::sampleTrilinear(grid, voxel)
                                : field == Field::cubic
@@ -120,7 +121,7 @@ ReferenceShape ReferenceView::shapeAt(Field field, const glm::dvec3& voxel) cons
   const glm::dvec3 gradient = volume::worldGradient(grid.geometry(), sample.gradient);
   const volume::PrincipalCurvature curvature =
       volume::principalCurvature(gradient, volume::worldHessian(grid.geometry(), sample.hessian), outward_);
-  ReferenceShape shape;
+  TrueShape shape;
   shape.normal = curvature.normal;
   shape.hasNormal = curvature.normal != glm::dvec3(0.0);
   const double noise = volume::curvatureScale(grid.geometry(), field, noise_).gradientNoise;
@@ -130,7 +131,7 @@ ReferenceShape ReferenceView::shapeAt(Field field, const glm::dvec3& voxel) cons
   return shape;
 }
 
-Reference ReferenceView::of(Field hitField, Field shapeField, base::Progress& progress) {
+TrueSurface SurfaceTruth::of(Field hitField, Field shapeField, base::Progress& progress) {
   const Hits& hits = hitsOf(hitField, progress);
   prepare(shapeField, progress);
   Shapes& shapes = shapes_[indexOf(hitField)][indexOf(shapeField)];
@@ -144,8 +145,8 @@ Reference ReferenceView::of(Field hitField, Field shapeField, base::Progress& pr
   return {hits, shapes, volume::curvatureScale(volume_->grid().geometry(), shapeField, noise_).flatCurvature};
 }
 
-bool ReferenceView::undecided(Field hitField, std::size_t pixel) const {
-  const ReferenceHit& expected = hits_[indexOf(hitField)][pixel];
+bool SurfaceTruth::undecided(Field hitField, std::size_t pixel) const {
+  const TrueHit& expected = hits_[indexOf(hitField)][pixel];
   const auto differs = [&](const volume::Ray& ray, double isovalue) {
     const Cast found = cast(hitField, ray, isovalue);
     if (!found.certain || found.hit.has_value() != expected.hit) return true;

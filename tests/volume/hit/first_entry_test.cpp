@@ -1,4 +1,4 @@
-#include "tests/support/reference_entry.h"
+#include "tests/support/first_entry.h"
 
 #include <cmath>
 #include <limits>

@@ -1,0 +1,21 @@
+// Which texels a band of isovalues needs.
+#pragma once
+
+#include <vector>
+
+#include "base/progress.h"
+#include "gi/bake/wish.h"
+#include "gi/lattice/light_lattice.h"
+#include "scene/choices.h"
+#include "volume/grid.h"
+
+namespace isolux::gi {
+
+// Texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read, by the least and
+// greatest voxel around each: all of them, and few more. Of Field::cubic_interpolating, which overshoots its
+// voxels, some may be missing. Multithreaded; throws Error{interrupted}.
+std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volume::Grid& grid, double low,
+                                      double high, int reach, base::Progress& progress,
+                                      scene::Field field = scene::Field::trilinear);
+
+}  // namespace isolux::gi

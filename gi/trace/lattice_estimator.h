@@ -1,0 +1,24 @@
+// The texels of a lattice as points of the path tracer: position, own isovalue, B-spline normal.
+#pragma once
+
+#include <memory>
+
+#include "gi/trace/path_tracer.h"
+
+namespace isolux::gi {
+
+class LatticeEstimator : public TexelEstimator {
+ public:
+  LatticeEstimator(std::shared_ptr<const LightScene> light, const LatticeGeometry& geometry, LightPart part);
+  LightContent content() const override;
+  void normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const override;
+  bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
+           std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const override;
+
+ private:
+  PathTracer tracer_;
+  LatticeGeometry geometry_;
+  LightPart part_;
+};
+
+}  // namespace isolux::gi

@@ -1,0 +1,60 @@
+// What settings choose among: enumerations alone, for who needs no Scene.
+//
+// Names on the command line and in sessions: scene/settings.cpp; of looks: scene/looks.h.
+#pragma once
+
+namespace isolux::scene {
+
+enum class Csg { none, unite, intersection, difference };  // of the volume and a second one
+enum class Inside { above, below };                        // inside is f >= isovalue, or f <= isovalue
+enum class HitMethod { sampled, exact };  // Hadwiger et al. 2005 sec. 3.2, or every cell's first root
+// Trilinear interpolation, the tri-cubic B-spline of the samples (smooth), or the B-spline through the
+// samples.
+enum class Field { trilinear, cubic, cubic_interpolating };
+enum class Fetch { fast, exact };  // the texture unit's linear filter, or single texels weighted in float
+enum class LookMode {
+  blinn_phong,
+  lambert,
+  tone,
+  kappa1,
+  kappa2,
+  mean_curvature,
+  gaussian_curvature,
+  shape_index,
+  curvedness,
+  curvature_2d,
+  accessibility,
+  flow,
+  gi,
+  normal,
+  depth
+};
+enum class Shading { unlit, lambert, blinn_phong, tone, gi };  // gi: stored global illumination
+enum class SolidTexture { none, marble, wood, checker };
+enum class ColorMap {
+  automatic,
+  viridis,
+  cividis,
+  inferno,
+  gray,
+  coolwarm,
+  blue_orange,
+  purple_green,
+  spectral
+};
+enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa1 or kappa2
+enum class LightSpace { camera, world };
+enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
+enum class LampKind { point, directional, sphere };
+// What is stored of the light; automatic: the least that the scene needs (scene/rules/gi_choice.h).
+enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
+enum class GiExtent { full, band, view };  // which texels are lit
+enum class DirectionSequence { sobol_owen, r2, random };
+// How stored light is read between texels, Wyman et al. 2006 fig. 6; weighted: trilinear weights times how
+// well a texel's normal fits that of the point, of texels whose noise is filtered along their own isosurface.
+enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, weighted };
+enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
+enum class Projection { perspective, orthographic };
+enum class MemoryLayout { automatic, whole, bricks };
+
+}  // namespace isolux::scene

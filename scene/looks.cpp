@@ -1,0 +1,143 @@
+#include "scene/looks.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace isolux::scene {
+
+namespace {
+
+// Koenderink & van Doorn 1992; 0 where the surface is flat.
+double shapeIndex(double kappa1, double kappa2) {
+  return std::atan2(kappa1 + kappa2, kappa1 - kappa2) * 2.0 / std::numbers::pi;
+}
+
+double curvedness(double kappa1, double kappa2) {
+  return std::sqrt(0.5) * std::hypot(kappa1, kappa2);
+}
+
+constexpr LookInfo table[] = {
+    {.mode = LookMode::blinn_phong,
+     .name = "blinn_phong",
+     .meaning = "the surface's own colour with a highlight",
+     .kind = LookKind::shading,
+     .shading = Shading::blinn_phong},
+    {.mode = LookMode::lambert,
+     .name = "lambert",
+     .meaning = "the surface's own colour, matt",
+     .kind = LookKind::shading,
+     .shading = Shading::lambert},
+    {.mode = LookMode::tone,
+     .name = "tone",
+     .meaning = "cool where the surface is turned away from the light, warm where it faces it",
+     .kind = LookKind::shading,
+     .shading = Shading::tone},
+    {.mode = LookMode::kappa1,
+     .name = "kappa1",
+     .meaning = "the larger principal curvature",
+     .kind = LookKind::measure,
+     .readsCurvature = true,
+     .colors = LookColors::diverging,
+     .dimension = 1,
+     .measure = [](double kappa1, double) { return kappa1; },
+     .quantity = "κ₁"},
+    {.mode = LookMode::kappa2,
+     .name = "kappa2",
+     .meaning = "the smaller principal curvature",
+     .kind = LookKind::measure,
+     .readsCurvature = true,
+     .colors = LookColors::diverging,
+     .dimension = 1,
+     .measure = [](double, double kappa2) { return kappa2; },
+     .quantity = "κ₂"},
+    {.mode = LookMode::mean_curvature,
+     .name = "mean_curvature",
+     .meaning = "the mean of both principal curvatures",
+     .kind = LookKind::measure,
+     .readsCurvature = true,
+     .colors = LookColors::diverging,
+     .dimension = 1,
+     .measure = [](double kappa1, double kappa2) { return 0.5 * (kappa1 + kappa2); },
+     .quantity = "mean"},
+    {.mode = LookMode::gaussian_curvature,
+     .name = "gaussian_curvature",
+     .meaning = "the product of both: positive on domes and in cups, negative on saddles",
+     .kind = LookKind::measure,
+     .readsCurvature = true,
+     .colors = LookColors::diverging,
+     .dimension = 2,
+     .measure = [](double kappa1, double kappa2) { return kappa1 * kappa2; },
+     .quantity = "Gaussian"},
+    {.mode = LookMode::shape_index,
+     .name = "shape_index",
+     .meaning = "the kind of shape whatever its size: -1 cup, 0 saddle, 1 cap",
+     .kind = LookKind::measure,
+     .readsCurvature = true,
+     .colors = LookColors::shape,
+     .range = LookRange::unit,
+     .measure = shapeIndex,
+     .quantity = "shape index"},
+    {.mode = LookMode::curvedness,
+     .name = "curvedness",
+     .meaning = "how strongly the surface is curved, whatever its shape",
+     .kind = LookKind::measure,
+     .readsCurvature = true,
+     .colors = LookColors::sequential,
+     .range = LookRange::fromZero,
+     .dimension = 1,
+     .measure = curvedness,
+     .quantity = "curvedness"},
+    {.mode = LookMode::curvature_2d,
+     .name = "curvature_2d",
+     .meaning = "both principal curvatures at once, through look.curvature_points",
+     .kind = LookKind::square,
+     .readsCurvature = true,
+     .dimension = 1,
+     .quantity = "κ₁",
+     .quantityVertical = "κ₂"},
+    {.mode = LookMode::accessibility,
+     .name = "accessibility",
+     .meaning = "a light surface whose hollows are dark, as if dirt had gathered there",
+     .kind = LookKind::colored,
+     .readsCurvature = true},
+    {.mode = LookMode::flow,
+     .name = "flow",
+     .meaning = "streaks along the directions of curvature",
+     .kind = LookKind::colored,
+     .readsCurvature = true},
+    {.mode = LookMode::gi,
+     .name = "gi",
+     .meaning = "the surface's own colour in stored global illumination",
+     .kind = LookKind::shading,
+     .shading = Shading::gi},
+    {.mode = LookMode::normal,
+     .name = "normal",
+     .meaning = "the outward normal as a colour, world axes",
+     .kind = LookKind::raw},
+    {.mode = LookMode::depth,
+     .name = "depth",
+     .meaning = "the distance from the viewer, in even steps of lightness",
+     .kind = LookKind::raw,
+     .readsGradient = false},
+};
+
+}  // namespace
+
+std::span<const LookInfo> looks() {
+  return table;
+}
+
+const LookInfo& lookInfo(LookMode mode) {
+  const auto found = std::find_if(std::begin(table), std::end(table),
+                                  [mode](const LookInfo& look) { return look.mode == mode; });
+  assert(found != std::end(table));
+  return *found;
+}
+
+std::string_view unitOf(const LookInfo& look) {
+  return look.dimension == 2 ? "1/mm²" : look.dimension == 1 ? "1/mm" : "";
+}
+
+}  // namespace isolux::scene

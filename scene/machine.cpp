@@ -1,0 +1,54 @@
+#include "scene/machine.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "scene/setting/assignment.h"
+#include "scene/setting/setting_entry.h"
+
+namespace isolux::scene {
+
+namespace {
+
+std::vector<MachineSetting> makeSettings() {
+  std::vector<MachineSetting> list;
+  list.push_back(entry<Machine>("memory.gpu_budget_mb", ISOLUX_MEMBER(memory.gpuBudgetMb), {16, 1048576},
+                                "MiB", "Graphics memory that the voxels may use."));
+  list.push_back(choiceEntry<Machine>(
+      "memory.layout", ISOLUX_MEMBER(memory.layout),
+      "The volume as one texture, or as bricks of which only those needed are resident; auto takes one "
+      "texture where it fits."));
+  list.push_back(entry<Machine>("gi.threads", ISOLUX_MEMBER(threads), {1, 1024}, "",
+                                "Threads that compute light; auto is one per core."));
+  list.push_back(entry<Machine>(
+      "picture.adaptive", ISOLUX_MEMBER(adaptive), noRange, "",
+      "Pictures in motion shrink until they are quick enough; the full picture follows at rest."));
+  list.push_back(entry<Machine>("picture.motion_target", ISOLUX_MEMBER(motionTarget), {5, 2000}, "ms",
+                                "How long a picture in motion may take."));
+  return list;
+}
+
+}  // namespace
+
+std::span<const MachineSetting> machineSettings() {
+  static const std::vector<MachineSetting> list = makeSettings();
+  return list;
+}
+
+const MachineSetting* machineSetting(std::string_view path) {
+  const std::span<const MachineSetting> list = machineSettings();
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.path == path; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+bool isOfMachine(std::string_view assignment) {
+  return machineSetting(pathOf(assignment)) != nullptr;
+}
+
+void applyAssignment(Machine& machine, std::string_view assignment) {
+  const MachineSetting* const target = machineSetting(pathOf(assignment));
+  assert(target && "isOfMachine()");
+  target->set(machine, valueOf(*target, assignment));
+}
+
+}  // namespace isolux::scene

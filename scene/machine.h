@@ -1,0 +1,39 @@
+// Settings of the machine: what the user's hardware is asked for, whatever is shown.
+//
+// They are no part of the Scene: sessions, recordings and undo know none of them. On the command line they
+// are set like settings of the scene (--set memory.gpu_budget_mb=512); the window keeps them for its user.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "scene/choices.h"
+#include "scene/setting/setting.h"
+
+namespace isolux::scene {
+
+struct Memory {
+  int gpuBudgetMb = 2048;
+  MemoryLayout layout = MemoryLayout::automatic;  // whole where it fits, else bricks
+  bool operator==(const Memory&) const = default;
+};
+
+struct Machine {
+  Memory memory{};
+  std::optional<int> threads{};  // that compute light; automatic: as many as the process may use
+  bool adaptive = true;          // pictures in motion shrink until they are quick enough
+  double motionTarget = 50.0;    // milliseconds of a picture in motion
+  bool operator==(const Machine&) const = default;
+};
+
+using MachineSetting = SettingOf<Machine>;
+
+std::span<const MachineSetting> machineSettings();
+const MachineSetting* machineSetting(std::string_view path);  // null: the path is none of them
+// Whether an assignment "PATH=VALUE" or a path is of the machine, not of the scene.
+bool isOfMachine(std::string_view assignment);
+// As scene::applyAssignment(Scene&, ...).
+void applyAssignment(Machine& machine, std::string_view assignment);
+
+}  // namespace isolux::scene

@@ -1,0 +1,84 @@
+#include "scene/setting/assignment.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+
+namespace isolux::scene {
+
+namespace {
+
+using nlohmann::json;
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+// A whole word as a finite number; empty when it is none.
+std::optional<double> numberOf(std::string_view word) {
+  word = trimmed(word);
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+json numberOrWord(std::string_view word) {
+  const std::optional<double> number = numberOf(word);
+  return number ? json(*number) : json(std::string(word));
+}
+
+// What the words of an assignment mean for this setting; a word that makes no sense stays a word, which
+// Setting::set then refuses with the reason.
+json valueOfWords(const SettingInfo& target, std::string_view text) {
+  if (target.type == SettingType::text) return std::string(text);
+  const std::string_view word = trimmed(text);
+  if (target.type == SettingType::choice || (target.mayBeAutomatic && word == "auto"))
+    return std::string(word);
+  if (target.type == SettingType::points) {
+    json list = json::parse(word, nullptr, false);
+    return list.is_discarded() ? json(std::string(word)) : list;
+  }
+  const bool yes = word == "true" || word == "on", no = word == "false" || word == "off";
+  if (target.type == SettingType::toggle) {
+    if (yes || word == "1") return true;
+    if (no || word == "0") return false;
+    return std::string(word);
+  }
+  // A strength from 0 to 1 is also switched by word.
+  if (target.type == SettingType::number && target.minimum == 0.0 && target.maximum == 1.0 && (yes || no))
+    return yes ? 1.0 : 0.0;
+  const std::size_t components = componentsOf(target.type);
+  if (components == 0) return numberOrWord(word);
+  json list = json::array();
+  std::size_t begin = 0;
+  while (begin <= word.size() && list.size() <= components) {
+    const std::size_t comma = std::min(word.find(',', begin), word.size());
+    const std::optional<double> number = numberOf(word.substr(begin, comma - begin));
+    if (!number) return std::string(word);
+    list.push_back(*number);
+    begin = comma + 1;
+  }
+  return list.size() == components ? list : json(std::string(word));
+}
+
+}  // namespace
+
+std::string_view pathOf(std::string_view assignment) {
+  return trimmed(assignment.substr(0, std::min(assignment.find('='), assignment.size())));
+}
+
+nlohmann::json valueOf(const SettingInfo& target, std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    throw base::Error(base::ErrorKind::usage, "", std::string(assignment), "expected PATH=VALUE");
+  return valueOfWords(target, assignment.substr(equals + 1));
+}
+
+}  // namespace isolux::scene

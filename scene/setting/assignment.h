@@ -1,0 +1,15 @@
+// "a.b=VALUE" as on the command line: numbers, "x,y,z", words; VALUE may be "auto" where allowed.
+#pragma once
+
+#include <string_view>
+
+#include "scene/setting/setting.h"
+
+namespace isolux::scene {
+
+std::string_view pathOf(std::string_view assignment);  // without the blanks around it
+// What the words mean for this setting; a word that makes no sense stays a word, which Setting::set refuses
+// with the reason. Throws base::Error of kind usage where there is no '='.
+nlohmann::json valueOf(const SettingInfo& target, std::string_view assignment);
+
+}  // namespace isolux::scene

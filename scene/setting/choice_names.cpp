@@ -1,0 +1,167 @@
+#include "scene/setting/choice_names.h"
+
+#include <vector>
+
+#include "scene/looks.h"
+
+namespace isolux::scene {
+
+template <>
+std::span<const Named<Csg>> choicesOf() {
+  static constexpr Named<Csg> names[] = {{Csg::none, "none"},
+                                         {Csg::unite, "union"},
+                                         {Csg::intersection, "intersection"},
+                                         {Csg::difference, "difference"}};
+  return names;
+}
+
+template <>
+std::span<const Named<Inside>> choicesOf() {
+  static constexpr Named<Inside> names[] = {{Inside::above, "above"}, {Inside::below, "below"}};
+  return names;
+}
+
+template <>
+std::span<const Named<HitMethod>> choicesOf() {
+  static constexpr Named<HitMethod> names[] = {{HitMethod::sampled, "sampled"}, {HitMethod::exact, "exact"}};
+  return names;
+}
+
+template <>
+std::span<const Named<Field>> choicesOf() {
+  static constexpr Named<Field> names[] = {{Field::trilinear, "trilinear"},
+                                           {Field::cubic, "cubic"},
+                                           {Field::cubic_interpolating, "cubic_interpolating"}};
+  return names;
+}
+
+template <>
+std::span<const Named<Fetch>> choicesOf() {
+  static constexpr Named<Fetch> names[] = {{Fetch::fast, "fast"}, {Fetch::exact, "exact"}};
+  return names;
+}
+
+template <>
+std::span<const Named<LookMode>> choicesOf() {
+  static const std::vector<Named<LookMode>> names = [] {
+    std::vector<Named<LookMode>> list;
+    for (const LookInfo& look : looks()) list.push_back({look.mode, look.name});
+    return list;
+  }();
+  return names;
+}
+
+template <>
+std::span<const Named<Shading>> choicesOf() {
+  static constexpr Named<Shading> names[] = {{Shading::unlit, "unlit"},
+                                             {Shading::lambert, "lambert"},
+                                             {Shading::blinn_phong, "blinn_phong"},
+                                             {Shading::tone, "tone"},
+                                             {Shading::gi, "gi"}};
+  return names;
+}
+
+template <>
+std::span<const Named<SolidTexture>> choicesOf() {
+  static constexpr Named<SolidTexture> names[] = {{SolidTexture::none, "none"},
+                                                  {SolidTexture::marble, "marble"},
+                                                  {SolidTexture::wood, "wood"},
+                                                  {SolidTexture::checker, "checker"}};
+  return names;
+}
+
+template <>
+std::span<const Named<ColorMap>> choicesOf() {
+  static constexpr Named<ColorMap> names[] = {{ColorMap::automatic, "auto"},
+                                              {ColorMap::viridis, "viridis"},
+                                              {ColorMap::cividis, "cividis"},
+                                              {ColorMap::inferno, "inferno"},
+                                              {ColorMap::gray, "gray"},
+                                              {ColorMap::coolwarm, "coolwarm"},
+                                              {ColorMap::blue_orange, "blue_orange"},
+                                              {ColorMap::purple_green, "purple_green"},
+                                              {ColorMap::spectral, "spectral"}};
+  return names;
+}
+
+template <>
+std::span<const Named<FlowDirection>> choicesOf() {
+  static constexpr Named<FlowDirection> names[] = {{FlowDirection::maximum, "maximum"},
+                                                   {FlowDirection::minimum, "minimum"}};
+  return names;
+}
+
+template <>
+std::span<const Named<LightSpace>> choicesOf() {
+  static constexpr Named<LightSpace> names[] = {{LightSpace::camera, "camera"}, {LightSpace::world, "world"}};
+  return names;
+}
+
+template <>
+std::span<const Named<AlbedoSource>> choicesOf() {
+  static constexpr Named<AlbedoSource> names[] = {{AlbedoSource::color, "color"}, {AlbedoSource::map, "map"}};
+  return names;
+}
+
+template <>
+std::span<const Named<LampKind>> choicesOf() {
+  static constexpr Named<LampKind> names[] = {
+      {LampKind::point, "point"}, {LampKind::directional, "directional"}, {LampKind::sphere, "sphere"}};
+  return names;
+}
+
+template <>
+std::span<const Named<GiMode>> choicesOf() {
+  static constexpr Named<GiMode> names[] = {
+      {GiMode::automatic, "auto"},    {GiMode::off, "off"},           {GiMode::irradiance, "irradiance"},
+      {GiMode::transfer, "transfer"}, {GiMode::vicinity, "vicinity"}, {GiMode::shadow, "shadow"}};
+  return names;
+}
+
+template <>
+std::span<const Named<GiExtent>> choicesOf() {
+  static constexpr Named<GiExtent> names[] = {
+      {GiExtent::full, "full"}, {GiExtent::band, "band"}, {GiExtent::view, "view"}};
+  return names;
+}
+
+template <>
+std::span<const Named<DirectionSequence>> choicesOf() {
+  static constexpr Named<DirectionSequence> names[] = {{DirectionSequence::sobol_owen, "sobol_owen"},
+                                                       {DirectionSequence::r2, "r2"},
+                                                       {DirectionSequence::random, "random"}};
+  return names;
+}
+
+template <>
+std::span<const Named<GiInterpolation>> choicesOf() {
+  static constexpr Named<GiInterpolation> names[] = {{GiInterpolation::closest_isovalue, "closest_isovalue"},
+                                                     {GiInterpolation::nearest, "nearest"},
+                                                     {GiInterpolation::trilinear, "trilinear"},
+                                                     {GiInterpolation::tricubic, "tricubic"},
+                                                     {GiInterpolation::weighted, "weighted"}};
+  return names;
+}
+
+template <>
+std::span<const Named<GiPrecision>> choicesOf() {
+  static constexpr Named<GiPrecision> names[] = {{GiPrecision::r11g11b10, "r11g11b10"},
+                                                 {GiPrecision::half, "half"}};
+  return names;
+}
+
+template <>
+std::span<const Named<Projection>> choicesOf() {
+  static constexpr Named<Projection> names[] = {{Projection::perspective, "perspective"},
+                                                {Projection::orthographic, "orthographic"}};
+  return names;
+}
+
+template <>
+std::span<const Named<MemoryLayout>> choicesOf() {
+  static constexpr Named<MemoryLayout> names[] = {
+      {MemoryLayout::automatic, "auto"}, {MemoryLayout::whole, "whole"}, {MemoryLayout::bricks, "bricks"}};
+  return names;
+}
+
+}  // namespace isolux::scene

@@ -1,0 +1,21 @@
+// The names of what settings choose among, as they are typed after --set and stand in sessions.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "scene/choices.h"
+
+namespace isolux::scene {
+
+template <class T>
+struct Named {
+  T value;
+  std::string_view name;
+};
+
+// All values of an enumeration of scene/choices.h, in the order in which users are offered them.
+template <class T>
+std::span<const Named<T>> choicesOf();
+
+}  // namespace isolux::scene

@@ -1,0 +1,77 @@
+// Values of settings as JSON, checked against what is known of the setting. Errors are base::Error of kind
+// usage that name the path.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "scene/scene.h"
+#include "scene/setting/setting.h"
+
+namespace isolux::scene {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& reason);
+// "VALUE is not allowed here; allowed is ..."
+[[noreturn]] void refuseValue(const SettingInfo& setting, const nlohmann::json& value);
+
+// A finite number in the setting's range; `whole` is what a refusal shows.
+double checkedNumber(const SettingInfo& setting, const nlohmann::json& value, const nlohmann::json& whole);
+
+void assignChecked(const SettingInfo& setting, double& member, const nlohmann::json& value);
+void assignChecked(const SettingInfo& setting, int& member, const nlohmann::json& value);
+void assignChecked(const SettingInfo& setting, bool& member, const nlohmann::json& value);
+void assignChecked(const SettingInfo& setting, std::string& member, const nlohmann::json& value);
+void assignChecked(const SettingInfo& setting, std::vector<CurvaturePoint>& member,
+                   const nlohmann::json& value);
+
+template <int N>
+void assignChecked(const SettingInfo& setting, glm::vec<N, double>& member, const nlohmann::json& value) {
+  if (!value.is_array() || value.size() != N) refuseValue(setting, value);
+  glm::vec<N, double> vector;
+  for (int i = 0; i < N; ++i) vector[i] = checkedNumber(setting, value[static_cast<std::size_t>(i)], value);
+  member = vector;
+}
+
+template <class T>
+void assignChecked(const SettingInfo& setting, std::optional<T>& member, const nlohmann::json& value) {
+  if (value.is_string() && value.get_ref<const std::string&>() == "auto") {
+    member.reset();
+    return;
+  }
+  T plain{};
+  assignChecked(setting, plain, value);
+  member = plain;
+}
+
+inline nlohmann::json jsonOf(double value) {
+  return value;
+}
+inline nlohmann::json jsonOf(int value) {
+  return value;
+}
+inline nlohmann::json jsonOf(bool value) {
+  return value;
+}
+inline nlohmann::json jsonOf(const std::string& value) {
+  return value;
+}
+nlohmann::json jsonOf(const std::vector<CurvaturePoint>& points);
+
+template <int N>
+nlohmann::json jsonOf(const glm::vec<N, double>& value) {
+  nlohmann::json list = nlohmann::json::array();
+  for (int i = 0; i < N; ++i) list.push_back(value[i]);
+  return list;
+}
+
+template <class T>
+nlohmann::json jsonOf(const std::optional<T>& value) {
+  return value ? jsonOf(*value) : nlohmann::json("auto");
+}
+
+}  // namespace isolux::scene

@@ -1,0 +1,104 @@
+// Settings of the machine: they act at once, are kept for the user, and are no part of the document.
+#include "ui/dialogs/preferences_dialog.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+
+#include "tests/support/ui/window_fixture.h"
+#include "ui/document/preferences.h"
+#include "ui/editors/setting_editor.h"
+#include "ui/viewport/viewport.h"
+
+namespace isolux::test {
+
+namespace {
+
+class PreferencesTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    QSettings().remove("machine");
+    WindowTest::SetUp();
+  }
+  void TearDown() override {
+    WindowTest::TearDown();
+    QSettings().remove("machine");
+  }
+  ui::PreferencesDialog* openDialog() {
+    for (QAction* action : window_->findChildren<QAction*>())
+      if (action->text().startsWith("&Preferences")) action->trigger();
+    return window_->findChild<ui::PreferencesDialog*>();
+  }
+};
+
+}  // namespace
+
+TEST_F(PreferencesTest, AChangeActsAtOnceIsKeptAndIsNoEdit) {
+  ASSERT_TRUE(load(*window_, "phantom:ball:24"));
+  ui::PreferencesDialog* dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  auto* threads = dialog->automaticBox("gi.threads");
+  ASSERT_TRUE(threads && threads->isChecked());
+  EXPECT_FALSE(dialog->valueWidget("gi.threads")->isEnabled());
+  threads->click();
+  EXPECT_TRUE(dialog->valueWidget("gi.threads")->isEnabled());
+  dialog->valueWidget("gi.threads")->findChild<QSpinBox*>()->setValue(3);
+  dialog->valueWidget("memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(640);
+  EXPECT_EQ(window_->machine().threads, 3);
+  EXPECT_EQ(window_->machine().memory.gpuBudgetMb, 640);
+  EXPECT_EQ(ui::keptMachine(), window_->machine());
+  EXPECT_FALSE(window_->document()->modified());
+  EXPECT_FALSE(window_->document()->history().canUndo());
+
+  const ui::MainWindow next;  // the user comes back
+  EXPECT_EQ(next.machine(), window_->machine());
+}
+
+TEST_F(PreferencesTest, TheBudgetReachesTheRenderer) {
+  ui::PreferencesDialog* dialog = openDialog();
+  dialog->valueWidget("memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(16);
+  bool inBricks = false;
+  QObject::connect(window_->viewport(), &ui::Viewport::reported,
+                   [&](const render::FrameReport& report) { inBricks = report.bricks.inUse; });
+  ASSERT_TRUE(load(*window_, "phantom:ball:180"));  // 22 MiB
+  ASSERT_TRUE(waitUntil([&] { return window_->viewport()->complete(); }));
+  EXPECT_TRUE(inBricks);
+  dialog->restoreDefaults();
+  ASSERT_TRUE(waitUntil([&] { return window_->viewport()->complete() && !inBricks; }));
+}
+
+TEST_F(PreferencesTest, DefaultsComeBackAndAreForgotten) {
+  ui::PreferencesDialog* dialog = openDialog();
+  auto* adaptive = dialog->valueWidget("picture.adaptive")->findChild<QCheckBox*>();
+  EXPECT_TRUE(dialog->valueWidget("picture.motion_target")->isEnabled());
+  adaptive->click();
+  EXPECT_FALSE(window_->machine().adaptive);
+  EXPECT_FALSE(dialog->valueWidget("picture.motion_target")->isEnabled());
+  EXPECT_FALSE(QSettings().value("machine/picture.adaptive").isNull());
+  dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
+  EXPECT_EQ(window_->machine(), scene::Machine{});
+  EXPECT_TRUE(QSettings().value("machine/picture.adaptive").isNull());
+  EXPECT_TRUE(adaptive->isChecked());
+}
+
+TEST_F(PreferencesTest, WhatTheCommandLineSaysHoldsForOneRun) {
+  app::WindowRequest request;
+  request.scene.source.path = "phantom:ball:24";
+  request.machine = {"gi.threads=2"};
+  window_->open(request);
+  EXPECT_EQ(window_->machine().threads, 2);
+  EXPECT_FALSE(ui::keptMachine().threads);
+}
+
+TEST_F(PreferencesTest, WhatDoesNotFitIsPassedOver) {
+  QSettings().setValue("machine/memory.gpu_budget_mb", "-5");
+  QSettings().setValue("machine/memory.layout", "[[[");
+  QSettings().setValue("machine/picture.motion_target", "70.0");
+  scene::Machine expected;
+  expected.motionTarget = 70.0;
+  EXPECT_EQ(ui::keptMachine(), expected);
+}
+
+}  // namespace isolux::test

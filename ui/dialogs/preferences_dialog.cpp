@@ -1,0 +1,127 @@
+#include "ui/dialogs/preferences_dialog.h"
+
+#include <map>
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "base/error.h"
+#include "ui/editors/number_text.h"
+#include "ui/editors/value_widgets.h"
+
+namespace isolux::ui {
+
+namespace {
+
+QString labelOf(const scene::SettingInfo& setting) {
+  static const std::map<std::string, QString> labels = {
+      {"memory.gpu_budget_mb", "Graphics memory"},
+      {"memory.layout", "Volume on the graphics card"},
+      {"gi.threads", "Threads that compute light"},
+      {"picture.adaptive", "Coarser pictures in motion"},
+      {"picture.motion_target", "Time of a picture in motion"}};
+  const auto known = labels.find(setting.path);
+  return known != labels.end() ? known->second : wordsOf(QString::fromStdString(setting.path));
+}
+
+QString describe(const scene::MachineSetting& setting) {
+  const nlohmann::json value = setting.defaultValue();
+  return QString::fromStdString(
+      setting.meaning + "\n\n" + setting.path +
+      "\nDefault: " + (value.is_string() ? value.get<std::string>() : value.dump()) + ' ' + setting.unit);
+}
+
+}  // namespace
+
+PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* parent)
+    : QDialog(parent), machine_(machine) {
+  setWindowTitle("Preferences");
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(14);
+  grid->setVerticalSpacing(9);
+  for (const scene::MachineSetting& setting : scene::machineSettings()) {
+    const int line = static_cast<int>(rows_.size());
+    Row row{&setting, new QLabel(labelOf(setting), this), makeValueWidget(setting, this), nullptr};
+    row.label->setBuddy(row.value);
+    for (QWidget* widget : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.value)})
+      widget->setToolTip(describe(setting));
+    row.value->setAccessibleName(labelOf(setting));
+    grid->addWidget(row.label, line, 0);
+    grid->addWidget(row.value, line, 1);
+    if (setting.mayBeAutomatic) {
+      row.automatic = new QCheckBox("auto", this);
+      grid->addWidget(row.automatic, line, 2);
+    }
+    rows_.push_back(row);
+    connect(row.value, &ValueWidget::changed, this, [this, row] { set(row, row.value->value()); });
+    if (row.automatic)
+      connect(row.automatic, &QCheckBox::clicked, this, [this, row](bool automatic) {
+        set(row, automatic ? nlohmann::json("auto") : row.value->value());
+      });
+    showRow(row);
+  }
+  grid->setColumnStretch(1, 1);
+
+  auto* note = new QLabel("Of this machine: sessions and recordings do not carry them.", this);
+  note->setWordWrap(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close, this);
+  connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
+          &PreferencesDialog::restoreDefaults);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(18, 18, 18, 14);
+  layout->setSpacing(14);
+  layout->addLayout(grid);
+  layout->addWidget(note);
+  layout->addStretch(1);
+  layout->addWidget(buttons);
+  setMinimumWidth(440);
+}
+
+void PreferencesDialog::set(const Row& row, const nlohmann::json& value) {
+  const scene::Machine before = machine_;
+  try {
+    row.setting->set(machine_, value);
+  } catch (const base::Error&) {  // out of range: the editor shows again what holds
+  }
+  for (const Row& other : rows_) showRow(other);
+  if (!(machine_ == before)) Q_EMIT changed(machine_);
+}
+
+void PreferencesDialog::showRow(const Row& row) {
+  const nlohmann::json value = row.setting->get(machine_);
+  const bool automatic = value.is_string() && row.automatic;
+  if (!automatic) row.value->showValue(value);
+  const bool acts = row.setting->path != "picture.motion_target" || machine_.adaptive;
+  row.value->setEnabled(!automatic && acts);
+  row.label->setEnabled(acts);
+  if (!row.automatic) return;
+  const QSignalBlocker block(row.automatic);
+  row.automatic->setChecked(automatic);
+}
+
+void PreferencesDialog::restoreDefaults() {
+  if (machine_ == scene::Machine{}) return;
+  machine_ = {};
+  for (const Row& row : rows_) showRow(row);
+  Q_EMIT changed(machine_);
+}
+
+ValueWidget* PreferencesDialog::valueWidget(const std::string& path) const {
+  for (const Row& row : rows_)
+    if (row.setting->path == path) return row.value;
+  return nullptr;
+}
+
+QCheckBox* PreferencesDialog::automaticBox(const std::string& path) const {
+  for (const Row& row : rows_)
+    if (row.setting->path == path) return row.automatic;
+  return nullptr;
+}
+
+}  // namespace isolux::ui

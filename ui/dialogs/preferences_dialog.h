@@ -1,0 +1,45 @@
+// The settings of the machine: memory, threads, how quick pictures in motion are. What is changed applies at
+// once.
+#pragma once
+
+#include <vector>
+
+#include <QDialog>
+
+#include "scene/machine.h"
+
+class QCheckBox;
+class QLabel;
+
+namespace isolux::ui {
+
+class ValueWidget;
+
+class PreferencesDialog : public QDialog {
+  Q_OBJECT
+ public:
+  PreferencesDialog(const scene::Machine& machine, QWidget* parent);
+
+  const scene::Machine& machine() const { return machine_; }
+  ValueWidget* valueWidget(const std::string& path) const;  // null: no such setting
+  QCheckBox* automaticBox(const std::string& path) const;   // null: it cannot be automatic
+  void restoreDefaults();
+
+ Q_SIGNALS:
+  void changed(const isolux::scene::Machine& machine);
+
+ private:
+  struct Row {
+    const scene::MachineSetting* setting;
+    QLabel* label;
+    ValueWidget* value;
+    QCheckBox* automatic;  // null: it cannot be
+  };
+  void set(const Row& row, const nlohmann::json& value);
+  void showRow(const Row& row);
+
+  scene::Machine machine_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace isolux::ui
