@@ -24,8 +24,4 @@ std::vector<glm::vec3> colorMapSamples(ColorMap map, LookMode mode, int size);
 // Whether the measure of `mode` has a sign, so that its automatic range is symmetric around 0.
 bool isSignedMeasure(LookMode mode);
 
-// The sRGB transfer function (IEC 61966-2-1), per component in [0, 1].
-double encodeSrgb(double linear);
-double decodeSrgb(double encoded);
-
 }  // namespace isolux::scene

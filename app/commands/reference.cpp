@@ -11,6 +11,7 @@
 #include "app/files/image_io.h"
 #include "app/files/reference_image.h"
 #include "app/version.h"
+#include "base/color.h"
 #include "base/error.h"
 #include "gi/trace/reference.h"
 #include "scene/rules/automatic.h"
@@ -46,8 +47,7 @@ ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage
   for (std::size_t i = 0; i < image.hit.size(); ++i) {
     if (!image.hit[i]) continue;
     ++hits;
-    const glm::dvec3 e(image.irradiance[i]);
-    sum += 0.2126 * e.x + 0.7152 * e.y + 0.0722 * e.z;
+    sum += base::luminance(glm::dvec3(image.irradiance[i]));
     if (image.samples[i] < 2) continue;
     variance += static_cast<double>(image.variance[i]);
     errors += 1.0;

@@ -7,8 +7,8 @@
 
 #include <glm/common.hpp>
 
+#include "base/color.h"
 #include "render/legend/font.h"
-#include "scene/color_maps.h"
 
 namespace isolux::render {
 
@@ -78,7 +78,7 @@ class Canvas {
 glm::vec3 encoded(const glm::vec3& linear) {
   glm::vec3 result;
   for (int c = 0; c < 3; ++c)
-    result[c] = static_cast<float>(scene::encodeSrgb(static_cast<double>(linear[c])));
+    result[c] = static_cast<float>(base::encodeSrgb(static_cast<double>(linear[c])));
   return result;
 }
 

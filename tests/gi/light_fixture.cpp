@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/color.h"
 #include "gi/sampling/lamp_sampling.h"
 #include "volume/field/reconstruct.h"
 #include "volume/phantom/phantom.h"
@@ -115,7 +116,7 @@ Estimate estimate(const gi::PathTracer& tracer, gi::LightPart part, const gi::Li
   EXPECT_TRUE(tracer.irradiance(part, std::span(&point, 1), {first, samples}, std::span(&mean, 1),
                                 std::span(&variance, 1), result.rays, {}));
   result.mean = glm::dvec3(mean);
-  result.luminance = static_cast<double>(gi::luminance(mean));
+  result.luminance = static_cast<double>(base::luminance(mean));
   result.standardError = std::sqrt(static_cast<double>(variance) / samples);
   return result;
 }

@@ -1,5 +1,6 @@
 // The path-traced picture against closed forms, and that it does not depend on how it is made.
 #include "gi/trace/reference.h"
+#include "base/color.h"
 
 #include <cmath>
 #include <numbers>
@@ -132,8 +133,8 @@ TEST_F(ReferencePicture, VariancesAreThoseOfThePicture) {
   for (std::size_t i = 0; i < noisy.hit.size(); ++i) {
     if (!noisy.hit[i] || !(noisy.variance[i] > 0.0f)) continue;
     // The first 200 of the 6000 samples are the same: the difference varies by v (1 - 200 / 6000).
-    const double apart = static_cast<double>(luminance(noisy.irradiance[i])) -
-                         static_cast<double>(luminance(truth.irradiance[i]));
+    const double apart = static_cast<double>(base::luminance(noisy.irradiance[i])) -
+                         static_cast<double>(base::luminance(truth.irradiance[i]));
     sum += apart * apart / (static_cast<double>(noisy.variance[i]) * (1.0 - 200.0 / 6000.0));
     ++count;
   }
