@@ -13,6 +13,7 @@
 #include "app/version.h"
 #include "base/color.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "gi/trace/reference.h"
 #include "scene/rules/automatic.h"
 
@@ -65,7 +66,7 @@ ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage
   json["capped_paths"] = image.cappedPaths;
   json["seconds"] = seconds;
   json["threads"] = threads;
-  json["data_hash"] = hashText(prepared.grid().hash());
+  json["data_hash"] = base::hexText(prepared.grid().hash());
   return json;
 }
 

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/commands/command.h"
+#include "base/number_text.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -44,7 +45,7 @@ std::string typeName(const Setting& setting) {
 // Whole numbers without an exponent, others as short as possible.
 std::string limitText(double value) {
   return std::abs(value) < 1e9 && value == std::floor(value) ? std::to_string(static_cast<long>(value))
-                                                             : numberText(value);
+                                                             : base::shortestText(value);
 }
 
 // As it is typed after --set PATH=.

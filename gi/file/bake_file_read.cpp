@@ -17,6 +17,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_layers.h"
 #include "volume/read/input/bytes.h"
@@ -284,9 +285,7 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
   const volume::FileBytes bytes(path);
   const std::string& file = bytes.name();
   const Header header = readHeader(bytes);
-  char hash[20];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(grid.hash()));
-  if (header.fields.at("volume_hash") != hash) {
+  if (header.fields.at("volume_hash") != base::hexText(grid.hash())) {
     // Other versions of the light may have hashed the same volume in another way: that is said instead.
     for (const auto& [field, key] : {std::pair("key", &skyKey), std::pair("key_lamps", &lampsKey)})
       if (!key->empty() && header.fields.contains(field)) checkKey(header, file, field, *key);
