@@ -1,4 +1,5 @@
 #include "volume/field/curvature.h"
+#include "tests/support/volumes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,6 @@
 #include "tests/support/rays.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
-#include "volume/phantom/phantom.h"
 #include "volume/statistics/noise_estimate.h"
 
 namespace isolux::volume {
@@ -27,14 +27,6 @@ namespace {
 
 using glm::dmat3;
 using glm::dvec3;
-
-Grid phantom(const std::string& name, const GridGeometry& geometry) {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = name;
-  request.geometry = geometry;
-  return makePhantom(request, progress);
-}
 
 dvec3 toWorld(const GridGeometry& geometry, dvec3 voxel) {
   return dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
@@ -300,7 +292,7 @@ struct Errors {
 Errors curvatureErrors(const std::string& name, const GridGeometry& geometry, double borderVoxels,
                        double isovalue = 0.0) {
   base::Progress progress;
-  const Grid grid = phantom(name, geometry);
+  const Grid grid = test::phantomGrid(name, geometry);
   const Coefficients coefficients = interpolatingCoefficients(grid);
   const MinMaxBlocks blocks = MinMaxBlocks::ofCubic(coefficients, grid, 8, progress);
   const auto truth = test::analyticField(name, geometry);
@@ -385,7 +377,7 @@ TEST(CurvatureAccuracy, IsInMillimetresUnderAnisotropicAndObliqueGeometry) {
 
 TEST(CurvatureAccuracy, AnAddedConstantChangesNothing) {
   const GridGeometry geometry = test::isotropicGeometry(32);
-  const auto voxels = std::get<std::vector<float>>(phantom("torus", geometry).voxels());
+  const auto voxels = std::get<std::vector<float>>(test::phantomGrid("torus", geometry).voxels());
   const Grid plain(geometry, voxels, 0.25, 0.0), shifted(geometry, voxels, 0.25, 1000.0);
   for (std::uint64_t i = 0; i < 500; ++i) {
     const dvec3 p = 31.0 * test::randomVector(i, 1);
