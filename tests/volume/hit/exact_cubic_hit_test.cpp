@@ -19,6 +19,7 @@
 #include "tests/support/analytic_fields.h"
 #include "tests/support/rays.h"
 #include "tests/support/test_data.h"
+#include "volume/field/cubic_weights.h"
 #include "volume/field/reconstruct.h"
 #include "volume/read/reader.h"
 
