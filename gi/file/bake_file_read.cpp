@@ -21,6 +21,7 @@
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_layers.h"
 #include "volume/read/input/bytes.h"
+#include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 #include "volume/read/vtk/xml_tags.h"
 
@@ -34,8 +35,7 @@ namespace {
 
 constexpr std::size_t kHeaderWithin = std::size_t{1} << 20;
 constexpr std::uint64_t kMostChunkBytes = std::uint64_t{1} << 24;
-constexpr std::uint64_t kBestRatio = 1032;  // of zlib
-constexpr int kMostTexelsPerVoxel = 64;     // an axis
+constexpr int kMostTexelsPerVoxel = 64;  // an axis
 
 struct ArrayTag {
   std::string type;
@@ -134,7 +134,7 @@ class ArrayReader {
     if (size == 0 || size > kMostChunkBytes || rest >= size || chunks != (total_ + size - 1) / size ||
         rest != total_ % size)
       fail("the table of compressed chunks makes no sense");
-    if (chunks > bytes.size() / 8 || total_ / kBestRatio > bytes.size())
+    if (chunks > bytes.size() / 8 || total_ / volume::kBestDeflateRatio > bytes.size())
       fail("truncated: the file is too short");
     size_ = size;
     sizes_.resize(chunks);
