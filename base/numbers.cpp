@@ -14,6 +14,13 @@ double niceBelow(double value) {
   return (mantissa >= 5.0 ? 5.0 : mantissa >= 2.0 ? 2.0 : 1.0) * power;
 }
 
+double niceAbove(double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) return 1.0;
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  const double mantissa = value / power;
+  return power * (mantissa <= 1.0 ? 1.0 : mantissa <= 2.0 ? 2.0 : mantissa <= 5.0 ? 5.0 : 10.0);
+}
+
 double roundedToStep(double value, double step) {
   if (!(step > 0.0) || !std::isfinite(value)) return value;
   const double rounded = std::round(value / step) * step;

@@ -14,6 +14,11 @@ inline std::uint64_t hash64(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+// Its upper half: a seed.
+inline std::uint32_t hash32(std::uint64_t x) {
+  return static_cast<std::uint32_t>(hash64(x) >> 32);
+}
+
 inline std::uint64_t counterHash(std::uint64_t seed, std::uint64_t counter) {
   return hash64(hash64(seed) ^ counter);
 }

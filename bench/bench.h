@@ -24,9 +24,6 @@ struct Registration {
 // Where sections write plots and tables (--out DIR); empty: they only print.
 const std::filesystem::path& outputFolder();
 
-// Of a list that is not empty; of an even number the upper one.
-double median(std::vector<double> values);
-
 // The median milliseconds of each alternative over `rounds` interleaved rounds, after one to warm up.
 std::vector<double> medians(const std::vector<std::function<void()>>& alternatives, int rounds);
 

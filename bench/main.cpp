@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "base/quantiles.h"
 #include "bench/bench.h"
 
 namespace isolux::bench {
@@ -42,12 +43,6 @@ const std::filesystem::path& outputFolder() {
   return folderForPlots();
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 std::vector<double> medians(const std::vector<std::function<void()>>& alternatives, int rounds) {
   std::vector<std::vector<double>> times(alternatives.size());
   for (int round = -1; round < rounds; ++round)
@@ -59,7 +54,7 @@ std::vector<double> medians(const std::vector<std::function<void()>>& alternativ
       if (round >= 0) times[i].push_back(elapsed);
     }
   std::vector<double> result;
-  for (const auto& list : times) result.push_back(median(list));
+  for (const auto& list : times) result.push_back(base::median(list));
   return result;
 }
 

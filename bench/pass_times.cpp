@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/quantiles.h"
 #include "bench/bench.h"
 
 namespace isolux::bench {
@@ -35,8 +36,8 @@ std::vector<PassTimes> passTimes(const std::vector<Frame>& frames, int rounds) {
         if (pass.state == render::PassState::ran) samples[i].passes[pass.name].push_back(pass.milliseconds);
     }
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    result[i].frame = median(samples[i].frame);
-    for (auto& [name, milliseconds] : result[i].passes) milliseconds = median(samples[i].passes[name]);
+    result[i].frame = base::median(samples[i].frame);
+    for (auto& [name, milliseconds] : result[i].passes) milliseconds = base::median(samples[i].passes[name]);
   }
   return result;
 }

@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/quantiles.h"
 #include "base/random.h"
 #include "bench/bench.h"
 #include "bench/subjects.h"
@@ -44,7 +45,7 @@ std::vector<double> medianSeconds(const std::vector<std::function<void()>>& alte
       if (round >= 0) times[i].push_back(threadSeconds() - begin);
     }
   std::vector<double> result;
-  for (const auto& list : times) result.push_back(median(list));
+  for (const auto& list : times) result.push_back(base::median(list));
   return result;
 }
 

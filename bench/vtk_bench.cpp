@@ -1,10 +1,10 @@
 // Isolux against VTK on one GL driver: same volume, isovalue, camera and picture, in turns. Each picture is
 // checked against the double-precision intersector first: two programs that draw different things cannot be
 // compared.
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "base/quantiles.h"
 #include "bench/bench.h"
 #include "bench/frame.h"
 #include "bench/subjects.h"
@@ -87,10 +87,8 @@ void printAgreement(const char* name, const DepthPicture& picture, const DepthPi
     if (!std::isnan(depth) && !std::isnan(pixel.depth))
       errors.push_back(std::fabs(depth - pixel.depth) * pixel.voxelsPerMm);
   }
-  std::sort(errors.begin(), errors.end());
   const auto percentile = [&](double p) {
-    return errors.empty() ? std::nan("")
-                          : errors[static_cast<std::size_t>(p * static_cast<double>(errors.size() - 1))];
+    return errors.empty() ? std::nan("") : base::lowerQuantile(errors, p);
   };
   const double apart = static_cast<double>(differing) / static_cast<double>(covered);
   std::printf(

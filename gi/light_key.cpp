@@ -1,10 +1,11 @@
 #include "gi/light_key.h"
 
-#include <cstdio>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+
+#include "base/number_text.h"
 
 namespace isolux::gi {
 
@@ -14,12 +15,6 @@ using nlohmann::ordered_json;
 
 // Of the light itself: goes up when the same settings give other numbers. 2: other hashes of volumes.
 constexpr int formatVersion = 2;
-
-std::string hexOf(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
 
 template <class Vector>
 ordered_json arrayOf(const Vector& v) {
@@ -52,7 +47,7 @@ glm::dvec4 canonicalRotation(glm::dvec4 wxyz) {
 
 ordered_json environmentJson(const scene::Scene& resolved, const LightScene& light) {
   ordered_json json;
-  json["hash"] = hexOf(light.environment ? light.environment->hash() : 0);
+  json["hash"] = base::hexText(light.environment ? light.environment->hash() : 0);
   if (!light.environment || light.environment->isConstant()) return json;
   json["rotation"] = arrayOf(canonicalRotation(resolved.light.environment.rotation));
   json["share"] = light.environmentShare;
@@ -107,7 +102,7 @@ std::string lightKey(const scene::Scene& resolved, const LightScene& light, Ligh
   json["content"] = transfer ? "transfer" : "irradiance";
   json["channels"] = part == LightPart::lamps ? 3 : light.choice.channels;
   if (transfer) json["sh_order"] = light.shOrder;
-  json["volume"] = hexOf(light.volume->grid().hash());
+  json["volume"] = base::hexText(light.volume->grid().hash());
   json["inside"] = light.inside == scene::Inside::above ? "above" : "below";
   json["lattice_scale"] = resolved.gi.latticeScale;
   json["sequence"] = nameOf(light.sequence);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/color.h"
 #include "gi/harmonics/sh_rotation.h"
 #include "gi/harmonics/spherical_harmonics.h"
 
@@ -12,10 +13,6 @@ namespace isolux::gi {
 namespace {
 
 constexpr int localOrder = 3;  // Ramamoorthi & Hanrahan 2001: irradiance is of nine numbers to 1 %
-
-double luminance(const glm::dvec3& color) {
-  return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z;
-}
 
 std::vector<glm::dvec3> rotated(const std::vector<glm::dvec3>& coefficients, int order,
                                 const glm::dmat3& rotation) {
@@ -36,10 +33,10 @@ float exposureFor(const PictureLight& light, const scene::Scene& resolved) {
     evaluateSh(localOrder, normal, basis);
     glm::dvec3 irradiance(0.0);
     for (std::size_t k = 0; k < 9; ++k) irradiance += basis[k] * glm::dvec3(light.irradianceSh[k]);
-    brightest = std::max(brightest, luminance(irradiance) / std::numbers::pi);
+    brightest = std::max(brightest, base::luminance(irradiance) / std::numbers::pi);
   }
   for (const scene::Lamp& lamp : resolved.lamps)
-    if (lamp.shown) brightest += lamp.intensity * luminance(lamp.color);
+    if (lamp.shown) brightest += lamp.intensity * base::luminance(lamp.color);
   if (!(brightest > 0.0)) return 0.0f;
   return static_cast<float>(std::clamp(-std::log2(brightest), -mostStops, mostStops));
 }

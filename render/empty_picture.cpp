@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/number_text.h"
 #include "scene/camera.h"
 
 namespace isolux::render {
@@ -17,12 +17,6 @@ namespace {
 using Remedy = EmptyPicture::Remedy;
 
 constexpr double kInvisible = 0.5 / 255.0;  // an opacity that changes no pixel
-
-std::string text(double value) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", value);
-  return digits.data();
-}
 
 struct Shown {
   std::vector<double> values;
@@ -48,9 +42,9 @@ EmptyPicture noSurface(const std::vector<double>& values, const volume::Grid& gr
   if (!(grid.minimum() <= grid.maximum()))
     return {"There is no surface: every voxel is missing", Remedy::none};
   std::string list;
-  for (const double value : values) list += (list.empty() ? "" : ", ") + text(value);
-  return {"No surface at " + list + ": the values lie between " + text(grid.minimum()) + " and " +
-              text(grid.maximum()),
+  for (const double value : values) list += (list.empty() ? "" : ", ") + base::shortText(value);
+  return {"No surface at " + list + ": the values lie between " + base::shortText(grid.minimum()) + " and " +
+              base::shortText(grid.maximum()),
           Remedy::isovalue};
 }
 

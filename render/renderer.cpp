@@ -400,7 +400,7 @@ std::vector<glm::vec3> Renderer::hitVoxels() {
 
 std::map<std::string, std::uint64_t> Renderer::imageHashes() {
   const FrameState& frame = parts_->frame;
-  std::map<std::string, Hasher> hashes;
+  std::map<std::string, base::Hasher> hashes;
   for (const auto& [pass, image] : parts_->held) {
     // With Hessians, the gradients are the first image of theirs.
     if (!frame.images.has(image) || (frame.withHessian && image == image::gradient)) continue;

@@ -13,6 +13,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/color.h"
+
 namespace isolux::scene {
 
 namespace {
@@ -43,7 +45,7 @@ constexpr std::array<Hex, 9> shapeIndex = {0x1b8a4b, 0x2bb3a3, 0x3f7fd0, 0xa9c6e
                                            0xf3e6a2, 0xf0c63c, 0xee8a2e, 0xcc2f2a};
 
 glm::dvec3 decoded(const glm::dvec3& srgb) {
-  return {decodeSrgb(srgb.x), decodeSrgb(srgb.y), decodeSrgb(srgb.z)};
+  return {base::decodeSrgb(srgb.x), base::decodeSrgb(srgb.y), base::decodeSrgb(srgb.z)};
 }
 
 // Between table colours, joined in sRGB as their authors do.
@@ -131,14 +133,6 @@ glm::dvec3 colorOf(ColorMap map, LookColors automatic, double t) {
 }
 
 }  // namespace
-
-double encodeSrgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-double decodeSrgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 std::vector<glm::vec3> colorMapSamples(ColorMap map, int size, LookColors automatic) {
   assert(size >= 2);

@@ -21,8 +21,4 @@ namespace isolux::scene {
 // `automatic`: what ColorMap::automatic stands for.
 std::vector<glm::vec3> colorMapSamples(ColorMap map, int size, LookColors automatic = LookColors::sequential);
 
-// The sRGB transfer function (IEC 61966-2-1), per component in [0, 1].
-double encodeSrgb(double linear);
-double decodeSrgb(double encoded);
-
 }  // namespace isolux::scene

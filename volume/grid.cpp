@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/hash.h"
 #include "volume/parallel_steps.h"
 
 namespace isolux::volume {
@@ -70,20 +70,6 @@ GridGeometry GridGeometry::make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec
 
 namespace {
 
-std::uint64_t fnv1a(const void* data, std::size_t bytes, std::uint64_t hash) {
-  constexpr std::uint64_t prime = 0x100000001b3ull;
-  const auto* at = static_cast<const unsigned char*>(data);
-  for (; bytes >= 8; at += 8, bytes -= 8) {
-    std::uint64_t word;
-    std::memcpy(&word, at, 8);
-    hash = (hash ^ word) * prime;
-    hash ^= hash >> 32;
-  }
-  for (; bytes > 0; ++at, --bytes) hash = (hash ^ *at) * prime;
-  return hash;
-}
-
-constexpr std::uint64_t kHashStart = 0xcbf29ce484222325ull;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20;  // part of the definition of the hash
 
 // What is known of some consecutive voxels.
@@ -113,7 +99,7 @@ Piece scanPiece(std::span<T> voxels) {
     piece.least = static_cast<double>(least);
     piece.most = static_cast<double>(most);
   }
-  piece.hash = fnv1a(voxels.data(), voxels.size_bytes(), kHashStart);
+  piece.hash = base::Hasher().addWords(voxels.data(), voxels.size_bytes());
   return piece;
 }
 
@@ -144,17 +130,19 @@ Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double
       },
       voxels_);
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  hash_ = fnv1a(&geometry_.dims, sizeof geometry_.dims, kHashStart);
-  hash_ = fnv1a(&geometry_.worldFromVoxel, sizeof geometry_.worldFromVoxel, hash_);
+  base::Hasher hash;
+  hash.addWords(&geometry_.dims, sizeof geometry_.dims);
+  hash.addWords(&geometry_.worldFromVoxel, sizeof geometry_.worldFromVoxel);
   const double numbers[] = {slope_, intercept_, static_cast<double>(voxels_.index())};
-  hash_ = fnv1a(numbers, sizeof numbers, hash_);
+  hash.addWords(numbers, sizeof numbers);
   held_ = base::machineMemory().count(bytes());
   for (const Piece& piece : pieces) {
     low = std::min(low, piece.least);
     high = std::max(high, piece.most);
     missing_ += piece.missing;
-    hash_ = fnv1a(&piece.hash, sizeof piece.hash, hash_);
+    hash.addWords(&piece.hash, sizeof piece.hash);
   }
+  hash_ = hash;
   if (low > high) return;
   storedMinimum_ = low;
   storedMaximum_ = high;

@@ -10,6 +10,7 @@
 #include "app/light/light_report.h"
 #include "app/version.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "gi/file/bake_file.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
@@ -111,7 +112,7 @@ void runBake(const BakeOptions& options, base::Progress& progress) {
     ordered_json json;
     json["version"] = version();
     json["bake"] = bakeJson(state);
-    json["data_hash"] = hashText(prepared->grid().hash());
+    json["data_hash"] = base::hexText(prepared->grid().hash());
     writeTextFile(options.stats, jsonText(json));
   }
   if (options.explain) printBake(state);

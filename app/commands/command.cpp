@@ -228,18 +228,6 @@ glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string
   return own.x > 0 ? own : glm::ivec2(1024, 768);
 }
 
-std::string hashText(std::uint64_t hash) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return text.data();
-}
-
-std::string numberText(double value) {
-  std::array<char, 64> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} ? std::string(text.data(), end) : std::string("?");
-}
-
 std::string bytesText(std::uint64_t bytes) {
   return base::memoryText(static_cast<std::size_t>(bytes));
 }

@@ -76,8 +76,6 @@ glm::ivec2 parseSize(const std::string& text);
 // What --size says; without it the size of the picture that the session comes from, else 1024x768.
 glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string& path,
                        const SceneOptions& options);
-std::string hashText(std::uint64_t hash);                  // 16 hex digits
-std::string numberText(double value);                      // shortest that reads back the same
 std::string bytesText(std::uint64_t bytes);                // "13.5 MiB"
 std::string jsonText(const nlohmann::ordered_json& json);  // indented, ends in a newline
 // The keys "context" and "gl": what drew a picture.

@@ -1,9 +1,9 @@
 // isolux info PATH: what a volume is, as text or JSON.
 #include <algorithm>
 #include <iostream>
-#include <sstream>
 
 #include "app/commands/command.h"
+#include "base/number_text.h"
 #include "base/printable.h"
 
 namespace isolux::app {
@@ -65,25 +65,18 @@ ordered_json infoJson(const PreparedVolume& prepared) {
   json["components"] = v.components;
   json["time_steps"] = v.timeSteps;
   json["series"] = v.seriesChoices;
-  json["data_hash"] = hashText(grid.hash());
+  json["data_hash"] = base::hexText(grid.hash());
   json["warnings"] = v.warnings;
   return json;
 }
 
-// Six decimals at most, no trailing zeros: for reading, not for reading back.
-std::string shortText(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 std::string vectorText(glm::dvec3 v, const char* between = ", ") {
-  return shortText(v.x) + between + shortText(v.y) + between + shortText(v.z);
+  return base::shortText(v.x) + between + base::shortText(v.y) + between + base::shortText(v.z);
 }
 
 std::string peaksText(const volume::Histogram& histogram) {
   std::string text;
-  for (const double peak : histogram.peaks) text += (text.empty() ? "" : ", ") + shortText(peak);
+  for (const double peak : histogram.peaks) text += (text.empty() ? "" : ", ") + base::shortText(peak);
   return text.empty() ? "none" : text;
 }
 
@@ -146,13 +139,14 @@ void printText(const PreparedVolume& prepared, std::ostream& out) {
   }
   if (geometry.leftHanded()) row("", "left-handed");
   row("orientation", orientationText(v));
-  row("range", shortText(grid.minimum()) + " to " + shortText(grid.maximum()) + unit);
+  row("range", base::shortText(grid.minimum()) + " to " + base::shortText(grid.maximum()) + unit);
   if (grid.slope() != 1.0 || grid.intercept() != 0.0)
-    row("rescale", "value = " + shortText(grid.slope()) + " * stored + " + shortText(grid.intercept()));
+    row("rescale",
+        "value = " + base::shortText(grid.slope()) + " * stored + " + base::shortText(grid.intercept()));
   row("missing", std::to_string(grid.missingCount()) + " voxels");
   row("histogram", histogramBar(prepared.histogram));
   row("peaks", peaksText(prepared.histogram));
-  row("isovalue", shortText(isovalue) + unit + " (suggested)");
+  row("isovalue", base::shortText(isovalue) + unit + " (suggested)");
   row("blocks", std::to_string(activeBlocksAt(prepared, isovalue)) + " of " +
                     std::to_string(prepared.blocks->count()) + " active there, " +
                     std::to_string(prepared.blocks->blockCells()) + " cells per axis each");
@@ -163,7 +157,7 @@ void printText(const PreparedVolume& prepared, std::ostream& out) {
     row("series", series);
   }
   row("memory", bytesText(grid.bytes()));
-  row("hash", hashText(grid.hash()));
+  row("hash", base::hexText(grid.hash()));
   for (const std::string& warning : v.warnings) row("warning", warning);
 }
 

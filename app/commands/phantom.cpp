@@ -7,6 +7,7 @@
 #include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/suggestion.h"
 #include "volume/phantom/phantom.h"
 #include "volume/write/writer.h"
@@ -31,7 +32,7 @@ void printPhantoms() {
               "meaning");
   for (const volume::PhantomInfo& info : volume::phantoms())
     std::printf("%-*s  %5d  %9s  %-4s  %s\n", static_cast<int>(width), std::string(info.name).c_str(),
-                info.defaultSize, numberText(info.isovalue).c_str(), std::string(info.unit).c_str(),
+                info.defaultSize, base::shortestText(info.isovalue).c_str(), std::string(info.unit).c_str(),
                 std::string(info.meaning).c_str());
   std::fflush(stdout);
 }

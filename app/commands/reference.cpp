@@ -11,7 +11,9 @@
 #include "app/files/image_io.h"
 #include "app/files/reference_image.h"
 #include "app/version.h"
+#include "base/color.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "gi/trace/reference.h"
 #include "scene/rules/automatic.h"
 
@@ -46,8 +48,7 @@ ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage
   for (std::size_t i = 0; i < image.hit.size(); ++i) {
     if (!image.hit[i]) continue;
     ++hits;
-    const glm::dvec3 e(image.irradiance[i]);
-    sum += 0.2126 * e.x + 0.7152 * e.y + 0.0722 * e.z;
+    sum += base::luminance(glm::dvec3(image.irradiance[i]));
     if (image.samples[i] < 2) continue;
     variance += static_cast<double>(image.variance[i]);
     errors += 1.0;
@@ -65,7 +66,7 @@ ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage
   json["capped_paths"] = image.cappedPaths;
   json["seconds"] = seconds;
   json["threads"] = threads;
-  json["data_hash"] = hashText(prepared.grid().hash());
+  json["data_hash"] = base::hexText(prepared.grid().hash());
   return json;
 }
 

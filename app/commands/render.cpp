@@ -15,6 +15,8 @@
 #include "app/light/light_report.h"
 #include "app/version.h"
 #include "base/error.h"
+#include "base/number_text.h"
+#include "base/quantiles.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
@@ -56,12 +58,6 @@ render::FrameRequest requestOf(const RenderOptions& options, const scene::Scene&
   return request;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
-}
-
 struct Drawn {
   render::StillPicture picture;  // the last one
   double milliseconds = 0.0;     // median of the measured pictures
@@ -81,7 +77,7 @@ Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::
     drawn.picture = render::drawStill(renderer, scene, request, progress);
     times.push_back(drawn.picture.report.milliseconds);
   }
-  if (!times.empty()) drawn.milliseconds = median(std::move(times));
+  if (!times.empty()) drawn.milliseconds = base::median(std::move(times));
   return drawn;
 }
 
@@ -122,7 +118,7 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
   json["bake"] = bakeJson(light);
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
-  json["data_hash"] = hashText(prepared.grid().hash());
+  json["data_hash"] = base::hexText(prepared.grid().hash());
   json["read_seconds"] = prepared.readSeconds;
   json["prepare_seconds"] = prepared.prepareSeconds;
   return json;

@@ -14,6 +14,7 @@
 #include "app/light/light_picture.h"
 #include "app/process/external_program.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
@@ -44,8 +45,9 @@ std::string frameName(int frame) {
 int frameCount(const Recording& recording, double fps, const std::string& file) {
   const double count = std::ceil(recording.duration() * fps - 1e-9) + 1.0;
   if (count > mostFrames)
-    throw Error(ErrorKind::usage, file, "",
-                "lasts " + numberText(recording.duration()) + " s: more than 100000 frames at this --fps");
+    throw Error(
+        ErrorKind::usage, file, "",
+        "lasts " + base::shortestText(recording.duration()) + " s: more than 100000 frames at this --fps");
   return static_cast<int>(count);
 }
 
@@ -102,8 +104,8 @@ void makeMovie(const fs::path& folder, int frames, double fps, base::Progress& p
   // In the folder, by plain names: a "%" in the folder's own name would be taken for a pattern.
   const ProgramResult result = runProgram(
       ffmpeg,
-      {"-nostdin", "-loglevel", "error", "-y", "-framerate", numberText(fps), "-start_number", "0", "-i",
-       "frame_%05d.png", "-frames:v", std::to_string(frames), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+      {"-nostdin", "-loglevel", "error", "-y", "-framerate", base::shortestText(fps), "-start_number", "0",
+       "-i", "frame_%05d.png", "-frames:v", std::to_string(frames), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
        "-pix_fmt", "yuv420p", "-f", "mp4", fs::absolute(movie.path()).string()},
       folder, progress);
   std::error_code missing;

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/commands/command.h"
+#include "base/number_text.h"
 #include "scene/looks.h"
 #include "scene/machine.h"
 #include "scene/settings.h"
@@ -47,7 +48,7 @@ std::string typeName(const SettingInfo& setting) {
 // Whole numbers without an exponent, others as short as possible.
 std::string limitText(double value) {
   return std::abs(value) < 1e9 && value == std::floor(value) ? std::to_string(static_cast<long>(value))
-                                                             : numberText(value);
+                                                             : base::shortestText(value);
 }
 
 // As it is typed after --set PATH=.

@@ -11,6 +11,7 @@
 
 #include "app/files/files.h"
 #include "base/error.h"
+#include "volume/read/input/streams.h"
 
 namespace isolux::app {
 
@@ -99,11 +100,11 @@ bool encode(PngWriter& writer, const render::ColorImage& image) {
   throwInput(file.string(), "", "cannot be read: " + reason);
 }
 
-// Deflate packs at best 1 : 1032; a larger claim is no picture.
+// A larger claim than deflate can pack is no picture.
 bool canHold(const fs::path& file, const png_image& image) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(file, error);
-  return !error && std::uint64_t{image.width} * image.height * 3 / 1032 <= bytes;
+  return !error && std::uint64_t{image.width} * image.height * 3 / volume::kBestDeflateRatio <= bytes;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 
 #include "app/files/image_io.h"
-#include "scene/color_maps.h"
+#include "base/color.h"
 
 namespace isolux::app {
 
@@ -47,8 +47,7 @@ render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Loo
           static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x);
       const glm::dvec3 color = std::isnan(image.color[i].x) ? background : glm::dvec3(image.color[i]);
       for (int c = 0; c < 3; ++c)
-        screen.rgba[4 * i + static_cast<std::size_t>(c)] =
-            static_cast<std::uint8_t>(std::lround(255.0 * scene::encodeSrgb(std::clamp(color[c], 0.0, 1.0))));
+        screen.rgba[4 * i + static_cast<std::size_t>(c)] = base::screenByte(color[c]);
     }
   }
   return screen;

@@ -91,9 +91,8 @@ std::vector<float> HistogramPlot::columns(const volume::Histogram& histogram, in
 }
 
 std::vector<double> HistogramPlot::ticks(double width, double spacing) const {
-  const double wanted = shownRange() * spacing / std::max(1.0, width);
-  double step = base::niceBelow(wanted);
-  while (step < wanted * (1.0 - 1e-9)) step = base::niceBelow(step * 2.6);  // 1 -> 2 -> 5 -> 10
+  constexpr double slack = 1.0 - 1e-9;  // a round number stays in spite of rounding
+  const double step = base::niceAbove(slack * shownRange() * spacing / std::max(1.0, width));
   std::vector<double> values;
   for (double k = std::ceil(shownMinimum_ / step); k * step <= shownMaximum_ && values.size() < 100;
        k += 1.0) {

@@ -6,8 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
+#include "base/color.h"
 #include "gi/sampling/environment.h"
 
 namespace isolux::app {
@@ -20,7 +19,7 @@ ProbeThumbnail thumbnailOf(const gi::Environment& environment) {
   ProbeThumbnail small;
   const glm::ivec2 from(environment.width(), environment.height());
   small.size = {std::min(from.x, mostColumns), std::clamp(from.y, 1, mostColumns / 2)};
-  small.meanLuminance = glm::dot(environment.mean(), glm::dvec3(0.2126, 0.7152, 0.0722));
+  small.meanLuminance = base::luminance(environment.mean());
   small.badPixels = environment.badPixels();
   small.pixels.reserve(static_cast<std::size_t>(small.size.x) * static_cast<std::size_t>(small.size.y));
   const auto first = [](int i, int count, int of) {

@@ -7,23 +7,17 @@
 #include <utility>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "app/files/reference_image.h"
+#include "base/color.h"
 #include "gi/light_scene.h"
-#include "scene/color_maps.h"
 #include "volume/tracer/isosurface_tracer.h"
 
 namespace isolux::app {
 
 namespace {
 
-constexpr glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
 constexpr double whiteNoise = 0.1;  // of noiseImage()
-
-std::uint8_t encoded(double linear) {
-  return static_cast<std::uint8_t>(std::lround(255.0 * scene::encodeSrgb(std::clamp(linear, 0.0, 1.0))));
-}
 
 bool isKnown(const gi::ReferenceImage& image, std::size_t pixel) {
   return image.hit[pixel] != 0 && image.samples[pixel] >= 2 && std::isfinite(image.variance[pixel]);
@@ -34,7 +28,7 @@ double meanLuminance(const gi::ReferenceImage& image) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < image.hit.size(); ++i) {
     if (image.hit[i] == 0 || std::isnan(image.irradiance[i].x)) continue;
-    sum += glm::dot(glm::dvec3(image.irradiance[i]), luminance);
+    sum += base::luminance(glm::dvec3(image.irradiance[i]));
     ++count;
   }
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
@@ -124,7 +118,8 @@ render::ColorImage noiseImage(const gi::ReferenceImage& image) {
   const double mean = meanLuminance(image);
   for (std::size_t i = 0; i < image.hit.size(); ++i) {
     const double error = isKnown(image, i) && mean > 0.0 ? std::sqrt(image.variance[i]) / mean : 0.0;
-    std::fill_n(screen.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, encoded(error / whiteNoise));
+    std::fill_n(screen.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
+                base::screenByte(error / whiteNoise));
   }
   return screen;
 }

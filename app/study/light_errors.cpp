@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quantiles.h"
+
 namespace isolux::app {
 
 namespace {
@@ -68,9 +70,7 @@ LightErrors lightErrorsOf(const std::vector<float>& drawn, const LightTruth& tru
   errors.rmseStandardError = std::sqrt(mean + square.standardError) - errors.rmse;
   errors.bias = bias.value;
   errors.biasStandardError = bias.standardError;
-  const auto at = static_cast<std::ptrdiff_t>(std::lround(0.99 * (channels - 1.0)));
-  std::nth_element(sizes.begin(), sizes.begin() + at, sizes.end());
-  errors.most99 = sizes[static_cast<std::size_t>(at)];
+  errors.most99 = base::quantile(sizes, 0.99);
   return errors;
 }
 

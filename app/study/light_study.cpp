@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <string_view>
 
+#include "base/quantiles.h"
 #include "render/graph/pass.h"
 
 namespace isolux::app {
@@ -172,10 +173,10 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
     StudySetting setting;
     setting.value = alternative.value;
     setting.isDefault = alternative.value == defaultValue(knob);
-    setting.frameMilliseconds = median(alternative.frames);
+    setting.frameMilliseconds = base::median(alternative.frames);
     alternative.cost.bakeSeconds =
-        bakes ? median(alternative.bakes) : std::numeric_limits<double>::quiet_NaN();
-    alternative.cost.lookupMilliseconds = median(alternative.lookups);
+        bakes ? base::median(alternative.bakes) : std::numeric_limits<double>::quiet_NaN();
+    alternative.cost.lookupMilliseconds = base::median(alternative.lookups);
     setting.light = alternative.cost;
     setting.errors.pixels = hits_.size();
     setting.errors.light = lightErrorsOf(alternative.irradiance, truth);

@@ -6,6 +6,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "base/random.h"
 #include "gi/trace/path_tracer.h"
 
 namespace isolux::app {
@@ -14,13 +15,6 @@ namespace {
 
 // A call of the tracer: short, so that a stop is heard, and long enough to fill its lanes.
 constexpr std::size_t kPointsAtOnce = 16;
-
-std::uint32_t hashOf(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15u;
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
-  return static_cast<std::uint32_t>((value ^ (value >> 31)) >> 32);
-}
 
 using Means = std::vector<glm::dvec3>;  // [point * kReplicates + replicate]
 
@@ -71,7 +65,7 @@ class Estimator {
     std::vector<gi::LightPoint> points(points_.begin() + static_cast<std::ptrdiff_t>(begin),
                                        points_.begin() + static_cast<std::ptrdiff_t>(end));
     for (std::size_t i = 0; i < points.size(); ++i)
-      points[i].seed = hashOf((begin + i) * kReplicates + replicate);
+      points[i].seed = base::hash32((begin + i) * kReplicates + replicate);
     std::vector<glm::vec3> light(points.size());
     std::vector<glm::dvec3> sum(points.size(), glm::dvec3(0.0));
     std::uint64_t rays = 0;
@@ -144,7 +138,7 @@ std::vector<std::size_t> chosenPixels(const std::vector<bool>& hit, std::size_t 
   std::vector<std::size_t> chosen;
   const double part = static_cast<double>(all.size()) / static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double place = (static_cast<double>(i) + hashOf(i) * 0x1p-32) * part;
+    const double place = (static_cast<double>(i) + base::hash32(i) * 0x1p-32) * part;
     chosen.push_back(all[std::min(static_cast<std::size_t>(place), all.size() - 1)]);
   }
   return chosen;

@@ -5,14 +5,9 @@
 
 #include "app/study/light_study.h"
 #include "base/error.h"
+#include "base/quantiles.h"
 
 namespace isolux::app {
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
-}
 
 double milliseconds(const StudySetting& setting, const Panel& panel) {
   double sum = 0.0;
@@ -151,8 +146,8 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   setting.value = alternative.value;
   setting.isDefault = !alternative.comparison && alternative.value == defaultValue(knob);
   setting.comparison = alternative.comparison;
-  setting.frameMilliseconds = median(alternative.frames);
-  for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = median(times);
+  setting.frameMilliseconds = base::median(alternative.frames);
+  for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = base::median(times);
   setting.errors = errors(scene.hit.field, scene.derivatives.field);
   constexpr scene::Field best = scene::Field::cubic_interpolating;
   if (knob.field)

@@ -51,8 +51,6 @@ struct KnobStudy {
   int truthBounces = 0;
 };
 
-// Half way between the middle two of an even number. `values` has some.
-double median(std::vector<double> values);
 // The time of the passes that make a panel's error.
 double milliseconds(const StudySetting& setting, const Panel& panel);
 // What the panel shows its error against: that time, or what the light costs.

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/quantiles.h"
+
 namespace isolux::app {
 
 namespace {
@@ -38,15 +40,12 @@ Spread spreadOf(std::vector<double> errors) {
     return spread;
   }
   std::sort(errors.begin(), errors.end());
-  const auto quantile = [&](double part) {
-    return errors[static_cast<std::size_t>(std::lround(part * static_cast<double>(errors.size() - 1)))];
-  };
   double squares = 0.0;
   for (const double error : errors) squares += error * error;
-  spread.median = quantile(0.5);
-  spread.rms = std::sqrt(squares / static_cast<double>(errors.size()));
-  spread.most99 = quantile(0.99);
   spread.maximum = errors.back();
+  spread.median = base::quantile(errors, 0.5);
+  spread.rms = std::sqrt(squares / static_cast<double>(errors.size()));
+  spread.most99 = base::quantile(errors, 0.99);
   return spread;
 }
 

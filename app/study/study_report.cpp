@@ -13,6 +13,7 @@
 #include "app/study/study_light_report.h"
 #include "app/study/study_table.h"
 #include "app/version.h"
+#include "base/number_text.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -150,7 +151,7 @@ void reachLine(std::ostream& out, const KnobStudy& study) {
   bool first = true;
   for (const double error : errorsToReach(study.knob.measure)) {
     const StudySetting* const setting = cheapest(study, error);
-    out << (first ? "" : "; ") << numberText(error) << ": ";
+    out << (first ? "" : "; ") << base::shortestText(error) << ": ";
     first = false;
     if (!setting)
       out << "none";
@@ -177,7 +178,7 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
   json["machine"] = {{"processor", processorName()}, {"threads", tbb::this_task_arena::max_concurrency()}};
   addContext(json, context);
   json["volume"] = {{"name", subject.volume->volume.name},
-                    {"data_hash", hashText(grid.hash())},
+                    {"data_hash", base::hexText(grid.hash())},
                     {"dims", {grid.dims().x, grid.dims().y, grid.dims().z}},
                     {"spacing_mm", {spacing.x, spacing.y, spacing.z}}};
   json["size"] = {subject.size.x, subject.size.y};

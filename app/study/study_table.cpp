@@ -1,16 +1,14 @@
 #include "app/study/study_table.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "base/number_text.h"
 
 namespace isolux::app {
 
 std::string tableNumber(double value, int digits) {
   if (!std::isfinite(value)) return "–";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  return text.data();
+  return base::shortText(value, digits);
 }
 
 std::string markedValue(const StudySetting& setting) {

@@ -17,9 +17,11 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_layers.h"
 #include "volume/read/input/bytes.h"
+#include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 #include "volume/read/vtk/xml_tags.h"
 
@@ -33,8 +35,7 @@ namespace {
 
 constexpr std::size_t kHeaderWithin = std::size_t{1} << 20;
 constexpr std::uint64_t kMostChunkBytes = std::uint64_t{1} << 24;
-constexpr std::uint64_t kBestRatio = 1032;  // of zlib
-constexpr int kMostTexelsPerVoxel = 64;     // an axis
+constexpr int kMostTexelsPerVoxel = 64;  // an axis
 
 struct ArrayTag {
   std::string type;
@@ -133,7 +134,7 @@ class ArrayReader {
     if (size == 0 || size > kMostChunkBytes || rest >= size || chunks != (total_ + size - 1) / size ||
         rest != total_ % size)
       fail("the table of compressed chunks makes no sense");
-    if (chunks > bytes.size() / 8 || total_ / kBestRatio > bytes.size())
+    if (chunks > bytes.size() / 8 || total_ / volume::kBestDeflateRatio > bytes.size())
       fail("truncated: the file is too short");
     size_ = size;
     sizes_.resize(chunks);
@@ -284,9 +285,7 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
   const volume::FileBytes bytes(path);
   const std::string& file = bytes.name();
   const Header header = readHeader(bytes);
-  char hash[20];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(grid.hash()));
-  if (header.fields.at("volume_hash") != hash) {
+  if (header.fields.at("volume_hash") != base::hexText(grid.hash())) {
     // Other versions of the light may have hashed the same volume in another way: that is said instead.
     for (const auto& [field, key] : {std::pair("key", &skyKey), std::pair("key_lamps", &lampsKey)})
       if (!key->empty() && header.fields.contains(field)) checkKey(header, file, field, *key);

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/pending_file.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_layers.h"
@@ -90,9 +91,7 @@ struct Array {
 };
 
 std::string exact(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
+  return base::shortText(value, 17);
 }
 
 std::string textField(const std::string& name, const std::string& text) {
@@ -143,13 +142,11 @@ std::string header(const volume::Grid& grid, const StoredLight& light, const std
     for (int column = 0; column < 3; ++column)
       direction += (direction.empty() ? "" : " ") + exact(directions[column][a]);
   }
-  char hash[20];
-  std::snprintf(hash, sizeof hash, "%016" PRIx64, grid.hash());
   std::string xml =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <ImageData WholeExtent=\"" +
       extent + "\" Origin=\"" + origin + "\" Spacing=\"" + spacing + "\" Direction=\"" + direction +
-      "\">\n    <FieldData>\n" + textField("volume_hash", hash);  // kFirstField
+      "\">\n    <FieldData>\n" + textField("volume_hash", base::hexText(grid.hash()));  // kFirstField
   if (light.sky)
     xml += textField("key", light.sky->key()) + textField("content", contentText(light.sky->content()));
   if (light.lamps) xml += textField("key_lamps", light.lamps->key());

@@ -10,6 +10,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "base/color.h"
 #include "base/random.h"
 #include "gi/harmonics/spherical_harmonics.h"
 
@@ -19,10 +20,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr std::uint32_t certain = 1u << 31;  // probability 1
-
-double exactLuminance(glm::vec3 c) {
-  return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
-}
 
 bool isFinite(glm::vec3 c) {
   return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
@@ -166,7 +163,7 @@ void Environment::buildDistribution() {
     const std::size_t first = static_cast<std::size_t>(row) * width_;
     double sum = 0.0;
     for (int column = 0; column < width_; ++column) {
-      columns[column] = black_ ? 1.0 : exactLuminance(pixels_[first + column]);
+      columns[column] = black_ ? 1.0 : base::luminance(glm::dvec3(pixels_[first + column]));
       sum += columns[column];
     }
     rows[row] = sum * solidAngle(row);

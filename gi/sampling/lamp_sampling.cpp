@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/color.h"
 #include "gi/sampling/directions.h"
 
 namespace isolux::gi {
@@ -24,10 +25,6 @@ float coneWeight(float cosine, float oneMinusCosine) {
 
 }  // namespace
 
-float luminance(glm::vec3 linearRgb) {
-  return 0.2126f * linearRgb.x + 0.7152f * linearRgb.y + 0.0722f * linearRgb.z;
-}
-
 LampSampler::LampSampler(std::span<const LampLight> lamps, const volume::GridGeometry& geometry)
     : mmOfVoxels_(geometry.worldFromVoxel) {
   const glm::dvec3 spacing = geometry.spacingMm();
@@ -39,7 +36,7 @@ LampSampler::LampSampler(std::span<const LampLight> lamps, const volume::GridGeo
     lamp.voxel = glm::vec3(voxelFromWorld * glm::dvec4(light.positionMm, 1.0));
     lamp.toward = glm::vec3(light.toward);
     lamp.power = glm::vec3(light.power);
-    lamp.luminance = luminance(lamp.power);
+    lamp.luminance = base::luminance(lamp.power);
     lamp.radiusMm = static_cast<float>(light.radiusMm);
     lamp.oneMinusCosine = static_cast<float>(1.0 - light.cosHalfAngle);
     lamp.extended = lamp.kind == scene::LampKind::sphere ||

@@ -55,6 +55,4 @@ class LampSampler {
   float nearestMm_;
 };
 
-float luminance(glm::vec3 linearRgb);  // ITU-R BT.709
-
 }  // namespace isolux::gi

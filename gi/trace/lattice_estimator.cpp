@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/random.h"
 #include "gi/trace/path_wave.h"
 
 namespace isolux::gi {
@@ -23,13 +24,6 @@ float fieldAt(const volume::Grid& grid, glm::vec3 voxel) {
     if (weight > 0.0) value += weight * grid.stored(at.x, at.y, at.z);
   }
   return static_cast<float>(value);
-}
-
-std::uint32_t seedOf(std::uint64_t texel) {
-  texel += 0x9e3779b97f4a7c15u;
-  texel = (texel ^ (texel >> 30)) * 0xbf58476d1ce4e5b9u;
-  texel = (texel ^ (texel >> 27)) * 0x94d049bb133111ebu;
-  return static_cast<std::uint32_t>((texel ^ (texel >> 31)) >> 32);
 }
 
 }  // namespace
@@ -64,7 +58,7 @@ bool LatticeEstimator::add(std::span<const glm::ivec3> texels, std::span<const g
   std::vector<LightPoint> points(texels.size());
   for (std::size_t i = 0; i < texels.size(); ++i) {
     const glm::vec3 voxel = geometry_.voxelOf(texels[i]);
-    points[i] = {voxel, fieldAt(grid, voxel), normals[i], seedOf(geometry_.indexOf(texels[i]))};
+    points[i] = {voxel, fieldAt(grid, voxel), normals[i], base::hash32(geometry_.indexOf(texels[i]))};
   }
   const LightContent content = this->content();
   if (content.kind == LightContent::Kind::transfer)

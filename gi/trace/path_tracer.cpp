@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/color.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/trace/path_wave.h"
 
@@ -19,7 +20,7 @@ struct PointSum {
 
   void add(glm::vec3 light) {
     sum += glm::dvec3(light);
-    const double value = static_cast<double>(luminance(light));
+    const double value = static_cast<double>(base::luminance(light));
     count += 1.0;
     const double apart = value - mean;
     mean += apart / count;

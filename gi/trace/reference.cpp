@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/sampling/lamp_sampling.h"
@@ -66,7 +67,7 @@ glm::dvec3 unoccluded(const LampLight& lamp, const glm::dvec3& normal, const glm
 
 void Reference::Estimate::merge(glm::vec3 roundMean, float roundVariance, std::uint32_t roundCount) {
   const double n = roundCount, all = count + n;
-  const double value = static_cast<double>(gi::luminance(roundMean));
+  const double value = static_cast<double>(base::luminance(roundMean));
   const double apart = value - luminance;
   squares += static_cast<double>(roundVariance) * (n - 1.0) + apart * apart * count * n / all;
   luminance += apart * n / all;

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <new>
 
 #include <OpenImageIO/imageio.h>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "readers/images/images.h"
 #include "readers/limits.h"
@@ -22,10 +22,6 @@ namespace {
 std::string reason(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text.empty() ? "cannot be read as an image" : text;
-}
-
-float linearFromSrgb(float v) {  // IEC 61966-2-1
-  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
 }
 
 bool isSrgb(const OIIO::ImageSpec& spec) {
@@ -71,7 +67,7 @@ std::vector<glm::vec3> readPixels(OIIO::ImageInput& input, const OIIO::ImageSpec
       glm::vec3 pixel;
       for (int c = 0; c < 3; ++c) {
         const float value = buffer[i * spec.nchannels + channels[c]];
-        pixel[c] = srgb ? linearFromSrgb(value) : value;
+        pixel[c] = srgb ? base::decodeSrgb(value) : value;
       }
       pixels.push_back(pixel);
     }

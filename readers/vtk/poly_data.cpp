@@ -13,6 +13,7 @@
 #include "readers/limits.h"
 #include "readers/vtk/vtk_files.h"
 #include "readers/vtk_messages.h"
+#include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 #include "volume/read/mesh/mesh_formats.h"
 #include "volume/read/vtk/xml_tags.h"
@@ -26,7 +27,7 @@ namespace {
 
 // VTK allocates what the pieces announce: no more than the file can hold at the best ratio of compression.
 void checkClaims(const Bytes& bytes, const base::Progress& progress) {
-  constexpr std::uint64_t bestRatio = 1032;  // of zlib; a point has 12 bytes at least, a cell 8
+  constexpr std::uint64_t leastBytes = 8;  // of a cell; a point has 12
   const std::string text = wholeText(bytes, progress);
   const std::string_view tagged = std::string_view(text).substr(0, text.find("<AppendedData"));
   Tags tags(tagged, bytes.name());
@@ -44,7 +45,7 @@ void checkClaims(const Bytes& bytes, const base::Progress& progress) {
       const auto count = integerOf(*claim);
       if (!count || *count < 0)
         throwInput(bytes.name(), std::string("Piece ") + key, inQuotes(*claim) + " is no number of things");
-      if (static_cast<std::uint64_t>(*count) > bytes.size() * bestRatio / 8)
+      if (static_cast<std::uint64_t>(*count) > bytes.size() * kBestDeflateRatio / leastBytes)
         throwInput(bytes.name(), std::string("Piece ") + key,
                    "truncated: the file is too short for " + std::string(*claim));
     }

@@ -16,8 +16,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/hash.h"
 #include "render/graph/frame_graph.h"
-#include "render/graph/hasher.h"
 #include "scene/scene.h"
 #include "scene/settings.h"
 
@@ -121,7 +121,7 @@ class Declaring {
   // It depends on these values, too, which are no settings or come from several.
   template <class... Values>
   Declaring& input(const char* name, const Values&... values) {
-    Hasher hash;
+    base::Hasher hash;
     (hash.add(values), ...);
     return add({name, hash});
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/hash.h"
 #include "render/passes/pass_list.h"
 
 namespace isolux::render {
@@ -20,7 +21,7 @@ void bringBricksBack(const PassList& passes, const Asked& asked, std::vector<Pas
                                  [](const PassDeclaration& one) { return one.name == pass::cast; });
   const std::vector<bool> used = usedPasses(declared, wantedImages(asked.request));
   std::vector<Parameter> more;
-  Hasher which;
+  base::Hasher which;
   for (std::size_t i = 0; i < passes.size(); ++i) {
     if (!passes[i]->kind.atHits) continue;
     which.add(static_cast<bool>(used[i]));

@@ -7,8 +7,9 @@
 
 #include <glm/common.hpp>
 
+#include "base/color.h"
+#include "base/numbers.h"
 #include "render/legend/font.h"
-#include "scene/color_maps.h"
 
 namespace isolux::render {
 
@@ -78,7 +79,7 @@ class Canvas {
 glm::vec3 encoded(const glm::vec3& linear) {
   glm::vec3 result;
   for (int c = 0; c < 3; ++c)
-    result[c] = static_cast<float>(scene::encodeSrgb(static_cast<double>(linear[c])));
+    result[c] = static_cast<float>(base::encodeSrgb(static_cast<double>(linear[c])));
   return result;
 }
 
@@ -210,9 +211,7 @@ std::vector<double> tickValues(double low, double high, int count) {
   const double step0 = (high - low) / count;
   // Too narrow for its own magnitude: no two ticks would differ in float's digits.
   if (!(step0 > 1e-7 * std::max(std::fabs(low), std::fabs(high)))) return {0.5 * (low + high)};
-  const double power = std::pow(10.0, std::floor(std::log10(step0)));
-  const double lead = step0 / power;
-  const double step = power * (lead <= 1.0 ? 1.0 : lead <= 2.0 ? 2.0 : lead <= 5.0 ? 5.0 : 10.0);
+  const double step = base::niceAbove(step0);
   std::vector<double> values;
   constexpr double slack = 1e-6;  // a tick at the very end stays in spite of rounding
   for (double i = std::ceil(low / step - slack); i <= high / step + slack; i += 1.0)

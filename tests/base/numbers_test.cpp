@@ -8,6 +8,16 @@
 namespace isolux::base {
 namespace {
 
+TEST(Numbers, NiceOnesAboveAreNotBelow) {
+  EXPECT_EQ(niceAbove(7.3), 10.0);
+  EXPECT_EQ(niceAbove(2.0), 2.0);
+  EXPECT_EQ(niceAbove(2.01), 5.0);
+  EXPECT_DOUBLE_EQ(niceAbove(0.0019), 0.002);
+  EXPECT_DOUBLE_EQ(niceAbove(8e300), 1e301);
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(niceAbove(bad), 1.0);
+}
+
 TEST(Numbers, NiceOnesAreOneTwoFiveTimesAPowerOfTen) {
   EXPECT_EQ(niceBelow(7.3), 5.0);
   EXPECT_EQ(niceBelow(2.0), 2.0);

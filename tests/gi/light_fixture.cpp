@@ -4,9 +4,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/color.h"
 #include "gi/sampling/lamp_sampling.h"
+#include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
-#include "volume/phantom/phantom.h"
 
 namespace isolux::test {
 
@@ -14,33 +15,15 @@ namespace {
 
 constexpr double zLimit = 4.5;
 
-std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
-  base::Progress progress;
-  volume::Volume volume;
-  volume.grid = std::make_shared<const volume::Grid>(std::move(grid));
-  return volume::prepareVolume(std::move(volume), progress);
-}
-
 }  // namespace
 
 std::shared_ptr<const volume::PreparedVolume> volumeOf(const volume::GridGeometry& geometry,
                                                        const Field& field) {
-  std::vector<float> voxels(geometry.voxelCount());
-  std::size_t i = 0;
-  for (int z = 0; z < geometry.dims.z; ++z)
-    for (int y = 0; y < geometry.dims.y; ++y)
-      for (int x = 0; x < geometry.dims.x; ++x)
-        voxels[i++] =
-            static_cast<float>(field(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(x, y, z, 1.0))));
-  return prepared(volume::Grid(geometry, std::move(voxels)));
+  return prepared(gridOfWorld(geometry, field));
 }
 
-std::shared_ptr<const volume::PreparedVolume> phantomOf(const std::string& name, int size) {
-  base::Progress progress;
-  volume::PhantomRequest request;
-  request.name = name;
-  request.size = size;
-  return prepared(volume::makePhantom(request, progress));
+volume::GridGeometry cube(int size) {
+  return volume::GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0), glm::dvec3(-0.5 * (size - 1)));
 }
 
 gi::LightScene lightSceneOf(std::shared_ptr<const volume::PreparedVolume> volume, scene::Inside inside,
@@ -115,7 +98,7 @@ Estimate estimate(const gi::PathTracer& tracer, gi::LightPart part, const gi::Li
   EXPECT_TRUE(tracer.irradiance(part, std::span(&point, 1), {first, samples}, std::span(&mean, 1),
                                 std::span(&variance, 1), result.rays, {}));
   result.mean = glm::dvec3(mean);
-  result.luminance = static_cast<double>(gi::luminance(mean));
+  result.luminance = static_cast<double>(base::luminance(mean));
   result.standardError = std::sqrt(static_cast<double>(variance) / samples);
   return result;
 }

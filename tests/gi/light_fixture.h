@@ -18,7 +18,8 @@ using Field = std::function<double(glm::dvec3 world)>;
 
 std::shared_ptr<const volume::PreparedVolume> volumeOf(const volume::GridGeometry& geometry,
                                                        const Field& field);
-std::shared_ptr<const volume::PreparedVolume> phantomOf(const std::string& name, int size);
+// Voxels of 1 mm round the world's origin.
+volume::GridGeometry cube(int size);
 
 // No sky, no lamps, no bounces, random numbers; members are there to be changed.
 gi::LightScene lightSceneOf(std::shared_ptr<const volume::PreparedVolume> volume,

@@ -1,5 +1,6 @@
 // What a scene says about its light: lamps in physical units, shares, and the key of stored light.
 #include "gi/light_scene.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 #include <numbers>
@@ -83,7 +84,7 @@ TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
 }
 
 TEST(LightScene, OnlyLampsThatShineAreThere) {
-  const auto volume = phantomOf("ball", 12);
+  const auto volume = test::phantom("ball", 12);
   scene::Scene scene = giScene(*volume);
   scene.lamps[0].shown = scene.lamps[1].shown = true;
   scene.lamps[1].intensity = 0.0;
@@ -93,7 +94,7 @@ TEST(LightScene, OnlyLampsThatShineAreThere) {
 }
 
 TEST(LightScene, DirectionsAreDrawnFromAProbeThatHasAny) {
-  const auto volume = phantomOf("ball", 12);
+  const auto volume = test::phantom("ball", 12);
   scene::Scene scene = giScene(*volume);
   scene.light.environment.file = "probe.hdr";
   const auto probe = environmentOf(8, 4, [](glm::dvec3 d) { return 1.0 + d.z; });
@@ -139,7 +140,7 @@ class LightKey : public ::testing::Test {
     return sky ? (lamps ? "both" : "sky") : (lamps ? "lamps" : "none");
   }
 
-  std::shared_ptr<const volume::PreparedVolume> volume_ = phantomOf("ball", 12);
+  std::shared_ptr<const volume::PreparedVolume> volume_ = test::phantom("ball", 12);
   std::shared_ptr<const Environment> probe_ = environmentOf(8, 4, [](glm::dvec3 d) { return 1.0 + d.z; });
   scene::Scene scene_ = giScene(*volume_);
 };

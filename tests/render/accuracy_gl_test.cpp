@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/render/gl_fixture.h"
+#include "tests/support/volumes.h"
 #include "volume/hit/exact_hit.h"
 
 namespace isolux::test {
@@ -36,14 +37,8 @@ std::vector<Placement> placements(int n) {
 // A field of voxel space: distance to a ball (or a torus) in voxels, whatever the placement. In the world the
 // surface is the image of the ball under worldFromVoxel, and its normal A^-T n.
 volume::Grid voxelSpaceField(const GridGeometry& geometry, const std::function<double(glm::dvec3)>& field) {
-  std::vector<float> values(geometry.voxelCount());
-  std::size_t i = 0;
   const glm::dvec3 centre(glm::dvec3(geometry.dims - 1) * 0.5);
-  for (int z = 0; z < geometry.dims.z; ++z)
-    for (int y = 0; y < geometry.dims.y; ++y)
-      for (int x = 0; x < geometry.dims.x; ++x)
-        values[i++] = static_cast<float>(field(glm::dvec3(x, y, z) - centre));
-  return volume::Grid(geometry, std::move(values));
+  return gridOfVoxels(geometry, [&](glm::dvec3 voxel) { return field(voxel - centre); });
 }
 
 double degrees(glm::dvec3 a, glm::dvec3 b) {

@@ -11,34 +11,9 @@
 #include "scene/camera.h"
 #include "scene/rules/automatic.h"
 #include "scene/settings.h"
-#include "volume/phantom/phantom.h"
+#include "tests/support/volumes.h"
 
 namespace isolux::test {
-
-inline std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
-  base::Progress progress;
-  volume::Volume volume;
-  volume.grid = std::make_shared<volume::Grid>(std::move(grid));
-  volume.name = "test";
-  return volume::prepareVolume(std::move(volume), progress);
-}
-
-inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name, int size) {
-  base::Progress progress;
-  volume::PhantomRequest request;
-  request.name = name;
-  request.size = size;
-  return prepared(volume::makePhantom(request, progress));
-}
-
-inline std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name,
-                                                             const volume::GridGeometry& geometry) {
-  base::Progress progress;
-  volume::PhantomRequest request;
-  request.name = name;
-  request.geometry = geometry;
-  return prepared(volume::makePhantom(request, progress));
-}
 
 // Tests with this fixture need GL (OSMesa) and nothing else; their names end in "GlTest". An error that the
 // driver reports fails the test, wherever it comes from.

@@ -1,5 +1,6 @@
 // Pictures in tiles are the pictures drawn in one frame; linear pictures are what the encoded ones come from;
 // far cameras lose no precision; pictures without anything in them say why.
+#include "base/color.h"
 #include "render/still_picture.h"
 
 #include <algorithm>
@@ -142,7 +143,7 @@ TEST_F(StillPictureGlTest, TheLinearPictureIsWhatIsEncoded) {
     if (i % 4 == 3) continue;
     const double c = static_cast<double>(picture.linear.rgba[i]);
     ASSERT_LE(c, 1.0);
-    const double encoded = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+    const double encoded = base::encodeSrgb(c);
     ASSERT_NEAR(picture.color.rgba[i], 255.0 * encoded, 1.1) << i;
   }
   const std::vector<float> bright = draw({"look.mode=lambert", "light.intensity=4"}).linear.rgba;

@@ -1,6 +1,9 @@
 // Where a ray first enters the inside of the trilinear isosurface, in double precision: the reference that
 // the fast tracer (isosurface_tracer.h) is judged by.
 //
+// It shares walk and cubic with the exact hits (volume/hit), which an independent search judges
+// (tests/support/trilinear_oracle.h), and nothing with the tracer.
+//
 // Positions are voxel coordinates, t is in units of |direction|. Cell by cell, no blocks: slow. Inside is
 // f >= isovalue (Inside::above) or f <= isovalue (Inside::below), in values, whatever the sign of the slope.
 // A ray begins on the side of f at its origin, or where it meets the volume, where the side is that of f

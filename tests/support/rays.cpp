@@ -16,6 +16,10 @@ glm::dvec3 randomVector(std::uint64_t i, std::uint64_t stream) {
   return {uniformNoise(stream, 3 * i), uniformNoise(stream, 3 * i + 1), uniformNoise(stream, 3 * i + 2)};
 }
 
+glm::dvec3 randomPoint(std::uint64_t i, glm::dvec3 low, glm::dvec3 high) {
+  return glm::mix(low, high, glm::dvec3(uniformNoise(11, i), uniformNoise(12, i), uniformNoise(13, i)));
+}
+
 volume::Ray randomRay(std::uint64_t i, glm::ivec3 dims) {
   const glm::dvec3 size(dims - 1);
   glm::dvec3 target = randomVector(i, 1) * size;

@@ -12,6 +12,9 @@ namespace isolux::test {
 // Three numbers in [0, 1) of a stream of random numbers.
 glm::dvec3 randomVector(std::uint64_t i, std::uint64_t stream);
 
+// Evenly in the box between two corners.
+glm::dvec3 randomPoint(std::uint64_t i, glm::dvec3 low, glm::dvec3 high);
+
 // By i % 8: through the box from outside (0, 1), from inside it in any direction (2), along an axis off (3)
 // and on (4) the planes of voxels, from one corner of cells to another (5), diagonal through corners of cells
 // (6), in a plane of voxels (7). Voxel coordinates.

@@ -1,9 +1,9 @@
 // An independent search for the first crossing of the trilinear isosurface, in extended precision, and the
 // comparison of hits with it.
 //
-// No blocks, no Bernstein form, no state from cell to cell but the side: the planes the ray crosses are
-// merged in order, each stretch finds its cell from its middle, and the cubic in it is that through four
-// samples, in the power basis, cut at its extrema.
+// Shares no arithmetic with what it judges, and must not: no blocks, no Bernstein form, no state from cell to
+// cell but the side: the planes the ray crosses are merged in order, each stretch finds its cell from its
+// middle, and the cubic in it is that through four samples, in the power basis, cut at its extrema.
 #pragma once
 
 #include <optional>

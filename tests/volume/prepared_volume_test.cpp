@@ -1,4 +1,5 @@
 #include "volume/prepared_volume.h"
+#include "tests/support/volumes.h"
 
 #include <chrono>
 #include <limits>
@@ -23,10 +24,7 @@ Volume volumeOf(Grid grid, std::string unit = "") {
 
 TEST(PreparedVolume, HoldsBlocksHistogramBoundsAndIsovalue) {
   base::Progress progress;
-  PhantomRequest request;
-  request.name = "ball";
-  request.geometry = test::obliqueLeftHandedGeometry(20);
-  Volume volume = volumeOf(makePhantom(request, progress));
+  Volume volume = volumeOf(test::phantomGrid("ball", test::obliqueLeftHandedGeometry(20)));
   const auto start = std::chrono::steady_clock::now();
   const auto prepared = prepareVolume(std::move(volume), progress);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

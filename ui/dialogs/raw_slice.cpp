@@ -11,6 +11,8 @@
 
 #include <QFile>
 
+#include "base/quantiles.h"
+
 namespace isolux::ui {
 
 namespace {
@@ -56,12 +58,7 @@ double decodeVoxel(const char* bytes, VoxelType type, bool swap) {
 std::pair<double, double> percentiles(std::vector<double> values, double low, double high) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   if (values.empty()) return {0.0, 1.0};
-  const auto at = [&](double fraction) {
-    const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return values[static_cast<std::size_t>(rank)];
-  };
-  double a = at(low), b = at(high);
+  double a = base::lowerQuantile(values, low), b = base::lowerQuantile(values, high);
   if (!(b > a)) {  // few bright voxels in a constant slice: the whole range
     a = *std::min_element(values.begin(), values.end());
     b = *std::max_element(values.begin(), values.end());

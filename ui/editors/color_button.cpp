@@ -1,25 +1,22 @@
 #include "ui/editors/color_button.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QColorDialog>
 #include <QPainter>
 
+#include "base/color.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
 
 QColor screenColour(glm::dvec3 linear) {
-  const auto encoded = [](double c) {
-    c = std::clamp(c, 0.0, 1.0);
-    return static_cast<float>(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055);
-  };
+  const auto encoded = [](double c) { return static_cast<float>(base::encodeSrgb(std::clamp(c, 0.0, 1.0))); };
   return QColor::fromRgbF(encoded(linear.x), encoded(linear.y), encoded(linear.z));
 }
 
 glm::dvec3 linearColour(const QColor& screen) {
-  const auto decoded = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  const auto decoded = [](double c) { return base::decodeSrgb(c); };
   return {decoded(screen.redF()), decoded(screen.greenF()), decoded(screen.blueF())};
 }
 

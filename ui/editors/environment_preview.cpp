@@ -12,6 +12,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "app/interaction/turning.h"
+#include "base/color.h"
 #include "scene/camera.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/window/style.h"
@@ -23,9 +24,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double stepDegrees = 5.0;  // of an arrow key
 
 std::uint8_t screenValue(double c) {  // Reinhard's curve, then sRGB
-  const double toned = c / (1.0 + c);
-  const double encoded = toned <= 0.0031308 ? 12.92 * toned : 1.055 * std::pow(toned, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(encoded, 0.0, 1.0)));
+  return base::screenByte(c / (1.0 + c));
 }
 }  // namespace
 

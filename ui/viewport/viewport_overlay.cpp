@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/color.h"
 #include "base/numbers.h"
 #include "ui/editors/number_text.h"
 #include "ui/viewport/lamp_painter.h"
@@ -20,9 +21,9 @@ namespace isolux::ui {
 ViewportOverlay::Inks ViewportOverlay::inksAt(double heightFraction) const {
   const QColor light(0xf4, 0xf6, 0xf8), dark(0x0a, 0x0c, 0x0f);
   const glm::dvec3 background = glm::mix(backgroundTop_, backgroundBottom_, heightFraction);
-  // Relative luminance (ITU-R BT.709); at 0.18 black and white have about the same contrast.
-  const double luminance = glm::dot(background, glm::dvec3(0.2126, 0.7152, 0.0722));
-  Inks inks = luminance < 0.18 ? Inks{light, dark} : Inks{dark, light};
+  // At this luminance black and white have about the same contrast.
+  constexpr double middle = 0.18;
+  Inks inks = base::luminance(background) < middle ? Inks{light, dark} : Inks{dark, light};
   inks.rim.setAlpha(210);
   return inks;
 }

@@ -6,6 +6,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "volume/field/cubic_weights.h"
+
 namespace isolux::volume {
 
 namespace {
@@ -13,7 +15,7 @@ namespace {
 // Up to four samples of one axis and what they weigh for the value and both derivatives.
 struct AxisTaps {
   std::array<int, 4> sample;
-  CubicWeights weights;
+  CubicWeights<double> weights;
 };
 
 double clampedCoordinate(double x, int n) {
@@ -35,7 +37,7 @@ template <class Fetch>
 FieldSample tensorCubic(glm::ivec3 dims, glm::dvec3 voxel, const Fetch& fetch) {
   const AxisTaps tx = cubicTaps(voxel.x, dims.x), ty = cubicTaps(voxel.y, dims.y),
                  tz = cubicTaps(voxel.z, dims.z);
-  const CubicWeights &wx = tx.weights, &wy = ty.weights, &wz = tz.weights;
+  const CubicWeights<double>&wx = tx.weights, &wy = ty.weights, &wz = tz.weights;
   FieldSample out;
   for (std::size_t k = 0; k < 4; ++k) {
     // Of the plane: f, fx, fy, fxx, fxy, fyy.
@@ -77,25 +79,6 @@ void toDataUnits(FieldSample& sample, const Grid& grid) {
 }
 
 }  // namespace
-
-CubicWeights cubicWeights(double t) {
-  // Hadwiger et al. 2005 eq. (6); the weights are the four pieces of the uniform cubic B-spline.
-  const double s = 1.0 - t;
-  CubicWeights out;
-  out.w[0] = s * s * s / 6.0;
-  out.w[1] = (4.0 + t * t * (3.0 * t - 6.0)) / 6.0;
-  out.w[2] = (4.0 + s * s * (3.0 * s - 6.0)) / 6.0;
-  out.w[3] = t * t * t / 6.0;
-  out.d1[0] = -0.5 * s * s;
-  out.d1[1] = t * (1.5 * t - 2.0);
-  out.d1[2] = -s * (1.5 * s - 2.0);
-  out.d1[3] = 0.5 * t * t;
-  out.d2[0] = s;
-  out.d2[1] = 3.0 * t - 2.0;
-  out.d2[2] = 3.0 * s - 2.0;
-  out.d2[3] = t;
-  return out;
-}
 
 FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel) {
   const glm::ivec3 dims = grid.dims();

@@ -21,12 +21,6 @@ struct FieldSample {
   glm::dmat3 hessian{0.0};   // per voxel squared, symmetric
 };
 
-// Uniform cubic B-spline weights of samples floor(x)-1 .. floor(x)+2 at fraction t in [0,1], and derivatives.
-struct CubicWeights {
-  double w[4], d1[4], d2[4];
-};
-CubicWeights cubicWeights(double t);
-
 FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel);  // hessian: only the mixed terms are not 0
 FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel);  // B-spline of the samples themselves (smooths)
 // The spline that passes through the samples: interpolatingCoefficients(grid).

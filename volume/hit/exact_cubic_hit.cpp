@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "volume/field/reconstruct.h"
+#include "volume/field/cubic_weights.h"
 
 namespace isolux::volume {
 

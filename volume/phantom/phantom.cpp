@@ -9,7 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/random.h"
-#include "volume/field/reconstruct.h"
+#include "volume/field/cubic_weights.h"
 #include "volume/parallel_steps.h"
 #include "volume/phantom/phantom_head.h"
 

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
@@ -144,7 +145,7 @@ Fields fieldsOf(std::string_view head, const std::string& file) {
   if (!fields.pair && fields.voxOffset == 0.0) fields.voxOffset = least;  // some writers leave it out
   if (!std::isfinite(fields.voxOffset) || fields.voxOffset < least || fields.voxOffset > 1e15 ||
       fields.voxOffset != std::trunc(fields.voxOffset))
-    throwInput(file, "vox_offset", shortText(fields.voxOffset) + " is no place for the voxels");
+    throwInput(file, "vox_offset", base::shortText(fields.voxOffset) + " is no place for the voxels");
   fields.offset = static_cast<std::uint64_t>(fields.voxOffset);
   return fields;
 }
@@ -252,7 +253,7 @@ void readGeometry(const Fields& fields, ImageHeader& header) {
       sizes[axis] = size;
     else if (fields.sformCode <= 0)
       header.warnings.push_back("pixdim[" + std::to_string(axis + 1) + "] is " +
-                                shortText(fields.pixdim[axis + 1]) + "; 1 mm assumed");
+                                base::shortText(fields.pixdim[axis + 1]) + "; 1 mm assumed");
   }
   // x and y change sign from RAS to LPS; the fourth row stays.
   const auto lps = [mm](const glm::dmat4& ras) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
 
@@ -111,21 +112,14 @@ RawDescription parseRawDescription(const std::string& text) {
 }
 
 std::string toText(const RawDescription& description) {
-  const auto exact = [](double value) {
-    std::string text = shortText(value);
-    if (realOf(text) != value) {
-      char buffer[40];
-      std::snprintf(buffer, sizeof buffer, "%.17g", value);
-      text = buffer;
-    }
-    return text;
-  };
+  using base::exactText;
   const auto& d = description;
   std::string text = std::to_string(d.dims.x) + "x" + std::to_string(d.dims.y) + "x" +
                      std::to_string(d.dims.z) + " " + std::string(nameOf(d.type)) +
                      (d.endianness == Endianness::big ? " big" : " little");
   if (d.spacingMm != glm::dvec3(1.0))
-    text += " spacing " + exact(d.spacingMm.x) + "," + exact(d.spacingMm.y) + "," + exact(d.spacingMm.z);
+    text += " spacing " + exactText(d.spacingMm.x) + "," + exactText(d.spacingMm.y) + "," +
+            exactText(d.spacingMm.z);
   if (d.headerBytes > 0) text += " header " + std::to_string(d.headerBytes);
   return text;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/quantiles.h"
 #include "base/random.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
@@ -30,13 +31,8 @@ std::optional<glm::dvec3> cutOfRandomEdge(const Grid& grid, double isovalue, glm
 }
 
 Quantiles quantilesOf(std::vector<double>& values) {
-  const auto at = [&](double fraction) {
-    const auto place =
-        values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-  };
-  return {at(0.05), at(0.5), at(0.95)};
+  using base::lowerQuantile;
+  return {lowerQuantile(values, 0.05), lowerQuantile(values, 0.5), lowerQuantile(values, 0.95)};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/quantiles.h"
 #include "base/random.h"
 #include "volume/parallel_steps.h"
 
@@ -68,10 +69,8 @@ double estimateNoise(const Grid& grid, base::Progress& progress) {
   std::erase_if(sizes, [](double size) { return std::isnan(size); });
   const double least = storageNoise(grid);
   if (sizes.empty()) return least;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
   constexpr double deviationsPerMedian = 1.4826;  // of the absolute value of a normal variable
-  return std::max(deviationsPerMedian * *middle * std::abs(grid.slope()), least);
+  return std::max(deviationsPerMedian * base::quantile(sizes, 0.5) * std::abs(grid.slope()), least);
 }
 
 }  // namespace isolux::volume

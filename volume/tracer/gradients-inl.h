@@ -14,6 +14,7 @@
 
 #include <hwy/highway.h>
 
+#include "volume/field/cubic_weights.h"
 #include "volume/tracer/kernels.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -36,20 +37,6 @@ HWY_INLINE V4 loadRow(const T* row) {
                        hn::PromoteTo(hn::FixedTag<std::int32_t, 4>(), hn::LoadU(hn::FixedTag<T, 4>(), row)));
 }
 
-// Weights of four samples round fraction t, and of the derivative (volume/field/reconstruct.h).
-HWY_INLINE void splineWeights(float t, float w[4], float d[4]) {
-  const float s = 1.0f - t;
-  constexpr float sixth = 1.0f / 6.0f;
-  w[0] = s * s * s * sixth;
-  w[1] = (4.0f + t * t * (3.0f * t - 6.0f)) * sixth;
-  w[2] = (4.0f + s * s * (3.0f * s - 6.0f)) * sixth;
-  w[3] = t * t * t * sixth;
-  d[0] = -0.5f * s * s;
-  d[1] = t * (1.5f * t - 2.0f);
-  d[2] = -s * (1.5f * s - 2.0f);
-  d[3] = 0.5f * t * t;
-}
-
 template <class T>
 HWY_INLINE void gradientsOf(const View& view, const T* voxels, const glm::vec3* points, std::size_t count,
                             glm::vec3* result) {
@@ -66,27 +53,27 @@ HWY_INLINE void gradientsOf(const View& view, const T* voxels, const glm::vec3* 
       continue;
     }
     const int x = static_cast<int>(p.x), y = static_cast<int>(p.y), z = static_cast<int>(p.z);
-    alignas(16) float wx[4], dx[4], wy[4], dy[4], wz[4], dz[4];
-    splineWeights(p.x - static_cast<float>(x), wx, dx);
-    splineWeights(p.y - static_cast<float>(y), wy, dy);
-    splineWeights(p.z - static_cast<float>(z), wz, dz);
+    alignas(16) const CubicWeights wx = cubicWeights(p.x - static_cast<float>(x));
+    const CubicWeights wy = cubicWeights(p.y - static_cast<float>(y)),
+                       wz = cubicWeights(p.z - static_cast<float>(z));
     const T* corner = voxels + static_cast<std::size_t>(z - 1) * slice +
                       static_cast<std::size_t>(y - 1) * row + static_cast<std::size_t>(x - 1);
     // Sums over y and z, with the derivative along neither, y and z.
     V4 alongX = hn::Zero(f), alongY = alongX, alongZ = alongX;
     for (int k = 0; k < 4; ++k, corner += slice) {
-      V4 s = hn::Mul(hn::Set(f, wy[0]), loadRow(corner)), sy = hn::Mul(hn::Set(f, dy[0]), loadRow(corner));
+      V4 s = hn::Mul(hn::Set(f, wy.w[0]), loadRow(corner)),
+         sy = hn::Mul(hn::Set(f, wy.d1[0]), loadRow(corner));
       for (std::size_t j = 1; j < 4; ++j) {
         const V4 samples = loadRow(corner + j * row);
-        s = hn::MulAdd(hn::Set(f, wy[j]), samples, s);
-        sy = hn::MulAdd(hn::Set(f, dy[j]), samples, sy);
+        s = hn::MulAdd(hn::Set(f, wy.w[j]), samples, s);
+        sy = hn::MulAdd(hn::Set(f, wy.d1[j]), samples, sy);
       }
-      alongX = hn::MulAdd(hn::Set(f, wz[k]), s, alongX);
-      alongY = hn::MulAdd(hn::Set(f, wz[k]), sy, alongY);
-      alongZ = hn::MulAdd(hn::Set(f, dz[k]), s, alongZ);
+      alongX = hn::MulAdd(hn::Set(f, wz.w[k]), s, alongX);
+      alongY = hn::MulAdd(hn::Set(f, wz.w[k]), sy, alongY);
+      alongZ = hn::MulAdd(hn::Set(f, wz.d1[k]), s, alongZ);
     }
-    const V4 weights = hn::Load(f, wx);
-    const float gx = hn::GetLane(hn::SumOfLanes(f, hn::Mul(hn::Load(f, dx), alongX)));
+    const V4 weights = hn::Load(f, wx.w);
+    const float gx = hn::GetLane(hn::SumOfLanes(f, hn::Mul(hn::Load(f, wx.d1), alongX)));
     const float gy = hn::GetLane(hn::SumOfLanes(f, hn::Mul(weights, alongY)));
     const float gz = hn::GetLane(hn::SumOfLanes(f, hn::Mul(weights, alongZ)));
     result[n] = {gx, gy, gz};

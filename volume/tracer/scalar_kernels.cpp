@@ -3,6 +3,7 @@
 #include <cstring>
 #include <limits>
 
+#include "volume/field/cubic_weights.h"
 #include "volume/tracer/kernels.h"
 
 namespace isolux::volume::tracing {
@@ -258,24 +259,6 @@ void anyEntries(const View& view, const TraceRay* rays, std::size_t count, std::
   });
 }
 
-// Weights of four samples round fraction t: value and derivative (volume/field/reconstruct.h).
-struct SplineWeights {
-  float w[4], d[4];
-
-  explicit SplineWeights(float t) {
-    const float s = 1.0f - t;
-    constexpr float sixth = 1.0f / 6.0f;
-    w[0] = s * s * s * sixth;
-    w[1] = (4.0f + t * t * (3.0f * t - 6.0f)) * sixth;
-    w[2] = (4.0f + s * s * (3.0f * s - 6.0f)) * sixth;
-    w[3] = t * t * t * sixth;
-    d[0] = -0.5f * s * s;
-    d[1] = t * (1.5f * t - 2.0f);
-    d[2] = -s * (1.5f * s - 2.0f);
-    d[3] = 0.5f * t * t;
-  }
-};
-
 template <class T>
 glm::vec3 trilinearGradient(const T* voxels, const std::size_t offset[3][4], const float t[3]) {
   float c[8];
@@ -306,7 +289,7 @@ glm::vec3 gradientAt(const View& view, const T* voxels, glm::vec3 position) {
       offset[axis][k] = stride * static_cast<std::size_t>(std::clamp(cell - 1 + k, 0, n - 1));
     stride *= static_cast<std::size_t>(n);
   }
-  const SplineWeights wx(t[0]), wy(t[1]), wz(t[2]);
+  const CubicWeights wx = cubicWeights(t[0]), wy = cubicWeights(t[1]), wz = cubicWeights(t[2]);
   float gx = 0, gy = 0, gz = 0;
   for (int k = 0; k < 4; ++k) {
     float f = 0, fx = 0, fy = 0;
@@ -316,12 +299,12 @@ glm::vec3 gradientAt(const View& view, const T* voxels, glm::vec3 position) {
                   c = static_cast<float>(row[offset[0][2]]), e = static_cast<float>(row[offset[0][3]]);
       const float v = (wx.w[0] * a + wx.w[1] * b) + (wx.w[2] * c + wx.w[3] * e);
       f += wy.w[j] * v;
-      fy += wy.d[j] * v;
-      fx += wy.w[j] * ((wx.d[0] * a + wx.d[1] * b) + (wx.d[2] * c + wx.d[3] * e));
+      fy += wy.d1[j] * v;
+      fx += wy.w[j] * ((wx.d1[0] * a + wx.d1[1] * b) + (wx.d1[2] * c + wx.d1[3] * e));
     }
     gx += wz.w[k] * fx;
     gy += wz.w[k] * fy;
-    gz += wz.d[k] * f;
+    gz += wz.d1[k] * f;
   }
   if (std::is_same_v<T, float> && std::isnan(gx + gy + gz)) return trilinearGradient(voxels, offset, t);
   return {gx, gy, gz};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/pending_file.h"
 #include "volume/read/input/text.h"
 
@@ -79,18 +80,11 @@ void fill(const Grid& grid, Values& values) {
   values.bytes = view(values.wide);
 }
 
-std::string exact(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.17g", value);
-  const std::string brief = shortText(value);
-  return realOf(brief) == value ? brief : buffer;
-}
-
 std::string joined(std::initializer_list<double> values, const char* separator = " ") {
   std::string text;
   for (double value : values) {
     if (!text.empty()) text += separator;
-    text += exact(value);
+    text += base::exactText(value);
   }
   return text;
 }

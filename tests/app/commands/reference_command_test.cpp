@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/image_io.h"
-#include "scene/color_maps.h"
+#include "base/color.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
 
@@ -111,8 +111,8 @@ TEST(ReferenceCommand, APngIsWhatAScreenShowsAndCarriesItsSession) {
   ASSERT_EQ(image.size, glm::ivec2(24));
   // A convex body under a sky of radiance 1 shows its albedo.
   const std::size_t middle = 4 * (12 * 24 + 12);
-  EXPECT_NEAR(image.rgba[middle], 255.0 * scene::encodeSrgb(0.2), 2.0);
-  EXPECT_NEAR(image.rgba[middle + 1], 255.0 * scene::encodeSrgb(0.5), 2.0);
+  EXPECT_NEAR(image.rgba[middle], 255.0 * base::encodeSrgb(0.2), 2.0);
+  EXPECT_NEAR(image.rgba[middle + 1], 255.0 * base::encodeSrgb(0.5), 2.0);
   EXPECT_EQ(image.rgba[middle + 2], 255);
   EXPECT_THAT(app::readSessionText(folder / "a.png"), HasSubstr("phantom:ball:24"));
 }

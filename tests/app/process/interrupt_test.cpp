@@ -17,6 +17,7 @@
 #include <csignal>
 
 #include "app/documents/recording.h"
+#include "base/quantiles.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/busy_processes.h"
 #include "tests/support/test_data.h"
@@ -69,8 +70,7 @@ bool comesToRest(const fs::path& folder) {
 }
 
 double percentile(std::vector<double> values, double part) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+  return base::lowerQuantile(values, part);
 }
 
 class Interrupts : public ::testing::Test {

@@ -1,5 +1,6 @@
 // The path-traced truth of the study, against closed forms. Nothing here needs GL.
 #include "app/study/light_truth.h"
+#include "tests/support/volumes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,31 +9,18 @@
 #include <gtest/gtest.h>
 
 #include "scene/rules/automatic.h"
-#include "volume/phantom/phantom.h"
 
 namespace isolux::app {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
-  base::Progress progress;
-  volume::Volume volume;
-  volume.grid = std::make_shared<const volume::Grid>(std::move(grid));
-  return volume::prepareVolume(std::move(volume), progress);
-}
-
 // Inside is below a plane through the middle that is tilted by this angle about x.
 std::shared_ptr<const volume::PreparedVolume> tiltedPlane(double degrees) {
   const double angle = degrees * pi / 180.0;
   const glm::dvec3 normal(0.0, std::sin(angle), std::cos(angle));
-  const auto geometry = volume::GridGeometry::make(glm::ivec3(16), glm::dvec3(1.0), glm::dvec3(0.0));
-  std::vector<float> voxels;
-  for (int z = 0; z < 16; ++z)
-    for (int y = 0; y < 16; ++y)
-      for (int x = 0; x < 16; ++x)
-        voxels.push_back(static_cast<float>(-glm::dot(normal, glm::dvec3(x, y, z) - 7.5)));
-  return prepared(volume::Grid(geometry, std::move(voxels)));
+  return test::prepared(test::gridOfVoxels(test::unitGeometry(glm::ivec3(16)),
+                                           [&](glm::dvec3 voxel) { return -glm::dot(normal, voxel - 7.5); }));
 }
 
 struct Subject {
@@ -128,7 +116,8 @@ TEST(LightTruth, PointsWithoutANormalAreLeftOut) {
   base::Progress progress;
   const auto sky = std::make_shared<const gi::Environment>(gi::Environment::constant(glm::dvec3(1.0)));
   const auto geometry = volume::GridGeometry::make(glm::ivec3(8), glm::dvec3(1.0), glm::dvec3(0.0));
-  const Subject subject = subjectOf(prepared(volume::Grid(geometry, std::vector<float>(512, 1.0f))), sky);
+  const Subject subject =
+      subjectOf(test::prepared(volume::Grid(geometry, std::vector<float>(512, 1.0f))), sky);
   const std::vector<glm::vec3> voxels{glm::vec3(3.0f)};
   const std::vector<std::size_t> pixels{5};
   const LightTruth truth =

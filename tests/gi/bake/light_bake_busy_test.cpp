@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "base/quantiles.h"
 #include "gi/bake/light_bake.h"
 #include "tests/gi/bake/formula_estimator.h"
 #include "tests/support/busy_processes.h"
@@ -47,8 +48,7 @@ class WorkingEstimator : public FormulaEstimator {
 };
 
 double percentile(std::vector<double> values, double part) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+  return base::lowerQuantile(values, part);
 }
 
 TEST(LightBakeBesideBusyProcesses, EndsWithin100MillisecondsAndNeverHoldsItsOwnerUp) {

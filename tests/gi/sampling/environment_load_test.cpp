@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "gi/sampling/environment.h"
 #include "tests/support/test_data.h"
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 double luminance(glm::dvec3 c) {
-  return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722));
+  return base::luminance(c);
 }
 
 std::string write(const std::string& name, const std::string& bytes) {

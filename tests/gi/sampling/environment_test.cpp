@@ -1,4 +1,5 @@
 #include "gi/sampling/environment.h"
+#include "base/color.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 double luminance(glm::dvec3 c) {
-  return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722));
+  return base::luminance(c);
 }
 
 glm::vec2 point(std::uint32_t i) {

@@ -8,6 +8,7 @@
 #include "gi/sampling/directions.h"
 #include "tests/gi/light_fixture.h"
 #include "tests/support/statistics.h"
+#include "tests/support/volumes.h"
 
 namespace isolux::gi {
 namespace {
@@ -16,10 +17,6 @@ using namespace isolux::test;
 using volume::GridGeometry;
 
 constexpr double pi = std::numbers::pi;
-
-GridGeometry cube(int size) {
-  return GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0), glm::dvec3(-0.5 * (size - 1)));
-}
 
 constexpr double cavityRadius = 20.0, lampRadius = 2.0, lampRadiance = 5.0;
 
@@ -81,7 +78,7 @@ TEST(PathTracerBounces, AFurnaceReachesItsLimitByRussianRouletteChannelByChannel
 // whatever its normals and however often paths bounce. Nothing may get lost on the way.
 TEST(PathTracerBounces, AlbedoOneUnderAnEvenSkyLosesNothing) {
   for (const char* name : {"gyroid", "two_balls", "head", "noise"}) {
-    LightScene light = lightSceneOf(phantomOf(name, 40), scene::Inside::above, glm::dvec3(1.0));
+    LightScene light = lightSceneOf(test::phantom(name, 40), scene::Inside::above, glm::dvec3(1.0));
     setUnitSky(light);
     light.bounces = 1000;
     const PathTracer tracer = tracerOf(std::move(light));
@@ -112,7 +109,7 @@ TEST(PathTracerBounces, AlbedoOneInAClosedCavityStopsAndSaysSo) {
 }
 
 TEST(PathTracerBounces, RussianRouletteChangesNoExpectation) {
-  LightScene light = lightSceneOf(phantomOf("gyroid", 48), scene::Inside::above, {0.7, 0.4, 0.2});
+  LightScene light = lightSceneOf(test::phantom("gyroid", 48), scene::Inside::above, {0.7, 0.4, 0.2});
   light.environment = environmentOf(16, 8, [](glm::dvec3 d) { return d.z > 0.0 ? 2.0 + d.x : 0.3; });
   light.bounces = 8;
   Estimate estimates[2];
@@ -127,7 +124,7 @@ TEST(PathTracerBounces, RussianRouletteChangesNoExpectation) {
 }
 
 TEST(PathTracerBounces, BlackSurfacesReflectNothing) {
-  LightScene light = lightSceneOf(phantomOf("gyroid", 32), scene::Inside::above, glm::dvec3(0.0));
+  LightScene light = lightSceneOf(test::phantom("gyroid", 32), scene::Inside::above, glm::dvec3(0.0));
   setUnitSky(light);
   const auto at = [&](int bounces) {
     light.bounces = bounces;
@@ -149,7 +146,7 @@ TEST(PathTracerBounces, TransferTimesEnvironmentIsIrradiance) {
     const auto sky =
         environmentOf(256, 128, [&](glm::dvec3 d) { return 0.3 * reconstructSh(order, wanted, d) + 1.0; });
     const std::vector<glm::dvec3> bands = sky->project(order);
-    LightScene light = lightSceneOf(phantomOf("gyroid", 48), scene::Inside::above, glm::dvec3(0.6));
+    LightScene light = lightSceneOf(test::phantom("gyroid", 48), scene::Inside::above, glm::dvec3(0.6));
     light.environment = sky;
     light.bounces = 2;
     light.shOrder = order;
@@ -182,7 +179,7 @@ TEST(PathTracerBounces, TransferTimesEnvironmentIsIrradiance) {
 }
 
 TEST(PathTracerBounces, TheColourOfTheSurfaceIsInTheTransfer) {
-  LightScene light = lightSceneOf(phantomOf("gyroid", 32), scene::Inside::above, {0.9, 0.5, 0.0});
+  LightScene light = lightSceneOf(test::phantom("gyroid", 32), scene::Inside::above, {0.9, 0.5, 0.0});
   light.bounces = 1;
   light.shOrder = 1;
   const PathTracer tracer = tracerOf(light);
@@ -216,7 +213,7 @@ TEST(PathTracerBounces, InsideBelowIsTheSameOfTheNegative) {
 
 // Means do not depend on what else is asked for in the call, on the thread's past, or on how often.
 TEST(PathTracerBounces, AResultIsThePointsAndTheRangesAlone) {
-  LightScene light = lightSceneOf(phantomOf("gyroid", 40), scene::Inside::above, {0.7, 0.6, 0.5});
+  LightScene light = lightSceneOf(test::phantom("gyroid", 40), scene::Inside::above, {0.7, 0.6, 0.5});
   light.environment = environmentOf(16, 8, [](glm::dvec3 d) { return d.z > 0.5 ? 9.0 : 0.5; });
   light.environmentShare = 0.4;
   light.bounces = 4;
@@ -270,7 +267,7 @@ TEST(PathTracerBounces, RangesAddUp) {
 TEST(PathTracerBounces, HardVolumesGiveNumbers) {
   std::vector<std::shared_ptr<const volume::PreparedVolume>> volumes;
   for (const char* name : {"noise", "two_balls", "sheet", "marschner_lobb"})
-    volumes.push_back(phantomOf(name, 20));
+    volumes.push_back(test::phantom(name, 20));
   const auto formula = [&](glm::ivec3 dims, const Field& field) {
     volumes.push_back(volumeOf(GridGeometry::make(dims, {0.4, 0.4, 5.0}), field));
   };

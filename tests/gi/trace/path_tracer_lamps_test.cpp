@@ -15,10 +15,6 @@ using volume::GridGeometry;
 
 constexpr double pi = std::numbers::pi;
 
-GridGeometry cube(int size) {
-  return GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0), glm::dvec3(-0.5 * (size - 1)));
-}
-
 constexpr double ballRadius = 7.0, ballHeight = 4.0;
 
 // Inside is z < -10, and a ball above the origin.

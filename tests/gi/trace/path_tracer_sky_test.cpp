@@ -6,6 +6,7 @@
 
 #include "tests/gi/light_fixture.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/volumes.h"
 
 namespace isolux::gi {
 namespace {
@@ -14,10 +15,6 @@ using namespace isolux::test;
 using volume::GridGeometry;
 
 constexpr double pi = std::numbers::pi;
-
-GridGeometry cube(int size) {
-  return GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0), glm::dvec3(-0.5 * (size - 1)));
-}
 
 // Inside is below the plane through the origin.
 Field halfSpace(glm::dvec3 normal) {
@@ -35,7 +32,7 @@ TEST(PathTracerSky, APlaneUnderAConstantSkyGetsPiExactly) {
 }
 
 TEST(PathTracerSky, AConvexBodyGetsPiEverywhere) {
-  LightScene light = lightSceneOf(phantomOf("ball", 48));
+  LightScene light = lightSceneOf(test::phantom("ball", 48));
   setUnitSky(light);
   light.bounces = 3;
   const PathTracer tracer = tracerOf(std::move(light));
@@ -159,7 +156,7 @@ TEST(PathTracerSky, EveryShareOfTheEnvironmentGivesTheSameLightUnderASun) {
 }
 
 TEST(PathTracerSky, AllSequencesGiveTheSameLight) {
-  LightScene light = lightSceneOf(phantomOf("gyroid", 48));
+  LightScene light = lightSceneOf(test::phantom("gyroid", 48));
   light.environment = environmentOf(16, 8, [](glm::dvec3 d) { return 1.0 + d.x + (d.z > 0.3 ? 3.0 : 0.0); });
   light.environmentShare = 0.3;
   light.bounces = 2;
@@ -177,7 +174,7 @@ TEST(PathTracerSky, AllSequencesGiveTheSameLight) {
 }
 
 TEST(PathTracerSky, ABlackSkyGivesNothingAndTracesNothing) {
-  LightScene light = lightSceneOf(phantomOf("gyroid", 24));
+  LightScene light = lightSceneOf(test::phantom("gyroid", 24));
   light.environment = environmentOf(8, 4, [](glm::dvec3) { return 0.0; });
   light.environmentShare = 0.5;
   const PathTracer tracer = tracerOf(light);

@@ -1,5 +1,7 @@
 // The path-traced picture against closed forms, and that it does not depend on how it is made.
 #include "gi/trace/reference.h"
+#include "base/color.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 #include <numbers>
@@ -47,7 +49,7 @@ TEST_F(ReferencePicture, ABallUnderAnEvenSkyIsEvenlyLit) {
   scene_.light.environment.exposure = 1.0;
   scene_.isosurface.albedo = {0.8, 0.4, 0.2};
   scene_.picture.exposure = -2.0;
-  use(phantomOf("ball", 40));
+  use(test::phantom("ball", 40));
   const ReferenceImage image = draw(5);
   int hits = 0;
   for (std::size_t i = 0; i < image.hit.size(); ++i) {
@@ -77,7 +79,7 @@ TEST_F(ReferencePicture, ALampLightsByTheCosine) {
   scene_.lamps[0].direction = {0.2, -1.0, 0.3};
   scene_.lamps[0].intensity = 1.5;
   scene_.gi.bounces = 3;
-  use(phantomOf("ball", 40));
+  use(test::phantom("ball", 40));
   const ReferenceImage image = draw(4);
   const PrimaryHits hits(volume_, scene_, image.size, progress_);
   const glm::dvec3 toward = glm::normalize(scene_.lamps[0].direction);
@@ -98,7 +100,7 @@ TEST_F(ReferencePicture, ThreadsAndRoundsDoNotChangeIt) {
   scene_.lamps[0].shown = true;
   scene_.lamps[0].kind = scene::LampKind::sphere;
   scene_.gi.bounces = 2;
-  use(phantomOf("gyroid", 32));
+  use(test::phantom("gyroid", 32));
   const ReferenceImage one = draw(12, 1), three = draw(12, 3);
   EXPECT_EQ(one.rays, three.rays);
   for (std::size_t i = 0; i < one.hit.size(); ++i) {
@@ -125,15 +127,15 @@ TEST_F(ReferencePicture, VariancesAreThoseOfThePicture) {
   scene_.lamps[0].kind = scene::LampKind::sphere;
   environment_ = environmentOf(16, 8, [](glm::dvec3 d) { return d.z > 0.3 ? 2.0 : 0.5; });
   scene_.light.environment.file = "probe.hdr";
-  use(phantomOf("gyroid", 32));
+  use(test::phantom("gyroid", 32));
   const ReferenceImage noisy = draw(200), truth = draw(6000);
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < noisy.hit.size(); ++i) {
     if (!noisy.hit[i] || !(noisy.variance[i] > 0.0f)) continue;
     // The first 200 of the 6000 samples are the same: the difference varies by v (1 - 200 / 6000).
-    const double apart = static_cast<double>(luminance(noisy.irradiance[i])) -
-                         static_cast<double>(luminance(truth.irradiance[i]));
+    const double apart = static_cast<double>(base::luminance(noisy.irradiance[i])) -
+                         static_cast<double>(base::luminance(truth.irradiance[i]));
     sum += apart * apart / (static_cast<double>(noisy.variance[i]) * (1.0 - 200.0 / 6000.0));
     ++count;
   }
@@ -146,7 +148,7 @@ TEST_F(ReferencePicture, TheEnvironmentIsSeenBehindTheSurface) {
   scene_.light.environment.file = "probe.hdr";
   scene_.light.environment.visible = true;
   scene_.picture.exposure = 1.0;
-  use(phantomOf("ball", 24));
+  use(test::phantom("ball", 24));
   const ReferenceImage image = draw(1);
   const PrimaryHits hits(volume_, scene_, image.size, progress_);
   int seen = 0;
@@ -165,7 +167,7 @@ TEST_F(ReferencePicture, TheEnvironmentIsSeenBehindTheSurface) {
 
 // From inside a ball the inner side is seen: the sky without anything in its way.
 TEST_F(ReferencePicture, InnerSidesHaveLocalLight) {
-  use(phantomOf("ball", 40));
+  use(test::phantom("ball", 40));
   scene_.camera.eye = volume_->facts.boundsMinMm * 0.5 + volume_->facts.boundsMaxMm * 0.5;
   scene_.camera.target = *scene_.camera.eye + glm::dvec3(0.0, 1.0, 0.0);
   const ReferenceImage image = draw(4);
@@ -189,7 +191,7 @@ TEST_F(ReferencePicture, TheNearestSurfaceHasItsOwnColour) {
       scene_.isosurface.albedo = glm::dvec3(0.25);
       scene_.extraIsosurfaces[0] = {true, -4.0, glm::dvec3(0.75), 1.0};  // outside the first
       scene_.picture.exposure = 0.0;
-      use(phantomOf("ball", 40));
+      use(test::phantom("ball", 40));
       const ReferenceImage image = draw(16);
       int hits = 0;
       for (std::size_t i = 0; i < image.hit.size(); ++i) {
@@ -204,7 +206,7 @@ TEST_F(ReferencePicture, TheNearestSurfaceHasItsOwnColour) {
 
 TEST_F(ReferencePicture, TransparentSurfacesAreRefused) {
   scene_.extraIsosurfaces[0] = {true, -4.0, glm::dvec3(0.75), 0.5};
-  use(phantomOf("ball", 16));
+  use(test::phantom("ball", 16));
   try {
     (void)make();
     FAIL();
@@ -214,7 +216,7 @@ TEST_F(ReferencePicture, TransparentSurfacesAreRefused) {
 }
 
 TEST_F(ReferencePicture, WhatIsFinishedStaysWhenStopped) {
-  use(phantomOf("ball", 24));
+  use(test::phantom("ball", 24));
   Reference reference = make();
   ASSERT_TRUE(reference.refineTo(4, progress_));
   progress_.requestStop();

@@ -1,5 +1,6 @@
 // Legends: sensible ticks, texts with units, panels that hold everything and read on any background.
 #include "render/legend/legend.h"
+#include "base/color.h"
 
 #include <cmath>
 #include <limits>
@@ -108,8 +109,8 @@ double luminance(const LegendImage& image, std::size_t pixel, double background)
   const auto value = [&](std::size_t c) {
     return image.rgba[4 * pixel + c] / 255.0 + background * (1.0 - image.rgba[4 * pixel + 3] / 255.0);
   };
-  return 0.2126 * scene::decodeSrgb(value(0)) + 0.7152 * scene::decodeSrgb(value(1)) +
-         0.0722 * scene::decodeSrgb(value(2));
+  return base::luminance(
+      glm::dvec3(base::decodeSrgb(value(0)), base::decodeSrgb(value(1)), base::decodeSrgb(value(2))));
 }
 
 TEST(LegendTest, ScalesWithThePictureAndFitsIt) {
@@ -162,7 +163,7 @@ TEST(LegendTest, TheBarShowsTheMapsEnds) {
       for (std::size_t c = 0; c < 3; ++c)
         same = same &&
                std::fabs(image.rgba[i + c] -
-                         255.0 * scene::encodeSrgb(static_cast<double>(linear[static_cast<int>(c)]))) <= 1.0;
+                         255.0 * base::encodeSrgb(static_cast<double>(linear[static_cast<int>(c)]))) <= 1.0;
       if (same) return true;
     }
     return false;

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "base/color.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/harmonics/transfer_basis.h"
 #include "scene/settings.h"
@@ -587,7 +588,7 @@ TEST_F(LightGlTest, TheEnvironmentIsBehindTheSurface) {
       const glm::dvec3 d = glm::transpose(world) * glm::normalize(ray({x, y}, {96, 96}).direction);
       for (int c = 0; c < 3; ++c) {
         const double linear = 4.0 * (0.2 + 0.1 * d[c]);
-        const double srgb = 1.055 * std::pow(std::min(linear, 1.0), 1.0 / 2.4) - 0.055;
+        const double srgb = base::encodeSrgb(std::min(linear, 1.0));
         EXPECT_NEAR(picture.rgba[4 * i + static_cast<std::size_t>(c)] / 255.0, srgb, 0.012) << x << " " << y;
       }
     }

@@ -1,6 +1,7 @@
 // Several isosurfaces and transparency: every crossing of a ray, in order.
 #include <cmath>
 
+#include "base/color.h"
 #include "tests/render/gl_fixture.h"
 #include "volume/hit/exact_hit.h"
 
@@ -23,7 +24,7 @@ class LayersGlTest : public RenderGlTest {
     glm::dvec3 color;
     for (int c = 0; c < 3; ++c) {
       const double v = image.rgba[static_cast<std::size_t>((pixel.y * 96 + pixel.x) * 4 + c)] / 255.0;
-      color[c] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+      color[c] = base::decodeSrgb(v);
     }
     return color;
   }
@@ -100,7 +101,7 @@ TEST_F(LayersGlTest, CountsTheCrossingsOfNoise) {
       }
       const double alpha = 1.0 - std::pow(0.96, crossings);
       const double v = image.rgba[static_cast<std::size_t>((y * 96 + x) * 4)] / 255.0;
-      const double seen = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+      const double seen = base::decodeSrgb(v);
       const double counted = std::log(1.0 - std::min(seen, 0.999)) / std::log(0.96);
       ++compared;
       if (std::abs(counted - crossings) > 0.5 && std::abs(seen - alpha) > 0.02) ++wrong;

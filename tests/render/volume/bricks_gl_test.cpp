@@ -9,6 +9,7 @@
 #include "render/gl/gl.h"
 #include "render/graph/pass_declarations.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/support/volumes.h"
 #include "volume/hit/exact_hit.h"
 
 namespace isolux::test {
@@ -21,11 +22,8 @@ using VolumePointer = std::shared_ptr<const volume::PreparedVolume>;
 
 // Float voxels; what one brick needs of the budget is 35^3 * 4 bytes, so that a MiB holds 6.
 VolumePointer field(glm::ivec3 dims, const std::function<float(glm::vec3)>& value) {
-  std::vector<float> voxels;
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x) voxels.push_back(value(glm::vec3(x, y, z)));
-  return prepared(volume::Grid(volume::GridGeometry::make(dims, {1.0, 0.8, 1.3}), std::move(voxels)));
+  return prepared(gridOfVoxels(volume::GridGeometry::make(dims, {1.0, 0.8, 1.3}),
+                               [&](glm::dvec3 voxel) { return value(glm::vec3(voxel)); }));
 }
 
 VolumePointer noise(glm::ivec3 dims, unsigned seed) {

@@ -11,9 +11,9 @@
 
 #include "base/random.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/phantom/phantom.h"
 
 namespace isolux::volume {
 namespace {
@@ -35,10 +35,7 @@ double degreesBetween(glm::dvec3 a, glm::dvec3 b) {
 // not seen at a grazing angle (there the distance along the ray says nothing about the surface).
 Figures measure(const std::string& name, const GridGeometry& geometry, double isovalue = 0.0) {
   base::Progress progress;
-  PhantomRequest request;
-  request.name = name;
-  request.geometry = geometry;
-  const Grid grid = makePhantom(request, progress);
+  const Grid grid = test::phantomGrid(name, geometry);
   const MinMaxBlocks blocks(grid, 8, progress);
   const Coefficients coefficients = interpolatingCoefficients(grid);
   const auto field = test::analyticField(name, geometry);

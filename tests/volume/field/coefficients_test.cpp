@@ -1,4 +1,6 @@
 #include "volume/field/coefficients.h"
+#include "tests/support/rays.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 #include <limits>
@@ -16,28 +18,13 @@
 namespace isolux::volume {
 namespace {
 
-template <class F>
-Grid sampled(const GridGeometry& geometry, const F& f) {
-  std::vector<float> voxels;
-  for (int z = 0; z < geometry.dims.z; ++z)
-    for (int y = 0; y < geometry.dims.y; ++y)
-      for (int x = 0; x < geometry.dims.x; ++x) voxels.push_back(static_cast<float>(f(glm::dvec3(x, y, z))));
-  return Grid(geometry, std::move(voxels));
-}
-
-glm::dvec3 randomPoint(std::uint64_t i, glm::dvec3 low, glm::dvec3 high) {
-  return glm::mix(
-      low, high, glm::dvec3(base::uniformNoise(11, i), base::uniformNoise(12, i), base::uniformNoise(13, i)));
-}
-
-GridGeometry cube(int n) {
-  return GridGeometry::make(glm::ivec3(n), glm::dvec3(1));
-}
+using test::gridOfVoxels;
+using test::randomPoint;
 
 TEST(Coefficients, PrefilteredSplinePassesThroughAllSamplesAtTheBorderToo) {
   for (const glm::ivec3& dims : {glm::ivec3(17, 9, 12), glm::ivec3(1, 8, 2), glm::ivec3(2, 2, 2),
                                  glm::ivec3(1, 1, 1), glm::ivec3(3, 1, 40)}) {
-    const Grid grid = sampled(GridGeometry::make(dims, glm::dvec3(1)), [](glm::dvec3 p) {
+    const Grid grid = gridOfVoxels(GridGeometry::make(dims, glm::dvec3(1)), [](glm::dvec3 p) {
       return base::uniformNoise(5, static_cast<std::uint64_t>(p.x + 50 * p.y + 2500 * p.z)) * 100.0 - 30.0;
     });
     const Coefficients coefficients = interpolatingCoefficients(grid);
@@ -54,7 +41,7 @@ TEST(Coefficients, InterpolatingSplineReproducesCubicPolynomialsAwayFromTheBorde
     const glm::dvec3 q = (p - 20.0) / 10.0;
     return q.x * q.x * q.x - 2.0 * q.y * q.y * q.x + q.z * q.z * q.z * q.y;
   };
-  const Grid grid = sampled(cube(41), f);
+  const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(41)), f);
   const Coefficients coefficients = interpolatingCoefficients(grid);
   for (std::uint64_t i = 0; i < 100; ++i) {
     const glm::dvec3 p = randomPoint(i, glm::dvec3(15), glm::dvec3(25));  // the border is damped by |pole|^15
@@ -68,7 +55,7 @@ TEST(Coefficients, InterpolatingSplineReproducesCubicPolynomialsAwayFromTheBorde
 
 TEST(Coefficients, MissingVoxelsAreFilledBeforeThePrefilterAndNowhereElse) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const Grid grid = sampled(cube(9), [nan](glm::dvec3 p) {
+  const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(9)), [nan](glm::dvec3 p) {
     return glm::distance(p, glm::dvec3(4)) < 2.0 ? static_cast<double>(nan) : 5.0;
   });
   EXPECT_GT(grid.missingCount(), 20u);
@@ -78,7 +65,8 @@ TEST(Coefficients, MissingVoxelsAreFilledBeforeThePrefilterAndNowhereElse) {
   EXPECT_TRUE(std::isnan(sampleTrilinear(grid, {4, 4, 4}).value));
   EXPECT_TRUE(std::isnan(sampleCubic(grid, {4, 4, 1.5}).value));
   EXPECT_NEAR(sampleTrilinear(grid, {0.5, 0.5, 0.5}).value, 5.0, 1e-12);
-  const Grid none = sampled(cube(3), [nan](glm::dvec3) { return static_cast<double>(nan); });
+  const Grid none =
+      gridOfVoxels(test::unitGeometry(glm::ivec3(3)), [nan](glm::dvec3) { return static_cast<double>(nan); });
   for (const float c : interpolatingCoefficients(none).values) EXPECT_EQ(c, 0.0f);
 }
 
@@ -91,8 +79,9 @@ TEST(Coefficients, AGreatOffsetOfTheValuesCostsDerivativesNothing) {
         std::sin(q.x) * std::cos(q.y) + std::sin(q.y) * std::cos(q.z) + std::sin(q.z) * std::cos(q.x);
     return std::round(16.0 * f) / 16.0;
   };
-  const Grid plain = sampled(cube(24), steps);
-  const Grid shifted = sampled(cube(24), [&](glm::dvec3 p) { return offset + steps(p); });
+  const Grid plain = gridOfVoxels(test::unitGeometry(glm::ivec3(24)), steps);
+  const Grid shifted =
+      gridOfVoxels(test::unitGeometry(glm::ivec3(24)), [&](glm::dvec3 p) { return offset + steps(p); });
   const Coefficients a = interpolatingCoefficients(plain), b = interpolatingCoefficients(shifted);
   for (std::uint64_t i = 0; i < 300; ++i) {
     const glm::dvec3 p = randomPoint(i, glm::dvec3(0), glm::dvec3(23));
@@ -146,10 +135,10 @@ TEST(Coefficients, WhatStandsFarInAGapDoesNotReachTheData) {
 // Ratio to the cost without gaps in the same run, in time of the processor: about 5; it was 60 with means to
 // the middle of every gap, found by looking at all that is left again and again.
 TEST(Coefficients, GapsCostAFewTimesWhatDataCost) {
-  const GridGeometry geometry = cube(128);
+  const GridGeometry geometry = test::unitGeometry(glm::ivec3(128));
   const auto ball = [](glm::dvec3 p) { return 20.0 - glm::distance(p, glm::dvec3(63.5)); };
-  const Grid whole = sampled(geometry, ball);
-  const Grid gaps = sampled(geometry, [&](glm::dvec3 p) {
+  const Grid whole = gridOfVoxels(geometry, ball);
+  const Grid gaps = gridOfVoxels(geometry, [&](glm::dvec3 p) {
     const double v = ball(p);
     return v < -20.0 ? std::numeric_limits<double>::quiet_NaN() : v;
   });
@@ -160,7 +149,7 @@ TEST(Coefficients, GapsCostAFewTimesWhatDataCost) {
 }
 
 TEST(Coefficients, AStopIsHeededSoon) {
-  const Grid gaps = sampled(cube(192), [](glm::dvec3 p) {
+  const Grid gaps = gridOfVoxels(test::unitGeometry(glm::ivec3(192)), [](glm::dvec3 p) {
     const double v = 40.0 - glm::distance(p, glm::dvec3(95.5));
     return v < -20.0 ? std::numeric_limits<double>::quiet_NaN() : v;
   });
@@ -168,8 +157,8 @@ TEST(Coefficients, AStopIsHeededSoon) {
 }
 
 TEST(Coefficients, AskTheMemoryBudgetAndSayWhatNeedsLess) {
-  const Grid grid =
-      sampled(GridGeometry::make(glm::ivec3(16), glm::dvec3(1)), [](const glm::dvec3& p) { return p.x; });
+  const Grid grid = gridOfVoxels(GridGeometry::make(glm::ivec3(16), glm::dvec3(1)),
+                                 [](const glm::dvec3& p) { return p.x; });
   const std::size_t before = base::machineMemory().held();
   {
     const Coefficients made = interpolatingCoefficients(grid);

@@ -1,22 +1,18 @@
 #include "volume/field/cubic_fields.h"
+#include "tests/support/volumes.h"
 
 #include <limits>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "volume/phantom/phantom.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::volume {
 namespace {
 
 std::shared_ptr<const Grid> ball() {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = "ball";
-  request.size = 20;
-  return std::make_shared<const Grid>(makePhantom(request, progress));
+  return std::make_shared<const Grid>(test::phantomGrid("ball", 20));
 }
 
 TEST(CubicFields, AreMadeOnceAndOnlyWhenASceneAsksForThem) {

@@ -1,6 +1,8 @@
 #include "volume/field/curvature.h"
+#include "tests/support/volumes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -19,7 +21,6 @@
 #include "tests/support/rays.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
-#include "volume/phantom/phantom.h"
 #include "volume/statistics/noise_estimate.h"
 
 namespace isolux::volume {
@@ -27,14 +28,6 @@ namespace {
 
 using glm::dmat3;
 using glm::dvec3;
-
-Grid phantom(const std::string& name, const GridGeometry& geometry) {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = name;
-  request.geometry = geometry;
-  return makePhantom(request, progress);
-}
 
 dvec3 toWorld(const GridGeometry& geometry, dvec3 voxel) {
   return dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
@@ -175,58 +168,70 @@ TEST(CurvatureConfidence, IsZeroAtUmbilicsFlatsAndGradientsWithinNoiseAndOneWher
   }
 }
 
-// The propagated noise against derivatives of volumes of noise.
-TEST(CurvatureScale, GradientNoiseIsThatOfFieldsOfNoise) {
-  for (const GridGeometry& geometry : {test::isotropicGeometry(40), test::obliqueLeftHandedGeometry(40)}) {
-    std::vector<float> voxels(geometry.voxelCount());
-    for (std::size_t i = 0; i < voxels.size(); ++i)
-      voxels[i] = static_cast<float>(3.0 * base::normalNoise(5, i));
-    const Grid grid(geometry, std::move(voxels));
-    const Coefficients coefficients = interpolatingCoefficients(grid);
-    double sums[3] = {0, 0, 0};
+// A volume of noise of standard deviation 3, seen as each of the fields.
+class FieldsOfNoise {
+ public:
+  static constexpr scene::Field kFields[3] = {scene::Field::trilinear, scene::Field::cubic,
+                                              scene::Field::cubic_interpolating};
+
+  FieldsOfNoise(const GridGeometry& geometry, std::uint64_t seed)
+      : grid_(geometry, noise(geometry.voxelCount(), seed)),
+        coefficients_(interpolatingCoefficients(grid_)) {}
+
+  // The mean over random places of measure(i, sample), field by field.
+  template <class Measure>
+  std::array<double, 3> means(const Measure& measure) const {
+    std::array<double, 3> sums{};
     constexpr int count = 20000;
     for (std::uint64_t i = 0; i < count; ++i) {
       const dvec3 p = 5.0 + 29.0 * test::randomVector(i, 1);
-      const dvec3 g[3] = {sampleTrilinear(grid, p).gradient, sampleCubic(grid, p).gradient,
-                          sampleCubic(coefficients, grid, p).gradient};
-      for (int f = 0; f < 3; ++f) {
-        const dvec3 world = worldGradient(geometry, g[f]);
-        sums[f] += glm::dot(world, world) / 3.0;
-      }
+      const FieldSample samples[3] = {sampleTrilinear(grid_, p), sampleCubic(grid_, p),
+                                      sampleCubic(coefficients_, grid_, p)};
+      for (std::size_t f = 0; f < 3; ++f) sums[f] += measure(i, samples[f]) / count;
     }
-    const scene::Field fields[3] = {scene::Field::trilinear, scene::Field::cubic,
-                                    scene::Field::cubic_interpolating};
-    for (int f = 0; f < 3; ++f) {
-      const double measured = std::sqrt(sums[f] / count);
-      EXPECT_NEAR(curvatureScale(geometry, fields[f], 3.0).gradientNoise, measured, 0.03 * measured) << f;
+    return sums;
+  }
+
+ private:
+  static std::vector<float> noise(std::size_t count, std::uint64_t seed) {
+    std::vector<float> voxels(count);
+    for (std::size_t i = 0; i < count; ++i) voxels[i] = static_cast<float>(3.0 * base::normalNoise(seed, i));
+    return voxels;
+  }
+
+  Grid grid_;
+  Coefficients coefficients_;
+};
+
+// The propagated noise against derivatives of volumes of noise.
+TEST(CurvatureScale, GradientNoiseIsThatOfFieldsOfNoise) {
+  for (const GridGeometry& geometry : {test::isotropicGeometry(40), test::obliqueLeftHandedGeometry(40)}) {
+    const auto squares = FieldsOfNoise(geometry, 5).means([&](std::uint64_t, const FieldSample& sample) {
+      const dvec3 world = worldGradient(geometry, sample.gradient);
+      return glm::dot(world, world) / 3.0;
+    });
+    for (std::size_t f = 0; f < 3; ++f) {
+      const double measured = std::sqrt(squares[f]);
+      EXPECT_NEAR(curvatureScale(geometry, FieldsOfNoise::kFields[f], 3.0).gradientNoise, measured,
+                  0.03 * measured)
+          << f;
     }
   }
 }
 
 TEST(CurvatureScale, HessianNoiseIsThatOfFieldsOfNoise) {
   const GridGeometry geometry = GridGeometry::make(glm::ivec3(40), dvec3(0.8));
-  std::vector<float> voxels(geometry.voxelCount());
-  for (std::size_t i = 0; i < voxels.size(); ++i)
-    voxels[i] = static_cast<float>(3.0 * base::normalNoise(6, i));
-  const Grid grid(geometry, std::move(voxels));
-  const Coefficients coefficients = interpolatingCoefficients(grid);
-  double sums[3] = {0, 0, 0};
-  constexpr int count = 20000;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const dvec3 p = 5.0 + 29.0 * test::randomVector(i, 1);
+  const auto squares = FieldsOfNoise(geometry, 6).means([&](std::uint64_t i, const FieldSample& sample) {
     const double z = 2.0 * test::randomVector(i, 2).x - 1.0, angle = 6.283185307 * test::randomVector(i, 2).y;
     const dvec3 direction(std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle),
                           z);
-    const dmat3 h[3] = {sampleTrilinear(grid, p).hessian, sampleCubic(grid, p).hessian,
-                        sampleCubic(coefficients, grid, p).hessian};
-    for (int f = 0; f < 3; ++f)
-      sums[f] += std::pow(glm::dot(direction, worldHessian(geometry, h[f]) * direction), 2);
-  }
-  const scene::Field fields[3] = {scene::Field::trilinear, scene::Field::cubic,
-                                  scene::Field::cubic_interpolating};
-  for (int f = 0; f < 3; ++f) {
-    const double measured = std::sqrt(sums[f] / count);
-    EXPECT_NEAR(curvatureScale(geometry, fields[f], 3.0).hessianNoise, measured, 0.04 * measured) << f;
+    return std::pow(glm::dot(direction, worldHessian(geometry, sample.hessian) * direction), 2);
+  });
+  for (std::size_t f = 0; f < 3; ++f) {
+    const double measured = std::sqrt(squares[f]);
+    EXPECT_NEAR(curvatureScale(geometry, FieldsOfNoise::kFields[f], 3.0).hessianNoise, measured,
+                0.04 * measured)
+        << f;
   }
 }
 
@@ -300,7 +305,7 @@ struct Errors {
 Errors curvatureErrors(const std::string& name, const GridGeometry& geometry, double borderVoxels,
                        double isovalue = 0.0) {
   base::Progress progress;
-  const Grid grid = phantom(name, geometry);
+  const Grid grid = test::phantomGrid(name, geometry);
   const Coefficients coefficients = interpolatingCoefficients(grid);
   const MinMaxBlocks blocks = MinMaxBlocks::ofCubic(coefficients, grid, 8, progress);
   const auto truth = test::analyticField(name, geometry);
@@ -385,7 +390,7 @@ TEST(CurvatureAccuracy, IsInMillimetresUnderAnisotropicAndObliqueGeometry) {
 
 TEST(CurvatureAccuracy, AnAddedConstantChangesNothing) {
   const GridGeometry geometry = test::isotropicGeometry(32);
-  const auto voxels = std::get<std::vector<float>>(phantom("torus", geometry).voxels());
+  const auto voxels = std::get<std::vector<float>>(test::phantomGrid("torus", geometry).voxels());
   const Grid plain(geometry, voxels, 0.25, 0.0), shifted(geometry, voxels, 0.25, 1000.0);
   for (std::uint64_t i = 0; i < 500; ++i) {
     const dvec3 p = 31.0 * test::randomVector(i, 1);

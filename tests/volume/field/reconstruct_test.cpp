@@ -1,4 +1,6 @@
 #include "volume/field/reconstruct.h"
+#include "tests/support/rays.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 #include <limits>
@@ -13,55 +15,13 @@
 namespace isolux::volume {
 namespace {
 
-template <class F>
-Grid sampled(const GridGeometry& geometry, const F& f) {
-  std::vector<float> voxels;
-  for (int z = 0; z < geometry.dims.z; ++z)
-    for (int y = 0; y < geometry.dims.y; ++y)
-      for (int x = 0; x < geometry.dims.x; ++x) voxels.push_back(static_cast<float>(f(glm::dvec3(x, y, z))));
-  return Grid(geometry, std::move(voxels));
-}
-
-glm::dvec3 randomPoint(std::uint64_t i, glm::dvec3 low, glm::dvec3 high) {
-  return glm::mix(
-      low, high, glm::dvec3(base::uniformNoise(11, i), base::uniformNoise(12, i), base::uniformNoise(13, i)));
-}
-
-GridGeometry cube(int n) {
-  return GridGeometry::make(glm::ivec3(n), glm::dvec3(1));
-}
-
-TEST(CubicWeights, ArePartitionOfUnityWithVanishingDerivativeSums) {
-  for (double t = 0.0; t <= 1.0; t += 1.0 / 64) {
-    const CubicWeights c = cubicWeights(t);
-    double w = 0, d1 = 0, d2 = 0, first = 0;
-    for (int k = 0; k < 4; ++k) {
-      EXPECT_GE(c.w[k], 0.0);
-      w += c.w[k];
-      d1 += c.d1[k];
-      d2 += c.d2[k];
-      first += c.w[k] * (k - 1);
-    }
-    EXPECT_NEAR(w, 1.0, 1e-15);
-    EXPECT_NEAR(d1, 0.0, 1e-15);
-    EXPECT_NEAR(d2, 0.0, 1e-15);
-    EXPECT_NEAR(first, t, 1e-15);  // linear fields are reproduced
-  }
-}
-
-TEST(CubicWeights, DerivativesAreThoseOfTheWeights) {
-  for (double t = 0.05; t < 1.0; t += 0.1) {
-    const CubicWeights c = cubicWeights(t), a = cubicWeights(t - 1e-5), b = cubicWeights(t + 1e-5);
-    for (int k = 0; k < 4; ++k) {
-      EXPECT_NEAR(c.d1[k], (b.w[k] - a.w[k]) / 2e-5, 1e-9);
-      EXPECT_NEAR(c.d2[k], (b.d1[k] - a.d1[k]) / 2e-5, 1e-9);
-    }
-  }
-}
+using test::gridOfVoxels;
+using test::randomPoint;
 
 TEST(Reconstruct, LinearFieldsAreExact) {
   const glm::dvec3 slope(2.0, -3.0, 0.5);
-  const Grid grid = sampled(cube(12), [&](glm::dvec3 p) { return 7.0 + glm::dot(slope, p); });
+  const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(12)),
+                                 [&](glm::dvec3 p) { return 7.0 + glm::dot(slope, p); });
   for (std::uint64_t i = 0; i < 200; ++i) {
     const glm::dvec3 p = randomPoint(i, glm::dvec3(1), glm::dvec3(10));
     for (const FieldSample& s : {sampleTrilinear(grid, p), sampleCubic(grid, p)}) {
@@ -76,7 +36,8 @@ TEST(Reconstruct, TrilinearTakesTheSamplesAndTheTrilinearTerms) {
   const auto f = [](glm::dvec3 p) {
     return 1 + p.x - 2 * p.y + 3 * p.z + p.x * p.y - 0.5 * p.y * p.z + 0.25 * p.x * p.y * p.z;
   };
-  const Grid grid = sampled(cube(4), f);  // one polynomial: trilinear in every cell
+  const Grid grid =
+      gridOfVoxels(test::unitGeometry(glm::ivec3(4)), f);  // one polynomial: trilinear in every cell
   for (std::uint64_t i = 0; i < 100; ++i) {
     const glm::dvec3 p = randomPoint(i, glm::dvec3(0), glm::dvec3(3));
     const FieldSample s = sampleTrilinear(grid, p);
@@ -93,7 +54,7 @@ TEST(Reconstruct, TrilinearTakesTheSamplesAndTheTrilinearTerms) {
 TEST(Reconstruct, CubicOfAQuadraticIsTheQuadraticPlusAThirdOfItsCurvature) {
   // The B-spline blurs with variance 1/3 per axis: f + sum of f_ii / 6, with exact derivatives.
   const auto f = [](glm::dvec3 p) { return 0.5 * p.x * p.x - p.y * p.y + p.x * p.z + 2.0 * p.z; };
-  const Grid grid = sampled(cube(12), f);
+  const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(12)), f);
   for (std::uint64_t i = 0; i < 100; ++i) {
     const glm::dvec3 p = randomPoint(i, glm::dvec3(1), glm::dvec3(10));
     const FieldSample s = sampleCubic(grid, p);
@@ -107,7 +68,7 @@ TEST(Reconstruct, CubicOfAQuadraticIsTheQuadraticPlusAThirdOfItsCurvature) {
 }
 
 TEST(Reconstruct, CubicDerivativesAgreeWithDifferencesOfItsValue) {
-  const Grid grid = sampled(cube(10), [](glm::dvec3 p) {
+  const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(10)), [](glm::dvec3 p) {
     return base::uniformNoise(3, static_cast<std::uint64_t>(p.x + 10 * p.y + 100 * p.z));
   });
   for (std::uint64_t i = 0; i < 50; ++i) {
@@ -122,7 +83,8 @@ TEST(Reconstruct, CubicDerivativesAgreeWithDifferencesOfItsValue) {
 }
 
 TEST(Reconstruct, OutsideTheDomainPositionsAreClamped) {
-  const Grid grid = sampled(cube(5), [](glm::dvec3 p) { return p.x * p.y + p.z; });
+  const Grid grid =
+      gridOfVoxels(test::unitGeometry(glm::ivec3(5)), [](glm::dvec3 p) { return p.x * p.y + p.z; });
   const glm::dvec3 outside(-3.0, 9.0, 2.5), border(0.0, 4.0, 2.5);
   EXPECT_EQ(sampleTrilinear(grid, outside).value, sampleTrilinear(grid, border).value);
   EXPECT_EQ(sampleCubic(grid, outside).value, sampleCubic(grid, border).value);
@@ -134,7 +96,7 @@ TEST(Reconstruct, OutsideTheDomainPositionsAreClamped) {
 
 TEST(Reconstruct, OneAndTwoVoxelAxesWork) {
   const Grid grid =
-      sampled(GridGeometry::make({1, 2, 6}, glm::dvec3(1)), [](glm::dvec3 p) { return 3 * p.y + p.z; });
+      gridOfVoxels(GridGeometry::make({1, 2, 6}, glm::dvec3(1)), [](glm::dvec3 p) { return 3 * p.y + p.z; });
   const FieldSample line = sampleTrilinear(grid, {0.0, 0.25, 3.5});
   EXPECT_NEAR(line.value, 4.25, 1e-12);
   EXPECT_EQ(line.gradient, glm::dvec3(0, 3, 1));
@@ -147,7 +109,8 @@ TEST(Reconstruct, OneAndTwoVoxelAxesWork) {
 TEST(Reconstruct, SlopeAndInterceptScaleValuesAndDerivatives) {
   std::vector<std::int16_t> voxels;
   for (int i = 0; i < 64; ++i) voxels.push_back(static_cast<std::int16_t>(i * i));
-  const Grid plain(cube(4), voxels), scaled(cube(4), voxels, -0.5, 100.0);
+  const Grid plain(test::unitGeometry(glm::ivec3(4)), voxels),
+      scaled(test::unitGeometry(glm::ivec3(4)), voxels, -0.5, 100.0);
   const glm::dvec3 p(1.3, 2.2, 0.7);
   EXPECT_NEAR(sampleCubic(scaled, p).value, 100.0 - 0.5 * sampleCubic(plain, p).value, 1e-9);
   EXPECT_LT(glm::length(sampleCubic(scaled, p).gradient + 0.5 * sampleCubic(plain, p).gradient), 1e-9);
@@ -161,7 +124,7 @@ TEST(Reconstruct, WorldDerivativesFollowTheAffine) {
   const auto world = [&](glm::dvec3 voxel) {
     return glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1));
   };
-  const Grid grid = sampled(geometry, [&](glm::dvec3 voxel) {
+  const Grid grid = gridOfVoxels(geometry, [&](glm::dvec3 voxel) {
     const glm::dvec3 p = world(voxel);
     return glm::dot(slope, p) + 0.05 * p.x * p.y - 0.02 * p.z * p.z;
   });
@@ -178,9 +141,10 @@ TEST(Reconstruct, WorldDerivativesFollowTheAffine) {
 }
 
 TEST(Reconstruct, TinyAndHugeOffsetsKeepTheirDifferences) {
-  const Grid tiny = sampled(cube(4), [](glm::dvec3 p) { return 1e-20 * p.x; });
+  const Grid tiny = gridOfVoxels(test::unitGeometry(glm::ivec3(4)), [](glm::dvec3 p) { return 1e-20 * p.x; });
   EXPECT_NEAR(sampleCubic(tiny, {1.5, 1.5, 1.5}).gradient.x / 1e-20, 1.0, 1e-6);
-  const Grid huge = sampled(cube(4), [](glm::dvec3 p) { return 1e6 + 0.0625 * p.x; });
+  const Grid huge =
+      gridOfVoxels(test::unitGeometry(glm::ivec3(4)), [](glm::dvec3 p) { return 1e6 + 0.0625 * p.x; });
   EXPECT_NEAR(sampleCubic(huge, {1.5, 1.5, 1.5}).gradient.x, 0.0625, 1e-8);
 }
 

@@ -1,4 +1,5 @@
 #include "volume/hit/exact_cubic_hit.h"
+#include "tests/support/volumes.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,12 +19,14 @@
 #include "tests/support/analytic_fields.h"
 #include "tests/support/rays.h"
 #include "tests/support/test_data.h"
+#include "volume/field/cubic_weights.h"
 #include "volume/field/reconstruct.h"
-#include "volume/phantom/phantom.h"
 #include "volume/read/reader.h"
 
 namespace isolux::volume {
 namespace {
+
+using test::phantomGrid;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -247,18 +250,6 @@ void compareRays(const Field& field, double isovalue, std::uint64_t count, Tally
   });
 }
 
-Grid phantom(const std::string& name, const GridGeometry& geometry) {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = name;
-  request.geometry = geometry;
-  return makePhantom(request, progress);
-}
-
-Grid phantom(const std::string& name, glm::ivec3 dims) {
-  return phantom(name, GridGeometry::make(dims, glm::dvec3(1)));
-}
-
 TEST(FirstHitCubic, AgreesWithAnIndependentSearchOnNoiseGyroidSheetAndTouchingBalls) {
   struct Case {
     const char* name;
@@ -270,7 +261,7 @@ TEST(FirstHitCubic, AgreesWithAnIndependentSearchOnNoiseGyroidSheetAndTouchingBa
                         Case{"gyroid", {25, 25, 25}, 0.0, 400}, Case{"sheet", {12, 13, 12}, 0.0, 300},
                         Case{"sheet", {12, 13, 12}, -0.35, 300}, Case{"two_balls", {24, 24, 24}, 0.0, 300}})
     for (const bool interpolating : {false, true}) {
-      const Field field(phantom(c.name, c.dims), interpolating);
+      const Field field(phantomGrid(c.name, c.dims), interpolating);
       Tally tally;
       compareRays(field, c.isovalue, c.rays, tally);
       EXPECT_EQ(tally.wrong, 0) << c.name;
@@ -296,10 +287,7 @@ TEST(FirstHitCubic, AgreesOnAHeadAndOnIntegersWhereTheIsovalueIsThatOfManyVoxels
       EXPECT_EQ(tally.wrong, 0) << isovalue;
       EXPECT_GT(tally.hits, 30) << isovalue;
     }
-    PhantomRequest request;
-    request.size = 32;
-    base::Progress progress;
-    const Field head(makePhantom(request, progress), interpolating);
+    const Field head(phantomGrid("head", 32), interpolating);
     Tally tally;
     compareRays(head, 300.0, 300, tally);
     EXPECT_EQ(tally.wrong, 0);
@@ -394,7 +382,7 @@ TEST(FirstHitCubic, ThePolynomialAlongAStretchIsTheFieldAndItsHullHoldsIt) {
 
 TEST(FirstHitCubic, CellsWithMissingVoxelsHoldNoSurface) {
   const GridGeometry geometry = GridGeometry::make({18, 18, 18}, glm::dvec3(1));
-  auto voxels = std::get<std::vector<float>>(phantom("noise", geometry).voxels());
+  auto voxels = std::get<std::vector<float>>(phantomGrid("noise", geometry).voxels());
   for (std::size_t i = 0; i < voxels.size(); ++i)
     if (base::uniformNoise(9, i) < 0.01) voxels[i] = std::numeric_limits<float>::quiet_NaN();
   for (const bool interpolating : {false, true}) {
@@ -428,7 +416,7 @@ TEST(FirstHitCubic, CellsWithMissingVoxelsHoldNoSurface) {
 }
 
 TEST(FirstHitCubic, OddRaysAndVolumesEndWithoutAHit) {
-  const Field ball(phantom("ball", glm::ivec3(16)), true);
+  const Field ball(phantomGrid("ball", glm::ivec3(16)), true);
   const double nan = std::nan("");
   for (const Ray& ray :
        {Ray{{8, 8, -20}, {0, 0, 0}}, Ray{{8, 8, -20}, {0, 0, nan}}, Ray{{nan, 8, -20}, {0, 0, 1}},
@@ -448,7 +436,7 @@ TEST(FirstHitCubic, OddRaysAndVolumesEndWithoutAHit) {
 
 TEST(FirstHitCubic, TinyValuesAndSmallOnesOnAHugeOffset) {
   const GridGeometry geometry = GridGeometry::make({16, 16, 16}, glm::dvec3(1));
-  const auto smooth = std::get<std::vector<float>>(phantom("noise", geometry).voxels());
+  const auto smooth = std::get<std::vector<float>>(phantomGrid("noise", geometry).voxels());
   std::vector<float> tiny, offset;
   for (const float v : smooth) {
     tiny.push_back(v * 1e-20f);
@@ -468,7 +456,7 @@ struct OffSurface {
 };
 
 OffSurface offSurface(const std::string& name, const GridGeometry& geometry) {
-  const Field field(phantom(name, geometry), true);
+  const Field field(phantomGrid(name, geometry), true);
   base::Progress progress;
   const MinMaxBlocks blocks(field.grid, 8, progress);
   const auto truth = test::analyticField(name, geometry);

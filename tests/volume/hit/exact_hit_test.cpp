@@ -1,4 +1,5 @@
 #include "volume/hit/exact_hit.h"
+#include "tests/support/volumes.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,6 @@
 #include "tests/support/test_data.h"
 #include "tests/support/trilinear_oracle.h"
 #include "volume/field/reconstruct.h"
-#include "volume/phantom/phantom.h"
 #include "volume/read/reader.h"
 
 namespace isolux::volume {
@@ -39,15 +39,6 @@ void compare(const test::TrilinearOracle& oracle, const MinMaxBlocks& blocks, do
   EXPECT_LT(glm::distance(hit->voxel, ray.origin + hit->t * ray.direction),
             1e-9 * (1.0 + glm::length(ray.origin)));
   EXPECT_NEAR(sampleTrilinear(grid, hit->voxel).value, iso, 1e-9 * scale);
-}
-
-Grid phantom(const std::string& name, std::optional<GridGeometry> geometry = {}, int size = 0) {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = name;
-  request.size = size;
-  request.geometry = geometry;
-  return makePhantom(request, progress);
 }
 
 HitTally compareRandomRays(const Grid& grid, double iso, std::uint64_t count, int blockCells) {
@@ -76,7 +67,7 @@ TEST(FirstHit, AgreesWithAnIndependentSearchOnNoiseGyroidAndThinSheet) {
                         {"gyroid", {33, 33, 33}, 0.0, 30000, 8}, {"gyroid", {41, 60, 35}, 0.7, 10000, 4},
                         {"sheet", {16, 17, 18}, 0.0, 20000, 8},  {"two_balls", {30, 30, 30}, 0.0, 10000, 4}};
   for (const Case& c : cases) {
-    const Grid grid = phantom(c.name, GridGeometry::make(c.dims, glm::dvec3(1)));
+    const Grid grid = test::phantomGrid(c.name, c.dims);
     const HitTally tally = compareRandomRays(grid, c.iso, c.rays, c.blockCells);
     EXPECT_EQ(wrongOf(tally), 0) << c.name;
     EXPECT_LE(tally.borderline, tally.rays / 200) << c.name;
@@ -102,7 +93,7 @@ TEST(FirstHit, AgreesOnWhiteNoiseOfIntegersWhereTheIsovalueIsThatOfManyVoxels) {
 
 TEST(FirstHit, AgreesWhereVoxelsAreMissing) {
   const GridGeometry geometry = GridGeometry::make({18, 18, 18}, glm::dvec3(1));
-  std::vector<float> voxels = std::get<std::vector<float>>(phantom("noise", geometry).voxels());
+  std::vector<float> voxels = std::get<std::vector<float>>(test::phantomGrid("noise", geometry).voxels());
   for (std::size_t i = 0; i < voxels.size(); ++i)
     if (base::uniformNoise(9, i) < 0.03) voxels[i] = std::numeric_limits<float>::quiet_NaN();
   const Grid grid(geometry, voxels);
@@ -122,7 +113,7 @@ TEST(FirstHit, AgreesWhereVoxelsAreMissing) {
 
 TEST(FirstHit, AgreesOnTinyValuesAndSmallOnesOnAHugeOffset) {
   const GridGeometry geometry = GridGeometry::make({16, 16, 16}, glm::dvec3(1));
-  const auto smooth = std::get<std::vector<float>>(phantom("noise", geometry).voxels());
+  const auto smooth = std::get<std::vector<float>>(test::phantomGrid("noise", geometry).voxels());
   std::vector<float> tiny, offset;
   for (const float v : smooth) {
     tiny.push_back(v * 1e-20f);
@@ -210,7 +201,7 @@ TEST(FirstHit, APlateauAtTheIsovalueIsEnteredAndATouchedPeakIsNot) {
 }
 
 TEST(FirstHit, OddRaysEndWithoutAHit) {
-  const Grid grid = phantom("ball", {}, 16);
+  const Grid grid = test::phantomGrid("ball", 16);
   base::Progress progress;
   const MinMaxBlocks blocks(grid, 8, progress);
   const double nan = std::nan("");
@@ -228,7 +219,7 @@ TEST(FirstHit, OddRaysEndWithoutAHit) {
 
 TEST(FirstHit, GrazingRaysOnTheBallFollowTheClosedForm) {
   const GridGeometry geometry = test::isotropicGeometry(48);
-  const Grid grid = phantom("ball", geometry);
+  const Grid grid = test::phantomGrid("ball", geometry);
   base::Progress progress;
   const MinMaxBlocks blocks(grid, 8, progress);
   const test::TrilinearOracle oracle(grid);
@@ -248,7 +239,7 @@ TEST(FirstHit, MissesNothingInHundredsOfThousandsOfRays) {
     double isovalue;
   };
   std::vector<Case> cases;
-  for (const char* name : {"noise", "gyroid", "sheet"}) cases.push_back({phantom(name, {}, 64), 0.0});
+  for (const char* name : {"noise", "gyroid", "sheet"}) cases.push_back({test::phantomGrid(name, 64), 0.0});
   base::Progress progress;
   if (const auto data = test::dataFolder(); !data.empty())
     cases.push_back(

@@ -9,9 +9,9 @@
 #include "base/random.h"
 #include "tests/support/rays.h"
 #include "tests/support/trilinear_oracle.h"
+#include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/phantom/phantom.h"
 
 namespace isolux::volume {
 namespace {
@@ -23,11 +23,7 @@ Grid gridOf(glm::ivec3 dims, std::vector<float> values, double slope = 1.0) {
 }
 
 Grid noise(glm::ivec3 dims) {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = "noise";
-  request.geometry = GridGeometry::make(dims, glm::dvec3(1));
-  return makePhantom(request, progress);
+  return test::phantomGrid("noise", dims);
 }
 
 // Samples at x of one function along x.

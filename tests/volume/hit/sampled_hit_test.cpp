@@ -1,4 +1,5 @@
 #include "tests/support/sampled_hit.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 #include <limits>
@@ -10,20 +11,13 @@
 
 #include "tests/support/rays.h"
 #include "volume/field/reconstruct.h"
-#include "volume/phantom/phantom.h"
 
 namespace isolux::volume {
 namespace {
 
 struct Subject {
-  Subject(const std::string& name, int size) : grid(make(name, size)), blocks(grid, 8, progress) {}
-  static Grid make(const std::string& name, int size) {
-    base::Progress progress;
-    PhantomRequest request;
-    request.name = name;
-    request.size = size;
-    return makePhantom(request, progress);
-  }
+  Subject(const std::string& name, int size)
+      : grid(test::phantomGrid(name, size)), blocks(grid, 8, progress) {}
   base::Progress progress;
   Grid grid;
   MinMaxBlocks blocks;

@@ -1,5 +1,6 @@
 // Two volumes as solids on one grid: against min and max written out, and against the solids themselves.
 #include "volume/mesh/csg.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 #include <limits>
@@ -26,14 +27,8 @@ bool solid(Csg op, bool a, bool b) {
 
 template <typename F>
 Volume volumeOf(const GridGeometry& geometry, const std::string& unit, double isovalue, F&& field) {
-  std::vector<float> values;
-  for (int z = 0; z < geometry.dims.z; ++z)
-    for (int y = 0; y < geometry.dims.y; ++y)
-      for (int x = 0; x < geometry.dims.x; ++x)
-        values.push_back(
-            static_cast<float>(field(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(x, y, z, 1.0)))));
   Volume volume;
-  volume.grid = std::make_shared<Grid>(geometry, std::move(values));
+  volume.grid = std::make_shared<Grid>(test::gridOfWorld(geometry, field));
   volume.unit = unit;
   volume.isovalue = isovalue;
   return volume;

@@ -1,4 +1,5 @@
 #include "volume/phantom/phantom.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 
@@ -12,24 +13,16 @@
 namespace isolux::volume {
 namespace {
 
+using test::phantomGrid;
+
 const char* const kClosedForms[] = {"ball",   "torus",  "cylinder",      "plane",
                                     "saddle", "gyroid", "marschner_lobb"};
-
-Grid make(const std::string& name, std::optional<GridGeometry> geometry, int size = 0, double noise = 0.0) {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = name;
-  request.size = size;
-  request.noise = noise;
-  request.geometry = geometry;
-  return makePhantom(request, progress);
-}
 
 TEST(Phantom, ClosedFormsAreSampledInTheWorldWhateverTheGeometry) {
   for (const char* name : kClosedForms) {
     for (const GridGeometry& geometry :
          {test::isotropicGeometry(21), test::anisotropicGeometry(20), test::obliqueLeftHandedGeometry(17)}) {
-      const Grid grid = make(name, geometry);
+      const Grid grid = phantomGrid(name, geometry);
       const auto field = test::analyticField(name, geometry);
       for (int z = 0; z < grid.dims().z; z += 3)
         for (int y = 0; y < grid.dims().y; y += 2)
@@ -94,12 +87,12 @@ TEST(Phantom, BallHasItsRadiusInMillimetresUnderAnyAffine) {
   for (const GridGeometry& geometry : {test::anisotropicGeometry(64), test::obliqueLeftHandedGeometry(64)}) {
     const glm::dvec3 spacing = geometry.spacingMm();
     const double edge = 63.0 * std::min({spacing.x, spacing.y, spacing.z});
-    EXPECT_NEAR(make("ball", geometry).maximum(), 0.35 * edge, 0.6 * glm::length(spacing));
+    EXPECT_NEAR(phantomGrid("ball", geometry).maximum(), 0.35 * edge, 0.6 * glm::length(spacing));
   }
 }
 
 TEST(Phantom, DefaultGeometryIsMillimetresRoundTheOrigin) {
-  const Grid grid = make("ball", std::nullopt, 33);
+  const Grid grid = phantomGrid("ball", 33);
   EXPECT_EQ(grid.dims(), glm::ivec3(33));
   EXPECT_EQ(grid.geometry().spacingMm(), glm::dvec3(1));
   EXPECT_EQ(grid.geometry().originMm(), glm::dvec3(-16));
@@ -107,7 +100,7 @@ TEST(Phantom, DefaultGeometryIsMillimetresRoundTheOrigin) {
 }
 
 TEST(Phantom, TwoBallsTouchWhereTheGradientVanishes) {
-  const Grid grid = make("two_balls", std::nullopt, 101);  // e = 100, R = 20, contact in the middle voxel
+  const Grid grid = phantomGrid("two_balls", 101);  // e = 100, R = 20, contact in the middle voxel
   EXPECT_EQ(grid.value(50, 50, 50), 0.0);
   EXPECT_NEAR(grid.value(51, 50, 50), grid.value(49, 50, 50), 1e-6);
   EXPECT_GT(grid.value(60, 50, 50), 0.0);
@@ -118,7 +111,7 @@ TEST(Phantom, TwoBallsTouchWhereTheGradientVanishes) {
 
 TEST(Phantom, SheetIsThinnerThanAVoxelOnItsLayer) {
   for (const GridGeometry& geometry : {test::isotropicGeometry(16), test::obliqueLeftHandedGeometry(15)}) {
-    const Grid grid = make("sheet", geometry);
+    const Grid grid = phantomGrid("sheet", geometry);
     const double spacing = geometry.spacingMm().z;
     EXPECT_NEAR(grid.value(3, 9, 7), 0.15 * spacing, 1e-6);
     EXPECT_NEAR(grid.value(3, 9, 8), -0.85 * spacing, 1e-6);
@@ -127,8 +120,8 @@ TEST(Phantom, SheetIsThinnerThanAVoxelOnItsLayer) {
 }
 
 TEST(Phantom, NoiseHasTheRequestedSpreadAndNoBias) {
-  const Grid clean = make("plane", test::isotropicGeometry(48));
-  const Grid noisy = make("plane", test::isotropicGeometry(48), 0, 3.0);
+  const Grid clean = phantomGrid("plane", 48);
+  const Grid noisy = phantomGrid("plane", 48, 3.0);
   double sum = 0.0, squares = 0.0;
   for (int z = 0; z < 48; ++z)
     for (int y = 0; y < 48; ++y)
@@ -146,26 +139,26 @@ TEST(Phantom, SameVoxelsForAnyNumberOfThreads) {
   for (const PhantomInfo& info : phantoms()) {
     tbb::task_arena single(1);
     std::uint64_t one = 0;
-    single.execute([&] { one = make(std::string(info.name), std::nullopt, 24, 0.1).hash(); });
-    EXPECT_EQ(one, make(std::string(info.name), std::nullopt, 24, 0.1).hash()) << info.name;
+    single.execute([&] { one = phantomGrid(std::string(info.name), 24, 0.1).hash(); });
+    EXPECT_EQ(one, phantomGrid(std::string(info.name), 24, 0.1).hash()) << info.name;
   }
 }
 
 TEST(Phantom, EveryOneHasASurfaceAtItsIsovalueAndSmallSizesWork) {
   for (const PhantomInfo& info : phantoms()) {
-    const Grid grid = make(std::string(info.name), std::nullopt, 40);
+    const Grid grid = phantomGrid(std::string(info.name), 40);
     EXPECT_LT(grid.minimum(), info.isovalue) << info.name;
     EXPECT_GT(grid.maximum(), info.isovalue) << info.name;
     EXPECT_EQ(grid.missingCount(), 0u);
     for (const int size : {2, 3})
-      EXPECT_EQ(make(std::string(info.name), std::nullopt, size).dims(), glm::ivec3(size));
-    make(std::string(info.name), GridGeometry::make({7, 1, 3}, {0.4, 0.4, 5.0}));
+      EXPECT_EQ(phantomGrid(std::string(info.name), size).dims(), glm::ivec3(size));
+    phantomGrid(std::string(info.name), GridGeometry::make({7, 1, 3}, {0.4, 0.4, 5.0}));
   }
 }
 
 // Symmetric but for the bead, which marks the patient's left (+x).
 TEST(Phantom, HeadIsSymmetricButForTheBeadOnTheLeftEar) {
-  const Grid head = make("head", std::nullopt, 96);
+  const Grid head = phantomGrid("head", 96);
   EXPECT_EQ(head.storedType(), VoxelType::int16);
   const glm::dmat4 world = head.geometry().worldFromVoxel;
   int different = 0;
@@ -186,7 +179,7 @@ TEST(Phantom, HeadIsSymmetricButForTheBeadOnTheLeftEar) {
 }
 
 TEST(Phantom, HeadHoldsItsTissuesWhereTheyBelong) {
-  const Grid head = make("head", std::nullopt, 192);
+  const Grid head = phantomGrid("head", 192);
   const glm::dmat4 inverse = head.geometry().voxelFromWorld();
   const auto at = [&](double x, double y, double z) {
     const glm::ivec3 v(glm::round(glm::dvec3(inverse * glm::dvec4(x, y, z, 1))));

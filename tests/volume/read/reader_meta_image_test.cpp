@@ -11,8 +11,7 @@ using test::readFile;
 using test::valuesOf;
 using test::worldOf;
 using test::writeFile;
-
-const std::vector<double> zeroToSeven{0, 1, 2, 3, 4, 5, 6, 7};
+using test::zeroToSeven;
 
 TEST(MetaImage, LocalDataWithDirections) {
   const auto path = test::temporaryFolder() / "volume.mha";

@@ -14,8 +14,7 @@ using test::readFile;
 using test::valuesOf;
 using test::worldOf;
 using test::writeFile;
-
-const std::vector<double> zeroToSeven{0, 1, 2, 3, 4, 5, 6, 7};
+using test::zeroToSeven;
 
 NiftiFile small() {
   NiftiFile file;

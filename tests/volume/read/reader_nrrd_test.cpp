@@ -11,8 +11,7 @@ using test::readFile;
 using test::valuesOf;
 using test::worldOf;
 using test::writeFile;
-
-const std::vector<double> zeroToSeven{0, 1, 2, 3, 4, 5, 6, 7};
+using test::zeroToSeven;
 
 std::string header(const std::string& fields) {
   return "NRRD0005\n# a comment\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n" + fields;

@@ -42,6 +42,8 @@ std::vector<T> ramp(std::size_t count, T first = T(0), T step = T(1)) {
   return values;
 }
 
+inline const std::vector<double> zeroToSeven = ramp<double>(8);
+
 volume::Volume readFile(const std::filesystem::path& path, const volume::ReadOptions& options = {});
 
 // All values of the grid, x fastest.

@@ -12,8 +12,7 @@ using test::readFile;
 using test::valuesOf;
 using test::worldOf;
 using test::writeFile;
-
-const std::vector<double> zeroToSeven{0, 1, 2, 3, 4, 5, 6, 7};
+using test::zeroToSeven;
 
 std::string legacy(const std::string& encoding, const std::string& attributes) {
   return "# vtk DataFile Version 3.0\na title\n" + encoding +

@@ -29,31 +29,45 @@ Grid randomGrid(glm::ivec3 dims, double missingFraction = 0.0) {
   return Grid(geometry, std::move(voxels));
 }
 
+// Of blocks, from one value after the other.
+class Bounds {
+ public:
+  explicit Bounds(std::size_t blocks) : low_(blocks, kInfinity), high_(blocks, -kInfinity) {}
+  void add(std::size_t block, double value) {
+    if (std::isnan(value)) return;
+    low_[block] = std::min(low_[block], static_cast<float>(value));
+    high_[block] = std::max(high_[block], static_cast<float>(value));
+  }
+  void expectOf(const MinMaxBlocks& blocks) const {
+    for (std::size_t i = 0; i < blocks.count(); ++i) {
+      if (low_[i] > high_[i]) {
+        EXPECT_GT(blocks.minimum(i), blocks.maximum(i));
+        continue;
+      }
+      ASSERT_EQ(blocks.minimum(i), low_[i]) << "block " << i;
+      ASSERT_EQ(blocks.maximum(i), high_[i]) << "block " << i;
+    }
+  }
+
+ private:
+  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  std::vector<float> low_, high_;
+};
+
 // Each cell on its own, then the block it belongs to.
 void compareWithCells(const Grid& grid, int blockCells) {
   base::Progress progress;
   const MinMaxBlocks blocks(grid, blockCells, progress);
   const glm::ivec3 cells = grid.dims() - 1;
-  std::vector<float> low(blocks.count(), std::numeric_limits<float>::infinity()), high(blocks.count());
-  std::fill(high.begin(), high.end(), -std::numeric_limits<float>::infinity());
+  Bounds bounds(blocks.count());
   for (int z = 0; z < cells.z; ++z)
     for (int y = 0; y < cells.y; ++y)
       for (int x = 0; x < cells.x; ++x)
         for (int corner = 0; corner < 8; ++corner) {
           const double v = grid.stored(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
-          if (std::isnan(v)) continue;
-          const std::size_t block = blocks.index(glm::ivec3(x, y, z) / blockCells);
-          low[block] = std::min(low[block], static_cast<float>(v));
-          high[block] = std::max(high[block], static_cast<float>(v));
+          bounds.add(blocks.index(glm::ivec3(x, y, z) / blockCells), v);
         }
-  for (std::size_t i = 0; i < blocks.count(); ++i) {
-    if (low[i] > high[i]) {
-      EXPECT_GT(blocks.minimum(i), blocks.maximum(i));
-      continue;
-    }
-    ASSERT_EQ(blocks.minimum(i), low[i]) << "block " << i;
-    ASSERT_EQ(blocks.maximum(i), high[i]) << "block " << i;
-  }
+  bounds.expectOf(blocks);
 }
 
 TEST(MinMaxBlocks, AgreeWithEveryCellForEveryTypeAndOddSizes) {
@@ -105,8 +119,7 @@ void compareCubicWithCells(const Grid& grid, const Coefficients* coefficients, i
                                            : MinMaxBlocks::ofCubic(grid, blockCells, progress);
   EXPECT_EQ(blocks.dims(), MinMaxBlocks(grid, blockCells, progress).dims());
   const glm::ivec3 last = grid.dims() - 1;
-  std::vector<float> low(blocks.count(), std::numeric_limits<float>::infinity()), high(blocks.count());
-  std::fill(high.begin(), high.end(), -std::numeric_limits<float>::infinity());
+  Bounds bounds(blocks.count());
   for (int z = 0; z < last.z; ++z)
     for (int y = 0; y < last.y; ++y)
       for (int x = 0; x < last.x; ++x)
@@ -116,19 +129,9 @@ void compareCubicWithCells(const Grid& grid, const Coefficients* coefficients, i
           const double v = coefficients
                                ? static_cast<double>(coefficients->values[grid.index(at.x, at.y, at.z)])
                                : grid.stored(at.x, at.y, at.z);
-          if (std::isnan(v)) continue;
-          const std::size_t block = blocks.index(glm::ivec3(x, y, z) / blockCells);
-          low[block] = std::min(low[block], static_cast<float>(v));
-          high[block] = std::max(high[block], static_cast<float>(v));
+          bounds.add(blocks.index(glm::ivec3(x, y, z) / blockCells), v);
         }
-  for (std::size_t i = 0; i < blocks.count(); ++i) {
-    if (low[i] > high[i]) {
-      EXPECT_GT(blocks.minimum(i), blocks.maximum(i));
-      continue;
-    }
-    ASSERT_EQ(blocks.minimum(i), low[i]) << "block " << i;
-    ASSERT_EQ(blocks.maximum(i), high[i]) << "block " << i;
-  }
+  bounds.expectOf(blocks);
   for (std::uint64_t i = 0; i < 3000; ++i) {
     const glm::dvec3 p =
         glm::dvec3(base::uniformNoise(4, i), base::uniformNoise(5, i), base::uniformNoise(6, i)) *
@@ -137,9 +140,11 @@ void compareCubicWithCells(const Grid& grid, const Coefficients* coefficients, i
     if (std::isnan(value)) continue;
     const double stored = grid.storedOfValue(value) - (coefficients ? coefficients->offset : 0.0);
     const std::size_t block = blocks.index(glm::ivec3(p) / blockCells);
-    const double rounding = 1e-12 * std::max(std::abs(low[block]), std::abs(high[block]));
-    EXPECT_GE(stored, static_cast<double>(blocks.minimum(block)) - rounding);
-    EXPECT_LE(stored, static_cast<double>(blocks.maximum(block)) + rounding);
+    const double low = static_cast<double>(blocks.minimum(block)),
+                 high = static_cast<double>(blocks.maximum(block));
+    const double rounding = 1e-12 * std::max(std::abs(low), std::abs(high));
+    EXPECT_GE(stored, low - rounding);
+    EXPECT_LE(stored, high + rounding);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "volume/statistics/curvature_statistics.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +10,6 @@
 
 #include "tests/support/analytic_fields.h"
 #include "volume/field/reconstruct.h"
-#include "volume/phantom/phantom.h"
 
 namespace isolux::volume {
 namespace {
@@ -18,14 +18,7 @@ using scene::LookMode;
 
 struct Subject {
   Subject(const std::string& name, const GridGeometry& geometry)
-      : grid(make(name, geometry)), blocks(grid, 8, progress) {}
-  static Grid make(const std::string& name, const GridGeometry& geometry) {
-    base::Progress progress;
-    PhantomRequest request;
-    request.name = name;
-    request.geometry = geometry;
-    return makePhantom(request, progress);
-  }
+      : grid(test::phantomGrid(name, geometry)), blocks(grid, 8, progress) {}
   base::Progress progress;
   Grid grid;
   MinMaxBlocks blocks;
@@ -90,7 +83,7 @@ TEST(CurvatureStatistics, WithoutASurfaceAreZero) {
 
 TEST(CurvatureStatistics, MissingVoxelsLeaveFiniteNumbers) {
   const GridGeometry geometry = test::isotropicGeometry(32);
-  auto voxels = std::get<std::vector<float>>(Subject::make("ball", geometry).voxels());
+  auto voxels = std::get<std::vector<float>>(test::phantomGrid("ball", geometry).voxels());
   for (std::size_t i = 0; i < voxels.size(); i += 97) voxels[i] = std::numeric_limits<float>::quiet_NaN();
   const Grid grid(geometry, voxels);
   base::Progress progress;

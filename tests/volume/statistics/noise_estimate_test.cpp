@@ -1,4 +1,5 @@
 #include "volume/statistics/noise_estimate.h"
+#include "tests/support/volumes.h"
 
 #include <cmath>
 #include <limits>
@@ -7,20 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "volume/phantom/phantom.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::volume {
 namespace {
-
-Grid phantom(const std::string& name, int size, double noise) {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = name;
-  request.size = size;
-  request.noise = noise;
-  return makePhantom(request, progress);
-}
 
 TEST(NoiseEstimate, FindsTheNoiseOfPhantoms) {
   struct Case {
@@ -31,7 +22,7 @@ TEST(NoiseEstimate, FindsTheNoiseOfPhantoms) {
   for (const Case& c :
        {Case{"head", 96, 20.0}, Case{"head", 96, 30.0}, Case{"ball", 48, 0.2}, Case{"ball", 48, 5.0},
         Case{"gyroid", 64, 0.05}, Case{"marschner_lobb", 96, 0.05}, Case{"torus", 20, 0.3}})
-    EXPECT_NEAR(estimateNoise(phantom(c.name, c.size, c.noise)), c.noise, 0.15 * c.noise)
+    EXPECT_NEAR(estimateNoise(test::phantomGrid(c.name, c.size, c.noise)), c.noise, 0.15 * c.noise)
         << c.name << ' ' << c.size;
 }
 
@@ -78,7 +69,7 @@ TEST(NoiseEstimate, ManagesShortAxesAndMissingVoxels) {
 TEST(NoiseEstimate, IsAFactOfThePreparedVolume) {
   base::Progress progress;
   Volume volume;
-  volume.grid = std::make_shared<const Grid>(phantom("ball", 32, 0.5));
+  volume.grid = std::make_shared<const Grid>(test::phantomGrid("ball", 32, 0.5));
   const double expected = estimateNoise(*volume.grid);
   EXPECT_EQ(prepareVolume(std::move(volume), progress)->facts.noise, expected);
   EXPECT_GT(expected, 0.0);

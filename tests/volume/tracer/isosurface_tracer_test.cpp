@@ -3,6 +3,7 @@
 // itself is undecided within the rounding of float: its answer changes, or spans the tracer's, when the
 // isovalue moves by 2^-19 of the range of values or the origin by 2^-22 of the volume's extent.
 #include "volume/tracer/isosurface_tracer.h"
+#include "tests/support/volumes.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,6 @@
 #include "tests/support/rays.h"
 #include "tests/support/test_data.h"
 #include "volume/field/reconstruct.h"
-#include "volume/phantom/phantom.h"
 #include "volume/read/reader.h"
 
 namespace isolux::volume {
@@ -32,11 +32,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 GridPointer phantom(const std::string& name, glm::ivec3 dims) {
-  base::Progress progress;
-  PhantomRequest request;
-  request.name = name;
-  request.geometry = GridGeometry::make(dims, glm::dvec3(1));
-  return std::make_shared<const Grid>(makePhantom(request, progress));
+  return std::make_shared<const Grid>(test::phantomGrid(name, dims));
 }
 
 template <class T>

@@ -7,8 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "base/number_text.h"
+#include "base/quantiles.h"
 #include "volume/read/input/image_header.h"
-#include "volume/read/input/text.h"
 
 namespace isolux::volume {
 
@@ -22,7 +23,7 @@ constexpr double silentLateral = 0.1, toleratedLateral = 0.5;         // of a pi
 constexpr double widestFill = 4.0;                                    // times as many slices at most
 
 std::string fourDigits(double value) {  // of measurements, for people
-  return shortText(value, 4);
+  return base::shortText(value, 4);
 }
 
 // Slices at one position become time steps when all positions have as many.
@@ -119,10 +120,8 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
   if (count > 1) {
     perMm = (last - first) / length;
     for (std::size_t i = 1; i < count; ++i) gaps.push_back(along[stack.order[i]] - along[stack.order[i - 1]]);
-    std::vector<double> sorted = gaps;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                     sorted.end());
-    median = sorted[sorted.size() / 2];
+    std::vector<double> inAnyOrder = gaps;
+    median = base::quantile(inAnyOrder, 0.5);
     distance = length / static_cast<double>(count - 1);
   }
 

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "volume/read/input/text.h"
+#include "base/number_text.h"
 
 namespace isolux::volume {
 
@@ -57,8 +57,8 @@ std::optional<VoxelArray> asSmallInteger(const std::vector<From>& from, Whole le
 }
 
 std::string change(std::string_view type, double largest, double range) {
-  return std::string(type) + " voxels stored as float32: values change by up to " + shortText(largest) +
-         " in a range of " + shortText(range);
+  return std::string(type) + " voxels stored as float32: values change by up to " + base::shortText(largest) +
+         " in a range of " + base::shortText(range);
 }
 
 template <typename From>

@@ -6,7 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/error.h"
-#include "volume/read/input/text.h"
+#include "base/number_text.h"
 
 namespace isolux::volume {
 
@@ -62,12 +62,12 @@ glm::dmat4 checkedGeometry(glm::dmat3 directions, glm::dvec3 spacingMm, glm::dve
     double& spacing = spacingMm[axis];
     const std::string name(1, "xyz"[axis]);
     if (!std::isfinite(spacing) || spacing == 0.0) {
-      warnings.push_back("spacing along " + name + " is " + shortText(spacing) + "; 1 mm assumed");
+      warnings.push_back("spacing along " + name + " is " + base::shortText(spacing) + "; 1 mm assumed");
       spacing = 1.0;
     } else if (std::abs(spacing) < 1e-9 || std::abs(spacing) > 1e9) {
-      throwInput(
-          file, "spacing",
-          "spacing along " + name + " is " + shortText(spacing) + " mm; sizes from 1e-9 to 1e9 mm are read");
+      throwInput(file, "spacing",
+                 "spacing along " + name + " is " + base::shortText(spacing) +
+                     " mm; sizes from 1e-9 to 1e9 mm are read");
     } else if (spacing < 0.0) {
       warnings.push_back("spacing along " + name + " is negative; the axis runs backwards");
     }

@@ -79,8 +79,7 @@ void checkClaim(const Payload& payload, const Bytes& bytes, std::uint64_t begin,
                    "truncated: the header announces " + std::to_string(payload.compressedBytes) +
                        " compressed bytes, but only " + std::to_string(available) + " follow");
       if (payload.compressedBytes > 0) available = payload.compressedBytes;
-      constexpr std::uint64_t bestRatio = 1032;  // of deflate
-      if (dataBytes / bestRatio > available)
+      if (dataBytes / kBestDeflateRatio > available)
         truncated(std::to_string(available) + " compressed bytes cannot hold that");
       break;
     }

@@ -11,6 +11,9 @@
 
 namespace isolux::volume {
 
+// What deflate (zlib, gzip) packs at the very best: a larger claim is none that a file can hold.
+constexpr std::uint64_t kBestDeflateRatio = 1032;
+
 class VoxelStream {
  public:
   virtual ~VoxelStream() = default;

@@ -114,11 +114,4 @@ std::string inQuotes(std::string_view text) {
   return "\"" + std::string(text.substr(0, longest)) + (text.size() > longest ? "...\"" : "\"");
 }
 
-std::string shortText(double value, int significant) {
-  char buffer[32];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, significant).ptr;
-  return std::string(buffer, end);
-}
-
 }  // namespace isolux::volume

@@ -41,7 +41,5 @@ std::string linePlace(int line, std::string_view field = {});
 
 // Text for messages: quoted and cut to a readable length.
 std::string inQuotes(std::string_view text);
-// Short decimal text of a number.
-std::string shortText(double value, int significant = 6);
 
 }  // namespace isolux::volume

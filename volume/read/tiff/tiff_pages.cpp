@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 #include "volume/read/tiff/tiff_pages.h"
 
@@ -189,7 +190,7 @@ class Walk {
         return 64;  // PackBits
       case 8:
       case 32946:
-        return 1032;  // deflate
+        return kBestDeflateRatio;
       case 5:
         return 4096;  // LZW
       default:

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 #include "volume/read/vtk/vti.h"
 #include "volume/read/vtk/xml_tags.h"
@@ -353,7 +354,7 @@ void Check::checkBinary(std::uint64_t begin, std::uint64_t end, bool base64) {
   std::uint64_t compressed = 0;
   const std::size_t tableBytes = static_cast<std::size_t>(3 + blocks) * width;
   const std::string table = bytesAt(begin, end, base64, 0, tableBytes);
-  const std::uint64_t bestRatio = layout_.compressor == "vtkZLibDataCompressor"  ? 1032
+  const std::uint64_t bestRatio = layout_.compressor == "vtkZLibDataCompressor"  ? kBestDeflateRatio
                                   : layout_.compressor == "vtkLZ4DataCompressor" ? 260
                                                                                  : 100000;
   for (std::uint64_t block = 0; block < blocks; ++block) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {
@@ -70,7 +71,7 @@ Tag Tags::parse(std::size_t begin, std::size_t end) const {
 }
 
 void checkArrayClaims(const Tag& tag, const Bytes& bytes) {
-  constexpr std::uint64_t bestRatio = 1032, mostComponents = 65536;
+  constexpr std::uint64_t mostComponents = 65536;
   const std::string place = std::string(tag.name) + " ";
   const auto check = [&](const char* key, std::uint64_t least, std::uint64_t most) {
     const auto text = tag.find(key);
@@ -83,7 +84,7 @@ void checkArrayClaims(const Tag& tag, const Bytes& bytes) {
                        "truncated: the file is too short for " + std::string(*text));
   };
   check("NumberOfComponents", 0, mostComponents);
-  check("NumberOfTuples", 0, bytes.size() * bestRatio);
+  check("NumberOfTuples", 0, bytes.size() * kBestDeflateRatio);
 }
 
 }  // namespace isolux::volume

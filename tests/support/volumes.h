@@ -1,0 +1,43 @@
+// Volumes for tests: phantoms and fields of formulas, as grids and prepared.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <glm/mat4x4.hpp>
+
+#include "volume/prepared_volume.h"
+
+namespace isolux::test {
+
+// Voxels of 1 mm, the first at the world's origin.
+volume::GridGeometry unitGeometry(glm::ivec3 dims);
+
+// `size` voxels per axis; 0: the phantom's own number. `noise`: standard deviation, data units.
+volume::Grid phantomGrid(const std::string& name, int size, double noise = 0.0);
+volume::Grid phantomGrid(const std::string& name, const volume::GridGeometry& geometry);
+volume::Grid phantomGrid(const std::string& name, glm::ivec3 dims);  // unitGeometry()
+
+// float32, of f(glm::dvec3), at positions in voxels and in the world.
+template <class F>
+volume::Grid gridOfVoxels(const volume::GridGeometry& geometry, const F& f) {
+  std::vector<float> voxels;
+  voxels.reserve(geometry.voxelCount());
+  for (int z = 0; z < geometry.dims.z; ++z)
+    for (int y = 0; y < geometry.dims.y; ++y)
+      for (int x = 0; x < geometry.dims.x; ++x) voxels.push_back(static_cast<float>(f(glm::dvec3(x, y, z))));
+  return volume::Grid(geometry, std::move(voxels));
+}
+template <class F>
+volume::Grid gridOfWorld(const volume::GridGeometry& geometry, const F& f) {
+  return gridOfVoxels(geometry, [&](glm::dvec3 voxel) {
+    return f(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0)));
+  });
+}
+
+std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid);
+std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name, int size);
+std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name,
+                                                      const volume::GridGeometry& geometry);
+
+}  // namespace isolux::test
