@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# with_display.sh COMMAND [ARGS...]: runs COMMAND on an X server of its own that has no screen, and ends with its
+# exit code. The server takes a free display by itself, so that any number may start at the same moment. If this
+# script is killed, the server goes, and with it the command.
+set -u
+log=$(mktemp)
+exec 3< <(exec setpriv --pdeathsig TERM Xvfb -displayfd 1 -screen 0 1280x800x24 -nolisten tcp -noreset 2>"$log")
+server=$!
+end() {
+  kill "$server" 2>/dev/null
+  wait "$server" 2>/dev/null
+  rm -f "$log"
+}
+trap end EXIT
+if ! read -r -t 60 -u 3 display; then
+  cat "$log" >&2
+  echo "with_display: Xvfb did not start" >&2
+  exit 1
+fi
+unset WAYLAND_DISPLAY XAUTHORITY
+DISPLAY=:$display "$@" 3<&-
