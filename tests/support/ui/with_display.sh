@@ -1,10 +1,16 @@
 #!/usr/bin/env bash
 # with_display.sh COMMAND [ARGS...]: runs COMMAND on an X server of its own that has no screen, and ends with its
-# exit code. The server takes a free display by itself, so that any number may start at the same moment. If this
-# script is killed, the server goes, and with it the command.
+# exit code. For Qt it has 1280x800 pixels, each of them several of the server's where QT_SCALE_FACTOR is 2 to 4.
+#
+# The server takes a free display by itself, so that any number may start at the same moment. If this script is
+# killed, the server goes, and with it the command.
 set -u
 log=$(mktemp)
-exec 3< <(exec setpriv --pdeathsig TERM Xvfb -displayfd 1 -screen 0 1280x800x24 -nolisten tcp -noreset 2>"$log")
+scale=${QT_SCALE_FACTOR:-1}
+[[ $scale =~ ^[1-4]$ ]] || scale=1
+screen=$((1280 * scale))x$((800 * scale))x24
+exec 3< <(exec setpriv --pdeathsig TERM \
+  Xvfb -displayfd 1 -screen 0 "$screen" -nolisten tcp -noreset 2>"$log")
 server=$!
 end() {
   kill "$server" 2>/dev/null
