@@ -1,9 +1,5 @@
 // A dozen pictures that were looked at once, and are compared ever since: what no formula says of a look as a
-// whole.
-//
-// A picture that is meant to change: ISOLUX_UPDATE_BASELINES=1 build/dev/bin/render_tests
-// --gtest_filter='*Baseline*' writes all of them anew; look at each, and at what git says has changed, before
-// it is committed.
+// whole. tests/README.md says how a picture that is meant to change is written anew.
 #include <cstdlib>
 #include <filesystem>
 #include <string>

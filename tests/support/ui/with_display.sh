@@ -5,6 +5,7 @@
 # The server takes a free display by itself, so that any number may start at the same moment. If this script is
 # killed, the server goes, and with it the command.
 set -u
+case $* in *--gtest_list_tests*) exec "$@" ;; esac  # CMake asks, and no window opens
 log=$(mktemp)
 scale=${QT_SCALE_FACTOR:-1}
 [[ $scale =~ ^[1-4]$ ]] || scale=1
