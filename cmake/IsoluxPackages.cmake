@@ -34,7 +34,7 @@ if(ISOLUX_TESTS OR ISOLUX_BENCH)  # tests/support, which benchmarks use, too
 endif()
 if(ISOLUX_TESTS)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
-  find_program(XVFB_RUN xvfb-run REQUIRED)
+  find_program(XVFB Xvfb REQUIRED)
   # Teem's own CMake package changes the flags of the whole project.
   find_path(TEEM_INCLUDE_DIR teem/gage.h REQUIRED)
   find_library(TEEM_LIBRARY teem REQUIRED)

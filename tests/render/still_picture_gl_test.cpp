@@ -14,6 +14,7 @@
 #include "render/gl/gl.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/render/picture_difference.h"
 #include "volume/hit/exact_hit.h"
 
 namespace isolux::test {
@@ -109,6 +110,38 @@ TEST_F(StillPictureGlTest, TheLargestPictureIsDrawn) {
                 middle.rgba[static_cast<std::size_t>(y * 1600 + x)]);
   request.tile.reset();
   EXPECT_THROW(renderer_->render(scene, request), base::Error);  // in one frame
+}
+
+// Twice as many pixels for the same picture: what settings state in pixels is as wide and as long as before.
+TEST_F(StillPictureGlTest, OnAFineScreenLinesAndStreaksLookTheSame) {
+  const auto volume = phantom("saddle", 48);
+  const auto halved = [](const render::ColorImage& fine) {
+    render::ColorImage result{fine.size / 2, {}};
+    const auto row = static_cast<std::size_t>(4 * fine.size.x);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(result.size.y); ++y)
+      for (std::size_t x = 0; x < row / 2; ++x) {
+        const std::uint8_t* const at = &fine.rgba[2 * y * row + x / 4 * 8 + x % 4];
+        result.rgba.push_back(static_cast<std::uint8_t>((at[0] + at[4] + at[row] + at[row + 4]) / 4));
+      }
+    return result;
+  };
+  for (const Settings& settings :
+       {Settings{"look.mode=flow", "flow.grain=3", "camera.eye=50,-75,90"},
+        Settings{"look.mode=lambert", "look.contours=1", "look.contour_width=6", "camera.eye=50,-75,90"}}) {
+    const scene::Scene scene = sceneOf(volume, settings);
+    const auto draw = [&](glm::ivec2 size, double pixelRatio) {
+      render::FrameRequest request = requestOf(size, size.x > 200 ? 1 : 2);
+      request.pixelRatio = pixelRatio;
+      renderer_->render(scene, request);
+      return renderer_->readColor();
+    };
+    const render::ColorImage coarse = draw({200, 200}, 1.0);
+    const double same = differenceOf(coarse, halved(draw({400, 400}, 2.0))).mean;
+    const double other = differenceOf(coarse, halved(draw({400, 400}, 1.0))).mean;
+    std::printf("%s: %.3f steps on a fine screen, %.3f if pixels were pixels\n", settings[0].c_str(), same,
+                other);
+    EXPECT_LT(same, 0.5 * other);
+  }
 }
 
 TEST_F(StillPictureGlTest, AovsOfTilesAreThoseOfOneFrame) {

@@ -13,8 +13,9 @@
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
+  if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();
   if (const auto problem = isolux::ui::displayProblem()) {
-    std::fprintf(stderr, "ui_tests: %s; run it with xvfb-run\n", problem->c_str());
+    std::fprintf(stderr, "ui_tests: %s; run it with tests/support/ui/with_display.sh\n", problem->c_str());
     return 1;
   }
   isolux::ui::prepareApplication();

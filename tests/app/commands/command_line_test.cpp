@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,6 +16,7 @@
 #include "base/retire.h"
 #include "scene/settings.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -472,9 +472,7 @@ TEST(DoctorCommand, SaysWhatIsThere) {
 // Until it has used a second of the processor: the command line is behind it then, whatever else the machine
 // does.
 void waitUntilItWorks(const test::RunningIsolux& running) {
-  const auto giveUp = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-  while (running.processorSeconds() < 1.0 && std::chrono::steady_clock::now() < giveUp)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(test::pollUntil([&] { return running.processorSeconds() >= 1.0; }));
 }
 
 TEST(Interrupt, StopsWithoutATrace) {

@@ -1,10 +1,8 @@
 // Runs `isolux reference`: no graphics context is needed.
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <fstream>
 #include <numbers>
-#include <thread>
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -14,6 +12,7 @@
 #include "app/files/image_io.h"
 #include "base/color.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -152,9 +151,7 @@ TEST(ReferenceCommand, AnInterruptLeavesThePictureSoFar) {
   test::RunningIsolux running(
       {"reference", "phantom:ball:48", "--size", "96x96", "--spp", "1000000", "--out", "a.exr"},
       {.folder = folder});
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!fs::exists(file) && std::chrono::steady_clock::now() < deadline)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_TRUE(test::pollUntil([&] { return fs::exists(file); }));
   running.signal(SIGINT);
   const RunResult result = running.wait();
   EXPECT_EQ(result.exitCode, 130);

@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "app/commands/command_line.h"
+#include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::test {
@@ -101,13 +102,12 @@ double RunningIsolux::processorSeconds() const {
 
 void RunningIsolux::waitUntilItAnswers(int number) const {
   const std::string status = "/proc/" + std::to_string(pid_) + "/status";
-  for (;;) {
+  EXPECT_TRUE(pollUntil([&] {
     const std::string text = contentOf(status);
     const auto caught = text.find("SigCgt:");
-    if (caught == std::string::npos || text.find("State:\tZ") != std::string::npos) return;
-    if (std::strtoull(text.c_str() + caught + 7, nullptr, 16) >> (number - 1) & 1) return;
-    ::usleep(200);
-  }
+    if (caught == std::string::npos || text.find("State:\tZ") != std::string::npos) return true;  // has ended
+    return (std::strtoull(text.c_str() + caught + 7, nullptr, 16) >> (number - 1) & 1) != 0;
+  }));
 }
 
 RunResult RunningIsolux::wait() {

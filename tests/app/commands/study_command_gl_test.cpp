@@ -1,8 +1,6 @@
 // Runs `isolux study`: needs a graphics context, software is enough.
-#include <chrono>
 #include <cmath>
 #include <csignal>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +8,7 @@
 
 #include "app/process/external_program.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -199,9 +198,7 @@ TEST(StudyCommandGl, AnInterruptLeavesTheFinishedKnobs) {
   test::RunningIsolux running(
       {"study", "phantom:gyroid:32", "--size", "48x48", "--out", "d", "--repeat", "60"},
       {.folder = folder, .environment = {"PATH=/nonexistent"}});
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!fs::exists(file) && std::chrono::steady_clock::now() < deadline)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_TRUE(test::pollUntil([&] { return fs::exists(file); }));
   running.signal(SIGINT);
   const RunResult result = running.wait();
   EXPECT_EQ(result.exitCode, 130);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/poll.h"
 #include "volume/phantom/phantom.h"
 
 namespace isolux::app {
@@ -32,7 +33,7 @@ TEST(FieldJob, MakesWhatASceneNeedsAndUntilThenOtherFieldsAreDrawn) {
   EXPECT_EQ(before.hit.field, scene::Field::trilinear);
   EXPECT_EQ(before.derivatives.field, scene::Field::cubic);
   const FieldJob job(volume, scene);
-  while (!job.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
   EXPECT_FALSE(job.error());
   EXPECT_TRUE(job.isFor(scene));
   EXPECT_FALSE(job.isFor(before));
@@ -45,7 +46,7 @@ TEST(FieldJob, EndsSoonWhenNobodyWantsItAnyMore) {
   std::vector<double> seconds;
   for (int i = 0; i < 5; ++i) {
     auto job = std::make_unique<FieldJob>(volume, interpolating());
-    std::this_thread::sleep_for(std::chrono::milliseconds(10 * i));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10 * i));  // ends at several moments of its work
     const auto start = std::chrono::steady_clock::now();
     job.reset();
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

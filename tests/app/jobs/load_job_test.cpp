@@ -10,13 +10,14 @@
 #include <gtest/gtest.h>
 
 #include "base/retire.h"
+#include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
 namespace {
 
 void waitFor(const LoadJob& job) {
-  while (!job.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
 }
 
 scene::Source source(const std::string& path) {
@@ -64,8 +65,8 @@ TEST(LoadJob, ThrownAwayWhileItRunsItLeavesItsWorkUndone) {
   for (int i = 0; i < 3; ++i) {
     const double cut = secondsOf([&] {
       LoadJob job(source("phantom:head:192"));
-      while (i > 0 && !job.finished() && job.progress().fraction() <= 0.1 * i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      const double until = 0.1 * i;
+      EXPECT_TRUE(test::pollUntil([&] { return job.finished() || job.progress().fraction() >= until; }));
     });
     EXPECT_LT(cut, 0.8 * whole) << i;
   }
@@ -81,7 +82,7 @@ TEST(LoadJob, ThrowingItAwayWhileItRunsWaitsForNothing) {
   double shortest = 1e9;  // of some, for a busy machine
   for (int i = 0; i < 3; ++i) {
     auto job = std::make_unique<LoadJob>(source("phantom:head:256"));
-    std::this_thread::sleep_for(std::chrono::milliseconds(20 * i));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 * i));  // at several moments of its work
     shortest = std::min(shortest, milliseconds([&] { job.reset(); }));
   }
   EXPECT_LT(shortest, 10.0);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <thread>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -15,6 +14,7 @@
 #include "gi/lattice/lattice_geometry.h"
 #include "scene/rules/automatic.h"
 #include "tests/support/memory_limit.h"
+#include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::test {
@@ -61,9 +61,7 @@ class LightControllerTest : public ::testing::Test {
 
   // Threads end what they are at; the limit only guards against waiting for ever.
   bool comesTo(Phase phase) const {
-    for (int i = 0; i < 3000 && controller.state().phase != phase; ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return controller.state().phase == phase;
+    return test::pollUntil([&] { return controller.state().phase == phase; });
   }
 
   std::shared_ptr<const volume::PreparedVolume> volume;
@@ -95,8 +93,7 @@ TEST_F(LightControllerTest, AWindowsLightStopsAtTheMemoryBudgetAndStays) {
   const test::MemoryLimit limit(std::size_t{3} << 20);
   window.setScene(resolved(), volume);
   window.setVisible(surface());
-  for (int i = 0; i < 3000 && window.state().phase != Phase::failed; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(test::pollUntil([&] { return window.state().phase == Phase::failed; }));
   const app::LightState state = window.state();
   ASSERT_EQ(state.phase, Phase::failed);
   EXPECT_EQ(state.error->kind(), base::ErrorKind::memory);
@@ -275,7 +272,7 @@ TEST_F(LightControllerTest, AWindowThatClosesDoesNotWaitForTheBake) {
     auto ofWindow = std::make_unique<app::LightController>(app::LightController::Options{.background = true});
     ofWindow->setScene(resolved(), volume);
     ofWindow->setVisible(surface());
-    while (ofWindow->state().counters.rays == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ASSERT_TRUE(test::pollUntil([&] { return ofWindow->state().counters.rays > 0; }));
     const auto begin = std::chrono::steady_clock::now();
     ofWindow.reset();
     shortest =

@@ -20,6 +20,7 @@
 #include "base/quantiles.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/busy_processes.h"
+#include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::test {
@@ -62,11 +63,7 @@ int processesIn(const fs::path& folder) {
 }
 
 bool comesToRest(const fs::path& folder) {
-  for (const auto begin = Clock::now(); millisecondsSince(begin) < 5000.0;) {
-    if (processesIn(folder) == 0) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return false;
+  return test::pollUntil([&] { return processesIn(folder) == 0; }, 5.0);
 }
 
 double percentile(std::vector<double> values, double part) {
@@ -82,9 +79,8 @@ class Interrupts : public ::testing::Test {
     {
       const BusyProcesses busy;
       RunningIsolux whole(command, {.folder = input_});
-      while (millisecondsSince(begin) < longest && processesIn(input_) > 0)
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      longest = std::min(longest, millisecondsSince(begin));
+      if (test::pollUntil([&] { return processesIn(input_) == 0; }, kLongestWait))
+        longest = std::min(longest, millisecondsSince(begin));
     }
     std::vector<double> times;
     std::uniform_real_distribution<double> moment(0.0, longest);

@@ -245,7 +245,7 @@ TEST_F(BakeFile, IsWholeWheneverTheWriterIsKilled) {
         writeBakeFile(file(), grid_, {lights[n % 2], nullptr}, progress);
       }
     }
-    ::usleep(static_cast<useconds_t>(random() % 30000));
+    ::usleep(static_cast<useconds_t>(random() % 30000));  // any moment will do
     ::kill(child, SIGKILL);
     ASSERT_EQ(::waitpid(child, nullptr, 0), child);
     const StoredLight light = read(kKey, "");

@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>
+#include <QElapsedTimer>
 #include <QSettings>
 #include <QTest>
 #include <QThread>
@@ -28,6 +29,19 @@ bool waitUntil(const std::function<bool()>& condition, int milliseconds) {
     QThread::msleep(1);
   }
   return true;
+}
+
+bool comesToRest(const std::function<std::uint64_t()>& value) {
+  std::uint64_t last = value();
+  QElapsedTimer unchanged;
+  unchanged.start();
+  return waitUntil([&] {
+    if (const std::uint64_t now = value(); now != last) {
+      last = now;
+      unchanged.restart();
+    }
+    return unchanged.elapsed() >= 1000;
+  });
 }
 
 void drag(QWidget* widget, QPoint from, QPoint to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers,

@@ -1,6 +1,7 @@
 // A shown main window with helpers to wait, drag and compare pictures: what the window's tests share.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -17,6 +18,10 @@ namespace isolux::test {
 
 // Runs the event loop until `condition` holds; false after the time-out.
 bool waitUntil(const std::function<bool()>& condition, int milliseconds = 20000);
+
+// Runs the event loop until `value` has stayed the same for a second: the only way to see that threads which
+// end what they have begun have ended it. False when it has not come to rest after 20 s.
+bool comesToRest(const std::function<std::uint64_t()>& value);
 
 // Presses at `from`, moves in `steps` to `to`, releases; the event loop runs between.
 void drag(QWidget* widget, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,

@@ -7,7 +7,9 @@
 #include <QSpinBox>
 #include <QTest>
 
-#include <OpenImageIO/imageio.h>
+#include <ImfChannelList.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
 
 #include "app/files/image_io.h"
 #include "ui/dialogs/reference_dialog.h"
@@ -57,10 +59,8 @@ TEST_F(ReferenceDialogTest, TracesThePictureAndSavesItWithItsVariance) {
   const QString exr = newFile("still.exr"), png = newFile("still.png");
   ASSERT_EQ(saved(*dialog_, exr), "");
   ASSERT_EQ(saved(*dialog_, png), "");
-  const auto file = OIIO::ImageInput::open(exr.toStdString());
-  ASSERT_NE(file, nullptr);
-  const auto& names = file->spec().channelnames;
-  EXPECT_NE(std::find(names.begin(), names.end(), "variance"), names.end());
+  const Imf::InputFile file(exr.toStdString().c_str());
+  EXPECT_NE(file.header().channels().findChannel("variance"), nullptr);
   EXPECT_FALSE(app::readSessionText(png.toStdString()).empty());
   const render::ColorImage picture = app::readPng(png.toStdString());
   EXPECT_EQ(picture.size, glm::ivec2(40, 30));

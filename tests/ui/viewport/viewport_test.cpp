@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <QMouseEvent>
 #include <QTest>
 #include <QThread>
 
@@ -14,6 +15,21 @@
 namespace isolux::test {
 
 namespace {
+
+// Where the mouse was last seen by a widget: moves come from the X server, when it pleases.
+class LastMove : public QObject {
+ public:
+  explicit LastMove(QWidget* widget) { widget->installEventFilter(this); }
+  QPoint position() const { return position_; }
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::MouseMove)
+      position_ = static_cast<QMouseEvent*>(event)->position().toPoint();
+    return false;
+  }
+
+ private:
+  QPoint position_{-1, -1};
+};
 
 class ViewportTest : public WindowTest {
  protected:
@@ -31,13 +47,14 @@ class ViewportTest : public WindowTest {
   std::optional<render::Pick> pointAt(QPoint position) {
     std::optional<render::Pick> result;
     bool reported = false;
-    QTest::mouseMove(viewport(), position + QPoint(1, 0));
-    QTest::qWait(100);  // reports of an earlier place, or of a picture just drawn, come first
+    const LastMove lastMove(viewport());
     const auto connection =
         QObject::connect(viewport(), &ui::Viewport::pointed, [&](const std::optional<render::Pick>& pick) {
+          if (lastMove.position() != position) return;  // a report of an earlier place
           result = pick;
           reported = true;
         });
+    QTest::mouseMove(viewport(), position + QPoint(1, 0));
     QTest::mouseMove(viewport(), position);
     EXPECT_TRUE(waitUntil([&] { return reported; }));
     QObject::disconnect(connection);
@@ -153,7 +170,7 @@ TEST_F(ViewportTest, PicturesInMotionAreRefinedWhenItRests) {
   scene::Scene scene = window_->document()->scene(), resolved = window_->document()->resolvedScene();
   scene.camera.fov = resolved.camera.fov = 31.0;
   viewport()->setScene(scene, resolved);
-  QThread::msleep(300);
+  QThread::msleep(300);  // nothing but time: the window is busy
   EXPECT_FALSE(viewport()->complete());
   EXPECT_TRUE(waitUntil([&] { return viewport()->complete(); }));
 }

@@ -5,12 +5,14 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
 
+#include "base/retire.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/panels/volume_panel.h"
@@ -67,7 +69,8 @@ TEST_F(WindowTest, LoadingCanBeCancelledAndThePreviousVolumeStays) {
   EXPECT_FALSE(window_->loadCard()->isVisible());
   EXPECT_EQ(window_->document()->volume(), volume);
   EXPECT_TRUE(window_->messageBar()->isHidden());  // what the user did is no error
-  QTest::qWait(300);
+  EXPECT_TRUE(base::awaitRetired(60.0));           // the thread that was loading has ended
+  QCoreApplication::processEvents();
   EXPECT_EQ(window_->document()->volume(), volume);
 }
 

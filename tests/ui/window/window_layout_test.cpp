@@ -45,12 +45,13 @@ TEST_F(WindowTest, AMessageNeitherResizesThePictureNorRunsAPassAgain) {
   });
   const QString file(170, 'n');
   window_->messageBar()->show(Kind::error, "/data/" + file + ".mhd: DimSize: an axis has 0 voxels");
-  QTest::qWait(50);
-  EXPECT_TRUE(window_->messageBar()->isVisible());
+  EXPECT_TRUE(waitUntil([&] { return window_->messageBar()->isVisible(); }));
+  fullPicture(*window_);  // drawn again: what has changed is computed
   EXPECT_EQ(window_->messageBar()->width(), size.width());
   EXPECT_EQ(window_->viewport()->size(), size);
   window_->messageBar()->clear();
-  QTest::qWait(50);
+  EXPECT_TRUE(waitUntil([&] { return !window_->messageBar()->isVisible(); }));
+  fullPicture(*window_);
   EXPECT_EQ(window_->viewport()->size(), size);
   EXPECT_EQ(ran, 0);
 }
@@ -124,11 +125,12 @@ TEST_F(WindowTest, ALongNameWidensNothing) {
                         std::filesystem::path(file.toStdString()).parent_path() / "ball.raw");
   ASSERT_TRUE(load(*window_, file));
   window_->showPanel("volume");
-  QTest::qWait(20);
-  EXPECT_EQ(window_->minimumSizeHint().width(), before);
   const auto* area = window_->panel<ui::VolumePanel>()->findChild<QScrollArea*>();
+  EXPECT_TRUE(waitUntil([&] {  // shown and laid out
+    return area->widget()->isVisible() && area->widget()->width() == area->viewport()->width();
+  }));
+  EXPECT_EQ(window_->minimumSizeHint().width(), before);
   EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
-  EXPECT_EQ(area->widget()->width(), area->viewport()->width());
   for (QMenu* menu : window_->findChildren<QMenu*>()) {
     if (!menu->title().contains("recent")) continue;
     Q_EMIT menu->aboutToShow();

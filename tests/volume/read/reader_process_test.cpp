@@ -144,7 +144,7 @@ TEST(ReaderProcess, AStopEndsItAtOnce) {
     base::Progress progress;
     Clock::time_point stopped;
     std::jthread stopper([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(60));
+      std::this_thread::sleep_for(std::chrono::milliseconds(60));  // any moment will do
       stopped = Clock::now();
       progress.requestStop();
     });
