@@ -117,7 +117,7 @@ IntegerSpinBox::IntegerSpinBox(QWidget* parent) : QSpinBox(parent) {
 QValidator::State IntegerSpinBox::validate(QString& text, int& position) const {
   const QValidator::State state = QSpinBox::validate(text, position);
   bool good = false;
-  withoutSuffix(text, suffix()).toLongLong(&good);
+  static_cast<void>(withoutSuffix(text, suffix()).toLongLong(&good));
   return state == QValidator::Invalid && good ? QValidator::Intermediate : state;
 }
 
