@@ -8,7 +8,6 @@
 #include "app/files/image_io.h"
 #include "app/light/light_controller.h"
 #include "render/still_picture.h"
-#include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/picture_difference.h"
 
@@ -102,9 +101,9 @@ class BaselineGlTest : public RenderGlTest, public testing::WithParamInterface<C
     const auto volume = phantom(c.phantom, c.voxels);
     scene::Scene scene;
     scene.look.backgroundTop = scene.look.backgroundBottom = glm::dvec3(0.0);  // smaller files
-    for (const Settings& settings : {c.settings, changes})
-      for (const std::string& setting : settings) scene::applyAssignment(scene, setting);
-    scene = scene::resolve(scene, volume->facts);
+    Settings settings = c.settings;
+    settings.insert(settings.end(), changes.begin(), changes.end());
+    scene = scene::resolve(assigned(settings, scene), volume->facts);
     renderer_->setVolume(volume);
     render::FrameRequest request;
     request.size = {256, 256};
