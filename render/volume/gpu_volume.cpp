@@ -75,13 +75,14 @@ void GpuVolume::require(const scene::Scene& scene, const scene::Memory& memory) 
   if (!hasCells()) return;
   const std::size_t budgetBytes = static_cast<std::size_t>(memory.gpuBudgetMb) << 20;
   if (!samples_) samples_.emplace(grid());
-  if (scene.hit.field == scene::Field::cubic_interpolating ||
-      scene.derivatives.field == scene::Field::cubic_interpolating)
-    if (!coefficientTexels_)
-      coefficientTexels_.emplace(*cubic(scene::Field::cubic_interpolating).coefficients, grid().dims());
-  const Layout wanted{memory, coefficientTexels_.has_value()};
-  if (layout_ == wanted) return;
+  const bool needed = scene.hit.field == scene::Field::cubic_interpolating ||
+                      scene.derivatives.field == scene::Field::cubic_interpolating;
+  if (needed && !coefficientTexels_)
+    coefficientTexels_.emplace(*cubic(scene::Field::cubic_interpolating).coefficients, grid().dims());
+  if (layout_ == Layout{memory, coefficientTexels_.has_value()}) return;
   layout_.reset();
+  if (!needed) coefficientTexels_.reset();  // they stay while nothing else is made
+  const Layout wanted{memory, coefficientTexels_.has_value()};
   const bool whole = memory.layout == scene::MemoryLayout::whole ||
                      (memory.layout == scene::MemoryLayout::automatic && fitsWhole(budgetBytes));
   if (whole)

@@ -1,7 +1,11 @@
 #include "tests/support/test_data.h"
 
-#include <unistd.h>
+#include <stdlib.h>
+
+#include <cerrno>
 #include <cstdlib>
+#include <string>
+#include <system_error>
 
 namespace isolux::test {
 
@@ -15,8 +19,15 @@ fs::path dataFolder() {
 }
 
 namespace {
+// A new one: process numbers come again, and a killed test leaves its folder.
+fs::path newFolder() {
+  std::string name = (fs::temp_directory_path() / "isolux-test-XXXXXX").string();
+  if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), name);
+  return name;
+}
+
 struct Folder {
-  fs::path root = fs::temp_directory_path() / ("isolux-test-" + std::to_string(::getpid()));
+  fs::path root = newFolder();
   int count = 0;
   ~Folder() {
     std::error_code ignored;

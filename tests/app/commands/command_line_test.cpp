@@ -14,6 +14,7 @@
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
 #include "base/retire.h"
+#include "scene/machine.h"
 #include "scene/settings.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/poll.h"
@@ -442,14 +443,18 @@ TEST(SettingsCommand, ListsEachSetting) {
 
 TEST(SettingsCommand, ListsAsJsonAndByWord) {
   const json all = json::parse(success({"settings", "--json"}).out);
-  ASSERT_EQ(all.size(), scene::settings().size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const scene::Setting& setting = scene::settings()[i];
-    EXPECT_EQ(all[i]["path"], setting.path);
-    EXPECT_EQ(all[i]["default"], setting.defaultValue());
-    EXPECT_EQ(all[i]["unit"], setting.unit);
-    EXPECT_EQ(all[i].contains("choices"), setting.type == scene::SettingType::choice);
-  }
+  ASSERT_EQ(all.size(), scene::settings().size() + scene::machineSettings().size());
+  std::size_t at = 0;
+  const auto expectNext = [&](const auto& setting, const char* of) {
+    const json& listed = all[at++];
+    EXPECT_EQ(listed["path"], setting.path);
+    EXPECT_EQ(listed["default"], setting.defaultValue());
+    EXPECT_EQ(listed["unit"], setting.unit);
+    EXPECT_EQ(listed["of"], of);
+    EXPECT_EQ(listed.contains("choices"), setting.type == scene::SettingType::choice);
+  };
+  for (const scene::Setting& setting : scene::settings()) expectNext(setting, "scene");
+  for (const scene::MachineSetting& setting : scene::machineSettings()) expectNext(setting, "machine");
   const json some = json::parse(success({"settings", "camera.fov", "--json"}).out);
   ASSERT_GE(some.size(), 1u);
   EXPECT_EQ(some[0]["path"], "camera.fov");
