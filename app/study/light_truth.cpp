@@ -107,9 +107,10 @@ double relativeNoise(const LightTruth& truth) {
 
 }  // namespace
 
-LightTruth lightTruthAt(std::shared_ptr<const gi::LightScene> light, glm::dvec3 skyScale, float isovalue,
-                        std::span<const glm::vec3> voxels, std::span<const std::size_t> pixels,
-                        const TruthOptions& options, base::Progress& progress) {
+LightTruth lightTruthAt(const std::shared_ptr<const gi::LightScene>& light, glm::dvec3 skyScale,
+                        float isovalue, std::span<const glm::vec3> voxels,
+                        std::span<const std::size_t> pixels, const TruthOptions& options,
+                        base::Progress& progress) {
   std::vector<glm::vec3> gradients(voxels.size());
   light->tracer->gradients(voxels, gradients);
   const gi::PathTracer normals(light);
@@ -121,7 +122,7 @@ LightTruth lightTruthAt(std::shared_ptr<const gi::LightScene> light, glm::dvec3 
     points.push_back({voxels[i], isovalue, normal, 0});
     pixelsOfPoints.push_back(pixels[i]);
   }
-  Estimator estimator(std::move(light), skyScale, std::move(points));
+  Estimator estimator(light, skyScale, std::move(points));
   LightTruth truth;
   for (std::uint32_t samples = options.firstSamples;; samples *= 2) {
     estimator.refine(samples, progress);

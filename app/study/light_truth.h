@@ -29,9 +29,10 @@ struct TruthOptions {
 // a normal are left out of LightTruth::pixels, which are `pixels[i]` of `voxels[i]`. The sky's light counts
 // with `skyScale`. Spread over the threads by TBB; the same for any number of them. Throws
 // Error{interrupted}.
-LightTruth lightTruthAt(std::shared_ptr<const gi::LightScene> light, glm::dvec3 skyScale, float isovalue,
-                        std::span<const glm::vec3> voxels, std::span<const std::size_t> pixels,
-                        const TruthOptions& options, base::Progress& progress);
+LightTruth lightTruthAt(const std::shared_ptr<const gi::LightScene>& light, glm::dvec3 skyScale,
+                        float isovalue, std::span<const glm::vec3> voxels,
+                        std::span<const std::size_t> pixels, const TruthOptions& options,
+                        base::Progress& progress);
 
 // At most `count` of `hits` hits (those for which hit(i)), evenly spread in their order, each part's one by
 // chance with a fixed seed.

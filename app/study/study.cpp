@@ -61,14 +61,15 @@ struct Studio::Alternative {
   DrawnImages images{};
 };
 
-Studio::Studio(std::shared_ptr<const render::Gl> gl, std::shared_ptr<const volume::PreparedVolume> volume,
-               scene::Scene scene, const scene::Machine& machine, glm::ivec2 size, int repeat)
+Studio::Studio(const std::shared_ptr<const render::Gl>& gl,
+               std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene,
+               const scene::Machine& machine, glm::ivec2 size, int repeat)
     : volume_(std::move(volume)),
       scene_(std::move(scene)),
       size_(size),
       machine_(machine),
       repeat_(repeat),
-      renderer_(std::move(gl)),
+      renderer_(gl),
       truth_(volume_, scene::resolve(scene_, volume_->facts), size) {
   renderer_.setMemory(machine_.memory);
   renderer_.setVolume(volume_);

@@ -68,7 +68,7 @@ class Studio {
  public:
   // `scene` as the user gave it. `gl` stays current. Throws Error{usage} where no pixel of the view shows the
   // surface.
-  Studio(std::shared_ptr<const render::Gl> gl, std::shared_ptr<const volume::PreparedVolume> volume,
+  Studio(const std::shared_ptr<const render::Gl>& gl, std::shared_ptr<const volume::PreparedVolume> volume,
          scene::Scene scene, const scene::Machine& machine, glm::ivec2 size, int repeat);
   ~Studio();
 

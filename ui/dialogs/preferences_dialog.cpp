@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QThread>
 #include <QVBoxLayout>
 
 #include "base/error.h"
@@ -96,7 +97,8 @@ void PreferencesDialog::set(const Row& row, const nlohmann::json& value) {
 void PreferencesDialog::showRow(const Row& row) {
   const nlohmann::json value = row.setting->get(machine_);
   const bool automatic = value.is_string() && row.automatic;
-  if (!automatic) row.value->showValue(value);
+  const nlohmann::json cores = QThread::idealThreadCount();  // threads alone are ever automatic
+  row.value->showValue(automatic ? cores : value);
   const bool acts = row.setting->path != "picture.motion_target" || machine_.adaptive;
   row.value->setEnabled(!automatic && acts);
   row.label->setEnabled(acts);

@@ -80,7 +80,7 @@ void MainWindow::makeEditMenu() {
   QAction* find = newAction(menu, "&Find a setting", "", QKeySequence::Find, "Find a setting by its name");
   connect(find, &QAction::triggered, this, &MainWindow::findSetting);
   menu->addSeparator();
-  QAction* preferences = newAction(menu, "&Preferences …", "", QKeySequence::Preferences,
+  QAction* preferences = newAction(menu, "&Preferences …", "", QKeySequence("Ctrl+,"),
                                    "Memory, threads and speed: settings of this machine");
   connect(preferences, &QAction::triggered, this, &MainWindow::showPreferences);
 }
