@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 
 namespace isolux::base {
@@ -27,7 +28,7 @@ double median(std::vector<double> values) {
 }
 
 double quantile(std::span<double> values, double part) {
-  return valueAt(values, static_cast<std::size_t>(placeOf(part, values.size()) + 0.5));
+  return valueAt(values, static_cast<std::size_t>(std::lround(placeOf(part, values.size()))));
 }
 
 double lowerQuantile(std::span<double> values, double part) {

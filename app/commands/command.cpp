@@ -232,17 +232,4 @@ std::string bytesText(std::uint64_t bytes) {
   return base::memoryText(static_cast<std::size_t>(bytes));
 }
 
-void addContext(nlohmann::ordered_json& json, const render::ContextDescription& context) {
-  json["context"] = context.kind;
-  json["gl"] = {{"vendor", context.vendor},
-                {"renderer", context.renderer},
-                {"version", context.version},
-                {"glsl", context.glsl},
-                {"software", context.software}};
-}
-
-std::string jsonText(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
-}
-
 }  // namespace isolux::app

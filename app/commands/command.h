@@ -15,6 +15,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/files/json_text.h"
 #include "app/files/output_guard.h"
 #include "base/progress.h"
 #include "render/gl/gl_context.h"
@@ -76,9 +77,6 @@ glm::ivec2 parseSize(const std::string& text);
 // What --size says; without it the size of the picture that the session comes from, else 1024x768.
 glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string& path,
                        const SceneOptions& options);
-std::string bytesText(std::uint64_t bytes);                // "13.5 MiB"
-std::string jsonText(const nlohmann::ordered_json& json);  // indented, ends in a newline
-// The keys "context" and "gl": what drew a picture.
-void addContext(nlohmann::ordered_json& json, const render::ContextDescription& context);
+std::string bytesText(std::uint64_t bytes);  // "13.5 MiB"
 
 }  // namespace isolux::app

@@ -8,8 +8,8 @@
 #include <tbb/task_arena.h>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/command.h"
 #include "app/files/files.h"
+#include "app/files/json_text.h"
 #include "app/study/study_light_report.h"
 #include "app/study/study_table.h"
 #include "app/version.h"

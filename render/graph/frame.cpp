@@ -50,7 +50,8 @@ std::vector<Aov> parseAovList(const std::string& text) {
         found = true;
       }
     if (!found)
-      throw base::Error(base::ErrorKind::usage, "", "--aov", "unknown image '" + word + "'; known: " + known);
+      throw base::Error(base::ErrorKind::usage, "", "--aov",
+                        std::string("unknown image '").append(word).append("'; known: ").append(known));
   }
   if (list.empty()) throw base::Error(base::ErrorKind::usage, "", "--aov", "no image named; known: " + known);
   return list;

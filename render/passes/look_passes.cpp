@@ -43,7 +43,8 @@ std::string constantsOf(const std::string& prefix) {
   for (const scene::Named<T>& choice : scene::choicesOf<T>()) {
     std::string name(choice.name);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-    defines += "#define " + prefix + name + ' ' + std::to_string(static_cast<int>(choice.value)) + '\n';
+    const std::string number = std::to_string(static_cast<int>(choice.value));
+    defines.append("#define ").append(prefix).append(name).append(" ").append(number).append("\n");
   }
   return defines;
 }

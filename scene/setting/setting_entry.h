@@ -63,93 +63,77 @@ inline constexpr Range unitRange{0.0, 1.0};
 
 // `member` returns the member of an Owner or const Owner by reference.
 template <class Owner, class Member>
-SettingOf<Owner> entry(std::string path, Member member, Range range, std::string unit, std::string meaning) {
+SettingOf<Owner> entry(const std::string& path, Member member, Range range, const std::string& unit,
+                       const std::string& meaning) {
   using T = std::remove_cvref_t<decltype(member(std::declval<const Owner&>()))>;
-  SettingOf<Owner> result;
-  result.path = std::move(path);
-  result.type = TypeOf<T>::type;
-  result.unit = std::move(unit);
-  result.meaning = std::move(meaning);
-  result.minimum = range.minimum;
-  result.maximum = range.maximum;
-  result.mayBeAutomatic = TypeOf<T>::automatic;
-  result.get = [member](const Owner& owner) { return jsonOf(member(owner)); };
-  result.set = [member, limits = SettingInfo(result)](Owner& owner, const nlohmann::json& value) {
-    assignChecked(limits, member(owner), value);
+  const SettingInfo info{path,          TypeOf<T>::type,      unit, meaning, range.minimum,
+                         range.maximum, TypeOf<T>::automatic, {}};
+  return {info, [member](const Owner& owner) { return jsonOf(member(owner)); },
+          [member, info](Owner& owner, const nlohmann::json& value) {
+            assignChecked(info, member(owner), value);
+          }};
+}
+
+// Refuses values of the setting for which holds() is false.
+template <class Owner, class Member, class Holds>
+SettingOf<Owner> onlyWhere(SettingOf<Owner> setting, Member member, Holds holds, const char* reason) {
+  setting.set = [checked = setting.set, member, holds, reason, name = setting.path](
+                    Owner& owner, const nlohmann::json& value) {
+    Owner trial;
+    checked(trial, value);
+    if (!holds(member(trial))) refuse(name, reason);
+    member(owner) = member(trial);
   };
-  return result;
+  return setting;
 }
 
 // A direction: a vector that must not be (nearly) zero.
 template <class Owner, class Member>
-SettingOf<Owner> directionEntry(std::string path, Member member, std::string unit, std::string meaning) {
-  SettingOf<Owner> result =
-      entry<Owner>(std::move(path), member, Range{-1e6, 1e6}, std::move(unit), std::move(meaning));
-  result.set = [checked = result.set, member, name = result.path](Owner& owner, const nlohmann::json& value) {
-    Owner trial;
-    checked(trial, value);
-    const std::optional<glm::dvec3> direction = member(trial);
-    if (direction && glm::length(*direction) < 1e-6) refuse(name, "a direction must not be zero");
-    member(owner) = member(trial);
-  };
-  return result;
+SettingOf<Owner> directionEntry(const std::string& path, Member member, const std::string& unit,
+                                const std::string& meaning) {
+  const auto holds = [](const std::optional<glm::dvec3>& v) { return !v || !(glm::length(*v) < 1e-6); };
+  return onlyWhere<Owner>(entry<Owner>(path, member, Range{-1e6, 1e6}, unit, meaning), member, holds,
+                          "a direction must not be zero");
 }
 
 // A rotation: a quaternion that must not be (nearly) zero.
 template <class Owner, class Member>
-SettingOf<Owner> rotationEntry(std::string path, Member member, std::string meaning) {
-  SettingOf<Owner> result =
-      entry<Owner>(std::move(path), member, Range{-1e6, 1e6}, "quaternion w,x,y,z", std::move(meaning));
-  result.set = [checked = result.set, member, name = result.path](Owner& owner, const nlohmann::json& value) {
-    Owner trial;
-    checked(trial, value);
-    if (glm::length(member(trial)) < 1e-6) refuse(name, "a rotation must not be zero");
-    member(owner) = member(trial);
-  };
-  return result;
+SettingOf<Owner> rotationEntry(const std::string& path, Member member, const std::string& meaning) {
+  const auto holds = [](const glm::dvec4& q) { return !(glm::length(q) < 1e-6); };
+  return onlyWhere<Owner>(entry<Owner>(path, member, Range{-1e6, 1e6}, "quaternion w,x,y,z", meaning), member,
+                          holds, "a rotation must not be zero");
 }
 
 // A range: the first number must not be above the second.
 template <class Owner, class Member>
-SettingOf<Owner> bandEntry(std::string path, Member member, std::string unit, std::string meaning) {
-  SettingOf<Owner> result =
-      entry<Owner>(std::move(path), member, Range{-1e38, 1e38}, std::move(unit), std::move(meaning));
-  result.set = [checked = result.set, member, name = result.path](Owner& owner, const nlohmann::json& value) {
-    Owner trial;
-    checked(trial, value);
-    const std::optional<glm::dvec2> band = member(trial);
-    if (band && band->x > band->y) refuse(name, "the lower end must not be above the upper end");
-    member(owner) = member(trial);
-  };
-  return result;
+SettingOf<Owner> bandEntry(const std::string& path, Member member, const std::string& unit,
+                           const std::string& meaning) {
+  const auto holds = [](const std::optional<glm::dvec2>& band) { return !band || !(band->x > band->y); };
+  return onlyWhere<Owner>(entry<Owner>(path, member, Range{-1e38, 1e38}, unit, meaning), member, holds,
+                          "the lower end must not be above the upper end");
 }
 
 // Of a member whose type is an enumeration of scene/choices.h.
 template <class Owner, class Member>
-SettingOf<Owner> choiceEntry(std::string path, Member member, std::string meaning) {
+SettingOf<Owner> choiceEntry(const std::string& path, Member member, const std::string& meaning) {
   using T = std::remove_cvref_t<decltype(member(std::declval<const Owner&>()))>;
-  SettingOf<Owner> result;
-  result.path = std::move(path);
-  result.type = SettingType::choice;
-  result.meaning = std::move(meaning);
-  result.minimum = noRange.minimum;
-  result.maximum = noRange.maximum;
-  for (const Named<T>& choice : choicesOf<T>()) result.choices.emplace_back(choice.name);
-  result.get = [member](const Owner& owner) {
+  SettingInfo info{path, SettingType::choice, "", meaning, noRange.minimum, noRange.maximum, false, {}};
+  for (const Named<T>& choice : choicesOf<T>()) info.choices.emplace_back(choice.name);
+  const auto get = [member](const Owner& owner) {
     const std::span<const Named<T>> all = choicesOf<T>();
-    return nlohmann::json(std::find_if(all.begin(), all.end(), [&](auto& named) {
-                            return named.value == member(owner);
-                          })->name);
+    const auto same = [&](const Named<T>& named) { return named.value == member(owner); };
+    return nlohmann::json(std::find_if(all.begin(), all.end(), same)->name);
   };
-  result.set = [member, limits = SettingInfo(result)](Owner& owner, const nlohmann::json& value) {
-    if (!value.is_string()) refuseValue(limits, value);
+  const auto set = [member, info](Owner& owner, const nlohmann::json& value) {
+    if (!value.is_string()) refuseValue(info, value);
     const auto& word = value.get_ref<const std::string&>();
     const std::span<const Named<T>> all = choicesOf<T>();
-    const auto found = std::find_if(all.begin(), all.end(), [&](auto& named) { return named.name == word; });
-    if (found == all.end()) refuseValue(limits, value);
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Named<T>& named) { return named.name == word; });
+    if (found == all.end()) refuseValue(info, value);
     member(owner) = found->value;
   };
-  return result;
+  return {info, get, set};
 }
 
 }  // namespace isolux::scene

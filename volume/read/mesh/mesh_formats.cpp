@@ -1,10 +1,10 @@
-// What the readers of meshes share.
+#include "volume/read/mesh/mesh_formats.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
-#include "volume/read/mesh/mesh_formats.h"
 
 namespace isolux::volume {
 
