@@ -10,15 +10,15 @@ namespace isolux::scene {
 namespace {
 
 // Koenderink & van Doorn 1992; 0 where the surface is flat.
-double shapeIndex(double kappa1, double kappa2) {
+double shapeIndexOf(double kappa1, double kappa2) {
   return std::atan2(kappa1 + kappa2, kappa1 - kappa2) * 2.0 / std::numbers::pi;
 }
 
-double curvedness(double kappa1, double kappa2) {
+double curvednessOf(double kappa1, double kappa2) {
   return std::sqrt(0.5) * std::hypot(kappa1, kappa2);
 }
 
-constexpr LookInfo table[] = {
+constexpr LookInfo lookTable[] = {
     {.mode = LookMode::blinn_phong,
      .name = "blinn_phong",
      .meaning = "the surface's own colour with a highlight",
@@ -77,7 +77,7 @@ constexpr LookInfo table[] = {
      .readsCurvature = true,
      .colors = LookColors::shape,
      .range = LookRange::unit,
-     .measure = shapeIndex,
+     .measure = shapeIndexOf,
      .quantity = "shape index"},
     {.mode = LookMode::curvedness,
      .name = "curvedness",
@@ -87,7 +87,7 @@ constexpr LookInfo table[] = {
      .colors = LookColors::sequential,
      .range = LookRange::fromZero,
      .dimension = 1,
-     .measure = curvedness,
+     .measure = curvednessOf,
      .quantity = "curvedness"},
     {.mode = LookMode::curvature_2d,
      .name = "curvature_2d",
@@ -126,13 +126,13 @@ constexpr LookInfo table[] = {
 }  // namespace
 
 std::span<const LookInfo> looks() {
-  return table;
+  return lookTable;
 }
 
 const LookInfo& lookInfo(LookMode mode) {
-  const auto found = std::find_if(std::begin(table), std::end(table),
+  const auto found = std::find_if(std::begin(lookTable), std::end(lookTable),
                                   [mode](const LookInfo& look) { return look.mode == mode; });
-  assert(found != std::end(table));
+  assert(found != std::end(lookTable));
   return *found;
 }
 

@@ -10,7 +10,7 @@ namespace isolux::scene {
 
 namespace {
 
-std::vector<MachineSetting> makeSettings() {
+std::vector<MachineSetting> makeMachineSettings() {
   std::vector<MachineSetting> list;
   list.push_back(entry<Machine>("memory.gpu_budget_mb", ISOLUX_MEMBER(memory.gpuBudgetMb), {16, 1048576},
                                 "MiB", "Graphics memory that the voxels may use."));
@@ -31,7 +31,7 @@ std::vector<MachineSetting> makeSettings() {
 }  // namespace
 
 std::span<const MachineSetting> machineSettings() {
-  static const std::vector<MachineSetting> list = makeSettings();
+  static const std::vector<MachineSetting> list = makeMachineSettings();
   return list;
 }
 

@@ -9,17 +9,18 @@ namespace isolux::ui {
 namespace {
 
 template <class P>
-Panel* make(QWidget* parent) {
+Panel* makePanel(QWidget* parent) {
   return new P(parent);
 }
 
-constexpr PanelInfo table[] = {
-    {"Settings", make<SettingsPanel>}, {"Volume", make<VolumePanel>}, {"Passes", make<PassesPanel>}};
+constexpr PanelInfo panelTable[] = {{"Settings", makePanel<SettingsPanel>},
+                                    {"Volume", makePanel<VolumePanel>},
+                                    {"Passes", makePanel<PassesPanel>}};
 
 }  // namespace
 
 std::span<const PanelInfo> panels() {
-  return table;
+  return panelTable;
 }
 
 }  // namespace isolux::ui
