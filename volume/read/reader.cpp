@@ -158,18 +158,17 @@ bool needsRawDescription(const fs::path& path) {
 }
 
 std::vector<std::string> fileFilters() {
-  return {
-      "Volumes (*.nii *.nii.gz *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.raw "
-      "*.stl *.obj *.ply *.vtp)",
-      "NIfTI (*.nii *.nii.gz *.hdr *.img)",
-      "MetaImage (*.mhd *.mha)",
-      "NRRD (*.nrrd *.nhdr)",
-      "VTK (*.vti *.vtk)",
-      "DICOM (*.dcm)",
-      "TIFF (*.tif *.tiff)",
-      "Triangle meshes (*.stl *.obj *.ply *.vtp)",
-      "Raw (*.raw *.bin *.dat *.img)",
-      "All files (*)"};
+  return {("Volumes (*.nii *.nii.gz *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.raw "
+           "*.stl *.obj *.ply *.vtp)"),
+          "NIfTI (*.nii *.nii.gz *.hdr *.img)",
+          "MetaImage (*.mhd *.mha)",
+          "NRRD (*.nrrd *.nhdr)",
+          "VTK (*.vti *.vtk)",
+          "DICOM (*.dcm)",
+          "TIFF (*.tif *.tiff)",
+          "Triangle meshes (*.stl *.obj *.ply *.vtp)",
+          "Raw (*.raw *.bin *.dat *.img)",
+          "All files (*)"};
 }
 
 }  // namespace isolux::volume

@@ -32,6 +32,13 @@ Range rangeOf(const Grid& grid) {
   return {static_cast<float>(grid.storedMinimum()), static_cast<float>(grid.storedMaximum())};
 }
 
+// An index that fits an int: blocks are small.
+constexpr std::size_t boxIndex(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+constexpr std::size_t kBoxesOfBlock = boxIndex(kBoxes * kBoxes * kBoxes);
+
 // The ranges of the boxes of one block, one axis after the other: rows to boxes along x, then along y, then
 // z.
 template <class T>
@@ -45,26 +52,24 @@ class BlockScan {
         apron_(apron) {}
 
   // Box (x, y, z); infinite in both directions where a voxel is missing.
-  std::array<Range, kBoxes * kBoxes * kBoxes> boxes() const {
+  std::array<Range, kBoxesOfBlock> boxes() const {
     const int rows = BoxBounds::kBlockCells + 1 + 2 * apron_;
-    std::array<Range, kBoxes * kMostRows * kMostRows> alongX;
+    std::array<Range, boxIndex(kBoxes * kMostRows * kMostRows)> alongX;
     for (int z = 0; z < rows; ++z)
-      for (int y = 0; y < rows; ++y)
-        scanRow(y, z, &alongX[static_cast<std::size_t>((z * rows + y) * kBoxes)]);
-    std::array<Range, kBoxes * kBoxes * kMostRows> alongY;
+      for (int y = 0; y < rows; ++y) scanRow(y, z, &alongX[boxIndex((z * rows + y) * kBoxes)]);
+    std::array<Range, boxIndex(kBoxes * kBoxes * kMostRows)> alongY;
     for (int z = 0; z < rows; ++z)
       for (int box = 0; box < kBoxes; ++box)
         for (int x = 0; x < kBoxes; ++x) {
-          Range& range = alongY[static_cast<std::size_t>((z * kBoxes + box) * kBoxes + x)];
+          Range& range = alongY[boxIndex((z * kBoxes + box) * kBoxes + x)];
           for (int y = 2 * box; y < 2 * box + span_; ++y)
-            range.add(alongX[static_cast<std::size_t>((z * rows + y) * kBoxes + x)]);
+            range.add(alongX[boxIndex((z * rows + y) * kBoxes + x)]);
         }
-    std::array<Range, kBoxes * kBoxes * kBoxes> result;
+    std::array<Range, kBoxesOfBlock> result;
     for (int box = 0; box < kBoxes; ++box)
       for (int yx = 0; yx < kBoxes * kBoxes; ++yx)
         for (int z = 2 * box; z < 2 * box + span_; ++z)
-          result[static_cast<std::size_t>(box * kBoxes * kBoxes + yx)].add(
-              alongY[static_cast<std::size_t>(z * kBoxes * kBoxes + yx)]);
+          result[boxIndex(box * kBoxes * kBoxes + yx)].add(alongY[boxIndex(z * kBoxes * kBoxes + yx)]);
     return result;
   }
 

@@ -62,19 +62,21 @@ class BlockRow {
         cellRow(4 * by + dy, 4 * bz + dz);
         lesser(blockLeast_.data(), least_.data(), 4 * blocks_);
         greater(blockMost_.data(), most_.data(), 4 * blocks_);
-        std::uint8_t* to = cells + (dz * 4 + dy) * 8;
+        std::uint8_t* to = cells + std::ptrdiff_t{8} * (dz * 4 + dy);
         for (int block = 0; block < blocks_; ++block, to += 128) {
           std::uint8_t pairs[8];
+          const std::size_t first = std::size_t{4} * static_cast<std::size_t>(block);
           for (std::size_t i = 0; i < 4; ++i) {
-            pairs[2 * i] = least_[static_cast<std::size_t>(4 * block) + i];
-            pairs[2 * i + 1] = most_[static_cast<std::size_t>(4 * block) + i];
+            pairs[2 * i] = least_[first + i];
+            pairs[2 * i + 1] = most_[first + i];
           }
           std::memcpy(to, pairs, 8);
         }
       }
     for (int block = 0; block < blocks_; ++block, words += 4) {
-      words[0] = *std::min_element(blockLeast_.begin() + 4 * block, blockLeast_.begin() + 4 * block + 4);
-      words[1] = *std::max_element(blockMost_.begin() + 4 * block, blockMost_.begin() + 4 * block + 4);
+      const std::ptrdiff_t first = std::ptrdiff_t{4} * block;
+      words[0] = *std::min_element(blockLeast_.begin() + first, blockLeast_.begin() + first + 4);
+      words[1] = *std::max_element(blockMost_.begin() + first, blockMost_.begin() + first + 4);
     }
   }
 

@@ -36,7 +36,8 @@ double differenceAt(const Grid& grid, int axis, std::uint64_t place) {
   glm::ivec3 at;
   for (int i = 0; i < 3; ++i) {
     const int room = i == axis ? dims[i] - taps + 1 : dims[i];
-    at[i] = static_cast<int>(base::uniformNoise(static_cast<std::uint64_t>(17 + i), place) * room);
+    at[i] =
+        static_cast<int>(base::uniformNoise(std::uint64_t{17} + static_cast<std::uint64_t>(i), place) * room);
   }
   double sum = 0.0, norm = 0.0;
   bool constant = true;

@@ -32,9 +32,12 @@ void preferHugePages(const void* data, std::size_t bytes, const base::Progress& 
   const std::uintptr_t from = reinterpret_cast<std::uintptr_t>(data);
   const std::uintptr_t begin = (from + page - 1) & ~(page - 1), end = (from + bytes) & ~(page - 1);
   if (!given || begin >= end) return;
+  // Whole pages within the data.
+  // NOLINTBEGIN(performance-no-int-to-ptr)
   madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
   for (std::uintptr_t at = begin; at < end && !progress.stopRequested(); at += piece)
     madvise(reinterpret_cast<void*>(at), std::min(piece, end - at), collapse);
+  // NOLINTEND(performance-no-int-to-ptr)
 }
 #else
 void preferHugePages(const void*, std::size_t, const base::Progress&) {}

@@ -143,9 +143,9 @@ void Check::readImageTag(const Tag& tag) {
     const auto values = realsOf(*text);
     if (!values || values->size() != 9)
       throwInput(file_, "ImageData Direction", inQuotes(*text) + " is not nine numbers");
+    auto value = values->begin();
     for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column)
-        directions_[column][row] = (*values)[static_cast<std::size_t>(3 * row + column)];
+      for (int column = 0; column < 3; ++column) directions_[column][row] = *value++;
   }
 }
 
