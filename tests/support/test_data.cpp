@@ -1,6 +1,7 @@
 #include "tests/support/test_data.h"
 
 #include <stdlib.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -22,7 +23,9 @@ namespace {
 // A new one: process numbers come again, and a killed test leaves its folder.
 fs::path newFolder() {
   std::string name = (fs::temp_directory_path() / "isolux-test-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), name);
+  constexpr mode_t forEverybody = 0755;  // some tests run the program as another user
+  if (!::mkdtemp(name.data()) || ::chmod(name.c_str(), forEverybody) != 0)
+    throw std::system_error(errno, std::generic_category(), name);
   return name;
 }
 
