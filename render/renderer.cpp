@@ -245,8 +245,10 @@ VolumeState Renderer::Parts::volumeState() const {
 
 BrickState Renderer::Parts::brickState() {
   const Bricks* const bricks = frame.volume ? frame.volume->bricks() : nullptr;
-  if (!bricks) waitingRays = 0;
-  if (!bricks) return {};
+  if (!bricks) {
+    waitingRays = 0;
+    return {};
+  }
   // What did not come in time may come now.
   if (waitingRays > 0 && !complete && frame.request.brickUploadBytes == 0) ++bricksAsked;
   return {true, !bricks->holdsAll(), frame.volume->bricksMade(), bricksAsked};
