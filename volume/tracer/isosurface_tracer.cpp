@@ -105,7 +105,7 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
           parallelPieces(voxels.size(), std::size_t{1} << 20, progress, {},
                          [&](std::size_t begin, std::size_t end) {
                            for (std::size_t i = begin; i < end; ++i)
-                             widened_[i] = static_cast<std::int16_t>(voxels[i]);
+                             widened_[i] = voxels[i];  // NOLINT(bugprone-signed-char-misuse): no character
                          });
           view_->signed16 = widened_.data();
         }
