@@ -31,10 +31,11 @@ bool mayBeRounding(const PictureDifference& difference) {
 
 render::ColorImage amplifiedDifference(const render::ColorImage& a, const render::ColorImage& b) {
   render::ColorImage result = a;
-  for (std::size_t i = 0; i < a.rgba.size(); ++i)
-    if (i % 4 != 3)
-      result.rgba[i] =
-          static_cast<std::uint8_t>(std::clamp(128 + 8 * (int{a.rgba[i]} - int{b.rgba[i]}), 0, 255));
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+    if (i % 4 == 3) continue;
+    const int difference = static_cast<int>(a.rgba[i]) - static_cast<int>(b.rgba[i]);
+    result.rgba[i] = static_cast<std::uint8_t>(std::clamp(128 + 8 * difference, 0, 255));
+  }
   return result;
 }
 
