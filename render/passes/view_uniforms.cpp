@@ -43,4 +43,16 @@ ViewUniforms::ViewUniforms(const scene::Camera& camera, double aspect, const vol
   forwardVoxel = linear * forwardWorld;
 }
 
+volume::PictureRays ViewUniforms::rays(glm::ivec2 picture, glm::ivec2 origin) const {
+  return {.eye = eyeVoxel,
+          .right = rightVoxel,
+          .up = upVoxel,
+          .forward = forwardVoxel,
+          .halfExtent = halfExtent,
+          .orthographic = orthographic,
+          .startDepth = static_cast<float>(startDepth),
+          .picture = picture,
+          .origin = origin};
+}
+
 }  // namespace isolux::render

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/camera.h"
+#include "volume/cast/picture_rays.h"
 #include "volume/grid.h"
 
 namespace isolux::render {
@@ -26,6 +27,9 @@ struct ViewUniforms {
   glm::dvec2 depthRangeMm;  // of the volume's corners along the view direction, from rayStartMm
 
   ViewUniforms(const scene::Camera& camera, double aspect, const volume::GridGeometry& geometry);
+
+  // The same for the processor: `picture` rays, of which those from `origin` on are cast.
+  volume::PictureRays rays(glm::ivec2 picture, glm::ivec2 origin) const;
 };
 
 }  // namespace isolux::render

@@ -6,35 +6,11 @@
 
 #include "base/error.h"
 #include "render/constants.h"
+#include "volume/field/value_scaling.h"
 
 namespace isolux::render {
 
 namespace {
-
-// What float values become texels by: (value - offset) * 2^-exponent.
-struct Scaling {
-  float offset = 0.0f;
-  int exponent = 0;
-};
-
-int exponentOf(double least, double most) {
-  const double largest = std::max(std::fabs(least), std::fabs(most));
-  int exponent = 0;
-  if (largest > 0.0) std::frexp(largest, &exponent);
-  return std::clamp(exponent, -126, 127);
-}
-
-// The largest magnitude becomes about 1. An offset only where subtracting it rounds nothing: every value
-// within a factor of two of it.
-Scaling scalingOf(double least, double most) {
-  const bool oneSign = least > 0.0 || most < 0.0;
-  const double nearest = std::min(std::fabs(least), std::fabs(most)),
-               farthest = std::max(std::fabs(least), std::fabs(most));
-  if (!oneSign || farthest > 2.0 * nearest || least == most) return {0.0f, exponentOf(least, most)};
-  const auto middle = static_cast<float>(least + 0.5 * (most - least));
-  const double offset = static_cast<double>(middle);
-  return {middle, exponentOf(least - offset, most - offset)};
-}
 
 template <class Voxel, class Texel, class Convert>
 void convertBox(const std::vector<Voxel>& voxels, glm::ivec3 dims, glm::ivec3 first, glm::ivec3 size,
@@ -70,7 +46,7 @@ TexelSource::TexelSource(const volume::Grid& grid) : dims_(grid.dims()), voxels_
       scale_ = 65535.0;
       break;
     default: {
-      const Scaling scaling = scalingOf(grid.storedMinimum(), grid.storedMaximum());
+      const volume::ValueScaling scaling = volume::scalingOf(grid.storedMinimum(), grid.storedMaximum());
       exponent_ = scaling.exponent;
       subtracted_ = scaling.offset;
       offset_ = static_cast<double>(subtracted_);
@@ -85,7 +61,7 @@ TexelSource::TexelSource(const volume::Coefficients& coefficients, glm::ivec3 di
     : dims_(dims),
       coefficients_(&coefficients.values),
       offset_(coefficients.offset),
-      exponent_(exponentOf(static_cast<double>(coefficients.least), static_cast<double>(coefficients.most))) {
+      exponent_(volume::exponentOf(static_cast<double>(coefficients.least), static_cast<double>(coefficients.most))) {
   scale_ = std::ldexp(1.0, exponent_);
 }
 

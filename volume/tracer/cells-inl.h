@@ -7,9 +7,9 @@
 #define ISOLUX_VOLUME_ISOSURFACE_TRACER_CELLS_INL_H
 #endif
 
-#include <cstring>
 #include <type_traits>
 
+#include "volume/tracer/corners-inl.h"
 #include "volume/tracer/kernels.h"
 #include "volume/tracer/lanes-inl.h"
 
@@ -17,51 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
-
-// The values at a cell's corners x and x + 1.
-struct Edge {
-  VF low, high;
-};
-
-// The four edges along x of every lane's cell.
-struct Corners {
-  Edge e00, e10, e01, e11;
-};
-
-HWY_INLINE Edge edgeOf(const std::int16_t*, const std::int32_t* pairs) {
-  const VI pair = hn::Load(I(), pairs);
-  return {hn::ConvertTo(F(), hn::ShiftRight<16>(hn::ShiftLeft<16>(pair))),
-          hn::ConvertTo(F(), hn::ShiftRight<16>(pair))};
-}
-
-HWY_INLINE Edge edgeOf(const std::uint16_t*, const std::int32_t* pairs) {
-  const VI pair = hn::Load(I(), pairs);
-  return {hn::ConvertTo(F(), hn::And(pair, hn::Set(I(), 0xffff))),
-          hn::ConvertTo(F(), hn::BitCast(I(), hn::ShiftRight<16>(hn::BitCast(U(), pair))))};
-}
-
-HWY_INLINE Edge edgeOf(const float*, const std::int64_t* pairs) {
-  const hn::Repartition<std::int64_t, F> l;
-  const VF a = hn::BitCast(F(), hn::Load(l, pairs)), b = hn::BitCast(F(), hn::Load(l, pairs + kLanes / 2));
-  return {hn::ConcatEven(F(), b, a), hn::ConcatOdd(F(), b, a)};
-}
-
-template <class T>
-HWY_INLINE Corners loadCorners(const T* voxels, VI index, std::size_t row, std::size_t slice) {
-  using Pair = std::conditional_t<std::is_same_v<T, float>, std::int64_t, std::int32_t>;
-  alignas(64) std::uint32_t at[kLanes];
-  alignas(64) Pair pairs[4][kLanes];
-  hn::Store(hn::BitCast(U(), index), U(), at);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const T* corner = voxels + at[lane];
-    std::memcpy(&pairs[0][lane], corner, sizeof(Pair));
-    std::memcpy(&pairs[1][lane], corner + row, sizeof(Pair));
-    std::memcpy(&pairs[2][lane], corner + slice, sizeof(Pair));
-    std::memcpy(&pairs[3][lane], corner + slice + row, sizeof(Pair));
-  }
-  return {edgeOf(voxels, pairs[0]), edgeOf(voxels, pairs[1]), edgeOf(voxels, pairs[2]),
-          edgeOf(voxels, pairs[3])};
-}
 
 // The field (inside: positive) along a stretch through a cell, s in [0, 1], in Bernstein form.
 struct Cubic {

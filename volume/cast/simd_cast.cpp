@@ -1,0 +1,157 @@
+// The kernels of the caster, compiled for every instruction set and chosen at run time.
+#include "volume/cast/cast_kernels.h"
+
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "volume/cast/simd_cast.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+#include <hwy/highway.h>
+
+#include "volume/cast/first_crossing-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isolux::volume::tracing {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+
+constexpr int kTile = StartDepths::kTile;
+
+// The rays of a packet: four pixels wide.
+struct Packet {
+  VF origin[3], direction[3];
+  VF slant;  // mm along the ray for each mm of depth
+};
+
+HWY_INLINE Packet packetAt(const PictureRays& rays, glm::ivec2 pixel) {
+  const F f;
+  const VI lane = hn::Iota(I(), 0);
+  const auto along = [&](VI offset, int axis) {
+    const VF at = hn::ConvertTo(f, hn::Add(offset, hn::Set(I(), pixel[axis] + rays.origin[axis])));
+    const float size = static_cast<float>(rays.picture[axis]);
+    const VF part = hn::Div(hn::Add(at, hn::Set(f, 0.5f)), hn::Set(f, size));
+    return hn::Mul(hn::Sub(hn::Add(part, part), hn::Set(f, 1.0f)), hn::Set(f, rays.halfExtent[axis]));
+  };
+  const VF x = along(hn::And(lane, hn::Set(I(), kTile - 1)), 0), y = along(hn::ShiftRight<2>(lane), 1);
+  Packet packet;
+  packet.slant =
+      rays.orthographic ? hn::Set(f, 1.0f) : hn::Sqrt(hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Set(f, 1.0f))));
+  for (int axis = 0; axis < 3; ++axis) {
+    const VF eye = hn::Set(f, rays.eye[axis]), forward = hn::Set(f, rays.forward[axis]);
+    const VF offset = hn::MulAdd(x, hn::Set(f, rays.right[axis]), hn::Mul(y, hn::Set(f, rays.up[axis])));
+    if (rays.orthographic) {
+      packet.origin[axis] = hn::Add(eye, offset);
+      packet.direction[axis] = forward;
+    } else {
+      packet.origin[axis] = hn::MulAdd(hn::Set(f, rays.startDepth), offset, eye);
+      packet.direction[axis] = hn::Div(hn::Add(forward, offset), packet.slant);
+    }
+  }
+  return packet;
+}
+
+// A packet's results in their places, without those beyond the end.
+HWY_INLINE void store(const CastTarget& target, glm::ivec2 pixel, const VF (&point)[3], VF t, VF error,
+                      VF known) {
+  const F f;
+  alignas(64) float points[4 * kLanes], infos[2 * kLanes];
+  hn::StoreInterleaved4(point[0], point[1], point[2], t, f, points);
+  hn::StoreInterleaved2(error, known, f, infos);
+  const auto width = static_cast<std::size_t>(std::min(kTile, target.end.x - pixel.x));
+  const int rows = std::min(static_cast<int>(kLanes) / kTile, target.end.y - pixel.y);
+  for (int row = 0; row < rows; ++row) {
+    const std::size_t at =
+        static_cast<std::size_t>(pixel.y + row) * target.stride + static_cast<std::size_t>(pixel.x);
+    std::memcpy(&target.points[at], points + 4 * kTile * row, width * sizeof(glm::vec4));
+    std::memcpy(&target.infos[at], infos + 2 * kTile * row, width * sizeof(glm::vec2));
+  }
+}
+
+HWY_INLINE void storeNothing(const CastTarget& target, glm::ivec2 pixel) {
+  const VF zero = hn::Zero(F());
+  const VF nowhere[3] = {zero, zero, zero};
+  store(target, pixel, nowhere, hn::Set(F(), -1.0f), zero, zero);
+}
+
+template <class T>
+HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<T>& finder, const PictureRays& rays,
+                           StartDepths::Depths depths, const CastTarget& target, glm::ivec2 pixel) {
+  const F f;
+  const I i;
+  const VF zero = hn::Zero(f);
+  const Packet packet = packetAt(rays, pixel);
+  const RayLanes ray = rayLanes(view, packet.origin, packet.direction);
+  const VF speed = hn::Sqrt(hn::MulAdd(packet.direction[0], packet.direction[0],
+                                       hn::MulAdd(packet.direction[1], packet.direction[1],
+                                                  hn::Mul(packet.direction[2], packet.direction[2]))));
+  const VF slack = hn::Div(hn::Set(f, 0.05f), speed);  // mm: rounding of the depths
+  const VF begin = hn::Max(hn::Sub(hn::Mul(hn::Set(f, depths.first), packet.slant), slack), zero);
+  const VF end = hn::MulAdd(hn::Set(f, depths.last), packet.slant, slack);
+  const MF none = hn::Lt(zero, zero);
+  const Crossings crossing = finder.find(ray, begin, end, hn::Not(none), none, hn::Zero(i));
+  if (hn::AllFalse(f, crossing.found)) {
+    storeNothing(target, pixel);
+    return;
+  }
+  VF point[3];
+  for (int axis = 0; axis < 3; ++axis)
+    point[axis] = hn::IfThenElseZero(crossing.found,
+                                     hn::MulAdd(crossing.t, packet.direction[axis], packet.origin[axis]));
+  const VF error = hn::Abs(finder.valueMinus(point, crossing.surface, crossing.found));
+  const MF sure = hn::And(crossing.found, hn::Eq(error, error));
+  const VF known = hn::ConvertTo(f, hn::Add(crossing.surface, hn::ShiftLeft<2>(crossing.inside)));
+  store(target, pixel, point, hn::IfThenElse(crossing.found, hn::Max(crossing.t, zero), hn::Set(f, -1.0f)),
+        hn::IfThenElseZero(sure, error), hn::IfThenElseZero(crossing.found, known));
+}
+
+void cast(const CastView& view, const PictureRays& rays, const StartDepths& depths,
+          const CastTarget& target) {
+  constexpr int rows = static_cast<int>(kLanes) / kTile;
+  std::visit(
+      [&](const auto* voxels) {
+        const CrossingFinder finder(view, voxels);
+        for (int y = target.begin.y; y < target.end.y; y += rows)
+          for (int x = target.begin.x; x < target.end.x; x += kTile) {
+            const StartDepths::Depths& tile = depths.at(x / kTile, y / kTile);
+            if (tile.first > tile.last)
+              storeNothing(target, {x, y});
+            else
+              castPacket(view, finder, rays, tile, target, {x, y});
+          }
+      },
+      view.voxels);
+}
+
+#endif
+}  // namespace HWY_NAMESPACE
+}  // namespace isolux::volume::tracing
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace isolux::volume::casting {
+
+const CastKernels* castKernels() {
+  const std::int64_t supported = hwy::SupportedTargets();
+#define ISOLUX_KERNELS(space, target, name)                           \
+  if (supported & (target)) {                                         \
+    static constexpr CastKernels kernels{name, tracing::space::cast}; \
+    return &kernels;                                                  \
+  }
+#if HWY_TARGETS & HWY_AVX3
+  ISOLUX_KERNELS(N_AVX3, HWY_AVX3, "AVX-512")
+#endif
+#if HWY_TARGETS & HWY_AVX2
+  ISOLUX_KERNELS(N_AVX2, HWY_AVX2, "AVX2")
+#endif
+#if HWY_TARGETS & HWY_SSE4
+  ISOLUX_KERNELS(N_SSE4, HWY_SSE4, "SSE4")
+#endif
+#if HWY_TARGETS & HWY_NEON
+  ISOLUX_KERNELS(N_NEON, HWY_NEON, "NEON")
+#endif
+#undef ISOLUX_KERNELS
+  return nullptr;
+}
+
+}  // namespace isolux::volume::casting
+#endif

@@ -1,0 +1,131 @@
+#include "volume/cast/start_depths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr int kBlockCells = 8;
+constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kWidening = 0.01f;  // pixels: the places of corners are rounded
+
+// Corners of blocks along an axis; the last block ends with the volume.
+std::vector<float> planesOf(int blocks, int voxels) {
+  std::vector<float> planes(static_cast<std::size_t>(blocks) + 1);
+  for (int i = 0; i <= blocks; ++i)
+    planes[static_cast<std::size_t>(i)] = static_cast<float>(std::min(i * kBlockCells, voxels - 1));
+  return planes;
+}
+
+// A corner of blocks in the picture: pixels, and mm along the view direction. NaN where it has no place.
+struct Corners {
+  std::vector<float> x, y, depth;
+};
+
+Corners project(const PictureRays& rays, glm::ivec3 voxels, glm::ivec3 blocks) {
+  const std::vector<float> xs = planesOf(blocks.x, voxels.x), ys = planesOf(blocks.y, voxels.y),
+                           zs = planesOf(blocks.z, voxels.z);
+  const glm::mat3 camera(glm::inverse(glm::dmat3(rays.right, rays.up, rays.forward)));
+  const glm::vec2 toPixels = 0.5f * glm::vec2(rays.picture) / rays.halfExtent;
+  const glm::vec2 middle = 0.5f * glm::vec2(rays.picture) - glm::vec2(rays.origin);
+  const float nearest = 1e-3f / glm::length(rays.forward);  // a thousandth of a voxel
+  Corners out;
+  const std::size_t count = xs.size() * ys.size() * zs.size();
+  out.x.resize(count);
+  out.y.resize(count);
+  out.depth.resize(count);
+  std::size_t i = 0;
+  for (const float z : zs)
+    for (const float y : ys) {
+      const glm::vec3 row = camera * (glm::vec3(0.0f, y, z) - rays.eye);
+      for (const float x : xs) {
+        const glm::vec3 c = row + x * camera[0];
+        const float distance = rays.orthographic ? 1.0f : c.z + rays.startDepth;
+        const float inverse = distance > nearest ? 1.0f / distance : std::numeric_limits<float>::quiet_NaN();
+        out.x[i] = middle.x + c.x * inverse * toPixels.x;
+        out.y[i] = middle.y + c.y * inverse * toPixels.y;
+        out.depth[i] = c.z;
+        ++i;
+      }
+    }
+  return out;
+}
+
+struct Range {
+  float least = kFar, most = -kFar;
+  void add(float v) {
+    least = std::min(least, v);
+    most = std::max(most, v);
+  }
+};
+
+// The tiles that pixels [least, most] lie in, of `count`; empty where first > last.
+glm::ivec2 tilesOf(const Range& pixels, int count) {
+  const float first = std::floor((pixels.least - kWidening) / StartDepths::kTile);
+  const float last = std::floor((pixels.most + kWidening) / StartDepths::kTile);
+  const auto end = static_cast<float>(count);
+  return {static_cast<int>(std::clamp(first, 0.0f, end)),
+          static_cast<int>(std::clamp(last, -1.0f, end - 1.0f))};
+}
+
+}  // namespace
+
+StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 voxels, glm::ivec3 blocks,
+                        std::span<const std::uint64_t> masks) {
+  StartDepths out;
+  out.tiles = (size + (StartDepths::kTile - 1)) / StartDepths::kTile;
+  out.depths.assign(static_cast<std::size_t>(out.tiles.x) * static_cast<std::size_t>(out.tiles.y),
+                    {kFar, -kFar});
+  const Corners corners = project(rays, voxels, blocks);
+  const std::size_t row = static_cast<std::size_t>(blocks.x) + 1,
+                    slice = row * (static_cast<std::size_t>(blocks.y) + 1);
+  Range everywhere;  // depths of blocks that reach from before the eye to behind it
+  std::size_t block = 0;
+  for (int z = 0; z < blocks.z; ++z)
+    for (int y = 0; y < blocks.y; ++y) {
+      std::size_t corner = static_cast<std::size_t>(z) * slice + static_cast<std::size_t>(y) * row;
+      for (int x = 0; x < blocks.x; ++x, ++block, ++corner) {
+        if (masks[block] == 0) continue;
+        Range px, py, depth;
+        int placed = 0;
+        for (const std::size_t at : {corner, corner + 1, corner + row, corner + row + 1, corner + slice,
+                                     corner + slice + 1, corner + slice + row, corner + slice + row + 1}) {
+          depth.add(corners.depth[at]);
+          if (std::isnan(corners.x[at])) continue;
+          ++placed;
+          px.add(corners.x[at]);
+          py.add(corners.y[at]);
+        }
+        if (placed == 0) continue;  // behind the eye
+        if (placed < 8) {
+          everywhere.add(depth.least);
+          everywhere.add(depth.most);
+          continue;
+        }
+        const glm::ivec2 tx = tilesOf(px, out.tiles.x), ty = tilesOf(py, out.tiles.y);
+        for (int tileY = ty.x; tileY <= ty.y; ++tileY) {
+          StartDepths::Depths* const line =
+              &out.depths[static_cast<std::size_t>(tileY) * static_cast<std::size_t>(out.tiles.x)];
+          for (int tileX = tx.x; tileX <= tx.y; ++tileX) {
+            line[tileX].first = std::min(line[tileX].first, depth.least);
+            line[tileX].last = std::max(line[tileX].last, depth.most);
+          }
+        }
+      }
+    }
+  for (StartDepths::Depths& depths : out.depths) {
+    depths.first = std::min(depths.first, everywhere.least);
+    depths.last = std::max(depths.last, everywhere.most);
+  }
+  return out;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,63 @@
+// The first crossing of a picture's rays with up to four trilinear isosurfaces, exactly, on the processor.
+//
+// Definitions are those of pass `cast` (resources/shaders/cast/): a hit is the first change of (f >=
+// isovalue), in either direction; the side is carried from cell to cell; a cell with a missing voxel holds no
+// surface. Arithmetic is float, of values less their middle and scaled like texels (value_scaling.h). Rays of
+// 4x4 pixels go together, one per SIMD lane.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "volume/cast/picture_rays.h"
+#include "volume/cast/start_depths.h"
+#include "volume/grid.h"
+
+namespace isolux::volume {
+
+namespace casting {
+struct CastKernels;
+struct CastView;
+}  // namespace casting
+
+// A part of what is cast, pixels [begin, end), `begin` a multiple of 4, and the pixel (0, 0) of the images it
+// is written to, whose rows are `stride` pixels apart. points: voxel coordinates and t (mm; -1: no surface).
+// infos: |f - isovalue| in texels, and surface + 4 * (sides behind it, a bit each).
+struct CastTarget {
+  glm::ivec2 begin{0}, end{0};
+  glm::vec4* points = nullptr;
+  glm::vec2* infos = nullptr;
+  std::size_t stride = 0;
+};
+
+class SurfaceCaster {
+ public:
+  // Whether this machine has the vector instructions (SSE4.1, AVX2, AVX-512, NEON), and which are taken.
+  static bool available() { return target() != nullptr; }
+  static const char* target();
+
+  // storedIsovalues: one to four, stored units. masks: of them, by BoxBounds::masks; blocks of 8^3 cells.
+  // Grid and masks must stay. The grid has at least 2 voxels on each axis.
+  SurfaceCaster(const Grid& grid, std::span<const double> storedIsovalues, glm::ivec3 blocks,
+                std::span<const std::uint64_t> masks);
+  ~SurfaceCaster();
+
+  StartDepths startDepths(const PictureRays& rays, glm::ivec2 size) const;
+  // On the calling thread. Safe from many.
+  void cast(const PictureRays& rays, const StartDepths& depths, const CastTarget& target) const;
+  // All of `size`, on all threads of the caller's arena. points, infos: size.x * size.y.
+  void castAll(const PictureRays& rays, glm::ivec2 size, std::span<glm::vec4> points,
+               std::span<glm::vec2> infos) const;
+
+ private:
+  std::span<const std::uint64_t> masks_;
+  std::unique_ptr<casting::CastView> view_;
+};
+
+}  // namespace isolux::volume
