@@ -15,7 +15,7 @@ struct Frame {
         int supersampling = 1, const scene::Memory& memory = {})
       : renderer(std::make_shared<render::Renderer>(gl)),
         scene(scene::resolve(std::move(wanted), volume->facts)) {
-    renderer->setMemory(memory);
+    renderer->setMachine({.memory = memory});
     renderer->setVolume(volume);
     request.size = pictureSize;
     request.supersampling = supersampling;

@@ -133,6 +133,7 @@ struct Renderer::Parts {
   std::vector<std::pair<const Pass*, std::string>> held;  // images of the last frame, and who wrote them
   std::shared_ptr<const volume::PreparedVolume> volume;
   scene::Memory memory;
+  scene::Executor executor = scene::Executor::automatic;
   std::uint64_t copiesMade = 0;   // VolumeState::made
   std::uint64_t bricksAsked = 0;  // BrickState::asked
   std::size_t waitingRays = 0;    // of the last frame that cast rays
@@ -140,6 +141,8 @@ struct Renderer::Parts {
   bool complete = true;           // the last frame had all the time it needed
 
   void prepare(const scene::Scene& scene, const FrameRequest& request);
+  // Blocks of other sizes are those of benchmarks.
+  bool hasMasks() const { return volume->blocks->blockCells() == volume::BoxBounds::kBlockCells; }
   VolumeState volumeState() const;
   BrickState brickState();
   // Those of the plan that are not skipped are the frame's.
@@ -154,8 +157,9 @@ struct Renderer::Parts {
 Renderer::Renderer(const std::shared_ptr<const Gl>& gl) : parts_(std::make_unique<Parts>(gl)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::setMemory(const scene::Memory& memory) {
-  parts_->memory = memory;
+void Renderer::setMachine(const scene::Machine& machine) {
+  parts_->memory = machine.memory;
+  parts_->executor = machine.executor;
 }
 
 void Renderer::setVolume(std::shared_ptr<const volume::PreparedVolume> volume) {
@@ -186,7 +190,11 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
     frame.volume.emplace(frame.gl, volume);
     ++copiesMade;
   }
-  if (frame.volume) frame.volume->require(scene, memory);
+  frame.onProcessor = onProcessor(volume && hasMasks() && takesProcessor(executor, *frame.gl), scene);
+  if (frame.volume && frame.onProcessor.all)
+    frame.volume->requireFields(scene);
+  else if (frame.volume)
+    frame.volume->require(scene, memory);
   frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
   frame.readsLight =
       (request.color && scene::usesGi(scene)) ||
@@ -199,7 +207,10 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   frame.view.emplace(scene.camera, static_cast<double>(request.size.x) / request.size.y,
                      volume ? volume->grid().geometry() : none);
   // The size is a parameter of the passes, so that images of another size are drawn anew.
-  if (drawn.raySize != frame.raySize()) frame.images.clear();
+  if (drawn.raySize != frame.raySize()) {
+    frame.images.clear();
+    frame.host.clear();
+  }
   drawn = {frame.raySize(),
            frame.drawnSize(),
            frame.view->rayStartMm,
@@ -231,7 +242,7 @@ void Renderer::Parts::plan(const std::vector<PassDeclaration>& declared,
 
 void Renderer::Parts::run(Pass& pass, const std::vector<Pass*>& running) {
   if (pass.kind.castsRays) frame.keepHits = false;
-  if (pass.kind.castsRays && frame.volume && frame.volume->bricks())
+  if (pass.kind.castsRays && frame.bricks())
     runInBricks(pass, running);
   else
     pass.run(frame);
@@ -244,7 +255,7 @@ VolumeState Renderer::Parts::volumeState() const {
 }
 
 BrickState Renderer::Parts::brickState() {
-  const Bricks* const bricks = frame.volume ? frame.volume->bricks() : nullptr;
+  const Bricks* const bricks = frame.bricks();
   if (!bricks) {
     waitingRays = 0;
     return {};
@@ -267,7 +278,7 @@ void Renderer::Parts::runInBricks(Pass& pass, const std::vector<Pass*>& running)
 }
 
 void Renderer::Parts::reportBricks() {
-  const Bricks* const bricks = frame.volume ? frame.volume->bricks() : nullptr;
+  const Bricks* const bricks = frame.bricks();
   if (!bricks) return;
   const glm::ivec3 dims = bricks->dims();
   BrickReport& out = report.bricks;
@@ -308,10 +319,10 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   parts.report = {};
   try {
     parts.prepare(scene, request);
-    Bricks* const bricks = parts.frame.volume ? parts.frame.volume->bricks() : nullptr;
+    Bricks* const bricks = parts.frame.bricks();
     const auto declared =
         declarePasses(parts.passes, Asked(scene, request, parts.volumeState(), parts.brickState(),
-                                          parts.frame.lighting->state(parts.frame)));
+                                          parts.frame.lighting->state(parts.frame), parts.frame.onProcessor));
     const auto plan = parts.graph.plan(declared, wantedImages(request));
     parts.plan(declared, plan);
     std::vector<Pass*> running;
@@ -321,7 +332,8 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     PassClock clock(parts.frame.gl);
     for (const PlannedPass& now : plan) {
       Pass& pass = *parts.passes[now.index];
-      PassReport entry{std::string(pass.name), now.state, now.reason, 0.0, 0};
+      PassReport entry{
+          std::string(pass.name), now.state, now.reason, 0.0, 0, pass.isOn(parts.frame.onProcessor)};
       if (now.state == PassState::ran) {
         clock.begin();
         parts.run(pass, running);

@@ -29,9 +29,9 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // What volumes and light may take of the graphics card, and how volumes lie there. From the next render()
-  // on.
-  void setMemory(const scene::Memory& memory);
+  // What volumes and light may take of the graphics card, how volumes lie there, and what computes hits and
+  // derivatives. From the next render() on.
+  void setMachine(const scene::Machine& machine);
 
   // Uploads at the next render(). Null: the background only.
   void setVolume(std::shared_ptr<const volume::PreparedVolume> volume);

@@ -25,6 +25,10 @@ std::vector<MachineSetting> makeMachineSettings() {
       "Pictures in motion shrink until they are quick enough; the full picture follows at rest."));
   list.push_back(entry<Machine>("picture.motion_target", ISOLUX_MEMBER(motionTarget), {5, 2000}, "ms",
                                 "How long a picture in motion may take."));
+  list.push_back(choiceEntry<Machine>(
+      "picture.executor", ISOLUX_MEMBER(executor),
+      "What computes hits and derivatives of pictures: the graphics card, or the processor (exact hits of "
+      "the trilinear field); auto takes the processor where OpenGL is software."));
   return list;
 }
 

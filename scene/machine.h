@@ -13,6 +13,9 @@
 
 namespace isolux::scene {
 
+// What computes hits and derivatives: automatic is the processor where OpenGL is software.
+enum class Executor { automatic, gpu, cpu };
+
 struct Memory {
   int gpuBudgetMb = 2048;
   MemoryLayout layout = MemoryLayout::automatic;  // whole where it fits, else bricks
@@ -24,6 +27,7 @@ struct Machine {
   std::optional<int> threads{};  // that compute light; automatic: as many as the process may use
   bool adaptive = true;          // pictures in motion shrink until they are quick enough
   double motionTarget = 50.0;    // milliseconds of a picture in motion
+  Executor executor = Executor::automatic;
   bool operator==(const Machine&) const = default;
 };
 

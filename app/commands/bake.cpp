@@ -48,7 +48,7 @@ void seeView(LightController& controller, const BakeOptions& options, const scen
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
   render::Renderer renderer(context->gl());
-  renderer.setMemory(machineOf(*options.scene).memory);
+  renderer.setMachine(machineOf(*options.scene));
   renderer.setVolume(prepared);
   render::FrameRequest request;
   request.size = parseSize(options.size);

@@ -72,6 +72,8 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
       "--camera", [options](const std::string& value) { addCamera(value, options->assignments); },
       "\"EYE TARGET UP FOV\"",
       "\"ex,ey,ez tx,ty,tz ux,uy,uz fov\": world mm (x left, y back, z up), vertical degrees");
+  add("--executor", assign("picture.executor"), "NAME",
+      "What computes hits and derivatives: auto, gpu, cpu; short for --set picture.executor=NAME");
   add("--raw", assign("source.raw"), "TEXT",
       "How to read a file without header: \"WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]\"");
   return options;

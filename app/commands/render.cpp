@@ -20,6 +20,7 @@
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
+#include "volume/cast/surface_caster.h"
 
 namespace isolux::app {
 
@@ -97,7 +98,8 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
                       {"state", render::nameOf(pass.state)},
                       {"reason", pass.reason},
                       {"milliseconds", pass.milliseconds},
-                      {"bytes", pass.bytes}});
+                      {"bytes", pass.bytes},
+                      {"executor", pass.onProcessor ? "cpu" : "gpu"}});
   ordered_json json;
   json["version"] = version();
   addContext(json, context);
@@ -131,6 +133,12 @@ void printPasses(const render::FrameReport& report) {
   for (const render::PassReport& pass : report.passes)
     std::printf("%-*s  %-7s  %10.3f  %s\n", static_cast<int>(width), pass.name.c_str(),
                 render::nameOf(pass.state), pass.milliseconds, pass.reason.c_str());
+  std::string processor;
+  for (const render::PassReport& pass : report.passes)
+    if (pass.onProcessor && pass.state != render::PassState::skipped)
+      processor += (processor.empty() ? "" : ", ") + pass.name;
+  if (!processor.empty())
+    std::printf("on the processor (%s): %s\n", volume::SurfaceCaster::target(), processor.c_str());
   const render::BrickReport& bricks = report.bricks;
   if (bricks.inUse)
     std::printf(
@@ -164,7 +172,7 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
   render::Renderer renderer(context->gl());
-  renderer.setMemory(machine.memory);
+  renderer.setMachine(machine);
   renderer.setVolume(prepared);
   LightController light({.threads = machine.threads});
   Drawn drawn;

@@ -71,7 +71,7 @@ Studio::Studio(const std::shared_ptr<const render::Gl>& gl,
       repeat_(repeat),
       renderer_(gl),
       truth_(volume_, scene::resolve(scene_, volume_->facts), size) {
-  renderer_.setMemory(machine_.memory);
+  renderer_.setMachine(machine_);
   renderer_.setVolume(volume_);
 }
 

@@ -71,6 +71,7 @@ struct PassReport {
   std::string reason;         // why it ran, or why not
   double milliseconds = 0.0;  // GPU timer where there is one, else wall time; 0 unless ran
   std::size_t bytes = 0;      // of the images it writes
+  bool onProcessor = false;   // computed by the processor instead of a shader (Machine::executor)
 };
 
 // Of a volume in bricks (memory.layout).

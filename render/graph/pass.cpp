@@ -29,8 +29,13 @@ const std::vector<const scene::Setting*>& known(std::string_view path) {
 }  // namespace
 
 Asked::Asked(const scene::Scene& ofScene, const FrameRequest& ofRequest, const VolumeState& ofVolume,
-             const BrickState& ofBricks, const LightState& ofLight)
-    : scene(ofScene), request(ofRequest), volume(ofVolume), bricks(ofBricks), light(ofLight) {
+             const BrickState& ofBricks, const LightState& ofLight, const OnProcessor& ofProcessor)
+    : scene(ofScene),
+      request(ofRequest),
+      volume(ofVolume),
+      bricks(ofBricks),
+      light(ofLight),
+      onProcessor(ofProcessor) {
   if (request.aovs.empty()) return;
   ofImages_ = scene;
   ofImages_->look.mode = scene::LookMode::kappa1;

@@ -24,6 +24,14 @@
 namespace isolux::render {
 
 struct FrameState;
+
+// Which passes of a frame the processor computes instead of shaders (render/passes/processor.h).
+struct OnProcessor {
+  bool casts = false, derives = false;
+  // No pass of the frame reads voxels or blocks on the graphics card: nothing of the volume is uploaded.
+  bool all = false;
+};
+
 class Pass;
 using PassList = std::vector<std::unique_ptr<Pass>>;
 
@@ -79,13 +87,14 @@ struct LightState {
 class Asked {
  public:
   Asked(const scene::Scene& scene, const FrameRequest& request, const VolumeState& volume,
-        const BrickState& bricks, const LightState& light);
+        const BrickState& bricks, const LightState& light, const OnProcessor& onProcessor = {});
 
   const scene::Scene& scene;  // resolved
   const FrameRequest& request;
   const VolumeState volume;
   const BrickState bricks;
   const LightState light;
+  const OnProcessor onProcessor;
 
   // Whether the setting can change what is asked for: the picture or a deferred image.
   bool acts(std::string_view path) const;
@@ -168,6 +177,8 @@ class Pass {
   virtual void run(FrameState& frame) = 0;
   // Memory of what it writes, where that is no image of the pool.
   virtual std::optional<std::size_t> bytes(const FrameState&) const { return std::nullopt; }
+  // Whether it is one of those that the processor computes.
+  virtual bool isOn(const OnProcessor&) const { return false; }
   // Drops what it keeps between frames because it could be needed again.
   virtual void forget() {}
 };

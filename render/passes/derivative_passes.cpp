@@ -20,6 +20,10 @@ bool hessianIsRead(const Asked& asked) {
 }
 
 void drawDerivatives(FrameState& frame, const Target& target, const char* shader, bool hessian) {
+  if (frame.onProcessor.derives) {
+    deriveOnProcessor(frame, target.images);
+    return;
+  }
   frame.begin(target);
   for (std::size_t i = 0; i < target.images.size() && !frame.keepHits; ++i)
     frame.clear(target, static_cast<int>(i), kZero);
@@ -42,6 +46,7 @@ void drawDerivatives(FrameState& frame, const Target& target, const char* shader
 
 void GradientPass::declare(Declaring& d) const {
   d.reads(image::surface).volume().settings({"derivatives.field", "derivatives.fetch"});
+  d.input("executor", d.asked.onProcessor.derives);
   if (hessianIsRead(d.asked))
     d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
   else
@@ -60,6 +65,7 @@ void GradientPass::run(FrameState& frame) {
 void HessianPass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::hessian);
   d.volume().settings({"derivatives.field", "derivatives.fetch"});
+  d.input("executor", d.asked.onProcessor.derives);
   if (hessianIsRead(d.asked)) d.writes(image::gradient);
 }
 

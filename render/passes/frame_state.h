@@ -11,6 +11,7 @@
 #include "render/gl/image_pool.h"
 #include "render/graph/frame.h"
 #include "render/graph/pass.h"
+#include "render/passes/processor.h"
 #include "render/passes/view_uniforms.h"
 #include "render/volume/gpu_volume.h"
 #include "scene/scene.h"
@@ -46,6 +47,8 @@ struct FrameState {
   std::unique_ptr<FrameLight> lighting;           // what passes and the renderer know of it, on the GPU
   volume::CurvatureStatistics statistics;         // of the ranges pass
   ImagePool images;
+  OnProcessor onProcessor;                 // instead of shaders
+  std::map<std::string, HostImages> host;  // of the crossings that the processor found, by their layer
   std::vector<Pass*> used;  // the passes that this frame needs, drawn anew or not, in their order
 
   // Rays in bricks (render/volume/brick_rounds.h). onlyWaiting: the cast is of the rays that waited for a
@@ -63,6 +66,8 @@ struct FrameState {
   glm::ivec2 raySize() const { return drawnSize() * request.supersampling; }
   // Rays per pixel that settings mean: widths and lengths given in pixels are this many rays.
   double raysPerWidth() const { return request.supersampling * request.pixelRatio; }
+  // Null: rays of this frame meet no bricks.
+  Bricks* bricks() { return volume && !onProcessor.all ? volume->bricks() : nullptr; }
   bool crossed = true;                                                            // VolumeState::crossed
   bool empty() const { return !volume || !crossed || volume->faceCount() == 0; }  // no ray can hit anything
   double outward() const {

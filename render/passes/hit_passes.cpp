@@ -1,5 +1,6 @@
 #include "render/passes/hit_passes.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -67,6 +68,10 @@ std::optional<std::size_t> BlocksPass::bytes(const FrameState& frame) const {
 }
 
 void SegmentsPass::declare(Declaring& d) const {
+  if (d.asked.onProcessor.casts) {
+    d.writes(image::segments).notNeeded("the processor casts the rays");
+    return;
+  }
   d.reads(image::activeBlocks).reads(image::faces).writes(image::segments);
   d.settings({"camera."}).pictureSize();
 }
@@ -125,8 +130,11 @@ std::optional<std::size_t> BricksPass::bytes(const FrameState& frame) const {
 
 void CastPass::declare(Declaring& d) const {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
-  d.reads(image::activeBlocks).reads(image::segments).writes(exact ? image::surface : image::bracket);
+  d.reads(image::activeBlocks).writes(exact ? image::surface : image::bracket);
   d.volume().isovalues().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
+  d.input("executor", d.asked.onProcessor.casts);
+  if (d.asked.onProcessor.casts) return;
+  d.reads(image::segments);
   d.input("volume in bricks", d.asked.bricks.inUse);
   if (d.asked.bricks.inUse) d.reads(image::bricks);
 }
@@ -153,6 +161,11 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
 }
 
 void CastPass::run(FrameState& frame) {
+  if (frame.onProcessor.casts) {
+    const bool any = castOnProcessor(frame);
+    if (!frame.layer.empty()) frame.anyBehind = any;
+    return;
+  }
   if (!frame.layer.empty()) {
     castBehind(frame);
     return;
@@ -212,6 +225,10 @@ void RefinePass::run(FrameState& frame) {
 
 bool anyHit(FrameState& frame) {
   if (frame.empty()) return false;
+  if (frame.onProcessor.casts) {
+    const std::vector<glm::vec4>& points = frame.host.at("").points;
+    return std::any_of(points.begin(), points.end(), [](const glm::vec4& point) { return point.w >= 0.0f; });
+  }
   const Gl& gl = *frame.gl;
   frame.begin(frame.images.at(image::segments));  // nothing is written there
   Program& p = frame.program("any_hit.frag.glsl");

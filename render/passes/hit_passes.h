@@ -47,6 +47,7 @@ class CastPass : public Pass {
   CastPass() : Pass(pass::cast, "cast.frag.glsl", {.castsRays = true, .ofCrossing = true}) {}
   void declare(Declaring& d) const override;
   void run(FrameState& frame) override;
+  bool isOn(const OnProcessor& on) const override { return on.casts; }
 
  private:
   enum class Rays { all, again, behind };

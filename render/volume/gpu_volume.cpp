@@ -28,6 +28,11 @@ void checkBlocks(const Gl& gl, const volume::MinMaxBlocks& blocks, const std::st
                           std::to_string(blocks.blockCells()) + "^3 voxels; read a part of the volume");
 }
 
+bool needsCoefficients(const scene::Scene& scene) {
+  return scene.hit.field == scene::Field::cubic_interpolating ||
+         scene.derivatives.field == scene::Field::cubic_interpolating;
+}
+
 }  // namespace
 
 GpuVolume::GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume)
@@ -71,14 +76,18 @@ void GpuVolume::makeBricks(std::size_t budgetBytes) {
   ++bricksMade_;
 }
 
+void GpuVolume::requireFields(const scene::Scene& scene) {
+  if (!hasCells()) return;
+  if (!samples_) samples_.emplace(grid());
+  if (needsCoefficients(scene) && !coefficientTexels_)
+    coefficientTexels_.emplace(*cubic(scene::Field::cubic_interpolating).coefficients, grid().dims());
+}
+
 void GpuVolume::require(const scene::Scene& scene, const scene::Memory& memory) {
   if (!hasCells()) return;
   const std::size_t budgetBytes = static_cast<std::size_t>(memory.gpuBudgetMb) << 20;
-  if (!samples_) samples_.emplace(grid());
-  const bool needed = scene.hit.field == scene::Field::cubic_interpolating ||
-                      scene.derivatives.field == scene::Field::cubic_interpolating;
-  if (needed && !coefficientTexels_)
-    coefficientTexels_.emplace(*cubic(scene::Field::cubic_interpolating).coefficients, grid().dims());
+  requireFields(scene);
+  const bool needed = needsCoefficients(scene);
   if (layout_ == Layout{memory, coefficientTexels_.has_value()}) return;
   layout_.reset();
   if (!needed) coefficientTexels_.reset();  // they stay while nothing else is made
@@ -109,6 +118,10 @@ std::size_t GpuVolume::activeBricks() const {
         }
   activeBricks_ = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
   return *activeBricks_;
+}
+
+const volume::Coefficients* GpuVolume::coefficients(scene::Field field) const {
+  return field == scene::Field::cubic_interpolating ? &*cubic(field).coefficients : nullptr;
 }
 
 const TexelSource& GpuVolume::sourceOf(scene::Field field) const {
@@ -217,9 +230,7 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
 
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(scene::Field field, double value, double outward) {
   if (!hasCells()) return {};
-  const volume::Coefficients* const spline =
-      field == scene::Field::cubic_interpolating ? &*cubic(field).coefficients : nullptr;
-  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, spline);
+  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(field));
 }
 
 std::size_t GpuVolume::bytes() const {

@@ -35,6 +35,8 @@ class GpuVolume {
   // (memory.layout), and uploads whole textures; memory.gpu_budget_mb is for all textures together. Throws
   // base::Error{memory}.
   void require(const scene::Scene& scene, const scene::Memory& memory);
+  // The same without textures, where nothing on the graphics card reads voxels. What is there stays.
+  void requireFields(const scene::Scene& scene);
   // None: the volume is whole.
   Bricks* bricks() { return bricks_ ? &*bricks_ : nullptr; }
   const Bricks* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
@@ -63,6 +65,10 @@ class GpuVolume {
   std::size_t activeBlocks() const { return active_ ? active_->activeCount() : 0; }
   std::size_t faceCount() const { return faces_ ? faces_->faces().size() : 0; }
   const volume::MinMaxBlocks& blocks() const { return active_->blocks(); }
+  // Of each block, the boxes that can hold a surface (volume::BoxBounds); none where blocks are not of 8^3 cells.
+  std::span<const std::uint64_t> masks() const { return masks_; }
+  // Of the field's B-spline; null: the samples themselves.
+  const volume::Coefficients* coefficients(scene::Field field) const;
   bool isActive(std::size_t block) const { return active_->flags()[block] != 0; }
   const Texture& maskTexture() const { return maskTexture_; }  // RG32UI, trace.glsl's uBlockMasks
   const Buffer& faceBuffer() const { return faceBuffer_; }

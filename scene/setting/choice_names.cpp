@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "scene/looks.h"
+#include "scene/machine.h"
 
 namespace isolux::scene {
 
@@ -161,6 +162,13 @@ template <>
 std::span<const Named<MemoryLayout>> choicesOf() {
   static constexpr Named<MemoryLayout> names[] = {
       {MemoryLayout::automatic, "auto"}, {MemoryLayout::whole, "whole"}, {MemoryLayout::bricks, "bricks"}};
+  return names;
+}
+
+template <>
+std::span<const Named<Executor>> choicesOf() {
+  static constexpr Named<Executor> names[] = {
+      {Executor::automatic, "auto"}, {Executor::gpu, "gpu"}, {Executor::cpu, "cpu"}};
   return names;
 }
 

@@ -45,9 +45,9 @@ double degrees(glm::dvec3 a, glm::dvec3 b) {
   return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-class AccuracyGlTest : public RenderGlTest {};
+class AccuracyGlTest : public ExecutorsGlTest {};
 
-TEST_F(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
+TEST_P(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
   constexpr int n = 128;
   constexpr double radius = 45.0;
   const glm::ivec2 size(256);
@@ -102,7 +102,7 @@ TEST_F(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
   }
 }
 
-TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
+TEST_P(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
   const glm::ivec2 size(256);
   constexpr double major = 36.0, minor = 18.0;
   for (const Placement& placement : placements(128)) {
@@ -141,7 +141,7 @@ TEST_F(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
 // interpolation of a distance field is off by at most the sum over axes of h^2 f_ii / 8, with f_ii = (1 -
 // n_i^2) / R: each hit must lie within that, to second order, and the normals of the interpolating spline
 // stay exact.
-TEST_F(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
+TEST_P(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
   const glm::ivec2 size(256);
   for (const Placement& placement : placements(128)) {
     const auto volume = phantom("ball", placement.geometry);
@@ -179,7 +179,7 @@ TEST_F(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
 }
 
 // Pixel by pixel against the exact double-precision intersector, on a surface with many silhouettes.
-TEST_F(AccuracyGlTest, ExactHitsAgreeWithTheDoublePrecisionIntersector) {
+TEST_P(AccuracyGlTest, ExactHitsAgreeWithTheDoublePrecisionIntersector) {
   const glm::ivec2 size(200, 160);
   for (const char* name : {"gyroid", "noise", "sheet", "two_balls", "head"}) {
     const auto volume = phantom(name, 64);
@@ -219,6 +219,8 @@ TEST_F(AccuracyGlTest, ExactHitsAgreeWithTheDoublePrecisionIntersector) {
     }
   }
 }
+
+ISOLUX_ON_BOTH_EXECUTORS(AccuracyGlTest);
 
 }  // namespace
 }  // namespace isolux::test

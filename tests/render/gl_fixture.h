@@ -33,13 +33,13 @@ class RenderGlTest : public ::testing::Test {
 
   // `scene` changed by assignments; those of the machine go to the renderer, which has the defaults else.
   scene::Scene assigned(const std::vector<std::string>& assignments, scene::Scene scene = {}) {
-    scene::Machine machine;
+    scene::Machine machine = machine_;
     for (const std::string& assignment : assignments)
       if (scene::isOfMachine(assignment))
         scene::applyAssignment(machine, assignment);
       else
         scene::applyAssignment(scene, assignment);
-    renderer_->setMemory(machine.memory);
+    renderer_->setMachine(machine);
     return scene;
   }
 
@@ -72,8 +72,23 @@ class RenderGlTest : public ::testing::Test {
 
   static inline std::unique_ptr<render::OffscreenContext> context_;
   std::unique_ptr<render::Renderer> renderer_;
+  scene::Machine machine_;  // what assigned() begins with
   scene::Scene scene_;
   render::FrameReport report_;
 };
+
+// Tests that run once with shaders and once with the processor.
+class ExecutorsGlTest : public RenderGlTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    RenderGlTest::SetUp();
+    scene::applyAssignment(machine_, std::string("picture.executor=") + GetParam());
+    renderer_->setMachine(machine_);
+  }
+};
+// In each file, of its fixture.
+#define ISOLUX_ON_BOTH_EXECUTORS(fixture)                                       \
+  INSTANTIATE_TEST_SUITE_P(Executors, fixture, ::testing::Values("gpu", "cpu"), \
+                           [](const auto& executor) { return std::string(executor.param); })
 
 }  // namespace isolux::test

@@ -44,7 +44,7 @@ std::vector<Quality> qualities() {
   return all;
 }
 
-class HardCasesGlTest : public RenderGlTest {
+class HardCasesGlTest : public ExecutorsGlTest {
  protected:
   using Prepared = std::shared_ptr<const volume::PreparedVolume>;
 
@@ -153,7 +153,7 @@ class HardCasesGlTest : public RenderGlTest {
   }
 };
 
-TEST_F(HardCasesGlTest, ConstantVolumeHasNoSurface) {
+TEST_P(HardCasesGlTest, ConstantVolumeHasNoSurface) {
   const auto volume = made<std::uint8_t>({9, 9, 9}, [](int, int, int) { return std::uint8_t{7}; });
   for (const double isovalue : {6.0, 7.0, 8.0, -1e30, 1e30}) {
     scene::Scene scene;
@@ -162,7 +162,7 @@ TEST_F(HardCasesGlTest, ConstantVolumeHasNoSurface) {
   }
 }
 
-TEST_F(HardCasesGlTest, IsovalueAtMinimumMaximumAndOutside) {
+TEST_P(HardCasesGlTest, IsovalueAtMinimumMaximumAndOutside) {
   const auto volume = made<std::uint8_t>({17, 17, 17}, [](int x, int y, int z) {
     return static_cast<std::uint8_t>(x > 4 && x < 12 && y > 4 && y < 12 && z > 4 && z < 12 ? 200 : 0);
   });
@@ -177,7 +177,7 @@ TEST_F(HardCasesGlTest, IsovalueAtMinimumMaximumAndOutside) {
   EXPECT_GT(drawn(volume, scene), 20u);
 }
 
-TEST_F(HardCasesGlTest, OneAndTwoVoxelAxes) {
+TEST_P(HardCasesGlTest, OneAndTwoVoxelAxes) {
   const auto value = [](int x, int y, int z) { return static_cast<float>(x + y + z); };
   scene::Scene scene;
   scene.isosurface.value = 3.5;
@@ -189,7 +189,7 @@ TEST_F(HardCasesGlTest, OneAndTwoVoxelAxes) {
   EXPECT_GT(drawn(made<float>({2, 2, 2}, value), scene), 10u);
 }
 
-TEST_F(HardCasesGlTest, TinyAndOffsetValues) {
+TEST_P(HardCasesGlTest, TinyAndOffsetValues) {
   const auto ball = [](int x, int y, int z) { return 7.0 - glm::length(glm::dvec3(x, y, z) - 10.0); };
   scene::Scene scene;
   scene.isosurface.value = 0.0;
@@ -212,7 +212,7 @@ TEST_F(HardCasesGlTest, TinyAndOffsetValues) {
               12.0);  // floats near 1e6 are 1/16 apart
 }
 
-TEST_F(HardCasesGlTest, FullRangeIntegers) {
+TEST_P(HardCasesGlTest, FullRangeIntegers) {
   scene::Scene scene;
   scene.isosurface.value = 32766.5;
   EXPECT_GT(
@@ -234,7 +234,7 @@ TEST_F(HardCasesGlTest, FullRangeIntegers) {
       20u);
 }
 
-TEST_F(HardCasesGlTest, NeighbouringIntegersHitWhereTheyShould) {
+TEST_P(HardCasesGlTest, NeighbouringIntegersHitWhereTheyShould) {
   // 16-bit voxels 1000 | 1001 with the isovalue between: exact storage puts the surface at x = 3.25.
   const auto volume = made<std::uint16_t>(
       {8, 8, 8}, [](int x, int, int) { return static_cast<std::uint16_t>(x < 4 ? 1000 : 1001); });
@@ -249,7 +249,7 @@ TEST_F(HardCasesGlTest, NeighbouringIntegersHitWhereTheyShould) {
   EXPECT_NEAR(result.voxel.values[3 * middle], 3.25, 2e-3);
 }
 
-TEST_F(HardCasesGlTest, MissingVoxelsHoldNoSurface) {
+TEST_P(HardCasesGlTest, MissingVoxelsHoldNoSurface) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto half = [&](bool holes) {
     return made<float>({17, 17, 17}, [=](int x, int y, int z) {
@@ -276,7 +276,7 @@ TEST_F(HardCasesGlTest, MissingVoxelsHoldNoSurface) {
   }
 }
 
-TEST_F(HardCasesGlTest, VanishingGradient) {
+TEST_P(HardCasesGlTest, VanishingGradient) {
   const auto volume = phantom("two_balls", 33);
   scene::Scene scene;
   scene.isosurface.value = 0.0;
@@ -290,7 +290,7 @@ TEST_F(HardCasesGlTest, VanishingGradient) {
 }
 
 // Eye positions: inside the object, inside an active block, on a voxel, on the surface, behind it.
-TEST_F(HardCasesGlTest, EyeInsideTheVolume) {
+TEST_P(HardCasesGlTest, EyeInsideTheVolume) {
   const auto volume = phantom("ball", 48);
   glm::dvec3 low, high;
   volume->grid().geometry().worldBounds(low, high);
@@ -323,7 +323,7 @@ TEST_F(HardCasesGlTest, EyeInsideTheVolume) {
   }
 }
 
-TEST_F(HardCasesGlTest, OrthographicEyeInsideStillSeesAll) {
+TEST_P(HardCasesGlTest, OrthographicEyeInsideStillSeesAll) {
   const auto volume = phantom("ball", 48);
   scene::Scene scene;
   scene.isosurface.value = 0.0;
@@ -347,7 +347,7 @@ TEST_F(HardCasesGlTest, OrthographicEyeInsideStillSeesAll) {
   EXPECT_GT(hits, 300u);
 }
 
-TEST_F(HardCasesGlTest, DegenerateCameras) {
+TEST_P(HardCasesGlTest, DegenerateCameras) {
   const auto volume = phantom("ball", 32);
   scene::Scene scene;
   scene.isosurface.value = 0.0;
@@ -365,7 +365,7 @@ TEST_F(HardCasesGlTest, DegenerateCameras) {
 }
 
 // Rays exactly along axes and through voxel corners: an orthographic camera whose pixels fall on voxels.
-TEST_F(HardCasesGlTest, RaysAlongAxesThroughCorners) {
+TEST_P(HardCasesGlTest, RaysAlongAxesThroughCorners) {
   const auto volume = made<float>({33, 33, 33}, [](int x, int y, int z) {
     return static_cast<float>(10.0 - glm::length(glm::dvec3(x, y, z) - 16.0));
   });
@@ -398,7 +398,7 @@ TEST_F(HardCasesGlTest, RaysAlongAxesThroughCorners) {
 }
 
 // At the ends of the range of floats the texels' power of two is what keeps derivatives in range.
-TEST_F(HardCasesGlTest, GradientsAtTheEndsOfTheRangeOfFloats) {
+TEST_P(HardCasesGlTest, GradientsAtTheEndsOfTheRangeOfFloats) {
   for (const float scale : {1e-36f, 1e-20f, 2.4e37f}) {
     const auto volume = made<float>({21, 21, 21}, [scale](int x, int y, int z) {
       return scale * static_cast<float>(7.0 - glm::length(glm::dvec3(x, y, z) - 10.0));
@@ -424,7 +424,7 @@ TEST_F(HardCasesGlTest, GradientsAtTheEndsOfTheRangeOfFloats) {
 
 // Behind missing voxels no side is known: + | missing | - along x is no crossing, though the gap is entered
 // and left in blocks that are passed in one step. The field's only surfaces are two bars far from the gap.
-TEST_F(HardCasesGlTest, AGapIsNoSurface) {
+TEST_P(HardCasesGlTest, AGapIsNoSurface) {
   const auto volume = made<float>({33, 17, 17}, [](int x, int y, int) {
     if (x >= 9 && x < 24) return std::numeric_limits<float>::quiet_NaN();
     return x < 9 ? (x <= 6 && y < 5 ? -1.0f : 1.0f) : (x >= 26 && y < 5 ? 1.0f : -1.0f);
@@ -453,7 +453,7 @@ TEST_F(HardCasesGlTest, AGapIsNoSurface) {
 }
 
 // Flat and round surfaces, saddles, contacts, sheets thinner than a voxel, in every geometry.
-TEST_F(HardCasesGlTest, ShapesInAnyGeometry) {
+TEST_P(HardCasesGlTest, ShapesInAnyGeometry) {
   scene::Scene scene;
   scene.isosurface.value = 0.0;
   for (const char* name : {"plane", "saddle", "two_balls", "sheet"})
@@ -464,7 +464,7 @@ TEST_F(HardCasesGlTest, ShapesInAnyGeometry) {
 }
 
 // f = y - 8: rays along and within the plane of voxels that is the surface, and along the isosurface.
-TEST_F(HardCasesGlTest, RaysWithinTheSurface) {
+TEST_P(HardCasesGlTest, RaysWithinTheSurface) {
   const auto volume = made<float>({17, 17, 17}, [](int, int y, int) { return static_cast<float>(y - 8); });
   scene::Scene scene;
   scene.camera.projection = scene::Projection::orthographic;
@@ -481,7 +481,7 @@ TEST_F(HardCasesGlTest, RaysWithinTheSurface) {
   drawn(volume, scene);
 }
 
-TEST_F(HardCasesGlTest, LightsAndAlbedosAtTheirEnds) {
+TEST_P(HardCasesGlTest, LightsAndAlbedosAtTheirEnds) {
   const auto volume = phantom("ball", 17);
   scene::Scene scene;
   scene.isosurface.value = 0.0;
@@ -498,19 +498,26 @@ TEST_F(HardCasesGlTest, LightsAndAlbedosAtTheirEnds) {
     }
 }
 
-TEST_F(HardCasesGlTest, OverBudgetIsAnErrorNotACrash) {
+TEST_P(HardCasesGlTest, OverBudgetIsAnErrorNotACrash) {
   const auto volume = phantom("noise", 128);  // float32: 8 MiB
   scene::Scene scene;
-  renderer_->setMemory({.gpuBudgetMb = 1});
+  if (machine_.executor == scene::Executor::cpu) {  // nothing of the volume goes to the graphics card
+    renderer_->setMachine({.memory = {.gpuBudgetMb = 0}, .executor = scene::Executor::cpu});
+    images(volume, scene, {16, 16});
+    return;
+  }
+  renderer_->setMachine({.memory = {.gpuBudgetMb = 1}, .executor = scene::Executor::gpu});
   try {
     images(volume, scene, {16, 16});
     FAIL() << "no error";
   } catch (const base::Error& error) {
     EXPECT_EQ(error.kind(), base::ErrorKind::memory);
   }
-  renderer_->setMemory({.gpuBudgetMb = 64});
+  renderer_->setMachine({.memory = {.gpuBudgetMb = 64}, .executor = scene::Executor::gpu});
   images(volume, scene, {16, 16});  // and the renderer still works
 }
+
+ISOLUX_ON_BOTH_EXECUTORS(HardCasesGlTest);
 
 }  // namespace
 }  // namespace isolux::test

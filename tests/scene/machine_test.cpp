@@ -19,8 +19,9 @@ TEST(Machine, AssignmentsAreThoseOfTheCommandLine) {
   applyAssignment(machine, "memory.layout=bricks");
   applyAssignment(machine, " gi.threads = 3 ");
   applyAssignment(machine, "picture.adaptive=off");
+  applyAssignment(machine, "picture.executor=cpu");
   applyAssignment(machine, "picture.motion_target=20.5");
-  EXPECT_EQ(machine, (Machine{{512, MemoryLayout::bricks}, 3, false, 20.5}));
+  EXPECT_EQ(machine, (Machine{{512, MemoryLayout::bricks}, 3, false, 20.5, Executor::cpu}));
   applyAssignment(machine, "gi.threads=auto");
   EXPECT_FALSE(machine.threads);
   for (const char* bad :

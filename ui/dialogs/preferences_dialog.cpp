@@ -25,7 +25,8 @@ QString labelOf(const scene::SettingInfo& setting) {
       {"memory.layout", "Volume on the graphics card"},
       {"gi.threads", "Threads that compute light"},
       {"picture.adaptive", "Coarser pictures in motion"},
-      {"picture.motion_target", "Time of a picture in motion"}};
+      {"picture.motion_target", "Time of a picture in motion"},
+      {"picture.executor", "Hits and derivatives computed by"}};
   const auto known = labels.find(setting.path);
   return known != labels.end() ? known->second : wordsOf(QString::fromStdString(setting.path));
 }

@@ -144,7 +144,9 @@ void PassesPanel::showPasses() {
     item->setToolTip(timeColumn, ran || last == lastTimes_.end()
                                      ? QString()
                                      : "Took " + timeText(last->second) + " when it last ran");
-    const QString reason = QString::fromStdString(pass.reason);
+    const QString where =
+        pass.onProcessor && pass.state != render::PassState::skipped ? "on the processor: " : "";
+    const QString reason = where + QString::fromStdString(pass.reason);
     item->child(0)->setText(nameColumn, reason);
     item->child(0)->setToolTip(nameColumn, reason);
   }

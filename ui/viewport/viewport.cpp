@@ -198,7 +198,7 @@ void Viewport::paintGL() {
 const render::FrameReport& Viewport::drawPicture() {
   if (!renderer_) {
     renderer_ = std::make_unique<render::Renderer>(gl_);
-    renderer_->setMemory(machine_.memory);
+    renderer_->setMachine(machine_);
     renderer_->setVolume(volume_);
     current_ = false;
   }
@@ -381,7 +381,7 @@ void Viewport::setMachine(const scene::Machine& machine) {
   if (machine == machine_) return;
   machine_ = machine;
   quality_.setMachine(machine);
-  if (renderer_) renderer_->setMemory(machine.memory);
+  if (renderer_) renderer_->setMachine(machine);
   redraw();
 }
 

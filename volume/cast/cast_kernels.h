@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <variant>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include "volume/cast/surface_caster.h"
@@ -28,13 +29,39 @@ struct CastView {
   float shifts[4] = {};                  // each isovalue minus the first, scaled
 };
 
+struct DerivativesView {
+  glm::ivec3 dims{0};
+  VoxelPointer samples;            // the volume's
+  VoxelPointer spline;             // whose B-spline is derived: the samples, or coefficients
+  bool cubic = true;               // else the trilinear field
+  glm::mat3 worldFromVoxel{1.0f};  // of gradients: A^-T
+  float dataUnits = 1.0f;          // per stored unit
+};
+
+// Stored units per voxel (and per voxel squared).
+struct PointDerivatives {
+  glm::vec3 gradient, diagonal, mixed;  // diagonal: xx, yy, zz; mixed: xy, xz, yz
+  bool known, within;                   // all samples are there; are the volume's own
+};
+
+// Images of what derivatives.frag.glsl writes; diagonal and mixed may be null.
+struct DerivativesTarget {
+  const glm::vec4* points;
+  std::size_t count;
+  glm::vec4 *gradient, *diagonal, *mixed;
+};
+
 struct CastKernels {
   const char* name;
   void (*cast)(const CastView& view, const PictureRays& rays, const StartDepths& depths,
                const CastTarget& target);
+  void (*castBehind)(const CastView& view, const PictureRays& rays, const CrossingsBefore& before,
+                     const CastTarget& target);
+  void (*derivatives)(const DerivativesView& view, const DerivativesTarget& target);
 };
 
-// The widest of this machine; null where it has no vector instructions that these are made for.
-const CastKernels* castKernels();
+// Those of `target`; automatic: the widest of this machine. Null where they are not compiled or the machine
+// lacks it.
+const CastKernels* castKernels(TracerTarget target);
 
 }  // namespace isolux::volume::casting

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
+#include "volume/cast/derivatives_at-inl.h"
 #include "volume/cast/first_crossing-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,6 +22,7 @@ constexpr int kTile = StartDepths::kTile;
 struct Packet {
   VF origin[3], direction[3];
   VF slant;  // mm along the ray for each mm of depth
+  VF voxel;  // mm along the ray
 };
 
 HWY_INLINE Packet packetAt(const PictureRays& rays, glm::ivec2 pixel) {
@@ -47,6 +49,9 @@ HWY_INLINE Packet packetAt(const PictureRays& rays, glm::ivec2 pixel) {
       packet.direction[axis] = hn::Div(hn::Add(forward, offset), packet.slant);
     }
   }
+  const auto& d = packet.direction;
+  packet.voxel = hn::Div(hn::Set(f, 1.0f),
+                         hn::Sqrt(hn::MulAdd(d[0], d[0], hn::MulAdd(d[1], d[1], hn::Mul(d[2], d[2])))));
   return packet;
 }
 
@@ -74,21 +79,9 @@ HWY_INLINE void storeNothing(const CastTarget& target, glm::ivec2 pixel) {
 }
 
 template <class T>
-HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<T>& finder, const PictureRays& rays,
-                           StartDepths::Depths depths, const CastTarget& target, glm::ivec2 pixel) {
+HWY_INLINE void storeCrossings(const CrossingFinder<T>& finder, const Packet& packet,
+                               const Crossings& crossing, const CastTarget& target, glm::ivec2 pixel) {
   const F f;
-  const I i;
-  const VF zero = hn::Zero(f);
-  const Packet packet = packetAt(rays, pixel);
-  const RayLanes ray = rayLanes(view, packet.origin, packet.direction);
-  const VF speed = hn::Sqrt(hn::MulAdd(packet.direction[0], packet.direction[0],
-                                       hn::MulAdd(packet.direction[1], packet.direction[1],
-                                                  hn::Mul(packet.direction[2], packet.direction[2]))));
-  const VF slack = hn::Div(hn::Set(f, 0.05f), speed);  // mm: rounding of the depths
-  const VF begin = hn::Max(hn::Sub(hn::Mul(hn::Set(f, depths.first), packet.slant), slack), zero);
-  const VF end = hn::MulAdd(hn::Set(f, depths.last), packet.slant, slack);
-  const MF none = hn::Lt(zero, zero);
-  const Crossings crossing = finder.find(ray, begin, end, hn::Not(none), none, hn::Zero(i));
   if (hn::AllFalse(f, crossing.found)) {
     storeNothing(target, pixel);
     return;
@@ -100,26 +93,116 @@ HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<T>& finder
   const VF error = hn::Abs(finder.valueMinus(point, crossing.surface, crossing.found));
   const MF sure = hn::And(crossing.found, hn::Eq(error, error));
   const VF known = hn::ConvertTo(f, hn::Add(crossing.surface, hn::ShiftLeft<2>(crossing.inside)));
-  store(target, pixel, point, hn::IfThenElse(crossing.found, hn::Max(crossing.t, zero), hn::Set(f, -1.0f)),
+  store(target, pixel, point,
+        hn::IfThenElse(crossing.found, hn::Max(crossing.t, hn::Zero(f)), hn::Set(f, -1.0f)),
         hn::IfThenElseZero(sure, error), hn::IfThenElseZero(crossing.found, known));
 }
 
-void cast(const CastView& view, const PictureRays& rays, const StartDepths& depths,
-          const CastTarget& target) {
+template <class T>
+HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<T>& finder, const PictureRays& rays,
+                           StartDepths::Depths depths, const CastTarget& target, glm::ivec2 pixel) {
+  const F f;
+  const VF zero = hn::Zero(f);
+  const Packet packet = packetAt(rays, pixel);
+  const VF slack = hn::Mul(hn::Set(f, 0.05f), packet.voxel);  // rounding of the depths
+  const VF begin = hn::Max(hn::Sub(hn::Mul(hn::Set(f, depths.first), packet.slant), slack), zero);
+  const VF end = hn::MulAdd(hn::Set(f, depths.last), packet.slant, slack);
+  const MF none = hn::Lt(zero, zero);
+  const RayLanes ray = rayLanes(view, packet.origin, packet.direction);
+  storeCrossings(finder, packet, finder.find(ray, begin, end, hn::Not(none), none, hn::Zero(I())), target,
+                 pixel);
+}
+
+// The crossings before of a packet; t is negative where there is none, or where the pixel is covered.
+struct Before {
+  VF t;
+  VI inside;
+};
+
+HWY_INLINE Before beforeAt(const CrossingsBefore& before, const CastTarget& target, glm::ivec2 pixel) {
+  constexpr float mostCovered = 0.996f;  // what lies behind adds less than a step of 8 bits
+  alignas(64) float t[kLanes];
+  alignas(64) std::int32_t inside[kLanes] = {};
+  for (int lane = 0; lane < static_cast<int>(kLanes); ++lane) {
+    const glm::ivec2 at = pixel + glm::ivec2(lane % kTile, lane / kTile);
+    t[lane] = -1.0f;
+    if (at.x >= target.end.x || at.y >= target.end.y) continue;
+    const std::size_t i = static_cast<std::size_t>(at.y) * target.stride + static_cast<std::size_t>(at.x);
+    if (before.covered[i] > mostCovered) continue;
+    t[lane] = before.points[i].w;
+    inside[lane] = static_cast<std::int32_t>(before.infos[i].y) >> 2 & 15;
+  }
+  return {hn::Load(F(), t), hn::Load(I(), inside)};
+}
+
+template <class T>
+HWY_INLINE void castPacketBehind(const CastView& view, const CrossingFinder<T>& finder,
+                                 const PictureRays& rays, const CrossingsBefore& before,
+                                 const CastTarget& target, glm::ivec2 pixel) {
+  const F f;
+  const Before from = beforeAt(before, target, pixel);
+  const MF alive = hn::Ge(from.t, hn::Zero(f));
+  if (hn::AllFalse(f, alive)) {
+    storeNothing(target, pixel);
+    return;
+  }
+  const Packet packet = packetAt(rays, pixel);
+  const RayLanes ray = rayLanes(view, packet.origin, packet.direction);
+  const VF begin = hn::MulAdd(hn::Set(f, 1e-4f), packet.voxel, from.t), end = hn::Set(f, kInfinity);
+  storeCrossings(finder, packet, finder.find(ray, begin, end, alive, alive, from.inside), target, pixel);
+}
+
+// Calls cast(finder, pixel) for each packet of the target.
+template <class Cast>
+HWY_INLINE void forPackets(const CastView& view, const CastTarget& target, const Cast& cast) {
   constexpr int rows = static_cast<int>(kLanes) / kTile;
   std::visit(
       [&](const auto* voxels) {
         const CrossingFinder finder(view, voxels);
         for (int y = target.begin.y; y < target.end.y; y += rows)
-          for (int x = target.begin.x; x < target.end.x; x += kTile) {
-            const StartDepths::Depths& tile = depths.at(x / kTile, y / kTile);
-            if (tile.first > tile.last)
-              storeNothing(target, {x, y});
-            else
-              castPacket(view, finder, rays, tile, target, {x, y});
-          }
+          for (int x = target.begin.x; x < target.end.x; x += kTile) cast(finder, glm::ivec2(x, y));
       },
       view.voxels);
+}
+
+void cast(const CastView& view, const PictureRays& rays, const StartDepths& depths,
+          const CastTarget& target) {
+  forPackets(view, target, [&](const auto& finder, glm::ivec2 pixel) {
+    const StartDepths::Depths& tile = depths.at(pixel.x / kTile, pixel.y / kTile);
+    if (tile.first > tile.last)
+      storeNothing(target, pixel);
+    else
+      castPacket(view, finder, rays, tile, target, pixel);
+  });
+}
+
+void castBehind(const CastView& view, const PictureRays& rays, const CrossingsBefore& before,
+                const CastTarget& target) {
+  forPackets(view, target, [&](const auto& finder, glm::ivec2 pixel) {
+    castPacketBehind(view, finder, rays, before, target, pixel);
+  });
+}
+
+template <class Sample, class Spline>
+void derivativesOfAll(const DerivativesView& view, const Sample* samples, const Spline* spline,
+                      const casting::DerivativesTarget& target) {
+  if (target.diagonal)
+    derivativesOf<true>(view, samples, spline, target);
+  else
+    derivativesOf<false>(view, samples, spline, target);
+}
+
+// Coefficients are floats; otherwise the spline is that of the samples.
+void derivatives(const DerivativesView& view, const casting::DerivativesTarget& target) {
+  std::visit(
+      [&](const auto* samples) {
+        const auto* const coefficients = std::get_if<const float*>(&view.spline);
+        if (coefficients)
+          derivativesOfAll(view, samples, *coefficients, target);
+        else
+          derivativesOfAll(view, samples, samples, target);
+      },
+      view.samples);
 }
 
 #endif
@@ -130,24 +213,27 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isolux::volume::casting {
 
-const CastKernels* castKernels() {
+// The widest first.
+const CastKernels* castKernels(TracerTarget target) {
   const std::int64_t supported = hwy::SupportedTargets();
-#define ISOLUX_KERNELS(space, target, name)                           \
-  if (supported & (target)) {                                         \
-    static constexpr CastKernels kernels{name, tracing::space::cast}; \
-    return &kernels;                                                  \
+  const auto wanted = [&](TracerTarget one) { return target == one || target == TracerTarget::automatic; };
+#define ISOLUX_KERNELS(space, highway, one, name)                                                \
+  if ((supported & (highway)) && wanted(one)) {                                                  \
+    static constexpr CastKernels kernels{name, tracing::space::cast, tracing::space::castBehind, \
+                                         tracing::space::derivatives};                           \
+    return &kernels;                                                                             \
   }
 #if HWY_TARGETS & HWY_AVX3
-  ISOLUX_KERNELS(N_AVX3, HWY_AVX3, "AVX-512")
+  ISOLUX_KERNELS(N_AVX3, HWY_AVX3, TracerTarget::avx512, "AVX-512")
 #endif
 #if HWY_TARGETS & HWY_AVX2
-  ISOLUX_KERNELS(N_AVX2, HWY_AVX2, "AVX2")
+  ISOLUX_KERNELS(N_AVX2, HWY_AVX2, TracerTarget::avx2, "AVX2")
 #endif
 #if HWY_TARGETS & HWY_SSE4
-  ISOLUX_KERNELS(N_SSE4, HWY_SSE4, "SSE4")
+  ISOLUX_KERNELS(N_SSE4, HWY_SSE4, TracerTarget::sse4, "SSE4")
 #endif
 #if HWY_TARGETS & HWY_NEON
-  ISOLUX_KERNELS(N_NEON, HWY_NEON, "NEON")
+  ISOLUX_KERNELS(N_NEON, HWY_NEON, TracerTarget::neon, "NEON")
 #endif
 #undef ISOLUX_KERNELS
   return nullptr;

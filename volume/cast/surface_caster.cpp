@@ -13,14 +13,14 @@
 namespace isolux::volume {
 
 const char* SurfaceCaster::target() {
-  const casting::CastKernels* const kernels = casting::castKernels();
+  const casting::CastKernels* const kernels = casting::castKernels(TracerTarget::automatic);
   return kernels ? kernels->name : nullptr;
 }
 
 SurfaceCaster::SurfaceCaster(const Grid& grid, std::span<const double> storedIsovalues, glm::ivec3 blocks,
-                             std::span<const std::uint64_t> masks)
-    : masks_(masks), view_(std::make_unique<casting::CastView>()) {
-  assert(available() && !storedIsovalues.empty() && storedIsovalues.size() <= 4);
+                             std::span<const std::uint64_t> masks, TracerTarget wanted)
+    : masks_(masks), view_(std::make_unique<casting::CastView>()), kernels_(casting::castKernels(wanted)) {
+  assert(kernels_ && !storedIsovalues.empty() && storedIsovalues.size() <= 4);
   casting::CastView& view = *view_;
   view.dims = grid.dims();
   view.blockDims = blocks;
@@ -49,21 +49,36 @@ StartDepths SurfaceCaster::startDepths(const PictureRays& rays, glm::ivec2 size)
 
 void SurfaceCaster::cast(const PictureRays& rays, const StartDepths& depths, const CastTarget& target) const {
   assert(target.begin.x % StartDepths::kTile == 0 && target.begin.y % StartDepths::kTile == 0);
-  casting::castKernels()->cast(*view_, rays, depths, target);
+  kernels_->cast(*view_, rays, depths, target);
 }
 
-void SurfaceCaster::castAll(const PictureRays& rays, glm::ivec2 size, std::span<glm::vec4> points,
-                            std::span<glm::vec2> infos) const {
+// Calls cast(target) for squares of all pixels, on all threads.
+template <class Cast>
+void SurfaceCaster::forPieces(glm::ivec2 size, std::span<glm::vec4> points, std::span<glm::vec2> infos,
+                              const Cast& cast) {
   assert(points.size() == infos.size() &&
          points.size() == static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   constexpr int piece = 32;  // pixels
-  const StartDepths depths = startDepths(rays, size);
   const glm::ivec2 pieces = (size + (piece - 1)) / piece;
   tbb::parallel_for(tbb::blocked_range2d<int>(0, pieces.y, 1, 0, pieces.x, 1), [&](const auto& range) {
     const glm::ivec2 begin = piece * glm::ivec2(range.cols().begin(), range.rows().begin());
     const glm::ivec2 end = glm::min(piece * glm::ivec2(range.cols().end(), range.rows().end()), size);
-    cast(rays, depths, {begin, end, points.data(), infos.data(), static_cast<std::size_t>(size.x)});
+    cast(CastTarget{begin, end, points.data(), infos.data(), static_cast<std::size_t>(size.x)});
   });
+}
+
+void SurfaceCaster::castAll(const PictureRays& rays, glm::ivec2 size, std::span<glm::vec4> points,
+                            std::span<glm::vec2> infos) const {
+  const StartDepths depths = startDepths(rays, size);
+  forPieces(size, points, infos, [&](const CastTarget& target) { cast(rays, depths, target); });
+}
+
+void SurfaceCaster::castBehind(const PictureRays& rays, glm::ivec2 size, const CrossingsBefore& before,
+                               std::span<glm::vec4> points, std::span<glm::vec2> infos) const {
+  assert(before.points.size() == points.size() && before.infos.size() == points.size() &&
+         before.covered.size() == points.size());
+  forPieces(size, points, infos,
+            [&](const CastTarget& target) { kernels_->castBehind(*view_, rays, before, target); });
 }
 
 }  // namespace isolux::volume

@@ -18,6 +18,7 @@
 #include "volume/cast/picture_rays.h"
 #include "volume/cast/start_depths.h"
 #include "volume/grid.h"
+#include "volume/tracer/isosurface_tracer.h"
 
 namespace isolux::volume {
 
@@ -36,6 +37,14 @@ struct CastTarget {
   std::size_t stride = 0;
 };
 
+// The crossings that rays come from: their points and infos, and how much of the pixel is covered (nearly
+// all: the ray ends).
+struct CrossingsBefore {
+  std::span<const glm::vec4> points;
+  std::span<const glm::vec2> infos;
+  std::span<const float> covered;
+};
+
 class SurfaceCaster {
  public:
   // Whether this machine has the vector instructions (SSE4.1, AVX2, AVX-512, NEON), and which are taken.
@@ -43,9 +52,10 @@ class SurfaceCaster {
   static const char* target();
 
   // storedIsovalues: one to four, stored units. masks: of them, by BoxBounds::masks; blocks of 8^3 cells.
-  // Grid and masks must stay. The grid has at least 2 voxels on each axis.
+  // Grid and masks must stay. The grid has at least 2 voxels on each axis. wanted: one of those that this
+  // machine has, for tests.
   SurfaceCaster(const Grid& grid, std::span<const double> storedIsovalues, glm::ivec3 blocks,
-                std::span<const std::uint64_t> masks);
+                std::span<const std::uint64_t> masks, TracerTarget wanted = TracerTarget::automatic);
   ~SurfaceCaster();
 
   StartDepths startDepths(const PictureRays& rays, glm::ivec2 size) const;
@@ -54,10 +64,17 @@ class SurfaceCaster {
   // All of `size`, on all threads of the caller's arena. points, infos: size.x * size.y.
   void castAll(const PictureRays& rays, glm::ivec2 size, std::span<glm::vec4> points,
                std::span<glm::vec2> infos) const;
+  // The next crossings behind those.
+  void castBehind(const PictureRays& rays, glm::ivec2 size, const CrossingsBefore& before,
+                  std::span<glm::vec4> points, std::span<glm::vec2> infos) const;
 
  private:
+  template <class Cast>
+  static void forPieces(glm::ivec2 size, std::span<glm::vec4> points, std::span<glm::vec2> infos,
+                        const Cast& cast);
   std::span<const std::uint64_t> masks_;
   std::unique_ptr<casting::CastView> view_;
+  const casting::CastKernels* kernels_;
 };
 
 }  // namespace isolux::volume

@@ -162,10 +162,10 @@ TEST_F(RendererGlTest, SizesMayAlternateAndAFailedFrameLeavesNoTrace) {
     EXPECT_EQ(pass.state, pass.name == "blocks" ? render::PassState::cached : render::PassState::ran)
         << pass.name;
   scene::Scene tooMuch = scene;
-  renderer_->setMemory({.gpuBudgetMb = 0});
+  renderer_->setMachine({.memory = {.gpuBudgetMb = 0}, .executor = scene::Executor::gpu});
   tooMuch.derivatives.field = scene::Field::cubic_interpolating;  // needs another texture
   EXPECT_THROW(draw(tooMuch), base::Error);
-  renderer_->setMemory({});
+  renderer_->setMachine({});
   EXPECT_EQ(draw(scene, 2), large);
   EXPECT_EQ(draw(scene), small);
 }

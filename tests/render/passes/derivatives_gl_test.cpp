@@ -24,7 +24,7 @@ struct CurvatureImages {
   bool isHit(std::size_t i) const { return hit.values[i] == 1.0f; }
 };
 
-class DerivativesGlTest : public RenderGlTest {
+class DerivativesGlTest : public ExecutorsGlTest {
  protected:
   CurvatureImages curvatureImages(const std::shared_ptr<const volume::PreparedVolume>& volume,
                                   const scene::Scene& scene) {
@@ -50,7 +50,7 @@ double largest(const glm::dmat3& m) {
 
 // The shaders' gradients, Hessians and curvatures at their own hits against volume/field/reconstruct.h and
 // volume/field/curvature.h, for every field and fetch, in any geometry.
-TEST_F(DerivativesGlTest, AgreeWithDoublePrecision) {
+TEST_P(DerivativesGlTest, AgreeWithDoublePrecision) {
   const auto oblique = obliqueLeftHandedGeometry(48);
   for (const auto& volume : {phantom("head", 48), phantom("torus", oblique)})
     for (const auto field : {scene::Field::trilinear, scene::Field::cubic, scene::Field::cubic_interpolating})
@@ -104,7 +104,7 @@ TEST_F(DerivativesGlTest, AgreeWithDoublePrecision) {
 
 // Values like 1e6 + small keep few digits of the small part; what they keep is what normals and second
 // derivatives show. The bound is the same arithmetic in double on the same float32 voxels.
-TEST_F(DerivativesGlTest, ALargeConstantInTheValuesCostsNoDerivatives) {
+TEST_P(DerivativesGlTest, ALargeConstantInTheValuesCostsNoDerivatives) {
   const auto truth = phantom("torus", 48);
   std::vector<float> shifted, withBackground;
   for (const float v : std::get<std::vector<float>>(truth->grid().voxels())) {
@@ -154,7 +154,7 @@ TEST_F(DerivativesGlTest, ALargeConstantInTheValuesCostsNoDerivatives) {
 
 // Closed forms, all in mm: a torus has curvatures of both signs and no umbilic. Interpolating coefficients of
 // analytic samples; away from block edges there is nothing special, so all hits count.
-TEST_F(DerivativesGlTest, TorusCurvatureWithin2Percent) {
+TEST_P(DerivativesGlTest, TorusCurvatureWithin2Percent) {
   for (const auto& geometry :
        {isotropicGeometry(128), anisotropicGeometry(128), obliqueLeftHandedGeometry(128)}) {
     const auto torus = phantom("torus", geometry);
@@ -184,7 +184,7 @@ TEST_F(DerivativesGlTest, TorusCurvatureWithin2Percent) {
   }
 }
 
-TEST_F(DerivativesGlTest, UmbilicsFlatsAndVanishingGradientsHaveNoConfidence) {
+TEST_P(DerivativesGlTest, UmbilicsFlatsAndVanishingGradientsHaveNoConfidence) {
   for (const char* name : {"ball", "plane"}) {
     scene::Scene scene;
     scene.isosurface.value = 0.0;
@@ -210,7 +210,7 @@ TEST_F(DerivativesGlTest, UmbilicsFlatsAndVanishingGradientsHaveNoConfidence) {
 
 // Within a voxel of the border the spline's samples are repeated ones: its curvature there is no shape of the
 // data.
-TEST_F(DerivativesGlTest, TheBorderHasNoConfidence) {
+TEST_P(DerivativesGlTest, TheBorderHasNoConfidence) {
   const auto volume = phantom("gyroid", 32);
   scene::Scene scene;
   scene.isosurface.value = 0.3;
@@ -264,7 +264,7 @@ struct Moved {
 
 // Curvature belongs to the surface: it does not change under rotation, mirroring of the world or of the
 // storage order, or adding a constant, and scales as 1/length. Pixel by pixel, with the camera moved along.
-TEST_F(DerivativesGlTest, CurvatureIsOfTheSurfaceAlone) {
+TEST_P(DerivativesGlTest, CurvatureIsOfTheSurfaceAlone) {
   const double c = std::cos(0.7), s = std::sin(0.7);
   const glm::dmat3 turn = glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1) * glm::dmat3(1, 0, 0, 0, c, s, 0, -s, c);
   const Moved cases[] = {{"rotated", turn},
@@ -325,7 +325,7 @@ TEST_F(DerivativesGlTest, CurvatureIsOfTheSurfaceAlone) {
 }
 
 // Random fields, cameras and isovalues: what is called a hit lies on the surface within its stated error.
-TEST_F(DerivativesGlTest, HitsLieOnTheSurfaceWithinTheirStatedError) {
+TEST_P(DerivativesGlTest, HitsLieOnTheSurfaceWithinTheirStatedError) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int trial = 0; trial < 8; ++trial) {
@@ -364,6 +364,8 @@ TEST_F(DerivativesGlTest, HitsLieOnTheSurfaceWithinTheirStatedError) {
       }
   }
 }
+
+ISOLUX_ON_BOTH_EXECUTORS(DerivativesGlTest);
 
 }  // namespace
 }  // namespace isolux::test

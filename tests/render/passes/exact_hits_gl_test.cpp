@@ -23,7 +23,7 @@ struct Counts {
   double rms() const { return std::sqrt(sum / std::max(hits, 1)); }
 };
 
-class ExactHitsGlTest : public RenderGlTest {
+class ExactHitsGlTest : public ExecutorsGlTest {
  protected:
   using Reference = std::function<volume::CubicHit(const volume::Ray&)>;
 
@@ -107,7 +107,7 @@ class ExactHitsGlTest : public RenderGlTest {
   }
 };
 
-TEST_F(ExactHitsGlTest, NoPixelIsMissedIn20Views) {
+TEST_P(ExactHitsGlTest, NoPixelIsMissedIn20Views) {
   std::vector<std::pair<std::string, std::shared_ptr<const volume::PreparedVolume>>> volumes;
   for (const char* name : {"noise", "gyroid", "sheet"}) volumes.emplace_back(name, phantom(name, 64));
   if (const auto data = dataFolder(); !data.empty()) {
@@ -134,7 +134,7 @@ TEST_F(ExactHitsGlTest, NoPixelIsMissedIn20Views) {
   if (volumes.size() == 3) GTEST_SKIP() << "the shared data is not here: ct_head_skin_bone was left out";
 }
 
-TEST_F(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
+TEST_P(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
   for (const char* name : {"noise", "gyroid", "sheet", "two_balls"})
     for (const auto field : {scene::Field::cubic, scene::Field::cubic_interpolating}) {
       const auto volume = phantom(name, 40);
@@ -161,6 +161,8 @@ TEST_F(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
                        1e-3);
     }
 }
+
+ISOLUX_ON_BOTH_EXECUTORS(ExactHitsGlTest);
 
 }  // namespace
 }  // namespace isolux::test

@@ -8,7 +8,7 @@
 namespace isolux::test {
 namespace {
 
-class LayersGlTest : public RenderGlTest {
+class LayersGlTest : public ExecutorsGlTest {
  protected:
   // Linear-light colour of a pixel of the picture of `scene` over a black background.
   glm::dvec3 colorAt(const std::shared_ptr<const volume::PreparedVolume>& volume, scene::Scene scene,
@@ -32,7 +32,7 @@ class LayersGlTest : public RenderGlTest {
 
 // The ball's field rises toward its centre: a ray through the middle meets the outer surface, the inner one,
 // and both again on the way out.
-TEST_F(LayersGlTest, EveryCrossingCountsOnceAndInOrder) {
+TEST_P(LayersGlTest, EveryCrossingCountsOnceAndInOrder) {
   const auto ball = phantom("ball", 64);
   const double middle = 0.5 * (ball->facts.suggestedIsovalue + ball->grid().maximum());
   scene::Scene scene;
@@ -63,7 +63,7 @@ TEST_F(LayersGlTest, EveryCrossingCountsOnceAndInOrder) {
     }
 }
 
-TEST_F(LayersGlTest, TheNumberOfLayersIsRespected) {
+TEST_P(LayersGlTest, TheNumberOfLayersIsRespected) {
   const auto ball = phantom("ball", 64);
   scene::Scene scene;
   scene.isosurface.albedo = {1.0, 1.0, 1.0};
@@ -74,7 +74,7 @@ TEST_F(LayersGlTest, TheNumberOfLayersIsRespected) {
 
 // A noisy field has many crossings on a ray, close to each other: the opacity behind n of them is 1 - (1 -
 // a)^n, n from the double-precision intersector.
-TEST_F(LayersGlTest, CountsTheCrossingsOfNoise) {
+TEST_P(LayersGlTest, CountsTheCrossingsOfNoise) {
   const auto noise = phantom("noise", 32);
   scene::Scene scene;
   scene.isosurface.albedo = {1.0, 1.0, 1.0};
@@ -109,6 +109,8 @@ TEST_F(LayersGlTest, CountsTheCrossingsOfNoise) {
   EXPECT_GE(compared, 200);
   EXPECT_EQ(wrong, 0);
 }
+
+ISOLUX_ON_BOTH_EXECUTORS(LayersGlTest);
 
 }  // namespace
 }  // namespace isolux::test

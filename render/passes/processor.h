@@ -1,0 +1,45 @@
+// What the processor computes instead of shaders (scene::Executor), for which settings, and how it comes to
+// the images that other passes read.
+//
+// Data: points and what is known of them, gradients and Hessians of each crossing, in arrays of their own;
+// the passes cast, gradient and hessian fill them (volume/cast) and upload them as the images that their
+// shaders would draw.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/gl/gl_objects.h"
+#include "render/graph/pass.h"
+#include "scene/machine.h"
+#include "scene/scene.h"
+
+namespace isolux::render {
+
+struct Gl;
+
+// taken: the processor is the executor.
+OnProcessor onProcessor(bool taken, const scene::Scene& scene);
+
+// Whether the executor is the processor: by the setting, the kind of context and what this machine can.
+bool takesProcessor(scene::Executor executor, const Gl& gl);
+
+// The images of one crossing as they lie in memory, bottom row first.
+struct HostImages {
+  std::vector<glm::vec4> points;
+  std::vector<glm::vec2> infos;
+  std::vector<glm::vec4> derivatives[3];  // gradient; diagonal and mixed of the Hessian
+};
+
+// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them. False: no ray met
+// any.
+bool castOnProcessor(FrameState& frame);
+// Derivatives at the points of frame.layer, uploaded to `textures`: gradient; with three, diagonal and mixed
+// of the Hessian too.
+void deriveOnProcessor(FrameState& frame, const std::vector<Texture>& textures);
+
+}  // namespace isolux::render

@@ -1,0 +1,33 @@
+// World gradient and Hessian at the surface points of a picture, on the processor: what the passes `gradient`
+// and `hessian` write (resources/shaders/derivatives/derivatives.frag.glsl), with their definitions.
+//
+// g_w = A^-T g_v, data units per mm; H_w = A^-T H_v A^-1, per mm^2. Where a sample of the B-spline is
+// missing: the trilinear gradient, no Hessian.
+#pragma once
+
+#include <span>
+
+#include <glm/vec4.hpp>
+
+#include "volume/field/coefficients.h"
+#include "volume/grid.h"
+#include "volume/tracer/isosurface_tracer.h"
+
+namespace isolux::volume {
+
+// Spans of equal length; those of the Hessian may both be empty. gradient: w = 1 where there is a surface;
+// diagonal: xx, yy, zz, w = 1 where the Hessian is known; mixed: xy, xz, yz, w = 1 where all samples are the
+// volume's own.
+struct DerivativeImages {
+  std::span<glm::vec4> gradient, diagonal, mixed;
+};
+
+enum class DerivedField { trilinear, spline };
+
+// points: voxel coordinates, w < 0 where there is no surface. coefficients: of the spline; null: the samples
+// themselves. On all threads of the caller's arena. Needs SurfaceCaster::available().
+void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
+                        std::span<const glm::vec4> points, const DerivativeImages& images,
+                        TracerTarget wanted = TracerTarget::automatic);
+
+}  // namespace isolux::volume
