@@ -139,6 +139,7 @@ struct Renderer::Parts {
   std::size_t waitingRays = 0;    // of the last frame that cast rays
   bool hit = false;               // some ray of the last frame that cast rays hit a surface
   bool complete = true;           // the last frame had all the time it needed
+  bool imagesDropped = false;     // in this frame, because their size is another
 
   void prepare(const scene::Scene& scene, const FrameRequest& request);
   // Blocks of other sizes are those of benchmarks.
@@ -207,7 +208,8 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   frame.view.emplace(scene.camera, static_cast<double>(request.size.x) / request.size.y,
                      volume ? volume->grid().geometry() : none);
   // The size is a parameter of the passes, so that images of another size are drawn anew.
-  if (drawn.raySize != frame.raySize()) {
+  imagesDropped = drawn.raySize != frame.raySize();
+  if (imagesDropped) {
     frame.images.clear();
     frame.host.clear();
   }
@@ -325,6 +327,9 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
                                           parts.frame.lighting->state(parts.frame), parts.frame.onProcessor));
     const auto plan = parts.graph.plan(declared, wantedImages(request));
     parts.plan(declared, plan);
+    for (const PlannedPass& entry : plan)
+      if (parts.imagesDropped && entry.state == PassState::skipped)
+        parts.graph.forget(declared[entry.index].name);
     std::vector<Pass*> running;
     for (const PlannedPass& entry : plan)
       if (entry.state == PassState::ran) running.push_back(parts.passes[entry.index].get());

@@ -49,6 +49,9 @@ class FrameGraph {
   // Tells the graph that a planned pass has run; its outputs are now as new as its inputs.
   void completed(const PassDeclaration& pass);
 
+  // Forgets the runs of one pass: what it wrote is gone.
+  void forget(const std::string& pass) { memory_.erase(pass); }
+
   // Forgets all earlier frames (context lost, benchmark).
   void invalidate() {
     memory_.clear();

@@ -37,7 +37,8 @@ std::size_t LightAtlas::slotBytes() const {
 }
 
 std::size_t LightAtlas::mostSlots() const {
-  return std::min(source_.budgetBytes, mostBufferBytes_) / slotBytes();
+  const std::size_t pages = geometry_.blockCount() * sizeof(std::uint32_t);
+  return std::min(source_.budgetBytes - std::min(source_.budgetBytes, pages), mostBufferBytes_) / slotBytes();
 }
 
 bool LightAtlas::setSource(const Source& source) {

@@ -16,6 +16,16 @@ void upload(const Texture& texture, GLenum format, const void* texels) {
   texture.gl().TextureSubImage2D(texture.id(), 0, 0, 0, size.x, size.y, format, GL_FLOAT, texels);
 }
 
+// For points and infos; derivatives are made when they are asked for.
+void makeRoom(HostImages& images, std::size_t count) {
+  images = {};
+  images.held =
+      base::machineMemory().reserve(count * (sizeof(glm::vec2) + 4 * sizeof(glm::vec4)),
+                                    "hits of the picture", "a smaller picture or --executor gpu needs less");
+  images.points.resize(count);
+  images.infos.resize(count);
+}
+
 // How much of each pixel is covered already.
 std::vector<float> alphaOf(const Texture& color) {
   const std::vector<float> rgba = color.readFloats(4);
@@ -64,8 +74,7 @@ bool castOnProcessor(FrameState& frame) {
   const glm::ivec2 size = frame.raySize();
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HostImages& images = frame.host[frame.layer];
-  images.points.resize(count);
-  images.infos.resize(count);
+  if (images.points.size() != count) makeRoom(images, count);
   if (frame.empty()) {
     std::fill(images.points.begin(), images.points.end(), glm::vec4(0.0f, 0.0f, 0.0f, -1.0f));
     std::fill(images.infos.begin(), images.infos.end(), glm::vec2(0.0f));

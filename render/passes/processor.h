@@ -13,6 +13,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "base/memory_budget.h"
 #include "render/gl/gl_objects.h"
 #include "render/graph/pass.h"
 #include "scene/machine.h"
@@ -33,6 +34,7 @@ struct HostImages {
   std::vector<glm::vec4> points;
   std::vector<glm::vec2> infos;
   std::vector<glm::vec4> derivatives[3];  // gradient; diagonal and mixed of the Hessian
+  base::MemoryBudget::Held held{};
 };
 
 // Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them. False: no ray met

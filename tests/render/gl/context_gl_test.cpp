@@ -216,6 +216,7 @@ TEST_F(RendererGlTest, EverySettingOfThePictureChangesIt) {
 
 TEST_F(RendererGlTest, ReportsWhatItDid) {
   const auto volume = phantom("ball", 48);
+  renderer_->setMachine({.executor = scene::Executor::gpu});
   renderer_->setVolume(volume);
   const scene::Scene scene = scene::resolve({}, volume->facts);
   draw(scene);
@@ -231,6 +232,35 @@ TEST_F(RendererGlTest, ReportsWhatItDid) {
   draw(scene);
   for (const render::PassReport& pass : usedPasses())
     EXPECT_EQ(pass.state, render::PassState::cached) << pass.name;
+}
+
+// Nothing of the volume is uploaded, no faces are rasterised, and the report says where passes ran.
+TEST_F(RendererGlTest, TheProcessorNeedsNoTextureOfTheVolume) {
+  const auto volume = phantom("ball", 48);
+  renderer_->setMachine({.executor = scene::Executor::cpu});
+  renderer_->setVolume(volume);
+  const scene::Scene scene = scene::resolve({}, volume->facts);
+  draw(scene);
+  EXPECT_LT(report_.gpuBytes, 48u * 48u * 48u * 4u);
+  std::vector<std::string> processor;
+  for (const render::PassReport& pass : usedPasses()) {
+    EXPECT_EQ(pass.state, render::PassState::ran) << pass.name;
+    if (pass.onProcessor) processor.push_back(pass.name);
+  }
+  EXPECT_EQ(processor, (std::vector<std::string>{"cast", "gradient"}));
+}
+
+// Images of a size that comes back were dropped on the way: a pass that was not needed then draws anew.
+TEST_F(RendererGlTest, ImagesOfAnEarlierSizeAreNotTakenForDrawn) {
+  const auto volume = phantom("ball", 32);
+  renderer_->setVolume(volume);
+  scene::Scene sampled = scene::resolve({}, volume->facts);
+  const scene::Scene exact = sampled;
+  sampled.hit.method = scene::HitMethod::sampled;
+  const auto before = draw(sampled);
+  draw(exact, 2);
+  draw(exact);
+  EXPECT_EQ(draw(sampled), before);
 }
 
 TEST_F(RendererGlTest, PickFindsTheSurfaceUnderAPixel) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "render/graph/pass_declarations.h"
+#include "render/passes/pass_list.h"
 #include "scene/settings.h"
 
 namespace isolux::render {
@@ -31,12 +32,23 @@ class FrameGraphTest : public ::testing::Test {
   }
   // The passes that run when `scene` follows what was drawn before.
   std::vector<std::string> ran(const scene::Scene& scene, const FrameRequest& request,
-                               std::uint64_t volume = 1) {
-    const auto passes = declarePasses(scene, request, volume);
+                               std::uint64_t volume = 1, const OnProcessor& onProcessor = {}) {
+    const auto passes = declarePasses(makePasses(), Asked(scene, request, volume, {}, {}, onProcessor));
     return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
   }
   FrameGraph graph_;
 };
+
+// Block faces are not rasterised, and another executor finds the hits anew.
+TEST_F(FrameGraphTest, TheProcessorNeedsNoSegments) {
+  const scene::Scene scene;
+  const OnProcessor all{true, true, true};
+  EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre("blocks", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre());
+  EXPECT_THAT(ran(scene, {}, 1), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, {}, 1, {true, false, false}), ElementsAre("cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre("gradient", "shade", "resolve"));
+}
 
 TEST_F(FrameGraphTest, SkipsWhatNobodyReads) {
   const std::vector<PassDeclaration> passes = {

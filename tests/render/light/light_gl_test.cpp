@@ -440,9 +440,9 @@ TEST_F(LightGlTest, BricksShowTheSameLight) {
   writeAll(*lattice, [](glm::ivec3 t) { return constant(1.0f + glm::vec3(t) / 32.0f); });
   for (const char* interpolation : {"closest_isovalue", "trilinear", "weighted"}) {
     const Settings settings = {"gi.precision=half", std::string("gi.interpolation=") + interpolation};
-    draw(volume, pictureLight(lattice), settings);
+    draw(volume, pictureLight(lattice), with(settings, {"picture.executor=gpu"}));
     const std::vector<float> whole = irradiance_.values;
-    draw(volume, pictureLight(lattice), with(settings, {"memory.layout=bricks"}));
+    draw(volume, pictureLight(lattice), with(settings, {"memory.layout=bricks", "picture.executor=gpu"}));
     ASSERT_TRUE(report_.bricks.inUse);
     ASSERT_EQ(whole.size(), irradiance_.values.size());
     for (std::size_t i = 0; i < whole.size(); ++i)
