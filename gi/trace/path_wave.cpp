@@ -143,6 +143,7 @@ bool PathWave::traceFirst(const Job& job) {
   for (std::size_t i = 0; i < rays_.size(); i += kTracedAtOnce) {
     if (job.stop.stop_requested()) return false;
     const std::size_t count = std::min(kTracedAtOnce, rays_.size() - i);
+    if (job.setup.light->traced) job.setup.light->traced(std::span(rays_).subspan(i, count), false);
     job.setup.light->tracer->firstEntries(std::span(rays_).subspan(i, count),
                                           std::span(t_).subspan(i, count));
   }
@@ -155,6 +156,7 @@ bool PathWave::traceAny(const Job& job, std::span<const volume::TraceRay> rays) 
   for (std::size_t i = 0; i < rays.size(); i += kTracedAtOnce) {
     if (job.stop.stop_requested()) return false;
     const std::size_t count = std::min(kTracedAtOnce, rays.size() - i);
+    if (job.setup.light->traced) job.setup.light->traced(rays.subspan(i, count), true);
     job.setup.light->tracer->anyEntries(rays.subspan(i, count), std::span(hit_).subspan(i, count));
   }
   job.counters.rays += rays.size();
