@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gi/sampling/guide_table.h"
+
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
@@ -88,24 +90,26 @@ HWY_INLINE void sineCosineOfTurns(VF turn, VF& sine, VF& cosine) {
   cosine = hn::IfThenElse(bit(hn::Add(quarter, whole(1)), 2), hn::Neg(cosine), cosine);
 }
 
-// The intervals that hold numbers (intervalOf()); `starts` of the first of `intervals` at `base`, `index`
-// where the guide says.
+// The intervals that hold numbers (intervalOf()): from `first` to `last`, of `starts` that begin at `base`.
 struct Interval {
   VI index, start, count;
 };
-HWY_INLINE Interval search(const std::uint32_t* starts, VI base, std::int32_t intervals, VI index, VI value) {
+HWY_INLINE Interval search(const std::uint32_t* starts, VI base, std::int32_t intervals, VI first, VI last,
+                           VI value) {
   const I i;
-  const VI zero = hn::Zero(i), one = whole(1), last = whole(intervals - 1);
-  VI start = gather(starts, hn::Add(base, index));
-  for (;;) {
-    const MI within = hn::Gt(last, index);
-    const VI behind = gather(starts, hn::Add(base, hn::Min(hn::Add(index, one), last)));
-    const VI next = hn::IfThenElse(within, behind, whole(kCertain));
-    const MI ends = hn::Or(hn::Gt(next, value), hn::Lt(next, zero));
-    if (hn::AllTrue(i, ends)) return {index, start, hn::Sub(next, start)};
-    start = hn::IfThenElse(ends, start, next);
-    index = hn::IfThenElse(ends, index, hn::Add(index, one));
+  const VI one = whole(1), final = whole(intervals - 1);
+  for (MI open = hn::Gt(last, first); !hn::AllFalse(i, open); open = hn::Gt(last, first)) {
+    const VI middle = hn::ShiftRight<1>(hn::Add(hn::Add(first, last), one));
+    const VI start = gather(starts, hn::Add(base, middle));
+    // A start of 2^31 is behind every number.
+    const MI behind = hn::Or(hn::Gt(start, value), hn::Lt(start, hn::Zero(i)));
+    first = hn::IfThenElse(hn::AndNot(behind, open), middle, first);
+    last = hn::IfThenElse(hn::And(behind, open), hn::Sub(middle, one), last);
   }
+  const VI start = gather(starts, hn::Add(base, first));
+  const VI behind = gather(starts, hn::Add(base, hn::Min(hn::Add(first, one), final)));
+  const VI end = hn::IfThenElse(hn::Gt(final, first), behind, whole(kCertain));
+  return {first, start, hn::Sub(end, start)};
 }
 HWY_INLINE VF fractionOf(const Interval& found, VI value) {
   const VF within = hn::ConvertTo(F(), hn::Sub(value, found.start));
@@ -126,14 +130,18 @@ void sampleAll(const EnvironmentTables& tables, const BatchPairs& u, std::size_t
   const I i;
   const std::size_t lanes = hn::Lanes(i);
   const VI width = whole(tables.width), height = whole(tables.height), one = whole(1), zero = hn::Zero(i);
-  BatchWords rows, rowCounts, guides;
+  const int rowBits = guideBits(static_cast<std::size_t>(tables.height)),
+            columnBits = guideBits(static_cast<std::size_t>(tables.width));
+  const VI columnGuide = whole(static_cast<std::int32_t>(guideSize(static_cast<std::size_t>(tables.width))));
+  BatchWords rows, rowCounts, guides, firsts, lasts;
   BatchFloats fractions;
   for (std::size_t k = 0; k < count; k += lanes) {
     const VI value = probabilityOf(load(u.y, k));
-    const VI guess = gather(tables.rowGuide, hn::ShiftRightSame(value, 31 - tables.rowGuideBits));
-    const Interval row = search(tables.rowStart, zero, tables.height, guess, value);
-    const VI inRow = hn::ShiftRightSame(probabilityOf(load(u.x, k)), 31 - tables.columnGuideBits);
-    const VI guide = hn::Add(hn::ShiftLeftSame(row.index, tables.columnGuideBits), inRow);
+    const VI cell = hn::ShiftRightSame(value, 31 - rowBits);
+    const Interval row = search(tables.rowStart, zero, tables.height, gather(tables.rowGuide, cell),
+                                gather(tables.rowGuide, hn::Add(cell, one)), value);
+    const VI inRow = hn::ShiftRightSame(probabilityOf(load(u.x, k)), 31 - columnBits);
+    const VI guide = hn::Add(hn::Mul(row.index, columnGuide), inRow);
     prefetchAll(tables.columnGuide, guide, 1);
     store(row.index, rows, k);
     store(row.count, rowCounts, k);
@@ -141,15 +149,18 @@ void sampleAll(const EnvironmentTables& tables, const BatchPairs& u, std::size_t
     store(guide, guides, k);
   }
   for (std::size_t k = 0; k < count; k += lanes) {
-    const VI guess = gather(tables.columnGuide, load(guides, k));
-    const VI pixel = hn::Add(hn::Mul(load(rows, k), width), guess);
-    prefetchAll(tables.columnStart, pixel, 1);
-    store(guess, guides, k);
+    const VI guide = load(guides, k), base = hn::Mul(load(rows, k), width);
+    const VI first = gather(tables.columnGuide, guide),
+             last = gather(tables.columnGuide, hn::Add(guide, one));
+    prefetchAll(tables.columnStart, hn::Add(base, hn::ShiftRight<1>(hn::Add(hn::Add(first, last), one))), 1);
+    store(first, firsts, k);
+    store(last, lasts, k);
   }
   for (std::size_t k = 0; k < count; k += lanes) {
     const VI row = load(rows, k), base = hn::Mul(row, width);
     const VI value = probabilityOf(load(u.x, k));
-    const Interval column = search(tables.columnStart, base, tables.width, load(guides, k), value);
+    const Interval column =
+        search(tables.columnStart, base, tables.width, load(firsts, k), load(lasts, k), value);
     const VI pixel = hn::Add(base, column.index);
     prefetchAll(tables.pixels, pixel, 3);
     store(pixel, samples.pixel, k);

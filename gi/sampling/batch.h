@@ -40,8 +40,7 @@ struct EnvironmentTables {
   int width = 0, height = 0;
   const float* pixels = nullptr;                                    // three each
   const std::uint32_t *rowStart = nullptr, *columnStart = nullptr;  // row after row
-  const std::uint32_t *rowGuide = nullptr, *columnGuide = nullptr;  // 2^bits cells; of columns a row
-  int rowGuideBits = 0, columnGuideBits = 0;
+  const std::uint32_t *rowGuide = nullptr, *columnGuide = nullptr;  // of columns row after row
   const float *rowDensity = nullptr, *sineSquaredHalf = nullptr;
 };
 struct EnvironmentBatch {

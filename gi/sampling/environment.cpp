@@ -16,6 +16,7 @@
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/sampling/directions.h"
 #include "gi/sampling/guide_table.h"
+#include "volume/tracer/huge_pages.h"
 
 namespace isolux::gi {
 
@@ -156,10 +157,9 @@ void Environment::sumUp() {
 void Environment::buildDistribution() {
   rowStart_.resize(height_);
   columnStart_.resize(pixels_.size());
-  const std::size_t rowCells = std::size_t{1} << guideBits(static_cast<std::size_t>(height_));
-  const std::size_t columnCells = std::size_t{1} << guideBits(static_cast<std::size_t>(width_));
-  rowGuide_.resize(rowCells);
-  columnGuide_.resize(columnCells * static_cast<std::size_t>(height_));
+  const std::size_t columnGuide = guideSize(static_cast<std::size_t>(width_));
+  rowGuide_.resize(guideSize(static_cast<std::size_t>(height_)));
+  columnGuide_.resize(columnGuide * static_cast<std::size_t>(height_));
   rowDensity_.resize(height_);
   sineSquaredHalf_.resize(height_ + 1);
   for (int row = 0; row <= height_; ++row) {
@@ -179,12 +179,16 @@ void Environment::buildDistribution() {
     if (sum > 0.0) {
       const auto starts = std::span(columnStart_).subspan(first, width_);
       distribute(columns, starts);
-      fillGuide(starts, std::span(columnGuide_).subspan(columnCells * row, columnCells));
+      fillGuide(starts, std::span(columnGuide_).subspan(columnGuide * row, columnGuide));
     }
     // Else the row has no probability, and what its columns hold is not read.
   }
   distribute(rows, rowStart_);
   fillGuide(rowStart_, rowGuide_);
+  // They are read all over.
+  const base::Progress progress;
+  volume::preferHugePages(columnStart_.data(), columnStart_.size() * sizeof columnStart_[0], progress);
+  volume::preferHugePages(pixels_.data(), pixels_.size() * sizeof pixels_[0], progress);
 }
 
 double Environment::solidAngle(int row) const {
@@ -224,9 +228,9 @@ float Environment::pdf(glm::vec3 direction) const {
 Environment::Sample Environment::sample(glm::vec2 u) const {
   const Choice row = choose(rowStart_, rowGuide_, u.y);
   const std::size_t first = static_cast<std::size_t>(row.index) * width_;
-  const std::size_t columnCells = columnGuide_.size() / height_;
+  const std::size_t columnGuide = guideSize(static_cast<std::size_t>(width_));
   const Choice column = choose(std::span(columnStart_).subspan(first, width_),
-                               std::span(columnGuide_).subspan(columnCells * row.index, columnCells), u.x);
+                               std::span(columnGuide_).subspan(columnGuide * row.index, columnGuide), u.x);
 
   // 1 - cos of the angle from the nearer pole, over 2, is even within the row.
   const bool lower = 2 * row.index >= height_;
@@ -251,8 +255,6 @@ EnvironmentTables Environment::tables() const {
           .columnStart = columnStart_.data(),
           .rowGuide = rowGuide_.data(),
           .columnGuide = columnGuide_.data(),
-          .rowGuideBits = guideBits(static_cast<std::size_t>(height_)),
-          .columnGuideBits = guideBits(static_cast<std::size_t>(width_)),
           .rowDensity = rowDensity_.data(),
           .sineSquaredHalf = sineSquaredHalf_.data()};
 }

@@ -28,8 +28,8 @@
 
 namespace isolux::gi {
 
-inline constexpr std::size_t kWavePaths =
-    16384;  // of one wave: enough to fill the tracer, some 2 MB of state
+// Of one wave: enough to fill the tracer, some 1 MB of state. Measured: 16384 paths are 1 % slower.
+inline constexpr std::size_t kWavePaths = 8192;
 
 // What all paths of a light scene share.
 struct PathSetup {
