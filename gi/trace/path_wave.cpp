@@ -40,6 +40,12 @@ float largest(glm::vec3 v) {
   return std::max({v.x, v.y, v.z});
 }
 
+volume::TraceRay rayFrom(const PathSetup& setup, glm::vec3 voxel, glm::vec3 normal, glm::vec3 direction,
+                         float isovalue) {
+  return {voxel + setup.voxelsOfMm * (setup.offsetMm * normal), setup.voxelsOfMm * direction, isovalue,
+          infinity};
+}
+
 glm::vec3 finite(glm::vec3 light) {  // radiance near the largest float times pi
   return glm::min(light, glm::vec3(1e37f));
 }
@@ -145,16 +151,6 @@ void PathWave::departBatch(const Job& job, std::uint32_t depth, std::span<const 
   aimAtSky(job, vertices, skies);
   aimByCosine(job, vertices, cosines);
 }
-
-namespace {
-
-volume::TraceRay rayFrom(const PathSetup& setup, glm::vec3 voxel, glm::vec3 normal, glm::vec3 direction,
-                         float isovalue) {
-  return {voxel + setup.voxelsOfMm * (setup.offsetMm * normal), setup.voxelsOfMm * direction, isovalue,
-          infinity};
-}
-
-}  // namespace
 
 void PathWave::aimAtSky(const Job& job, std::span<const Vertex> vertices, std::size_t count) {
   if (count == 0) return;

@@ -131,16 +131,24 @@ HWY_INLINE MI Stock::give(Group& g, std::uint32_t idle, const Missed& missed) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) lanes[lane] = static_cast<std::int32_t>(idle >> lane & 1);
   const MI taking = hn::And(hn::Gt(hn::Load(i, lanes), hn::Zero(i)),
                             hn::Gt(hn::Set(i, static_cast<std::int32_t>(given)), rank));
-  const auto places = hn::IndicesFromVec(i, hn::And(rank, hn::Set(i, static_cast<std::int32_t>(kLanes - 1))));
-  const auto placesOfFloats =
-      hn::IndicesFromVec(F(), hn::And(rank, hn::Set(i, static_cast<std::int32_t>(kLanes - 1))));
-  forEachArray(g, [&](const auto& array, auto& lanesOfGroup) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(array[0])>, float>)
-      hn::BlendedStore(hn::TableLookupLanes(hn::LoadU(F(), array + begin_), placesOfFloats),
-                       hn::RebindMask(F(), taking), F(), lanesOfGroup);
-    else
-      hn::BlendedStore(hn::TableLookupLanes(hn::LoadU(i, array + begin_), places), taking, i, lanesOfGroup);
-  });
+  if constexpr (kLanes < 8) {  // one ray at a time is quicker
+    std::uint32_t lanesLeft = idle;
+    for (std::size_t k = begin_; k < begin_ + given; ++k, lanesLeft &= lanesLeft - 1) {
+      const int lane = std::countr_zero(lanesLeft);
+      forEachArray(g, [&](const auto& array, auto& lanesOfGroup) { lanesOfGroup[lane] = array[k]; });
+    }
+  } else {
+    const VI within = hn::And(rank, hn::Set(i, static_cast<std::int32_t>(kLanes - 1)));
+    const auto places = hn::IndicesFromVec(i, within);
+    const auto placesOfFloats = hn::IndicesFromVec(F(), within);
+    forEachArray(g, [&](const auto& array, auto& lanesOfGroup) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(array[0])>, float>)
+        hn::BlendedStore(hn::TableLookupLanes(hn::LoadU(F(), array + begin_), placesOfFloats),
+                         hn::RebindMask(F(), taking), F(), lanesOfGroup);
+      else
+        hn::BlendedStore(hn::TableLookupLanes(hn::LoadU(i, array + begin_), places), taking, i, lanesOfGroup);
+    });
+  }
   begin_ += given;
   return taking;
 }
