@@ -5,7 +5,9 @@
 // on.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -47,6 +49,9 @@ struct LightScene {
   int rouletteDepth = 3;
   double environmentShare = 0.0;
   int shOrder = 5;
+  // Of measurements: called by any thread with every batch of rays before it is traced; `any`: it is only
+  // asked whether they hit.
+  std::function<void(std::span<const volume::TraceRay> rays, bool any)> traced = {};
 };
 
 // `environment` is what scene.light.environment names, loaded (loadEnvironment()); it stays shared.

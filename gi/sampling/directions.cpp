@@ -55,16 +55,14 @@ std::uint64_t keyOf(std::uint32_t seed, std::uint64_t stream) {
   return hash64(static_cast<std::uint64_t>(seed) | stream << 32);
 }
 
-glm::vec2 sobolPair(std::uint32_t seed, std::uint32_t sample, std::uint32_t pair) {
-  const std::uint64_t key = keyOf(seed, pair);
+glm::vec2 sobolPair(std::uint64_t key, std::uint32_t sample, bool shuffled) {
   const auto first = static_cast<std::uint32_t>(key), second = static_cast<std::uint32_t>(key >> 32);
-  const std::uint32_t index = pair == 0 ? sample : shuffle(sample, first ^ (second * 0x9e3779b1u));
+  const std::uint32_t index = shuffled ? shuffle(sample, first ^ (second * 0x9e3779b1u)) : sample;
   return {toUnit(reverseBits(scrambleReversed(index, first))),
           toUnit(reverseBits(scrambleReversed(sobolSecondReversed(index), second)))};
 }
 
-glm::vec2 r2Pair(std::uint32_t seed, std::uint32_t sample) {
-  const std::uint64_t key = keyOf(seed, 0);
+glm::vec2 r2Pair(std::uint64_t key, std::uint32_t sample) {
   // 1/p and 1/p^2 times 2^64.
   constexpr std::uint64_t alpha1 = 0xc13fa9a902a6328full, alpha2 = 0x91e10da5c79e7b1cull;
   const std::uint64_t x = (key << 32) + alpha1 * sample;
@@ -81,12 +79,24 @@ std::uint64_t randomBits(std::uint64_t key, std::uint32_t sample) {
 
 glm::vec2 samplePair(DirectionSequence sequence, std::uint32_t seed, std::uint32_t sample,
                      std::uint32_t pair) {
-  if (sequence == DirectionSequence::random) {
-    const std::uint64_t bits = randomBits(keyOf(seed, pair), sample);
-    return {toUnit(static_cast<std::uint32_t>(bits)), toUnit(static_cast<std::uint32_t>(bits >> 32))};
-  }
-  if (sequence == DirectionSequence::r2 && pair == 0) return r2Pair(seed, sample);
-  return sobolPair(seed, sample, pair);
+  return PairPattern(sequence, seed, pair)(sample);
+}
+
+PairPattern::PairPattern(DirectionSequence sequence, std::uint32_t seed, std::uint32_t pair)
+    : key_(keyOf(seed, pair)) {
+  if (sequence == DirectionSequence::random)
+    kind_ = Kind::random;
+  else if (pair != 0)
+    kind_ = Kind::sobolShuffled;
+  else
+    kind_ = sequence == DirectionSequence::r2 ? Kind::r2 : Kind::sobol;
+}
+
+glm::vec2 PairPattern::operator()(std::uint32_t sample) const {
+  if (kind_ == Kind::r2) return r2Pair(key_, sample);
+  if (kind_ != Kind::random) return sobolPair(key_, sample, kind_ == Kind::sobolShuffled);
+  const std::uint64_t bits = randomBits(key_, sample);
+  return {toUnit(static_cast<std::uint32_t>(bits)), toUnit(static_cast<std::uint32_t>(bits >> 32))};
 }
 
 float sampleOne(DirectionSequence sequence, std::uint32_t seed, std::uint32_t sample,

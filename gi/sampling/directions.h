@@ -37,18 +37,45 @@ glm::vec2 samplePair(DirectionSequence sequence, std::uint32_t seed, std::uint32
 float sampleOne(DirectionSequence sequence, std::uint32_t seed, std::uint32_t sample,
                 std::uint32_t dimension);
 
-// The disc of radius 1 from the unit square, areas in proportion (Shirley & Chiu 1997). Without trigonometric
-// functions: the angle within an eighth of the disc has a polynomial, off by less than 1e-7.
+// samplePair() of one seed and pair.
+class PairPattern {
+ public:
+  PairPattern() = default;
+  PairPattern(DirectionSequence sequence, std::uint32_t seed, std::uint32_t pair);
+  glm::vec2 operator()(std::uint32_t sample) const;
+
+ private:
+  enum class Kind { random, r2, sobol, sobolShuffled };
+  Kind kind_ = Kind::random;
+  std::uint64_t key_ = 0;
+};
+
+// Of an angle of at most pi / 4, off by less than 1e-7. No function of the C library: the same everywhere.
+inline void sineCosine(float angle, float& sine, float& cosine) {
+  const float a2 = angle * angle;
+  sine = angle * (1.0f + a2 * (-1.0f / 6 + a2 * (1.0f / 120 + a2 * (-1.0f / 5040 + a2 * (1.0f / 362880)))));
+  cosine = 1.0f + a2 * (-0.5f + a2 * (1.0f / 24 + a2 * (-1.0f / 720 + a2 * (1.0f / 40320))));
+}
+
+// Of `turn` full turns, in [-1/2, 1/2]; off by less than 1.5e-7.
+inline void sineCosineOfTurn(float turn, float& sine, float& cosine) {
+  const int quarter = static_cast<int>(4.0f * turn + 2.5f) - 2;  // the nearest
+  float s, c;
+  sineCosine(6.28318531f * (turn - 0.25f * static_cast<float>(quarter)), s, c);
+  sine = (quarter & 1) != 0 ? c : s;
+  cosine = (quarter & 1) != 0 ? s : c;
+  if ((quarter & 2) != 0) sine = -sine;
+  if (((quarter + 1) & 2) != 0) cosine = -cosine;
+}
+
+// The disc of radius 1 from the unit square, areas in proportion (Shirley & Chiu 1997).
 inline glm::vec2 concentricDisk(glm::vec2 u) {
   const glm::vec2 square = 2.0f * u - 1.0f;
   const bool wide = std::abs(square.x) > std::abs(square.y);
   const float radius = wide ? square.x : square.y;
   const float ratio = radius != 0.0f ? (wide ? square.y : square.x) / radius : 0.0f;
-  const float angle = 0.785398163f * ratio;  // in [-pi/4, pi/4]
-  const float a2 = angle * angle;
-  const float sine =
-      angle * (1.0f + a2 * (-1.0f / 6 + a2 * (1.0f / 120 + a2 * (-1.0f / 5040 + a2 * (1.0f / 362880)))));
-  const float cosine = 1.0f + a2 * (-0.5f + a2 * (1.0f / 24 + a2 * (-1.0f / 720 + a2 * (1.0f / 40320))));
+  float sine, cosine;
+  sineCosine(0.785398163f * ratio, sine, cosine);
   return radius * (wide ? glm::vec2(cosine, sine) : glm::vec2(sine, cosine));
 }
 

@@ -11,8 +11,12 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "base/color.h"
+#include "base/error.h"
 #include "base/random.h"
 #include "gi/harmonics/spherical_harmonics.h"
+#include "gi/sampling/directions.h"
+#include "gi/sampling/guide_table.h"
+#include "volume/tracer/huge_pages.h"
 
 namespace isolux::gi {
 
@@ -51,12 +55,12 @@ struct Choice {
   float fraction;       // in (0, 1]
 };
 
-Choice choose(std::span<const std::uint32_t> starts, float u) {
+Choice choose(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> guide, float u) {
   const auto value = std::min(certain - 1, static_cast<std::uint32_t>(u * static_cast<float>(certain)));
-  const auto after = std::upper_bound(starts.begin(), starts.end(), value);
-  const auto index = static_cast<int>(after - starts.begin()) - 1;
-  const std::uint32_t count = (after == starts.end() ? certain : *after) - starts[index];
-  return {index, count, (static_cast<float>(value - starts[index]) + 0.5f) / static_cast<float>(count)};
+  const std::size_t index = intervalOf(starts, guide, value);
+  const std::uint32_t count = (index + 1 == starts.size() ? certain : starts[index + 1]) - starts[index];
+  return {static_cast<int>(index), count,
+          (static_cast<float>(value - starts[index]) + 0.5f) / static_cast<float>(count)};
 }
 
 // The angle of (x, y) from the x axis in [-pi, pi], off by a few 1e-7 (the polynomial is that of Cephes'
@@ -91,6 +95,8 @@ Environment Environment::fromImage(int width, int height, std::vector<glm::vec3>
 Environment::Environment(int width, int height, std::vector<glm::vec3> pixels)
     : width_(width), height_(height), pixels_(std::move(pixels)) {
   assert(width >= 1 && height >= 1);
+  if (pixels_.size() >> 31 != 0)
+    throw base::Error(base::ErrorKind::memory, "", "", "a light probe of 2^31 pixels or more is not sampled");
   assert(pixels_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   repair();
   sumUp();
@@ -151,6 +157,9 @@ void Environment::sumUp() {
 void Environment::buildDistribution() {
   rowStart_.resize(height_);
   columnStart_.resize(pixels_.size());
+  const std::size_t columnGuide = guideSize(static_cast<std::size_t>(width_));
+  rowGuide_.resize(guideSize(static_cast<std::size_t>(height_)));
+  columnGuide_.resize(columnGuide * static_cast<std::size_t>(height_));
   rowDensity_.resize(height_);
   sineSquaredHalf_.resize(height_ + 1);
   for (int row = 0; row <= height_; ++row) {
@@ -167,10 +176,19 @@ void Environment::buildDistribution() {
       sum += columns[column];
     }
     rows[row] = sum * solidAngle(row);
-    if (sum > 0.0) distribute(columns, std::span(columnStart_).subspan(first, width_));
+    if (sum > 0.0) {
+      const auto starts = std::span(columnStart_).subspan(first, width_);
+      distribute(columns, starts);
+      fillGuide(starts, std::span(columnGuide_).subspan(columnGuide * row, columnGuide));
+    }
     // Else the row has no probability, and what its columns hold is not read.
   }
   distribute(rows, rowStart_);
+  fillGuide(rowStart_, rowGuide_);
+  // They are read all over.
+  const base::Progress progress;
+  volume::preferHugePages(columnStart_.data(), columnStart_.size() * sizeof columnStart_[0], progress);
+  volume::preferHugePages(pixels_.data(), pixels_.size() * sizeof pixels_[0], progress);
 }
 
 double Environment::solidAngle(int row) const {
@@ -208,9 +226,11 @@ float Environment::pdf(glm::vec3 direction) const {
 }
 
 Environment::Sample Environment::sample(glm::vec2 u) const {
-  const Choice row = choose(rowStart_, u.y);
+  const Choice row = choose(rowStart_, rowGuide_, u.y);
   const std::size_t first = static_cast<std::size_t>(row.index) * width_;
-  const Choice column = choose(std::span(columnStart_).subspan(first, width_), u.x);
+  const std::size_t columnGuide = guideSize(static_cast<std::size_t>(width_));
+  const Choice column = choose(std::span(columnStart_).subspan(first, width_),
+                               std::span(columnGuide_).subspan(columnGuide * row.index, columnGuide), u.x);
 
   // 1 - cos of the angle from the nearer pole, over 2, is even within the row.
   const bool lower = 2 * row.index >= height_;
@@ -219,12 +239,24 @@ Environment::Sample Environment::sample(glm::vec2 u) const {
   const float half = top + row.fraction * (bottom - top);
   const float sine = 2.0f * std::sqrt(half * std::max(0.0f, 1.0f - half));
   const float z = lower ? 2.0f * half - 1.0f : 1.0f - 2.0f * half;
-  const float turn =
-      static_cast<float>(2.0 * pi) *
-      ((static_cast<float>(column.index) + column.fraction) / static_cast<float>(width_) - 0.5f);
-  return {{sine * std::sin(turn), sine * std::cos(turn), z},
+  const float turn = (static_cast<float>(column.index) + column.fraction) / static_cast<float>(width_) - 0.5f;
+  float sineOfTurn, cosineOfTurn;
+  sineCosineOfTurn(turn, sineOfTurn, cosineOfTurn);
+  return {{sine * sineOfTurn, sine * cosineOfTurn, z},
           pixels_[first + column.index],
           static_cast<float>(row.count) * static_cast<float>(column.count) * rowDensity_[row.index]};
+}
+
+EnvironmentTables Environment::tables() const {
+  return {.width = width_,
+          .height = height_,
+          .pixels = &pixels_[0].x,
+          .rowStart = rowStart_.data(),
+          .columnStart = columnStart_.data(),
+          .rowGuide = rowGuide_.data(),
+          .columnGuide = columnGuide_.data(),
+          .rowDensity = rowDensity_.data(),
+          .sineSquaredHalf = sineSquaredHalf_.data()};
 }
 
 std::vector<glm::dvec3> Environment::project(int order) const {

@@ -23,14 +23,16 @@
 #include <glm/vec3.hpp>
 
 #include "base/progress.h"
+#include "gi/sampling/batch.h"
 
 namespace isolux::gi {
 
 class Environment {
  public:
   static Environment constant(glm::dvec3 radiance);
-  // `pixels` row by row, row 0 up, width * height of them, both at least 1. Negative values become 0; a pixel
-  // with NaN or infinity becomes the mean of its up to 8 neighbours without, or 0 where there are none.
+  // `pixels` row by row, row 0 up, width * height of them, both at least 1. Throws Error{memory} of 2^31.
+  // Negative values become 0; a pixel with NaN or infinity becomes the mean of its up to 8 neighbours
+  // without, or 0 where there are none.
   static Environment fromImage(int width, int height, std::vector<glm::vec3> pixels);
   // Whatever OpenImageIO reads: .hdr, .exr and others of one channel (grey) or more. Integer samples and
   // those marked sRGB are decoded from the sRGB curve. Alpha is left out. Throws base::Error of kind input,
@@ -65,6 +67,9 @@ class Environment {
     return {direction, pixels_[pixel.index], pdfOf(pixel.row, pixel.index)};
   }
 
+  // For many at once (batch.h); they live as long as the environment.
+  EnvironmentTables tables() const;
+
   // Spherical-harmonic coefficients of this order, 1 .. 8 (gi/harmonics/spherical_harmonics.h), integrated
   // exactly over every pixel.
   std::vector<glm::dvec3> project(int order) const;
@@ -97,7 +102,8 @@ class Environment {
   // and the densities told agree exactly. Row r has [rowStart_[r], rowStart_[r + 1]); a pixel has its part of
   // the row's columns likewise, of which the starts are kept and the end of the last is 2^31.
   std::vector<std::uint32_t> rowStart_, columnStart_;
-  std::vector<float> rowDensity_;       // 2^-62 / solid angle
+  std::vector<std::uint32_t> rowGuide_, columnGuide_;  // guide_table.h; of the columns row after row
+  std::vector<float> rowDensity_;                      // 2^-62 / solid angle
   std::vector<float> sineSquaredHalf_;  // of the upper edge's angle from the zenith, height + 1
 };
 

@@ -96,10 +96,9 @@ bool PathTracer::forEachEstimate(LightPart part, std::span<const LightPoint> poi
                               ? scratch.wave.skyLight(setup, paths, scratch.light, counters, stop)
                               : scratch.wave.lampLight(setup, paths, scratch.light, counters, stop);
     if (!finished) return false;
-    for (std::size_t path = 0; path < paths.paths(); ++path) {
-      const std::size_t point = first + path / samples.count;
-      each(point, direct[point], scratch.light[path]);
-    }
+    const glm::vec3* light = scratch.light.data();
+    for (std::size_t point = first; point < first + count; ++point)
+      for (std::uint32_t sample = 0; sample < samples.count; ++sample) each(point, direct[point], *light++);
     return true;
   };
   if (varies) {

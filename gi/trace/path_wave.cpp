@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -37,6 +38,12 @@ constexpr std::uint32_t choiceDimension(std::uint32_t depth) {
 
 float largest(glm::vec3 v) {
   return std::max({v.x, v.y, v.z});
+}
+
+volume::TraceRay rayFrom(const PathSetup& setup, glm::vec3 voxel, glm::vec3 normal, glm::vec3 direction,
+                         float isovalue) {
+  return {voxel + setup.voxelsOfMm * (setup.offsetMm * normal), setup.voxelsOfMm * direction, isovalue,
+          infinity};
 }
 
 glm::vec3 finite(glm::vec3 light) {  // radiance near the largest float times pi
@@ -82,6 +89,9 @@ struct PathWave::Job {
   std::uint32_t sampleOf(std::uint32_t path) const {
     return range.samples.first + path % range.samples.count;
   }
+  std::uint32_t sampleOf(const Vertex& vertex) const {
+    return range.samples.first + (vertex.path - vertex.point * range.samples.count);
+  }
   glm::vec2 pair(std::uint32_t path, std::uint32_t number) const {
     return samplePair(setup.light->sequence, pointOf(path).seed, sampleOf(path), number);
   }
@@ -91,11 +101,12 @@ struct PathWave::Job {
 };
 
 void PathWave::start(const Job& job) {
-  const auto paths = static_cast<std::uint32_t>(job.range.paths());
-  vertices_.resize(paths);
-  for (std::uint32_t path = 0; path < paths; ++path) {
-    const LightPoint& point = job.pointOf(path);
-    vertices_[path] = {path, point.voxel, point.normal, glm::vec3(1.0f)};
+  vertices_.resize(job.range.paths());
+  std::uint32_t path = 0;
+  for (std::uint32_t i = 0; i < job.range.points.size(); ++i) {
+    const LightPoint& point = job.range.points[i];
+    for (std::uint32_t sample = 0; sample < job.range.samples.count; ++sample, ++path)
+      vertices_[path] = {path, i, point.voxel, point.normal, glm::vec3(1.0f)};
   }
   albedos_.resize(job.range.points.size());
   const volume::Grid& grid = job.setup.light->volume->grid();
@@ -107,34 +118,75 @@ void PathWave::start(const Job& job) {
 
 // A direction for every vertex: a shadow ray to the sky, or a departure.
 void PathWave::depart(const Job& job, std::uint32_t depth) {
-  const PathSetup& setup = job.setup;
   departures_.clear();
   rays_.clear();
   toSky_.clear();
   skyRays_.clear();
-  const float share = job.share;
-  for (const Vertex& vertex : vertices_) {
-    glm::vec2 u = job.pair(vertex.path, directionPair(depth));
-    const float isovalue = job.pointOf(vertex.path).isovalue;
-    const auto rayTo = [&](glm::vec3 direction) {
-      return volume::TraceRay{vertex.voxel + setup.voxelsOfMm * (setup.offsetMm * vertex.normal),
-                              setup.voxelsOfMm * direction, isovalue, infinity};
-    };
-    if (u.x < share) {
-      u.x = std::min(u.x / share, 1.0f - 0x1p-24f);
-      const Environment::Sample sample = setup.sky.sample(u);
-      const float cosine = glm::dot(vertex.normal, sample.direction);
-      if (!(cosine > 0.0f)) continue;
-      const float density = share * sample.pdf + (1.0f - share) * cosine / pi;
-      toSky_.push_back({vertex.path, finite(vertex.throughput * (cosine / density) * sample.radiance)});
-      skyRays_.push_back(rayTo(sample.direction));
-    } else {
-      if (share > 0.0f) u.x = std::min((u.x - share) / (1.0f - share), 1.0f - 0x1p-24f);
-      const glm::vec3 local = cosineHemisphere(u);
-      const glm::vec3 direction = Frame::about(vertex.normal).toWorld(local);
-      departures_.push_back({vertex.path, direction, vertex.throughput * (pi / (1.0f - share)), local.z});
-      rays_.push_back(rayTo(direction));
+  for (std::size_t first = 0; first < vertices_.size(); first += kBatch)
+    departBatch(job, depth, std::span(vertices_).subspan(first, std::min(kBatch, vertices_.size() - first)));
+}
+
+void PathWave::departBatch(const Job& job, std::uint32_t depth, std::span<const Vertex> vertices) {
+  const float share = job.share, rest = 1.0f - share;
+  std::size_t skies = 0, cosines = 0;
+  PairPattern pattern;
+  std::uint32_t patternOf = ~0u;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vertex& vertex = vertices[i];
+    if (vertex.point != patternOf) {
+      patternOf = vertex.point;
+      pattern = {job.setup.light->sequence, job.range.points[patternOf].seed, directionPair(depth)};
     }
+    const glm::vec2 u = pattern(job.sampleOf(vertex));
+    // Both are written and one is kept: which one nobody could foretell.
+    const std::size_t toSky = u.x < share ? 1 : 0;
+    batch_.toSky[skies] = batch_.byCosine[cosines] = static_cast<std::uint32_t>(i);
+    batch_.skyPairs.x[skies] = std::min(u.x / share, 1.0f - 0x1p-24f);
+    batch_.cosinePairs.x[cosines] = std::min((u.x - share) / rest, 1.0f - 0x1p-24f);
+    batch_.skyPairs.y[skies] = batch_.cosinePairs.y[cosines] = u.y;
+    batch_.normals.set(cosines, vertex.normal);
+    skies += toSky;
+    cosines += 1 - toSky;
+  }
+  aimAtSky(job, vertices, skies);
+  aimByCosine(job, vertices, cosines);
+}
+
+void PathWave::aimAtSky(const Job& job, std::span<const Vertex> vertices, std::size_t count) {
+  if (count == 0) return;
+  const PathSetup& setup = job.setup;
+  const Sky& sky = setup.sky;
+  const float share = job.share;
+  sampleBatch(sky.environment->tables(), batch_.skyPairs, count, batch_.sky);
+  std::size_t end = skyRays_.size();
+  skyRays_.resize(end + count);
+  toSky_.resize(end + count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vertex& vertex = vertices[batch_.toSky[k]];
+    const glm::vec3 direction = sky.worldFromEnvironment * batch_.sky.direction[k];
+    const glm::vec3 radiance = sky.environment->pixels()[batch_.sky.pixel[k]] * sky.scale;
+    const float cosine = glm::dot(vertex.normal, direction);
+    const float density = share * batch_.sky.pdf[k] + (1.0f - share) * cosine / pi;
+    toSky_[end] = {vertex.path, finite(vertex.throughput * (cosine / density) * radiance)};
+    skyRays_[end] =
+        rayFrom(setup, vertex.voxel, vertex.normal, direction, job.range.points[vertex.point].isovalue);
+    end += cosine > 0.0f ? 1 : 0;  // else the next one takes its place
+  }
+  skyRays_.resize(end);
+  toSky_.resize(end);
+}
+
+void PathWave::aimByCosine(const Job& job, std::span<const Vertex> vertices, std::size_t count) {
+  const PathSetup& setup = job.setup;
+  cosineBatch(batch_.cosinePairs, batch_.normals, count, batch_.directions, batch_.cosines);
+  const float scale = pi / (1.0f - job.share);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vertex& vertex = vertices[batch_.byCosine[k]];
+    const glm::vec3 direction = batch_.directions[k];
+    departures_.push_back(
+        {vertex.path, vertex.point, direction, vertex.throughput * scale, batch_.cosines[k]});
+    rays_.push_back(
+        rayFrom(setup, vertex.voxel, vertex.normal, direction, job.range.points[vertex.point].isovalue));
   }
 }
 
@@ -143,6 +195,7 @@ bool PathWave::traceFirst(const Job& job) {
   for (std::size_t i = 0; i < rays_.size(); i += kTracedAtOnce) {
     if (job.stop.stop_requested()) return false;
     const std::size_t count = std::min(kTracedAtOnce, rays_.size() - i);
+    if (job.setup.light->traced) job.setup.light->traced(std::span(rays_).subspan(i, count), false);
     job.setup.light->tracer->firstEntries(std::span(rays_).subspan(i, count),
                                           std::span(t_).subspan(i, count));
   }
@@ -155,6 +208,7 @@ bool PathWave::traceAny(const Job& job, std::span<const volume::TraceRay> rays) 
   for (std::size_t i = 0; i < rays.size(); i += kTracedAtOnce) {
     if (job.stop.stop_requested()) return false;
     const std::size_t count = std::min(kTracedAtOnce, rays.size() - i);
+    if (job.setup.light->traced) job.setup.light->traced(rays.subspan(i, count), true);
     job.setup.light->tracer->anyEntries(rays.subspan(i, count), std::span(hit_).subspan(i, count));
   }
   job.counters.rays += rays.size();
@@ -170,14 +224,14 @@ void PathWave::arrive(const Job& job, std::uint32_t depth) {
   for (std::size_t i = 0; i < departures_.size(); ++i) {
     if (!(t_[i] < infinity)) continue;
     const Departure& departure = departures_[i];
-    const glm::vec3 albedo = albedos_[departure.path / job.range.samples.count];
+    const glm::vec3 albedo = albedos_[departure.point];
     const float survival = roulette ? largest(albedo) : 1.0f;
     if (roulette && survival < 1.0f && job.one(departure.path, rouletteDimension(depth)) >= survival)
       continue;
     const glm::vec3 throughput = departure.throughput * albedo / (pi * survival);
     if (!(largest(throughput) > 0.0f)) continue;
     const glm::vec3 voxel = rays_[i].origin + t_[i] * rays_[i].direction;
-    vertices_.push_back({departure.path, voxel, departure.direction, throughput});
+    vertices_.push_back({departure.path, departure.point, voxel, departure.direction, throughput});
     voxels_.push_back(voxel);
   }
   gradients_.resize(voxels_.size());
@@ -195,7 +249,8 @@ void PathWave::arrive(const Job& job, std::uint32_t depth) {
   }
 }
 
-// Calls lit(i) for the rays to the sky, escaped(i) for the departures that nothing is in the way of.
+// Calls lit(i) for the rays to the sky, escaped(list) for the departures that nothing is in the way of, at
+// most kBatch at once.
 template <class Lit, class Escaped>
 bool PathWave::follow(const Job& job, const Lit& lit, const Escaped& escaped) {
   start(job);
@@ -209,11 +264,18 @@ bool PathWave::follow(const Job& job, const Lit& lit, const Escaped& escaped) {
         if (hit_[i] == 0) lit(i);
     }
     if (!(last ? traceAny(job, rays_) : traceFirst(job))) return false;
-    for (std::size_t i = 0; i < departures_.size(); ++i)
-      if (last ? hit_[i] == 0 : !(t_[i] < infinity))
-        escaped(i);
-      else if (depth == kMostBounces)
-        ++job.counters.capped;
+    std::uint32_t out[kBatch];
+    std::size_t waiting = 0, all = 0;
+    for (std::uint32_t i = 0; i < departures_.size(); ++i) {
+      out[waiting] = i;
+      waiting += (last ? hit_[i] == 0 : !(t_[i] < infinity)) ? 1 : 0;
+      if (waiting < kBatch) continue;
+      escaped(std::span<const std::uint32_t>(out, waiting));
+      all += std::exchange(waiting, 0);
+    }
+    escaped(std::span<const std::uint32_t>(out, waiting));
+    all += waiting;
+    if (depth == kMostBounces) job.counters.capped += departures_.size() - all;
     if (last) break;
     arrive(job, depth + 1);
   }
@@ -224,17 +286,23 @@ bool PathWave::skyLight(const PathSetup& setup, const Range& range, std::span<gl
                         Counters& counters, const std::stop_token& stop) {
   std::fill(light.begin(), light.end(), glm::vec3(0.0f));
   const auto lit = [&](std::size_t i) { light[toSky_[i].path] = toSky_[i].worth; };
-  const auto escaped = [&](std::size_t i) {
-    const Departure& departure = departures_[i];
-    glm::vec3 radiance(1.0f);
-    if (setup.share > 0.0f) {
-      const Environment::Sample seen = setup.sky.lookUp(departure.direction);
-      const float byCosine = (1.0f - setup.share) * departure.cosine / pi;
-      radiance = seen.radiance * (byCosine / (byCosine + setup.share * seen.pdf));
-    } else if (setup.sky.environment) {
-      radiance = setup.sky.radiance(departure.direction);
+  const Sky& sky = setup.sky;
+  const auto escaped = [&](std::span<const std::uint32_t> list) {
+    if (!sky.environment) {
+      for (const std::uint32_t i : list) light[departures_[i].path] = finite(departures_[i].throughput);
+      return;
     }
-    light[departure.path] = finite(departure.throughput * radiance);
+    for (std::size_t k = 0; k < list.size(); ++k)
+      batch_.sky.direction.set(k, departures_[list[k]].direction * sky.worldFromEnvironment);
+    lookUpBatch(sky.environment->tables(), list.size(), batch_.sky);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Departure& departure = departures_[list[k]];
+      const glm::vec3 radiance = sky.environment->pixels()[batch_.sky.pixel[k]] * sky.scale;
+      const float byCosine = (1.0f - setup.share) * departure.cosine / pi;
+      const float weight = byCosine / (byCosine + setup.share * batch_.sky.pdf[k]);
+      light[departure.path] =
+          finite(departure.throughput * (setup.share > 0.0f ? radiance * weight : radiance));
+    }
   };
   return follow({setup, range, counters, stop, setup.share}, lit, escaped);
 }
@@ -244,8 +312,9 @@ bool PathWave::escapes(const PathSetup& setup, const Range& range, std::span<Esc
   std::fill(escapes.begin(), escapes.end(), Escape{});
   return follow(
       {setup, range, counters, stop, 0.0f}, [](std::size_t) {},
-      [&](std::size_t i) {
-        escapes[departures_[i].path] = {departures_[i].throughput, departures_[i].direction};
+      [&](std::span<const std::uint32_t> list) {
+        for (const std::uint32_t i : list)
+          escapes[departures_[i].path] = {departures_[i].throughput, departures_[i].direction};
       });
 }
 
@@ -256,7 +325,7 @@ void PathWave::aim(const PathSetup& setup, float isovalue, const Vertex& vertex,
   if (!(largest(worth) > 0.0f)) return;
   const glm::vec3 offset = setup.offsetMm * vertex.normal;
   const glm::vec3 toward = sample.distant ? sample.toward : sample.toward - offset;
-  departures_.push_back({vertex.path, toward, worth, 0.0f});
+  departures_.push_back({vertex.path, vertex.point, toward, worth, 0.0f});
   rays_.push_back({vertex.voxel + setup.voxelsOfMm * offset, setup.voxelsOfMm * toward, isovalue,
                    sample.distant ? infinity : 1.0f});
 }

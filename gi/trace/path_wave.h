@@ -21,14 +21,15 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "gi/sampling/batch.h"
 #include "gi/sampling/lamp_sampling.h"
 #include "gi/trace/path_tracer.h"
 #include "volume/tracer/isosurface_tracer.h"
 
 namespace isolux::gi {
 
-inline constexpr std::size_t kWavePaths =
-    16384;  // of one wave: enough to fill the tracer, some 2 MB of state
+// Of one wave: enough to fill the tracer, some 1 MB of state. Measured: 16384 paths are 1 % slower.
+inline constexpr std::size_t kWavePaths = 8192;
 
 // What all paths of a light scene share.
 struct PathSetup {
@@ -81,11 +82,11 @@ class PathWave {
 
  private:
   struct Vertex {
-    std::uint32_t path;
+    std::uint32_t path, point;
     glm::vec3 voxel, normal, throughput;
   };
   struct Departure {
-    std::uint32_t path;
+    std::uint32_t path, point;
     glm::vec3 direction, throughput;
     float cosine;
   };
@@ -97,6 +98,9 @@ class PathWave {
 
   void start(const Job& job);
   void depart(const Job& job, std::uint32_t depth);
+  void departBatch(const Job& job, std::uint32_t depth, std::span<const Vertex> vertices);
+  void aimAtSky(const Job& job, std::span<const Vertex> vertices, std::size_t count);
+  void aimByCosine(const Job& job, std::span<const Vertex> vertices, std::size_t count);
   template <class Lit, class Escaped>
   bool follow(const Job& job, const Lit& lit, const Escaped& escaped);
   bool traceFirst(const Job& job);
@@ -106,6 +110,16 @@ class PathWave {
            glm::vec3 throughput);
   bool lightUp(const Job& job, std::span<glm::vec3> light);
 
+  // What a few hundred vertices choose at once.
+  struct Batch {
+    std::uint32_t toSky[kBatch] = {}, byCosine[kBatch] = {};  // which of them
+    BatchPairs skyPairs, cosinePairs;
+    EnvironmentBatch sky;
+    BatchVectors normals, directions;
+    BatchFloats cosines;
+  };
+
+  Batch batch_;
   std::vector<Vertex> vertices_;
   std::vector<Departure> departures_;
   std::vector<SkyRay> toSky_;

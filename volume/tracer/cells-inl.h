@@ -1,5 +1,5 @@
 // The test of cells, one per SIMD lane: the exact cubic along the stretch of a ray through a cell. Included
-// once per instruction set by isosurface_tracer_simd.cpp.
+// once per instruction set by simd_kernels.cpp.
 #if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_CELLS_INL_H
 #undef ISOLUX_VOLUME_ISOSURFACE_TRACER_CELLS_INL_H

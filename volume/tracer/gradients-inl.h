@@ -1,5 +1,5 @@
 // Gradients: one point at a time, four samples of a row at once. Included once per instruction set by
-// isosurface_tracer_simd.cpp.
+// simd_kernels.cpp.
 #if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H
 #undef ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H

@@ -4,9 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "volume/parallel_steps.h"
-#include "volume/tracer/huge_pages.h"
 #include "volume/tracer/kernels.h"
+#include "volume/tracer/trace_tables.h"
 
 namespace isolux::volume {
 
@@ -56,40 +55,27 @@ const Kernels* kernelsOf(TracerTarget target) {
 
 }  // namespace tracing
 
-namespace {
-
-// While it is made: the bins of all voxels, beside what stays.
-std::size_t bytesToMake(const Grid& grid) {
-  const std::size_t voxels = grid.geometry().voxelCount();
-  const std::size_t widened = bytesOf(grid.storedType()) == 1 ? voxels * sizeof(std::int16_t) : 0;
-  return CellRanges::bytesOf(grid.dims()) + std::max(voxels, widened);
-}
-
-}  // namespace
-
 IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside,
                                    base::Progress& progress, TracerTarget target, TracerReach reach)
-    : held_(base::machineMemory().reserve(bytesToMake(*grid), "what light is traced by",
-                                          "a volume of fewer voxels or gi.mode=off needs less")),
-      grid_(std::move(grid)),
-      ranges_(*grid_, progress),
+    : grid_(std::move(grid)),
+      tables_(tracing::TraceTables::of(grid_, progress)),
       view_(std::make_unique<tracing::View>()),
       kernels_(tracing::kernelsOf(target)) {
   assert(kernels_);
   const tracing::Kernels* const wanted = kernels_;
-  if (grid_->geometry().voxelCount() > reach.voxels || ranges_.bytes() > reach.tableBytes)
+  const CellRanges& ranges = tables_->ranges();
+  if (grid_->geometry().voxelCount() > reach.voxels || ranges.bytes() > reach.tableBytes)
     kernels_ = &tracing::scalarKernels();
   beyondSimd_ = kernels_ != wanted;
   view_->dims = grid_->dims();
-  view_->blockDims = ranges_.blockDims();
+  view_->blockDims = ranges.blockDims();
   view_->scale = (inside == scene::Inside::above) == (grid_->slope() > 0.0) ? 1.0f : -1.0f;
-  view_->ranges = &ranges_;
-  if (ranges_.bytes() > 0) view_->table = ranges_.table();
-  view_->cellBytes = ranges_.cellBytes();
+  view_->ranges = &ranges;
+  if (ranges.bytes() > 0) view_->table = ranges.table();
+  view_->cellBytes = ranges.cellBytes();
   std::visit(
       [&](const auto& voxels) {
         using T = typename std::decay_t<decltype(voxels)>::value_type;
-        if constexpr (sizeof(T) > 1) preferHugePages(voxels.data(), voxels.size() * sizeof(T), progress);
         if constexpr (std::is_same_v<T, float>) {
           view_->float32 = voxels.data();
           const double range = grid_->storedMaximum() - grid_->storedMinimum();
@@ -99,20 +85,10 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
         } else if constexpr (std::is_same_v<T, std::int16_t>) {
           view_->signed16 = voxels.data();
         } else {
-          widened_.reserve(voxels.size());
-          preferHugePages(widened_.data(), widened_.capacity() * sizeof widened_[0], progress);
-          resizeStoppably(widened_, voxels.size(), progress);
-          parallelPieces(voxels.size(), std::size_t{1} << 20, progress, {},
-                         [&](std::size_t begin, std::size_t end) {
-                           for (std::size_t i = begin; i < end; ++i)
-                             widened_[i] = voxels[i];  // NOLINT(bugprone-signed-char-misuse): no character
-                         });
-          view_->signed16 = widened_.data();
+          view_->signed16 = tables_->widened().data();
         }
       },
       grid_->voxels());
-  progress.throwIfStopped();
-  held_.shrinkTo(bytes());
 }
 
 IsosurfaceTracer::~IsosurfaceTracer() = default;
@@ -147,7 +123,7 @@ void IsosurfaceTracer::gradients(std::span<const glm::vec3> voxels, std::span<gl
 }
 
 std::size_t IsosurfaceTracer::bytes() const {
-  return ranges_.bytes() + widened_.size() * sizeof widened_[0];
+  return tables_->bytes();
 }
 
 const char* IsosurfaceTracer::target() const {

@@ -16,16 +16,15 @@
 
 #include <glm/vec3.hpp>
 
-#include "base/memory_budget.h"
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/grid.h"
-#include "volume/skip/cell_ranges.h"
 
 namespace isolux::volume {
 
 namespace tracing {
 struct Kernels;
+class TraceTables;
 struct View;
 }  // namespace tracing
 
@@ -48,7 +47,8 @@ struct TracerReach {
 
 class IsosurfaceTracer {
  public:
-  // Builds what rays skip by, on all threads. Throws Error: interrupted; memory, before anything is made.
+  // Builds what rays skip by, on all threads, or shares it with another tracer of the grid. Throws Error:
+  // interrupted; memory, before anything is made.
   // `target`: automatic is the widest of this machine; one of availableTargets() for tests and benchmarks.
   IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside, base::Progress& progress,
                    TracerTarget target = TracerTarget::automatic, TracerReach reach = {});
@@ -70,15 +70,13 @@ class IsosurfaceTracer {
   void gradients(std::span<const glm::vec3> voxels, std::span<glm::vec3> gradients) const;
 
   const Grid& grid() const { return *grid_; }
-  std::size_t bytes() const;                       // beside the grid
+  std::size_t bytes() const;                       // beside the grid; of all its tracers together
   const char* target() const;                      // "AVX-512", "AVX2", "SSE4", "NEON" or "scalar"
   bool beyondSimd() const { return beyondSimd_; }  // scalar only because of TracerReach
 
  private:
-  base::MemoryBudget::Held held_;
   std::shared_ptr<const Grid> grid_;
-  CellRanges ranges_;
-  std::vector<std::int16_t> widened_;  // the voxels of 8-bit grids
+  std::shared_ptr<const tracing::TraceTables> tables_;
   std::unique_ptr<tracing::View> view_;
   const tracing::Kernels* kernels_;
   bool beyondSimd_ = false;

@@ -1,5 +1,5 @@
 // The rays of a group, one per SIMD lane, and what is known of those that have entered. Included once per
-// instruction set by isosurface_tracer_simd.cpp.
+// instruction set by simd_kernels.cpp.
 #if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H
 #undef ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H
@@ -49,10 +49,9 @@ struct Group {
   VF t;
   MI alive, fine, hits, waits;  // fine: at single cells, else at blocks
   MF outside;
-  float scale[kLanes] = {}, tBegin[kLanes] = {};
-  std::size_t ray[kLanes] = {};
-  bool busy[kLanes] = {};  // a result is not yet written
-  bool empty = false;
+  alignas(64) float scale[kLanes] = {}, tBegin[kLanes] = {};
+  alignas(64) std::int32_t ray[kLanes] = {};
+  std::uint32_t busy = 0;  // lanes whose result is not yet written
   Found found = {};
 };
 

@@ -1,8 +1,8 @@
 // The isosurface tracer with one ray per SIMD lane, compiled for every instruction set and chosen at run
 // time. Indices of voxels, and offsets of pairs of bytes in the table, have 32 bits (TracerReach).
 //
-// Groups of rays take turns (isosurface_tracer_steps-inl.h), cells are tested by
-// isosurface_tracer_cells-inl.h.
+// Groups of rays take turns (steps-inl.h), cells are tested by
+// cells-inl.h.
 #include "volume/tracer/kernels.h"
 
 // These do not differ for this code, or have vectors without a size known here. Where none is left the scalar
@@ -22,6 +22,7 @@ namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 
+// write(ray, t)
 template <bool any, class Write>
 HWY_INLINE void traceAll(const View& view, const TraceRay* rays, std::size_t count, const Write& write) {
   if (view.signed16)
@@ -32,11 +33,17 @@ HWY_INLINE void traceAll(const View& view, const TraceRay* rays, std::size_t cou
     Tracer<float, any>(view, view.float32, rays, count).run(write);
 }
 
+constexpr std::size_t kMostRays = std::size_t{1} << 30;  // at once: lanes know their ray by 32 bits
+
 void firstEntries(const View& view, const TraceRay* rays, std::size_t count, float* t) {
+  for (; count > kMostRays; count -= kMostRays, rays += kMostRays, t += kMostRays)
+    firstEntries(view, rays, kMostRays, t);
   traceAll<false>(view, rays, count, [t](std::size_t ray, float found) { t[ray] = found; });
 }
 
 void anyEntries(const View& view, const TraceRay* rays, std::size_t count, std::uint8_t* hit) {
+  for (; count > kMostRays; count -= kMostRays, rays += kMostRays, hit += kMostRays)
+    anyEntries(view, rays, kMostRays, hit);
   traceAll<true>(view, rays, count,
                  [hit](std::size_t ray, float found) { hit[ray] = found < kInfinity ? 1 : 0; });
 }

@@ -1,4 +1,4 @@
-// Steps and scheduling of rays. Included once per instruction set by isosurface_tracer_simd.cpp.
+// Steps and scheduling of rays. Included once per instruction set by simd_kernels.cpp.
 //
 // 64 rays are on their way, in groups of one per lane that take turns: what a group will read at its next
 // turn is asked of memory when its turn ends, so that no step waits for memory. A lane whose ray has ended
@@ -21,6 +21,7 @@
 #include "volume/tracer/cells-inl.h"
 #include "volume/tracer/kernels.h"
 #include "volume/tracer/lanes-inl.h"
+#include "volume/tracer/stock-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
@@ -33,15 +34,13 @@ template <class T, bool any>
 class Tracer {
  public:
   Tracer(const View& view, const T* voxels, const TraceRay* rays, std::size_t count)
-      : view_(view), voxels_(voxels), rays_(rays), count_(count) {}
+      : view_(view), voxels_(voxels), stock_(view, rays, count) {}
 
   // write(ray, t): t of the first entry, or +inf.
   template <class Write>
   void run(const Write& write);
 
  private:
-  template <class Write>
-  bool nextRay(Group& g, std::size_t lane, const Write& write);
   template <class Write>
   void refill(Group& g, const Write& write);
   void fetch(Group& g) const;
@@ -51,43 +50,9 @@ class Tracer {
 
   const View& view_;
   const T* voxels_;
-  const TraceRay* rays_;
-  std::size_t count_, next_ = 0;
+  Stock stock_;
   Group groups_[kGroups];
 };
-
-// The next ray that may meet something becomes that of the lane.
-template <class T, bool any>
-template <class Write>
-HWY_INLINE bool Tracer<T, any>::nextRay(Group& g, std::size_t lane, const Write& write) {
-  PreparedRay ray;
-  for (; next_ < count_; ++next_) {
-    if (!prepare(view_, rays_[next_], ray)) {
-      write(next_, kInfinity);
-      continue;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      g.origin[axis][lane] = ray.origin[axis];
-      g.direction[axis][lane] = ray.direction[axis];
-      g.inverse[axis][lane] = ray.inverse[axis];
-      g.start[axis][lane] = ray.cell[axis];
-    }
-    g.tEnd[lane] = ray.tEnd;
-    g.isovalue[lane] = ray.isovalue;
-    g.bin[lane] = ray.bin;
-    g.scale[lane] = ray.scale;
-    g.tBegin[lane] = ray.tBegin;
-    g.ray[lane] = next_++;
-    return true;
-  }
-  return false;
-}
-
-HWY_INLINE MI maskOf(const std::uint8_t* lanes) {
-  alignas(64) std::int32_t wide[kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane) wide[lane] = lanes[lane];
-  return hn::Gt(hn::Load(I(), wide), hn::Zero(I()));
-}
 
 // Writes the results of lanes whose rays have ended and gives them new ones.
 template <class T, bool any>
@@ -97,34 +62,25 @@ HWY_INLINE void Tracer<T, any>::refill(Group& g, const Write& write) {
   const I i;
   alignas(64) float ends[kLanes];
   if (!any && !hn::AllFalse(i, g.hits)) hn::Store(roots(g), f, ends);
-  std::uint8_t livingBits[8] = {}, hitBits[8] = {};
-  hn::StoreMaskBits(i, g.alive, livingBits);
-  hn::StoreMaskBits(i, g.hits, hitBits);
-  const auto bit = [](const std::uint8_t* bits, std::size_t lane) {
-    return (bits[lane / 8] >> lane % 8 & 1) != 0;
-  };
-  std::uint8_t fresh[kLanes] = {};
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (bit(livingBits, lane)) continue;
-    if (g.busy[lane]) {
-      if (!bit(hitBits, lane))
-        write(g.ray[lane], kInfinity);
-      else
-        write(g.ray[lane], any ? 0.0f : g.tBegin[lane] + ends[lane] * g.scale[lane]);
-    }
-    g.busy[lane] = nextRay(g, lane, write);
-    fresh[lane] = g.busy[lane] ? 1 : 0;
+  const std::uint32_t idle = bitsOf(hn::Not(g.alive)), hits = bitsOf(g.hits);
+  for (std::uint32_t bits = idle & g.busy; bits != 0; bits &= bits - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+    const auto ray = static_cast<std::size_t>(g.ray[lane]);
+    if ((hits >> lane & 1) == 0)
+      write(ray, kInfinity);
+    else
+      write(ray, any ? 0.0f : g.tBegin[lane] + ends[lane] * g.scale[lane]);
   }
-  const MI start = maskOf(fresh);
+  const MI start = stock_.give(g, idle, [&](std::size_t ray) { write(ray, kInfinity); });
   g.cx = hn::IfThenElse(start, hn::Load(i, g.start[0]), g.cx);
   g.cy = hn::IfThenElse(start, hn::Load(i, g.start[1]), g.cy);
   g.cz = hn::IfThenElse(start, hn::Load(i, g.start[2]), g.cz);
   g.t = hn::IfThenElse(hn::RebindMask(f, start), hn::Zero(f), g.t);
   g.alive = hn::Or(g.alive, start);
+  g.busy = bitsOf(g.alive);
   g.fine = hn::AndNot(start, g.fine);
   g.outside = hn::AndNot(hn::RebindMask(f, start), g.outside);
   g.hits = hn::AndNot(g.hits, g.hits);
-  g.empty = hn::AllFalse(i, g.alive);
 }
 
 // Copies what the boxes of the lanes hold, where aim() asked for it.
@@ -237,7 +193,7 @@ HWY_INLINE void Tracer<T, any>::step(Group& g, const Write& write) {
   // Lanes that have begun to wait in this turn have only now asked for their corners.
   const std::size_t waiting = hn::CountTrue(i, g.waits);
   g.waits = waits;
-  if (waiting > 0 && 2 * waiting >= hn::CountTrue(i, alive)) {
+  if (waiting > 0 && 8 * waiting >= 3 * hn::CountTrue(i, alive)) {
     const MF here = hn::RebindMask(f, waits);
     entered = hn::Or(entered, testCells<T, any>(view_, voxels_, g, here, hn::Min(tOut, tEnd), outside));
     moves = hn::Or(moves, waits);
@@ -267,7 +223,7 @@ HWY_INLINE void Tracer<T, any>::step(Group& g, const Write& write) {
   g.cy = newY;
   g.cz = newZ;
   const std::size_t living = hn::CountTrue(i, g.alive);
-  if (living == 0 || (next_ < count_ && 8 * (kLanes - living) >= kLanes)) refill(g, write);
+  if (living == 0 || (!stock_.exhausted() && 8 * (kLanes - living) >= kLanes)) refill(g, write);
   aim(g);
 }
 
@@ -289,7 +245,7 @@ HWY_INLINE void Tracer<T, any>::run(const Write& write) {
     fetch(groups_[0]);
     for (std::size_t k = 0; k < kGroups; ++k) {
       if (k + 1 < kGroups) fetch(groups_[k + 1]);
-      if (groups_[k].empty) continue;
+      if (groups_[k].busy == 0) continue;
       ++busy;
       step(groups_[k], write);
     }

@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <span>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -21,6 +24,7 @@
 #include "tests/support/test_data.h"
 #include "volume/field/reconstruct.h"
 #include "volume/read/reader.h"
+#include "volume/skip/cell_ranges.h"
 
 namespace isolux::volume {
 namespace {
@@ -594,6 +598,73 @@ TEST(CellRanges, BinsAreMonotoneAndRangesHoldTheirCells) {
     EXPECT_GT(before, 200);
     EXPECT_LT(before, 255);
   }
+}
+
+// Rays are made ready in vectors, and one by one where one of a vector begins outside or is none: whatever is
+// beside a ray, its answer is the same bit for bit.
+TEST_P(IsosurfaceTracerOn, ARaysAnswerDoesNotHangOnItsNeighbours) {
+  const IsosurfaceTracer traced = tracer(phantom("gyroid", glm::ivec3(24)));
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  std::vector<TraceRay> rays;
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    const auto u = [i](std::uint64_t n) { return static_cast<float>(base::uniformNoise(2, 9 * i + n)); };
+    TraceRay ray{glm::vec3(u(0), u(1), u(2)) * 23.0f, glm::vec3(u(3), u(4), u(5)) - 0.5f, u(6) - 0.5f};
+    // Long stretches without and with those that want care.
+    const std::uint64_t kind = i / 400 % 2 == 0 ? 0 : base::hash64(i) % 16;
+    if (kind == 1) ray.origin.x -= 30.0f;
+    if (kind == 2) ray.origin = glm::vec3(23.0f);
+    if (kind == 3) ray.direction = glm::vec3(0.0f, 0.0f, 1.0f);
+    if (kind == 4) ray.direction = glm::vec3(0.0f);
+    if (kind == 5) ray.isovalue = nan;
+    if (kind == 6) ray.tMaximum = 0.0f;
+    if (kind == 7) ray.tMaximum = 3.0f;
+    if (kind == 8) ray.direction *= 1e-30f;
+    if (kind == 9) ray.direction *= 1e30f;
+    if (kind == 10) ray.origin.z = 0.0f;
+    if (kind == 11) ray.direction.y = std::numeric_limits<float>::infinity();
+    rays.push_back(ray);
+  }
+  const std::vector<float> together = firstOf(traced, rays);
+  std::vector<std::uint8_t> hit(rays.size());
+  traced.anyEntries(rays, hit);
+  int hits = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    float alone = -1.0f;
+    traced.firstEntries(std::span(&rays[i], 1), std::span(&alone, 1));
+    ASSERT_EQ(std::bit_cast<std::uint32_t>(together[i]), std::bit_cast<std::uint32_t>(alone)) << i;
+    ASSERT_EQ(hit[i] != 0, alone < std::numeric_limits<float>::infinity()) << i;
+    hits += hit[i];
+  }
+  EXPECT_GT(hits, 800);
+}
+
+TEST(IsosurfaceTracerMemory, TracersOfAGridShareTheirTables) {
+  const GridPointer grid = quantised<std::uint8_t>(*phantom("ball", glm::ivec3(40)), 0.0, 255.0);
+  base::Progress progress;
+  const std::size_t before = base::machineMemory().held();
+  auto above = std::make_unique<IsosurfaceTracer>(grid, Inside::above, progress);
+  const std::size_t one = base::machineMemory().held();
+  {
+    const IsosurfaceTracer below(grid, Inside::below, progress);
+    EXPECT_EQ(base::machineMemory().held(), one);
+    above.reset();
+    EXPECT_EQ(base::machineMemory().held(), one);
+    // Another grid of the same values has its own, and the same answers.
+    const GridPointer other = quantised<std::uint8_t>(*phantom("ball", glm::ivec3(40)), 0.0, 255.0);
+    const IsosurfaceTracer ofOther(other, Inside::below, progress);
+    std::vector<TraceRay> rays;
+    for (int i = 0; i < 200; ++i)
+      rays.push_back({glm::vec3(20.0f), glm::vec3(1.0f, 0.1f, 0.0f), static_cast<float>(i)});
+    for (int i = 0; i < 200; ++i)
+      rays.push_back({glm::vec3(1.0f), glm::vec3(1.0f, 1.1f, 0.9f), static_cast<float>(i)});
+    std::vector<float> t(rays.size()), tOfOther(rays.size());
+    below.firstEntries(rays, t);
+    ofOther.firstEntries(rays, tOfOther);
+    EXPECT_EQ(t, tOfOther);
+    EXPECT_TRUE(std::any_of(t.begin(), t.end(), [](float at) { return at > 1.0f && at < 40.0f; }));
+    EXPECT_GT(base::machineMemory().held(), one);
+  }
+  EXPECT_EQ(base::machineMemory().held(), before);
 }
 
 TEST(IsosurfaceTracerReach, BeyondItTheScalarKernelsAnswerAndTheTracerSaysSo) {
