@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "gi/sampling/built_in_light.h"
+#include "scene/rules/environment.h"
 
 namespace isolux::gi {
 
@@ -35,6 +37,20 @@ const char* nameOf(scene::DirectionSequence sequence) {
   throw std::logic_error("a sequence without a name");
 }
 
+const char* nameOf(scene::BuiltInLight light) {
+  switch (light) {
+    case scene::BuiltInLight::studio:
+      return "studio";
+    case scene::BuiltInLight::window:
+      return "window";
+    case scene::BuiltInLight::overcast:
+      return "overcast";
+    case scene::BuiltInLight::sunset:
+      return "sunset";
+  }
+  throw std::logic_error("a built-in light without a name");
+}
+
 // q and -q, and those of any length, are one rotation.
 glm::dvec4 canonicalRotation(glm::dvec4 wxyz) {
   const double length = glm::length(wxyz);
@@ -47,9 +63,16 @@ glm::dvec4 canonicalRotation(glm::dvec4 wxyz) {
 
 ordered_json environmentJson(const scene::Scene& resolved, const LightScene& light) {
   ordered_json json;
-  json["hash"] = base::hexText(light.environment ? light.environment->hash() : 0);
-  if (!light.environment || light.environment->isConstant()) return json;
-  json["rotation"] = arrayOf(canonicalRotation(resolved.light.environment.rotation));
+  const scene::Environment& settings = resolved.light.environment;
+  if (scene::kindOf(settings) == scene::EnvironmentKind::builtIn) {
+    // By its name: its numbers may differ in the last digits from machine to machine.
+    json["built_in"] = nameOf(settings.builtIn);
+    json["version"] = kBuiltInLightVersion;
+  } else {
+    json["hash"] = base::hexText(light.environment ? light.environment->hash() : 0);
+    if (!light.environment || light.environment->isConstant()) return json;
+  }
+  json["rotation"] = arrayOf(canonicalRotation(scene::rotationOf(settings, light.volume->facts.axes)));
   json["share"] = light.environmentShare;
   return json;
 }

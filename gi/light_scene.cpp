@@ -6,6 +6,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "gi/sampling/built_in_light.h"
+#include "scene/rules/environment.h"
+
 namespace isolux::gi {
 
 namespace {
@@ -29,10 +32,20 @@ glm::dmat3 rotationOf(const glm::dvec4& wxyz) {
   return worldFromEnvironment(glm::dquat(wxyz.x, wxyz.y, wxyz.z, wxyz.w));
 }
 
+glm::dmat3 rotationOf(const scene::Scene& scene, const volume::PreparedVolume& volume) {
+  return rotationOf(scene::rotationOf(scene.light.environment, volume.facts.axes));
+}
+
 std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings) {
-  if (settings.file.empty())
-    return std::make_shared<const Environment>(Environment::constant(settings.constant));
-  return std::make_shared<const Environment>(Environment::load(settings.file));
+  switch (scene::kindOf(settings)) {
+    case scene::EnvironmentKind::file:
+      return std::make_shared<const Environment>(Environment::load(settings.file));
+    case scene::EnvironmentKind::oneColor:
+      return std::make_shared<const Environment>(Environment::constant(*settings.constant));
+    case scene::EnvironmentKind::builtIn:
+      break;
+  }
+  return std::make_shared<const Environment>(builtInEnvironment(settings.builtIn));
 }
 
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry) {
@@ -80,7 +93,7 @@ std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                    .tracer = std::move(tracer),
                    .choice = choice,
                    .environment = std::move(environment),
-                   .worldFromEnvironment = glm::mat3(rotationOf(resolved.light.environment.rotation)),
+                   .worldFromEnvironment = glm::mat3(rotationOf(resolved, *volume)),
                    .lamps = lampsOf(resolved, volume->grid().geometry()),
                    .albedo = scene::AlbedoOfIsovalue(resolved),
                    .inside = resolved.isosurface.inside,

@@ -59,10 +59,11 @@ std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                                                  const std::shared_ptr<const volume::PreparedVolume>& volume,
                                                  std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                                                  std::shared_ptr<const Environment> environment);
-// The file, or the constant sky. Throws base::Error{input}.
+// The file, the sky of one colour, or the built-in light. Throws base::Error{input}.
 std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings);
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry);
 glm::dmat3 rotationOf(const glm::dvec4& wxyz);  // worldFromEnvironment
+glm::dmat3 rotationOf(const scene::Scene& scene, const volume::PreparedVolume& volume);  // of its environment
 
 enum class LightPart { sky, lamps };  // that are stored apart
 

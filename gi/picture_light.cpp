@@ -47,7 +47,7 @@ PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& li
                               const EnvironmentProjection& projection) {
   const scene::Environment& settings = resolved.light.environment;
   const double exposure = std::exp2(settings.exposure);
-  const glm::dmat3 rotation = rotationOf(settings.rotation);
+  const glm::dmat3 rotation = rotationOf(resolved, *light.volume);
   const bool oneColor = light.choice.sky == scene::GiMode::vicinity;
   const glm::dvec3 mean = light.environment->mean();
 

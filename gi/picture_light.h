@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -17,6 +18,11 @@
 #include "gi/sampling/environment.h"
 
 namespace isolux::gi {
+
+// Of albedo * E / pi over points of the surface (gi/trace/exposure_meter.h), before the picture's exposure.
+struct SurfaceBrightness {
+  double median = 0.0, highlight = 0.0;  // luminance; highlight: 98 % of the points are darker
+};
 
 struct PictureLight {
   // Either may be null: nothing stored of it.
@@ -37,9 +43,11 @@ struct PictureLight {
   glm::mat3 environmentFromWorld{1.0f};
   float backgroundScale = 1.0f;
 
-  float automaticExposure = 0.0f;  // stops, where picture.exposure is automatic: a white surface in the open
-                                   // comes out nearly white
-  std::uint64_t version = 0;       // changes with anything above but the lattices' own revisions
+  // Stops, where picture.exposure is automatic: by what is seen of the surface, else a white surface in the
+  // open comes out nearly white.
+  float automaticExposure = 0.0f;
+  std::optional<SurfaceBrightness> seen;
+  std::uint64_t version = 0;  // changes with anything above but the lattices' own revisions
 };
 
 // An environment in spherical harmonics, in its own frame: order^2 coefficients for transfer, nine for local
@@ -49,7 +57,8 @@ struct EnvironmentProjection {
 };
 EnvironmentProjection projectEnvironment(const Environment& environment, int order);
 
-// All but the lattices, the basis and the version. `light.environment` must not be null.
+// All but the lattices, the basis, the version and what is seen: the exposure is by the lights.
+// `light.environment` must not be null.
 PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& light,
                               const EnvironmentProjection& projection);
 

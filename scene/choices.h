@@ -46,6 +46,7 @@ enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa
 enum class LightSpace { camera, world };
 enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
 enum class LampKind { point, directional, sphere };
+enum class BuiltInLight { studio, window, overcast, sunset };  // gi/sampling/built_in_light.h
 // What is stored of the light; automatic: the least that the scene needs (scene/rules/gi_choice.h).
 enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
 enum class GiExtent { full, band, view };  // which texels are lit
@@ -54,6 +55,7 @@ enum class DirectionSequence { sobol_owen, r2, random };
 // well a texel's normal fits that of the point, of texels whose noise is filtered along their own isosurface.
 enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, weighted };
 enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
+enum class Metering { surface, lights };     // what an automatic exposure looks at
 enum class Projection { perspective, orthographic };
 enum class MemoryLayout { automatic, whole, bricks };
 

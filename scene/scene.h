@@ -87,6 +87,7 @@ struct Look {
   double ambientVariation = 0.0;  // ambient light from above is brighter than from below by this part
   double specular = 0.2;
   double shininess = 50.0;
+  glm::dvec3 innerTint{1.0};  // times the surface's own colour where its inner side is seen
   glm::dvec3 toneCool{0.08, 0.12, 0.35};
   glm::dvec3 toneWarm{0.95, 0.72, 0.38};
   SolidTexture texture = SolidTexture::none;
@@ -126,15 +127,19 @@ struct Flow {
   bool operator==(const Flow&) const = default;
 };
 
-// The sky of global illumination: a light probe or one colour, around everything.
+// The light around everything in global illumination: a light probe, a sky of one colour or a built-in light;
+// which, and how it is turned: scene/rules/environment.h.
 struct Environment {
-  std::string file;          // equirectangular, row 0 is up (+z); empty: `constant`
-  glm::dvec3 constant{1.0};  // radiance
-  glm::dvec4 rotation{1.0, 0.0, 0.0,
-                      0.0};  // quaternion (w, x, y, z) from its own frame to the world, any length
-  double exposure = 0.0;     // stops
-  bool moves = false;        // it will be turned or exchanged: light must be stored so that it may
-  bool visible = false;      // behind the surface, instead of the background
+  std::string file;                             // equirectangular, row 0 is up; empty: none
+  std::optional<glm::dvec3> constant;           // radiance of a sky of one colour, where there is no file
+  BuiltInLight builtIn = BuiltInLight::studio;  // where there is neither
+  double azimuth = 0.0;                         // degrees about up, counterclockwise from above
+  double elevation = 0.0;                       // degrees, raises what lies before the volume
+  // Quaternion (w, x, y, z) from its own frame to the world, before azimuth and elevation; any length.
+  glm::dvec4 rotation{1.0, 0.0, 0.0, 0.0};
+  double exposure = 0.0;  // stops
+  bool moves = false;     // it will be turned or exchanged: light must be stored so that it may
+  bool visible = false;   // behind the surface, instead of the background
   bool operator==(const Environment&) const = default;
 };
 
@@ -194,8 +199,9 @@ struct Camera {
 };
 
 struct Picture {
-  int supersampling = 2;           // rays per pixel and axis of a picture at rest
-  std::optional<double> exposure;  // stops, of pictures lit by global illumination
+  int supersampling = 2;                  // rays per pixel and axis of a picture at rest
+  std::optional<double> exposure;         // stops, of pictures lit by global illumination
+  Metering metering = Metering::surface;  // of an automatic exposure: gi/trace/exposure_meter.h
   bool operator==(const Picture&) const = default;
 };
 

@@ -119,6 +119,8 @@ std::vector<Setting> makeSettings() {
                    "Tone shading: the colour of what faces away from the light."));
   add(entry<Scene>("look.tone_warm", ISOLUX_MEMBER(look.toneWarm), unitRange, "linear RGB",
                    "Tone shading: the colour of what faces the light."));
+  add(entry<Scene>("look.inner_tint", ISOLUX_MEMBER(look.innerTint), unitRange, "linear RGB",
+                   "Multiplies the surface's own colour where its inner side is seen; white is no tint."));
   add(choiceEntry<Scene>(
       "look.texture", ISOLUX_MEMBER(look.texture),
       "A solid texture, carved from rather than wrapped around the surface; varies the albedo."));
@@ -194,12 +196,21 @@ std::vector<Setting> makeSettings() {
 
   add(entry<Scene>(
       "light.environment.file", ISOLUX_MEMBER(light.environment.file), noRange, "",
-      "The light probe around everything, equirectangular, its first row up: .hdr, .exr, ...; empty is a "
-      "sky of one colour."));
+      "The light probe around everything, equirectangular, its first row up: .hdr, .exr, ...; empty is "
+      "none."));
   add(entry<Scene>("light.environment.constant", ISOLUX_MEMBER(light.environment.constant), {0, 1e6},
-                   "linear RGB radiance", "The radiance of a sky of one colour; without a file only."));
-  add(rotationEntry<Scene>("light.environment.rotation", ISOLUX_MEMBER(light.environment.rotation),
-                           "Turns the light probe: from its own axes to the world's."));
+                   "linear RGB radiance",
+                   "The radiance of a sky of one colour, where there is no light probe; auto is none."));
+  add(choiceEntry<Scene>("light.environment.builtin", ISOLUX_MEMBER(light.environment.builtIn),
+                         "The light where there is neither a light probe nor a sky of one colour."));
+  add(entry<Scene>("light.environment.azimuth", ISOLUX_MEMBER(light.environment.azimuth), {-360, 360},
+                   "degrees", "Turns the environment about the vertical: counterclockwise from above."));
+  add(entry<Scene>("light.environment.elevation", ISOLUX_MEMBER(light.environment.elevation), {-180, 180},
+                   "degrees",
+                   "Tilts the environment before it is turned: raises the light that comes from the front."));
+  add(rotationEntry<Scene>(
+      "light.environment.rotation", ISOLUX_MEMBER(light.environment.rotation),
+      "Turns the environment from its own axes to the world's, before azimuth and elevation."));
   add(entry<Scene>("light.environment.exposure", ISOLUX_MEMBER(light.environment.exposure), {-40, 40},
                    "stops", "Multiplies the environment's radiance by 2 to this power."));
   add(entry<Scene>(
@@ -291,7 +302,11 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("picture.supersampling", ISOLUX_MEMBER(picture.supersampling), {1, 4},
                    "rays per pixel and axis", "Anti-aliasing of a picture at rest."));
   add(entry<Scene>("picture.exposure", ISOLUX_MEMBER(picture.exposure), {-40, 40}, "stops",
-                   "Brightness of pictures lit by global illumination; auto fits the lights."));
+                   "Brightness of pictures lit by global illumination; auto is by picture.metering."));
+  add(choiceEntry<Scene>(
+      "picture.metering", ISOLUX_MEMBER(picture.metering),
+      "What an automatic exposure fits: the lit surface as it is seen from the front, whatever the view, "
+      "or the lights, so that a white surface in the open is nearly white."));
   return list;
 }
 

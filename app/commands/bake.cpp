@@ -148,7 +148,7 @@ Command makeBake(CLI::App& program) {
   parser->footer(
       "All texels are lit unless gi.extent says otherwise.\n"
       "Examples:\n"
-      "  isolux bake engine.nii.gz --environment studio.hdr --out engine_light.vti\n"
+      "  isolux bake engine.nii.gz --environment probe.hdr --out engine_light.vti\n"
       "  isolux bake ct.nii.gz --set gi.extent=band --set gi.band=200,400 --out bone.vti --stats bone.json\n"
       "  isolux render ct.nii.gz --look gi --light bone.vti --out bone.png");
   return {parser, [options](base::Progress& progress) { runBake(*options, progress); }};

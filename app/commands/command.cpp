@@ -40,6 +40,17 @@ void addCamera(const std::string& text, std::vector<std::string>& assignments) {
   for (std::size_t i = 0; i < paths.size(); ++i) assignments.push_back(paths[i] + parts[i]);
 }
 
+// A built-in light takes the place of what a session has; a light probe does by itself
+// (scene/rules/environment.h).
+void addEnvironment(const std::string& value, std::vector<std::string>& assignments) {
+  const std::vector<std::string>& names = scene::setting("light.environment.builtin").choices;
+  const bool builtIn = std::find(names.begin(), names.end(), value) != names.end();
+  assignments.push_back("light.environment.file=" + (builtIn ? "" : value));
+  if (!builtIn) return;
+  assignments.emplace_back("light.environment.constant=auto");
+  assignments.push_back("light.environment.builtin=" + value);
+}
+
 }  // namespace
 
 std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
@@ -66,8 +77,10 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
       ->group("Scene");
   add("--isovalue", assign("isosurface.value"), "VALUE", "Short for --set isosurface.value=VALUE");
   add("--look", assign("look.mode"), "MODE", "Short for --set look.mode=MODE");
-  add("--environment", assign("light.environment.file"), "FILE",
-      "The light probe (.hdr, .exr): short for --set light.environment.file=FILE");
+  add(
+      "--environment", [options](const std::string& value) { addEnvironment(value, options->assignments); },
+      "NAME|FILE",
+      "The light around everything: studio, window, overcast or sunset, or a light probe (.hdr, .exr)");
   add(
       "--camera", [options](const std::string& value) { addCamera(value, options->assignments); },
       "\"EYE TARGET UP FOV\"",

@@ -91,7 +91,7 @@ std::uint64_t peakBytes() {
 ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
                        const render::FrameRequest& request, const volume::PreparedVolume& prepared,
                        const render::ContextDescription& context, const Drawn& drawn,
-                       const LightState& light) {
+                       const LightController& light) {
   ordered_json passes = ordered_json::array();
   for (const render::PassReport& pass : drawn.picture.report.passes)
     passes.push_back({{"name", pass.name},
@@ -117,7 +117,8 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
                     {"missing", bricks.missing}};
   const std::optional<render::EmptyPicture>& empty = drawn.picture.report.empty;
   json["empty"] = empty ? ordered_json(empty->reason) : ordered_json(nullptr);
-  json["bake"] = bakeJson(light);
+  json["bake"] = bakeJson(light.state());
+  json["exposure"] = exposureJson(scene, light.light().get());
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["data_hash"] = base::hexText(prepared.grid().hash());
@@ -191,10 +192,11 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   }
   if (!options.stats.empty())
     writeTextFile(options.stats, jsonText(statsJson(options, scene, request, *prepared,
-                                                    context->description(), drawn, light.state())));
+                                                    context->description(), drawn, light)));
   if (options.explain) {
     printPasses(drawn.picture.report);
     printBake(light.state());
+    printExposure(scene, light.light().get());
   }
   for (const std::string& warning : light.state().warnings) printNote(warning);
   printWarnings(prepared->volume);

@@ -20,6 +20,16 @@ bool namesFile(const std::string& path) {
   return !path.empty() && !path.starts_with("phantom:");
 }
 
+void addMissing(json& stored, const json& members) {
+  if (!stored.is_object()) return;
+  for (const auto& [key, value] : members.items()) {
+    if (!stored.contains(key))
+      stored[key] = value;
+    else if (value.is_object())
+      addMissing(stored[key], value);
+  }
+}
+
 fs::path absoluteFolder(const fs::path& folder) {
   return fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
 }
@@ -109,6 +119,12 @@ scene::Scene sceneFromStored(const json& stored, const std::string& file, const 
     if (!error.place().empty()) where += (where.empty() ? "" : ".") + error.place();
     base::throwInput(file, where, error.reason());
   }
+}
+
+json lightAsBefore(json stored) {
+  addMissing(stored, {{"light", {{"environment", {{"constant", {1.0, 1.0, 1.0}}}}}},
+                      {"picture", {{"metering", "lights"}}}});
+  return stored;
 }
 
 void checkKeys(const json& stored, std::initializer_list<std::string_view> known, const std::string& file,

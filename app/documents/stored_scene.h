@@ -46,6 +46,10 @@ void applyPlaces(scene::Scene& scene, const nlohmann::json& places, const std::s
 scene::Scene sceneFromStored(const nlohmann::json& stored, const std::string& file, const std::string& place,
                              const StoredFolders& folders);
 
+// A stored scene of before there were built-in lights and exposure by the surface, which left unsaid what
+// there was no choice of: a white sky, and exposure by the lights.
+nlohmann::json lightAsBefore(nlohmann::json stored);
+
 // `stored` must be an object with no other keys than the `known` ones; `place` as above.
 void checkKeys(const nlohmann::json& stored, std::initializer_list<std::string_view> known,
                const std::string& file, const std::string& place);

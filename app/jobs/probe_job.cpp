@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/color.h"
-#include "gi/sampling/environment.h"
+#include "gi/light_scene.h"
 
 namespace isolux::app {
 
@@ -54,24 +54,24 @@ glm::vec3 ProbeThumbnail::at(glm::dvec3 direction) const {
   return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)];
 }
 
-ProbeJob::ProbeJob(std::string file)
+ProbeJob::ProbeJob(scene::Environment settings)
     : work_(
           [&] {
             auto work = std::make_shared<Work>();
-            work->file = std::move(file);
+            work->settings = std::move(settings);
             return work;
           }(),
           run) {}
 
 void ProbeJob::run(Work& work) {
   try {
-    work.thumbnail = thumbnailOf(gi::Environment::load(work.file));
+    work.thumbnail = thumbnailOf(*gi::loadEnvironment(work.settings));
   } catch (const base::Error& error) {
     work.error = error;
   } catch (const std::bad_alloc&) {
-    work.error.emplace(base::ErrorKind::memory, work.file, "", "not enough memory");
+    work.error.emplace(base::ErrorKind::memory, work.settings.file, "", "not enough memory");
   } catch (const std::exception& error) {
-    work.error.emplace(base::ErrorKind::input, work.file, "", error.what());
+    work.error.emplace(base::ErrorKind::input, work.settings.file, "", error.what());
   }
   work.finished.store(true, std::memory_order_release);
 }

@@ -1,9 +1,9 @@
-// Loads a light probe on a background thread, small enough to be shown in a panel; the owner polls.
+// Loads an environment (a light probe, or a built-in light) on a background thread, small enough to be shown
+// in a panel; the owner polls.
 #pragma once
 
 #include <atomic>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/retire.h"
+#include "scene/scene.h"
 
 namespace isolux::app {
 
@@ -25,9 +26,9 @@ struct ProbeThumbnail {
 
 class ProbeJob {
  public:
-  explicit ProbeJob(std::string file);  // starts at once; thrown away, it ends elsewhere (base/retire.h)
+  // Starts at once; thrown away, it ends elsewhere (base/retire.h).
+  explicit ProbeJob(scene::Environment settings);
 
-  const std::string& file() const { return work_->file; }
   bool finished() const { return work_->finished.load(std::memory_order_acquire); }
   // After finished(): the picture, or the error.
   const ProbeThumbnail& thumbnail() const { return work_->thumbnail; }
@@ -35,7 +36,7 @@ class ProbeJob {
 
  private:
   struct Work {
-    std::string file;
+    scene::Environment settings;
     std::atomic<bool> finished{false};
     ProbeThumbnail thumbnail;
     std::optional<base::Error> error;

@@ -20,6 +20,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr auto restsAfter = 300ms;  // an isovalue that is dragged, for the exposure
+
 void add(gi::BakeCounters& sum, const gi::BakeCounters& one) {
   sum.texelsWanted += one.texelsWanted;
   sum.texelsDone += one.texelsDone;
@@ -49,7 +51,9 @@ std::string nameOf(const scene::GiChoice& choice) {
 scene::Scene lightOf(scene::Scene scene) {
   scene.camera = {};
   scene.flow = {};
+  const scene::Metering metering = scene.picture.metering;
   scene.picture = {};
+  scene.picture.metering = metering;
   return scene;
 }
 
@@ -90,9 +94,10 @@ struct LightController::Parts {
   std::uint64_t planned = 0;
   bool paused = false, yielding = false;
 
-  LightPlanner planner;     // of the planner thread, and of load() while not `planning`
-  base::Progress progress;  // stops the planner's long work
-  std::jthread thread;      // last: it ends before the rest goes
+  std::chrono::steady_clock::time_point toldAt;  // of the planner thread: when it was told anything last
+  LightPlanner planner;                          // of the planner thread, and of load() while not `planning`
+  base::Progress progress;                       // stops the planner's long work
+  std::jthread thread;                           // last: it ends before the rest goes
 
   void run(const std::stop_token& stop);
   void work(bool withScene, bool withHits, bool cancel, const scene::Scene& now, const VolumePointer& of,
@@ -111,13 +116,14 @@ std::vector<std::shared_ptr<gi::LightBake>> LightController::Parts::bakes() cons
 void LightController::Parts::run(const std::stop_token& stop) {
   std::unique_lock lock(mutex);
   while (!stop.stop_requested()) {
-    const bool compresses = plan.light && plan.choice.sky == scene::GiMode::transfer;
+    const bool polls = plan.light && (plan.choice.sky == scene::GiMode::transfer || planner.meterPending());
     const auto told = [this] { return sceneTold || hitsTold || cancelTold || compressTold; };
-    if (compresses)
+    if (polls)
       changed.wait_for(lock, stop, 100ms, told);
     else
       changed.wait(lock, stop, told);
     if (stop.stop_requested()) return;
+    if (told()) toldAt = std::chrono::steady_clock::now();
     const bool withScene = std::exchange(sceneTold, false), withHits = std::exchange(hitsTold, false);
     const bool cancel = std::exchange(cancelTold, false), compress = std::exchange(compressTold, false);
     const scene::Scene now = scene;
@@ -143,7 +149,10 @@ void LightController::Parts::work(bool withScene, bool withHits, bool cancel, co
     if (withScene || withHits) planner.wish(seen, progress);
     if (cancel) planner.wishNothing();
     const bool compressed = planner.compress(progress);
-    if (!withScene && !compressed) return;
+    const bool rests = std::chrono::steady_clock::now() - toldAt >= restsAfter;
+    const bool metered = planner.meterPending() && rests;
+    if (metered) planner.meter(progress);
+    if (!withScene && !compressed && !metered) return;
   } catch (...) {
     failed = std::current_exception();
   }

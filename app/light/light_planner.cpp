@@ -12,6 +12,7 @@
 #include "gi/texels/texel_band.h"
 #include "gi/texels/texel_sets.h"
 #include "gi/trace/lattice_estimator.h"
+#include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 
@@ -34,10 +35,14 @@ std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
 
 // A name that changes when the probe's file does.
 std::string nameOf(const scene::Environment& settings) {
-  if (settings.file.empty()) {
-    const glm::dvec3& c = settings.constant;
-    std::ostringstream name;  // hexadecimal: exact
-    name << std::hexfloat << "constant " << c.x << ' ' << c.y << ' ' << c.z;
+  std::ostringstream name;
+  if (scene::kindOf(settings) == scene::EnvironmentKind::builtIn) {
+    name << "built-in " << static_cast<int>(settings.builtIn);
+    return std::move(name).str();
+  }
+  if (scene::hasOneColor(settings)) {
+    const glm::dvec3& c = *settings.constant;
+    name << std::hexfloat << "constant " << c.x << ' ' << c.y << ' ' << c.z;  // hexadecimal: exact
     return std::move(name).str();
   }
   std::error_code missing;
@@ -74,6 +79,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePo
     tracerInside_ = resolved.isosurface.inside;
   }
   lightScene_ = gi::makeLightScene(resolved, volume, choice.wanted ? tracer_ : nullptr, environment_);
+  considerMetering(progress);
   const auto key = [&](gi::LightPart part) { return gi::lightKey(resolved, *lightScene_, part); };
   require(sky_, gi::LightPart::sky, choice.sky != scene::GiMode::off, key(gi::LightPart::sky));
   require(lamps_, gi::LightPart::lamps, choice.lamps, key(gi::LightPart::lamps));
@@ -108,6 +114,39 @@ void LightPlanner::loadEnvironment(const scene::Environment& settings) {
   environmentName_ = std::move(name);
   projection_ = gi::projectEnvironment(*environment_, scene_.gi.shOrder);
   projectedOrder_ = scene_.gi.shOrder;
+}
+
+// At once, but after an isovalue that a user may still be dragging.
+void LightPlanner::considerMetering(base::Progress& progress) {
+  meterPending_ = false;
+  if (scene_.picture.metering != scene::Metering::surface || !lightScene_->choice.wanted) {
+    brightness_.reset();
+    brightnessOfVolume_ = nullptr;
+    return;
+  }
+  scene::Scene wanted = gi::meteredScene(scene_);
+  const bool sameStage = brightnessOfVolume_ == volume_.get() && brightnessOfEnvironment_ == environmentName_;
+  if (sameStage && wanted == brightnessOf_) return;
+  wanted.isosurface.value = brightnessOf_.isosurface.value;
+  for (std::size_t i = 0; i < wanted.extraIsosurfaces.size(); ++i)
+    wanted.extraIsosurfaces[i].value = brightnessOf_.extraIsosurfaces[i].value;
+  if (background_ && sameStage && wanted == brightnessOf_)
+    meterPending_ = true;
+  else
+    measureBrightness(progress);
+}
+
+void LightPlanner::measureBrightness(base::Progress& progress) {
+  brightness_ = gi::measureBrightness(scene_, volume_, tracer_, environment_, progress);
+  brightnessOf_ = gi::meteredScene(scene_);
+  brightnessOfVolume_ = volume_.get();
+  brightnessOfEnvironment_ = environmentName_;
+  meterPending_ = false;
+}
+
+void LightPlanner::meter(base::Progress& progress) {
+  measureBrightness(progress);
+  publish();
 }
 
 void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const std::string& key) {
@@ -156,6 +195,8 @@ void LightPlanner::adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPar
 
 void LightPlanner::publish() {
   auto light = std::make_shared<gi::PictureLight>(gi::makePictureLight(scene_, *lightScene_, projection_));
+  light->seen = brightness_;
+  if (brightness_) light->automaticExposure = static_cast<float>(gi::exposureOf(*brightness_));
   if (sky_.bake) light->sky = sky_.bake->lattice();
   if (lamps_.bake) light->lamps = lamps_.bake->lattice();
   light->basis = basis_;

@@ -19,6 +19,7 @@
 #include "gi/bake/light_bake.h"
 #include "gi/light_scene.h"
 #include "gi/picture_light.h"
+#include "gi/trace/exposure_meter.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
@@ -51,6 +52,9 @@ class LightPlanner {
   // Compresses stored transfer anew where much was added since: true if the plan's light changed. Throws
   // Error{interrupted} when stopped.
   bool compress(const base::Progress& progress);
+  // The exposure is of a surface before an isovalue was dragged: meter() when it rests.
+  bool meterPending() const { return meterPending_; }
+  void meter(base::Progress& progress);  // Throws Error{interrupted}
   // Light from elsewhere (a file), for lattices of the plan's own keys.
   void adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPart part);
 
@@ -74,6 +78,8 @@ class LightPlanner {
   };
 
   void loadEnvironment(const scene::Environment& settings);
+  void considerMetering(base::Progress& progress);
+  void measureBrightness(base::Progress& progress);
   void require(Part& part, gi::LightPart which, bool wanted, const std::string& key);
   void wish(Part& part, const std::vector<gi::WantedBlock>& visible,
             const std::vector<gi::WantedBlock>& nearby, base::Progress& progress);
@@ -97,6 +103,11 @@ class LightPlanner {
   scene::Inside tracerInside_ = scene::Inside::above;
 
   std::shared_ptr<const gi::LightScene> lightScene_;
+  std::optional<gi::SurfaceBrightness> brightness_;
+  scene::Scene brightnessOf_;  // as far as it depends on it, in this volume and environment:
+  const volume::PreparedVolume* brightnessOfVolume_ = nullptr;
+  std::string brightnessOfEnvironment_;
+  bool meterPending_ = false;
   Part sky_, lamps_;
   std::shared_ptr<const gi::TransferBasis> basis_;
   int basisComponents_ = 0, basisBits_ = 0;

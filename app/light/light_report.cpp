@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "scene/rules/needs.h"
+
 namespace isolux::app {
 
 nlohmann::ordered_json bakeJson(const LightState& state) {
@@ -26,6 +28,31 @@ void printBake(const LightState& state) {
               static_cast<unsigned long long>(counters.samplesDone),
               static_cast<unsigned long long>(counters.rays), counters.seconds, counters.threads);
   for (const std::string& warning : state.warnings) std::printf("light: %s\n", warning.c_str());
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json exposureJson(const scene::Scene& resolved, const gi::PictureLight* light) {
+  if (!light || !scene::usesGi(resolved)) return nullptr;
+  if (resolved.picture.exposure) return {{"stops", *resolved.picture.exposure}, {"from", "setting"}};
+  nlohmann::ordered_json json{{"stops", light->automaticExposure},
+                              {"from", light->seen ? "surface" : "lights"}};
+  if (light->seen) {
+    json["median"] = light->seen->median;
+    json["highlight"] = light->seen->highlight;
+  }
+  return json;
+}
+
+void printExposure(const scene::Scene& resolved, const gi::PictureLight* light) {
+  if (!light || !scene::usesGi(resolved)) return;
+  if (resolved.picture.exposure) {
+    std::printf("exposure: %+.2f stops, as set\n", *resolved.picture.exposure);
+  } else if (!light->seen) {
+    std::printf("exposure: %+.2f stops, by the lights\n", static_cast<double>(light->automaticExposure));
+  } else {
+    std::printf("exposure: %+.2f stops, by the surface: its median luminance is %.3g, its highlights %.3g\n",
+                static_cast<double>(light->automaticExposure), light->seen->median, light->seen->highlight);
+  }
   std::fflush(stdout);
 }
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "render/graph/pass.h"
+#include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 
@@ -288,7 +289,7 @@ std::string defaultValue(const Knob& knob) {
 std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene) {
   if (knob.measure != Measure::light) return {};
   const scene::Scene lit = litScene(knob, scene);
-  if (knob.transfer && scene.light.environment.file.empty() && scene.gi.mode != scene::GiMode::off)
+  if (knob.transfer && scene::hasOneColor(scene.light.environment) && scene.gi.mode != scene::GiMode::off)
     return "the sky has one colour, which one number of transfer says";
   return std::string(scene::whyInactive(knob.setting, lit));
 }

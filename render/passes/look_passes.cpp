@@ -210,6 +210,8 @@ void ShadePass::declare(Declaring& d) const {
               "light.headlight"});
   // Normals are turned to the viewer, and curvatures have their sign when they come.
   if (d.asked.scene.look.mode == scene::LookMode::normal) d.settings({"isosurface.inside"});
+  if (d.asked.acts("look.inner_tint") && d.asked.scene.look.innerTint != glm::dvec3(1.0))
+    d.settings({"isosurface.inside"});
   if (fogIsBackground(d.asked)) d.settings({"look.background_top", "look.background_bottom"});
   if (d.asked.acts("look.contour_width")) d.input("pixel ratio", d.asked.request.pixelRatio);
   addExposure(d);

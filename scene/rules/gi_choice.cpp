@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
 
 namespace isolux::scene {
@@ -33,8 +34,8 @@ void addReason(GiChoice& choice, const char* clause) {
 }
 
 GiMode leastMode(const Scene& scene, GiChoice& choice) {
-  const bool probe = !scene.light.environment.file.empty();
-  if (!probe && isBlack(scene.light.environment.constant)) {
+  const bool probe = !hasOneColor(scene.light.environment);
+  if (!probe && isBlack(*scene.light.environment.constant)) {
     addReason(choice, "the sky is black");
     return GiMode::off;
   }
@@ -79,7 +80,7 @@ GiChoice giChoiceOf(const Scene& scene) {
   choice.wanted = choice.sky != GiMode::off || choice.lamps;
   if (choice.lamps) addReason(choice, "lamps stand still: their irradiance");
 
-  const bool probe = !scene.light.environment.file.empty();
+  const bool probe = !hasOneColor(scene.light.environment);
   const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;
   choice.bounces = direct ? 0 : scene.gi.bounces;
   // Vicinity under a probe takes the probe's mean for the sky's colour.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/looks.h"
+#include "scene/rules/environment.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/settings.h"
 
@@ -82,7 +83,8 @@ constexpr auto storesIrradiance = [](const Scene& s) {
   const GiChoice choice = giChoiceOf(s);
   return choice.lamps || (choice.sky != GiMode::off && choice.sky != GiMode::transfer);
 };
-constexpr auto hasProbe = [](const Scene& s) { return !s.light.environment.file.empty(); };
+constexpr auto hasFile = [](const Scene& s) { return !s.light.environment.file.empty(); };
+constexpr auto hasProbe = [](const Scene& s) { return !hasOneColor(s.light.environment); };
 constexpr auto hasAlbedoMap = [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::map; };
 constexpr auto isCombined = [](const Scene& s) { return s.source.csg != Csg::none; };
 
@@ -95,7 +97,7 @@ constexpr Rule rules[] = {
     {"isosurface.albedo_map isosurface.albedo_low isosurface.albedo_high", hasAlbedoMap,
      "isosurfaces have the reflectances given"},
     {"isosurface.albedo isosurface.albedo_source isosurface.albedo_map isosurface.albedo_low "
-     "isosurface.albedo_high isosurface#.albedo",
+     "isosurface.albedo_high isosurface#.albedo look.inner_tint",
      showsAlbedo, "this look does not show the surface's own colour"},
     {"isosurface.albedo isosurface#.albedo",
      [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; },
@@ -152,9 +154,14 @@ constexpr Rule rules[] = {
     {"flow.direction flow.length flow.grain flow.animate flow.speed flow.time", showsFlow,
      "no flow is drawn: the look is not flow and flow.strength is 0"},
 
-    {"light.environment. lamp#. gi. picture.exposure", usesGi, "the shading is not global illumination"},
-    {"light.environment.constant", [](const Scene& s) { return !hasProbe(s); }, "there is a light probe"},
-    {"light.environment.rotation", hasProbe, "a sky of one colour looks the same however it is turned"},
+    {"light.environment. lamp#. gi. picture.exposure picture.metering", usesGi,
+     "the shading is not global illumination"},
+    {"picture.metering", [](const Scene& s) { return !s.picture.exposure; }, "the exposure is set"},
+    {"light.environment.constant light.environment.builtin", [](const Scene& s) { return !hasFile(s); },
+     "there is a light probe"},
+    {"light.environment.builtin", hasProbe, "there is a sky of one colour"},
+    {"light.environment.azimuth light.environment.elevation light.environment.rotation", hasProbe,
+     "a sky of one colour looks the same however it is turned"},
     {"light.environment.moves", hasProbe, "a sky of one colour may change anyway"},
     {"light.environment.moves", [](const Scene& s) { return s.gi.mode == GiMode::automatic; },
      "gi.mode says what is stored"},

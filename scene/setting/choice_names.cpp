@@ -105,6 +105,21 @@ std::span<const Named<AlbedoSource>> choicesOf() {
 }
 
 template <>
+std::span<const Named<BuiltInLight>> choicesOf() {
+  static constexpr Named<BuiltInLight> names[] = {{BuiltInLight::studio, "studio"},
+                                                  {BuiltInLight::window, "window"},
+                                                  {BuiltInLight::overcast, "overcast"},
+                                                  {BuiltInLight::sunset, "sunset"}};
+  return names;
+}
+
+template <>
+std::span<const Named<Metering>> choicesOf() {
+  static constexpr Named<Metering> names[] = {{Metering::surface, "surface"}, {Metering::lights, "lights"}};
+  return names;
+}
+
+template <>
 std::span<const Named<LampKind>> choicesOf() {
   static constexpr Named<LampKind> names[] = {
       {LampKind::point, "point"}, {LampKind::directional, "directional"}, {LampKind::sphere, "sphere"}};

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.h"
 #include "gi/light_key.h"
 #include "gi/sampling/lamp_sampling.h"
 #include "scene/rules/automatic.h"
@@ -197,7 +198,40 @@ TEST_F(LightKey, TransferAndAUnitSkyDoNotDependOnTheEnvironment) {
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.shOrder = 3; }), "sky");
   scene_.gi.mode = scene::GiMode::automatic;
   scene_.light.environment.file.clear();
-  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.constant = {3.0, 2.0, 1.0}; }), "none");
+  scene_.light.environment.constant = glm::dvec3(1.0);
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.constant = glm::dvec3(3.0, 2.0, 1.0); }),
+            "none");
+}
+
+// Files of stored light say which light they are of: what they say must not change.
+TEST_F(LightKey, IsThatOfFilesOfBefore) {
+  auto json = nlohmann::json::parse(key(scene_, LightPart::sky));
+  EXPECT_EQ(json.at("format"), 2);
+  EXPECT_EQ(json.at("environment"), nlohmann::json({{"hash", base::hexText(probe_->hash())},
+                                                    {"rotation", {1.0, 0.0, 0.0, 0.0}},
+                                                    {"share", 0.75}}));
+  scene_.light.environment.file.clear();
+  scene_.light.environment.constant = glm::dvec3(1.0);
+  EXPECT_EQ(nlohmann::json::parse(key(scene_, LightPart::sky)).at("environment"), "unit");
+}
+
+TEST_F(LightKey, NamesABuiltInLightAndTakesTheRotationAsAWhole) {
+  scene_.light.environment.file.clear();
+  EXPECT_EQ(
+      nlohmann::json::parse(key(scene_, LightPart::sky)).at("environment"),
+      nlohmann::json(
+          {{"built_in", "studio"}, {"version", 1}, {"rotation", {1.0, 0.0, 0.0, 0.0}}, {"share", 0.75}}));
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.builtIn = scene::BuiltInLight::window; }),
+            "sky");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.elevation = 5.0; }), "sky");
+  scene::Scene azimuth = scene_, quaternion = scene_;
+  azimuth.light.environment.azimuth = 180.0;
+  quaternion.light.environment.rotation = {0.0, 0.0, 0.0, 2.0};
+  const auto rotation = [&](const scene::Scene& scene) {
+    return nlohmann::json::parse(key(scene, LightPart::sky)).at("environment").at("rotation");
+  };
+  for (int i = 0; i < 4; ++i)
+    EXPECT_NEAR(rotation(azimuth)[i].get<double>(), rotation(quaternion)[i].get<double>(), 1e-15);
 }
 
 TEST_F(LightKey, AnotherProbeIsAnotherLight) {

@@ -66,21 +66,23 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2] = extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise] = derivatives;
-  [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, cool, warm,
-                                texture, textureScale, shadow, fog, fogColor, colormap, low, high, points,
-                                legend, accessibility, ridges, ridgeThreshold, ridgeColor, valleyColor,
-                                contours, suggestive, contourWidth, contourColor, top, bottom] = look;
+  [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, innerTint,
+                                cool, warm, texture, textureScale, shadow, fog, fogColor, colormap, low, high,
+                                points, legend, accessibility, ridges, ridgeThreshold, ridgeColor,
+                                valleyColor, contours, suggestive, contourWidth, contourColor, top, bottom] =
+      look;
   [[maybe_unused]] const auto& [strength, flowDirection, length, grain, animate, speed, time] = flow;
   [[maybe_unused]] const auto& [space, direction, color, intensity, headlight, environment] = light;
-  [[maybe_unused]] const auto& [file, constant, rotation, exposure, moves, visible] = environment;
+  [[maybe_unused]] const auto& [file, constant, builtIn, azimuth, elevation, rotation, exposure, moves,
+                                visible] = environment;
   [[maybe_unused]] const auto& [lampShown, kind, position, toward, radius, angle, lampColor, lampIntensity] =
       lamps[0];
   [[maybe_unused]] const auto& [giMode, extent, band, samples, sequence, bounces, rouletteDepth,
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
                                 components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
-  [[maybe_unused]] const auto& [supersampling, pictureExposure] = picture;
-  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 3 + 29 + 7 + 5 + 6 + 3 * 8 + 15 + 5 + 2);
+  [[maybe_unused]] const auto& [supersampling, pictureExposure, metering] = picture;
+  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 3 + 30 + 7 + 5 + 9 + 3 * 8 + 15 + 5 + 3);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
@@ -100,6 +102,9 @@ TEST(Settings, ListsTheContractPaths) {
   for (const char* path : {"source.path",
                            "light.environment.file",
                            "light.environment.constant",
+                           "light.environment.builtin",
+                           "light.environment.azimuth",
+                           "light.environment.elevation",
                            "light.environment.rotation",
                            "light.environment.exposure",
                            "gi.mode",
@@ -243,16 +248,33 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
       EXPECT_THROW(s.set(scene, "auto"), base::Error) << s.path;
     }
   }
-  EXPECT_EQ(
-      automatic,
-      (std::set<std::string>{
-          "source.csg_value",       "isosurface.value",  "isosurface2.value",    "isosurface.albedo_low",
-          "isosurface.albedo_high", "lamp1.position",    "lamp1.radius",         "lamp2.position",
-          "lamp2.radius",           "lamp3.position",    "lamp3.radius",         "gi.band",
-          "gi.environment_share",   "picture.exposure",  "isosurface3.value",    "isosurface4.value",
-          "hit.near_threshold",     "derivatives.noise", "look.texture_scale",   "look.fog_color",
-          "look.range_low",         "look.range_high",   "look.ridge_threshold", "camera.eye",
-          "camera.target",          "camera.up"}));
+  EXPECT_EQ(automatic, (std::set<std::string>{"source.csg_value",
+                                              "isosurface.value",
+                                              "isosurface2.value",
+                                              "isosurface.albedo_low",
+                                              "isosurface.albedo_high",
+                                              "lamp1.position",
+                                              "lamp1.radius",
+                                              "lamp2.position",
+                                              "lamp2.radius",
+                                              "lamp3.position",
+                                              "lamp3.radius",
+                                              "gi.band",
+                                              "gi.environment_share",
+                                              "picture.exposure",
+                                              "isosurface3.value",
+                                              "isosurface4.value",
+                                              "hit.near_threshold",
+                                              "derivatives.noise",
+                                              "look.texture_scale",
+                                              "look.fog_color",
+                                              "look.range_low",
+                                              "look.range_high",
+                                              "look.ridge_threshold",
+                                              "camera.eye",
+                                              "camera.target",
+                                              "camera.up",
+                                              "light.environment.constant"}));
 }
 
 TEST(Settings, ChoicesNameWhatIsAllowed) {

@@ -23,7 +23,7 @@ class ColorButton : public QToolButton {
 
  private:
   void choose();
-  glm::dvec3 colour_{0.0};
+  glm::dvec3 colour_{0.5};  // until one is shown
 };
 
 }  // namespace isolux::ui

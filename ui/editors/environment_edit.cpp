@@ -1,34 +1,63 @@
 #include "ui/editors/environment_edit.h"
 
+#include <cmath>
+
+#include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
 
 namespace isolux::ui {
 
 namespace {
 constexpr auto turnName = "Turn environment";
+
+void showGi(scene::Scene& scene) {
+  if (scene::shadingOf(scene) != scene::Shading::gi) scene.look.mode = scene::LookMode::gi;
 }
+}  // namespace
 
 QString whyItCannotTurn(const scene::Scene& scene) {
   const std::string_view why = scene::whyInactive("light.environment.rotation", scene);
   return QString::fromUtf8(why.data(), static_cast<qsizetype>(why.size()));
 }
 
-Edit environmentTurned(const scene::Scene& scene, const glm::dvec4& rotation) {
+Edit environmentTurned(const scene::Scene& scene, const glm::dvec4& rotation, scene::WorldAxes axes) {
   Edit edit{scene, turnName, "turn environment", false};
-  edit.scene.light.environment.rotation = rotation;
-  if (scene.gi.mode == scene::GiMode::automatic && !scene.light.environment.file.empty())
-    edit.scene.light.environment.moves = true;
-  return edit;
+  scene::setRotation(edit.scene.light.environment, rotation, axes);
+  return lettingMove(edit);
+}
+
+Edit environmentTurnedBy(const scene::Scene& scene, double degrees) {
+  Edit edit{scene, turnName, "turn environment", false};
+  double& azimuth = edit.scene.light.environment.azimuth;
+  azimuth = std::remainder(azimuth + degrees, 360.0);
+  return lettingMove(edit);
+}
+
+Edit lettingMove(Edit turned) {
+  scene::Environment& environment = turned.scene.light.environment;
+  if (turned.scene.gi.mode == scene::GiMode::automatic && !scene::hasOneColor(environment))
+    environment.moves = true;
+  return turned;
 }
 
 bool letsEnvironmentMove(const scene::Scene& before, const Edit& edit) {
-  return edit.name == turnName && edit.scene.light.environment.moves && !before.light.environment.moves;
+  const scene::Environment &was = before.light.environment, &is = edit.scene.light.environment;
+  const bool turns =
+      was.rotation != is.rotation || was.azimuth != is.azimuth || was.elevation != is.elevation;
+  return turns && is.moves && !was.moves;
 }
 
 Edit lightProbeChosen(const scene::Scene& scene, const QString& file) {
   Edit edit{scene, "Choose light probe", {}, false};
   edit.scene.light.environment.file = file.toStdString();
-  if (scene::shadingOf(scene) != scene::Shading::gi) edit.scene.look.mode = scene::LookMode::gi;
+  showGi(edit.scene);
+  return edit;
+}
+
+Edit builtInLightChosen(const scene::Scene& scene, scene::BuiltInLight light) {
+  Edit edit{scene, "Choose light", {}, false};
+  scene::chooseBuiltIn(edit.scene.light.environment, light);
+  showGi(edit.scene);
   return edit;
 }
 

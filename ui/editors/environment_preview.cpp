@@ -14,6 +14,7 @@
 #include "app/interaction/turning.h"
 #include "base/color.h"
 #include "scene/camera.h"
+#include "scene/rules/environment.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/window/style.h"
 
@@ -25,6 +26,11 @@ constexpr double stepDegrees = 5.0;  // of an arrow key
 
 std::uint8_t screenValue(double c) {  // Reinhard's curve, then sRGB
   return base::screenByte(c / (1.0 + c));
+}
+// Of what is loaded: the same for all that differs in nothing but how it is turned and brightened.
+std::string nameOf(const scene::Environment& environment) {
+  if (scene::kindOf(environment) == scene::EnvironmentKind::file) return environment.file;
+  return "built-in/" + std::to_string(static_cast<int>(environment.builtIn));
 }
 }  // namespace
 
@@ -47,7 +53,8 @@ EnvironmentPreview::~EnvironmentPreview() = default;
 
 void EnvironmentPreview::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   const scene::Environment &was = resolved_.light.environment, &is = resolved.light.environment;
-  if (was.rotation != is.rotation || was.exposure != is.exposure) image_ = {};
+  if (scene::rotationOf(was, axes_) != scene::rotationOf(is, axes_) || was.exposure != is.exposure)
+    image_ = {};
   scene_ = scene;
   resolved_ = resolved;
   load();
@@ -55,17 +62,18 @@ void EnvironmentPreview::setScene(const scene::Scene& scene, const scene::Scene&
 }
 
 void EnvironmentPreview::load() {
-  // Only a probe that lights something is worth its loading.
-  const std::string wanted = whyItCannotTurn(resolved_).isEmpty() ? resolved_.light.environment.file : "";
-  if (wanted == file_) return;
-  file_ = wanted;
+  // Only what lights something is worth its loading.
+  const scene::Environment& environment = resolved_.light.environment;
+  const std::string wanted = whyItCannotTurn(resolved_).isEmpty() ? nameOf(environment) : "";
+  if (wanted == name_) return;
+  name_ = wanted;
   thumbnail_ = {};
   image_ = {};
   problem_.clear();
   setToolTip({});
   if (job_) stopping_.push_back(std::move(job_));
-  if (file_.empty()) return;
-  job_ = std::make_unique<app::ProbeJob>(file_);
+  if (name_.empty()) return;
+  job_ = std::make_unique<app::ProbeJob>(environment);
   pollTimer_.start();
 }
 
@@ -97,7 +105,7 @@ QPointF EnvironmentPreview::placeOf(glm::dvec3 direction) const {
 void EnvironmentPreview::draw() {
   const QSize size = this->size().boundedTo({640, 320}).expandedTo({1, 1});
   image_ = QImage(size, QImage::Format_RGB32);
-  const glm::dvec4& rotation = resolved_.light.environment.rotation;
+  const glm::dvec4 rotation = scene::rotationOf(resolved_.light.environment, axes_);
   const glm::dmat3 environmentFromWorld(app::rotatedBack(rotation, {1, 0, 0}),
                                         app::rotatedBack(rotation, {0, 1, 0}),
                                         app::rotatedBack(rotation, {0, 0, 1}));
@@ -127,7 +135,7 @@ void EnvironmentPreview::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), colours::base);
     painter.setPen(problem_.isEmpty() ? colours::quietText : colours::error);
     painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignCenter | Qt::TextWordWrap,
-                     problem_.isEmpty() ? QString("Loading the light probe …") : problem_);
+                     problem_.isEmpty() ? QString("Loading the environment …") : problem_);
     return;
   }
   if (image_.isNull()) draw();
@@ -176,6 +184,7 @@ void EnvironmentPreview::paintMarks(QPainter& painter) const {
 
 void EnvironmentPreview::setAxes(scene::WorldAxes axes) {
   axes_ = axes;
+  image_ = {};
   update();
 }
 
@@ -204,8 +213,7 @@ void EnvironmentPreview::mouseMoveEvent(QMouseEvent* event) {
   last_ = event->position();
   // To the right is clockwise as seen from above.
   const double degrees = -360.0 * step / std::max(1, width());
-  Q_EMIT edited(
-      environmentTurned(scene_, app::withHeadingTurned(resolved_.light.environment.rotation, degrees)));
+  Q_EMIT edited(environmentTurnedBy(scene_, degrees));
 }
 
 void EnvironmentPreview::mouseReleaseEvent(QMouseEvent* event) {
@@ -223,8 +231,7 @@ void EnvironmentPreview::keyPressEvent(QKeyEvent* event) {
     QWidget::keyPressEvent(event);
     return;
   }
-  Edit edit = environmentTurned(
-      scene_, app::withHeadingTurned(resolved_.light.environment.rotation, direction * stepDegrees));
+  Edit edit = environmentTurnedBy(scene_, direction * stepDegrees);
   edit.endsAfterPause = true;
   Q_EMIT edited(edit);
 }

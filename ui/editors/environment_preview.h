@@ -1,8 +1,8 @@
-// The light probe as it stands around the volume now: an equirectangular picture in the world's axes, turned
-// by dragging.
+// The light probe or built-in light as it stands around the volume now: an equirectangular picture in the
+// world's axes, turned by dragging.
 //
 // The middle is posterior (+Y), its right side the patient's left (+X), the top superior (+Z). The cross is
-// where the viewer looks. Loads the probe beside the window's thread.
+// where the viewer looks. Loads it beside the window's thread.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ class EnvironmentPreview : public QWidget {
 
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   void setAxes(scene::WorldAxes axes);              // of the marks along the bottom
-  bool hasProbe() const { return !file_.empty(); }  // there is something to show
+  bool hasProbe() const { return !name_.empty(); }  // there is something to show
   bool loaded() const { return !thumbnail_.pixels.empty(); }
   QSize sizeHint() const override { return {300, 150}; }
   bool hasHeightForWidth() const override { return true; }
@@ -56,7 +56,7 @@ class EnvironmentPreview : public QWidget {
 
   scene::Scene scene_, resolved_;
   scene::WorldAxes axes_ = scene::WorldAxes::anatomical;
-  std::string file_;  // that is shown, or on its way; empty: none
+  std::string name_;  // of what is shown, or on its way; empty: nothing
   app::ProbeThumbnail thumbnail_;
   QString problem_;
   QImage image_;  // null: to be drawn

@@ -55,7 +55,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   if (setting.mayBeAutomatic) {
     keepPlaceWhenHidden(value_);
     automatic_ = new QCheckBox("auto", this);
-    automatic_->setToolTip("Chosen from the volume");
+    automatic_->setToolTip("Chosen by itself");
     layout->addWidget(automatic_);
     connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
       const nlohmann::json seen = setting_.get(resolved_);

@@ -33,14 +33,15 @@ const std::vector<GroupPlan>& plan() {
       {"Light", true, {"light.", "look.shadow"}},
       {environmentGroup,
        true,
-       {"light.environment.file", "light.environment.constant", "light.environment.rotation",
-        "light.environment.exposure", "light.environment.visible", "light.environment.moves",
+       {"light.environment.builtin", "light.environment.azimuth", "light.environment.elevation",
+        "light.environment.exposure", "light.environment.visible", "light.environment.file",
+        "light.environment.constant", "light.environment.rotation", "light.environment.moves",
         "light.environment."}},
       {"Lamps", true, {"lamp#."}},
       {"Global illumination",
        true,
-       {"picture.exposure", "gi.mode", "gi.samples", "gi.bounces", "gi.extent", "gi.band", "gi.lattice_scale",
-        "gi.interpolation", "gi."}},
+       {"picture.exposure", "picture.metering", "gi.mode", "gi.samples", "gi.bounces", "gi.extent", "gi.band",
+        "gi.lattice_scale", "gi.interpolation", "gi."}},
       {"Texture and fog", false, {"look.texture", "look.texture_scale", "look.fog", "look.fog_color"}},
       {"Isosurface",
        true,
@@ -82,6 +83,7 @@ std::string_view entryOf(const scene::Setting& setting) {
 QString environmentLabel(const QString& name) {
   if (name == "file") return "Light probe";
   if (name == "constant") return "Sky colour";
+  if (name == "builtin") return "Built-in light";
   if (name == "visible") return "Shown behind";
   return wordsOf(name);
 }

@@ -8,7 +8,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/editors/environment_edit.h"
 #include "ui/editors/environment_preview.h"
+#include "ui/editors/light_chooser.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/window/style.h"
 
@@ -25,6 +27,15 @@ QString wordsToSearch(const scene::Setting& setting, const QString& label, const
   for (const std::string& choice : setting.choices) words += ' ' + QString::fromStdString(choice);
   words.replace('_', ' ');
   return words.toLower().replace("colour", "color");
+}
+
+// The row is for who searches for it.
+bool shownByThumbnails(const scene::Setting& setting) {
+  return setting.path == "light.environment.builtin";
+}
+
+bool turnsEnvironment(const scene::Setting& setting) {
+  return setting.path == "light.environment.azimuth" || setting.path == "light.environment.elevation";
 }
 
 QToolButton* makeHeader(const PanelGroup& plan, QWidget* parent) {
@@ -60,6 +71,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
       nothing_(new QLabel(
           "No setting is called that.\nMemory, threads and the speed in motion are in Edit, Preferences.",
           this)),
+      lights_(new LightChooser(this)),
       environment_(new EnvironmentPreview(this)) {
   setMinimumWidth(330);
   search_->setPlaceholderText("Find a setting");
@@ -94,6 +106,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   settle_.setInterval(settleMilliseconds);
   connect(&settle_, &QTimer::timeout, this, &SettingsPanel::showRows);
   connect(search_, &QLineEdit::textChanged, this, &SettingsPanel::search);
+  connect(lights_, &LightChooser::edited, this, &SettingsPanel::edited);
   connect(environment_, &EnvironmentPreview::edited, this, &SettingsPanel::edited);
   connect(environment_, &EnvironmentPreview::dragStarted, this, &SettingsPanel::dragStarted);
   connect(environment_, &EnvironmentPreview::dragEnded, this, &SettingsPanel::dragEnded);
@@ -106,7 +119,10 @@ void SettingsPanel::addGroup(const PanelGroup& plan, QVBoxLayout* layout) {
   layout->addWidget(group.header);
   layout->addWidget(box);
   QVBoxLayout* rows = makeRows(box);
-  if (plan.title == environmentGroup) rows->addWidget(environment_);
+  if (plan.title == environmentGroup) {
+    rows->addWidget(lights_);
+    rows->addWidget(environment_);
+  }
   for (const scene::Setting* setting : plan.settings) group.rows.push_back(addRow(*setting, group));
   groups_.push_back(std::move(group));
   connect(groups_.back().header, &QToolButton::clicked, this, [this, index = groups_.size() - 1](bool open) {
@@ -133,7 +149,11 @@ SettingsPanel::Row SettingsPanel::addRow(const scene::Setting& setting, const Gr
   if (words.indented) label->setContentsMargins(indentation, 0, 0, 0);
   group.box->layout()->addWidget(line);
   holdRows(editor);
-  connect(editor, &SettingEditor::edited, this, &SettingsPanel::edited);
+  if (turnsEnvironment(setting))
+    connect(editor, &SettingEditor::edited, this,
+            [this](const Edit& edit) { Q_EMIT edited(lettingMove(edit)); });
+  else
+    connect(editor, &SettingEditor::edited, this, &SettingsPanel::edited);
   connect(editor, &SettingEditor::dragStarted, this, &SettingsPanel::dragStarted);
   connect(editor, &SettingEditor::dragEnded, this, &SettingsPanel::dragEnded);
   connect(editor, &SettingEditor::failed, this, &SettingsPanel::failed);
@@ -161,7 +181,7 @@ void SettingsPanel::showGroup(Group& group) {
   const bool anyFound =
       std::any_of(group.rows.begin(), group.rows.end(), [](auto& row) { return row.found; });
   for (Row& row : group.rows) {
-    const bool shown = searching() ? row.found : useful(row);
+    const bool shown = searching() ? row.found : useful(row) && !shownByThumbnails(row.editor->setting());
     const QString tip = row.editor->toolTip();
     if (row.label->toolTip() != tip) row.label->setToolTip(tip);
     row.label->setEnabled(useful(row));
@@ -199,6 +219,7 @@ void SettingsPanel::setVolume(const VolumePointer& volume) {
 }
 
 void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  lights_->setScene(scene);
   environment_->setScene(scene, resolved);
   for (Group& group : groups_) {
     for (const Row& row : group.rows) row.editor->setScene(scene, resolved);

@@ -19,6 +19,7 @@ class QVBoxLayout;
 namespace isolux::ui {
 
 class EnvironmentPreview;
+class LightChooser;
 class SettingEditor;
 
 class SettingsPanel : public Panel {
@@ -32,6 +33,7 @@ class SettingsPanel : public Panel {
   bool shows(const QString& path) const;             // the row is there, if its group is open
   QLineEdit* searchLine() const { return search_; }
   EnvironmentPreview* environmentPreview() const { return environment_; }
+  LightChooser* lightChooser() const { return lights_; }
   void focusSearch();
   void setGroupOpen(const QString& title, bool open);
 
@@ -61,6 +63,7 @@ class SettingsPanel : public Panel {
   QLineEdit* search_;
   QScrollArea* scroll_;
   QLabel* nothing_;
+  LightChooser* lights_;
   EnvironmentPreview* environment_;
   std::vector<Group> groups_;
   // While a value is dragged, or turned by the wheel or keys, no row comes or goes: none may slip under the

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/interaction/turning.h"
+#include "scene/rules/environment.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
@@ -79,7 +80,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
         return;
       } else {
         drag_ = Drag::environment;
-        turnedFrom_ = resolved_.light.environment.rotation;
+        turnedFrom_ = scene::rotationOf(resolved_.light.environment, axes());
       }
       break;
     default:
@@ -135,8 +136,9 @@ void Viewport::dragTo(QPointF position) {
       const auto onBall = [&](QPointF p) {
         return glm::dvec2(p.x() - 0.5 * width(), 0.5 * height() - p.y()) / half;
       };
-      Q_EMIT edited(environmentTurned(scene_, app::turnedByDrag(turnedFrom_, scene::frameOf(camera),
-                                                                onBall(pressed_), onBall(position))));
+      const glm::dvec4 turned =
+          app::turnedByDrag(turnedFrom_, scene::frameOf(camera), onBall(pressed_), onBall(position));
+      Q_EMIT edited(environmentTurned(scene_, turned, axes()));
       break;
     }
     case Drag::lamp:

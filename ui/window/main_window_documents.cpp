@@ -172,7 +172,11 @@ void MainWindow::choosePicture() {
 
 void MainWindow::tracePicture() {
   const double ratio = viewport_->devicePixelRatioF();
-  auto* dialog = new ReferenceDialog(document_->volume(), document_->resolvedScene(),
+  scene::Scene resolved = document_->resolvedScene();
+  // As bright as the picture of the window: a reference by itself is exposed by the lights.
+  if (const LightPointer& light = light_->light(); light && light->seen && !resolved.picture.exposure)
+    resolved.picture.exposure = static_cast<double>(light->automaticExposure);
+  auto* dialog = new ReferenceDialog(document_->volume(), resolved,
                                      (QSizeF(viewport_->size()) * ratio).toSize(), machine_.threads, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();

@@ -40,6 +40,7 @@ uniform float uCurvatureScale;  // of the surface as a whole, 1/mm
 #endif
 uniform float uFog;
 uniform vec3 uFogColor;
+uniform vec3 uInnerTint;
 layout(location = 0) out vec4 oColor;  // premultiplied by the surface's opacity; 0 where there is no surface
 
 // How far through the volume, 0 .. 1.
@@ -70,6 +71,7 @@ vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
   base = textured(base, p.position / uTextureScale,
                   p.footprint / (uTextureScale * max(-dot(p.normal, p.ray), 0.2)));
 #endif
+  if (p.side < 0.0) base *= uInnerTint;
 #endif
 #ifdef ACCESSIBILITY
   base *= mix(vec3(1.0), vec3(0.10, 0.075, 0.06), uAccessibility * hollowness(kappa, p.side));

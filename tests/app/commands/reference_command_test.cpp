@@ -102,7 +102,8 @@ TEST(ReferenceCommand, TheNumberOfThreadsDoesNotMatter) {
 TEST(ReferenceCommand, APngIsWhatAScreenShowsAndCarriesItsSession) {
   const fs::path folder = test::temporaryFolder();
   ASSERT_EQ(runIsolux({"reference", "phantom:ball:24", "--size", "24x24", "--spp", "4", "--look", "gi",
-                       "--set", "gi.bounces=0", "--set", "isosurface.albedo=0.2,0.5,1", "--out", "a.png"},
+                       "--set", "gi.bounces=0", "--set", "isosurface.albedo=0.2,0.5,1", "--set",
+                       "light.environment.constant=1,1,1", "--out", "a.png"},
                       {.folder = folder})
                 .exitCode,
             0);
@@ -136,11 +137,17 @@ TEST(ReferenceCommand, WrongUseIsOneLine) {
 TEST(ReferenceCommand, AClosedCavityOfAlbedoOneSaysThatPathsWereEnded) {
   const fs::path folder = test::temporaryFolder();
   // Inside below: the ball is a cavity; the eye is in its middle.
-  const RunResult result =
-      runIsolux({"reference", "phantom:ball:16", "--size", "2x2", "--spp", "2", "--out", "a.exr", "--set",
-                 "isosurface.inside=below", "--set", "isosurface.albedo=1,1,1", "--set", "gi.bounces=1000",
-                 "--camera", "0,0,0 0,1,0 0,0,1 40", "--stats", "s.json"},
-                {.folder = folder});
+  const RunResult result = runIsolux({"reference", "phantom:ball:16",
+                                      "--size",    "2x2",
+                                      "--spp",     "2",
+                                      "--out",     "a.exr",
+                                      "--set",     "isosurface.inside=below",
+                                      "--set",     "isosurface.albedo=1,1,1",
+                                      "--set",     "light.environment.constant=1,1,1",
+                                      "--set",     "gi.bounces=1000",
+                                      "--camera",  "0,0,0 0,1,0 0,0,1 40",
+                                      "--stats",   "s.json"},
+                                     {.folder = folder});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("8 paths were ended after 1000 bounces"));
   EXPECT_EQ(json::parse(contentOf(folder / "s.json"))["capped_paths"], 8);

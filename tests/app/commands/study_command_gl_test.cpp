@@ -59,7 +59,9 @@ void expectLight(const json& setting, const std::string& name) {
 
 TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
   const fs::path folder = test::temporaryFolder();
-  const json result = study(folder, {"phantom:gyroid:32", "--size", "48x48", "--set", "gi.samples=4"},
+  const json result = study(folder,
+                            {"phantom:gyroid:32", "--size", "48x48", "--set", "gi.samples=4", "--set",
+                             "light.environment.constant=1,1,1"},
                             "environment_share, sh_order, sh_window, components, component_bits");
   for (const char* key : {"isolux_study", "version", "complete", "machine", "context", "gl", "volume", "size",
                           "repeat", "units", "knobs", "scene"})
@@ -118,7 +120,8 @@ double worseBy(const json& a, const json& b) {
 TEST(StudyCommandGl, AConvexBodyUnderAnEvenSkyHasNoError) {
   const json result = study(test::temporaryFolder(),
                             {"phantom:ball:32", "--size", "32x32", "--knobs", "samples,bounces,precision",
-                             "--set", "hit.field=cubic", "--set", "isosurface.albedo=0.5,0.5,0.5"});
+                             "--set", "light.environment.constant=1,1,1", "--set", "hit.field=cubic", "--set",
+                             "isosurface.albedo=0.5,0.5,0.5"});
   for (const json& knob : result["knobs"])
     for (const json& setting : knob["settings"]) {
       const json& errors = setting["errors"];
@@ -132,9 +135,10 @@ TEST(StudyCommandGl, AConvexBodyUnderAnEvenSkyHasNoError) {
 // In a gyroid, which hides most of the sky from itself.
 TEST(StudyCommandGl, LightBecomesBetterByWhatMakesItBetter) {
   // Trilinear: the weighted lookup takes out noise, which is what tells sequences apart.
-  const json result = study(test::temporaryFolder(), {"phantom:gyroid:32", "--size", "64x64", "--knobs",
-                                                      "samples,sequence,bounces,interpolation", "--set",
-                                                      "gi.interpolation=trilinear"});
+  const json result =
+      study(test::temporaryFolder(),
+            {"phantom:gyroid:32", "--size", "64x64", "--knobs", "samples,sequence,bounces,interpolation",
+             "--set", "gi.interpolation=trilinear", "--set", "light.environment.constant=1,1,1"});
   EXPECT_GT(worseBy(settingOf(result, 0, "4"), settingOf(result, 0, "64")), 4.5);
   EXPECT_GT(worseBy(settingOf(result, 1, "random"), settingOf(result, 1, "sobol_owen")), 4.5);
   EXPECT_GT(worseBy(settingOf(result, 3, "nearest"), settingOf(result, 3, "trilinear")), 4.5);

@@ -61,6 +61,19 @@ TEST(Recording, RoundTrips) {
   EXPECT_TRUE(recording.sceneAt(9) == scene::applied(scene::applied(start, first), second));
 }
 
+TEST(Recording, OfBeforeBuiltInLightsKeepsItsSkyAndItsExposure) {
+  const fs::path file = test::temporaryFolder() / "r.jsonl";
+  std::ofstream(file) << "{\"isolux_recording\": 1, \"scene\": {\"look\": {\"mode\": \"gi\"}}}\n"
+                         "{\"time\": 1, \"set\": {\"light.environment.constant\": [0.5, 1, 2]}}\n";
+  const Recording recording = loadRecording(file);
+  EXPECT_EQ(recording.start.light.environment.constant, glm::dvec3(1.0));
+  EXPECT_EQ(recording.start.picture.metering, scene::Metering::lights);
+  EXPECT_EQ(recording.sceneAt(2).light.environment.constant, glm::dvec3(0.5, 1.0, 2.0));
+  std::ofstream(file) << "{\"isolux_recording\": 2}\n";
+  EXPECT_TRUE(loadRecording(file).start == Scene{});
+  EXPECT_THAT(refusal("{\"isolux_recording\": 3}\n"), HasSubstr("versions 1 and 2"));
+}
+
 TEST(Recording, AnAnimatedFlowMovesOn) {
   Recording recording;
   recording.start.look.mode = scene::LookMode::flow;
@@ -108,7 +121,7 @@ TEST(Recording, EveryStepIsOnDiskAtOnce) {
 
 TEST(Recording, AcceptsBlankLinesAndNoNameAndADefaultScene) {
   const fs::path file = test::temporaryFolder() / "r.jsonl";
-  std::ofstream(file) << "{\"isolux_recording\": 1}\n\n{\"time\": 0, \"set\": {}}\r\n   \n";
+  std::ofstream(file) << "{\"isolux_recording\": 2}\n\n{\"time\": 0, \"set\": {}}\r\n   \n";
   const Recording recording = loadRecording(file);
   EXPECT_TRUE(recording.start == Scene{});
   EXPECT_EQ(recording.steps.size(), 1u);
@@ -119,7 +132,7 @@ TEST(Recording, BadLinesAreNamed) {
   EXPECT_THAT(refusal(""), HasSubstr("line 1"));
   EXPECT_THAT(refusal("{}\n"), AllOf(HasSubstr("line 1"), HasSubstr("not a recording")));
   EXPECT_THAT(refusal("nonsense\n"), AllOf(HasSubstr("line 1"), HasSubstr("JSON")));
-  EXPECT_THAT(refusal("{\"isolux_recording\": 2}\n"), HasSubstr("version 1"));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 3}\n"), HasSubstr("versions 1 and 2"));
   EXPECT_THAT(refusal("{\"isolux_recording\": 1, \"scene\": {\"camera\": {\"fow\": 1}}}\n"),
               AllOf(HasSubstr("line 1"), HasSubstr("camera.fow")));
   EXPECT_THAT(refusal("{\"isolux_recording\": 1, \"extra\": 1}\n"), HasSubstr("extra"));

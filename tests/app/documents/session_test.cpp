@@ -22,6 +22,14 @@ using scene::Scene;
 using testing::AllOf;
 using testing::HasSubstr;
 
+// What a session of before there were built-in lights leaves unsaid.
+Scene litAsBefore() {
+  Scene scene;
+  scene.light.environment.constant = glm::dvec3(1.0);
+  scene.picture.metering = scene::Metering::lights;
+  return scene;
+}
+
 Scene someScene() {
   Scene scene;
   scene.source.path = "phantom:torus:64";
@@ -47,6 +55,25 @@ std::string refusal(const std::string& text) {
   return {};
 }
 
+TEST(Session, OfBeforeBuiltInLightsKeepsItsSkyAndItsExposure) {
+  const auto read = [](const std::string& text) { return parseSession(text, "a.isolux", {"/data"}); };
+  const Scene bare = read(R"({"isolux_session": 3, "scene": {"look": {"mode": "gi"}}})");
+  EXPECT_EQ(bare.light.environment.constant, glm::dvec3(1.0));
+  EXPECT_EQ(bare.picture.metering, scene::Metering::lights);
+  const Scene full = read(R"({"isolux_session": 3, "scene": {"picture": {"exposure": "auto"}, "light": {
+      "environment": {"file": "/p.hdr", "constant": [0.5, 1, 2], "rotation": [0, 0, 0, 1]}}}})");
+  EXPECT_EQ(full.light.environment.constant, glm::dvec3(0.5, 1.0, 2.0));
+  EXPECT_EQ(full.light.environment.file, "/p.hdr");
+  EXPECT_EQ(full.light.environment.rotation, glm::dvec4(0.0, 0.0, 0.0, 1.0));
+  EXPECT_EQ(full.picture.metering, scene::Metering::lights);
+  EXPECT_EQ(read(R"({"isolux_session": 1, "settings": {"look.mode": "gi"}})").light.environment.constant,
+            glm::dvec3(1.0));
+  EXPECT_EQ(read(R"({"isolux_session": 2})").picture.metering, scene::Metering::lights);
+  EXPECT_TRUE(read(R"({"isolux_session": 4})") == Scene{}) << "later ones have the defaults of now";
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "scene": {"light": 7}})"), HasSubstr("light"));
+  EXPECT_THAT(refusal(R"({"isolux_session": 3, "scene": 7})"), HasSubstr("scene"));
+}
+
 TEST(Session, RoundTripsThroughAFile) {
   const fs::path folder = test::temporaryFolder();
   saveSession(someScene(), folder / "a.isolux");
@@ -60,7 +87,7 @@ TEST(Session, RoundTripsThroughAFile) {
 
 TEST(Session, IsVersionedJson) {
   const json stored = json::parse(sessionText(someScene(), "/data"));
-  EXPECT_EQ(stored["isolux_session"], 3);
+  EXPECT_EQ(stored["isolux_session"], 4);
   EXPECT_TRUE(stored["program"].is_string());
   EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
 }
@@ -138,13 +165,13 @@ TEST(Session, UpgradesVersion1) {
       R"({"isolux_session": 1, "program": "0.0.9",
           "settings": {"isosurface.value": 300, "camera.eye": [1, 2, 3], "source.path": "ct.nii", "look.mode": "depth"}})",
       "old.isolux", {"/data"});
-  Scene expected;
+  Scene expected = litAsBefore();
   expected.isosurface.value = 300;
   expected.camera.eye = glm::dvec3(1, 2, 3);
   expected.source.path = "/data/ct.nii";
   expected.look.mode = scene::LookMode::depth;
   EXPECT_TRUE(scene == expected);
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 1})", "", {"/data"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 1})", "", {"/data"}) == litAsBefore());
 }
 
 TEST(Session, RefusesBadVersion1WithThePath) {
@@ -156,8 +183,9 @@ TEST(Session, RefusesBadVersion1WithThePath) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 2})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 4})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 4, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", {"/"}) == litAsBefore());
 }
 
 TEST(Session, UnknownKeysFailWithTheirPath) {
@@ -179,8 +207,8 @@ TEST(Session, ValuesAreCheckedWithTheirPath) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 4, "scene": {"new": 1}})"),
-              AllOf(HasSubstr("version 4"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 5, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 5"), HasSubstr("newer Isolux")));
   EXPECT_THAT(refusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 

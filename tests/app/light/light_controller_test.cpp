@@ -12,6 +12,7 @@
 
 #include "base/retire.h"
 #include "gi/lattice/lattice_geometry.h"
+#include "gi/trace/exposure_meter.h"
 #include "scene/rules/automatic.h"
 #include "tests/support/memory_limit.h"
 #include "tests/support/poll.h"
@@ -32,6 +33,7 @@ class LightControllerTest : public ::testing::Test {
     scene.look.mode = scene::LookMode::gi;
     scene.gi.samples = 16;
     scene.gi.bounces = 1;
+    scene.light.environment.constant = glm::dvec3(1.0);
   }
 
   scene::Scene resolved() const { return scene::resolve(scene, volume->facts); }
@@ -120,6 +122,7 @@ TEST_F(LightControllerTest, ACommandsWholeLatticeIsRefusedBeforeItBegins) {
 }  // namespace
 
 TEST_F(LightControllerTest, ABallUnderAWhiteSkyIsLitByPi) {
+  scene.picture.metering = scene::Metering::lights;
   light();
   const auto picture = controller.light();
   ASSERT_TRUE(picture && picture->sky);
@@ -169,6 +172,58 @@ TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
   EXPECT_EQ(now->sky, before->sky) << "light outlasts another look";
   now = change([](scene::Scene& s) { s.isosurface.albedo = glm::dvec3(0.1); });
   EXPECT_NE(now->sky, before->sky) << "light is reflected";
+}
+
+TEST_F(LightControllerTest, ExposureIsBySurfaceAndLightAndFrozenWhileTheViewTurns) {
+  scene.light.environment.constant.reset();
+  const auto exposure = [&](const auto& edit) {
+    edit(scene);
+    controller.setScene(resolved(), volume);
+    EXPECT_TRUE(controller.settle(30.0));
+    return controller.light()->automaticExposure;
+  };
+  const float studio = exposure([](scene::Scene&) {});
+  ASSERT_TRUE(controller.light()->seen);
+  EXPECT_EQ(studio, static_cast<float>(gi::exposureOf(*controller.light()->seen)));
+  EXPECT_EQ(exposure([](scene::Scene& s) {
+              s.camera.eye = glm::dvec3(10.0, 300.0, 40.0);
+              s.picture.supersampling = 4;
+              s.gi.samples = 32;
+              s.light.environment.moves = true;
+            }),
+            studio);
+  controller.setVisible(surface());
+  EXPECT_EQ(exposure([](scene::Scene&) {}), studio) << "what is seen and stored so far does not matter";
+  EXPECT_NE(exposure([](scene::Scene& s) { s.light.environment.builtIn = scene::BuiltInLight::sunset; }),
+            studio);
+  EXPECT_NEAR(exposure([](scene::Scene& s) {
+                s.light.environment.builtIn = scene::BuiltInLight::studio;
+                s.light.environment.exposure = 3.0;
+              }),
+              studio - 3.0f, 1e-5f);
+  EXPECT_GT(exposure([](scene::Scene& s) { s.light.environment.azimuth = 180.0; }), studio - 3.0f)
+      << "lit from behind";
+  exposure([](scene::Scene& s) { s.picture.metering = scene::Metering::lights; });
+  EXPECT_FALSE(controller.light()->seen);
+}
+
+TEST_F(LightControllerTest, AWindowsExposureWaitsUntilADraggedIsovalueRests) {
+  app::LightController window{app::LightController::Options{.background = true}};
+  scene.lamps[0].shown = true;  // nearer to a larger ball
+  window.setScene(resolved(), volume);
+  ASSERT_TRUE(window.settle(30.0));
+  const float before = window.light()->automaticExposure;
+  const auto begin = std::chrono::steady_clock::now();
+  scene.isosurface.value = -3.0;  // a larger ball
+  window.setScene(resolved(), volume);
+  ASSERT_TRUE(window.settle(30.0));
+  const float during = window.light()->automaticExposure;
+  const bool quick = std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(250);
+  EXPECT_TRUE(!quick || during == before) << during << ' ' << before;
+  EXPECT_TRUE(test::pollUntil([&] { return window.light()->automaticExposure != before; }));
+  controller.setScene(resolved(), volume);  // a command's is at once the same
+  ASSERT_TRUE(controller.settle(30.0));
+  EXPECT_EQ(controller.light()->automaticExposure, window.light()->automaticExposure);
 }
 
 TEST_F(LightControllerTest, AMissingProbeIsSaidAndAnotherWorks) {

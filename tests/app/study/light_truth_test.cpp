@@ -35,6 +35,7 @@ Subject subjectOf(std::shared_ptr<const volume::PreparedVolume> volume,
   scene.look.mode = scene::LookMode::gi;
   scene.gi.mode = scene::GiMode::irradiance;
   scene.gi.sequence = scene::DirectionSequence::sobol_owen;
+  scene.light.environment.constant = environment->mean();
   if (!environment->isConstant()) scene.light.environment.file = "of this test";
   scene = scene::resolve(scene, volume->facts);
   auto tracer = std::make_shared<const volume::IsosurfaceTracer>(volume->volume.grid, scene.isosurface.inside,

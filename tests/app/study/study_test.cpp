@@ -189,6 +189,7 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
     return whyWithoutEffect(parseKnobs(knob)[0], scene);
   };
   scene::Scene plain, probe = underAProbe();
+  plain.light.environment.constant = glm::dvec3(1.0);
   for (const Knob& knob : knobs()) EXPECT_EQ(whyWithoutEffect(knob, probe), "") << knob.name;
   for (const char* knob : {"samples", "sequence", "bounces", "interpolation", "precision"})
     EXPECT_EQ(why(knob, plain), "") << knob;

@@ -24,6 +24,7 @@ class ReferencePicture : public ::testing::Test {
   void use(std::shared_ptr<const volume::PreparedVolume> volume, double isovalue = 0.0) {
     volume_ = std::move(volume);
     scene_.isosurface.value = isovalue;
+    if (!scene_.light.environment.constant) scene_.light.environment.constant = glm::dvec3(1.0);
     scene_ = scene::resolve(scene_, volume_->facts);
   }
   Reference make(int threads = 2, glm::ivec2 size = {24, 20}) {
@@ -45,7 +46,7 @@ class ReferencePicture : public ::testing::Test {
 };
 
 TEST_F(ReferencePicture, ABallUnderAnEvenSkyIsEvenlyLit) {
-  scene_.light.environment.constant = {0.5, 1.0, 2.0};
+  scene_.light.environment.constant = glm::dvec3(0.5, 1.0, 2.0);
   scene_.light.environment.exposure = 1.0;
   scene_.isosurface.albedo = {0.8, 0.4, 0.2};
   scene_.picture.exposure = -2.0;
@@ -62,7 +63,7 @@ TEST_F(ReferencePicture, ABallUnderAnEvenSkyIsEvenlyLit) {
     EXPECT_EQ(image.samples[i], 5u);
     EXPECT_LT(image.variance[i], 1e-9f);
     for (int channel = 0; channel < 3; ++channel) {
-      const double radiance = scene_.light.environment.constant[channel] * 2.0;
+      const double radiance = (*scene_.light.environment.constant)[channel] * 2.0;
       EXPECT_NEAR(image.irradiance[i][channel], pi * radiance, 1e-4);
       EXPECT_NEAR(image.color[i][channel], scene_.isosurface.albedo[channel] * radiance / 4.0, 1e-4);
     }

@@ -198,8 +198,9 @@ TEST_P(EverySettingWithStoredLightGlTest, ChangesThePassesThatRun) {
     for (int i = 0; i < 3; ++i) light.means.push_back(1.0f + 0.03f * static_cast<float>(texel[i]));
     return light;
   });
-  for (render::Renderer* renderer : {renderer_.get(), fresh_.get()})
-    renderer->setLight(pictureLight(lattice));
+  const auto light = pictureLight(lattice);
+  light->irradianceSh[0] = glm::vec3(1.0f);  // local light, of inner sides
+  for (render::Renderer* renderer : {renderer_.get(), fresh_.get()}) renderer->setLight(light);
   changeEverySetting({"look.ridge_threshold=0.02", "look.shading=gi", "gi.interpolation=trilinear"});
 }
 

@@ -12,6 +12,7 @@ namespace {
 Scene lit() {
   Scene scene;
   scene.look.mode = LookMode::gi;
+  scene.light.environment.constant = glm::dvec3(1.0);
   return scene;
 }
 
@@ -33,6 +34,19 @@ TEST(GiChoice, NoLookReadsLight) {
   colored.look.mode = LookMode::kappa1;
   colored.look.shading = Shading::gi;
   EXPECT_TRUE(giChoiceOf(colored).wanted) << "colours may lie under stored light";
+}
+
+TEST(GiChoice, ABuiltInLightIsStoredAsALightProbeIs) {
+  Scene probe = underProbe(), builtIn = lit();
+  builtIn.light.environment.constant.reset();
+  for (const int bounces : {0, 1})
+    for (const bool moves : {false, true}) {
+      probe.gi.bounces = builtIn.gi.bounces = bounces;
+      probe.light.environment.moves = builtIn.light.environment.moves = moves;
+      EXPECT_EQ(giChoiceOf(builtIn).sky, giChoiceOf(probe).sky);
+      EXPECT_EQ(giChoiceOf(builtIn).channels, giChoiceOf(probe).channels);
+      EXPECT_FALSE(giChoiceOf(builtIn).unitSky);
+    }
 }
 
 TEST(GiChoice, OfTheSky) {

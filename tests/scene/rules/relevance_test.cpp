@@ -39,9 +39,9 @@ TEST(Relevance, OfEachLook) {
       lambert + "shadow fog colormap range_low range_high legend accessibility " + lines;
   const std::map<std::string, std::string> table = {
       {"blinn_phong",
-       "ambient ambient_variation specular shininess texture shadow fog accessibility " + lines},
-      {"lambert", "ambient ambient_variation texture shadow fog accessibility " + lines},
-      {"tone", "tone_cool tone_warm texture shadow fog accessibility " + lines},
+       "ambient ambient_variation specular shininess inner_tint texture shadow fog accessibility " + lines},
+      {"lambert", "ambient ambient_variation inner_tint texture shadow fog accessibility " + lines},
+      {"tone", "tone_cool tone_warm inner_tint texture shadow fog accessibility " + lines},
       {"kappa1", measure},
       {"kappa2", measure},
       {"mean_curvature", measure},
@@ -50,9 +50,9 @@ TEST(Relevance, OfEachLook) {
       {"curvedness", measure},
       {"curvature_2d",
        lambert + "shadow fog range_low range_high curvature_points legend accessibility " + lines},
-      {"accessibility", lambert + "texture shadow fog " + lines},
-      {"flow", lambert + "texture shadow fog accessibility " + lines},
-      {"gi", "texture fog accessibility " + lines},
+      {"accessibility", lambert + "inner_tint texture shadow fog " + lines},
+      {"flow", lambert + "inner_tint texture shadow fog accessibility " + lines},
+      {"gi", "inner_tint texture fog accessibility " + lines},
       {"normal", ""},
       {"depth", ""},
   };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
 #include <QLineEdit>
@@ -15,8 +16,10 @@
 #include <glm/geometric.hpp>
 
 #include "app/interaction/turning.h"
+#include "scene/rules/environment.h"
 #include "ui/editors/environment_preview.h"
 #include "ui/editors/file_widget.h"
+#include "ui/editors/light_chooser.h"
 #include "ui/editors/number_spin_box.h"
 #include "ui/editors/rotation_widget.h"
 #include "ui/editors/setting_editor.h"
@@ -92,6 +95,8 @@ TEST_F(LightPanelTest, RowsAppearWithTheLookAndEditTheirSettings) {
                            "gi.samples", "gi.bounces", "gi.extent", "picture.exposure"})
     EXPECT_TRUE(panel()->shows(path)) << path;
   EXPECT_FALSE(panel()->shows("lamp1.position"));
+  EXPECT_TRUE(panel()->shows("light.environment.rotation"));
+  set("light.environment.constant", {1.0, 1.0, 1.0});
   EXPECT_FALSE(panel()->shows("light.environment.rotation"));  // of a sky of one colour
   auto* mode = panel()->editor("gi.mode")->findChild<QComboBox*>();
   mode->setCurrentIndex(mode->findData("transfer"));
@@ -122,6 +127,56 @@ TEST_F(LightPanelTest, AFileIsEnteredAndShownAndAMissingOneIsOneLine) {
       << window_->messageBar()->text().toStdString();
   EXPECT_FALSE(window_->messageBar()->text().contains('\n'));
   EXPECT_FALSE(panel()->environmentPreview()->loaded());
+}
+
+TEST_F(LightPanelTest, OneClickOnAThumbnailTakesABuiltInLight) {
+  useProbe();
+  set("light.environment.constant", {0.5, 0.5, 0.5});
+  ui::LightChooser* lights = panel()->lightChooser();
+  QToolButton* sunset = lights->button(scene::BuiltInLight::sunset);
+  EXPECT_FALSE(sunset->isChecked());
+  ASSERT_TRUE(sunset->isVisible());
+  EXPECT_FALSE(sunset->icon().isNull());
+  EXPECT_TRUE(sunset->toolTip().contains("sun"));
+  const int before = steps();
+  QTest::mouseClick(sunset, Qt::LeftButton);
+  EXPECT_EQ(scene::kindOf(environment()), scene::EnvironmentKind::builtIn);
+  EXPECT_EQ(environment().builtIn, scene::BuiltInLight::sunset);
+  EXPECT_TRUE(sunset->isChecked());
+  EXPECT_FALSE(lights->button(scene::BuiltInLight::studio)->isChecked());
+  EXPECT_TRUE(waitUntil([&] { return panel()->environmentPreview()->loaded(); }));
+  EXPECT_EQ(steps(), before + 1);
+  EXPECT_EQ(document()->history().undoName(), "Choose light");
+  QTest::mouseClick(sunset, Qt::LeftButton);  // again: nothing changes
+  EXPECT_TRUE(sunset->isChecked());
+  EXPECT_EQ(steps(), before + 1);
+  document()->undo();
+  EXPECT_EQ(environment().file, probe_.toStdString());
+  EXPECT_FALSE(sunset->isChecked());
+}
+
+TEST_F(LightPanelTest, ASkyOfOneColourShinesFromTheFirst) {
+  set("look.mode", "gi");
+  auto* automatic = panel()->editor("light.environment.constant")->findChild<QCheckBox*>();
+  ASSERT_NE(automatic, nullptr);
+  EXPECT_TRUE(automatic->isChecked());
+  automatic->setChecked(false);
+  ASSERT_TRUE(environment().constant);
+  EXPECT_GT(environment().constant->x, 0.0);
+  EXPECT_FALSE(panel()->lightChooser()->button(scene::BuiltInLight::studio)->isChecked());
+}
+
+TEST_F(LightPanelTest, AzimuthAndElevationTurnABuiltInLightAndLetItMove) {
+  set("look.mode", "gi");
+  for (const char* path : {"light.environment.azimuth", "light.environment.elevation"}) {
+    ASSERT_TRUE(panel()->shows(path));
+    auto* box = panel()->editor(path)->findChild<ui::NumberSpinBox*>();
+    ASSERT_NE(box, nullptr) << path;
+    box->setValue(30.0);
+  }
+  EXPECT_EQ(environment().azimuth, 30.0);
+  EXPECT_EQ(environment().elevation, 30.0);
+  EXPECT_TRUE(environment().moves);
 }
 
 TEST_F(LightPanelTest, ADroppedLightProbeLightsTheSurface) {
@@ -165,8 +220,7 @@ TEST_F(LightPanelTest, DraggingThePreviewTurnsItsPictureByTheDrag) {
   const QPoint from = preview->rect().center();
   drag(preview, from, from + QPoint(preview->width() / 4, 0));
   // A quarter of the width to the right: clockwise as seen from above.
-  const double heading = app::anglesOf(environment().rotation).heading;
-  EXPECT_NEAR(heading, -360.0 * (preview->width() / 4) / preview->width(), 1e-6);
+  EXPECT_NEAR(environment().azimuth, -360.0 * (preview->width() / 4) / preview->width(), 1e-6);
   EXPECT_EQ(document()->history().undoName(), "Turn environment");
   EXPECT_EQ(steps(), before + 1);
 }
@@ -230,6 +284,7 @@ TEST_F(LightPanelTest, AModeThatIsChosenStaysWhenTheEnvironmentTurns) {
 
 TEST_F(LightPanelTest, WhatCannotBeTurnedSaysWhy) {
   set("look.mode", "gi");
+  set("light.environment.constant", {1.0, 1.0, 1.0});
   const scene::Scene before = document()->scene();
   drag(viewport(), centre(), centre() + QPoint(30, 10), Qt::RightButton, Qt::ShiftModifier);
   EXPECT_EQ(document()->scene(), before);

@@ -54,6 +54,7 @@ TEST_F(LightWindowTest, NoLightIsStoredUnderALookThatReadsNone) {
 TEST_F(LightWindowTest, LightComesAndThePictureIsLitByIt) {
   ASSERT_TRUE(load(*window_, "phantom:torus:24"));  // parts of it see one another
   set("gi.mode", "off");
+  set("picture.metering", "lights");  // with stored light, too
   set("look.mode", "gi");
   const QImage local = fullPicture(*window_);
   set("gi.mode", "auto");

@@ -1,0 +1,85 @@
+#include "ui/editors/light_chooser.h"
+
+#include <QHBoxLayout>
+
+#include "app/light/light_thumbnail.h"
+#include "scene/rules/environment.h"
+#include "scene/setting/choice_names.h"
+#include "ui/editors/environment_edit.h"
+#include "ui/editors/number_text.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int thumbnailPixels = 56;
+
+QString meaningOf(scene::BuiltInLight light) {
+  switch (light) {
+    case scene::BuiltInLight::studio:
+      return "a large soft light from the upper left, a weak one at the right, and a rim from behind";
+    case scene::BuiltInLight::window:
+      return "daylight through one window at the left of a room";
+    case scene::BuiltInLight::overcast:
+      return "a cloudy sky: soft light from above";
+    case scene::BuiltInLight::sunset:
+      return "a low warm sun at the left under a blue sky";
+  }
+  return {};
+}
+
+QIcon thumbnailOf(scene::BuiltInLight light, qreal ratio) {
+  const render::ColorImage ball = app::litBall(light, static_cast<int>(thumbnailPixels * ratio));
+  QImage image(ball.rgba.data(), ball.size.x, ball.size.y, QImage::Format_RGBA8888);
+  image.setDevicePixelRatio(ratio);
+  return QIcon(QPixmap::fromImage(image));
+}
+
+}  // namespace
+
+LightChooser::LightChooser(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 2, 0, 2);
+  row->setSpacing(4);
+  for (const scene::Named<scene::BuiltInLight>& light : scene::choicesOf<scene::BuiltInLight>()) {
+    auto* button = new QToolButton(this);
+    const QString name =
+        wordsOf(QString::fromUtf8(light.name.data(), static_cast<qsizetype>(light.name.size())));
+    button->setText(name);
+    button->setAccessibleName("Light: " + name);
+    button->setToolTip(name + ": " + meaningOf(light.value));
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setIconSize({thumbnailPixels, thumbnailPixels});
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(button, &QToolButton::clicked, this, [this, value = light.value] {
+      Q_EMIT edited(builtInLightChosen(scene_, value));
+      setScene(scene_);  // a click on the one that is chosen leaves it so
+    });
+    buttons_.push_back(button);
+    row->addWidget(button);
+  }
+}
+
+void LightChooser::setScene(const scene::Scene& scene) {
+  scene_ = scene;
+  const scene::Environment& environment = scene.light.environment;
+  const bool builtIn = scene::kindOf(environment) == scene::EnvironmentKind::builtIn;
+  for (std::size_t i = 0; i < buttons_.size(); ++i)
+    buttons_[i]->setChecked(builtIn && environment.builtIn == static_cast<scene::BuiltInLight>(i));
+}
+
+QToolButton* LightChooser::button(scene::BuiltInLight light) const {
+  return buttons_[static_cast<std::size_t>(light)];
+}
+
+void LightChooser::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (drawn_) return;
+  drawn_ = true;
+  for (std::size_t i = 0; i < buttons_.size(); ++i)
+    buttons_[i]->setIcon(thumbnailOf(static_cast<scene::BuiltInLight>(i), devicePixelRatioF()));
+}
+
+}  // namespace isolux::ui

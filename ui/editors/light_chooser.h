@@ -1,0 +1,32 @@
+// The built-in lights as thumbnails in a row: a click takes one.
+#pragma once
+
+#include <vector>
+
+#include <QToolButton>
+
+#include "ui/document/edit.h"
+
+namespace isolux::ui {
+
+class LightChooser : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LightChooser(QWidget* parent = nullptr);
+
+  void setScene(const scene::Scene& scene);
+  QToolButton* button(scene::BuiltInLight light) const;
+
+ Q_SIGNALS:
+  void edited(const isolux::ui::Edit& edit);
+
+ protected:
+  void showEvent(QShowEvent* event) override;  // the thumbnails are drawn when they are first seen
+
+ private:
+  scene::Scene scene_;
+  std::vector<QToolButton*> buttons_;  // in the order of the lights
+  bool drawn_ = false;
+};
+
+}  // namespace isolux::ui
