@@ -49,12 +49,13 @@ void compare(const render::OffscreenContext& context, const Subject& subject) {
 void orbit(const render::OffscreenContext& context, const std::string& name) {
   const VolumePointer volume = load("phantom:" + name + ":" + std::to_string(largeVoxels));
   const std::size_t mebibytes = volume->grid().bytes() >> 20;
-  Frame whole(context.gl(), volume, {});
+  // Bricks are of the graphics card; the processor reads voxels where they are.
+  Frame whole(context.gl(), volume, {}, 1, {.executor = scene::Executor::gpu});
   whole.changed();
   const render::ColorImage expected = whole.renderer->readColor();
   whole.renderer.reset();  // its textures make room
   const scene::Memory memory{.gpuBudgetMb = static_cast<int>(mebibytes / 4)};
-  Frame bricks(context.gl(), volume, {}, 1, memory);
+  Frame bricks(context.gl(), volume, {}, 1, {.memory = memory, .executor = scene::Executor::gpu});
   const render::FrameReport first = bricks.changed();
   std::printf(
       " %s %d, %zu MiB in a budget of %d MiB (%zu slots): %zu bricks uploaded, %zu replaced, %.3g %% "

@@ -1,7 +1,4 @@
-// Camera rays on one core: the caster of pictures against the tracer of light, on the same rays. CPU time of the thread,
-// medians.
-#include <time.h>
-
+// Camera rays on one thread: the caster of pictures against the tracer of light, on the same rays; medians.
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -46,8 +43,9 @@ void compare(const Subject& subject) {
   const auto project = [&] { depths = caster.startDepths(rays, pictureSize); };
   project();
   const auto cast = [&] {
-    caster.cast(rays, depths, {glm::ivec2(0), pictureSize, points.data(), infos.data(),
-                               static_cast<std::size_t>(pictureSize.x)});
+    caster.cast(
+        rays, depths,
+        {glm::ivec2(0), pictureSize, points.data(), infos.data(), static_cast<std::size_t>(pictureSize.x)});
   };
 
   base::Progress progress;
@@ -60,7 +58,8 @@ void compare(const Subject& subject) {
         const glm::vec2 pixel(x0 + i % tile, y0 + i / tile);
         const glm::vec2 plane = ((pixel + 0.5f) / glm::vec2(pictureSize) * 2.0f - 1.0f) * rays.halfExtent;
         const glm::vec3 offset = plane.x * rays.right + plane.y * rays.up;
-        traceRays.push_back({rays.eye, (rays.forward + offset) / std::sqrt(1.0f + glm::dot(plane, plane)), isovalue});
+        traceRays.push_back(
+            {rays.eye, (rays.forward + offset) / std::sqrt(1.0f + glm::dot(plane, plane)), isovalue});
       }
   const auto trace = [&] { tracer.firstEntries(traceRays, t); };
 
@@ -68,16 +67,20 @@ void compare(const Subject& subject) {
   cast();
   trace();
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t block = i / (tile * tile), blocksPerRow = static_cast<std::size_t>(pictureSize.x / tile);
-    const std::size_t x = block % blocksPerRow * tile + i % tile, y = block / blocksPerRow * tile + i % (tile * tile) / tile;
+    const std::size_t block = i / (tile * tile),
+                      blocksPerRow = static_cast<std::size_t>(pictureSize.x / tile);
+    const std::size_t x = block % blocksPerRow * tile + i % tile,
+                      y = block / blocksPerRow * tile + i % (tile * tile) / tile;
     const float own = points[y * static_cast<std::size_t>(pictureSize.x) + x].w;
     hits += own >= 0.0f;
     same += (own >= 0.0f) == std::isfinite(t[i]) && (own < 0.0f || std::fabs(own - t[i]) < 0.02f);
   }
   std::printf(" %s: %zu of %zu rays hit (%s), %.4f %% as the tracer\n", subject.name.c_str(), hits, count,
-              volume::SurfaceCaster::target(), 100.0 * static_cast<double>(same) / static_cast<double>(count));
-  printComparison({"tracer, first entries", "caster, first crossings", "caster, start depths", "masks of the isovalue"},
-                  medians({trace, cast, project, activate}, rounds));
+              volume::SurfaceCaster::target(),
+              100.0 * static_cast<double>(same) / static_cast<double>(count));
+  printComparison(
+      {"tracer, first entries", "caster, first crossings", "caster, start depths", "masks of the isovalue"},
+      medians({trace, cast, project, activate}, rounds));
 }
 
 void run() {
@@ -86,7 +89,8 @@ void run() {
   for (const Subject& subject : list) compare(subject);
 }
 
-const Registration registration("camera_rays", "camera rays on one core: the caster of pictures against the light's tracer",
+const Registration registration("camera_rays",
+                                "camera rays on one thread: the caster of pictures against the light's tracer",
                                 run);
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Frames of the GL pipeline: block size, hit method, derivative field, supersampling.
+// Frames of the pipeline: executor, block size, hit method, derivative field, supersampling.
 #include <cstdio>
 
 #include "bench/bench.h"
@@ -29,13 +29,18 @@ void run() {
     sampled.hit.method = scene::HitMethod::sampled;
     trilinear.derivatives.field = scene::Field::trilinear;
     interpolating.derivatives.field = scene::Field::cubic_interpolating;
-    printComparison(
-        {"exact hits, cubic gradient, blocks of 8", "the same, blocks of 4", "sampled hits (rate 2)",
-         "trilinear gradient", "interpolating cubic gradient", "2 x 2 supersampling"},
-        medians({Frame(context->gl(), large, base), Frame(context->gl(), small, base),
-                 Frame(context->gl(), large, sampled), Frame(context->gl(), large, trilinear),
-                 Frame(context->gl(), large, interpolating), Frame(context->gl(), large, base, 2)},
-                7));
+    const scene::Machine shaders{.executor = scene::Executor::gpu},
+        processor{.executor = scene::Executor::cpu};
+    const auto frame = [&](const VolumePointer& volume, const scene::Scene& scene, int supersampling = 1) {
+      return Frame(context->gl(), volume, scene, supersampling, shaders);
+    };
+    printComparison({"exact hits, cubic gradient, blocks of 8", "the same on the processor",
+                     "the same, blocks of 4", "sampled hits (rate 2)", "trilinear gradient",
+                     "interpolating cubic gradient", "2 x 2 supersampling"},
+                    medians({frame(large, base), Frame(context->gl(), large, base, 1, processor),
+                             frame(small, base), frame(large, sampled), frame(large, trilinear),
+                             frame(large, interpolating), frame(large, base, 2)},
+                            7));
   }
 }
 
