@@ -62,6 +62,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePo
                                     base::Progress& progress) {
   scene_ = resolved;
   volume_ = volume;
+  meterPending_ = false;
   if (!volume || scene::shadingOf(resolved) != scene::Shading::gi) {
     // Stored light stays: the look may come back.
     if (!volume) stop();
@@ -118,7 +119,6 @@ void LightPlanner::loadEnvironment(const scene::Environment& settings) {
 
 // At once, but after an isovalue that a user may still be dragging.
 void LightPlanner::considerMetering(base::Progress& progress) {
-  meterPending_ = false;
   if (scene_.picture.metering != scene::Metering::surface || !lightScene_->choice.wanted) {
     brightness_.reset();
     brightnessOfVolume_ = nullptr;
