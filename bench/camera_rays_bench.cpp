@@ -89,9 +89,8 @@ void run() {
   for (const Subject& subject : list) compare(subject);
 }
 
-const Registration registration("camera_rays",
-                                "camera rays on one thread: the caster of pictures against the light's tracer",
-                                run);
+const Registration registration(
+    "camera_rays", "camera rays on one thread: the caster of pictures against the light's tracer", run);
 
 }  // namespace
 }  // namespace isolux::bench
