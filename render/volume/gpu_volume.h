@@ -65,7 +65,8 @@ class GpuVolume {
   std::size_t activeBlocks() const { return active_ ? active_->activeCount() : 0; }
   std::size_t faceCount() const { return faces_ ? faces_->faces().size() : 0; }
   const volume::MinMaxBlocks& blocks() const { return active_->blocks(); }
-  // Of each block, the boxes that can hold a surface (volume::BoxBounds); none where blocks are not of 8^3 cells.
+  // Of each block, the boxes that can hold a surface (volume::BoxBounds); none where blocks are not of 8^3
+  // cells.
   std::span<const std::uint64_t> masks() const { return masks_; }
   // Of the field's B-spline; null: the samples themselves.
   const volume::Coefficients* coefficients(scene::Field field) const;

@@ -61,7 +61,8 @@ TexelSource::TexelSource(const volume::Coefficients& coefficients, glm::ivec3 di
     : dims_(dims),
       coefficients_(&coefficients.values),
       offset_(coefficients.offset),
-      exponent_(volume::exponentOf(static_cast<double>(coefficients.least), static_cast<double>(coefficients.most))) {
+      exponent_(volume::exponentOf(static_cast<double>(coefficients.least),
+                                   static_cast<double>(coefficients.most))) {
   scale_ = std::ldexp(1.0, exponent_);
 }
 

@@ -14,7 +14,8 @@ struct Named {
   std::string_view name;
 };
 
-// All values of an enumeration of scene/choices.h or scene/machine.h, in the order in which users are offered them.
+// All values of an enumeration of scene/choices.h or scene/machine.h, in the order in which users are offered
+// them.
 template <class T>
 std::span<const Named<T>> choicesOf();
 
