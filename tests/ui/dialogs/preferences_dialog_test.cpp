@@ -2,6 +2,7 @@
 #include "ui/dialogs/preferences_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QPushButton>
 #include <QSettings>
@@ -58,6 +59,9 @@ TEST_F(PreferencesTest, AChangeActsAtOnceIsKeptAndIsNoEdit) {
 
 TEST_F(PreferencesTest, TheBudgetReachesTheRenderer) {
   ui::PreferencesDialog* dialog = openDialog();
+  // The processor reads voxels where they are.
+  dialog->valueWidget("picture.executor")->findChild<QComboBox*>()->setCurrentIndex(1);
+  ASSERT_EQ(window_->machine().executor, scene::Executor::gpu);
   dialog->valueWidget("memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(16);
   bool inBricks = false;
   QObject::connect(window_->viewport(), &ui::Viewport::reported,
