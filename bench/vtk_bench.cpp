@@ -199,7 +199,9 @@ void run() {
   }
   VtkContext context;
   std::printf(" Isolux on %s\n %s\n", context.gl()->string(GL_RENDERER).c_str(), vtkVersion().c_str());
-  for (const Subject& subject : subjects()) {
+  std::vector<Subject> list = subjects();
+  list.push_back({"torus 128", load("phantom:torus:128"), 0.0});
+  for (const Subject& subject : list) {
     std::printf(" %s, %d x %d\n", subject.name.c_str(), pictureSize.x, pictureSize.y);
     compare(context, subject);
   }
