@@ -113,7 +113,9 @@ void SegmentsPass::run(FrameState& frame) {
 }
 
 void BricksPass::declare(Declaring& d) const {
-  d.writes(image::bricks).notNeeded("the volume is one texture");
+  d.writes(image::bricks);
+  d.notNeeded(d.asked.onProcessor.all ? "nothing on the graphics card reads voxels"
+                                      : "the volume is one texture");
   d.volume().input("graphics copy of the volume", d.asked.volume.made);
   if (!d.asked.bricks.inUse) return;
   d.input("graphics memory", d.asked.bricks.made).input("what rays ask for", d.asked.bricks.asked);
