@@ -48,12 +48,15 @@ render::ColorImage litBall(scene::BuiltInLight light, int pixels) {
   std::vector<glm::dvec3> linear(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(pixels),
                                  glm::dvec3(0.0));
   std::vector<double> covered(linear.size(), 0.0);
+  const auto index = [pixels](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(x);
+  };
   for (int y = 0; y < samples; ++y)
     for (int x = 0; x < samples; ++x) {
       const double u = placeOf(x) / radius, w = -placeOf(y) / radius, rest = 1.0 - u * u - w * w;
       if (rest <= 0.0) continue;
       const glm::dvec3 lit = irradiance.at({u, -std::sqrt(rest), w});
-      const auto pixel = static_cast<std::size_t>(y / perAxis * pixels + x / perAxis);
+      const std::size_t pixel = index(x / perAxis, y / perAxis);
       linear[pixel] += lit / double(perAxis * perAxis);
       covered[pixel] += 1.0 / (perAxis * perAxis);
       most = std::max(most, base::luminance(lit));
@@ -63,7 +66,7 @@ render::ColorImage litBall(scene::BuiltInLight light, int pixels) {
   image.rgba.reserve(4 * linear.size());
   for (int y = 0; y < pixels; ++y)
     for (int x = 0; x < pixels; ++x) {
-      const auto pixel = static_cast<std::size_t>(y * pixels + x);
+      const std::size_t pixel = index(x, y);
       // Behind the ball the light's own colours, quieter than the ball.
       const glm::dvec3 d =
           glm::normalize(glm::dvec3(0.7 * placeOf(perAxis * x + 1), 1.0, -0.7 * placeOf(perAxis * y + 1)));
