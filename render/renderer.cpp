@@ -192,10 +192,13 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
     ++copiesMade;
   }
   frame.onProcessor = onProcessor(volume && hasMasks() && takesProcessor(executor, *frame.gl), scene);
-  if (frame.volume && frame.onProcessor.all)
+  if (frame.volume && frame.onProcessor.all) {
     frame.volume->requireFields(scene);
-  else if (frame.volume)
+  } else if (frame.volume) {
     frame.volume->require(scene, memory);
+    // Shaders at the hits find only bricks that rays of shaders have asked for.
+    if (frame.volume->bricks()) frame.onProcessor = {};
+  }
   frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
   frame.readsLight =
       (request.color && scene::usesGi(scene)) ||

@@ -30,8 +30,7 @@ FrameState::FrameState(GlPtr pointer)
 FrameState::~FrameState() = default;
 
 Program& FrameState::program(const std::string& fragment, const std::string& defines) {
-  const std::string all =
-      volume && !onProcessor.all && volume->bricks() ? "#define BRICKS\n" + defines : defines;
+  const std::string all = bricks() ? "#define BRICKS\n" + defines : defines;
   const std::string key = fragment + "|" + all;
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;

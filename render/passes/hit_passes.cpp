@@ -1,6 +1,5 @@
 #include "render/passes/hit_passes.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -164,8 +163,8 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
 
 void CastPass::run(FrameState& frame) {
   if (frame.onProcessor.casts) {
-    const bool any = castOnProcessor(frame);
-    if (!frame.layer.empty()) frame.anyBehind = any;
+    castOnProcessor(frame);
+    if (!frame.layer.empty()) frame.anyBehind = frame.host.at(frame.layer).any;
     return;
   }
   if (!frame.layer.empty()) {
@@ -227,10 +226,7 @@ void RefinePass::run(FrameState& frame) {
 
 bool anyHit(FrameState& frame) {
   if (frame.empty()) return false;
-  if (frame.onProcessor.casts) {
-    const std::vector<glm::vec4>& points = frame.host.at("").points;
-    return std::any_of(points.begin(), points.end(), [](const glm::vec4& point) { return point.w >= 0.0f; });
-  }
+  if (frame.onProcessor.casts) return frame.host.at("").any;
   const Gl& gl = *frame.gl;
   frame.begin(frame.images.at(image::segments));  // nothing is written there
   Program& p = frame.program("any_hit.frag.glsl");

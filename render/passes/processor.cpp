@@ -70,7 +70,7 @@ bool takesProcessor(scene::Executor executor, const Gl& gl) {
   return executor == scene::Executor::cpu || (executor == scene::Executor::automatic && gl.software);
 }
 
-bool castOnProcessor(FrameState& frame) {
+void castOnProcessor(FrameState& frame) {
   const glm::ivec2 size = frame.raySize();
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   HostImages& images = frame.host[frame.layer];
@@ -84,8 +84,8 @@ bool castOnProcessor(FrameState& frame) {
   const Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
   upload(target.images[0], GL_RGBA, images.points.data());
   upload(target.images[1], GL_RG, images.infos.data());
-  return std::any_of(images.points.begin(), images.points.end(),
-                     [](const glm::vec4& point) { return point.w >= 0.0f; });
+  images.any = std::any_of(images.points.begin(), images.points.end(),
+                           [](const glm::vec4& point) { return point.w >= 0.0f; });
 }
 
 void deriveOnProcessor(FrameState& frame, const std::vector<Texture>& textures) {

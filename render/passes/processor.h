@@ -33,13 +33,13 @@ bool takesProcessor(scene::Executor executor, const Gl& gl);
 struct HostImages {
   std::vector<glm::vec4> points;
   std::vector<glm::vec2> infos;
+  bool any = false;                       // there is a crossing
   std::vector<glm::vec4> derivatives[3];  // gradient; diagonal and mixed of the Hessian
   base::MemoryBudget::Held held{};
 };
 
-// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them. False: no ray met
-// any.
-bool castOnProcessor(FrameState& frame);
+// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them.
+void castOnProcessor(FrameState& frame);
 // Derivatives at the points of frame.layer, uploaded to `textures`: gradient; with three, diagonal and mixed
 // of the Hessian too.
 void deriveOnProcessor(FrameState& frame, const std::vector<Texture>& textures);

@@ -40,8 +40,8 @@ class BricksGlTest : public RenderGlTest {
     render::FrameReport report;
   };
   Drawn draw(const VolumePointer& volume, scene::Scene scene, MemoryLayout layout, int budgetMb = 2048,
-             glm::ivec2 size = {96, 72}) {
-    renderer_->setMachine({.memory = {budgetMb, layout}, .executor = scene::Executor::gpu});
+             glm::ivec2 size = {96, 72}, scene::Executor executor = scene::Executor::gpu) {
+    renderer_->setMachine({.memory = {budgetMb, layout}, .executor = executor});
     scene = scene::resolve(scene, volume->facts);
     renderer_->setVolume(volume);
     render::FrameRequest request;
@@ -120,6 +120,25 @@ TEST_F(BricksGlTest, EveryFieldIsTheSameWithExactFetches) {
                   "hit " + std::to_string(static_cast<int>(hit)) + ", derivatives " +
                       std::to_string(static_cast<int>(derivatives)));
     }
+}
+
+// A pass that shaders must draw at the hits (fast fetches, shadow) would miss bricks that no ray has asked
+// for.
+TEST_F(BricksGlTest, WhereShadersReadBricksTheProcessorCastsNoRays) {
+  const auto volume = phantom("gyroid", 70);
+  scene::Scene fast, shadow;
+  fast.derivatives.fetch = scene::Fetch::fast;
+  shadow.look.shadow = 0.7;
+  for (const scene::Scene& scene : {fast, shadow}) {
+    const Drawn shaders = draw(volume, scene, MemoryLayout::bricks);
+    renderer_ = std::make_unique<render::Renderer>(context_->gl());  // nothing is resident
+    const Drawn processor = draw(volume, scene, MemoryLayout::bricks, 2048, {96, 72}, scene::Executor::cpu);
+    EXPECT_TRUE(processor.report.bricks.inUse);
+    EXPECT_EQ(processor.report.bricks.missing, 0.0);
+    EXPECT_EQ(colorDifference(shaders.color, processor.color), 0);
+    for (std::size_t i = 0; i < shaders.images.size(); ++i)
+      EXPECT_EQ(unequal(shaders.images[i], processor.images[i]), 0u) << i;
+  }
 }
 
 // Filters weigh by a coordinate, which is another one in the cache: rounding may differ.
