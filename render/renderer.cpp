@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <utility>
 
 #include "base/error.h"
 #include "render/empty_picture.h"
@@ -138,6 +139,7 @@ struct Renderer::Parts {
   std::uint64_t bricksAsked = 0;  // BrickState::asked
   std::size_t waitingRays = 0;    // of the last frame that cast rays
   bool hit = false;               // some ray of the last frame that cast rays hit a surface
+  bool hitsChanged = false;       // since the last frame that was completed
   bool complete = true;           // the last frame had all the time it needed
   bool imagesDropped = false;     // in this frame, because their size is another
 
@@ -152,6 +154,9 @@ struct Renderer::Parts {
   // In bricks: `pass` casts rays, `running` are the passes of this frame that run.
   void runInBricks(Pass& pass, const std::vector<Pass*>& running);
   void reportBricks();
+  // A frame has ended before it was complete. Stopped: the passes that were complete are good for the next
+  // one; otherwise nothing that was drawn is still there.
+  void leave(bool stopped);
   std::size_t bytesOf(const Pass& pass, const PassDeclaration& declared) const;
 };
 
@@ -313,6 +318,20 @@ std::size_t Renderer::Parts::bytesOf(const Pass& pass, const PassDeclaration& de
   return sum;
 }
 
+void Renderer::Parts::leave(bool stopped) {
+  const bool inRounds = frame.bricks() != nullptr;  // of which bricks and rays know their own
+  if (!stopped) {
+    frame.images.clear();
+    drawn = {};
+  }
+  if (!stopped || inRounds) graph.invalidate();
+  frame.scene = nullptr;
+  frame.layer.clear();
+  frame.onlyWaiting = frame.keepHits = false;
+  frame.gl->BindVertexArray(0);
+  frame.gl->UseProgram(0);
+}
+
 const FrameReport& Renderer::render(const scene::Scene& scene, const FrameRequest& request) {
   assert(request.size.x > 0 && request.size.y > 0 && request.supersampling >= 1);
   assert(scene.isosurface.value && scene.camera.eye && scene.camera.target && scene.camera.up);
@@ -331,7 +350,7 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     const auto plan = parts.graph.plan(declared, wantedImages(request));
     parts.plan(declared, plan);
     for (const PlannedPass& entry : plan)
-      if (parts.imagesDropped && entry.state == PassState::skipped)
+      if (parts.imagesDropped && entry.state != PassState::cached)
         parts.graph.forget(declared[entry.index].name);
     std::vector<Pass*> running;
     for (const PlannedPass& entry : plan)
@@ -343,27 +362,26 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
       PassReport entry{
           std::string(pass.name), now.state, now.reason, 0.0, 0, pass.isOn(parts.frame.onProcessor)};
       if (now.state == PassState::ran) {
+        throwIfStopped(request);
         clock.begin();
+        parts.graph.forget(entry.name);  // from its beginning on, what it wrote is gone
+        if (pass.name == pass::cast || pass.name == pass::refine) parts.hitsChanged = true;
         parts.run(pass, running);
+        throwIfStopped(request);
         clock.end(parts.report.passes.size());
         parts.graph.completed(declared[now.index]);
       }
       if (now.state != PassState::skipped) entry.bytes = parts.bytesOf(pass, declared[now.index]);
       parts.report.passes.push_back(std::move(entry));
     }
-    if (passRan(parts.report, pass::cast) || passRan(parts.report, pass::refine))
-      parts.hit = anyHit(parts.frame);
+    if (parts.hitsChanged) parts.hit = anyHit(parts.frame);
     gl.Finish();
     clock.write(parts.report.passes);
-  } catch (...) {  // no room: nothing that was drawn is still there
-    parts.frame.images.clear();
-    parts.drawn = {};
-    parts.graph.invalidate();
-    parts.frame.scene = nullptr;
-    parts.frame.layer.clear();
-    parts.frame.onlyWaiting = false;
-    gl.BindVertexArray(0);
-    gl.UseProgram(0);
+  } catch (const base::Error& error) {
+    parts.leave(error.kind() == base::ErrorKind::interrupted);
+    throw;
+  } catch (...) {
+    parts.leave(false);
     throw;
   }
   gl.BindVertexArray(0);
@@ -374,7 +392,7 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   if (parts.volume && parts.waitingRays == 0)
     parts.report.empty = whyEmpty(scene, *parts.volume, static_cast<double>(request.size.x) / request.size.y,
                                   !parts.frame.empty(), parts.hit);
-  parts.report.surfaceChanged = passRan(parts.report, pass::cast) || passRan(parts.report, pass::refine);
+  parts.report.surfaceChanged = std::exchange(parts.hitsChanged, false);
   parts.report.milliseconds = millisecondsSince(begin);
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;
   parts.report.gpuBytes = parts.frame.images.bytes() + parts.frame.lighting->bytes();

@@ -18,6 +18,11 @@ const char* nameOf(PassState state) {
   return "skipped";
 }
 
+void throwIfStopped(const FrameRequest& request) {
+  if (request.stop.stop_requested())
+    throw base::Error(base::ErrorKind::interrupted, "", "", "the picture was stopped");
+}
+
 const std::vector<AovInfo>& aovs() {
   static const std::vector<AovInfo> list = {
       {Aov::position, "position", "mm, world", {"x", "y", "z"}},

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -61,7 +62,12 @@ struct FrameRequest {
   std::size_t brickUploadBytes = 0;
   // Stored light uploaded in one frame; the next frames go on (FrameReport::light.pending). 0: all of it.
   std::size_t lightUploadBytes = 0;
+  // Once asked, render() throws Error{interrupted}; what is complete until then is kept for the next picture.
+  std::stop_token stop = {};
 };
+
+// Throws Error{interrupted} once a stop is asked for.
+void throwIfStopped(const FrameRequest& request);
 
 enum class PassState { ran, cached, skipped };
 const char* nameOf(PassState state);
@@ -102,7 +108,8 @@ struct FrameReport {
   std::size_t blocksActive = 0, blocksTotal = 0;
   BrickReport bricks;
   LightReport light;
-  bool surfaceChanged = false;        // the surface points were found anew: Renderer::hitVoxels() differ
+  // Surface points were found anew since the last picture that was completed: Renderer::hitVoxels() differ.
+  bool surfaceChanged = false;
   std::size_t gpuBytes = 0;           // textures and buffers held by the renderer
   std::optional<EmptyPicture> empty;  // nothing is to be seen, and why
   // What the driver called an error in this frame (render/gl/gl_messages.h): the picture may be wrong.

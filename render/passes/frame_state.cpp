@@ -1,5 +1,8 @@
 #include "render/passes/frame_state.h"
 
+#include <algorithm>
+#include <chrono>
+
 #include <glm/geometric.hpp>
 
 #include "render/passes/light_passes.h"
@@ -7,6 +10,21 @@
 #include "volume/field/curvature.h"
 
 namespace isolux::render {
+
+namespace {
+// Rows of a picture that are drawn between two looks at a stop, and how long they should take, ms. Multiples
+// of the squares that llvmpipe works in.
+constexpr int kBandRows = 64, kMostBandGrowth = 4;
+constexpr double kBandMilliseconds = 6.0;
+
+// As many rows as should take the wanted time, when `rows` took `milliseconds`.
+int nextBand(int rows, double milliseconds) {
+  const double wanted = rows * kBandMilliseconds / std::max(milliseconds, 0.01);
+  const int bands =
+      static_cast<int>(std::min(wanted, static_cast<double>(kMostBandGrowth) * rows)) / kBandRows;
+  return std::max(1, bands) * kBandRows;
+}
+}  // namespace
 
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
   std::vector<Surface> surfaces = {
@@ -44,6 +62,7 @@ void FrameState::begin(const Target& target) const {
 void FrameState::begin(const Target& target, glm::ivec2 size) const {
   gl->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
   gl->Viewport(0, 0, size.x, size.y);
+  drawing_ = size;
 }
 
 void FrameState::clear(const Target& target, int image, const float (&value)[4]) const {
@@ -53,7 +72,26 @@ void FrameState::clear(const Target& target, int image, const float (&value)[4])
 void FrameState::drawFullscreen(const Program& program) const {
   gl->UseProgram(program.id());
   gl->BindVertexArray(emptyArray_.id());
-  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+  const bool inBricks = volume && !onProcessor.all && volume->bricks();  // these have a scissor of their own
+  if (gl->software && request.stop.stop_possible() && !inBricks)
+    drawInBands();
+  else
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void FrameState::drawInBands() const {
+  using Clock = std::chrono::steady_clock;
+  gl->Enable(GL_SCISSOR_TEST);
+  for (int row = 0, rows = kBandRows; row < drawing_.y;) {
+    const Clock::time_point begin = Clock::now();
+    gl->Scissor(0, row, drawing_.x, std::min(rows, drawing_.y - row));
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl->Finish();
+    row += rows;
+    rows = nextBand(rows, std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    if (request.stop.stop_requested()) break;
+  }
+  gl->Disable(GL_SCISSOR_TEST);
 }
 
 bool FrameState::drawsAny(const Program& program) {

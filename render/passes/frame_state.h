@@ -92,6 +92,8 @@ struct FrameState {
   void begin(const Target& target) const;
   void begin(const Target& target, glm::ivec2 size) const;
   void clear(const Target& target, int image, const float (&value)[4]) const;
+  // Once the request is stopped the rest stays undrawn: software rasterisers draw it in bands of a few
+  // milliseconds, because a draw call that was begun cannot be left.
   void drawFullscreen(const Program& program) const;
   void setView(Program& program) const;  // the uniforms of common.glsl
   // The uniforms of surface.glsl: surface points, gradients (where there are any) and what is known of the
@@ -105,6 +107,9 @@ struct FrameState {
   void setIsovalues(Program& program, scene::Field field) const;
 
  private:
+  void drawInBands() const;
+
+  mutable glm::ivec2 drawing_{0};  // pixels of what begin() was told of
   VertexArray emptyArray_;
   Query anySamples_;
   std::map<std::string, Program> programs_;

@@ -295,6 +295,7 @@ void LayersPass::run(FrameState& frame) {
     frame.layer = names[layer % 2];
     for (Pass* pass : frame.used)
       if (pass->kind.ofCrossing && frame.anyBehind) pass->run(frame);  // the first is the cast
+    if (frame.request.stop.stop_requested()) break;
     if (frame.anyBehind && scene::usesGi(*frame.scene))
       appendHits(frame, kMostHitsBehind / static_cast<std::size_t>(layers), frame.hitsBehind);
     frame.layerBefore = frame.layer;

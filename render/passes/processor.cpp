@@ -43,13 +43,13 @@ void cast(FrameState& frame, HostImages& images) {
   const volume::SurfaceCaster caster(frame.volume->grid(), isovalues, frame.volume->blocks().dims(),
                                      frame.volume->masks());
   if (frame.layer.empty()) {
-    caster.castAll(rays, frame.raySize(), images.points, images.infos);
+    caster.castAll(rays, frame.raySize(), images.points, images.infos, frame.request.stop);
     return;
   }
   const HostImages& before = frame.host.at(frame.layerBefore);
   const std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0]);
   caster.castBehind(rays, frame.raySize(), {before.points, before.infos, covered}, images.points,
-                    images.infos);
+                    images.infos, frame.request.stop);
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ void deriveOnProcessor(FrameState& frame, const std::vector<Texture>& textures) 
     const volume::DerivedField derived =
         field == scene::Field::trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline;
     volume::surfaceDerivatives(frame.volume->grid(), derived, frame.volume->coefficients(field),
-                               images.points, out);
+                               images.points, out, volume::TracerTarget::automatic, frame.request.stop);
   }
   for (std::size_t i = 0; i < textures.size(); ++i)
     upload(textures[i], GL_RGBA, images.derivatives[i].data());

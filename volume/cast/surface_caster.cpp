@@ -55,12 +55,13 @@ void SurfaceCaster::cast(const PictureRays& rays, const StartDepths& depths, con
 // Calls cast(target) for squares of all pixels, on all threads.
 template <class Cast>
 void SurfaceCaster::forPieces(glm::ivec2 size, std::span<glm::vec4> points, std::span<glm::vec2> infos,
-                              const Cast& cast) {
+                              const std::stop_token& stop, const Cast& cast) {
   assert(points.size() == infos.size() &&
          points.size() == static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   constexpr int piece = 32;  // pixels
   const glm::ivec2 pieces = (size + (piece - 1)) / piece;
   tbb::parallel_for(tbb::blocked_range2d<int>(0, pieces.y, 1, 0, pieces.x, 1), [&](const auto& range) {
+    if (stop.stop_requested()) return;
     const glm::ivec2 begin = piece * glm::ivec2(range.cols().begin(), range.rows().begin());
     const glm::ivec2 end = glm::min(piece * glm::ivec2(range.cols().end(), range.rows().end()), size);
     cast(CastTarget{begin, end, points.data(), infos.data(), static_cast<std::size_t>(size.x)});
@@ -68,16 +69,17 @@ void SurfaceCaster::forPieces(glm::ivec2 size, std::span<glm::vec4> points, std:
 }
 
 void SurfaceCaster::castAll(const PictureRays& rays, glm::ivec2 size, std::span<glm::vec4> points,
-                            std::span<glm::vec2> infos) const {
+                            std::span<glm::vec2> infos, const std::stop_token& stop) const {
   const StartDepths depths = startDepths(rays, size);
-  forPieces(size, points, infos, [&](const CastTarget& target) { cast(rays, depths, target); });
+  forPieces(size, points, infos, stop, [&](const CastTarget& target) { cast(rays, depths, target); });
 }
 
 void SurfaceCaster::castBehind(const PictureRays& rays, glm::ivec2 size, const CrossingsBefore& before,
-                               std::span<glm::vec4> points, std::span<glm::vec2> infos) const {
+                               std::span<glm::vec4> points, std::span<glm::vec2> infos,
+                               const std::stop_token& stop) const {
   assert(before.points.size() == points.size() && before.infos.size() == points.size() &&
          before.covered.size() == points.size());
-  forPieces(size, points, infos,
+  forPieces(size, points, infos, stop,
             [&](const CastTarget& target) { kernels_->castBehind(*view_, rays, before, target); });
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -61,17 +62,19 @@ class SurfaceCaster {
   StartDepths startDepths(const PictureRays& rays, glm::ivec2 size) const;
   // On the calling thread. Safe from many.
   void cast(const PictureRays& rays, const StartDepths& depths, const CastTarget& target) const;
-  // All of `size`, on all threads of the caller's arena. points, infos: size.x * size.y.
+  // All of `size`, on all threads of the caller's arena. points, infos: size.x * size.y; some are not written
+  // once a stop is asked for, which is heeded within a millisecond.
   void castAll(const PictureRays& rays, glm::ivec2 size, std::span<glm::vec4> points,
-               std::span<glm::vec2> infos) const;
+               std::span<glm::vec2> infos, const std::stop_token& stop = {}) const;
   // The next crossings behind those.
   void castBehind(const PictureRays& rays, glm::ivec2 size, const CrossingsBefore& before,
-                  std::span<glm::vec4> points, std::span<glm::vec2> infos) const;
+                  std::span<glm::vec4> points, std::span<glm::vec2> infos,
+                  const std::stop_token& stop = {}) const;
 
  private:
   template <class Cast>
   static void forPieces(glm::ivec2 size, std::span<glm::vec4> points, std::span<glm::vec2> infos,
-                        const Cast& cast);
+                        const std::stop_token& stop, const Cast& cast);
   std::span<const std::uint64_t> masks_;
   std::unique_ptr<casting::CastView> view_;
   const casting::CastKernels* kernels_;

@@ -13,7 +13,7 @@ namespace isolux::volume {
 
 void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
                         std::span<const glm::vec4> points, const DerivativeImages& images,
-                        TracerTarget wanted) {
+                        TracerTarget wanted, const std::stop_token& stop) {
   const casting::CastKernels* const kernels = casting::castKernels(wanted);
   assert(kernels && images.gradient.size() == points.size());
   assert(images.diagonal.size() == images.mixed.size());
@@ -27,6 +27,7 @@ void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients
   view.dataUnits = static_cast<float>(grid.slope());
   constexpr std::size_t piece = 4096;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), piece), [&](const auto& range) {
+    if (stop.stop_requested()) return;
     const auto part = [&](std::span<glm::vec4> image) {
       return image.empty() ? nullptr : image.data() + range.begin();
     };

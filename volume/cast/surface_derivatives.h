@@ -6,6 +6,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 
 #include <glm/vec4.hpp>
 
@@ -25,9 +26,10 @@ struct DerivativeImages {
 enum class DerivedField { trilinear, spline };
 
 // points: voxel coordinates, w < 0 where there is no surface. coefficients: of the spline; null: the samples
-// themselves. On all threads of the caller's arena. Needs SurfaceCaster::available().
+// themselves. On all threads of the caller's arena. Some are not written once a stop is asked for. Needs
+// SurfaceCaster::available().
 void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
                         std::span<const glm::vec4> points, const DerivativeImages& images,
-                        TracerTarget wanted = TracerTarget::automatic);
+                        TracerTarget wanted = TracerTarget::automatic, const std::stop_token& stop = {});
 
 }  // namespace isolux::volume
