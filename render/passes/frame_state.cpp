@@ -94,9 +94,14 @@ void FrameState::drawInBands() const {
   gl->Disable(GL_SCISSOR_TEST);
 }
 
-bool FrameState::drawsAny(const Program& program) {
+void FrameState::drawStarts(const Program& program) const {
+  gl->UseProgram(program.id());
+  starts->draw();
+}
+
+bool FrameState::drawsAny(const std::function<void()>& draw) {
   gl->BeginQuery(GL_ANY_SAMPLES_PASSED, anySamples_.id());
-  drawFullscreen(program);
+  draw();
   gl->EndQuery(GL_ANY_SAMPLES_PASSED);
   GLuint64 any = 0;
   gl->GetQueryObjectui64v(anySamples_.id(), GL_QUERY_RESULT, &any);
