@@ -115,7 +115,8 @@ struct FrameState {
   void setIsovalues(Program& program, scene::Field field) const;
 
  private:
-  void drawInBands() const;
+  void drawStoppably(const std::function<void()>& draw) const;
+  void drawInBands(const std::function<void()>& draw) const;
 
   mutable glm::ivec2 drawing_{0};  // pixels of what begin() was told of
   VertexArray emptyArray_;

@@ -22,8 +22,7 @@ namespace isolux::render {
 
 class GpuVolume {
  public:
-  // Nothing is uploaded yet. Throws base::Error{memory} where the driver or this program cannot draw as
-  // many blocks.
+  // Nothing is uploaded yet. Throws base::Error{memory} where the driver cannot draw as many blocks.
   GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
 
   const volume::Grid& grid() const { return volume_->grid(); }
