@@ -1,6 +1,6 @@
 // The first crossing of a ray with the trilinear isosurfaces, exactly: traversal of the cells that can hold one; in
 // each the cubic along the ray is split at its extrema, so the first change of side is found whatever its shape.
-// What cannot hold one is left in one step: inactive blocks, and boxes of 2x2x2 cells by a mask for each block.
+// What cannot hold one is left in one step, by masks of boxes of 2x2x2 cells, or of single cells (GpuVolume::bindMasks).
 //
 // SURFACES isovalues (1 to 4) are followed at once. Needs field.glsl. Positions are voxel coordinates, t is in mm.
 
@@ -10,7 +10,7 @@
 
 uniform usampler3D uMasks;  // of 4x4x4 cells (boxes) each: a bit for each that can hold a crossing, x + 4 y + 16 z
 uniform int uMaskShift;     // log2 of the cells per axis that a bit stands for
-uniform bool uGaps;              // the volume has missing voxels: behind an empty box no side is known
+uniform bool uGaps;         // the volume has missing voxels: behind an empty box no side is known
 uniform vec4 uIsovalues;    // texels of what is hit
 uniform vec4 uIsovalueShifts;  // each isovalue minus the first, rounded once
 
@@ -55,7 +55,7 @@ void clipToDomain(Path path, inout float t, inout float tEnd) {
 
 bool outsideCells(ivec3 cell) { return any(lessThan(cell, ivec3(0))) || any(greaterThan(cell, uDims - 2)); }
 
-// Where a ray is: the cell, the block it is in and the block's mask.
+// Where a ray is: the cell, and the mask that it is in.
 struct Place {
   ivec3 cell, block;
   uvec2 mask;
@@ -176,6 +176,32 @@ int sidesOf(float valueMinusFirst) {
   return bits;
 }
 
+// The cubic of a surface in its cell. The crossing the ray comes from (first) lies at this cell's entry, on one side or
+// the other by rounding.
+vec4 ofSurface(vec4 b, int k, int inside, bool first) {
+  vec4 own = b - uIsovalueShifts[k];
+  if (first) own.x = (inside >> k & 1) != 0 ? max(own.x, 0.0) : min(own.x, -1e-30);
+  return own;
+}
+
+// The nearest crossing of the surfaces in `changed` (a bit each) in the cell between t.x and t.y.
+void solve(vec4 b, int changed, int inside, bool first, vec2 t, inout Crossing crossing) {
+  float least = 2.0;
+  for (int k = 0; k < SURFACES; ++k) {
+    if ((changed >> k & 1) == 0) continue;
+    vec4 own = ofSurface(b, k, inside, first);
+    vec2 bracket;
+    firstChange(own, (inside >> k & 1) != 0, bracket);
+    float s = rootIn(own, bracket);
+    if (s >= least) continue;
+    least = s;
+    crossing.surface = k;
+  }
+  crossing.found = true;
+  crossing.t = mix(t.x, t.y, least);
+  crossing.inside = inside ^ (1 << crossing.surface);
+}
+
 // The first crossing in [t, tEnd]. carried: the ray has just crossed surfaces at t, and `inside` is the side it is on
 // behind them; otherwise the sides are those of the field at t. Behind missing voxels nothing is known: no surface
 // there. Ends where a brick is not resident (brickMissed says so).
@@ -217,12 +243,8 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
     if (whole && !known) inside = sidesOf(b.x);
     known = whole;
     for (int k = 0; k < SURFACES; ++k) {
-      bool side = (inside >> k & 1) != 0;
-      vec4 own = b - uIsovalueShifts[k];
-      // The crossing the ray comes from lies at this cell's entry, on one side or the other by rounding.
-      if (first) own.x = side ? max(own.x, 0.0) : min(own.x, -1e-30);
       vec2 bracket;
-      changed |= int(whole && firstChange(own, side, bracket)) << k;
+      changed |= int(whole && firstChange(ofSurface(b, k, inside, first), (inside >> k & 1) != 0, bracket)) << k;
     }
     if (changed != 0) break;
     first = false;
@@ -230,22 +252,6 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
     alive = tOut < tEnd && !outsideCells(place.cell) && --steps > 0;
     t = tOut;
   }
-  if (changed == 0) return crossing;
-  float least = 2.0;
-  for (int k = 0; k < SURFACES; ++k) {
-    if ((changed >> k & 1) == 0) continue;
-    bool side = (inside >> k & 1) != 0;
-    vec4 own = b - uIsovalueShifts[k];
-    if (first) own.x = side ? max(own.x, 0.0) : min(own.x, -1e-30);
-    vec2 bracket;
-    firstChange(own, side, bracket);
-    float s = rootIn(own, bracket);
-    if (s >= least) continue;
-    least = s;
-    crossing.surface = k;
-  }
-  crossing.found = true;
-  crossing.t = mix(t, tOut, least);
-  crossing.inside = inside ^ (1 << crossing.surface);
+  if (changed != 0) solve(b, changed, inside, first, vec2(t, tOut), crossing);
   return crossing;
 }
