@@ -43,13 +43,12 @@ inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refin
 
 // What passes write. Those that are drawn are kept under these names (render/gl/image_pool.h).
 namespace image {
-inline constexpr const char *activeBlocks = "active blocks", *faces = "block faces",
-                            *segments = "ray segments", *bricks = "resident bricks", *bracket = "brackets",
-                            *surface = "surface points", *gradient = "gradients", *hessian = "Hessians",
-                            *curvature = "curvatures", *ranges = "curvature ranges", *shadow = "shadows",
-                            *flowField = "flow fields", *flow = "streaks", *light = "stored light",
-                            *irradiance = "irradiances", *front = "front colour", *color = "colour",
-                            *picture = "picture",
+inline constexpr const char *activeBlocks = "active blocks", *segments = "ray segments",
+                            *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
+                            *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
+                            *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
+                            *flow = "streaks", *light = "stored light", *irradiance = "irradiances",
+                            *front = "front colour", *color = "colour", *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }
 

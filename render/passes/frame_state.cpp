@@ -72,20 +72,29 @@ void FrameState::clear(const Target& target, int image, const float (&value)[4])
 void FrameState::drawFullscreen(const Program& program) const {
   gl->UseProgram(program.id());
   gl->BindVertexArray(emptyArray_.id());
-  const bool inBricks = volume && !onProcessor.all && volume->bricks();  // these have a scissor of their own
-  if (gl->software && request.stop.stop_possible() && !inBricks)
-    drawInBands();
-  else
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+  drawStoppably([this] { gl->DrawArrays(GL_TRIANGLES, 0, 3); });
 }
 
-void FrameState::drawInBands() const {
+void FrameState::drawStarts(const Program& program) const {
+  gl->UseProgram(program.id());
+  drawStoppably([this] { starts->draw(); });
+}
+
+void FrameState::drawStoppably(const std::function<void()>& draw) const {
+  const bool inBricks = volume && !onProcessor.all && volume->bricks();  // these have a scissor of their own
+  if (gl->software && request.stop.stop_possible() && !inBricks)
+    drawInBands(draw);
+  else
+    draw();
+}
+
+void FrameState::drawInBands(const std::function<void()>& draw) const {
   using Clock = std::chrono::steady_clock;
   gl->Enable(GL_SCISSOR_TEST);
   for (int row = 0, rows = kBandRows; row < drawing_.y;) {
     const Clock::time_point begin = Clock::now();
     gl->Scissor(0, row, drawing_.x, std::min(rows, drawing_.y - row));
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    draw();
     gl->Finish();
     row += rows;
     rows = nextBand(rows, std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
@@ -94,9 +103,9 @@ void FrameState::drawInBands() const {
   gl->Disable(GL_SCISSOR_TEST);
 }
 
-bool FrameState::drawsAny(const Program& program) {
+bool FrameState::drawsAny(const std::function<void()>& draw) {
   gl->BeginQuery(GL_ANY_SAMPLES_PASSED, anySamples_.id());
-  drawFullscreen(program);
+  draw();
   gl->EndQuery(GL_ANY_SAMPLES_PASSED);
   GLuint64 any = 0;
   gl->GetQueryObjectui64v(anySamples_.id(), GL_QUERY_RESULT, &any);

@@ -35,8 +35,7 @@ std::vector<float> alphaOf(const Texture& color) {
 }
 
 void cast(FrameState& frame, HostImages& images) {
-  const volume::PictureRays rays = frame.view->rays(frame.request.size * frame.request.supersampling,
-                                                    frame.tileOrigin() * frame.request.supersampling);
+  const volume::PictureRays rays = frame.rays();
   std::vector<double> isovalues;
   for (const Surface& surface : frame.surfaces)
     isovalues.push_back(frame.volume->grid().storedOfValue(surface.value));

@@ -44,7 +44,7 @@ SurfaceCaster::SurfaceCaster(const Grid& grid, std::span<const double> storedIso
 SurfaceCaster::~SurfaceCaster() = default;
 
 StartDepths SurfaceCaster::startDepths(const PictureRays& rays, glm::ivec2 size) const {
-  return volume::startDepths(rays, size, view_->dims, view_->blockDims, masks_);
+  return volume::startDepths(rays, size, view_->dims, {view_->blockDims, masks_});
 }
 
 void SurfaceCaster::cast(const PictureRays& rays, const StartDepths& depths, const CastTarget& target) const {
