@@ -36,6 +36,18 @@ TEST(SurfacePick, IsOnTheRayAndOnTheSurface) {
   EXPECT_FALSE(app::pickSurface(*volume, scene, {0.99, 0.99}, aspect));
 }
 
+TEST(SurfacePick, OfABallIsItsRadiusAway) {
+  const auto volume = phantom("ball", 65);
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene = resolved(*volume, scene);
+  for (const glm::dvec2& ndc : {glm::dvec2(0.0), glm::dvec2(0.2, 0.1), glm::dvec2(-0.1, 0.25)}) {
+    const auto pick = app::pickSurface(*volume, scene, ndc, 1.2);
+    ASSERT_TRUE(pick);
+    EXPECT_NEAR(glm::length(pick->worldMm), 0.35 * 64.0, 0.05);
+  }
+}
+
 // Of several isosurfaces the nearest that is shown and not fully transparent.
 TEST(SurfacePick, TakesTheNearestThatIsShown) {
   const auto volume = phantom("ball", 48);
