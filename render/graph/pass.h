@@ -49,7 +49,7 @@ inline constexpr const char *activeBlocks = "active blocks", *faces = "block fac
                             *curvature = "curvatures", *ranges = "curvature ranges", *shadow = "shadows",
                             *flowField = "flow fields", *flow = "streaks", *light = "stored light",
                             *irradiance = "irradiances", *front = "front colour", *color = "colour",
-                            *picture = "picture",
+                            *background = "background", *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }
 

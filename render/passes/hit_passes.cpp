@@ -8,6 +8,8 @@
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "render/passes/block_area.h"
+
 namespace isolux::render {
 
 namespace {
@@ -38,14 +40,16 @@ bool isExact(const FrameState& frame) {
 }
 
 // Exact hits are the surface points themselves; sampled ones are brackets yet.
-const Target& castTarget(FrameState& frame) {
+Target& castTarget(FrameState& frame) {
   return isExact(frame) ? frame.target(image::surface, {GL_RGBA32F, GL_RG32F})
                         : frame.target(image::bracket, {GL_RGBA32F});
 }
 
-void clearHits(const FrameState& frame, const Target& target) {
-  frame.clear(target, 0, isExact(frame) ? kNoSurface : kNoBracket);
-  if (isExact(frame)) frame.clear(target, 1, kZero);
+void clearHits(const FrameState& frame, Target& target) {
+  if (isExact(frame))
+    frame.clear(target, {kNoSurface, kZero});
+  else
+    frame.clear(target, {kNoBracket});
 }
 
 }  // namespace
@@ -84,10 +88,11 @@ SegmentsPass::Faces::Faces(const GlPtr& gl, const char* shader)
 }
 
 void SegmentsPass::run(FrameState& frame) {
-  const Target& target = frame.target(image::segments, {GL_R32F});
+  Target& target = frame.target(image::segments, {GL_R32F});
   frame.begin(target);
   const bool atEye = !frame.empty() && !frame.view->orthographic && eyeInActiveBlock(frame);
-  frame.clear(target, 0, {atEye ? 0.0f : kNever, 0.0f, 0.0f, 0.0f});
+  const float before[4] = {atEye ? 0.0f : kNever, 0.0f, 0.0f, 0.0f};
+  frame.clear(target, {before});
   if (frame.empty()) return;
   if (!faces_) faces_.emplace(frame.gl, shader);
   const Gl& gl = *frame.gl;
@@ -164,15 +169,14 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
 void CastPass::run(FrameState& frame) {
   if (frame.onProcessor.casts) {
     castOnProcessor(frame);
-    if (!frame.layer.empty()) frame.anyBehind = frame.host.at(frame.layer).any;
+    if (!frame.layer.empty()) frame.anyBehind = !frame.area().empty();
     return;
   }
   if (!frame.layer.empty()) {
     castBehind(frame);
     return;
   }
-  const Target& target = castTarget(frame);
-  frame.begin(target);
+  Target& target = castTarget(frame);
   if (frame.empty()) {
     clearHits(frame, target);
     return;
@@ -182,11 +186,11 @@ void CastPass::run(FrameState& frame) {
     frame.gl->TextureBarrier();
     p.setTexture("uBefore", 4, target.images.back());
   }
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p, blockArea(frame));
 }
 
 void CastPass::castBehind(FrameState& frame) const {
-  const Target& target = castTarget(frame);
+  Target& target = castTarget(frame);
   frame.begin(target);
   clearHits(frame, target);
   Program& p = program(frame, Rays::behind);
@@ -194,7 +198,8 @@ void CastPass::castBehind(FrameState& frame) const {
   p.setTexture("uSurface", 4, surface.images[0]);
   p.setTexture("uInfo", 5, surface.images[1]);
   p.setTexture("uColor", 6, frame.images.at(image::color).images[0]);
-  frame.anyBehind = frame.drawsAny(p);
+  frame.anyBehind = frame.drawsAny(p, surface.drawn);
+  target.drawn = surface.drawn;
 }
 
 void RefinePass::declare(Declaring& d) const {
@@ -207,12 +212,9 @@ void RefinePass::declare(Declaring& d) const {
 }
 
 void RefinePass::run(FrameState& frame) {
-  const Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
-  frame.begin(target);
-  if (!frame.keepHits) {
-    frame.clear(target, 0, kNoSurface);
-    frame.clear(target, 1, kZero);
-  }
+  Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
+  // In bricks, what was refined in an earlier round of the frame stays.
+  if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kNoSurface, kZero});
   if (frame.empty()) return;
   const scene::Field field = frame.scene->hit.field;
   Program& p = frame.program(shader, field == scene::Field::trilinear ? "" : "#define CUBIC\n");
@@ -221,18 +223,18 @@ void RefinePass::run(FrameState& frame) {
   frame.setIsovalues(p, field);
   p.setTexture("uBrackets", 2, frame.image(image::bracket));
   p.set("uRefinements", frame.scene->hit.refinements);
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p, frame.images.at(image::bracket + frame.layer).drawn);
 }
 
 bool anyHit(FrameState& frame) {
   if (frame.empty()) return false;
-  if (frame.onProcessor.casts) return frame.host.at("").any;
+  if (frame.onProcessor.casts) return !frame.area().empty();
   const Gl& gl = *frame.gl;
   frame.begin(frame.images.at(image::segments));  // nothing is written there
   Program& p = frame.program("any_hit.frag.glsl");
   p.setTexture("uSurface", 0, frame.image(image::surface));
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  const bool any = frame.drawsAny(p);
+  const bool any = frame.drawsAny(p, frame.area());
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   return any;
 }

@@ -234,17 +234,16 @@ std::optional<LookInput> IrradiancePass::forLook(const scene::Scene& scene) cons
 }
 
 void IrradiancePass::run(FrameState& frame) {
-  const Target& target = frame.target(image::irradiance, {GL_RGBA32F});
-  frame.begin(target);
+  Target& target = frame.target(image::irradiance, {GL_RGBA32F});
   if (frame.empty()) {
-    frame.clear(target, 0, kZero);
+    frame.clear(target, {kZero});
     return;
   }
   Program& p = frame.program(shader, frame.lighting->defines(frame));
   frame.setView(p);
   frame.setPoint(p, 0);
   frame.lighting->bind(frame, p);
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p);
 }
 
 }  // namespace isolux::render

@@ -112,6 +112,19 @@ bool showsEnvironment(const Asked& asked) {
   return scene::usesGi(asked.scene) && asked.light.background;
 }
 
+bool environmentIsSeen(const FrameState& frame) {
+  return scene::usesGi(*frame.scene) && frame.light && frame.light->background;
+}
+
+// What resolve.frag.glsl reads for the colour behind the surface.
+void setBehind(const FrameState& frame, Program& p) {
+  p.set("uSupersampling", frame.request.supersampling);
+  p.set("uTileOrigin", frame.tileOrigin());
+  p.set("uPictureSize", frame.request.size);
+  p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));
+  p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
+}
+
 void addExposure(Declaring& d) {
   const bool automatic = !d.asked.scene.picture.exposure && d.asked.acts("picture.exposure");
   d.settings({"picture.exposure"});
@@ -217,7 +230,7 @@ void ShadePass::declare(Declaring& d) const {
   addExposure(d);
 }
 
-void ShadePass::draw(FrameState& frame) {
+Program& ShadePass::prepared(FrameState& frame) {
   const std::vector<LookInput> inputs = inputsOf(frame);
   Program& p = frame.program(shader, definesOf(*frame.scene, inputs));
   frame.setView(p);
@@ -234,7 +247,7 @@ void ShadePass::draw(FrameState& frame) {
     setLines(frame, p);
   }
   setOverlays(frame, p);
-  frame.drawFullscreen(p);
+  return p;
 }
 
 void ShadePass::run(FrameState& frame) {
@@ -243,18 +256,17 @@ void ShadePass::run(FrameState& frame) {
     frame.begin(frame.images.at(image::color));
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    draw(frame);
+    frame.drawRectangles(prepared(frame), frame.area().rectangles());
     gl.Disable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ZERO);
     return;
   }
   const bool transparent = scene::isTransparent(*frame.scene);
-  const Target& target = frame.target(transparent ? image::front : image::color, {GL_RGBA16F});
-  frame.begin(target);
+  Target& target = frame.target(transparent ? image::front : image::color, {GL_RGBA16F});
   if (frame.empty())
-    frame.clear(target, 0, kZero);
+    frame.clear(target, {kZero});
   else
-    draw(frame);
+    frame.drawHits(target, prepared(frame));
 }
 
 void LayersPass::declare(Declaring& d) const {
@@ -279,11 +291,9 @@ void LayersPass::declare(Declaring& d) const {
 }
 
 void LayersPass::run(FrameState& frame) {
-  const Target& color = frame.target(image::color, {GL_RGBA16F});
+  Target& color = frame.target(image::color, {GL_RGBA16F});
   const Target& front = frame.images.at(image::front);
-  const glm::ivec2 size = frame.raySize();
-  frame.gl->BlitNamedFramebuffer(front.framebuffer.id(), color.framebuffer.id(), 0, 0, size.x, size.y, 0, 0,
-                                 size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  frame.copy(front, color);
   frame.hitsBehind.clear();
   if (frame.empty()) return;
   const int layers = frame.scene->isosurface.layers;
@@ -303,43 +313,76 @@ void LayersPass::run(FrameState& frame) {
   frame.layer.clear();
 }
 
+void BackgroundPass::declare(Declaring& d) const {
+  d.writes(image::background).pictureSize().settings({"look.background_top", "look.background_bottom"});
+  d.notNeeded("the environment is behind the surface");
+}
+
+void BackgroundPass::run(FrameState& frame) {
+  const Target& target = frame.images.make(frame.gl, image::background, frame.drawnSize(), {GL_RGBA8});
+  frame.begin(target, frame.drawnSize());
+  Program& p = frame.program(shader, "#define NOTHING_ELSE\n");
+  setBehind(frame, p);
+  frame.drawFullscreen(p);
+}
+
 void ResolvePass::declare(Declaring& d) const {
   const scene::Scene& scene = d.asked.scene;
-  d.reads(image::color).writes(image::picture).pictureSize();
-  d.settings({"look.background_top", "look.background_bottom", "look.legend"});
+  d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend"});
   d.input("linear picture", d.asked.request.linear);
   if (showsEnvironment(d.asked)) {
     d.input("light", d.asked.light.version).settings({"camera."});
     addExposure(d);
+  } else {
+    d.reads(image::background);
   }
   if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
     d.reads(image::ranges);
 }
 
 void ResolvePass::run(FrameState& frame) {
-  const Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
-  draw(frame, target, "");
+  Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
+  if (environmentIsSeen(frame))
+    drawAll(frame, target, "");
+  else
+    drawHits(frame, target);
   if (!frame.empty() && scene::showsLegend(*frame.scene))
     drawLegendOver(frame, target, measureRange(*frame.scene, frame.statistics, frame.flatCurvature()));
   if (frame.request.linear)
-    draw(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
-         "#define LINEAR\n");
+    drawAll(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
+            "#define LINEAR\n");
   else
     frame.images.drop(image::linear);
 }
 
-void ResolvePass::draw(FrameState& frame, const Target& target, const std::string& defines) const {
-  frame.begin(target, frame.drawnSize());
-  const bool environment = scene::usesGi(*frame.scene) && frame.light && frame.light->background;
+Program& ResolvePass::prepared(FrameState& frame, const std::string& defines) const {
+  const bool environment = environmentIsSeen(frame);
   Program& p = frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : ""));
   if (environment) frame.lighting->setBackground(frame, p, 1);
   p.setTexture("uColor", 0, frame.image(image::color));
-  p.set("uSupersampling", frame.request.supersampling);
-  p.set("uTileOrigin", frame.tileOrigin());
-  p.set("uPictureSize", frame.request.size);
-  p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));
-  p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
+  setBehind(frame, p);
+  return p;
+}
+
+void ResolvePass::drawAll(FrameState& frame, const Target& target, const std::string& defines) const {
+  Program& p = prepared(frame, defines);
+  frame.begin(target, frame.drawnSize());
   frame.drawFullscreen(p);
+}
+
+// The background's own pixels, with the surface's over them.
+void ResolvePass::drawHits(FrameState& frame, Target& target) const {
+  frame.copy(frame.images.at(image::background), target);
+  Program& p = prepared(frame, "");
+  frame.begin(target, frame.drawnSize());
+  std::vector<volume::Rectangle> pixels = frame.images.at(image::color).drawn.rectangles();
+  const int rays = frame.request.supersampling;
+  for (volume::Rectangle& part : pixels) {
+    const glm::ivec2 end = (part.low + part.size + (rays - 1)) / rays;
+    part.low /= rays;
+    part.size = end - part.low;
+  }
+  frame.drawRectangles(p, pixels);
 }
 
 }  // namespace isolux::render

@@ -23,7 +23,7 @@ class ShadePass : public Pass {
   void forget() override { colors_ = Texture(); }
 
  private:
-  void draw(FrameState& frame);  // into what is bound
+  Program& prepared(FrameState& frame);  // its program, with all that it reads
   void setSurfaces(FrameState& frame, Program& program) const;
   void setLight(FrameState& frame, Program& program) const;
   void setMeasure(FrameState& frame, Program& program);
@@ -44,6 +44,14 @@ class LayersPass : public Pass {
   void run(FrameState& frame) override;
 };
 
+// The picture where no surface is seen, as long as that is the same from all sides.
+class BackgroundPass : public Pass {
+ public:
+  BackgroundPass() : Pass("background", "resolve.frag.glsl", {}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+};
+
 // Background, supersamples averaged, sRGB encoded, legend.
 class ResolvePass : public Pass {
  public:
@@ -52,7 +60,9 @@ class ResolvePass : public Pass {
   void run(FrameState& frame) override;
 
  private:
-  void draw(FrameState& frame, const Target& target, const std::string& defines) const;
+  Program& prepared(FrameState& frame, const std::string& defines) const;
+  void drawAll(FrameState& frame, const Target& target, const std::string& defines) const;
+  void drawHits(FrameState& frame, Target& target) const;
 };
 
 }  // namespace isolux::render

@@ -38,6 +38,7 @@ PassList makePasses() {
       IrradiancePass,  // light at the surface points
       ShadePass,       // the look, linear colour, of the first crossing
       LayersPass,      // the crossings behind transparent surfaces
+      BackgroundPass,  // the picture of nothing
       ResolvePass      // background, supersamples averaged, sRGB, legend
       >();
 }

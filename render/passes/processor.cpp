@@ -11,30 +11,44 @@ namespace isolux::render {
 
 namespace {
 
-void upload(const Texture& texture, GLenum format, const void* texels) {
-  const glm::ivec3 size = texture.size();
-  texture.gl().TextureSubImage2D(texture.id(), 0, 0, 0, size.x, size.y, format, GL_FLOAT, texels);
+// What is in `area`, and in the area that the texture shows yet, of an image of `channels` floats as large.
+void upload(const Texture& texture, const volume::PictureArea& changed, const float* values, int channels) {
+  const Gl& gl = texture.gl();
+  const int width = texture.size().x;
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, width);
+  for (const volume::Rectangle& part : changed.rectangles()) {
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(part.low.y) * width + part.low.x;
+    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y, part.size.x, part.size.y,
+                         channels == 4 ? GL_RGBA : GL_RG, GL_FLOAT, values + channels * first);
+  }
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-// For points and infos; derivatives are made when they are asked for.
-void makeRoom(HostImages& images, std::size_t count) {
-  images = {};
-  images.held =
-      base::machineMemory().reserve(count * (sizeof(glm::vec2) + 4 * sizeof(glm::vec4)),
-                                    "hits of the picture", "a smaller picture or --executor gpu needs less");
-  images.points.resize(count);
-  images.infos.resize(count);
+HostImages& hostImages(FrameState& frame) {
+  const auto found = frame.host.find(frame.layer);
+  if (found != frame.host.end()) {
+    if (found->second.crossings.area.size() == frame.raySize()) return found->second;
+    frame.host.erase(found);  // before its successor is made: both need not fit
+  }
+  return frame.host.emplace(frame.layer, HostImages(frame.raySize())).first->second;
 }
 
-// How much of each pixel is covered already.
-std::vector<float> alphaOf(const Texture& color) {
-  const std::vector<float> rgba = color.readFloats(4);
-  std::vector<float> alpha(rgba.size() / 4);
-  for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = rgba[4 * i + 3];
+// How much of each pixel is covered already, of those of the crossing before.
+std::vector<float> alphaOf(const Texture& color, const volume::PictureArea& before) {
+  const int width = color.size().x;
+  std::vector<float> alpha(static_cast<std::size_t>(width) * static_cast<std::size_t>(color.size().y));
+  for (const volume::Rectangle& part : before.rectangles()) {
+    const std::vector<float> rgba = color.readFloats(4, part);
+    const auto columns = static_cast<std::size_t>(part.size.x);
+    for (std::size_t i = 0; i < rgba.size() / 4; ++i)
+      alpha[(static_cast<std::size_t>(part.low.y) + i / columns) * static_cast<std::size_t>(width) +
+            static_cast<std::size_t>(part.low.x) + i % columns] = rgba[4 * i + 3];
+  }
   return alpha;
 }
 
-void cast(FrameState& frame, HostImages& images) {
+void cast(FrameState& frame, volume::Crossings& out) {
   const volume::PictureRays rays = frame.view->rays(frame.request.size * frame.request.supersampling,
                                                     frame.tileOrigin() * frame.request.supersampling);
   std::vector<double> isovalues;
@@ -43,16 +57,22 @@ void cast(FrameState& frame, HostImages& images) {
   const volume::SurfaceCaster caster(frame.volume->grid(), isovalues, frame.volume->blocks().dims(),
                                      frame.volume->masks());
   if (frame.layer.empty()) {
-    caster.castAll(rays, frame.raySize(), images.points, images.infos, frame.request.stop);
+    caster.castAll(rays, out, frame.request.stop);
     return;
   }
-  const HostImages& before = frame.host.at(frame.layerBefore);
-  const std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0]);
-  caster.castBehind(rays, frame.raySize(), {before.points, before.infos, covered}, images.points,
-                    images.infos, frame.request.stop);
+  const volume::Crossings& before = frame.host.at(frame.layerBefore).crossings;
+  const std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0], before.area);
+  caster.castBehind(rays, {before, covered}, out, frame.request.stop);
 }
 
 }  // namespace
+
+HostImages::HostImages(glm::ivec2 size)
+    : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                                             (sizeof(glm::vec2) + 4 * sizeof(glm::vec4)),
+                                         "hits of the picture",
+                                         "a smaller picture or --executor gpu needs less")),
+      crossings(size) {}
 
 OnProcessor onProcessor(bool taken, const scene::Scene& scene) {
   OnProcessor on;
@@ -71,41 +91,45 @@ bool takesProcessor(scene::Executor executor, const Gl& gl) {
 }
 
 void castOnProcessor(FrameState& frame) {
-  const glm::ivec2 size = frame.raySize();
-  const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  HostImages& images = frame.host[frame.layer];
-  if (images.points.size() != count) makeRoom(images, count);
-  if (frame.empty()) {
-    std::fill(images.points.begin(), images.points.end(), glm::vec4(0.0f, 0.0f, 0.0f, -1.0f));
-    std::fill(images.infos.begin(), images.infos.end(), glm::vec2(0.0f));
-  } else {
-    cast(frame, images);
-  }
-  const Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
-  upload(target.images[0], GL_RGBA, images.points.data());
-  upload(target.images[1], GL_RG, images.infos.data());
-  images.any = std::any_of(images.points.begin(), images.points.end(),
-                           [](const glm::vec4& point) { return point.w >= 0.0f; });
+  volume::Crossings& crossings = hostImages(frame).crossings;
+  if (!frame.empty())
+    cast(frame, crossings);
+  else if (!crossings.area.empty())
+    crossings = volume::Crossings(frame.raySize());
+  Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
+  target.drawn.add(crossings.area);
+  upload(target.images[0], target.drawn, &crossings.points.data()->x, 4);
+  upload(target.images[1], target.drawn, &crossings.infos.data()->x, 2);
+  target.drawn = crossings.area;
 }
 
-void deriveOnProcessor(FrameState& frame, const std::vector<Texture>& textures) {
+void deriveOnProcessor(FrameState& frame, Target& target) {
   HostImages& images = frame.host.at(frame.layer);
-  for (std::size_t i = 0; i < textures.size(); ++i) images.derivatives[i].resize(images.points.size());
-  auto& [gradient, diagonal, mixed] = images.derivatives;
-  if (frame.empty()) {
-    for (std::vector<glm::vec4>& image : images.derivatives)
-      std::fill(image.begin(), image.end(), glm::vec4(0.0f));
-  } else {
-    volume::DerivativeImages out{gradient, {}, {}};
-    if (textures.size() == 3) out = {gradient, diagonal, mixed};
-    const scene::Field field = frame.scene->derivatives.field;
-    const volume::DerivedField derived =
-        field == scene::Field::trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline;
-    volume::surfaceDerivatives(frame.volume->grid(), derived, frame.volume->coefficients(field),
-                               images.points, out, volume::TracerTarget::automatic, frame.request.stop);
+  const volume::PictureArea& area = images.crossings.area;
+  const std::size_t count = target.images.size();
+  volume::PictureArea changed = area;
+  for (std::size_t i = 0; i < count; ++i) {
+    HostImages::Derivatives& own = images.derivatives[i];
+    own.texels.resize(images.crossings.points.size());
+    if (own.area.size() == area.size()) changed.add(own.area);
   }
-  for (std::size_t i = 0; i < textures.size(); ++i)
-    upload(textures[i], GL_RGBA, images.derivatives[i].data());
+  auto& [gradient, diagonal, mixed] = images.derivatives;
+  volume::DerivativeImages out{gradient.texels, {}, {}};
+  if (count == 3) out = {gradient.texels, diagonal.texels, mixed.texels};
+  const scene::Field field = frame.scene->derivatives.field;
+  const volume::DerivedField derived =
+      field == scene::Field::trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline;
+  if (!changed.empty())
+    volume::surfaceDerivatives(frame.volume->grid(), derived, frame.volume->coefficients(field),
+                               images.crossings.points, changed, out, volume::TracerTarget::automatic,
+                               frame.request.stop);
+  const bool stopped = frame.request.stop.stop_requested();  // some of what was there may be left
+  target.drawn.add(area);
+  for (std::size_t i = 0; i < count; ++i) {
+    upload(target.images[i], target.drawn, &images.derivatives[i].texels.data()->x, 4);
+    images.derivatives[i].area = stopped ? changed : area;
+  }
+  if (!stopped) target.drawn = area;
 }
 
 }  // namespace isolux::render

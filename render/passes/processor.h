@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "base/memory_budget.h"
-#include "render/gl/gl_objects.h"
+#include "render/gl/image_pool.h"
 #include "render/graph/pass.h"
 #include "scene/machine.h"
 #include "scene/scene.h"
+#include "volume/cast/surface_caster.h"
 
 namespace isolux::render {
 
@@ -31,17 +31,21 @@ bool takesProcessor(scene::Executor executor, const Gl& gl);
 
 // The images of one crossing as they lie in memory, bottom row first.
 struct HostImages {
-  std::vector<glm::vec4> points;
-  std::vector<glm::vec2> infos;
-  bool any = false;                       // there is a crossing
-  std::vector<glm::vec4> derivatives[3];  // gradient; diagonal and mixed of the Hessian
-  base::MemoryBudget::Held held{};
+  // Throws base::Error{memory}.
+  explicit HostImages(glm::ivec2 size);
+  struct Derivatives {
+    std::vector<glm::vec4> texels;
+    volume::PictureArea area;  // beyond it all are 0
+  };
+  base::MemoryBudget::Held held;
+  volume::Crossings crossings;
+  Derivatives derivatives[3];  // gradient; diagonal and mixed of the Hessian
 };
 
 // Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them.
 void castOnProcessor(FrameState& frame);
-// Derivatives at the points of frame.layer, uploaded to `textures`: gradient; with three, diagonal and mixed
-// of the Hessian too.
-void deriveOnProcessor(FrameState& frame, const std::vector<Texture>& textures);
+// Derivatives at the points of frame.layer, uploaded to the images of `target`: gradient; with three,
+// diagonal and mixed of the Hessian too.
+void deriveOnProcessor(FrameState& frame, Target& target);
 
 }  // namespace isolux::render

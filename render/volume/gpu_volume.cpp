@@ -120,6 +120,23 @@ std::size_t GpuVolume::activeBricks() const {
   return *activeBricks_;
 }
 
+GpuVolume::Bounds GpuVolume::activeBounds() const {
+  if (activeBounds_) return *activeBounds_;
+  const glm::ivec3 dims = blocks().dims();
+  glm::ivec3 first = dims, last(-1);
+  std::size_t block = 0;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x, ++block)
+        if (isActive(block)) {
+          first = glm::min(first, glm::ivec3(x, y, z));
+          last = glm::max(last, glm::ivec3(x, y, z));
+        }
+  const int cells = blocks().blockCells();
+  activeBounds_ = {first * cells, glm::min((last + 1) * cells, grid().dims() - 1)};
+  return *activeBounds_;
+}
+
 const volume::Coefficients* GpuVolume::coefficients(scene::Field field) const {
   return field == scene::Field::cubic_interpolating ? &*cubic(field).coefficients : nullptr;
 }
@@ -213,6 +230,7 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   const std::span<const std::uint32_t> changed = active_->update(stored);
   faces_->update(active_->flags(), changed);
   activeBricks_.reset();
+  activeBounds_.reset();
   updateMasks(stored);
 
   const std::vector<PackedFace>& faces = faces_->faces();

@@ -43,6 +43,11 @@ class GpuVolume {
   std::size_t bricksMade() const { return bricksMade_; }  // how often: what was resident is gone then
   // Bricks that hold an active block: what pictures of these isosurfaces can need.
   std::size_t activeBricks() const;
+  // The box around the active blocks, voxel coordinates; low above high: there is none.
+  struct Bounds {
+    glm::ivec3 low, high;
+  };
+  Bounds activeBounds() const;
 
   // Sets uVolume and uDims, and uField, uFieldPerVolume for the texture that `field` is made from. Uses
   // texture units 0 and 1, and 15 for bricks.
@@ -104,8 +109,10 @@ class GpuVolume {
   std::unique_ptr<volume::ActiveBlocks> active_;
   std::unique_ptr<BlockFaceSet> faces_;
   std::size_t faceCapacity_ = 0;
-  mutable std::optional<std::size_t> activeBricks_;  // counted when asked for
-  std::shared_ptr<const volume::BoxBounds> boxes_;   // of activeField_
+  // Of the active blocks, when asked for.
+  mutable std::optional<std::size_t> activeBricks_;
+  mutable std::optional<Bounds> activeBounds_;
+  std::shared_ptr<const volume::BoxBounds> boxes_;  // of activeField_
   std::vector<std::uint64_t> masks_;
   Texture maskTexture_;
   Buffer faceBuffer_;

@@ -129,8 +129,8 @@ HWY_INLINE Before beforeAt(const CrossingsBefore& before, const CastTarget& targ
     if (at.x >= target.end.x || at.y >= target.end.y) continue;
     const std::size_t i = static_cast<std::size_t>(at.y) * target.stride + static_cast<std::size_t>(at.x);
     if (before.covered[i] > mostCovered) continue;
-    t[lane] = before.points[i].w;
-    inside[lane] = static_cast<std::int32_t>(before.infos[i].y) >> 2 & 15;
+    t[lane] = before.crossings.points[i].w;
+    inside[lane] = static_cast<std::int32_t>(before.crossings.infos[i].y) >> 2 & 15;
   }
   return {hn::Load(F(), t), hn::Load(I(), inside)};
 }

@@ -94,15 +94,9 @@ Ray rayOf(const PictureRays& rays, glm::dvec2 fragment) {
   return ray;
 }
 
-struct Picture {
-  std::vector<glm::vec4> points;
-  std::vector<glm::vec2> infos;
-};
-
-Picture cast(const SurfaceCaster& caster, const PictureRays& rays) {
-  const auto count = static_cast<std::size_t>(kSize.x * kSize.y);
-  Picture picture{std::vector<glm::vec4>(count), std::vector<glm::vec2>(count)};
-  caster.castAll(rays, kSize, picture.points, picture.infos);
+Crossings cast(const SurfaceCaster& caster, const PictureRays& rays) {
+  Crossings picture(kSize);
+  caster.castAll(rays, picture);
   return picture;
 }
 
@@ -128,7 +122,7 @@ void expectFirstHits(const Prepared& volume, const char* name, int views) {
     int hits = 0, undecided = 0;
     for (int k = 0; k < views; ++k) {
       const PictureRays rays = view(k, volume.grid.dims());
-      const Picture picture = cast(caster, rays);
+      const Crossings picture = cast(caster, rays);
       for (int i = 0; i < kSize.x * kSize.y; ++i) {
         const glm::vec4 point = picture.points[static_cast<std::size_t>(i)];
         const glm::vec2 info = picture.infos[static_cast<std::size_t>(i)];
@@ -234,11 +228,11 @@ TEST(SurfaceCaster, GoesOnBehindACrossing) {
   for (const TracerTarget target : targets()) {
     const SurfaceCaster caster = volume.caster(target);
     const PictureRays rays = view(0, volume.grid.dims());
-    Picture before = cast(caster, rays);
+    Crossings before = cast(caster, rays);
     int compared = 0, behind = 0;
     for (int layer = 1; layer < 6; ++layer) {
-      Picture next = before;
-      caster.castBehind(rays, kSize, {before.points, before.infos, open}, next.points, next.infos);
+      Crossings next = before;
+      caster.castBehind(rays, {before, open}, next);
       for (std::size_t i = 0; i < next.points.size(); ++i) {
         if (before.points[i].w < 0.0f) {
           EXPECT_LT(next.points[i].w, 0.0f);
@@ -272,11 +266,11 @@ TEST(SurfaceCaster, EndsWhereAPixelIsCovered) {
   const Prepared volume({test::phantomGrid("gyroid", 32), {0.1}});
   const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
   const PictureRays rays = view(0, volume.grid.dims());
-  const Picture first = cast(caster, rays);
+  const Crossings first = cast(caster, rays);
   std::vector<float> covered(first.points.size(), 0.0f);
   for (std::size_t i = 0; i < covered.size(); i += 2) covered[i] = 1.0f;
-  Picture next = first;
-  caster.castBehind(rays, kSize, {first.points, first.infos, covered}, next.points, next.infos);
+  Crossings next = first;
+  caster.castBehind(rays, {first, covered}, next);
   int hits = 0;
   for (std::size_t i = 0; i < covered.size(); ++i) {
     if (i % 2 == 0) {
@@ -292,20 +286,55 @@ TEST(SurfaceCaster, APartOfAPictureIsCutOut) {
   const Prepared volume({test::phantomGrid("gyroid", 32), {0.1}});
   const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
   PictureRays rays = view(2, volume.grid.dims());
-  const Picture whole = cast(caster, rays);
+  const Crossings whole = cast(caster, rays);
   rays.origin = {32, 20};
   const glm::ivec2 size(40, 30);
-  std::vector<glm::vec4> points(static_cast<std::size_t>(size.x * size.y));
-  std::vector<glm::vec2> infos(points.size());
-  caster.castAll(rays, size, points, infos);
+  Crossings part(size);
+  caster.castAll(rays, part);
   int differing = 0;
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
       const auto of = static_cast<std::size_t>((y + 20) * kSize.x + x + 32);
-      const glm::vec4 a = points[static_cast<std::size_t>(y * size.x + x)], b = whole.points[of];
+      const glm::vec4 a = part.points[static_cast<std::size_t>(y * size.x + x)], b = whole.points[of];
       differing += (a.w < 0.0f) != (b.w < 0.0f) || glm::distance(glm::vec3(a), glm::vec3(b)) > 1e-3f;
     }
   EXPECT_EQ(differing, 0);
+}
+
+// Images that show another view, and are drawn over where that and this one hit, are those of new images.
+TEST(SurfaceCaster, LeavesNothingOfTheViewBefore) {
+  const Prepared volume({test::phantomGrid("torus", 32), {0.0}});
+  for (const TracerTarget target : targets()) {
+    const SurfaceCaster caster = volume.caster(target);
+    Crossings kept(kSize), behind(kSize);
+    const std::vector<float> open(kept.points.size(), 0.0f);
+    for (int k = 0; k < 12; ++k) {
+      PictureRays rays = view(k, volume.grid.dims());
+      rays.eye += static_cast<float>(k % 5) * rays.right;
+      caster.castAll(rays, kept);
+      const Crossings fresh = cast(caster, rays);
+      EXPECT_TRUE(kept.points == fresh.points && kept.infos == fresh.infos);
+      EXPECT_EQ(kept.area.rectangles(), fresh.area.rectangles());
+      caster.castBehind(rays, {kept, open}, behind);
+      Crossings freshBehind(kSize);
+      caster.castBehind(rays, {kept, open}, freshBehind);
+      EXPECT_TRUE(behind.points == freshBehind.points && behind.infos == freshBehind.infos);
+    }
+  }
+}
+
+// All crossings lie in the area, and it is no larger than strips of them need.
+TEST(SurfaceCaster, KnowsWhereTheCrossingsAre) {
+  const Prepared volume({test::phantomGrid("torus", 32), {0.0}});
+  const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
+  for (int k = 0; k < 8; ++k) {
+    const Crossings picture = cast(caster, view(k, volume.grid.dims()));
+    PictureArea expected(kSize);
+    for (int y = 0; y < kSize.y; ++y)
+      for (int x = 0; x < kSize.x; ++x)
+        if (picture.points[static_cast<std::size_t>(y * kSize.x + x)].w >= 0.0f) expected.add(y, x, x + 1);
+    EXPECT_EQ(picture.area.rectangles(), expected.rectangles());
+  }
 }
 
 }  // namespace
