@@ -27,8 +27,9 @@ struct FrameState;
 
 // Which passes of a frame the processor computes instead of shaders (render/passes/processor.h).
 struct OnProcessor {
-  bool casts = false, derives = false;
-  // No pass of the frame reads voxels or blocks on the graphics card: nothing of the volume is uploaded.
+  bool casts = false;
+  // Derivatives and shadows too: no pass of the frame reads voxels or blocks on the graphics card, and
+  // nothing of the volume is uploaded.
   bool all = false;
 };
 

@@ -27,7 +27,7 @@ void clearAll(FrameState& frame, Target& target) {
 }
 
 void drawDerivatives(FrameState& frame, Target& target, const char* shader, bool hessian) {
-  if (frame.onProcessor.derives) {
+  if (frame.onProcessor.all) {
     deriveOnProcessor(frame, target);
     return;
   }
@@ -52,7 +52,7 @@ void drawDerivatives(FrameState& frame, Target& target, const char* shader, bool
 
 void GradientPass::declare(Declaring& d) const {
   d.reads(image::surface).volume().settings({"derivatives.field", "derivatives.fetch"});
-  d.input("executor", d.asked.onProcessor.derives);
+  d.input("executor", d.asked.onProcessor.all);
   if (hessianIsRead(d.asked))
     d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
   else
@@ -71,7 +71,7 @@ void GradientPass::run(FrameState& frame) {
 void HessianPass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::hessian);
   d.volume().settings({"derivatives.field", "derivatives.fetch"});
-  d.input("executor", d.asked.onProcessor.derives);
+  d.input("executor", d.asked.onProcessor.all);
   if (hessianIsRead(d.asked)) d.writes(image::gradient);
 }
 

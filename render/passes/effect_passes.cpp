@@ -30,6 +30,7 @@ void ShadowPass::declare(Declaring& d) const {
   std::array<bool, scene::kExtraIsosurfaces> opaque{};
   for (std::size_t i = 0; i < opaque.size(); ++i) opaque[i] = s.extraIsosurfaces[i].opacity >= 1.0;
   d.input("what is opaque", s.isosurface.opacity >= 1.0, opaque);
+  d.input("executor", d.asked.onProcessor.all);
 }
 
 std::optional<LookInput> ShadowPass::forLook(const scene::Scene& scene) const {
@@ -43,6 +44,13 @@ void ShadowPass::run(FrameState& frame) {
     frame.clear(target, {kZero});
     return;
   }
+  int opaque = 0;
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
+    if (frame.surfaces[i].opacity >= 1.0) opaque |= 1 << i;
+  if (frame.onProcessor.all) {
+    shadowOnProcessor(frame, target, opaque);
+    return;
+  }
   const scene::Hit& hit = frame.scene->hit;
   std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
   if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
@@ -52,9 +60,6 @@ void ShadowPass::run(FrameState& frame) {
   frame.setPoint(p, 4);
   p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));
   p.set("uLight", glm::vec3(frame.towardLight()));
-  int opaque = 0;
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
-    if (frame.surfaces[i].opacity >= 1.0) opaque |= 1 << i;
   p.set("uOpaqueBits", opaque);
   frame.drawHits(target, p);
 }

@@ -1,9 +1,9 @@
 #include "render/passes/processor.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "render/passes/frame_state.h"
-#include "scene/rules/needs.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/cast/surface_derivatives.h"
 
@@ -11,16 +11,22 @@ namespace isolux::render {
 
 namespace {
 
-// What is in `area`, and in the area that the texture shows yet, of an image of `channels` floats as large.
-void upload(const Texture& texture, const volume::PictureArea& changed, const float* values, int channels) {
+// `changed` of an image as large as the texture.
+template <class T>
+void upload(const Texture& texture, const volume::PictureArea& changed, const std::vector<T>& texels) {
+  GLenum format = GL_RED, type = GL_UNSIGNED_BYTE;
+  if constexpr (!std::is_same_v<T, std::uint8_t>) {
+    format = std::is_same_v<T, glm::vec4> ? GL_RGBA : GL_RG;
+    type = GL_FLOAT;
+  }
   const Gl& gl = texture.gl();
   const int width = texture.size().x;
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, width);
   for (const volume::Rectangle& part : changed.rectangles()) {
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(part.low.y) * width + part.low.x;
-    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y, part.size.x, part.size.y,
-                         channels == 4 ? GL_RGBA : GL_RG, GL_FLOAT, values + channels * first);
+    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, format, type,
+                         texels.data() + first);
   }
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
@@ -48,19 +54,26 @@ std::vector<float> alphaOf(const Texture& color, const volume::PictureArea& befo
   return alpha;
 }
 
-void cast(FrameState& frame, volume::Crossings& out) {
-  const volume::PictureRays rays = frame.view->rays(frame.request.size * frame.request.supersampling,
-                                                    frame.tileOrigin() * frame.request.supersampling);
+volume::PictureRays raysOf(const FrameState& frame) {
+  return frame.view->rays(frame.request.size * frame.request.supersampling,
+                          frame.tileOrigin() * frame.request.supersampling);
+}
+
+volume::SurfaceCaster casterOf(const FrameState& frame) {
   std::vector<double> isovalues;
   for (const Surface& surface : frame.surfaces)
     isovalues.push_back(frame.volume->grid().storedOfValue(surface.value));
-  const volume::SurfaceCaster caster(frame.volume->grid(), isovalues, frame.volume->blocks().dims(),
-                                     frame.volume->masks());
+  return {frame.volume->grid(), isovalues, frame.volume->blocks().dims(), frame.volume->masks()};
+}
+
+void cast(FrameState& frame, volume::CrossingImage& out) {
+  const volume::PictureRays rays = raysOf(frame);
+  const volume::SurfaceCaster caster = casterOf(frame);
   if (frame.layer.empty()) {
     caster.castAll(rays, out, frame.request.stop);
     return;
   }
-  const volume::Crossings& before = frame.host.at(frame.layerBefore).crossings;
+  const volume::CrossingImage& before = frame.host.at(frame.layerBefore).crossings;
   const std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0], before.area);
   caster.castBehind(rays, {before, covered}, out, frame.request.stop);
 }
@@ -79,9 +92,8 @@ OnProcessor onProcessor(bool taken, const scene::Scene& scene) {
   if (!taken) return on;
   on.casts = scene.hit.method == scene::HitMethod::exact && scene.hit.field == scene::Field::trilinear;
   // The fast scheme is one of filtered fetches: it is what it is on a graphics card only.
-  on.derives = on.casts && (scene.derivatives.field == scene::Field::trilinear ||
-                            scene.derivatives.fetch != scene::Fetch::fast);
-  on.all = on.derives && !scene::showsShadow(scene);
+  on.all = on.casts && (scene.derivatives.field == scene::Field::trilinear ||
+                        scene.derivatives.fetch != scene::Fetch::fast);
   return on;
 }
 
@@ -91,15 +103,15 @@ bool takesProcessor(scene::Executor executor, const Gl& gl) {
 }
 
 void castOnProcessor(FrameState& frame) {
-  volume::Crossings& crossings = hostImages(frame).crossings;
+  volume::CrossingImage& crossings = hostImages(frame).crossings;
   if (!frame.empty())
     cast(frame, crossings);
   else if (!crossings.area.empty())
-    crossings = volume::Crossings(frame.raySize());
+    crossings = volume::CrossingImage(frame.raySize());
   Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
   target.drawn.add(crossings.area);
-  upload(target.images[0], target.drawn, &crossings.points.data()->x, 4);
-  upload(target.images[1], target.drawn, &crossings.infos.data()->x, 2);
+  upload(target.images[0], target.drawn, crossings.points);
+  upload(target.images[1], target.drawn, crossings.infos);
   target.drawn = crossings.area;
 }
 
@@ -126,10 +138,28 @@ void deriveOnProcessor(FrameState& frame, Target& target) {
   const bool stopped = frame.request.stop.stop_requested();  // some of what was there may be left
   target.drawn.add(area);
   for (std::size_t i = 0; i < count; ++i) {
-    upload(target.images[i], target.drawn, &images.derivatives[i].texels.data()->x, 4);
+    upload(target.images[i], target.drawn, images.derivatives[i].texels);
     images.derivatives[i].area = stopped ? changed : area;
   }
   if (!stopped) target.drawn = area;
+}
+
+void shadowOnProcessor(FrameState& frame, Target& target, int opaque) {
+  HostImages& images = frame.host.at(frame.layer);
+  const glm::dmat4 voxelFromWorld = frame.volume->grid().geometry().voxelFromWorld();
+  const volume::ShadowRays shadow{.rays = raysOf(frame),
+                                  .right = frame.view->rightWorld,
+                                  .up = frame.view->upWorld,
+                                  .forward = frame.view->forwardWorld,
+                                  .outward = static_cast<float>(frame.outward()),
+                                  .voxelFromWorld = glm::mat3(voxelFromWorld),
+                                  .light = frame.towardLight(),
+                                  .opaque = opaque};
+  casterOf(frame).castShadows(shadow, images.crossings, images.derivatives[0].texels, images.shadow,
+                              frame.request.stop);
+  target.drawn.add(images.shadow.area);
+  upload(target.images[0], target.drawn, images.shadow.lit);
+  target.drawn = images.shadow.area;
 }
 
 }  // namespace isolux::render

@@ -1,9 +1,9 @@
 // What the processor computes instead of shaders (scene::Executor), for which settings, and how it comes to
 // the images that other passes read.
 //
-// Data: points and what is known of them, gradients and Hessians of each crossing, in arrays of their own;
-// the passes cast, gradient and hessian fill them (volume/cast) and upload them as the images that their
-// shaders would draw.
+// Data: points and what is known of them, gradients, Hessians and shadows of each crossing, in arrays of
+// their own; the passes cast, gradient, hessian and shadow fill them (volume/cast) and upload them as the
+// images that their shaders would draw.
 #pragma once
 
 #include <map>
@@ -38,8 +38,9 @@ struct HostImages {
     volume::PictureArea area;  // beyond it all are 0
   };
   base::MemoryBudget::Held held;
-  volume::Crossings crossings;
+  volume::CrossingImage crossings;
   Derivatives derivatives[3];  // gradient; diagonal and mixed of the Hessian
+  volume::ShadowImage shadow;
 };
 
 // Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them.
@@ -47,5 +48,8 @@ void castOnProcessor(FrameState& frame);
 // Derivatives at the points of frame.layer, uploaded to the images of `target`: gradient; with three,
 // diagonal and mixed of the Hessian too.
 void deriveOnProcessor(FrameState& frame, Target& target);
+
+// Whether the key light reaches those points. opaque: a bit for each surface that stops it.
+void shadowOnProcessor(FrameState& frame, Target& target, int opaque);
 
 }  // namespace isolux::render

@@ -10,6 +10,7 @@
 
 #include "volume/cast/derivatives_at-inl.h"
 #include "volume/cast/first_crossing-inl.h"
+#include "volume/cast/shadows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
@@ -220,7 +221,7 @@ const CastKernels* castKernels(TracerTarget target) {
 #define ISOLUX_KERNELS(space, highway, one, name)                                                \
   if ((supported & (highway)) && wanted(one)) {                                                  \
     static constexpr CastKernels kernels{name, tracing::space::cast, tracing::space::castBehind, \
-                                         tracing::space::derivatives};                           \
+                                         tracing::space::shadows, tracing::space::derivatives};  \
     return &kernels;                                                                             \
   }
 #if HWY_TARGETS & HWY_AVX3

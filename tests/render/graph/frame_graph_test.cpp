@@ -39,15 +39,23 @@ class FrameGraphTest : public ::testing::Test {
   FrameGraph graph_;
 };
 
+// Shadows are found where hits and gradients are.
+TEST_F(FrameGraphTest, ShadowsFollowTheExecutor) {
+  scene::Scene scene;
+  scene.look.shadow = 1.0;
+  ran(scene, {}, 1, {true, true});
+  EXPECT_THAT(ran(scene, {}, 1, {true, false}), ElementsAre("gradient", "shadow", "shade", "resolve"));
+}
+
 // Block faces are not rasterised, and another executor finds the hits anew.
 TEST_F(FrameGraphTest, TheProcessorNeedsNoSegments) {
   const scene::Scene scene;
-  const OnProcessor all{true, true, true};
+  const OnProcessor all{true, true};
   EXPECT_THAT(ran(scene, {}, 1, all),
               ElementsAre("blocks", "cast", "gradient", "shade", "background", "resolve"));
   EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre());
   EXPECT_THAT(ran(scene, {}, 1), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
-  EXPECT_THAT(ran(scene, {}, 1, {true, false, false}), ElementsAre("cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, {}, 1, {true, false}), ElementsAre("cast", "gradient", "shade", "resolve"));
   EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre("gradient", "shade", "resolve"));
 }
 
