@@ -61,6 +61,12 @@ float exposureOf(const scene::Scene& scene, const gi::PictureLight* light) {
   return static_cast<float>(std::exp2(scene.picture.exposure.value_or(automatic)));
 }
 
+void addExposure(Declaring& d) {
+  const bool automatic = !d.asked.scene.picture.exposure && d.asked.acts("picture.exposure");
+  d.settings({"picture.exposure"});
+  d.input("automatic exposure", automatic ? d.asked.light.automaticExposure : 0.0f);
+}
+
 FrameLight::FrameLight(const GlPtr& gl) : atlas_(gl), factors_(gl) {}
 
 void FrameLight::prepare(FrameState& frame, std::size_t budgetBytes) {

@@ -1,4 +1,4 @@
-// From surface points and their derivatives to the picture: the passes ranges, shade, layers and resolve.
+// From surface points and their derivatives to linear colour: the passes ranges, shade and layers.
 #pragma once
 
 #include "render/passes/frame_state.h"
@@ -42,27 +42,6 @@ class LayersPass : public Pass {
   LayersPass() : Pass(pass::layers, "", {.castsRays = true}) {}
   void declare(Declaring& d) const override;
   void run(FrameState& frame) override;
-};
-
-// The picture where no surface is seen, as long as that is the same from all sides.
-class BackgroundPass : public Pass {
- public:
-  BackgroundPass() : Pass("background", "resolve.frag.glsl", {}) {}
-  void declare(Declaring& d) const override;
-  void run(FrameState& frame) override;
-};
-
-// Background, supersamples averaged, sRGB encoded, legend.
-class ResolvePass : public Pass {
- public:
-  ResolvePass() : Pass("resolve", "resolve.frag.glsl", {}) {}
-  void declare(Declaring& d) const override;
-  void run(FrameState& frame) override;
-
- private:
-  Program& prepared(FrameState& frame, const std::string& defines) const;
-  void drawAll(FrameState& frame, const Target& target, const std::string& defines) const;
-  void drawHits(FrameState& frame, Target& target) const;
 };
 
 }  // namespace isolux::render

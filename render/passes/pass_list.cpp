@@ -5,6 +5,7 @@
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/look_passes.h"
+#include "render/passes/resolve_passes.h"
 
 namespace isolux::render {
 
