@@ -27,8 +27,9 @@ struct FrameState;
 
 // Which passes of a frame the processor computes instead of shaders (render/passes/processor.h).
 struct OnProcessor {
-  bool casts = false, derives = false;
-  // No pass of the frame reads voxels or blocks on the graphics card: nothing of the volume is uploaded.
+  bool casts = false;
+  // Derivatives and shadows too: no pass of the frame reads voxels or blocks on the graphics card, and
+  // nothing of the volume is uploaded.
   bool all = false;
 };
 
@@ -48,7 +49,8 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
                             *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
                             *flow = "streaks", *light = "stored light", *irradiance = "irradiances",
-                            *front = "front colour", *color = "colour", *picture = "picture",
+                            *front = "front colour", *color = "colour", *background = "background",
+                            *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }
 

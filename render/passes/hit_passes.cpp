@@ -22,14 +22,16 @@ bool asksValueError(const FrameRequest& request) {
 }
 
 // Exact hits are the surface points themselves; sampled ones are brackets yet.
-const Target& castTarget(FrameState& frame) {
+Target& castTarget(FrameState& frame) {
   return isExact(frame) ? frame.target(image::surface, {GL_RGBA32F, GL_RG32F})
                         : frame.target(image::bracket, {GL_RGBA32F});
 }
 
-void clearHits(const FrameState& frame, const Target& target) {
-  frame.clear(target, 0, isExact(frame) ? kNoSurface : kNoBracket);
-  if (isExact(frame)) frame.clear(target, 1, kZero);
+void clearHits(const FrameState& frame, Target& target) {
+  if (isExact(frame))
+    frame.clear(target, {kNoSurface, kZero});
+  else
+    frame.clear(target, {kNoBracket});
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ void SegmentsPass::declare(Declaring& d) const {
 void SegmentsPass::run(FrameState& frame) {
   if (!frame.starts) frame.starts.emplace(frame.gl);
   if (frame.empty()) {
-    frame.starts->clear();
+    frame.starts->clear(frame.raySize());
     return;
   }
   GpuVolume& volume = *frame.volume;
@@ -70,7 +72,8 @@ void SegmentsPass::run(FrameState& frame) {
   const int shift = RayStarts::tileShift(frame.raySize());
   const volume::BlockMasks blocks{volume.blocks().dims(), volume.masks(), volume.blocks().blockCells()};
   frame.starts->update(
-      volume::startDepths(frame.rays(), frame.raySize(), volume.grid().dims(), blocks, 1 << shift), shift);
+      volume::startDepths(frame.rays(), frame.raySize(), volume.grid().dims(), blocks, 1 << shift), shift,
+      frame.raySize());
 }
 
 std::optional<std::size_t> SegmentsPass::bytes(const FrameState& frame) const {
@@ -132,27 +135,28 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
 void CastPass::run(FrameState& frame) {
   if (frame.onProcessor.casts) {
     castOnProcessor(frame);
-    if (!frame.layer.empty()) frame.anyBehind = frame.host.at(frame.layer).any;
+    if (!frame.layer.empty()) frame.anyBehind = !frame.area().empty();
     return;
   }
   if (!frame.layer.empty()) {
     castBehind(frame);
     return;
   }
-  const Target& target = castTarget(frame);
-  frame.begin(target);
-  if (!frame.onlyWaiting) clearHits(frame, target);
+  Target& target = castTarget(frame);
+  if (!frame.onlyWaiting || frame.empty()) clearHits(frame, target);
   if (frame.empty()) return;
+  frame.begin(target);
   Program& p = program(frame, frame.onlyWaiting ? Rays::again : Rays::all);
   if (frame.onlyWaiting) {  // each pixel reads only what it wrote itself
     frame.gl->TextureBarrier();
     p.setTexture("uBefore", 4, target.images.back());
   }
   frame.drawStarts(p);
+  target.drawn = frame.starts->area();
 }
 
 void CastPass::castBehind(FrameState& frame) const {
-  const Target& target = castTarget(frame);
+  Target& target = castTarget(frame);
   frame.begin(target);
   clearHits(frame, target);
   Program& p = program(frame, Rays::behind);
@@ -161,6 +165,7 @@ void CastPass::castBehind(FrameState& frame) const {
   p.setTexture("uInfo", 5, surface.images[1]);
   p.setTexture("uColor", 6, frame.images.at(image::color).images[0]);
   frame.anyBehind = frame.drawsAny([&] { frame.drawStarts(p); });
+  target.drawn = surface.drawn;
 }
 
 void RefinePass::declare(Declaring& d) const {
@@ -173,12 +178,9 @@ void RefinePass::declare(Declaring& d) const {
 }
 
 void RefinePass::run(FrameState& frame) {
-  const Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
-  frame.begin(target);
-  if (!frame.keepHits) {
-    frame.clear(target, 0, kNoSurface);
-    frame.clear(target, 1, kZero);
-  }
+  Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
+  // In bricks, what was refined in an earlier round of the frame stays.
+  if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kNoSurface, kZero});
   if (frame.empty()) return;
   const scene::Field field = frame.scene->hit.field;
   Program& p = frame.program(shader, field == scene::Field::trilinear ? "" : "#define CUBIC\n");
@@ -187,12 +189,12 @@ void RefinePass::run(FrameState& frame) {
   frame.setIsovalues(p, field);
   p.setTexture("uBrackets", 2, frame.image(image::bracket));
   p.set("uRefinements", frame.scene->hit.refinements);
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p, frame.images.at(image::bracket + frame.layer).drawn);
 }
 
 bool anyHit(FrameState& frame) {
   if (frame.empty()) return false;
-  if (frame.onProcessor.casts) return frame.host.at("").any;
+  if (frame.onProcessor.casts) return !frame.area().empty();
   const Gl& gl = *frame.gl;
   frame.begin(frame.images.at(image::surface));  // nothing is written there
   Program& p = frame.program("any_hit.frag.glsl", "#define TILES\n");

@@ -61,6 +61,12 @@ float exposureOf(const scene::Scene& scene, const gi::PictureLight* light) {
   return static_cast<float>(std::exp2(scene.picture.exposure.value_or(automatic)));
 }
 
+void addExposure(Declaring& d) {
+  const bool automatic = !d.asked.scene.picture.exposure && d.asked.acts("picture.exposure");
+  d.settings({"picture.exposure"});
+  d.input("automatic exposure", automatic ? d.asked.light.automaticExposure : 0.0f);
+}
+
 FrameLight::FrameLight(const GlPtr& gl) : atlas_(gl), factors_(gl) {}
 
 void FrameLight::prepare(FrameState& frame, std::size_t budgetBytes) {
@@ -234,17 +240,16 @@ std::optional<LookInput> IrradiancePass::forLook(const scene::Scene& scene) cons
 }
 
 void IrradiancePass::run(FrameState& frame) {
-  const Target& target = frame.target(image::irradiance, {GL_RGBA32F});
-  frame.begin(target);
+  Target& target = frame.target(image::irradiance, {GL_RGBA32F});
   if (frame.empty()) {
-    frame.clear(target, 0, kZero);
+    frame.clear(target, {kZero});
     return;
   }
   Program& p = frame.program(shader, frame.lighting->defines(frame));
   frame.setView(p);
   frame.setPoint(p, 0);
   frame.lighting->bind(frame, p);
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p);
 }
 
 }  // namespace isolux::render

@@ -40,6 +40,20 @@ class Squares {
   std::vector<Square> squares_;
 };
 
+// The pixels of tiles whose rays can meet anything.
+volume::PictureArea areaOf(const volume::StartDepths& depths, int shift, glm::ivec2 size) {
+  volume::PictureArea area(size);
+  for (int y = 0; y < depths.tiles.y; ++y)
+    for (int x = 0; x < depths.tiles.x; ++x) {
+      if (depths.at(x, y).first > depths.at(x, y).last) continue;
+      const int end = std::min((y + 1) << shift, size.y);
+      for (int row = y << shift; row < end;
+           row += volume::PictureArea::kRows - row % volume::PictureArea::kRows)
+        area.add(row, x << shift, std::min((x + 1) << shift, size.x));
+    }
+  return area;
+}
+
 // Of the squares' sides, a power of two.
 int largestSquare(const Gl& gl, int tilePixels) {
   GLint range[2] = {1, 1};
@@ -64,8 +78,14 @@ int RayStarts::tileShift(glm::ivec2 size) {
   return shift;
 }
 
-void RayStarts::update(const volume::StartDepths& depths, int shift) {
+void RayStarts::clear(glm::ivec2 size) {
+  squares_ = 0;
+  area_ = volume::PictureArea(size);
+}
+
+void RayStarts::update(const volume::StartDepths& depths, int shift, glm::ivec2 size) {
   shift_ = shift;
+  area_ = areaOf(depths, shift, size);
   if (glm::ivec2(depths_.size()) != depths.tiles) depths_ = Texture::make2D(gl_, GL_RG32F, depths.tiles);
   gl_->TextureSubImage2D(depths_.id(), 0, 0, 0, depths.tiles.x, depths.tiles.y, GL_RG, GL_FLOAT,
                          depths.depths.data());

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "render/gl/gl_objects.h"
+#include "volume/cast/picture_area.h"
 #include "volume/cast/start_depths.h"
 
 namespace isolux::render {
@@ -17,9 +18,11 @@ class RayStarts {
   // no more.
   static int tileShift(glm::ivec2 size);
 
-  // Uploads the depths of tiles of 1 << shift pixels.
-  void update(const volume::StartDepths& depths, int shift);
-  void clear() { squares_ = 0; }  // nothing can be met
+  // Uploads the depths of tiles of 1 << shift pixels, of a picture of `size`.
+  void update(const volume::StartDepths& depths, int shift, glm::ivec2 size);
+  void clear(glm::ivec2 size);  // nothing can be met
+  // What draw() draws.
+  const volume::PictureArea& area() const { return area_; }
 
   // Sets what start.glsl and fullscreen.vert.glsl (TILES) read, on texture unit `unit`.
   void bind(Program& program, int unit) const;
@@ -34,6 +37,7 @@ class RayStarts {
   Buffer buffer_;   // squares of tiles: x, y, side
   VertexArray array_;
   std::size_t squares_ = 0;
+  volume::PictureArea area_;
   int shift_ = 0;
 };
 

@@ -224,7 +224,7 @@ TEST_F(RendererGlTest, ReportsWhatItDid) {
   EXPECT_GT(report_.blocksActive, 20u);
   EXPECT_LT(report_.blocksActive, 216u);
   EXPECT_GE(report_.gpuBytes, 48u * 48u * 48u * 4u);
-  EXPECT_EQ(usedPasses().size(), 6u);  // exact hits need no refinement
+  EXPECT_EQ(usedPasses().size(), 7u);  // exact hits need no refinement
   for (const render::PassReport& pass : usedPasses()) {
     EXPECT_EQ(pass.state, render::PassState::ran) << pass.name;
     EXPECT_GT(pass.bytes, 0u) << pass.name;
