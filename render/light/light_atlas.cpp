@@ -24,6 +24,32 @@ const gi::LightContent* contentOf(const std::shared_ptr<const gi::LightLattice>&
   return lattice ? &lattice->content() : nullptr;
 }
 
+using Lattice = std::shared_ptr<const gi::LightLattice>;
+
+// A block with the texels of `before` where there are none yet.
+std::shared_ptr<const gi::LatticeBlock> blockOf(const Lattice& lattice, const Lattice& before,
+                                                std::uint32_t block) {
+  if (!lattice) return nullptr;
+  std::shared_ptr<const gi::LatticeBlock> now = lattice->at(block);
+  const std::shared_ptr<const gi::LatticeBlock> then = before ? before->at(block) : nullptr;
+  if (!now || !then) return now ? now : then;
+  gi::LatticeBlock both = *now;
+  const auto components = static_cast<std::size_t>(lattice->content().components());
+  for (std::size_t i = 0; i < gi::kTexelsOfBlock; ++i) {
+    if (both.samples[i] > 0 || both.unlit[i] || then->samples[i] == 0) continue;
+    both.samples[i] = then->samples[i];
+    both.normals[i] = then->normals[i];
+    if (!both.places.empty()) both.places[i] = then->places[i];
+    std::copy_n(&then->means[i * components], components, &both.means[i * components]);
+  }
+  return std::make_shared<const gi::LatticeBlock>(std::move(both));
+}
+
+// Whether the light that was there can be seen until that of `lattice` comes.
+bool standsIn(const Lattice& before, const Lattice& lattice, const Lattice& was, const Lattice& wasBefore) {
+  return lattice == was || (before && (before == was || before == wasBefore));
+}
+
 }  // namespace
 
 LightAtlas::LightAtlas(GlPtr gl) : gl_(std::move(gl)), pages_(gl_), texels_(gl_) {
@@ -52,23 +78,34 @@ bool LightAtlas::setSource(const Source& source) {
       lightTexelLayout(contentOf(sky), contentOf(lamps), basis.get(), source.precision, source.isovalues);
   if (layout.sky == LightPacking::none) sky = nullptr;
   const std::uint32_t wantedBefore = source_.light ? source_.light->samplesWanted : 0;
+  const gi::OpenSky openSky = light ? gi::OpenSky(light->irradianceSh) : gi::OpenSky();
   const bool same = layout == layout_ && sky == sky_ && lamps == lamps_ && basis == basis_ &&
                     source.grid == source_.grid && source.filtered == source_.filtered &&
+                    (!source.filtered || openSky.nearly(openSky_)) &&
                     (!light || light->samplesWanted == wantedBefore);
+  const bool follows = layout == layout_ && !basis && source.grid == source_.grid &&
+                       source.filtered == source_.filtered && openSky.nearly(openSky_) && light &&
+                       light->samplesWanted == wantedBefore &&
+                       standsIn(light->skyBefore, sky, sky_, skyBefore_) &&
+                       standsIn(light->lampsBefore, lamps, lamps_, lampsBefore_);
   const bool moreRoom = source.budgetBytes > source_.budgetBytes;
   const bool tooMuch = source.budgetBytes < texels_.bytes();
   source_ = source;
-  if (same && !tooMuch) {
+  if ((same || follows) && !tooMuch) {
+    const bool others = follow(sky, lamps);
     if (moreRoom)
       for (const std::uint32_t block : left_) queue(block);
     const bool grows = moreRoom && !left_.empty();
     if (moreRoom) left_.clear();
-    return grows;
+    return grows || others;
   }
   layout_ = layout;
   sky_ = std::move(sky);
   lamps_ = std::move(lamps);
   basis_ = std::move(basis);
+  openSky_ = openSky;
+  skyBefore_ = light ? light->skyBefore : nullptr;
+  lampsBefore_ = light ? light->lampsBefore : nullptr;
   if (layout_.stores()) geometry_ = (sky_ ? sky_ : lamps_)->geometry();
   start();
   return true;
@@ -87,6 +124,33 @@ void LightAtlas::start() {
   pages_.setData(slots_.data(), slots_.size() * sizeof(std::uint32_t));
   pagesTexture_ = BufferTexture(pages_, GL_R32UI);
   reserve(1);
+  queueBefore();
+}
+
+// The lattices of another isovalue whose light is to be seen until they are lit; true if anything is new.
+// What is resident stays until its block is uploaded anew.
+bool LightAtlas::follow(const std::shared_ptr<const gi::LightLattice>& sky,
+                        const std::shared_ptr<const gi::LightLattice>& lamps) {
+  const gi::PictureLight* const light = source_.light.get();
+  const auto skyBefore = light ? light->skyBefore : nullptr;
+  const auto lampsBefore = light ? light->lampsBefore : nullptr;
+  if (sky == sky_ && lamps == lamps_ && skyBefore == skyBefore_ && lampsBefore == lampsBefore_) return false;
+  sky_ = sky;
+  lamps_ = lamps;
+  skyBefore_ = skyBefore;
+  lampsBefore_ = lampsBefore;
+  geometry_ = (sky_ ? sky_ : lamps_)->geometry();
+  skySeen_ = lampsSeen_ = 0;
+  for (std::uint32_t block = 0; block < slots_.size(); ++block)
+    if (slots_[block] != 0) queue(block);
+  queueBefore();
+  return true;
+}
+
+void LightAtlas::queueBefore() {
+  for (const auto& lattice : {skyBefore_, lampsBefore_})
+    if (lattice)
+      for (const std::uint32_t block : lattice->changedSince(0)) queue(block);
 }
 
 void LightAtlas::collect() {
@@ -150,24 +214,29 @@ std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
     const glm::ivec3 step(i % edge, i / edge % edge, i / (edge * edge));
     const glm::ivec3 texel = glm::clamp(first + step, glm::ivec3(0), geometry_.dims - 1);
     FilterTexel& out = texels[static_cast<std::size_t>(i)];
-    out.isovalue = isovalueOf(texel);
+    out.isovalue = geometry_.isovalue ? 0.0f : isovalueOf(texel);
     if (texel != first + step) continue;  // outside: no light of its own
     const std::uint32_t of = geometry_.blockOf(texel);
     if (of != before) {
-      sky = sky_ && layout_.sky != LightPacking::codes ? sky_->at(of) : nullptr;
-      lamps = lamps_ ? lamps_->at(of) : nullptr;
+      sky = storesSkyIrradiance() ? blockOf(sky_, skyBefore_, of) : nullptr;
+      lamps = blockOf(lamps_, lampsBefore_, of);
       before = of;
     }
     const auto at = static_cast<std::size_t>(gi::LatticeGeometry::indexInBlock(texel));
+    const auto stand = [&](const gi::LatticeBlock& from) {
+      out.normal = from.normals[at];
+      out.place =
+          from.places.empty() ? glm::vec3(texel) : glm::vec3(geometry_.texelOf(glm::dvec3(from.places[at])));
+    };
     if (lamps && lamps->samples[at] > 0) {
-      out.normal = lamps->normals[at];
+      stand(*lamps);
       out.lampsPaths = static_cast<float>(lamps->samples[at]);
       out.lamps = light(*lamps_, *lamps, at);
     }
     if (sky && sky->samples[at] > 0) {
-      out.normal = sky->normals[at];
+      stand(*sky);
       out.skyPaths = static_cast<float>(sky->samples[at]);
-      out.sky = light(*sky_, *sky, at);
+      out.sky = light(*sky_, *sky, at) / openSky_.at(out.normal);
     }
   }
   return filterBlock(texels);
@@ -190,8 +259,8 @@ bool LightAtlas::reserve(std::size_t slots) {
 }
 
 bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
-  const std::shared_ptr<const gi::LatticeBlock> sky = sky_ ? sky_->at(block) : nullptr;
-  const std::shared_ptr<const gi::LatticeBlock> lamps = lamps_ ? lamps_->at(block) : nullptr;
+  const std::shared_ptr<const gi::LatticeBlock> sky = blockOf(sky_, skyBefore_, block);
+  const std::shared_ptr<const gi::LatticeBlock> lamps = blockOf(lamps_, lampsBefore_, block);
   if (!sky && !lamps) return false;
   const std::uint32_t whole = std::clamp(source_.light->samplesWanted, 1u, kPathsOfFullWeight);
   // A texel without a normal counts as baked, with no light: nothing better will come.
@@ -214,7 +283,7 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
     std::uint32_t* next = out + 1;
     if (sky_) {
       const gi::LightContent& content = sky_->content();
-      if (skyLit && source_.filtered && layout_.sky != LightPacking::codes)
+      if (skyLit && holdsPartsOfOpenSky())
         packLight(layout_.sky, &smooth[i].sky[0], content, nullptr, next);
       else if (skyLit)
         packLight(layout_.sky, &sky->means[i * static_cast<std::size_t>(content.components())], content,
@@ -245,8 +314,11 @@ void LightAtlas::upload(const std::vector<std::uint32_t>& blocks) {
   tbb::parallel_for(std::size_t{0}, blocks.size(),
                     [&](std::size_t i) { lit[i] = pack(blocks[i], &words[i * wordsOfSlot]) ? 1 : 0; });
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (!lit[i]) continue;  // cleared meanwhile
     std::uint32_t& slot = slots_[blocks[i]];
+    if (!lit[i]) {  // cleared meanwhile, or of an isovalue long gone: zeros
+      if (slot != 0) texels_.write((slot - 1) * slotBytes(), &words[i * wordsOfSlot], slotBytes());
+      continue;
+    }
     if (slot == 0) {
       if (!reserve(used_ + 1)) {
         left_.insert(blocks[i]);
