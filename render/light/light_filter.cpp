@@ -1,31 +1,32 @@
 #include "render/light/light_filter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
+
+#include "base/color.h"
 
 namespace isolux::render {
 
 namespace {
 
-constexpr float kDistance = 0.6f, kIsovalueDistance = 0.5f;  // texels
+constexpr float kDistance = 0.8f, kIsovalueDistance = 0.5f;  // texels
+constexpr float kErrors = 3.0f;                              // standard errors
+constexpr float kNothing = 50.0f;                            // a Gaussian of this exponent
 
 std::size_t at(int x, int y, int z) {
   const int index = (z * kFilterTexels + y) * kFilterTexels + x;
   return static_cast<std::size_t>(index);
 }
 
-// Weights by distance, of 0 to 3 axes that differ by one texel.
-const std::array<float, 4>& distanceWeights() {
-  static const std::array<float, 4> weights = [] {
-    std::array<float, 4> w{};
-    for (std::size_t axes = 0; axes < w.size(); ++axes)
-      w[axes] = std::exp(-static_cast<float>(axes) / (2.0f * kDistance * kDistance));
-    return w;
-  }();
-  return weights;
+// How far the difference of two estimates may be their noise, 0 to 1.
+float likeness(glm::vec3 light, float paths, glm::vec3 otherLight, float otherPaths) {
+  if (paths == 0.0f || otherPaths == 0.0f) return 1.0f;
+  const float a = base::luminance(light);
+  const float b = base::luminance(otherLight);
+  const float variance = kErrors * kErrors * (a * a / paths + b * b / otherPaths);
+  return variance > 0.0f ? std::exp(-std::min(0.5f * (a - b) * (a - b) / variance, kNothing)) : 1.0f;
 }
 
 FilterTexel filtered(const std::vector<FilterTexel>& texels, int x, int y, int z) {
@@ -45,14 +46,18 @@ FilterTexel filtered(const std::vector<FilterTexel>& texels, int x, int y, int z
         const float cosine = glm::dot(own.normal, other.normal);
         if (cosine <= 0.0f) continue;
         const float off = (other.isovalue - own.isovalue) / (steepness * kIsovalueDistance);
-        const float c2 = cosine * cosine, c4 = c2 * c2;
-        const int squared = dx * dx + dy * dy + dz * dz;
-        const float weight = distanceWeights()[static_cast<std::size_t>(squared)] * c4 * c4 *
-                             std::exp(-0.5f * std::min(off * off, 100.0f));
-        skyWeight += weight * other.skyPaths;
-        result.sky += weight * other.skyPaths * other.sky;
-        lampsWeight += weight * other.lampsPaths;
-        result.lamps += weight * other.lampsPaths * other.lamps;
+        const glm::vec3 way = (other.place - own.place) / kDistance;
+        const float exponent = 0.5f * (glm::dot(way, way) + off * off);
+        const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4;
+        const float weight = c8 * c8 * std::exp(-std::min(exponent, kNothing));
+        const float ofSky =
+            weight * other.skyPaths * likeness(own.sky, own.skyPaths, other.sky, other.skyPaths);
+        const float ofLamps =
+            weight * other.lampsPaths * likeness(own.lamps, own.lampsPaths, other.lamps, other.lampsPaths);
+        skyWeight += ofSky;
+        result.sky += ofSky * other.sky;
+        lampsWeight += ofLamps;
+        result.lamps += ofLamps * other.lamps;
       }
   result.sky = own.skyPaths > 0.0f ? result.sky / skyWeight : own.sky;
   result.lamps = own.lampsPaths > 0.0f ? result.lamps / lampsWeight : own.lamps;

@@ -126,7 +126,8 @@ std::string FrameLight::defines(const FrameState& frame) const {
   if (!layout.stores()) return lamps;
   return lamps + "#define STORED\n" + number("SKY", layout.sky) + number("LAMPS", layout.lamps) +
          number("WORDS", layout.words()) + number("CODE_WORDS", layout.codeWords) +
-         number("CODE_BITS", layout.codeBits) + number("INTERPOLATION", frame.scene->gi.interpolation);
+         number("CODE_BITS", layout.codeBits) + number("INTERPOLATION", frame.scene->gi.interpolation) +
+         (atlas_.holdsPartsOfOpenSky() ? "#define PARTS_OF_OPEN_SKY\n" : "");
 }
 
 void FrameLight::setLocalLight(const FrameState& frame, Program& p) const {
@@ -155,6 +156,7 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
           static_cast<float>(geometry.dims[axis] - 1) / static_cast<float>(geometry.volumeDims[axis] - 1);
   p.set("uTexelsPerVoxel", texelsPerVoxel);
   p.set("uSkyScale", frame.light->skyScale);
+  if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());
   glm::vec4 isovalues(0.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
     isovalues[static_cast<int>(i)] =
