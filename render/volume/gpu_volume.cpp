@@ -249,7 +249,7 @@ volume::CurvatureStatistics GpuVolume::curvatureStatistics(scene::Field field, d
 }
 
 std::size_t GpuVolume::bytes() const {
-  std::size_t sum = blockBytes();
+  std::size_t sum = maskTexture_.bytes();
   return sum + samplesTexture_.bytes() + coefficientsTexture_.bytes() + (bricks_ ? bricks_->bytes() : 0);
 }
 

@@ -75,7 +75,8 @@ class GpuVolume {
   // Sets what trace.glsl skips empty space by, on texture unit `unit`.
   void bindMasks(Program& program, const scene::Hit& hit, int unit);
 
-  std::size_t blockBytes() const { return maskTexture_.bytes(); }
+  // Of which boxes can hold a surface, on the processor and, once shaders have asked for them, as a texture.
+  std::size_t blockBytes() const { return masks_.size() * sizeof(std::uint64_t) + maskTexture_.bytes(); }
   std::size_t bytes() const;
 
  private:
