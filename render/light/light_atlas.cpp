@@ -9,6 +9,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "render/constants.h"
+#include "render/light/isovalues_about.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::render {
@@ -132,13 +133,14 @@ float LightAtlas::isovalueOf(glm::ivec3 texel) const {
     stored = grid.stored(texel.x, texel.y, texel.z);
   else
     stored = grid.storedOfValue(volume::sampleTrilinear(grid, geometry_.voxelOf(texel)).value);
-  return std::isfinite(stored) ? static_cast<float>(stored) : missingTexel;
+  return static_cast<float>(stored);
 }
 
 std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
   constexpr int edge = kFilterTexels;
   std::vector<FilterTexel> texels(static_cast<std::size_t>(edge * edge * edge));
   const glm::ivec3 first = geometry_.firstTexelOf(block) - 1;
+  IsovaluesAbout isovalues(geometry_, block, [this](glm::ivec3 texel) { return isovalueOf(texel); });
   std::uint32_t before = ~0u;
   std::shared_ptr<const gi::LatticeBlock> sky, lamps;
   const auto light = [](const gi::LightLattice& lattice, const gi::LatticeBlock& from, std::size_t i) {
@@ -150,7 +152,6 @@ std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
     const glm::ivec3 step(i % edge, i / edge % edge, i / (edge * edge));
     const glm::ivec3 texel = glm::clamp(first + step, glm::ivec3(0), geometry_.dims - 1);
     FilterTexel& out = texels[static_cast<std::size_t>(i)];
-    out.isovalue = isovalueOf(texel);
     if (texel != first + step) continue;  // outside: no light of its own
     const std::uint32_t of = geometry_.blockOf(texel);
     if (of != before) {
@@ -169,6 +170,9 @@ std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
       out.skyPaths = static_cast<float>(sky->samples[at]);
       out.sky = light(*sky_, *sky, at);
     }
+    if (out.normal == glm::vec3(0.0f)) continue;
+    out.isovalue = isovalues.at(texel);
+    out.shape = isovalues.shapeAt(texel);
   }
   return filterBlock(texels);
 }
@@ -231,7 +235,8 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
       next += layout_.wordsOf(layout_.lamps);
     }
     if (layout_.isovalue) {
-      const float value = isovalueOf(geometry_.texelOf(block, static_cast<int>(i)));
+      const float isovalue = isovalueOf(geometry_.texelOf(block, static_cast<int>(i)));
+      const float value = std::isfinite(isovalue) ? isovalue : missingTexel;
       std::memcpy(next, &value, sizeof value);
     }
   }

@@ -59,7 +59,7 @@ class LightAtlas {
   void collect();
   void queue(std::uint32_t block);
   void queueNeighbours(std::uint32_t block);
-  float isovalueOf(glm::ivec3 texel) const;  // stored units
+  float isovalueOf(glm::ivec3 texel) const;  // stored units; NaN: a voxel is missing
   std::vector<FilterTexel> filteredBlock(std::uint32_t block) const;
   bool reserve(std::size_t slots);  // room for so many, false where that is not to be had
   std::size_t slotBytes() const;

@@ -6,6 +6,11 @@
 // times the eighth power of the normals' cosine: what lies on the other side of a thin wall, or on a wall at
 // an angle, counts little or nothing. A bilateral filter (Tomasi & Manduchi 1998) whose range is the surface,
 // not the light. The widths are those with the least error against path-traced pixels (docs/architecture.md).
+//
+// A texel at the edge of a plateau, or in the middle of a thin wall, lies on an isosurface that trilinear
+// interpolation makes bumpy: its light is wrong, whatever the number of paths. So the weight is also the
+// steepness of the field there over 1 + (kink / 0.7)^4, where kink is how much the steepness changes from one
+// texel to the next, in parts of itself (1 / 3 on an isosurface of a parabola three texels from its peak).
 #pragma once
 
 #include <vector>
@@ -18,9 +23,18 @@ namespace isolux::render {
 
 inline constexpr int kFilterTexels = gi::kBlockTexels + 2;  // per axis: a block and one texel around it
 
+// Of the field at a texel.
+struct FieldShape {
+  float steepness = 0.0f;  // in the isovalue's unit per texel
+  float kink = 0.0f;       // second difference along the gradient over the steepness
+};
+// `own` and the isovalues one texel before and behind it on each axis; NaN where there is none.
+FieldShape fieldShape(float own, glm::vec3 before, glm::vec3 behind);
+
 struct FilterTexel {
   glm::vec3 normal{0.0f};  // unit; 0: neither lit nor to be used
   float isovalue = 0.0f;   // any unit
+  FieldShape shape{};
   float skyPaths = 0.0f, lampsPaths = 0.0f;
   glm::vec3 sky{0.0f}, lamps{0.0f};  // E
 };
