@@ -39,7 +39,9 @@ std::size_t LightAtlas::slotBytes() const {
 
 std::size_t LightAtlas::mostSlots() const {
   const std::size_t pages = geometry_.blockCount() * sizeof(std::uint32_t);
-  return std::min(source_.budgetBytes - std::min(source_.budgetBytes, pages), mostBufferBytes_) / slotBytes();
+  const std::size_t room =
+      std::min(source_.budgetBytes - std::min(source_.budgetBytes, pages), mostBufferBytes_);
+  return std::min<std::size_t>(room / slotBytes(), geometry_.blockCount());
 }
 
 bool LightAtlas::setSource(const Source& source) {
@@ -136,7 +138,8 @@ float LightAtlas::isovalueOf(glm::ivec3 texel) const {
   return static_cast<float>(stored);
 }
 
-std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
+std::vector<FilterTexel> LightAtlas::texelsAbout(
+    std::uint32_t block, std::vector<std::shared_ptr<const gi::LatticeBlock>>& kept) const {
   constexpr int edge = kFilterTexels;
   std::vector<FilterTexel> texels(static_cast<std::size_t>(edge * edge * edge));
   const glm::ivec3 first = geometry_.firstTexelOf(block) - 1;
@@ -155,9 +158,10 @@ std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
     if (texel != first + step) continue;  // outside: no light of its own
     const std::uint32_t of = geometry_.blockOf(texel);
     if (of != before) {
-      sky = sky_ && layout_.sky != LightPacking::codes ? sky_->at(of) : nullptr;
+      sky = sky_ ? sky_->at(of) : nullptr;
       lamps = lamps_ ? lamps_->at(of) : nullptr;
       before = of;
+      if (sky) kept.push_back(sky);
     }
     const auto at = static_cast<std::size_t>(gi::LatticeGeometry::indexInBlock(texel));
     if (lamps && lamps->samples[at] > 0) {
@@ -168,13 +172,16 @@ std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
     if (sky && sky->samples[at] > 0) {
       out.normal = sky->normals[at];
       out.skyPaths = static_cast<float>(sky->samples[at]);
-      out.sky = light(*sky_, *sky, at);
+      if (layout_.sky == LightPacking::codes)
+        out.transfer = &sky->means[at * static_cast<std::size_t>(sky_->content().components())];
+      else
+        out.sky = light(*sky_, *sky, at);
     }
     if (out.normal == glm::vec3(0.0f)) continue;
     out.isovalue = isovalues.at(texel);
     out.shape = isovalues.shapeAt(texel);
   }
-  return filterBlock(texels);
+  return texels;
 }
 
 bool LightAtlas::reserve(std::size_t slots) {
@@ -206,7 +213,14 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
   };
   const int stride = layout_.words();
   std::vector<FilterTexel> smooth;
-  if (source_.filtered) smooth = filteredBlock(block);
+  std::vector<float> smoothTransfer;
+  if (source_.filtered) {
+    std::vector<std::shared_ptr<const gi::LatticeBlock>> kept;
+    const std::vector<FilterTexel> texels = texelsAbout(block, kept);
+    if (layout_.sky != LightPacking::codes || lamps_) smooth = filterBlock(texels);
+    if (layout_.sky == LightPacking::codes)
+      smoothTransfer = filterTransfer(texels, static_cast<std::size_t>(sky_->content().components()));
+  }
   for (std::size_t i = 0; i < gi::kTexelsOfBlock; ++i) {
     std::uint32_t* const out = words + i * static_cast<std::size_t>(stride);
     std::fill_n(out, stride, 0u);
@@ -218,11 +232,13 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
     std::uint32_t* next = out + 1;
     if (sky_) {
       const gi::LightContent& content = sky_->content();
-      if (skyLit && source_.filtered && layout_.sky != LightPacking::codes)
-        packLight(layout_.sky, &smooth[i].sky[0], content, nullptr, next);
-      else if (skyLit)
-        packLight(layout_.sky, &sky->means[i * static_cast<std::size_t>(content.components())], content,
-                  basis_.get(), next);
+      const std::size_t first = i * static_cast<std::size_t>(content.components());
+      if (skyLit)
+        packLight(layout_.sky,
+                  !smoothTransfer.empty() ? &smoothTransfer[first]
+                  : !smooth.empty()       ? &smooth[i].sky[0]
+                                          : &sky->means[first],
+                  content, basis_.get(), next);
       next += layout_.wordsOf(layout_.sky);
     }
     if (lamps_) {

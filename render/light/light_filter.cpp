@@ -13,6 +13,7 @@ namespace {
 constexpr float kDistance = 0.6f, kIsovalueDistance = 0.5f;  // texels
 constexpr float kKink = 0.7f;                                // halves the weight
 constexpr float kLeastTrust = 1e-12f;
+constexpr float kLeastPart = 1e-4f;  // of a transfer vector: less is not worth its time
 
 std::size_t at(int x, int y, int z) {
   const int index = (z * kFilterTexels + y) * kFilterTexels + x;
@@ -55,27 +56,63 @@ float weightOf(const FilterTexel& own, const FilterTexel& other, int squared) {
          std::exp(-0.5f * std::min(off * off, 100.0f));
 }
 
-FilterTexel filtered(const std::vector<FilterTexel>& texels, const std::vector<float>& trust, int x, int y,
-                     int z) {
-  const FilterTexel& own = texels[at(x, y, z)];
+// A texel, and what itself and each of its neighbours counts.
+struct Neighbourhood {
+  const FilterTexel* own;
+  std::array<const FilterTexel*, 27> texels;
+  std::array<float, 27> weights;
+};
+
+Neighbourhood neighbourhoodOf(const std::vector<FilterTexel>& texels, const std::vector<float>& trust,
+                              glm::ivec3 texel) {
+  Neighbourhood result{&texels[at(texel.x, texel.y, texel.z)], {}, {}};
+  for (int n = 0; n < 27; ++n) {
+    const glm::ivec3 step = glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+    const std::size_t i = at(texel.x + step.x, texel.y + step.y, texel.z + step.z);
+    const int squared = step.x * step.x + step.y * step.y + step.z * step.z;
+    result.texels[static_cast<std::size_t>(n)] = &texels[i];
+    result.weights[static_cast<std::size_t>(n)] = trust[i] * weightOf(*result.own, texels[i], squared);
+  }
+  return result;
+}
+
+FilterTexel filtered(const Neighbourhood& around) {
+  const FilterTexel& own = *around.own;
   FilterTexel result = own;
-  if (own.normal == glm::vec3(0.0f) || (own.skyPaths == 0.0f && own.lampsPaths == 0.0f)) return result;
   float skyWeight = 0.0f, lampsWeight = 0.0f;
   result.sky = result.lamps = glm::vec3(0.0f);
-  for (int dz = -1; dz <= 1; ++dz)
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const std::size_t i = at(x + dx, y + dy, z + dz);
-        const FilterTexel& other = texels[i];
-        const float weight = trust[i] * weightOf(own, other, dx * dx + dy * dy + dz * dz);
-        skyWeight += weight * other.skyPaths;
-        result.sky += weight * other.skyPaths * other.sky;
-        lampsWeight += weight * other.lampsPaths;
-        result.lamps += weight * other.lampsPaths * other.lamps;
-      }
+  for (std::size_t n = 0; n < around.texels.size(); ++n) {
+    const FilterTexel& other = *around.texels[n];
+    const float sky = around.weights[n] * other.skyPaths, lamps = around.weights[n] * other.lampsPaths;
+    skyWeight += sky;
+    result.sky += sky * other.sky;
+    lampsWeight += lamps;
+    result.lamps += lamps * other.lamps;
+  }
   result.sky = own.skyPaths > 0.0f ? result.sky / skyWeight : own.sky;
   result.lamps = own.lampsPaths > 0.0f ? result.lamps / lampsWeight : own.lamps;
   return result;
+}
+
+void addTransfer(const Neighbourhood& around, std::size_t components, float* out) {
+  float whole = 0.0f;
+  for (std::size_t n = 0; n < around.texels.size(); ++n)
+    whole += around.weights[n] * around.texels[n]->skyPaths;
+  for (std::size_t n = 0; n < around.texels.size(); ++n) {
+    const FilterTexel& other = *around.texels[n];
+    const float part = around.weights[n] * other.skyPaths / whole;
+    if (!(part > kLeastPart)) continue;
+    for (std::size_t c = 0; c < components; ++c) out[c] += part * other.transfer[c];
+  }
+}
+
+// The block's texels, x fastest.
+std::vector<glm::ivec3> ownTexels() {
+  std::vector<glm::ivec3> texels;
+  for (int z = 1; z <= gi::kBlockTexels; ++z)
+    for (int y = 1; y <= gi::kBlockTexels; ++y)
+      for (int x = 1; x <= gi::kBlockTexels; ++x) texels.emplace_back(x, y, z);
+  return texels;
 }
 
 }  // namespace
@@ -99,9 +136,24 @@ std::vector<FilterTexel> filterBlock(const std::vector<FilterTexel>& texels) {
   const std::vector<float> trust = trustIn(texels);
   std::vector<FilterTexel> result;
   result.reserve(gi::kTexelsOfBlock);
-  for (int z = 1; z <= gi::kBlockTexels; ++z)
-    for (int y = 1; y <= gi::kBlockTexels; ++y)
-      for (int x = 1; x <= gi::kBlockTexels; ++x) result.push_back(filtered(texels, trust, x, y, z));
+  for (const glm::ivec3& texel : ownTexels()) {
+    const FilterTexel& own = texels[at(texel.x, texel.y, texel.z)];
+    const bool lit = own.normal != glm::vec3(0.0f) && (own.skyPaths > 0.0f || own.lampsPaths > 0.0f);
+    result.push_back(lit ? filtered(neighbourhoodOf(texels, trust, texel)) : own);
+  }
+  return result;
+}
+
+std::vector<float> filterTransfer(const std::vector<FilterTexel>& texels, std::size_t components) {
+  const std::vector<float> trust = trustIn(texels);
+  std::vector<float> result(gi::kTexelsOfBlock * components, 0.0f);
+  float* out = result.data();
+  for (const glm::ivec3& texel : ownTexels()) {
+    const FilterTexel& own = texels[at(texel.x, texel.y, texel.z)];
+    if (own.normal != glm::vec3(0.0f) && own.skyPaths > 0.0f)
+      addTransfer(neighbourhoodOf(texels, trust, texel), components, out);
+    out += components;
+  }
   return result;
 }
 

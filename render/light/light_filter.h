@@ -13,6 +13,7 @@
 // texel to the next, in parts of itself (1 / 3 on an isosurface of a parabola three texels from its peak).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -37,10 +38,13 @@ struct FilterTexel {
   FieldShape shape{};
   float skyPaths = 0.0f, lampsPaths = 0.0f;
   glm::vec3 sky{0.0f}, lamps{0.0f};  // E
+  const float* transfer = nullptr;   // of the sky, where that is stored
 };
 
 // `texels`: kFilterTexels^3, x fastest, the block from (1, 1, 1) on. Result: the block's 512, of which only
 // light is set; texels without paths stay as they are.
 std::vector<FilterTexel> filterBlock(const std::vector<FilterTexel>& texels);
+// The same of transfer vectors of `components` numbers, side by side; 0 where a texel has no paths.
+std::vector<float> filterTransfer(const std::vector<FilterTexel>& texels, std::size_t components);
 
 }  // namespace isolux::render

@@ -6,6 +6,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace isolux::render {
 namespace {
@@ -100,6 +101,29 @@ TEST(LightFilterTest, PlateausTakeTheLightOfTheSlope) {
   EXPECT_LT(result[3 * 64 + 3 * 8 + 3].sky.x, 350.0f);
   EXPECT_NEAR(result[4 * 64 + 3 * 8 + 3].sky.x, 2.0f, 2.0f);
   EXPECT_NEAR(result[5 * 64 + 3 * 8 + 3].sky.x, 2.0f, 1e-3f);
+}
+
+// A transfer vector of three numbers is filtered as irradiance of three channels.
+TEST(LightFilterTest, TransferIsFilteredLikeIrradiance) {
+  std::vector<FilterTexel> texels = planes();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> any(0.0f, 1.0f);
+  std::vector<float> vectors(3 * kAll);
+  for (std::size_t i = 0; i < kAll; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) vectors[3 * i + c] = any(random);
+    texels[i].normal = glm::normalize(glm::vec3(any(random), any(random), 1.0f));
+    texels[i].skyPaths = i % 7 == 0 ? 0.0f : 100.0f * any(random);
+    texels[i].sky = glm::vec3(vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2]);
+    texels[i].transfer = texels[i].skyPaths > 0.0f ? &vectors[3 * i] : nullptr;
+  }
+  const std::vector<FilterTexel> irradiance = filterBlock(texels);
+  const std::vector<float> transfer = filterTransfer(texels, 3);
+  ASSERT_EQ(transfer.size(), 3u * gi::kTexelsOfBlock);
+  for (std::size_t i = 0; i < irradiance.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float expected = irradiance[i].skyPaths > 0.0f ? irradiance[i].sky[static_cast<int>(c)] : 0.0f;
+      ASSERT_NEAR(transfer[3 * i + c], expected, 3e-3f);  // parts below 1e-4 are left out
+    }
 }
 
 // Units are anything: nothing overflows or vanishes.
