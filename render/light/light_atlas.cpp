@@ -17,7 +17,8 @@ namespace isolux::render {
 namespace {
 
 constexpr std::size_t kFirstSlots = 64;
-constexpr std::size_t kTogether = 64;  // blocks packed at a time
+constexpr std::size_t kTogether = 64;               // blocks packed at a time
+constexpr std::size_t kWorkOfFilteredTransfer = 4;  // packing its block takes so many times as long
 // A texel with this many paths, or all that are wanted, has its whole weight.
 constexpr std::uint32_t kPathsOfFullWeight = 16;
 
@@ -285,8 +286,9 @@ void LightAtlas::update(std::size_t limitBytes) {
   uploaded_ = 0;
   if (!stores()) return;
   collect();
-  const std::size_t most =
-      limitBytes == 0 ? queue_.size() : std::max<std::size_t>(1, limitBytes / slotBytes());
+  const bool slow = source_.filtered && layout_.sky == LightPacking::codes;
+  const std::size_t workBytes = slotBytes() * (slow ? kWorkOfFilteredTransfer : 1);
+  const std::size_t most = limitBytes == 0 ? queue_.size() : std::max<std::size_t>(1, limitBytes / workBytes);
   std::vector<std::uint32_t> blocks;
   for (std::size_t done = 0; done < most && !queue_.empty(); done += blocks.size()) {
     blocks.clear();
