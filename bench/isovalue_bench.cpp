@@ -1,14 +1,15 @@
-// What a new isovalue costs before the first ray: active blocks and their faces kept up to date, against
-// making both anew.
+// What a new isovalue costs before the first ray: active blocks kept up to date, against finding them anew;
+// and the masks by which rays skip empty space.
 #include <cstdio>
 #include <functional>
 
 #include "bench/bench.h"
-#include "render/volume/block_faces.h"
 #include "tests/support/test_data.h"
 #include "volume/phantom/phantom.h"
 #include "volume/read/reader.h"
 #include "volume/skip/active_blocks.h"
+#include "volume/skip/box_bounds.h"
+#include "volume/skip/cell_bits.h"
 
 namespace isolux::bench {
 namespace {
@@ -53,6 +54,25 @@ class Drag {
   int count_ = 0;
 };
 
+// Of the isovalue at rest.
+void printMasks(const Subject& subject, const std::shared_ptr<const volume::MinMaxBlocks>& blocks) {
+  base::Progress progress;
+  const volume::BoxBounds bounds(*subject.grid, progress);
+  const auto isovalue = static_cast<float>(subject.grid->storedOfValue(subject.isovalue));
+  volume::ActiveBlocks active(blocks);
+  active.update({&isovalue, 1});
+  std::vector<std::uint64_t> boxes, cells;
+  const std::vector<double> times =
+      medians({[&] {
+                 bounds.masks({&isovalue, 1}, active.flags(), boxes);
+               },
+               [&] {
+                 volume::cellBits(*subject.grid, blocks->dims(), boxes, {&isovalue, 1}, cells);
+               }},
+              5);
+  printComparison({"masks of boxes", "bits of cells, from the second picture on"}, times);
+}
+
 void run() {
   constexpr int steps = 200;
   for (const Subject& subject : subjects()) {
@@ -63,36 +83,30 @@ void run() {
       Drag scanned(subject, fraction), followed(subject, fraction);
       std::vector<std::uint8_t> flags;
       volume::ActiveBlocks active(blocks);
-      render::BlockFaceSet faces(blocks->dims());
-      std::size_t changedBlocks = 0, faceCount = 0;
+      std::size_t changedBlocks = 0;
       const auto scan = [&] {
-        for (int i = 0; i < steps; ++i) {
-          blocks->activeBlocks(scanned.next(), flags);
-          faceCount = render::boundaryFaces(flags, blocks->dims()).size();
-        }
+        for (int i = 0; i < steps; ++i) blocks->activeBlocks(scanned.next(), flags);
       };
       const auto follow = [&] {
         changedBlocks = 0;
         for (int i = 0; i < steps; ++i) {
           const float isovalue = followed.next();
-          const auto changed = active.update({&isovalue, 1});
-          changedBlocks += changed.size();
-          faces.update(active.flags(), changed);
-          faces.takeDirty();
+          changedBlocks += active.update({&isovalue, 1}).size();
         }
       };
       const std::vector<double> times = medians({scan, follow}, 5);
       char changes[100];
-      std::snprintf(changes, sizeof changes, "only what changes: %.0f blocks of %zu, %zu faces",
-                    static_cast<double>(changedBlocks) / steps, active.activeCount(), faceCount);
+      std::snprintf(changes, sizeof changes, "only what changes: %.0f blocks of %zu",
+                    static_cast<double>(changedBlocks) / steps, active.activeCount());
       std::printf("  steps of 1/%.0f of the range\n", 1.0 / fraction);
-      printComparison({"every block and face anew", changes}, times);
+      printComparison({"every block anew", changes}, times);
     }
+    printMasks(subject, blocks);
   }
 }
 
-const Registration registration("isovalue",
-                                "a new isovalue: blocks and faces anew, or only those that change", run);
+const Registration registration("isovalue", "a new isovalue: blocks anew, or only those that change; masks",
+                                run);
 
 }  // namespace
 }  // namespace isolux::bench

@@ -37,7 +37,7 @@ study gyroid phantom:gyroid:128 "${surface[@]}"
 if [ -d "$data/volumes" ]; then
   study ct "$data/volumes/ct_head_skin_bone.nii.gz" --isovalue 0.51 "${surface[@]}"
   light=(--repeat 4 --size 128x128 --set light.environment.file="$data/hdr/grace_cathedral_1k.hdr" --knobs
-    samples,sequence,environment_share,bounces,lattice_scale,precision,interpolation,sh_order,sh_window,components,component_bits)
+    samples,sequence,environment_share,bounces,lattice_scale,texels,precision,interpolation,sh_order,sh_window,components,component_bits)
   study light_head phantom:head "${light[@]}"
   study light_engine "$data/volumes/engine_crop.mhd" --isovalue 80 "${light[@]}"
   study light_ct "$data/volumes/ct_head_skin_bone.nii.gz" --isovalue 0.51 "${light[@]}"

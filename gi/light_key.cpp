@@ -128,6 +128,7 @@ std::string lightKey(const scene::Scene& resolved, const LightScene& light, Ligh
   json["volume"] = base::hexText(light.volume->grid().hash());
   json["inside"] = light.inside == scene::Inside::above ? "above" : "below";
   json["lattice_scale"] = resolved.gi.latticeScale;
+  if (light.choice.onShown) json["isovalue"] = resolved.isosurface.value.value();
   json["sequence"] = nameOf(light.sequence);
   json["bounces"] = light.bounces;
   if (light.bounces > 0) {

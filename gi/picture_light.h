@@ -27,6 +27,9 @@ struct SurfaceBrightness {
 struct PictureLight {
   // Either may be null: nothing stored of it.
   std::shared_ptr<const LightLattice> sky, lamps;
+  // Of the isovalue that was shown before, which stand in for texels that are not lit yet. Irradiance; null
+  // where there are none.
+  std::shared_ptr<const LightLattice> skyBefore, lampsBefore;
   std::uint32_t samplesWanted = 100;
   glm::vec3 skyScale{1.0f};  // E = skyScale * stored: exposure, and the colour of a unit sky
   // Transfer: the environment's coefficients in the world's frame, windowed, with exposure; order^2 of rgb.

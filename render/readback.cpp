@@ -211,22 +211,4 @@ std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& draw
   return hits;
 }
 
-std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::ivec2 pixel) {
-  if (!frame.volume || drawn.pictureSize.x == 0 || pixel.x < 0 || pixel.y < 0 ||
-      pixel.x >= drawn.pictureSize.x || pixel.y >= drawn.pictureSize.y)
-    return std::nullopt;
-  const int s = drawn.raySize.x / drawn.pictureSize.x;
-  float surface[4];
-  frame.gl->GetTextureSubImage(frame.images.at(image::surface).images[0].id(), 0, pixel.x * s + s / 2,
-                               (drawn.pictureSize.y - 1 - pixel.y) * s + s / 2, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
-                               sizeof surface, surface);
-  if (surface[3] < 0.0f) return std::nullopt;
-  Pick pick;
-  pick.voxel = {surface[0], surface[1], surface[2]};
-  const volume::Grid& grid = frame.volume->grid();
-  pick.worldMm = glm::dvec3(grid.geometry().worldFromVoxel * glm::dvec4(pick.voxel, 1.0));
-  pick.value = volume::sampleTrilinear(grid, pick.voxel).value;
-  return pick;
-}
-
 }  // namespace isolux::render

@@ -29,6 +29,5 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
 // `most`: spread evenly over the picture. Only those are read back. Of the layer that `frame` draws now.
 void appendHits(const FrameState& frame, std::size_t most, std::vector<glm::vec3>& hits);
 std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& drawn);
-std::optional<Pick> pick(const FrameState& frame, const DrawnFrame& drawn, glm::ivec2 pixel);
 
 }  // namespace isolux::render

@@ -407,17 +407,6 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   return parts.report;
 }
 
-void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
-  const Gl& gl = *parts_->frame.gl;
-  gl.Disable(GL_SCISSOR_TEST);
-  gl.Disable(GL_FRAMEBUFFER_SRGB);
-  const glm::ivec2 from = parts_->drawn.pictureSize;
-  gl.BlitNamedFramebuffer(parts_->frame.images.at(image::picture).framebuffer.id(), framebuffer, 0, 0, from.x,
-                          from.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT,
-                          from == size ? GL_NEAREST : GL_LINEAR);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-}
-
 ColorImage Renderer::readColor() {
   return render::readColor(parts_->frame, parts_->drawn);
 }
@@ -448,10 +437,6 @@ std::map<std::string, std::uint64_t> Renderer::imageHashes() {
       for (const float value : texture.readFloats(4)) hashes[std::string(pass->name)].add(value);
   }
   return {hashes.begin(), hashes.end()};
-}
-
-std::optional<Pick> Renderer::pick(glm::ivec2 pixel) {
-  return render::pick(parts_->frame, parts_->drawn, pixel);
 }
 
 }  // namespace isolux::render

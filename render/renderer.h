@@ -1,7 +1,7 @@
 // Draws a Scene: the one renderer behind the window, `isolux render` and replay.
 //
-// The renderer owns its GL objects and knows no window. It keeps no GL state between frames, never touches a
-// framebuffer it does not own except in present(), and is thrown away and made anew when the context is lost.
+// The renderer owns its GL objects and knows no window. It keeps no GL state between frames and touches no
+// framebuffer that it does not own.
 // All members need the context current on the calling thread. Errors: base::Error{graphics, memory}.
 #pragma once
 
@@ -44,9 +44,6 @@ class Renderer {
   // since the last call is not computed again.
   const FrameReport& render(const scene::Scene& scene, const FrameRequest& request);
 
-  // Draws the last picture into `framebuffer` (0 or Qt's), scaled to `size` pixels if it differs.
-  void present(unsigned framebuffer, glm::ivec2 size);
-
   // Forgets what earlier frames computed, so that the next render() runs every pass it needs (benchmarks).
   void invalidate();
 
@@ -56,8 +53,6 @@ class Renderer {
   // background behind the look, supersamples averaged, alpha 1. After a request that has `linear`.
   LinearImage readLinearPicture();
   AovImage readAov(Aov aov);
-  // pixel: (0,0) is the top left of what was drawn last. Empty where there is no surface.
-  std::optional<Pick> pick(glm::ivec2 pixel);
   // Voxel coordinates of the surface points of the last picture, those behind transparent surfaces too where
   // the look reads stored light; about a million at most of the first crossings and of
   // those behind, spread evenly over the picture. Pixels without one are left out.

@@ -50,6 +50,8 @@ enum class BuiltInLight { studio, window, overcast, sunset };  // gi/sampling/bu
 // What is stored of the light; automatic: the least that the scene needs (scene/rules/gi_choice.h).
 enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
 enum class GiExtent { full, band, view };  // which texels are lit
+// Where: each on the isosurface through it, for all isovalues; or where the shown isosurface passes it.
+enum class GiTexels { automatic, own, shown };
 enum class DirectionSequence { sobol_owen, r2, random };
 // How stored light is read between texels, Wyman et al. 2006 fig. 6; weighted: trilinear weights times how
 // well a texel's normal fits that of the point, of texels whose noise is filtered along their own isosurface.

@@ -26,7 +26,7 @@ struct Machine {
   Memory memory{};
   std::optional<int> threads{};  // that compute light; automatic: as many as the process may use
   bool adaptive = true;          // pictures in motion shrink until they are quick enough
-  double motionTarget = 50.0;    // milliseconds of a picture in motion
+  double motionTarget = 25.0;    // milliseconds of a picture in motion
   Executor executor = Executor::automatic;
   bool operator==(const Machine&) const = default;
 };

@@ -174,7 +174,8 @@ struct Gi {
   GiMode mode = GiMode::automatic;
   GiExtent extent = GiExtent::view;
   std::optional<glm::dvec2> band;  // isovalues, data units; extent band
-  int samples = 100;               // paths per texel
+  GiTexels texels = GiTexels::automatic;
+  int samples = 100;  // paths per texel
   DirectionSequence sequence = DirectionSequence::r2;
   int bounces = 1;
   int rouletteDepth = 3;                   // bounces before paths may end at random

@@ -253,6 +253,11 @@ std::vector<Setting> makeSettings() {
       "gi.band", ISOLUX_MEMBER(gi.band), "data units",
       "The isovalues of interest, low and high; auto is a twentieth of the volume's range about "
       "the isovalue."));
+  add(choiceEntry<Scene>(
+      "gi.texels", ISOLUX_MEMBER(gi.texels),
+      "Where texels are lit: each on its own isosurface, so that light is there for every isovalue, or where "
+      "the shown isosurface passes it, which is more exact and of one isovalue; auto is shown with "
+      "gi.extent=view. Where several isosurfaces are shown, texels are lit on their own."));
   add(entry<Scene>("gi.samples", ISOLUX_MEMBER(gi.samples), {1, 1000000}, "paths per texel",
                    "More have less noise: four times as many halve it."));
   add(choiceEntry<Scene>(

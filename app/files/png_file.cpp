@@ -82,6 +82,7 @@ bool encode(PngWriter& writer, const render::ColorImage& image) {
   png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.size.x),
                static_cast<png_uint_32>(image.size.y), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_compression_level(png, 4);  // a third of the time of zlib's 6, for 8 % more bytes
   png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (!writer.chunks.empty())
     png_set_text(png, writer.info, writer.chunks.data(), static_cast<int>(writer.chunks.size()));

@@ -83,6 +83,7 @@ struct LightController::Parts {
   scene::Scene scene;
   VolumePointer volume;
   std::optional<int> threads;
+  std::optional<scene::GiTexels> texelsOfFile;  // for the next plan
   std::vector<glm::vec3> hits;
   bool sceneTold = false, hitsTold = false, cancelTold = false, compressTold = false, busy = false;
   bool planning =
@@ -129,6 +130,7 @@ void LightController::Parts::run(const std::stop_token& stop) {
     const scene::Scene now = scene;
     const VolumePointer of = volume;
     planner.setThreads(threads);
+    if (const auto texels = std::exchange(texelsOfFile, std::nullopt)) planner.setTexelsOfFile(*texels);
     // Looking whether to compress needs no points.
     const std::vector<glm::vec3> seen = withScene || withHits ? hits : std::vector<glm::vec3>();
     busy = withScene || withHits || cancel || compress;
@@ -347,6 +349,13 @@ void LightController::save(const std::filesystem::path& file, base::Progress& pr
 }
 
 void LightController::load(const std::filesystem::path& file, base::Progress& progress) {
+  const bool ofOne = gi::isOfOneIsovalue(file);
+  {
+    const std::lock_guard guard(parts_->mutex);
+    parts_->texelsOfFile = ofOne ? scene::GiTexels::shown : scene::GiTexels::own;
+    parts_->sceneTold = true;
+    parts_->changed.notify_all();
+  }
   while (!settle(0.05)) progress.throwIfStopped();
   VolumePointer volume;
   std::string skyKey, lampsKey;

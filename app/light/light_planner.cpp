@@ -58,9 +58,12 @@ int LightPlanner::threads() const {
   return threads_.value_or(static_cast<int>(std::max<std::size_t>(1, allowed)));
 }
 
-const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePointer& volume,
+const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePointer& volume,
                                     base::Progress& progress) {
-  scene_ = resolved;
+  if (volume != volume_) texelsOfFile_.reset();
+  scene_ = given;
+  if (scene_.gi.texels == scene::GiTexels::automatic && texelsOfFile_) scene_.gi.texels = *texelsOfFile_;
+  const scene::Scene& resolved = scene_;
   volume_ = volume;
   meterPending_ = false;
   if (!volume || scene::shadingOf(resolved) != scene::Shading::gi) {
@@ -81,9 +84,8 @@ const LightPlan& LightPlanner::plan(const scene::Scene& resolved, const VolumePo
   }
   lightScene_ = gi::makeLightScene(resolved, volume, choice.wanted ? tracer_ : nullptr, environment_);
   considerMetering(progress);
-  const auto key = [&](gi::LightPart part) { return gi::lightKey(resolved, *lightScene_, part); };
-  require(sky_, gi::LightPart::sky, choice.sky != scene::GiMode::off, key(gi::LightPart::sky));
-  require(lamps_, gi::LightPart::lamps, choice.lamps, key(gi::LightPart::lamps));
+  require(sky_, gi::LightPart::sky, choice.sky != scene::GiMode::off);
+  require(lamps_, gi::LightPart::lamps, choice.lamps);
   if (choice.sky == scene::GiMode::transfer && projectedOrder_ != resolved.gi.shOrder) {
     projection_ = gi::projectEnvironment(*environment_, resolved.gi.shOrder);
     projectedOrder_ = resolved.gi.shOrder;
@@ -149,22 +151,44 @@ void LightPlanner::meter(base::Progress& progress) {
   publish();
 }
 
-void LightPlanner::require(Part& part, gi::LightPart which, bool wanted, const std::string& key) {
+// What a part's lattice leaves for that of the next isovalue; while an isovalue is dragged too fast for any
+// light, what was there before stays.
+std::shared_ptr<const gi::LightLattice> LightPlanner::standIn(const Part& part) {
+  std::shared_ptr<const gi::LightLattice> lattice = part.bake ? part.bake->lattice() : nullptr;
+  if (!lattice || !lattice->geometry().isovalue ||
+      lattice->content().kind != gi::LightContent::Kind::irradiance)
+    return nullptr;
+  const bool darker = part.before && part.before->bakedTexels() > lattice->bakedTexels();
+  return darker ? part.before : lattice;
+}
+
+void LightPlanner::require(Part& part, gi::LightPart which, bool wanted) {
   if (!wanted) {
     if (part.bake) part.bake->requestStop();
     part = {};
     return;
   }
   const auto samples = static_cast<std::uint32_t>(scene_.gi.samples);
+  const std::string key = gi::lightKey(scene_, *lightScene_, which);
   if (part.bake && part.key == key) {
     part.bake->setSamples(samples);
     part.bake->setThreads(threads());
     return;
   }
   if (part.bake) part.bake->requestStop();  // its threads end before those of the new one have much to do
+  gi::LightScene ofAll = *lightScene_;
+  ofAll.choice.onShown = false;
+  const std::string keyOfAll = gi::lightKey(scene_, ofAll, which);
+  std::shared_ptr<const gi::LightLattice> before;
+  if (part.keyOfAll == keyOfAll) before = standIn(part);
   part = {};
+  part.before = std::move(before);
+  part.keyOfAll = keyOfAll;
   if (which == gi::LightPart::sky) basis_.reset();  // it was fitted to the old lattice
-  const auto lattice = gi::LatticeGeometry::make(volume_->grid().dims(), scene_.gi.latticeScale);
+  std::optional<float> isovalue;
+  if (lightScene_->choice.onShown)
+    isovalue = static_cast<float>(volume_->grid().storedOfValue(*scene_.isosurface.value));
+  const auto lattice = gi::LatticeGeometry::make(volume_->grid().dims(), scene_.gi.latticeScale, isovalue);
   part.key = key;
   part.estimator = std::make_shared<gi::LatticeEstimator>(lightScene_, lattice, which);
   part.bake = makeBake(part, std::make_shared<gi::LightLattice>(lattice, part.estimator->content(), key));
@@ -186,6 +210,7 @@ void LightPlanner::adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPar
   Part& part = which == gi::LightPart::sky ? sky_ : lamps_;
   if (part.bake) part.bake->requestStop();
   part.bake = makeBake(part, std::move(lattice));
+  part.before.reset();
   part.asked.reset();
   plan_.sky = sky_.bake;
   plan_.lamps = lamps_.bake;
@@ -199,6 +224,8 @@ void LightPlanner::publish() {
   if (brightness_) light->automaticExposure = static_cast<float>(gi::exposureOf(*brightness_));
   if (sky_.bake) light->sky = sky_.bake->lattice();
   if (lamps_.bake) light->lamps = lamps_.bake->lattice();
+  light->skyBefore = sky_.before;
+  light->lampsBefore = lamps_.before;
   light->basis = basis_;
   light->version = ++version_;
   plan_.light = std::move(light);

@@ -40,12 +40,15 @@ class LightPlanner {
  public:
   explicit LightPlanner(bool background) : background_(background) {}
   void setThreads(std::optional<int> threads) { threads_ = threads; }  // of the next plan
+  // Where texels are lit while gi.texels is automatic and the volume the same: as those of a file that was
+  // read.
+  void setTexelsOfFile(scene::GiTexels texels) { texelsOfFile_ = texels; }
   ~LightPlanner() { stop(); }
   LightPlanner(const LightPlanner&) = delete;
   LightPlanner& operator=(const LightPlanner&) = delete;
 
   // Decides anew. Throws base::Error (light probe, memory, stopped); the plan before holds then.
-  const LightPlan& plan(const scene::Scene& resolved, const VolumePointer& volume, base::Progress& progress);
+  const LightPlan& plan(const scene::Scene& given, const VolumePointer& volume, base::Progress& progress);
   // Asks the bakes for what the scene and these surface points need.
   void wish(const std::vector<glm::vec3>& hits, base::Progress& progress);
   void wishNothing();
@@ -72,17 +75,20 @@ class LightPlanner {
   };
   struct Part {
     std::string key;
+    std::string keyOfAll;  // the same but for an isovalue
     std::shared_ptr<const gi::TexelEstimator> estimator;
     std::shared_ptr<gi::LightBake> bake;
     std::optional<Asked> asked;
+    std::shared_ptr<const gi::LightLattice> before;  // of another isovalue: PictureLight::skyBefore
   };
 
   void loadEnvironment(const scene::Environment& settings);
   void considerMetering(base::Progress& progress);
   void measureBrightness(base::Progress& progress);
-  void require(Part& part, gi::LightPart which, bool wanted, const std::string& key);
+  void require(Part& part, gi::LightPart which, bool wanted);
   void wish(Part& part, const std::vector<gi::WantedBlock>& visible,
             const std::vector<gi::WantedBlock>& nearby, base::Progress& progress);
+  static std::shared_ptr<const gi::LightLattice> standIn(const Part& part);
   std::shared_ptr<gi::LightBake> makeBake(const Part& part, std::shared_ptr<gi::LightLattice> lattice) const;
   int threads() const;
   void stop();
@@ -90,6 +96,7 @@ class LightPlanner {
   int reach() const;
 
   bool background_;
+  std::optional<scene::GiTexels> texelsOfFile_;
   std::optional<int> threads_;
   scene::Scene scene_;
   VolumePointer volume_;

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "app/interaction/surface_pick.h"
 #include "render/passes/view_uniforms.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
@@ -58,12 +59,10 @@ volume::Ray SurfaceTruth::rayOf(std::size_t pixel, glm::dvec2 offset) const {
   const std::size_t column = pixel % width, row = pixel / width;
   const glm::dvec2 at(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
   const glm::dvec2 ndc(at.x / size_.x * 2.0 - 1.0, 1.0 - at.y / size_.y * 2.0);
-  const scene::Ray ray = scene::rayThrough(frame_, ndc, static_cast<double>(size_.x) / size_.y);
-  const glm::dmat4 voxelFromWorld = volume_->grid().geometry().voxelFromWorld();
-  const glm::dvec3 origin(voxelFromWorld * glm::dvec4(ray.origin, 1.0));
-  const glm::dvec3 direction = glm::dmat3(voxelFromWorld) * ray.direction;
-  const glm::dvec3 across = glm::dmat3(voxelFromWorld) * (offset.x * frame_.right + offset.y * frame_.up);
-  return {origin + across, direction, rayStartMm_};
+  const volume::GridGeometry& geometry = volume_->grid().geometry();
+  volume::Ray ray = viewRay(geometry, frame_, ndc, static_cast<double>(size_.x) / size_.y, rayStartMm_);
+  ray.origin += glm::dmat3(geometry.voxelFromWorld()) * (offset.x * frame_.right + offset.y * frame_.up);
+  return ray;
 }
 
 void SurfaceTruth::prepare(Field field, base::Progress& progress) {

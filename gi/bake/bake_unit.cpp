@@ -20,13 +20,10 @@ constexpr double kFewestPaths = 16.0, kMostPaths = 65536.0;
 
 void UnitRunner::run(const BakeQueue::Unit& unit, const std::stop_token& stop, const AfterCall& leave) {
   LatticeBlock block;
-  if (!lattice_.read(unit.block, block))
-    block.means.assign(
-        static_cast<std::size_t>(kTexelsOfBlock) * static_cast<std::size_t>(lattice_.content().components()),
-        0.0f);
+  if (!lattice_.read(unit.block, block)) block = lattice_.dark();
   changed_ = false;
   try {
-    findNormals(unit, block);
+    findPoints(unit, block);
     while (bring(unit, block, stop, leave)) {
     }
   } catch (...) {
@@ -36,7 +33,7 @@ void UnitRunner::run(const BakeQueue::Unit& unit, const std::stop_token& stop, c
   if (changed_) lattice_.write(unit.block, std::move(block));
 }
 
-void UnitRunner::findNormals(const BakeQueue::Unit& unit, LatticeBlock& block) {
+void UnitRunner::findPoints(const BakeQueue::Unit& unit, LatticeBlock& block) {
   texels_.clear();
   indices_.clear();
   forEachTexel(unit.texels & ~block.unlit, [&](std::size_t i) {
@@ -45,11 +42,13 @@ void UnitRunner::findNormals(const BakeQueue::Unit& unit, LatticeBlock& block) {
     texels_.push_back(lattice_.geometry().texelOf(unit.block, static_cast<int>(i)));
   });
   if (texels_.empty()) return;
-  normals_.resize(texels_.size());
-  estimator_.normals(texels_, normals_);
+  points_.resize(texels_.size());
+  estimator_.points(texels_, points_);
   for (std::size_t t = 0; t < indices_.size(); ++t) {
-    block.normals[indices_[t]] = normals_[t];
-    if (normals_[t] == glm::vec3(0.0f)) block.unlit.set(indices_[t]);
+    const std::size_t i = indices_[t];
+    block.normals[i] = points_[t].normal;
+    if (!block.places.empty()) block.places[i] = points_[t].voxel;
+    if (points_[t].normal == glm::vec3(0.0f)) block.unlit.set(i);
   }
   changed_ = true;
 }
@@ -90,12 +89,14 @@ void UnitRunner::choose(const BakeQueue::Unit& unit, const LatticeBlock& block, 
   round_.done = 0;
   round_.indices.clear();
   round_.texels.clear();
-  round_.normals.clear();
+  round_.points.clear();
   forEachTexel(wanted, [&](std::size_t i) {
     if (block.samples[i] != first || round_.indices.size() == most) return;
     round_.indices.push_back(i);
-    round_.texels.push_back(lattice_.geometry().texelOf(unit.block, static_cast<int>(i)));
-    round_.normals.push_back(block.normals[i]);
+    const glm::ivec3 texel = lattice_.geometry().texelOf(unit.block, static_cast<int>(i));
+    round_.texels.push_back(texel);
+    const glm::vec3 place = block.places.empty() ? lattice_.geometry().voxelOf(texel) : block.places[i];
+    round_.points.push_back({place, block.normals[i]});
   });
   round_.sums.assign(round_.indices.size() * static_cast<std::size_t>(lattice_.content().components()), 0.0);
 }
@@ -106,7 +107,7 @@ bool UnitRunner::addPaths(std::uint32_t count, const std::stop_token& stop, cons
   const auto start = std::chrono::steady_clock::now();
   const std::uint32_t done = std::exchange(round_.done, 0), all = std::exchange(round_.count, 0);
   std::uint64_t rays = 0;
-  if (!estimator_.add(round_.texels, round_.normals, {round_.first + done, count}, round_.sums, rays, stop)) {
+  if (!estimator_.add(round_.texels, round_.points, {round_.first + done, count}, round_.sums, rays, stop)) {
     if (!stop.stop_requested()) throw std::logic_error("an estimator of light stopped unasked");
     leave(rays, 0);
     return false;

@@ -28,7 +28,7 @@ class UnitRunner {
   void run(const BakeQueue::Unit& unit, const std::stop_token& stop, const AfterCall& leave);
 
  private:
-  void findNormals(const BakeQueue::Unit& unit, LatticeBlock& block);
+  void findPoints(const BakeQueue::Unit& unit, LatticeBlock& block);
   bool bring(const BakeQueue::Unit& unit, LatticeBlock& block, const std::stop_token& stop,
              const AfterCall& leave);
   void choose(const BakeQueue::Unit& unit, const LatticeBlock& block, std::uint32_t first);
@@ -40,7 +40,7 @@ class UnitRunner {
     std::uint32_t block = 0, first = 0, count = 0, done = 0;  // count 0: none is under way
     std::vector<std::size_t> indices;                         // in the block
     std::vector<glm::ivec3> texels;
-    std::vector<glm::vec3> normals;
+    std::vector<TexelPoint> points;
     std::vector<double> sums;  // texels x components
   };
 
@@ -49,9 +49,9 @@ class UnitRunner {
   double pathsOfCall_ = 1024.0;
   bool changed_ = false;
   Round round_;
-  std::vector<std::size_t> indices_;  // of findNormals()
+  std::vector<std::size_t> indices_;  // of findPoints()
   std::vector<glm::ivec3> texels_;
-  std::vector<glm::vec3> normals_;
+  std::vector<TexelPoint> points_;
 };
 
 }  // namespace isolux::gi

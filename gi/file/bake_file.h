@@ -37,6 +37,10 @@ void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, 
 StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,
                          const std::string& skyKey, const std::string& lampsKey, base::Progress& progress);
 
+// Whether a file's texels are lit where one isosurface passes them (LatticeGeometry::isovalue). Throws as
+// readBakeFile().
+bool isOfOneIsovalue(const std::filesystem::path& path);
+
 // True for files that begin as writeBakeFile() begins them, whole or not. No errors.
 bool looksLikeBakeFile(const std::filesystem::path& path);
 

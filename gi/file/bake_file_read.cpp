@@ -20,6 +20,7 @@
 #include "base/number_text.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_layers.h"
+#include "volume/hit/nearest_point.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
@@ -210,13 +211,22 @@ void checkKey(const Header& header, const std::string& file, const std::string& 
   if (!difference.empty()) throwInput(file, "Array " + field, difference);
 }
 
+// The isovalue that the key ties the lattice to, stored units.
+std::optional<float> isovalueOf(const std::string& key, const volume::Grid& grid) {
+  const json wanted = json::parse(key, nullptr, false);
+  if (!wanted.is_object() || !wanted.contains("isovalue") || !wanted["isovalue"].is_number())
+    return std::nullopt;
+  return static_cast<float>(grid.storedOfValue(wanted["isovalue"].get<double>()));
+}
+
 // What the key says of content and lattice must be what the file has.
 void checkShape(const LatticeGeometry& geometry, const LightContent& content, const std::string& key,
                 const std::string& file) {
   const json wanted = json::parse(key, nullptr, false);
   if (!wanted.is_object()) return;
   if (wanted.contains("lattice_scale") && wanted["lattice_scale"].is_number() &&
-      LatticeGeometry::make(geometry.volumeDims, wanted["lattice_scale"].get<double>()) != geometry)
+      LatticeGeometry::make(geometry.volumeDims, wanted["lattice_scale"].get<double>(), geometry.isovalue) !=
+          geometry)
     throwInput(file, "ImageData WholeExtent", "is not that of the lattice that the key tells of");
   const std::string kind = content.kind == LightContent::Kind::transfer ? "transfer" : "irradiance";
   if ((wanted.contains("content") && wanted["content"] != kind) ||
@@ -225,8 +235,15 @@ void checkShape(const LatticeGeometry& geometry, const LightContent& content, co
     throwInput(file, "Array content", "is not what the key tells of");
 }
 
-void readLattice(const volume::Bytes& bytes, const Header& header, LightLattice& lattice,
-                 const std::string& suffix, base::Progress& progress) {
+// Where the texel of a lattice with an isovalue was lit: a function of the volume, so that no file holds it.
+std::optional<glm::vec3> placeOf(const LatticeGeometry& geometry, const volume::Grid& grid,
+                                 std::uint32_t block, std::size_t index) {
+  const glm::vec3 voxel = geometry.voxelOf(geometry.texelOf(block, static_cast<int>(index)));
+  return volume::nearestSurfacePoint(grid, voxel, geometry.reach(), *geometry.isovalue);
+}
+
+void readLattice(const volume::Bytes& bytes, const Header& header, const volume::Grid& grid,
+                 LightLattice& lattice, const std::string& suffix, base::Progress& progress) {
   const LatticeGeometry& geometry = lattice.geometry();
   const LightContent content = lattice.content();
   const bool transfer = content.kind == LightContent::Kind::transfer;
@@ -250,8 +267,7 @@ void readLattice(const volume::Bytes& bytes, const Header& header, LightLattice&
     LatticeBlock block;
     bool any = false;
     const auto begin = [&] {
-      block = {};
-      block.means.assign(kTexelsOfBlock * stored, 0.0f);
+      block = lattice.dark();
       any = false;
     };
     std::optional<std::uint32_t> now;
@@ -271,6 +287,11 @@ void readLattice(const volume::Bytes& bytes, const Header& header, LightLattice&
         block.normals[i][a] = std::bit_cast<float>(normal[3 * t + static_cast<std::size_t>(a)]);
       const float length2 = glm::dot(block.normals[i], block.normals[i]);
       if (!(length2 > 0.9f && length2 < 1.1f)) normals.fail("a lit texel has no normal");
+      if (geometry.isovalue) {
+        const std::optional<glm::vec3> place = placeOf(geometry, grid, b, i);
+        if (!place) normals.fail("a lit texel has no isosurface near it");
+        block.places[i] = *place;
+      }
       for (std::size_t c = 0; c < stored; ++c) {
         block.means[i * stored + c] = std::bit_cast<float>(light[t * written + c]);
         if (!std::isfinite(block.means[i * stored + c])) lights.fail("holds a number that is not finite");
@@ -291,7 +312,7 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
       if (!key->empty() && header.fields.contains(field)) checkKey(header, file, field, *key);
     throwInput(file, "Array volume_hash", "the volume is another one");
   }
-  const LatticeGeometry geometry{header.dims, grid.dims()};
+  LatticeGeometry geometry{header.dims, grid.dims(), {}};
   for (int a = 0; a < 3; ++a)
     if (geometry.dims[a] > (geometry.volumeDims[a] - 1) * kMostTexelsPerVoxel + 1)
       throwInput(file, "ImageData WholeExtent", "the lattice does not fit the volume");
@@ -301,16 +322,18 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
   if (hasSky && !skyKey.empty()) {
     checkKey(header, file, "key", skyKey);
     const LightContent content = contentOf(header, file);
+    geometry.isovalue = isovalueOf(skyKey, grid);
     checkShape(geometry, content, skyKey, file);
     light.sky = std::make_shared<LightLattice>(geometry, content, skyKey);
-    readLattice(bytes, header, *light.sky, "", progress);
+    readLattice(bytes, header, grid, *light.sky, "", progress);
   }
   if (hasLamps && !lampsKey.empty()) {
     checkKey(header, file, "key_lamps", lampsKey);
     const LightContent content{LightContent::Kind::irradiance, 3, 0};
+    geometry.isovalue = isovalueOf(lampsKey, grid);
     checkShape(geometry, content, lampsKey, file);
     light.lamps = std::make_shared<LightLattice>(geometry, content, lampsKey);
-    readLattice(bytes, header, *light.lamps, "_lamps", progress);
+    readLattice(bytes, header, grid, *light.lamps, "_lamps", progress);
   }
   if (!hasSky && !hasLamps) throwInput(file, "PointData", "holds no light");
   progress.report(1.0, "reading light");
@@ -336,6 +359,16 @@ std::string keyDifference(const std::string& stored, const std::string& wanted) 
         return words + " differs";
       }
   return {};  // the same, written differently
+}
+
+bool isOfOneIsovalue(const fs::path& path) {
+  const Header header = readHeader(volume::FileBytes(path));
+  for (const char* const field : {"key", "key_lamps"})
+    if (const auto found = header.fields.find(field); found != header.fields.end()) {
+      const json key = json::parse(found->second, nullptr, false);
+      return key.is_object() && key.contains("isovalue");
+    }
+  return false;
 }
 
 StoredLight readBakeFile(const fs::path& path, const volume::Grid& grid, const std::string& skyKey,

@@ -8,9 +8,10 @@
 
 namespace isolux::gi {
 
-LatticeGeometry LatticeGeometry::make(glm::ivec3 volumeDims, double scale) {
+LatticeGeometry LatticeGeometry::make(glm::ivec3 volumeDims, double scale, std::optional<float> isovalue) {
   LatticeGeometry lattice;
   lattice.volumeDims = volumeDims;
+  lattice.isovalue = isovalue;
   for (int a = 0; a < 3; ++a)
     lattice.dims[a] = static_cast<int>(std::max(std::lround((volumeDims[a] - 1) * scale), 0L)) + 1;
   return lattice;
@@ -20,6 +21,13 @@ glm::dvec3 LatticeGeometry::voxelsPerTexel() const {
   glm::dvec3 voxels(0.0);
   for (int a = 0; a < 3; ++a)
     if (dims[a] > 1) voxels[a] = static_cast<double>(volumeDims[a] - 1) / (dims[a] - 1);
+  return voxels;
+}
+
+glm::vec3 LatticeGeometry::reach() const {
+  glm::vec3 voxels(voxelsPerTexel());
+  for (int a = 0; a < 3; ++a)
+    if (dims[a] == 1) voxels[a] = static_cast<float>(volumeDims[a] - 1);
   return voxels;
 }
 

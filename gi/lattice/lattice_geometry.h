@@ -4,9 +4,13 @@
 // on the last voxel, evenly spaced between: at scale 1 each texel lies on a voxel. Blocks are 8x8x8 texels;
 // those at the upper border may be partly outside. x varies fastest in indices of texels, within blocks, and
 // of blocks.
+//
+// A texel is lit on the isosurface that runs through it, or, where the lattice has an isovalue, at the point
+// of that isosurface nearest to it: such a lattice serves one isovalue, and serves it better.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include <glm/vec3.hpp>
 
@@ -16,12 +20,15 @@ inline constexpr int kBlockTexels = 8;  // per axis
 inline constexpr int kTexelsOfBlock = kBlockTexels * kBlockTexels * kBlockTexels;
 
 struct LatticeGeometry {
-  glm::ivec3 dims{0};        // texels
-  glm::ivec3 volumeDims{0};  // voxels
+  glm::ivec3 dims{0};               // texels
+  glm::ivec3 volumeDims{0};         // voxels
+  std::optional<float> isovalue{};  // stored units; none: each texel has its own
 
-  static LatticeGeometry make(glm::ivec3 volumeDims, double scale);
+  static LatticeGeometry make(glm::ivec3 volumeDims, double scale,
+                              std::optional<float> isovalue = std::nullopt);
 
   glm::dvec3 voxelsPerTexel() const;  // per axis; 0 on an axis of one texel
+  glm::vec3 reach() const;            // voxels: how far from a texel lookups (of 2 per axis) read it
   glm::vec3 voxelOf(glm::ivec3 texel) const;
   glm::dvec3 texelOf(glm::dvec3 voxel) const;  // continuous texel coordinates; 0 on an axis of one texel
   bool contains(glm::ivec3 texel) const;

@@ -33,6 +33,14 @@ LightLattice::LightLattice(const LatticeGeometry& geometry, LightContent content
                                           remedyFor(content))),
       blocks_(geometry.blockCount()) {}
 
+LatticeBlock LightLattice::dark() const {
+  LatticeBlock block;
+  block.means.assign(
+      static_cast<std::size_t>(kTexelsOfBlock) * static_cast<std::size_t>(content_.components()), 0.0f);
+  if (geometry_.isovalue) block.places.assign(kTexelsOfBlock, glm::vec3(0.0f));
+  return block;
+}
+
 std::shared_ptr<const LatticeBlock> LightLattice::at(std::uint32_t block) const {
   assert(block < blocks_.size());
   const std::lock_guard lock(mutex_);
@@ -53,6 +61,7 @@ void LightLattice::write(std::uint32_t block, LatticeBlock in) {
   assert(block < blocks_.size());
   assert(in.means.size() ==
          static_cast<std::size_t>(kTexelsOfBlock) * static_cast<std::size_t>(content_.components()));
+  assert(in.places.size() == (geometry_.isovalue ? kTexelsOfBlock : 0));
   if (in.held.bytes() == 0)
     in.held = base::machineMemory().reserve(in.bytes(), "more stored light", remedyFor(content_));
   const std::uint64_t baked = bakedOf(in);
@@ -120,7 +129,7 @@ std::uint64_t LightLattice::bakedTexels() const {
 
 std::size_t LightLattice::bytesToFill() const {
   const std::lock_guard lock(mutex_);
-  return (blocks_.size() - filled_) * LatticeBlock::bytesOf(content_);
+  return (blocks_.size() - filled_) * LatticeBlock::bytesOf(content_, geometry_.isovalue.has_value());
 }
 
 void LightLattice::checkThatAllFits() const {

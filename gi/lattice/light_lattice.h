@@ -6,9 +6,9 @@
 //   irradiance  E, rgb or one channel, for light of unit exposure (Wyman et al. 2006 eq. 2)
 //   transfer    spherical harmonic coefficients of T, order^2 per channel, index channel * order^2 + i:
 //               E = sum T_i l_i with those of the environment (eq. 5 to 9)
-// Normals are the texel's own (unit, world, outward), 0 where its isosurface has none: such texels stay
-// unbaked. Throws std::bad_alloc, or Error{memory} where the memory budget has no room for a new block, and
-// is then as before: what is lit stays.
+// Normals are the texel's own (unit, world, outward), 0 where its isosurface has none, or none passes by:
+// such texels stay unbaked. Throws std::bad_alloc, or Error{memory} where the memory budget has no room for a
+// new block, and is then as before: what is lit stays.
 #pragma once
 
 #include <array>
@@ -39,15 +39,19 @@ struct LightContent {
 struct LatticeBlock {
   std::array<std::uint32_t, kTexelsOfBlock> samples{};
   std::array<glm::vec3, kTexelsOfBlock> normals{};
+  std::vector<glm::vec3> places;  // voxels, where texels are lit; of lattices with an isovalue, else empty
   std::bitset<kTexelsOfBlock> unlit;  // texels that were asked for and have no normal
   std::vector<float> means;           // kTexelsOfBlock x components, a texel's components side by side
   base::MemoryBudget::Held held{};    // by write(), for as long as anybody keeps the block
 
-  static std::size_t bytesOf(const LightContent& content) {
-    return sizeof(LatticeBlock) + static_cast<std::size_t>(kTexelsOfBlock) *
-                                      static_cast<std::size_t>(content.components()) * sizeof(float);
+  static std::size_t bytesOf(const LightContent& content, bool withPlaces = false) {
+    const std::size_t ofTexel =
+        static_cast<std::size_t>(content.components()) * sizeof(float) + (withPlaces ? sizeof(glm::vec3) : 0);
+    return sizeof(LatticeBlock) + static_cast<std::size_t>(kTexelsOfBlock) * ofTexel;
   }
-  std::size_t bytes() const { return sizeof(LatticeBlock) + means.capacity() * sizeof(float); }
+  std::size_t bytes() const {
+    return sizeof(LatticeBlock) + means.capacity() * sizeof(float) + places.capacity() * sizeof(glm::vec3);
+  }
 };
 
 class LightLattice {
@@ -58,6 +62,7 @@ class LightLattice {
   const LightContent& content() const { return content_; }
   const std::string& key() const { return key_; }  // JSON of all that its light depends on
 
+  LatticeBlock dark() const;  // a block in which nothing is lit
   bool has(std::uint32_t block) const;
   std::shared_ptr<const LatticeBlock> at(std::uint32_t block) const;  // null: nothing is lit there
   bool read(std::uint32_t block, LatticeBlock& out) const;            // a copy; false: nothing is lit there

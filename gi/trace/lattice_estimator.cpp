@@ -4,6 +4,7 @@
 
 #include "base/random.h"
 #include "gi/trace/path_wave.h"
+#include "volume/hit/nearest_point.h"
 
 namespace isolux::gi {
 
@@ -40,25 +41,30 @@ LightContent LatticeEstimator::content() const {
   return {LightContent::Kind::irradiance, light.choice.channels, 0};
 }
 
-void LatticeEstimator::normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const {
+void LatticeEstimator::points(std::span<const glm::ivec3> texels, std::span<TexelPoint> points) const {
   const volume::Grid& grid = tracer_.light().volume->grid();
   std::vector<glm::vec3> voxels(texels.size()), gradients(texels.size());
-  for (std::size_t i = 0; i < texels.size(); ++i) voxels[i] = geometry_.voxelOf(texels[i]);
-  tracer_.light().tracer->gradients(voxels, gradients);
+  std::vector<bool> has(texels.size());
   for (std::size_t i = 0; i < texels.size(); ++i) {
-    const bool missing = std::isnan(fieldAt(grid, voxels[i]));
-    normals[i] = missing ? glm::vec3(0.0f) : tracer_.normalOf(gradients[i]);
+    std::optional<glm::vec3> place = geometry_.voxelOf(texels[i]);
+    if (geometry_.isovalue)
+      place = volume::nearestSurfacePoint(grid, *place, geometry_.reach(), *geometry_.isovalue);
+    if (place) voxels[i] = *place;
+    has[i] = place && !std::isnan(fieldAt(grid, *place));
   }
+  tracer_.light().tracer->gradients(voxels, gradients);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    points[i] = {voxels[i], has[i] ? tracer_.normalOf(gradients[i]) : glm::vec3(0.0f)};
 }
 
-bool LatticeEstimator::add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
+bool LatticeEstimator::add(std::span<const glm::ivec3> texels, std::span<const TexelPoint> at,
                            SampleRange range, std::span<double> sums, std::uint64_t& rays,
                            const std::stop_token& stop) const {
   const volume::Grid& grid = tracer_.light().volume->grid();
   std::vector<LightPoint> points(texels.size());
   for (std::size_t i = 0; i < texels.size(); ++i) {
-    const glm::vec3 voxel = geometry_.voxelOf(texels[i]);
-    points[i] = {voxel, fieldAt(grid, voxel), normals[i], base::hash32(geometry_.indexOf(texels[i]))};
+    const float isovalue = geometry_.isovalue ? *geometry_.isovalue : fieldAt(grid, at[i].voxel);
+    points[i] = {at[i].voxel, isovalue, at[i].normal, base::hash32(geometry_.indexOf(texels[i]))};
   }
   const LightContent content = this->content();
   if (content.kind == LightContent::Kind::transfer)

@@ -1,4 +1,5 @@
-// The texels of a lattice as points of the path tracer: position, own isovalue, B-spline normal.
+// The texels of a lattice as points of the path tracer: position, isovalue (its own, or the lattice's),
+// B-spline normal.
 #pragma once
 
 #include <memory>
@@ -11,8 +12,8 @@ class LatticeEstimator : public TexelEstimator {
  public:
   LatticeEstimator(std::shared_ptr<const LightScene> light, const LatticeGeometry& geometry, LightPart part);
   LightContent content() const override;
-  void normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const override;
-  bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
+  void points(std::span<const glm::ivec3> texels, std::span<TexelPoint> points) const override;
+  bool add(std::span<const glm::ivec3> texels, std::span<const TexelPoint> points, SampleRange range,
            std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const override;
 
  private:

@@ -113,21 +113,21 @@ Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size,
   return texture;
 }
 
-std::vector<float> Texture::readFloats(int channels) const {
+std::vector<float> Texture::readFloats(int channels, const volume::Rectangle& part) const {
   constexpr GLenum formats[] = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
-  const std::size_t count = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
-                            static_cast<std::size_t>(channels);
+  const std::size_t row = static_cast<std::size_t>(part.size.x) * static_cast<std::size_t>(channels);
+  const std::size_t count = row * static_cast<std::size_t>(part.size.y);
   base::machineMemory().check(count * sizeof(float), "a copy of the picture", kSmallerPicture);
   std::vector<float> values(count);
   gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
   // Sizes are 32 bits for GL: rows at a time.
   constexpr std::size_t most = std::size_t{1} << 28;  // bytes
-  const std::size_t row = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(channels);
   const int rows = static_cast<int>(std::max<std::size_t>(most / (row * sizeof(float)), 1));
-  for (int y = 0; y < size_.y; y += rows) {
-    const int part = std::min(rows, size_.y - y);
-    gl().GetTextureSubImage(id(), 0, 0, y, 0, size_.x, part, 1, formats[channels], GL_FLOAT,
-                            static_cast<GLsizei>(row * static_cast<std::size_t>(part) * sizeof(float)),
+  for (int y = 0; y < part.size.y; y += rows) {
+    const int height = std::min(rows, part.size.y - y);
+    gl().GetTextureSubImage(id(), 0, part.low.x, part.low.y + y, 0, part.size.x, height, 1, formats[channels],
+                            GL_FLOAT,
+                            static_cast<GLsizei>(row * static_cast<std::size_t>(height) * sizeof(float)),
                             &values[static_cast<std::size_t>(y) * row]);
   }
   return values;

@@ -16,6 +16,7 @@
 
 #include "base/memory_budget.h"
 #include "render/gl/gl.h"
+#include "volume/cast/picture_area.h"
 
 namespace isolux::render {
 
@@ -63,7 +64,10 @@ class Texture : public GlObject<deleteTexture> {
   glm::ivec3 size() const { return size_; }
   std::size_t bytes() const { return bytes_; }
   // The whole image as floats, `channels` interleaved, bottom row first.
-  std::vector<float> readFloats(int channels) const;
+  std::vector<float> readFloats(int channels) const {
+    return readFloats(channels, {glm::ivec2(0), glm::ivec2(size_)});
+  }
+  std::vector<float> readFloats(int channels, const volume::Rectangle& part) const;
 
  private:
   Texture(GlPtr gl, GLuint id, glm::ivec3 size, std::size_t bytes)

@@ -1,6 +1,7 @@
 #include "render/gl/image_pool.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace isolux::render {
 
@@ -22,6 +23,7 @@ Target& ImagePool::make(const GlPtr& gl, const std::string& name, glm::ivec2 siz
   for (const GLenum format : formats) target.images.push_back(Texture::make2D(gl, format, size));
   for (const Texture& image : target.images) colors.push_back(&image);
   target.framebuffer = Framebuffer(gl, colors);
+  target.drawn = volume::PictureArea::whole(size);
   return entries_.emplace(name, Entry{size, formats, std::move(target)}).first->second.target;
 }
 
@@ -30,6 +32,10 @@ const Target& ImagePool::at(const std::string& name) const {
   if (found == entries_.end())
     throw std::logic_error("images of " + name + " are read, but were never drawn");
   return found->second.target;
+}
+
+Target& ImagePool::at(const std::string& name) {
+  return const_cast<Target&>(std::as_const(*this).at(name));
 }
 
 std::size_t ImagePool::bytesOf(const std::string& name) const {

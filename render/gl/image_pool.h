@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gl/gl_objects.h"
+#include "volume/cast/picture_area.h"
 
 namespace isolux::render {
 
@@ -14,6 +15,8 @@ namespace isolux::render {
 struct Target {
   std::vector<Texture> images;
   Framebuffer framebuffer;
+  volume::PictureArea
+      drawn;  // beyond it, they are known to hold what stands for nothing; of new ones nothing is known
   std::size_t bytes() const;
 };
 
@@ -24,6 +27,7 @@ class ImagePool {
   Target& make(const GlPtr& gl, const std::string& name, glm::ivec2 size, const std::vector<GLenum>& formats);
   // What make() has made. Throws std::logic_error where it has not.
   const Target& at(const std::string& name) const;
+  Target& at(const std::string& name);
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
 
   void drop(const std::string& name) { entries_.erase(name); }

@@ -134,10 +134,4 @@ struct LinearImage {
   std::vector<float> rgba;  // row 0 is the top row
 };
 
-// The surface point under a pixel.
-struct Pick {
-  glm::dvec3 worldMm{0.0}, voxel{0.0};
-  double value = 0.0;  // data units
-};
-
 }  // namespace isolux::render

@@ -27,8 +27,9 @@ struct FrameState;
 
 // Which passes of a frame the processor computes instead of shaders (render/passes/processor.h).
 struct OnProcessor {
-  bool casts = false, derives = false;
-  // No pass of the frame reads voxels or blocks on the graphics card: nothing of the volume is uploaded.
+  bool casts = false;
+  // Derivatives and shadows too: no pass of the frame reads voxels or blocks on the graphics card, and
+  // nothing of the volume is uploaded.
   bool all = false;
 };
 
@@ -43,12 +44,12 @@ inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refin
 
 // What passes write. Those that are drawn are kept under these names (render/gl/image_pool.h).
 namespace image {
-inline constexpr const char *activeBlocks = "active blocks", *faces = "block faces",
-                            *segments = "ray segments", *bricks = "resident bricks", *bracket = "brackets",
-                            *surface = "surface points", *gradient = "gradients", *hessian = "Hessians",
-                            *curvature = "curvatures", *ranges = "curvature ranges", *shadow = "shadows",
-                            *flowField = "flow fields", *flow = "streaks", *light = "stored light",
-                            *irradiance = "irradiances", *front = "front colour", *color = "colour",
+inline constexpr const char *activeBlocks = "active blocks", *segments = "ray segments",
+                            *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
+                            *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
+                            *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
+                            *flow = "streaks", *light = "stored light", *irradiance = "irradiances",
+                            *front = "front colour", *color = "colour", *background = "background",
                             *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }

@@ -1,16 +1,10 @@
 #include "render/light/light_atlas.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 #include <tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-
-#include "render/constants.h"
-#include "render/light/isovalues_about.h"
-#include "volume/field/reconstruct.h"
 
 namespace isolux::render {
 
@@ -19,11 +13,16 @@ namespace {
 constexpr std::size_t kFirstSlots = 64;
 constexpr std::size_t kTogether = 64;               // blocks packed at a time
 constexpr std::size_t kWorkOfFilteredTransfer = 4;  // packing its block takes so many times as long
-// A texel with this many paths, or all that are wanted, has its whole weight.
-constexpr std::uint32_t kPathsOfFullWeight = 16;
 
 const gi::LightContent* contentOf(const std::shared_ptr<const gi::LightLattice>& lattice) {
   return lattice ? &lattice->content() : nullptr;
+}
+
+using Lattice = std::shared_ptr<const gi::LightLattice>;
+
+// Whether the light that was there can be seen until that of `lattice` comes.
+bool standsIn(const Lattice& before, const Lattice& lattice, const Lattice& was, const Lattice& wasBefore) {
+  return lattice == was || (before && (before == was || before == wasBefore));
 }
 
 }  // namespace
@@ -56,23 +55,34 @@ bool LightAtlas::setSource(const Source& source) {
       lightTexelLayout(contentOf(sky), contentOf(lamps), basis.get(), source.precision, source.isovalues);
   if (layout.sky == LightPacking::none) sky = nullptr;
   const std::uint32_t wantedBefore = source_.light ? source_.light->samplesWanted : 0;
+  const gi::OpenSky openSky = light ? gi::OpenSky(light->irradianceSh) : gi::OpenSky();
   const bool same = layout == layout_ && sky == sky_ && lamps == lamps_ && basis == basis_ &&
                     source.grid == source_.grid && source.filtered == source_.filtered &&
+                    (!source.filtered || openSky.nearly(openSky_)) &&
                     (!light || light->samplesWanted == wantedBefore);
+  const bool follows = layout == layout_ && !basis && source.grid == source_.grid &&
+                       source.filtered == source_.filtered && openSky.nearly(openSky_) && light &&
+                       light->samplesWanted == wantedBefore &&
+                       standsIn(light->skyBefore, sky, sky_, skyBefore_) &&
+                       standsIn(light->lampsBefore, lamps, lamps_, lampsBefore_);
   const bool moreRoom = source.budgetBytes > source_.budgetBytes;
   const bool tooMuch = source.budgetBytes < texels_.bytes();
   source_ = source;
-  if (same && !tooMuch) {
+  if ((same || follows) && !tooMuch) {
+    const bool others = follow(sky, lamps);
     if (moreRoom)
       for (const std::uint32_t block : left_) queue(block);
     const bool grows = moreRoom && !left_.empty();
     if (moreRoom) left_.clear();
-    return grows;
+    return grows || others;
   }
   layout_ = layout;
   sky_ = std::move(sky);
   lamps_ = std::move(lamps);
   basis_ = std::move(basis);
+  openSky_ = openSky;
+  skyBefore_ = light ? light->skyBefore : nullptr;
+  lampsBefore_ = light ? light->lampsBefore : nullptr;
   if (layout_.stores()) geometry_ = (sky_ ? sky_ : lamps_)->geometry();
   start();
   return true;
@@ -91,6 +101,33 @@ void LightAtlas::start() {
   pages_.setData(slots_.data(), slots_.size() * sizeof(std::uint32_t));
   pagesTexture_ = BufferTexture(pages_, GL_R32UI);
   reserve(1);
+  queueBefore();
+}
+
+// The lattices of another isovalue whose light is to be seen until they are lit; true if anything is new.
+// What is resident stays until its block is uploaded anew.
+bool LightAtlas::follow(const std::shared_ptr<const gi::LightLattice>& sky,
+                        const std::shared_ptr<const gi::LightLattice>& lamps) {
+  const gi::PictureLight* const light = source_.light.get();
+  const auto skyBefore = light ? light->skyBefore : nullptr;
+  const auto lampsBefore = light ? light->lampsBefore : nullptr;
+  if (sky == sky_ && lamps == lamps_ && skyBefore == skyBefore_ && lampsBefore == lampsBefore_) return false;
+  sky_ = sky;
+  lamps_ = lamps;
+  skyBefore_ = skyBefore;
+  lampsBefore_ = lampsBefore;
+  geometry_ = (sky_ ? sky_ : lamps_)->geometry();
+  skySeen_ = lampsSeen_ = 0;
+  for (std::uint32_t block = 0; block < slots_.size(); ++block)
+    if (slots_[block] != 0) queue(block);
+  queueBefore();
+  return true;
+}
+
+void LightAtlas::queueBefore() {
+  for (const auto& lattice : {skyBefore_, lampsBefore_})
+    if (lattice)
+      for (const std::uint32_t block : lattice->changedSince(0)) queue(block);
 }
 
 void LightAtlas::collect() {
@@ -129,62 +166,6 @@ void LightAtlas::queueNeighbours(std::uint32_t block) {
   }
 }
 
-float LightAtlas::isovalueOf(glm::ivec3 texel) const {
-  const volume::Grid& grid = *source_.grid;
-  double stored;
-  if (geometry_.dims == geometry_.volumeDims)
-    stored = grid.stored(texel.x, texel.y, texel.z);
-  else
-    stored = grid.storedOfValue(volume::sampleTrilinear(grid, geometry_.voxelOf(texel)).value);
-  return static_cast<float>(stored);
-}
-
-std::vector<FilterTexel> LightAtlas::texelsAbout(
-    std::uint32_t block, std::vector<std::shared_ptr<const gi::LatticeBlock>>& kept) const {
-  constexpr int edge = kFilterTexels;
-  std::vector<FilterTexel> texels(static_cast<std::size_t>(edge * edge * edge));
-  const glm::ivec3 first = geometry_.firstTexelOf(block) - 1;
-  IsovaluesAbout isovalues(geometry_, block, [this](glm::ivec3 texel) { return isovalueOf(texel); });
-  std::uint32_t before = ~0u;
-  std::shared_ptr<const gi::LatticeBlock> sky, lamps;
-  const auto light = [](const gi::LightLattice& lattice, const gi::LatticeBlock& from, std::size_t i) {
-    const auto channels = static_cast<std::size_t>(lattice.content().channels);
-    const float* const e = &from.means[i * channels];
-    return channels == 3 ? glm::vec3(e[0], e[1], e[2]) : glm::vec3(e[0]);
-  };
-  for (int i = 0; i < edge * edge * edge; ++i) {
-    const glm::ivec3 step(i % edge, i / edge % edge, i / (edge * edge));
-    const glm::ivec3 texel = glm::clamp(first + step, glm::ivec3(0), geometry_.dims - 1);
-    FilterTexel& out = texels[static_cast<std::size_t>(i)];
-    if (texel != first + step) continue;  // outside: no light of its own
-    const std::uint32_t of = geometry_.blockOf(texel);
-    if (of != before) {
-      sky = sky_ ? sky_->at(of) : nullptr;
-      lamps = lamps_ ? lamps_->at(of) : nullptr;
-      before = of;
-      if (sky) kept.push_back(sky);
-    }
-    const auto at = static_cast<std::size_t>(gi::LatticeGeometry::indexInBlock(texel));
-    if (lamps && lamps->samples[at] > 0) {
-      out.normal = lamps->normals[at];
-      out.lampsPaths = static_cast<float>(lamps->samples[at]);
-      out.lamps = light(*lamps_, *lamps, at);
-    }
-    if (sky && sky->samples[at] > 0) {
-      out.normal = sky->normals[at];
-      out.skyPaths = static_cast<float>(sky->samples[at]);
-      if (layout_.sky == LightPacking::codes)
-        out.transfer = &sky->means[at * static_cast<std::size_t>(sky_->content().components())];
-      else
-        out.sky = light(*sky_, *sky, at);
-    }
-    if (out.normal == glm::vec3(0.0f)) continue;
-    out.isovalue = isovalues.at(texel);
-    out.shape = isovalues.shapeAt(texel);
-  }
-  return texels;
-}
-
 bool LightAtlas::reserve(std::size_t slots) {
   if (slots <= capacity_) return true;
   const std::size_t most = mostSlots();
@@ -201,65 +182,6 @@ bool LightAtlas::reserve(std::size_t slots) {
   return true;
 }
 
-bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
-  const std::shared_ptr<const gi::LatticeBlock> sky = sky_ ? sky_->at(block) : nullptr;
-  const std::shared_ptr<const gi::LatticeBlock> lamps = lamps_ ? lamps_->at(block) : nullptr;
-  if (!sky && !lamps) return false;
-  const std::uint32_t whole = std::clamp(source_.light->samplesWanted, 1u, kPathsOfFullWeight);
-  // A texel without a normal counts as baked, with no light: nothing better will come.
-  const auto fraction = [&](const gi::LatticeBlock* from, std::size_t i) {
-    if (!from) return 0.0f;
-    if (from->unlit[i]) return 1.0f;
-    return std::min(1.0f, static_cast<float>(from->samples[i]) / static_cast<float>(whole));
-  };
-  const int stride = layout_.words();
-  std::vector<FilterTexel> smooth;
-  std::vector<float> smoothTransfer;
-  if (source_.filtered) {
-    std::vector<std::shared_ptr<const gi::LatticeBlock>> kept;
-    const std::vector<FilterTexel> texels = texelsAbout(block, kept);
-    if (layout_.sky != LightPacking::codes || lamps_) smooth = filterBlock(texels);
-    if (layout_.sky == LightPacking::codes)
-      smoothTransfer = filterTransfer(texels, static_cast<std::size_t>(sky_->content().components()));
-  }
-  for (std::size_t i = 0; i < gi::kTexelsOfBlock; ++i) {
-    std::uint32_t* const out = words + i * static_cast<std::size_t>(stride);
-    std::fill_n(out, stride, 0u);
-    const float skyPart = fraction(sky.get(), i), lampsPart = fraction(lamps.get(), i);
-    if (skyPart == 0.0f && lampsPart == 0.0f) continue;
-    const bool skyLit = sky && sky->samples[i] > 0, lampsLit = lamps && lamps->samples[i] > 0;
-    const glm::vec3 normal = skyLit ? sky->normals[i] : lampsLit ? lamps->normals[i] : glm::vec3(0.0f);
-    out[0] = packTexelState(normal, skyPart, lampsPart);
-    std::uint32_t* next = out + 1;
-    if (sky_) {
-      const gi::LightContent& content = sky_->content();
-      const std::size_t first = i * static_cast<std::size_t>(content.components());
-      if (skyLit)
-        packLight(layout_.sky,
-                  !smoothTransfer.empty() ? &smoothTransfer[first]
-                  : !smooth.empty()       ? &smooth[i].sky[0]
-                                          : &sky->means[first],
-                  content, basis_.get(), next);
-      next += layout_.wordsOf(layout_.sky);
-    }
-    if (lamps_) {
-      const gi::LightContent& content = lamps_->content();
-      if (lampsLit && source_.filtered)
-        packLight(layout_.lamps, &smooth[i].lamps[0], content, nullptr, next);
-      else if (lampsLit)
-        packLight(layout_.lamps, &lamps->means[i * static_cast<std::size_t>(content.components())], content,
-                  nullptr, next);
-      next += layout_.wordsOf(layout_.lamps);
-    }
-    if (layout_.isovalue) {
-      const float isovalue = isovalueOf(geometry_.texelOf(block, static_cast<int>(i)));
-      const float value = std::isfinite(isovalue) ? isovalue : missingTexel;
-      std::memcpy(next, &value, sizeof value);
-    }
-  }
-  return true;
-}
-
 void LightAtlas::upload(const std::vector<std::uint32_t>& blocks) {
   const std::size_t wordsOfSlot = slotBytes() / sizeof(std::uint32_t);
   std::vector<std::uint32_t> words(blocks.size() * wordsOfSlot);
@@ -267,8 +189,11 @@ void LightAtlas::upload(const std::vector<std::uint32_t>& blocks) {
   tbb::parallel_for(std::size_t{0}, blocks.size(),
                     [&](std::size_t i) { lit[i] = pack(blocks[i], &words[i * wordsOfSlot]) ? 1 : 0; });
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (!lit[i]) continue;  // cleared meanwhile
     std::uint32_t& slot = slots_[blocks[i]];
+    if (!lit[i]) {  // cleared meanwhile, or of an isovalue long gone: zeros
+      if (slot != 0) texels_.write((slot - 1) * slotBytes(), &words[i * wordsOfSlot], slotBytes());
+      continue;
+    }
     if (slot == 0) {
       if (!reserve(used_ + 1)) {
         left_.insert(blocks[i]);

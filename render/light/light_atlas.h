@@ -13,6 +13,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "gi/harmonics/open_sky.h"
 #include "gi/picture_light.h"
 #include "render/gl/gl_objects.h"
 #include "render/light/light_filter.h"
@@ -31,7 +32,8 @@ class LightAtlas {
     std::shared_ptr<const gi::PictureLight> light;  // null: nothing
     scene::GiPrecision precision = scene::GiPrecision::r11g11b10;
     bool isovalues = false;
-    bool filtered = false;  // light without its noise (render/light/light_filter.h)
+    // Light without its noise (render/light/light_filter.h); the sky's irradiance as parts of gi::OpenSky.
+    bool filtered = false;
     std::shared_ptr<const volume::Grid> grid;
     std::size_t budgetBytes = 0;
   };
@@ -40,6 +42,8 @@ class LightAtlas {
   const LightTexelLayout& layout() const { return layout_; }
   const gi::LatticeGeometry& geometry() const { return geometry_; }
   const std::shared_ptr<const volume::Grid>& grid() const { return source_.grid; }
+  bool holdsPartsOfOpenSky() const { return source_.filtered && storesSkyIrradiance(); }
+  const gi::OpenSky& openSky() const { return openSky_; }
 
   // Uploads what has changed, at most `limitBytes` but at least one block (0: all of it). Throws
   // base::Error{memory}.
@@ -55,7 +59,13 @@ class LightAtlas {
   std::size_t uploaded() const { return uploaded_; }        // by the last update()
 
  private:
+  bool storesSkyIrradiance() const {
+    return layout_.sky != LightPacking::none && layout_.sky != LightPacking::codes;
+  }
   void start();  // empty
+  bool follow(const std::shared_ptr<const gi::LightLattice>& sky,
+              const std::shared_ptr<const gi::LightLattice>& lamps);
+  void queueBefore();
   void collect();
   void queue(std::uint32_t block);
   void queueNeighbours(std::uint32_t block);
@@ -74,7 +84,9 @@ class LightAtlas {
   LightTexelLayout layout_;
   gi::LatticeGeometry geometry_;
   std::shared_ptr<const gi::LightLattice> sky_, lamps_;
+  std::shared_ptr<const gi::LightLattice> skyBefore_, lampsBefore_;  // gi::PictureLight
   std::shared_ptr<const gi::TransferBasis> basis_;
+  gi::OpenSky openSky_;
   std::uint64_t skySeen_ = 0, lampsSeen_ = 0;  // revisions
   std::deque<std::uint32_t> queue_;            // blocks that wait for their upload, each once
   std::unordered_set<std::uint32_t> queued_, left_;

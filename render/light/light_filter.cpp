@@ -1,16 +1,19 @@
 #include "render/light/light_filter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
+
+#include "base/color.h"
 
 namespace isolux::render {
 
 namespace {
 
-constexpr float kDistance = 0.6f, kIsovalueDistance = 0.5f;  // texels
+constexpr float kDistance = 0.8f, kIsovalueDistance = 0.5f;  // texels
+constexpr float kErrors = 3.0f;                              // standard errors
+constexpr float kNothing = 50.0f;                            // a Gaussian of this exponent
 constexpr float kKink = 0.7f;                                // halves the weight
 constexpr float kLeastTrust = 1e-12f;
 constexpr float kLeastPart = 1e-4f;  // of a transfer vector: less is not worth its time
@@ -20,15 +23,13 @@ std::size_t at(int x, int y, int z) {
   return static_cast<std::size_t>(index);
 }
 
-// Weights by distance, of 0 to 3 axes that differ by one texel.
-const std::array<float, 4>& distanceWeights() {
-  static const std::array<float, 4> weights = [] {
-    std::array<float, 4> w{};
-    for (std::size_t axes = 0; axes < w.size(); ++axes)
-      w[axes] = std::exp(-static_cast<float>(axes) / (2.0f * kDistance * kDistance));
-    return w;
-  }();
-  return weights;
+// How far the difference of two estimates may be their noise, 0 to 1.
+float likeness(glm::vec3 light, float paths, glm::vec3 otherLight, float otherPaths) {
+  if (paths == 0.0f || otherPaths == 0.0f) return 1.0f;
+  const float a = base::luminance(light);
+  const float b = base::luminance(otherLight);
+  const float variance = kErrors * kErrors * (a * a / paths + b * b / otherPaths);
+  return variance > 0.0f ? std::exp(-std::min(0.5f * (a - b) * (a - b) / variance, kNothing)) : 1.0f;
 }
 
 // How much each texel's light is to be believed: at most 1, and never nothing.
@@ -44,16 +45,16 @@ std::vector<float> trustIn(const std::vector<FilterTexel>& texels) {
   return trust;
 }
 
-// What a neighbour counts, but for its paths and trust; `squared` is its distance.
-float weightOf(const FilterTexel& own, const FilterTexel& other, int squared) {
+// What a neighbour counts, but for its paths and trust.
+float weightOf(const FilterTexel& own, const FilterTexel& other) {
   const float cosine = glm::dot(own.normal, other.normal);
   if (cosine <= 0.0f) return 0.0f;
   // Between a plateau and a slope the slope says how far apart isosurfaces are.
   const float steepness = std::max({own.shape.steepness, other.shape.steepness, 1e-37f});
   const float off = (other.isovalue - own.isovalue) / (steepness * kIsovalueDistance);
-  const float c2 = cosine * cosine, c4 = c2 * c2;
-  return distanceWeights()[static_cast<std::size_t>(squared)] * c4 * c4 *
-         std::exp(-0.5f * std::min(off * off, 100.0f));
+  const glm::vec3 way = (other.place - own.place) / kDistance;
+  const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4;
+  return c8 * c8 * std::exp(-std::min(0.5f * (glm::dot(way, way) + off * off), kNothing));
 }
 
 // A texel, and what itself and each of its neighbours counts.
@@ -69,9 +70,8 @@ Neighbourhood neighbourhoodOf(const std::vector<FilterTexel>& texels, const std:
   for (int n = 0; n < 27; ++n) {
     const glm::ivec3 step = glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
     const std::size_t i = at(texel.x + step.x, texel.y + step.y, texel.z + step.z);
-    const int squared = step.x * step.x + step.y * step.y + step.z * step.z;
     result.texels[static_cast<std::size_t>(n)] = &texels[i];
-    result.weights[static_cast<std::size_t>(n)] = trust[i] * weightOf(*result.own, texels[i], squared);
+    result.weights[static_cast<std::size_t>(n)] = trust[i] * weightOf(*result.own, texels[i]);
   }
   return result;
 }
@@ -83,7 +83,11 @@ FilterTexel filtered(const Neighbourhood& around) {
   result.sky = result.lamps = glm::vec3(0.0f);
   for (std::size_t n = 0; n < around.texels.size(); ++n) {
     const FilterTexel& other = *around.texels[n];
-    const float sky = around.weights[n] * other.skyPaths, lamps = around.weights[n] * other.lampsPaths;
+    if (around.weights[n] == 0.0f) continue;
+    const float sky =
+        around.weights[n] * other.skyPaths * likeness(own.sky, own.skyPaths, other.sky, other.skyPaths);
+    const float lamps = around.weights[n] * other.lampsPaths *
+                        likeness(own.lamps, own.lampsPaths, other.lamps, other.lampsPaths);
     skyWeight += sky;
     result.sky += sky * other.sky;
     lampsWeight += lamps;

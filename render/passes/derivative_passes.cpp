@@ -19,14 +19,20 @@ bool hessianIsRead(const Asked& asked) {
          std::any_of(images.begin(), images.end(), readsHessian);
 }
 
-void drawDerivatives(FrameState& frame, const Target& target, const char* shader, bool hessian) {
-  if (frame.onProcessor.derives) {
-    deriveOnProcessor(frame, target.images);
+void clearAll(FrameState& frame, Target& target) {
+  if (target.images.size() == 1)
+    frame.clear(target, {kZero});
+  else
+    frame.clear(target, {kZero, kZero, kZero});
+}
+
+void drawDerivatives(FrameState& frame, Target& target, const char* shader, bool hessian) {
+  if (frame.onProcessor.all) {
+    deriveOnProcessor(frame, target);
     return;
   }
-  frame.begin(target);
-  for (std::size_t i = 0; i < target.images.size() && !frame.keepHits; ++i)
-    frame.clear(target, static_cast<int>(i), kZero);
+  // In bricks, what was drawn in an earlier round of the frame stays.
+  if (frame.empty() || (frame.bricks() && !frame.keepHits)) clearAll(frame, target);
   if (frame.empty()) return;
   const scene::Derivatives& settings = frame.scene->derivatives;
   std::string defines = hessian ? "#define HESSIAN\n" : "";
@@ -39,14 +45,14 @@ void drawDerivatives(FrameState& frame, const Target& target, const char* shader
   const glm::dmat3 linear(frame.volume->grid().geometry().worldFromVoxel);
   p.set("uInverseTransposed", glm::mat3(glm::transpose(glm::inverse(linear))));
   p.set("uDataUnits", static_cast<float>(frame.volume->dataUnitsPerTexel()));
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p);
 }
 
 }  // namespace
 
 void GradientPass::declare(Declaring& d) const {
   d.reads(image::surface).volume().settings({"derivatives.field", "derivatives.fetch"});
-  d.input("executor", d.asked.onProcessor.derives);
+  d.input("executor", d.asked.onProcessor.all);
   if (hessianIsRead(d.asked))
     d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
   else
@@ -65,7 +71,7 @@ void GradientPass::run(FrameState& frame) {
 void HessianPass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::hessian);
   d.volume().settings({"derivatives.field", "derivatives.fetch"});
-  d.input("executor", d.asked.onProcessor.derives);
+  d.input("executor", d.asked.onProcessor.all);
   if (hessianIsRead(d.asked)) d.writes(image::gradient);
 }
 
@@ -88,11 +94,11 @@ std::optional<LookInput> CurvaturePass::forLook(const scene::Scene& scene) const
 }
 
 void CurvaturePass::run(FrameState& frame) {
-  const Target& target = frame.target(image::curvature, {GL_RGBA32F, GL_RGBA32F});
-  frame.begin(target);
-  frame.clear(target, 0, kZero);
-  frame.clear(target, 1, kZero);
-  if (frame.empty()) return;
+  Target& target = frame.target(image::curvature, {GL_RGBA32F, GL_RGBA32F});
+  if (frame.empty()) {
+    frame.clear(target, {kZero, kZero});
+    return;
+  }
   Program& p = frame.program(shader);
   p.setTexture("uGradient", 0, frame.image(image::hessian, 0));
   p.setTexture("uHessianDiagonal", 1, frame.image(image::hessian, 1));
@@ -103,7 +109,7 @@ void CurvaturePass::run(FrameState& frame) {
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p);
 }
 
 }  // namespace isolux::render

@@ -12,7 +12,7 @@ class GradientPass : public Pass {
   void declare(Declaring& d) const override;
   std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
-  bool isOn(const OnProcessor& on) const override { return on.derives; }
+  bool isOn(const OnProcessor& on) const override { return on.all; }
 };
 
 // The same with the world Hessian, from the same samples: runs instead where second derivatives are read.
@@ -22,7 +22,7 @@ class HessianPass : public Pass {
   void declare(Declaring& d) const override;
   void run(FrameState& frame) override;
   std::optional<std::size_t> bytes(const FrameState& frame) const override;
-  bool isOn(const OnProcessor& on) const override { return on.derives; }
+  bool isOn(const OnProcessor& on) const override { return on.all; }
 };
 
 // Principal curvatures, first direction, confidence.

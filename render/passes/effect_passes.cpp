@@ -30,6 +30,7 @@ void ShadowPass::declare(Declaring& d) const {
   std::array<bool, scene::kExtraIsosurfaces> opaque{};
   for (std::size_t i = 0; i < opaque.size(); ++i) opaque[i] = s.extraIsosurfaces[i].opacity >= 1.0;
   d.input("what is opaque", s.isosurface.opacity >= 1.0, opaque);
+  d.input("executor", d.asked.onProcessor.all);
 }
 
 std::optional<LookInput> ShadowPass::forLook(const scene::Scene& scene) const {
@@ -38,10 +39,18 @@ std::optional<LookInput> ShadowPass::forLook(const scene::Scene& scene) const {
 }
 
 void ShadowPass::run(FrameState& frame) {
-  const Target& target = frame.target(image::shadow, {GL_R8});
-  frame.begin(target);
-  frame.clear(target, 0, kZero);
-  if (frame.empty()) return;
+  Target& target = frame.target(image::shadow, {GL_R8});
+  if (frame.empty()) {
+    frame.clear(target, {kZero});
+    return;
+  }
+  int opaque = 0;
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
+    if (frame.surfaces[i].opacity >= 1.0) opaque |= 1 << i;
+  if (frame.onProcessor.all) {
+    shadowOnProcessor(frame, target, opaque);
+    return;
+  }
   const scene::Hit& hit = frame.scene->hit;
   std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
   if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
@@ -51,11 +60,8 @@ void ShadowPass::run(FrameState& frame) {
   frame.setPoint(p, 4);
   p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));
   p.set("uLight", glm::vec3(frame.towardLight()));
-  int opaque = 0;
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
-    if (frame.surfaces[i].opacity >= 1.0) opaque |= 1 << i;
   p.set("uOpaqueBits", opaque);
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p);
 }
 
 void FlowFieldPass::declare(Declaring& d) const {
@@ -65,11 +71,11 @@ void FlowFieldPass::declare(Declaring& d) const {
 }
 
 void FlowFieldPass::run(FrameState& frame) {
-  const Target& target = frame.target(image::flowField, {GL_RGBA32F, GL_RGBA16F});
-  frame.begin(target);
-  frame.clear(target, 0, kNoField);
-  frame.clear(target, 1, kZero);
-  if (frame.empty()) return;
+  Target& target = frame.target(image::flowField, {GL_RGBA32F, GL_RGBA16F});
+  if (frame.empty()) {
+    frame.clear(target, {kNoField, kZero});
+    return;
+  }
   const scene::Flow& flow = frame.scene->flow;
   Program& p =
       frame.program(shader, flow.direction == scene::FlowDirection::minimum ? "#define MINIMUM\n" : "");
@@ -78,7 +84,7 @@ void FlowFieldPass::run(FrameState& frame) {
   p.setTexture("uKappa", 3, frame.image(image::curvature, 0));
   p.setTexture("uDirection", 4, frame.image(image::curvature, 1));
   p.set("uGrain", static_cast<float>(flow.grain * frame.raysPerWidth()));
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p);
 }
 
 void FlowPass::declare(Declaring& d) const {
@@ -94,8 +100,7 @@ std::optional<LookInput> FlowPass::forLook(const scene::Scene& scene) const {
 }
 
 void FlowPass::run(FrameState& frame) {
-  const Target& target = frame.target(image::flow, {GL_R16F});
-  frame.begin(target);
+  Target& target = frame.target(image::flow, {GL_R16F});
   const scene::Flow& flow = frame.scene->flow;
   const double raysPerPixel = frame.raysPerWidth(), grain = flow.grain * raysPerPixel;
   // Steps of half a grain miss nothing; long streaks of fine grain take at most 128 a way.
@@ -111,7 +116,7 @@ void FlowPass::run(FrameState& frame) {
   p.set("uStep", static_cast<float>(step));
   p.set("uGrain", static_cast<float>(grain));
   p.set("uPhase", static_cast<float>(2.0 * std::numbers::pi * phaseOf(flow)));
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p);
 }
 
 }  // namespace isolux::render

@@ -12,6 +12,7 @@ class ShadowPass : public Pass {
   void declare(Declaring& d) const override;
   std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
+  bool isOn(const OnProcessor& on) const override { return on.all; }
 };
 
 // The direction of the flow on screen, and noise on the surface.

@@ -65,38 +65,89 @@ void FrameState::begin(const Target& target, glm::ivec2 size) const {
   drawing_ = size;
 }
 
-void FrameState::clear(const Target& target, int image, const float (&value)[4]) const {
-  gl->ClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, image, value);
+void FrameState::clear(Target& target, std::initializer_list<const float*> values) const {
+  GLint image = 0;
+  for (const float* const value : values)
+    gl->ClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, image++, value);
+  target.drawn = volume::PictureArea(glm::ivec2(target.images[0].size()));
 }
 
 void FrameState::drawFullscreen(const Program& program) const {
-  gl->UseProgram(program.id());
-  gl->BindVertexArray(emptyArray_.id());
-  const bool inBricks = volume && !onProcessor.all && volume->bricks();  // these have a scissor of their own
-  if (gl->software && request.stop.stop_possible() && !inBricks)
-    drawInBands();
-  else
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+  drawRectangles(program, {{glm::ivec2(0), drawing_}});
 }
 
-void FrameState::drawInBands() const {
-  using Clock = std::chrono::steady_clock;
+// Parts of one triangle: two for each rectangle would shade the pixels along its diagonal twice.
+void FrameState::drawRectangles(const Program& program,
+                                const std::vector<volume::Rectangle>& rectangles) const {
+  gl->UseProgram(program.id());
+  gl->BindVertexArray(emptyArray_.id());
+  drawParts(rectangles, [this] { gl->DrawArrays(GL_TRIANGLES, 0, 3); });
+}
+
+void FrameState::drawStarts(const Program& program) const {
+  gl->UseProgram(program.id());
+  drawParts({{glm::ivec2(0), drawing_}}, [this] { starts->draw(); });
+}
+
+void FrameState::drawParts(const Parts& parts, const std::function<void()>& draw) const {
   gl->Enable(GL_SCISSOR_TEST);
-  for (int row = 0, rows = kBandRows; row < drawing_.y;) {
-    const Clock::time_point begin = Clock::now();
-    gl->Scissor(0, row, drawing_.x, std::min(rows, drawing_.y - row));
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
-    gl->Finish();
-    row += rows;
-    rows = nextBand(rows, std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
-    if (request.stop.stop_requested()) break;
+  const bool inBricks = volume && !onProcessor.all && volume->bricks();  // their rounds are drawn to the end
+  if (gl->software && request.stop.stop_possible() && !inBricks) {
+    drawInBands(parts, draw);
+  } else {
+    for (const volume::Rectangle& one : parts)
+      drawPart(raysOfRound ? volume::common(one, *raysOfRound) : one, draw);
   }
   gl->Disable(GL_SCISSOR_TEST);
 }
 
-bool FrameState::drawsAny(const Program& program) {
+void FrameState::drawPart(const volume::Rectangle& part, const std::function<void()>& draw) const {
+  if (part.size.x == 0 || part.size.y == 0) return;
+  gl->Scissor(part.low.x, part.low.y, part.size.x, part.size.y);
+  draw();
+}
+
+void FrameState::drawInBands(const Parts& parts, const std::function<void()>& draw) const {
+  using Clock = std::chrono::steady_clock;
+  int rows = kBandRows, drawn = 0;  // of the band
+  Clock::time_point begin = Clock::now();
+  for (const volume::Rectangle& one : parts)
+    for (int row = 0; row < one.size.y;) {
+      const int now = std::min(rows - drawn, one.size.y - row);
+      drawPart({one.low + glm::ivec2(0, row), {one.size.x, now}}, draw);
+      row += now;
+      drawn += now;
+      if (drawn < rows) continue;
+      gl->Finish();
+      if (request.stop.stop_requested()) return;
+      rows = nextBand(rows, std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+      drawn = 0;
+      begin = Clock::now();
+    }
+}
+
+void FrameState::copy(const Target& from, Target& to) const {
+  volume::PictureArea drawn = from.drawn;
+  drawn.add(to.drawn);
+  for (const volume::Rectangle& part : drawn.rectangles()) {
+    const glm::ivec2 low = part.low, high = part.low + part.size;
+    gl->BlitNamedFramebuffer(from.framebuffer.id(), to.framebuffer.id(), low.x, low.y, high.x, high.y, low.x,
+                             low.y, high.x, high.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  to.drawn = from.drawn;
+}
+
+void FrameState::drawHits(Target& target, const Program& program, const volume::PictureArea& of) const {
+  volume::PictureArea drawn = of;
+  drawn.add(target.drawn);
+  begin(target);
+  drawRectangles(program, drawn.rectangles());
+  target.drawn = request.stop.stop_requested() ? drawn : of;
+}
+
+bool FrameState::drawsAny(const std::function<void()>& draw) {
   gl->BeginQuery(GL_ANY_SAMPLES_PASSED, anySamples_.id());
-  drawFullscreen(program);
+  draw();
   gl->EndQuery(GL_ANY_SAMPLES_PASSED);
   GLuint64 any = 0;
   gl->GetQueryObjectui64v(anySamples_.id(), GL_QUERY_RESULT, &any);

@@ -1,6 +1,7 @@
 // What the passes of one frame share. The renderer owns it; passes keep only what is theirs between frames.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "render/passes/processor.h"
 #include "render/passes/view_uniforms.h"
 #include "render/volume/gpu_volume.h"
+#include "render/volume/ray_starts.h"
 #include "scene/scene.h"
 #include "volume/statistics/curvature_statistics.h"
 
@@ -49,11 +51,13 @@ struct FrameState {
   ImagePool images;
   OnProcessor onProcessor;                 // instead of shaders
   std::map<std::string, HostImages> host;  // of the crossings that the processor found, by their layer
+  std::optional<RayStarts> starts;         // of the rays that shaders cast: the segments pass
   std::vector<Pass*> used;  // the passes that this frame needs, drawn anew or not, in their order
 
   // Rays in bricks (render/volume/brick_rounds.h). onlyWaiting: the cast is of the rays that waited for a
   // brick. keepHits: nothing of the hits is cleared, because what cannot be drawn anew stays.
   bool onlyWaiting = false, keepHits = false;
+  std::optional<volume::Rectangle> raysOfRound;  // all that is drawn; none: everything
 
   // The crossing that is drawn now: "" the first, otherwise one behind (layers pass), and the one before it.
   std::string layer, layerBefore;
@@ -64,12 +68,17 @@ struct FrameState {
   glm::ivec2 drawnSize() const { return request.tile ? request.tile->size : request.size; }
   glm::ivec2 tileOrigin() const { return request.tile ? request.tile->origin : glm::ivec2(0); }
   glm::ivec2 raySize() const { return drawnSize() * request.supersampling; }
+  volume::PictureRays rays() const {
+    return view->rays(request.size * request.supersampling, tileOrigin() * request.supersampling);
+  }
   // Rays per pixel that settings mean: widths and lengths given in pixels are this many rays.
   double raysPerWidth() const { return request.supersampling * request.pixelRatio; }
   // Null: rays of this frame meet no bricks.
   Bricks* bricks() { return volume && !onProcessor.all ? volume->bricks() : nullptr; }
-  bool crossed = true;                                                            // VolumeState::crossed
-  bool empty() const { return !volume || !crossed || volume->faceCount() == 0; }  // no ray can hit anything
+  bool crossed = true;  // VolumeState::crossed
+  bool empty() const {
+    return !volume || !crossed || volume->activeBlocks() == 0;
+  }  // no ray can hit anything
   double outward() const {
     return scene->isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
   }  // times gradient
@@ -81,33 +90,45 @@ struct FrameState {
   const Texture& image(const std::string& name, std::size_t which = 0) const {
     return images.at(name + layer).images[which];
   }
+  // Where the crossing may be seen: rays beyond do not have it.
+  const volume::PictureArea& area() const { return images.at(image::surface + layer).drawn; }
 
   // The gradients of whichever pass wrote them: the first image of the Hessians, or their own.
   bool withGradient = false, withHessian = false;  // they are drawn in this frame
   const Texture& gradientImage() const { return image(withHessian ? image::hessian : image::gradient); }
 
-  // A fullscreen pass: its program (made once for each set of defines; BRICKS is one where the volume is in
-  // bricks), its target, and one triangle over it.
+  // A pass over the picture: its program (made once for each set of defines; BRICKS is one where the volume
+  // is in bricks), its target, and a triangle over all of it, or over rectangles.
   Program& program(const std::string& fragment, const std::string& defines = "");
   void begin(const Target& target) const;
   void begin(const Target& target, glm::ivec2 size) const;
-  void clear(const Target& target, int image, const float (&value)[4]) const;
-  // Once the request is stopped the rest stays undrawn: software rasterisers draw it in bands of a few
+  // Once the request is stopped the rest stays undrawn: software rasterisers draw in bands of a few
   // milliseconds, because a draw call that was begun cannot be left.
   void drawFullscreen(const Program& program) const;
+  void drawRectangles(const Program& program, const std::vector<volume::Rectangle>& rectangles) const;
+  void drawStarts(const Program& program) const;  // only where rays can meet anything: a program with TILES
+  // Fills each of the images with its value.
+  void clear(Target& target, std::initializer_list<const float*> values) const;
+  void copy(const Target& from, Target& to) const;  // their first images
+  // Draws what `program` says of area(), or another area, beyond which it would write what stands for
+  // nothing: there the target is left as it is, or drawn over where it shows what was in another area.
+  void drawHits(Target& target, const Program& program) const { drawHits(target, program, area()); }
+  void drawHits(Target& target, const Program& program, const volume::PictureArea& of) const;
   void setView(Program& program) const;  // the uniforms of common.glsl
   // The uniforms of surface.glsl: surface points, gradients (where there are any) and what is known of the
   // hit, in units `unit` to unit + 2.
   void setPoint(Program& program, int unit) const;
   glm::dvec3 towardLight() const;  // unit, world
   double flatCurvature() const;    // below which a surface counts as flat, 1/mm: volume/field/curvature.h
-  // Draws, and says whether any sample passed.
-  bool drawsAny(const Program& program);
+  bool drawsAny(const std::function<void()>& draw);  // whether any sample passed
   // uIsovalues and uIsovalueShifts, as texels of what `field` is made from.
   void setIsovalues(Program& program, scene::Field field) const;
 
  private:
-  void drawInBands() const;
+  using Parts = std::vector<volume::Rectangle>;
+  void drawParts(const Parts& parts, const std::function<void()>& draw) const;
+  void drawInBands(const Parts& parts, const std::function<void()>& draw) const;
+  void drawPart(const volume::Rectangle& part, const std::function<void()>& draw) const;
 
   mutable glm::ivec2 drawing_{0};  // pixels of what begin() was told of
   VertexArray emptyArray_;

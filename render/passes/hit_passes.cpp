@@ -1,58 +1,44 @@
 #include "render/passes/hit_passes.h"
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vector_relational.hpp>
 
 namespace isolux::render {
 
 namespace {
 
-constexpr float kNever = 1e30f;
 constexpr float kNoBracket[4] = {1.0f, 0.0f, 0.0f, 0.0f};
 constexpr float kNoSurface[4] = {0.0f, 0.0f, 0.0f, -1.0f};
-
-// An eye inside an active block sees no face where its rays start: they start at the eye.
-bool eyeInActiveBlock(const FrameState& frame) {
-  const volume::MinMaxBlocks& blocks = frame.volume->blocks();
-  const glm::ivec3 dims = frame.volume->grid().dims();
-  const glm::dvec3 last(dims - 1), eye = frame.view->eyeVoxel;
-  constexpr double margin = 0.1;  // voxels: an eye on a face counts as inside
-  if (!glm::all(glm::greaterThan(eye, glm::dvec3(-margin))) || !glm::all(glm::lessThan(eye, last + margin)))
-    return false;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 offset((corner & 1) ? margin : -margin, (corner & 2) ? margin : -margin,
-                            (corner & 4) ? margin : -margin);
-    const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(eye + offset)), glm::ivec3(0), dims - 2);
-    if (frame.volume->isActive(blocks.index(cell / blocks.blockCells()))) return true;
-  }
-  return false;
-}
 
 bool isExact(const FrameState& frame) {
   return frame.scene->hit.method == scene::HitMethod::exact;
 }
 
+// Else nobody reads how far the field at an exact hit is off, which takes a second look at its cell.
+bool asksValueError(const FrameRequest& request) {
+  return std::find(request.aovs.begin(), request.aovs.end(), Aov::value_error) != request.aovs.end();
+}
+
 // Exact hits are the surface points themselves; sampled ones are brackets yet.
-const Target& castTarget(FrameState& frame) {
+Target& castTarget(FrameState& frame) {
   return isExact(frame) ? frame.target(image::surface, {GL_RGBA32F, GL_RG32F})
                         : frame.target(image::bracket, {GL_RGBA32F});
 }
 
-void clearHits(const FrameState& frame, const Target& target) {
-  frame.clear(target, 0, isExact(frame) ? kNoSurface : kNoBracket);
-  if (isExact(frame)) frame.clear(target, 1, kZero);
+void clearHits(const FrameState& frame, Target& target) {
+  if (isExact(frame))
+    frame.clear(target, {kNoSurface, kZero});
+  else
+    frame.clear(target, {kNoBracket});
 }
 
 }  // namespace
 
 void BlocksPass::declare(Declaring& d) const {
   d.volume().isovalues().settings({"hit.field"}).input("graphics copy of the volume", d.asked.volume.made);
-  d.writes(image::activeBlocks).writes(image::faces);
+  d.writes(image::activeBlocks);
 }
 
 void BlocksPass::run(FrameState& frame) {
@@ -71,44 +57,27 @@ void SegmentsPass::declare(Declaring& d) const {
     d.writes(image::segments).notNeeded("the processor casts the rays");
     return;
   }
-  d.reads(image::activeBlocks).reads(image::faces).writes(image::segments);
+  d.reads(image::activeBlocks).writes(image::segments);
   d.settings({"camera."}).pictureSize();
 }
 
-SegmentsPass::Faces::Faces(const GlPtr& gl, const char* shader)
-    : array(gl), program(gl, "faces.vert.glsl", shader) {
-  gl->EnableVertexArrayAttrib(array.id(), 0);
-  gl->VertexArrayAttribIFormat(array.id(), 0, 1, GL_UNSIGNED_INT, 0);
-  gl->VertexArrayAttribBinding(array.id(), 0, 0);
-  gl->VertexArrayBindingDivisor(array.id(), 0, 1);
+void SegmentsPass::run(FrameState& frame) {
+  if (!frame.starts) frame.starts.emplace(frame.gl);
+  if (frame.empty()) {
+    frame.starts->clear(frame.raySize());
+    return;
+  }
+  GpuVolume& volume = *frame.volume;
+  volume.prepareMasks(frame.scene->hit);
+  const int shift = RayStarts::tileShift(frame.raySize());
+  const volume::BlockMasks blocks{volume.blocks().dims(), volume.masks(), volume.blocks().blockCells()};
+  frame.starts->update(
+      volume::startDepths(frame.rays(), frame.raySize(), volume.grid().dims(), blocks, 1 << shift), shift,
+      frame.raySize());
 }
 
-void SegmentsPass::run(FrameState& frame) {
-  const Target& target = frame.target(image::segments, {GL_R32F});
-  frame.begin(target);
-  const bool atEye = !frame.empty() && !frame.view->orthographic && eyeInActiveBlock(frame);
-  frame.clear(target, 0, {atEye ? 0.0f : kNever, 0.0f, 0.0f, 0.0f});
-  if (frame.empty()) return;
-  if (!faces_) faces_.emplace(frame.gl, shader);
-  const Gl& gl = *frame.gl;
-  Program& p = faces_->program;
-  frame.setView(p);
-  const glm::dmat3 voxelFromCamera(frame.view->rightVoxel, frame.view->upVoxel, frame.view->forwardVoxel);
-  p.set("uCameraFromVoxel", glm::mat3(glm::inverse(voxelFromCamera)));
-  p.set("uBlockCells", frame.volume->blocks().blockCells());
-  p.set("uDims", frame.volume->grid().dims());
-  const glm::dvec2 whole(frame.request.size), part(frame.drawnSize());
-  p.set("uTileScale", glm::vec2(whole / part));
-  p.set("uTileShift", glm::vec2((whole - 2.0 * glm::dvec2(frame.tileOrigin())) / part - 1.0));
-  gl.Enable(GL_BLEND);
-  gl.BlendEquation(GL_MIN);
-  gl.UseProgram(p.id());
-  const GLuint array = faces_->array.id();
-  gl.VertexArrayVertexBuffer(array, 0, frame.volume->faceBuffer().id(), 0, sizeof(PackedFace));
-  gl.BindVertexArray(array);
-  gl.DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(frame.volume->faceCount()));
-  gl.Disable(GL_BLEND);
-  gl.BlendEquation(GL_FUNC_ADD);
+std::optional<std::size_t> SegmentsPass::bytes(const FrameState& frame) const {
+  return frame.starts ? frame.starts->bytes() : 0;
 }
 
 void BricksPass::declare(Declaring& d) const {
@@ -136,20 +105,22 @@ void CastPass::declare(Declaring& d) const {
   d.input("executor", d.asked.onProcessor.casts);
   if (d.asked.onProcessor.casts) return;
   d.reads(image::segments);
+  if (exact) d.input("value error", asksValueError(d.asked.request));
   d.input("volume in bricks", d.asked.bricks.inUse);
   if (d.asked.bricks.inUse) d.reads(image::bricks);
 }
 
 Program& CastPass::program(FrameState& frame, Rays rays) const {
   const scene::Hit& hit = frame.scene->hit;
-  std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
+  std::string defines = "#define TILES\n#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
   if (isExact(frame)) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
   if (rays == Rays::behind) defines += "#define BEHIND\n";
+  if (rays != Rays::behind && asksValueError(frame.request)) defines += "#define VALUE_ERROR\n";
   if (rays == Rays::again) defines += "#define AGAIN\n";
   Program& p = frame.program(shader, defines);
   setTrace(frame, p);
-  p.setTexture("uSegments", 2, frame.images.at(image::segments).images[0]);
+  frame.starts->bind(p, 2);
   if (!isExact(frame)) {
     p.set("uStep", static_cast<float>(1.0 / hit.rate));
     p.set("uNearFactor", static_cast<float>(hit.nearFactor));
@@ -164,29 +135,28 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
 void CastPass::run(FrameState& frame) {
   if (frame.onProcessor.casts) {
     castOnProcessor(frame);
-    if (!frame.layer.empty()) frame.anyBehind = frame.host.at(frame.layer).any;
+    if (!frame.layer.empty()) frame.anyBehind = !frame.area().empty();
     return;
   }
   if (!frame.layer.empty()) {
     castBehind(frame);
     return;
   }
-  const Target& target = castTarget(frame);
+  Target& target = castTarget(frame);
+  if (!frame.onlyWaiting || frame.empty()) clearHits(frame, target);
+  if (frame.empty()) return;
   frame.begin(target);
-  if (frame.empty()) {
-    clearHits(frame, target);
-    return;
-  }
   Program& p = program(frame, frame.onlyWaiting ? Rays::again : Rays::all);
   if (frame.onlyWaiting) {  // each pixel reads only what it wrote itself
     frame.gl->TextureBarrier();
     p.setTexture("uBefore", 4, target.images.back());
   }
-  frame.drawFullscreen(p);
+  frame.drawStarts(p);
+  target.drawn = frame.starts->area();
 }
 
 void CastPass::castBehind(FrameState& frame) const {
-  const Target& target = castTarget(frame);
+  Target& target = castTarget(frame);
   frame.begin(target);
   clearHits(frame, target);
   Program& p = program(frame, Rays::behind);
@@ -194,7 +164,8 @@ void CastPass::castBehind(FrameState& frame) const {
   p.setTexture("uSurface", 4, surface.images[0]);
   p.setTexture("uInfo", 5, surface.images[1]);
   p.setTexture("uColor", 6, frame.images.at(image::color).images[0]);
-  frame.anyBehind = frame.drawsAny(p);
+  frame.anyBehind = frame.drawsAny([&] { frame.drawStarts(p); });
+  target.drawn = surface.drawn;
 }
 
 void RefinePass::declare(Declaring& d) const {
@@ -207,12 +178,9 @@ void RefinePass::declare(Declaring& d) const {
 }
 
 void RefinePass::run(FrameState& frame) {
-  const Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
-  frame.begin(target);
-  if (!frame.keepHits) {
-    frame.clear(target, 0, kNoSurface);
-    frame.clear(target, 1, kZero);
-  }
+  Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
+  // In bricks, what was refined in an earlier round of the frame stays.
+  if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kNoSurface, kZero});
   if (frame.empty()) return;
   const scene::Field field = frame.scene->hit.field;
   Program& p = frame.program(shader, field == scene::Field::trilinear ? "" : "#define CUBIC\n");
@@ -221,18 +189,19 @@ void RefinePass::run(FrameState& frame) {
   frame.setIsovalues(p, field);
   p.setTexture("uBrackets", 2, frame.image(image::bracket));
   p.set("uRefinements", frame.scene->hit.refinements);
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p, frame.images.at(image::bracket + frame.layer).drawn);
 }
 
 bool anyHit(FrameState& frame) {
   if (frame.empty()) return false;
-  if (frame.onProcessor.casts) return frame.host.at("").any;
+  if (frame.onProcessor.casts) return !frame.area().empty();
   const Gl& gl = *frame.gl;
-  frame.begin(frame.images.at(image::segments));  // nothing is written there
-  Program& p = frame.program("any_hit.frag.glsl");
+  frame.begin(frame.images.at(image::surface));  // nothing is written there
+  Program& p = frame.program("any_hit.frag.glsl", "#define TILES\n");
+  frame.starts->bind(p, 2);
   p.setTexture("uSurface", 0, frame.image(image::surface));
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  const bool any = frame.drawsAny(p);
+  const bool any = frame.drawsAny([&] { frame.drawStarts(p); });
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   return any;
 }
@@ -242,9 +211,8 @@ void setTrace(FrameState& frame, Program& p) {
   frame.setView(p);
   frame.volume->bind(p, field);
   frame.setIsovalues(p, field);
-  p.setTexture("uBlockMasks", 3, frame.volume->maskTexture());
+  frame.volume->bindMasks(p, frame.scene->hit, 3);
   p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
-  p.set("uBlockShift", std::countr_zero(static_cast<unsigned>(frame.volume->blocks().blockCells())));
 }
 
 }  // namespace isolux::render

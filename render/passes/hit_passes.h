@@ -5,7 +5,7 @@
 
 namespace isolux::render {
 
-// The active blocks of the isovalues, and the faces between active and inactive ones (object order).
+// The active blocks of the isovalues, and which of their boxes can hold a surface.
 class BlocksPass : public Pass {
  public:
   BlocksPass() : Pass("blocks", "", {}) {}
@@ -14,20 +14,13 @@ class BlocksPass : public Pass {
   std::optional<std::size_t> bytes(const FrameState& frame) const override;
 };
 
-// Where each ray enters the active blocks, by rasterising those faces.
+// Between which depths the rays of each tile can meet anything, by projecting the active blocks.
 class SegmentsPass : public Pass {
  public:
-  SegmentsPass() : Pass("segments", "segments.frag.glsl", {}) {}
+  SegmentsPass() : Pass("segments", "", {}) {}
   void declare(Declaring& d) const override;
   void run(FrameState& frame) override;
-
- private:
-  struct Faces {
-    explicit Faces(const GlPtr& gl, const char* shader);
-    VertexArray array;
-    Program program;
-  };
-  std::optional<Faces> faces_;
+  std::optional<std::size_t> bytes(const FrameState& frame) const override;
 };
 
 // Uploads of the bricks that the rays of the frame before asked for; none in a volume of one texture.

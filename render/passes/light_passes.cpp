@@ -73,6 +73,12 @@ float exposureOf(const scene::Scene& scene, const gi::PictureLight* light) {
   return static_cast<float>(std::exp2(scene.picture.exposure.value_or(automatic)));
 }
 
+void addExposure(Declaring& d) {
+  const bool automatic = !d.asked.scene.picture.exposure && d.asked.acts("picture.exposure");
+  d.settings({"picture.exposure"});
+  d.input("automatic exposure", automatic ? d.asked.light.automaticExposure : 0.0f);
+}
+
 FrameLight::FrameLight(const GlPtr& gl) : atlas_(gl), factors_(gl) {}
 
 void FrameLight::prepare(FrameState& frame, std::size_t budgetBytes) {
@@ -132,7 +138,8 @@ std::string FrameLight::defines(const FrameState& frame) const {
   if (!layout.stores()) return lamps;
   return lamps + "#define STORED\n" + number("SKY", layout.sky) + number("LAMPS", layout.lamps) +
          number("WORDS", layout.words()) + codeDefines(layout) +
-         number("INTERPOLATION", frame.scene->gi.interpolation);
+         number("INTERPOLATION", frame.scene->gi.interpolation) +
+         (atlas_.holdsPartsOfOpenSky() ? "#define PARTS_OF_OPEN_SKY\n" : "");
 }
 
 void FrameLight::setLocalLight(const FrameState& frame, Program& p) const {
@@ -161,6 +168,7 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
           static_cast<float>(geometry.dims[axis] - 1) / static_cast<float>(geometry.volumeDims[axis] - 1);
   p.set("uTexelsPerVoxel", texelsPerVoxel);
   p.set("uSkyScale", frame.light->skyScale);
+  if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());
   glm::vec4 isovalues(0.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
     isovalues[static_cast<int>(i)] =
@@ -243,17 +251,16 @@ std::optional<LookInput> IrradiancePass::forLook(const scene::Scene& scene) cons
 }
 
 void IrradiancePass::run(FrameState& frame) {
-  const Target& target = frame.target(image::irradiance, {GL_RGBA32F});
-  frame.begin(target);
+  Target& target = frame.target(image::irradiance, {GL_RGBA32F});
   if (frame.empty()) {
-    frame.clear(target, 0, kZero);
+    frame.clear(target, {kZero});
     return;
   }
   Program& p = frame.program(shader, frame.lighting->defines(frame));
   frame.setView(p);
   frame.setPoint(p, 0);
   frame.lighting->bind(frame, p);
-  frame.drawFullscreen(p);
+  frame.drawHits(target, p);
 }
 
 }  // namespace isolux::render

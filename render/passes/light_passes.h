@@ -64,5 +64,6 @@ class IrradiancePass : public Pass {
 
 // 2^stops of a picture lit by stored light.
 float exposureOf(const scene::Scene& scene, const gi::PictureLight* light);
+void addExposure(Declaring& d);  // the result depends on it
 
 }  // namespace isolux::render

@@ -107,17 +107,6 @@ bool fogIsBackground(const Asked& asked) {
   return asked.acts("look.fog_color") && !asked.scene.look.fogColor;
 }
 
-// The environment is seen behind the surface.
-bool showsEnvironment(const Asked& asked) {
-  return scene::usesGi(asked.scene) && asked.light.background;
-}
-
-void addExposure(Declaring& d) {
-  const bool automatic = !d.asked.scene.picture.exposure && d.asked.acts("picture.exposure");
-  d.settings({"picture.exposure"});
-  d.input("automatic exposure", automatic ? d.asked.light.automaticExposure : 0.0f);
-}
-
 }  // namespace
 
 void RangesPass::declare(Declaring& d) const {
@@ -217,7 +206,7 @@ void ShadePass::declare(Declaring& d) const {
   addExposure(d);
 }
 
-void ShadePass::draw(FrameState& frame) {
+Program& ShadePass::prepared(FrameState& frame) {
   const std::vector<LookInput> inputs = inputsOf(frame);
   Program& p = frame.program(shader, definesOf(*frame.scene, inputs));
   frame.setView(p);
@@ -234,7 +223,7 @@ void ShadePass::draw(FrameState& frame) {
     setLines(frame, p);
   }
   setOverlays(frame, p);
-  frame.drawFullscreen(p);
+  return p;
 }
 
 void ShadePass::run(FrameState& frame) {
@@ -243,18 +232,17 @@ void ShadePass::run(FrameState& frame) {
     frame.begin(frame.images.at(image::color));
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    draw(frame);
+    frame.drawRectangles(prepared(frame), frame.area().rectangles());
     gl.Disable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ZERO);
     return;
   }
   const bool transparent = scene::isTransparent(*frame.scene);
-  const Target& target = frame.target(transparent ? image::front : image::color, {GL_RGBA16F});
-  frame.begin(target);
+  Target& target = frame.target(transparent ? image::front : image::color, {GL_RGBA16F});
   if (frame.empty())
-    frame.clear(target, 0, kZero);
+    frame.clear(target, {kZero});
   else
-    draw(frame);
+    frame.drawHits(target, prepared(frame));
 }
 
 void LayersPass::declare(Declaring& d) const {
@@ -279,11 +267,9 @@ void LayersPass::declare(Declaring& d) const {
 }
 
 void LayersPass::run(FrameState& frame) {
-  const Target& color = frame.target(image::color, {GL_RGBA16F});
+  Target& color = frame.target(image::color, {GL_RGBA16F});
   const Target& front = frame.images.at(image::front);
-  const glm::ivec2 size = frame.raySize();
-  frame.gl->BlitNamedFramebuffer(front.framebuffer.id(), color.framebuffer.id(), 0, 0, size.x, size.y, 0, 0,
-                                 size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  frame.copy(front, color);
   frame.hitsBehind.clear();
   if (frame.empty()) return;
   const int layers = frame.scene->isosurface.layers;
@@ -301,45 +287,6 @@ void LayersPass::run(FrameState& frame) {
     frame.layerBefore = frame.layer;
   }
   frame.layer.clear();
-}
-
-void ResolvePass::declare(Declaring& d) const {
-  const scene::Scene& scene = d.asked.scene;
-  d.reads(image::color).writes(image::picture).pictureSize();
-  d.settings({"look.background_top", "look.background_bottom", "look.legend"});
-  d.input("linear picture", d.asked.request.linear);
-  if (showsEnvironment(d.asked)) {
-    d.input("light", d.asked.light.version).settings({"camera."});
-    addExposure(d);
-  }
-  if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
-    d.reads(image::ranges);
-}
-
-void ResolvePass::run(FrameState& frame) {
-  const Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
-  draw(frame, target, "");
-  if (!frame.empty() && scene::showsLegend(*frame.scene))
-    drawLegendOver(frame, target, measureRange(*frame.scene, frame.statistics, frame.flatCurvature()));
-  if (frame.request.linear)
-    draw(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
-         "#define LINEAR\n");
-  else
-    frame.images.drop(image::linear);
-}
-
-void ResolvePass::draw(FrameState& frame, const Target& target, const std::string& defines) const {
-  frame.begin(target, frame.drawnSize());
-  const bool environment = scene::usesGi(*frame.scene) && frame.light && frame.light->background;
-  Program& p = frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : ""));
-  if (environment) frame.lighting->setBackground(frame, p, 1);
-  p.setTexture("uColor", 0, frame.image(image::color));
-  p.set("uSupersampling", frame.request.supersampling);
-  p.set("uTileOrigin", frame.tileOrigin());
-  p.set("uPictureSize", frame.request.size);
-  p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));
-  p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
-  frame.drawFullscreen(p);
 }
 
 }  // namespace isolux::render

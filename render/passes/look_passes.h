@@ -1,4 +1,4 @@
-// From surface points and their derivatives to the picture: the passes ranges, shade, layers and resolve.
+// From surface points and their derivatives to linear colour: the passes ranges, shade and layers.
 #pragma once
 
 #include "render/passes/frame_state.h"
@@ -23,7 +23,7 @@ class ShadePass : public Pass {
   void forget() override { colors_ = Texture(); }
 
  private:
-  void draw(FrameState& frame);  // into what is bound
+  Program& prepared(FrameState& frame);  // its program, with all that it reads
   void setSurfaces(FrameState& frame, Program& program) const;
   void setLight(FrameState& frame, Program& program) const;
   void setMeasure(FrameState& frame, Program& program);
@@ -42,17 +42,6 @@ class LayersPass : public Pass {
   LayersPass() : Pass(pass::layers, "", {.castsRays = true}) {}
   void declare(Declaring& d) const override;
   void run(FrameState& frame) override;
-};
-
-// Background, supersamples averaged, sRGB encoded, legend.
-class ResolvePass : public Pass {
- public:
-  ResolvePass() : Pass("resolve", "resolve.frag.glsl", {}) {}
-  void declare(Declaring& d) const override;
-  void run(FrameState& frame) override;
-
- private:
-  void draw(FrameState& frame, const Target& target, const std::string& defines) const;
 };
 
 }  // namespace isolux::render

@@ -5,6 +5,7 @@
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/look_passes.h"
+#include "render/passes/resolve_passes.h"
 
 namespace isolux::render {
 
@@ -38,6 +39,7 @@ PassList makePasses() {
       IrradiancePass,  // light at the surface points
       ShadePass,       // the look, linear colour, of the first crossing
       LayersPass,      // the crossings behind transparent surfaces
+      BackgroundPass,  // the picture of nothing
       ResolvePass      // background, supersamples averaged, sRGB, legend
       >();
 }

@@ -1,9 +1,9 @@
 #include "render/passes/processor.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "render/passes/frame_state.h"
-#include "scene/rules/needs.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/cast/surface_derivatives.h"
 
@@ -11,57 +11,84 @@ namespace isolux::render {
 
 namespace {
 
-void upload(const Texture& texture, GLenum format, const void* texels) {
-  const glm::ivec3 size = texture.size();
-  texture.gl().TextureSubImage2D(texture.id(), 0, 0, 0, size.x, size.y, format, GL_FLOAT, texels);
+// `changed` of an image as large as the texture.
+template <class T>
+void upload(const Texture& texture, const volume::PictureArea& changed, const std::vector<T>& texels) {
+  GLenum format = GL_RED, type = GL_UNSIGNED_BYTE;
+  if constexpr (!std::is_same_v<T, std::uint8_t>) {
+    format = std::is_same_v<T, glm::vec4> ? GL_RGBA : GL_RG;
+    type = GL_FLOAT;
+  }
+  const Gl& gl = texture.gl();
+  const int width = texture.size().x;
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, width);
+  for (const volume::Rectangle& part : changed.rectangles()) {
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(part.low.y) * width + part.low.x;
+    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, format, type,
+                         texels.data() + first);
+  }
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-// For points and infos; derivatives are made when they are asked for.
-void makeRoom(HostImages& images, std::size_t count) {
-  images = {};
-  images.held =
-      base::machineMemory().reserve(count * (sizeof(glm::vec2) + 4 * sizeof(glm::vec4)),
-                                    "hits of the picture", "a smaller picture or --executor gpu needs less");
-  images.points.resize(count);
-  images.infos.resize(count);
+HostImages& hostImages(FrameState& frame) {
+  const auto found = frame.host.find(frame.layer);
+  if (found != frame.host.end()) {
+    if (found->second.crossings.area.size() == frame.raySize()) return found->second;
+    frame.host.erase(found);  // before its successor is made: both need not fit
+  }
+  return frame.host.emplace(frame.layer, HostImages(frame.raySize())).first->second;
 }
 
-// How much of each pixel is covered already.
-std::vector<float> alphaOf(const Texture& color) {
-  const std::vector<float> rgba = color.readFloats(4);
-  std::vector<float> alpha(rgba.size() / 4);
-  for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = rgba[4 * i + 3];
+// How much of each pixel is covered already, of those of the crossing before.
+std::vector<float> alphaOf(const Texture& color, const volume::PictureArea& before) {
+  const int width = color.size().x;
+  std::vector<float> alpha(static_cast<std::size_t>(width) * static_cast<std::size_t>(color.size().y));
+  for (const volume::Rectangle& part : before.rectangles()) {
+    const std::vector<float> rgba = color.readFloats(4, part);
+    const auto columns = static_cast<std::size_t>(part.size.x);
+    for (std::size_t i = 0; i < rgba.size() / 4; ++i)
+      alpha[(static_cast<std::size_t>(part.low.y) + i / columns) * static_cast<std::size_t>(width) +
+            static_cast<std::size_t>(part.low.x) + i % columns] = rgba[4 * i + 3];
+  }
   return alpha;
 }
 
-void cast(FrameState& frame, HostImages& images) {
-  const volume::PictureRays rays = frame.view->rays(frame.request.size * frame.request.supersampling,
-                                                    frame.tileOrigin() * frame.request.supersampling);
+volume::SurfaceCaster casterOf(const FrameState& frame) {
   std::vector<double> isovalues;
   for (const Surface& surface : frame.surfaces)
     isovalues.push_back(frame.volume->grid().storedOfValue(surface.value));
-  const volume::SurfaceCaster caster(frame.volume->grid(), isovalues, frame.volume->blocks().dims(),
-                                     frame.volume->masks());
+  return {frame.volume->grid(), isovalues, frame.volume->blocks().dims(), frame.volume->masks()};
+}
+
+void cast(FrameState& frame, volume::CrossingImage& out) {
+  const volume::PictureRays rays = frame.rays();
+  const volume::SurfaceCaster caster = casterOf(frame);
   if (frame.layer.empty()) {
-    caster.castAll(rays, frame.raySize(), images.points, images.infos, frame.request.stop);
+    caster.castAll(rays, out, frame.request.stop);
     return;
   }
-  const HostImages& before = frame.host.at(frame.layerBefore);
-  const std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0]);
-  caster.castBehind(rays, frame.raySize(), {before.points, before.infos, covered}, images.points,
-                    images.infos, frame.request.stop);
+  const volume::CrossingImage& before = frame.host.at(frame.layerBefore).crossings;
+  const std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0], before.area);
+  caster.castBehind(rays, {before, covered}, out, frame.request.stop);
 }
 
 }  // namespace
+
+HostImages::HostImages(glm::ivec2 size)
+    : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                                             (sizeof(glm::vec2) + 4 * sizeof(glm::vec4)),
+                                         "hits of the picture",
+                                         "a smaller picture or --executor gpu needs less")),
+      crossings(size) {}
 
 OnProcessor onProcessor(bool taken, const scene::Scene& scene) {
   OnProcessor on;
   if (!taken) return on;
   on.casts = scene.hit.method == scene::HitMethod::exact && scene.hit.field == scene::Field::trilinear;
   // The fast scheme is one of filtered fetches: it is what it is on a graphics card only.
-  on.derives = on.casts && (scene.derivatives.field == scene::Field::trilinear ||
-                            scene.derivatives.fetch != scene::Fetch::fast);
-  on.all = on.derives && !scene::showsShadow(scene);
+  on.all = on.casts && (scene.derivatives.field == scene::Field::trilinear ||
+                        scene.derivatives.fetch != scene::Fetch::fast);
   return on;
 }
 
@@ -71,41 +98,63 @@ bool takesProcessor(scene::Executor executor, const Gl& gl) {
 }
 
 void castOnProcessor(FrameState& frame) {
-  const glm::ivec2 size = frame.raySize();
-  const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  HostImages& images = frame.host[frame.layer];
-  if (images.points.size() != count) makeRoom(images, count);
-  if (frame.empty()) {
-    std::fill(images.points.begin(), images.points.end(), glm::vec4(0.0f, 0.0f, 0.0f, -1.0f));
-    std::fill(images.infos.begin(), images.infos.end(), glm::vec2(0.0f));
-  } else {
-    cast(frame, images);
-  }
-  const Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
-  upload(target.images[0], GL_RGBA, images.points.data());
-  upload(target.images[1], GL_RG, images.infos.data());
-  images.any = std::any_of(images.points.begin(), images.points.end(),
-                           [](const glm::vec4& point) { return point.w >= 0.0f; });
+  volume::CrossingImage& crossings = hostImages(frame).crossings;
+  if (!frame.empty())
+    cast(frame, crossings);
+  else if (!crossings.area.empty())
+    crossings = volume::CrossingImage(frame.raySize());
+  Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
+  target.drawn.add(crossings.area);
+  upload(target.images[0], target.drawn, crossings.points);
+  upload(target.images[1], target.drawn, crossings.infos);
+  target.drawn = crossings.area;
 }
 
-void deriveOnProcessor(FrameState& frame, const std::vector<Texture>& textures) {
+void deriveOnProcessor(FrameState& frame, Target& target) {
   HostImages& images = frame.host.at(frame.layer);
-  for (std::size_t i = 0; i < textures.size(); ++i) images.derivatives[i].resize(images.points.size());
-  auto& [gradient, diagonal, mixed] = images.derivatives;
-  if (frame.empty()) {
-    for (std::vector<glm::vec4>& image : images.derivatives)
-      std::fill(image.begin(), image.end(), glm::vec4(0.0f));
-  } else {
-    volume::DerivativeImages out{gradient, {}, {}};
-    if (textures.size() == 3) out = {gradient, diagonal, mixed};
-    const scene::Field field = frame.scene->derivatives.field;
-    const volume::DerivedField derived =
-        field == scene::Field::trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline;
-    volume::surfaceDerivatives(frame.volume->grid(), derived, frame.volume->coefficients(field),
-                               images.points, out, volume::TracerTarget::automatic, frame.request.stop);
+  const volume::PictureArea& area = images.crossings.area;
+  const std::size_t count = target.images.size();
+  volume::PictureArea changed = area;
+  for (std::size_t i = 0; i < count; ++i) {
+    HostImages::Derivatives& own = images.derivatives[i];
+    own.texels.resize(images.crossings.points.size());
+    if (own.area.size() == area.size()) changed.add(own.area);
   }
-  for (std::size_t i = 0; i < textures.size(); ++i)
-    upload(textures[i], GL_RGBA, images.derivatives[i].data());
+  auto& [gradient, diagonal, mixed] = images.derivatives;
+  volume::DerivativeImages out{gradient.texels, {}, {}};
+  if (count == 3) out = {gradient.texels, diagonal.texels, mixed.texels};
+  const scene::Field field = frame.scene->derivatives.field;
+  const volume::DerivedField derived =
+      field == scene::Field::trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline;
+  if (!changed.empty())
+    volume::surfaceDerivatives(frame.volume->grid(), derived, frame.volume->coefficients(field),
+                               images.crossings.points, changed, out, volume::TracerTarget::automatic,
+                               frame.request.stop);
+  const bool stopped = frame.request.stop.stop_requested();  // some of what was there may be left
+  target.drawn.add(area);
+  for (std::size_t i = 0; i < count; ++i) {
+    upload(target.images[i], target.drawn, images.derivatives[i].texels);
+    images.derivatives[i].area = stopped ? changed : area;
+  }
+  if (!stopped) target.drawn = area;
+}
+
+void shadowOnProcessor(FrameState& frame, Target& target, int opaque) {
+  HostImages& images = frame.host.at(frame.layer);
+  const glm::dmat4 voxelFromWorld = frame.volume->grid().geometry().voxelFromWorld();
+  const volume::ShadowRays shadow{.rays = frame.rays(),
+                                  .right = frame.view->rightWorld,
+                                  .up = frame.view->upWorld,
+                                  .forward = frame.view->forwardWorld,
+                                  .outward = static_cast<float>(frame.outward()),
+                                  .voxelFromWorld = glm::mat3(voxelFromWorld),
+                                  .light = frame.towardLight(),
+                                  .opaque = opaque};
+  casterOf(frame).castShadows(shadow, images.crossings, images.derivatives[0].texels, images.shadow,
+                              frame.request.stop);
+  target.drawn.add(images.shadow.area);
+  upload(target.images[0], target.drawn, images.shadow.lit);
+  target.drawn = images.shadow.area;
 }
 
 }  // namespace isolux::render

@@ -1,23 +1,23 @@
 // What the processor computes instead of shaders (scene::Executor), for which settings, and how it comes to
 // the images that other passes read.
 //
-// Data: points and what is known of them, gradients and Hessians of each crossing, in arrays of their own;
-// the passes cast, gradient and hessian fill them (volume/cast) and upload them as the images that their
-// shaders would draw.
+// Data: points and what is known of them, gradients, Hessians and shadows of each crossing, in arrays of
+// their own; the passes cast, gradient, hessian and shadow fill them (volume/cast) and upload them as the
+// images that their shaders would draw.
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "base/memory_budget.h"
-#include "render/gl/gl_objects.h"
+#include "render/gl/image_pool.h"
 #include "render/graph/pass.h"
 #include "scene/machine.h"
 #include "scene/scene.h"
+#include "volume/cast/surface_caster.h"
 
 namespace isolux::render {
 
@@ -31,17 +31,25 @@ bool takesProcessor(scene::Executor executor, const Gl& gl);
 
 // The images of one crossing as they lie in memory, bottom row first.
 struct HostImages {
-  std::vector<glm::vec4> points;
-  std::vector<glm::vec2> infos;
-  bool any = false;                       // there is a crossing
-  std::vector<glm::vec4> derivatives[3];  // gradient; diagonal and mixed of the Hessian
-  base::MemoryBudget::Held held{};
+  // Throws base::Error{memory}.
+  explicit HostImages(glm::ivec2 size);
+  struct Derivatives {
+    std::vector<glm::vec4> texels;
+    volume::PictureArea area;  // beyond it all are 0
+  };
+  base::MemoryBudget::Held held;
+  volume::CrossingImage crossings;
+  Derivatives derivatives[3];  // gradient; diagonal and mixed of the Hessian
+  volume::ShadowImage shadow;
 };
 
 // Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them.
 void castOnProcessor(FrameState& frame);
-// Derivatives at the points of frame.layer, uploaded to `textures`: gradient; with three, diagonal and mixed
-// of the Hessian too.
-void deriveOnProcessor(FrameState& frame, const std::vector<Texture>& textures);
+// Derivatives at the points of frame.layer, uploaded to the images of `target`: gradient; with three,
+// diagonal and mixed of the Hessian too.
+void deriveOnProcessor(FrameState& frame, Target& target);
+
+// Whether the key light reaches those points. opaque: a bit for each surface that stops it.
+void shadowOnProcessor(FrameState& frame, Target& target, int opaque);
 
 }  // namespace isolux::render

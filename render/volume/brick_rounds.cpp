@@ -19,27 +19,25 @@ BrickRounds::BrickRounds(FrameState& frame, Pass& pass, std::function<void()> dr
       drawAtHits_(std::move(drawAtHits)),
       complete_(frame.request.brickUploadBytes == 0) {}
 
-void BrickRounds::castRound(const Area& area, bool again) {
-  const Gl& gl = *frame_.gl;
-  gl.Scissor(area.low.x, area.low.y, area.size.x, area.size.y);
-  gl.Enable(GL_SCISSOR_TEST);
+void BrickRounds::castRound(const volume::Rectangle& area, bool again) {
+  frame_.raysOfRound = area;
   bricks_.forgetWanted();
   bricks_.beginRound();
   frame_.onlyWaiting = again;
   pass_.run(frame_);
   frame_.onlyWaiting = false;
   bricks_.endRound();
-  gl.Disable(GL_SCISSOR_TEST);
+  frame_.raysOfRound.reset();
 }
 
 std::size_t BrickRounds::cast() {
-  const Area picture{glm::ivec2(0), frame_.raySize()};
+  const volume::Rectangle picture{glm::ivec2(0), frame_.raySize()};
   castRound(picture, false);
   return complete_ ? settle(picture) : bricks_.waitingRays();
 }
 
 // After a round over the area.
-std::size_t BrickRounds::settle(const Area& area) {
+std::size_t BrickRounds::settle(const volume::Rectangle& area) {
   std::size_t stuckAt = 0;  // rays that waited when nothing could be replaced
   while (bricks_.waitingRays() > 0) {
     if (bricks_.nextReplaced() >= bricks_.frameRound()) drawAtHits_();
@@ -58,7 +56,7 @@ std::size_t BrickRounds::settle(const Area& area) {
   for (const glm::ivec2& corner : {glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)}) {
     const glm::ivec2 low = corner * half, size = glm::min(half, area.size - low);
     if (size.x <= 0 || size.y <= 0) continue;
-    const Area part{area.low + low, size};
+    const volume::Rectangle part{area.low + low, size};
     castRound(part, true);
     left += settle(part);
   }

@@ -24,11 +24,8 @@ class BrickRounds {
   std::size_t draw();
 
  private:
-  struct Area {
-    glm::ivec2 low, size;  // rays
-  };
-  void castRound(const Area& area, bool again);
-  std::size_t settle(const Area& area);
+  void castRound(const volume::Rectangle& area, bool again);
+  std::size_t settle(const volume::Rectangle& area);
 
   FrameState& frame_;
   Pass& pass_;

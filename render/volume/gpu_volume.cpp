@@ -7,12 +7,13 @@
 
 #include "base/error.h"
 #include "volume/field/reconstruct.h"
+#include "volume/skip/cell_bits.h"
 
 namespace isolux::render {
 
 namespace {
 
-// The masks of the blocks are a texture, the faces have numbers.
+// The masks of the blocks are a texture.
 void checkBlocks(const Gl& gl, const volume::MinMaxBlocks& blocks, const std::string& name) {
   const glm::ivec3 dims = blocks.dims();
   const int longest = std::max({dims.x, dims.y, dims.z});
@@ -22,10 +23,6 @@ void checkBlocks(const Gl& gl, const volume::MinMaxBlocks& blocks, const std::st
                           " voxels cannot be drawn with this driver, which takes up to " +
                           std::to_string(gl.max3dTexture * blocks.blockCells()) +
                           "; read a part of the volume");
-  if (blocks.count() > kMostFaceBlocks)
-    throw base::Error(base::ErrorKind::memory, name, "graphics memory",
-                      "Isolux draws at most " + std::to_string(kMostFaceBlocks) + " blocks of " +
-                          std::to_string(blocks.blockCells()) + "^3 voxels; read a part of the volume");
 }
 
 bool needsCoefficients(const scene::Scene& scene) {
@@ -36,7 +33,7 @@ bool needsCoefficients(const scene::Scene& scene) {
 }  // namespace
 
 GpuVolume::GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume)
-    : gl_(std::move(gl)), volume_(std::move(volume)), faceBuffer_(gl_) {
+    : gl_(std::move(gl)), volume_(std::move(volume)) {
   checkBlocks(*gl_, *volume_->blocks, volume_->volume.name);
 }
 
@@ -170,25 +167,54 @@ void GpuVolume::setField(scene::Field field) {
     boxes_ = {volume_, &made.boxes};
   }
   active_ = std::make_unique<volume::ActiveBlocks>(blocks);
-  faces_ = std::make_unique<BlockFaceSet>(blocks->dims());
-  maskTexture_ = hasCells() ? Texture::make3D(gl_, GL_RG32UI, blocks->dims(), false) : Texture();
-  faceCapacity_ = 0;
+  storedIsovalues_.clear();
+  masks_.clear();
+  maskTexture_ = Texture();
   activeField_ = field;
 }
 
-void GpuVolume::updateMasks(const std::vector<float>& storedIsovalues) {
+void GpuVolume::updateMasks() {
   const std::vector<std::uint8_t>& flags = active_->flags();
   if (active_->blocks().blockCells() == volume::BoxBounds::kBlockCells) {
-    boxes_->masks(storedIsovalues, flags, masks_);
+    boxes_->masks(storedIsovalues_, flags, masks_);
   } else {  // of another size (benchmarks): every box of an active one
     masks_.resize(flags.size());
     std::transform(flags.begin(), flags.end(), masks_.begin(),
                    [](std::uint8_t flag) { return flag ? ~std::uint64_t{0} : std::uint64_t{0}; });
   }
-  const glm::ivec3 dims = active_->blocks().dims();
+}
+
+bool GpuVolume::mayHaveCells(const scene::Hit& hit) const {
+  const glm::ivec3 dims = blocks().dims();
+  return hit.method == scene::HitMethod::exact && hit.field == scene::Field::trilinear &&
+         grid().missingCount() == 0 && blocks().blockCells() == volume::BoxBounds::kBlockCells &&
+         2 * std::max({dims.x, dims.y, dims.z}) <= gl_->max3dTexture;
+}
+
+void GpuVolume::uploadMasks(bool cells) {
+  const glm::ivec3 dims = (cells ? 2 : 1) * blocks().dims();
+  if (maskTexture_.size() != dims) maskTexture_ = Texture::make3D(gl_, GL_RG32UI, dims, false);
+  std::vector<std::uint64_t> bits;
+  if (cells) volume::cellBits(grid(), blocks().dims(), masks_, storedIsovalues_, bits);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_->TextureSubImage3D(maskTexture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RG_INTEGER,
-                         GL_UNSIGNED_INT, masks_.data());
+                         GL_UNSIGNED_INT, (cells ? bits : masks_).data());
+  uploaded_ = cells ? Uploaded::cells : Uploaded::boxes;
+}
+
+void GpuVolume::prepareMasks(const scene::Hit& hit) {
+  if (uploaded_ == Uploaded::nothing)
+    uploadMasks(false);
+  else if (uploaded_ == Uploaded::boxes && mayHaveCells(hit))
+    uploadMasks(true);
+}
+
+void GpuVolume::bindMasks(Program& program, const scene::Hit& hit, int unit) {
+  if (uploaded_ == Uploaded::nothing || (uploaded_ == Uploaded::cells && !mayHaveCells(hit)))
+    uploadMasks(false);
+  program.setTexture("uMasks", unit, maskTexture_);
+  const bool ofCells = uploaded_ == Uploaded::cells || blocks().blockCells() == 4;
+  program.set("uMaskShift", ofCells ? 0 : 1);
 }
 
 bool GpuVolume::mayCross(scene::Field field, const std::vector<double>& values) const {
@@ -209,23 +235,12 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   const double offset = field == scene::Field::cubic_interpolating ? cubic(field).coefficients->offset : 0.0;
   for (const double value : values)
     stored.push_back(static_cast<float>(grid().storedOfValue(value) - offset));
-  const bool fresh = faceCapacity_ == 0;
-  const std::span<const std::uint32_t> changed = active_->update(stored);
-  faces_->update(active_->flags(), changed);
+  if (stored == storedIsovalues_ && !masks_.empty()) return;
+  active_->update(stored);
   activeBricks_.reset();
-  updateMasks(stored);
-
-  const std::vector<PackedFace>& faces = faces_->faces();
-  const std::vector<BlockFaceSet::Range> dirty = faces_->takeDirty();
-  if (fresh || faces.size() > faceCapacity_) {
-    faceCapacity_ = std::max<std::size_t>(faces.size() + faces.size() / 4, 1024);
-    faceBuffer_.setData(nullptr, faceCapacity_ * sizeof(PackedFace));
-    faceBuffer_.write(0, faces.data(), faces.size() * sizeof(PackedFace));
-  } else {
-    for (const BlockFaceSet::Range& range : dirty)
-      faceBuffer_.write(range.first * sizeof(PackedFace), &faces[range.first],
-                        range.count * sizeof(PackedFace));
-  }
+  storedIsovalues_ = std::move(stored);
+  updateMasks();
+  uploaded_ = Uploaded::nothing;
 }
 
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(scene::Field field, double value, double outward) {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "render/gl/gl_objects.h"
-#include "render/volume/block_faces.h"
 #include "render/volume/bricks.h"
 #include "render/volume/volume_texture.h"
 #include "scene/machine.h"
@@ -23,8 +22,7 @@ namespace isolux::render {
 
 class GpuVolume {
  public:
-  // Nothing is uploaded yet. Throws base::Error{memory} where the driver or this program cannot draw as
-  // many blocks.
+  // Nothing is uploaded yet. Throws base::Error{memory} where the driver cannot draw as many blocks.
   GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
 
   const volume::Grid& grid() const { return volume_->grid(); }
@@ -59,11 +57,10 @@ class GpuVolume {
 
   // False: no cell of this field can hold a surface of one of `values` (data units).
   bool mayCross(scene::Field field, const std::vector<double>& values) const;
-  // Makes the blocks active that the surfaces of `values` (data units) of this field can cross; uploads
-  // flags and faces, in time proportional to what changes.
+  // Makes the blocks active that the surfaces of `values` (data units) of this field can cross, in time
+  // proportional to what changes; uploads the masks of their boxes.
   void activate(scene::Field field, const std::vector<double>& values);
   std::size_t activeBlocks() const { return active_ ? active_->activeCount() : 0; }
-  std::size_t faceCount() const { return faces_ ? faces_->faces().size() : 0; }
   const volume::MinMaxBlocks& blocks() const { return active_->blocks(); }
   // Of each block, the boxes that can hold a surface (volume::BoxBounds); none where blocks are not of 8^3
   // cells.
@@ -71,10 +68,14 @@ class GpuVolume {
   // Of the field's B-spline; null: the samples themselves.
   const volume::Coefficients* coefficients(scene::Field field) const;
   bool isActive(std::size_t block) const { return active_->flags()[block] != 0; }
-  const Texture& maskTexture() const { return maskTexture_; }  // RG32UI, trace.glsl's uBlockMasks
-  const Buffer& faceBuffer() const { return faceBuffer_; }
+  // A picture of these surfaces is about to be cast. The first is cast by boxes; from the second on each cell
+  // has a bit (volume/skip/cell_bits.h) where its corners decide, which reads the voxels of active blocks
+  // once: a moving isovalue does not pay for it. Hits are the same.
+  void prepareMasks(const scene::Hit& hit);
+  // Sets what trace.glsl skips empty space by, on texture unit `unit`.
+  void bindMasks(Program& program, const scene::Hit& hit, int unit);
 
-  std::size_t blockBytes() const { return faceBuffer_.bytes() + maskTexture_.bytes(); }
+  std::size_t blockBytes() const { return maskTexture_.bytes(); }
   std::size_t bytes() const;
 
  private:
@@ -90,7 +91,9 @@ class GpuVolume {
   // What a cubic field needs; makes it where nobody has (see volume/field/cubic_fields.h: takes long).
   const volume::CubicField& cubic(scene::Field field) const;
   void setField(scene::Field field);  // whose blocks are kept
-  void updateMasks(const std::vector<float>& storedIsovalues);
+  void updateMasks();
+  bool mayHaveCells(const scene::Hit& hit) const;
+  void uploadMasks(bool cells);
 
   GlPtr gl_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
@@ -102,13 +105,13 @@ class GpuVolume {
 
   std::optional<scene::Field> activeField_;
   std::unique_ptr<volume::ActiveBlocks> active_;
-  std::unique_ptr<BlockFaceSet> faces_;
-  std::size_t faceCapacity_ = 0;
   mutable std::optional<std::size_t> activeBricks_;  // counted when asked for
   std::shared_ptr<const volume::BoxBounds> boxes_;   // of activeField_
   std::vector<std::uint64_t> masks_;
-  Texture maskTexture_;
-  Buffer faceBuffer_;
+  std::vector<float> storedIsovalues_;  // of the masks
+  Texture maskTexture_;                 // RG32UI
+  enum class Uploaded { nothing, boxes, cells };
+  Uploaded uploaded_ = Uploaded::nothing;  // of these surfaces
 };
 
 }  // namespace isolux::render

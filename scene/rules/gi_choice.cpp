@@ -60,6 +60,11 @@ GiMode leastMode(const Scene& scene, GiChoice& choice) {
 
 }  // namespace
 
+bool showsOneIsosurface(const Scene& scene) {
+  return std::none_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(),
+                      [](const ExtraIsosurface& extra) { return extra.shown; });
+}
+
 GiChoice giChoiceOf(const Scene& scene) {
   GiChoice choice;
   if (shadingOf(scene) != Shading::gi) {
@@ -79,6 +84,11 @@ GiChoice giChoiceOf(const Scene& scene) {
   }
   choice.wanted = choice.sky != GiMode::off || choice.lamps;
   if (choice.lamps) addReason(choice, "lamps stand still: their irradiance");
+
+  const bool forView = scene.gi.texels == GiTexels::automatic && scene.gi.extent == GiExtent::view;
+  choice.onShown =
+      choice.wanted && (forView || scene.gi.texels == GiTexels::shown) && showsOneIsosurface(scene);
+  if (choice.onShown) addReason(choice, "one isosurface is shown: its light alone");
 
   const bool probe = !hasOneColor(scene.light.environment);
   const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;

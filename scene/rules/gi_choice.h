@@ -17,11 +17,13 @@ struct GiChoice {
   GiMode sky = GiMode::off;
   bool unitSky = false;  // stored under a sky of radiance 1; its colour is laid on in the picture
   int channels = 3;      // of what is stored of the sky: 1 where light stays grey
+  bool onShown = false;  // texels are lit where the shown isosurface passes them, not each on its own
   bool lamps = false;    // lamps shine: their irradiance is stored beside the sky's
   int bounces = 0;       // that are traced
   std::string reason;    // one clause a decision, joined by "; "
 };
 
 GiChoice giChoiceOf(const Scene& scene);
+bool showsOneIsosurface(const Scene& scene);
 
 }  // namespace isolux::scene

@@ -166,10 +166,11 @@ constexpr Rule rules[] = {
     {"light.environment.moves", [](const Scene& s) { return s.gi.mode == GiMode::automatic; },
      "gi.mode says what is stored"},
 
-    {"gi.extent gi.band gi.samples gi.sequence gi.lattice_scale gi.interpolation", storesLight,
+    {"gi.extent gi.band gi.texels gi.samples gi.sequence gi.lattice_scale gi.interpolation", storesLight,
      "no light is stored"},
     {"gi.band", [](const Scene& s) { return s.gi.extent == GiExtent::band; },
      "texels are not chosen by isovalue"},
+    {"gi.texels", showsOneIsosurface, "several isosurfaces are shown"},
     {"gi.bounces",
      [](const Scene& s) { return s.gi.mode != GiMode::vicinity && s.gi.mode != GiMode::shadow; },
      "gi.mode is direct light only"},

@@ -142,6 +142,13 @@ std::span<const Named<GiExtent>> choicesOf() {
 }
 
 template <>
+std::span<const Named<GiTexels>> choicesOf() {
+  static constexpr Named<GiTexels> names[] = {
+      {GiTexels::automatic, "auto"}, {GiTexels::own, "own"}, {GiTexels::shown, "shown"}};
+  return names;
+}
+
+template <>
 std::span<const Named<DirectionSequence>> choicesOf() {
   static constexpr Named<DirectionSequence> names[] = {{DirectionSequence::sobol_owen, "sobol_owen"},
                                                        {DirectionSequence::r2, "r2"},

@@ -155,6 +155,7 @@ TEST_F(LightKey, IsJson) {
 }
 
 TEST_F(LightKey, KeepsWhatOnlyThePictureDependsOn) {
+  scene_.gi.texels = scene::GiTexels::own;
   EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.value = 3.0; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.samples = 4; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.exposure = 3.0; }), "none");
@@ -170,6 +171,19 @@ TEST_F(LightKey, KeepsWhatOnlyThePictureDependsOn) {
             }),
             changed([](scene::Scene& s) { s.gi.bounces = 1; }));
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.rotation = {-2.0, 0.0, 0.0, 0.0}; }), "none");
+}
+
+// Light of the shown isosurface alone is of that isovalue; of all, and of several, it is of none.
+TEST_F(LightKey, IsOfTheIsovalueWhereTexelsAreLitOnIt) {
+  const auto otherValue = [](scene::Scene& s) { s.isosurface.value = 3.0; };
+  EXPECT_EQ(changed(otherValue), "both");
+  EXPECT_EQ(nlohmann::json::parse(key(scene_, LightPart::sky)).at("isovalue"), *scene_.isosurface.value);
+  scene_.gi.extent = scene::GiExtent::full;
+  EXPECT_EQ(changed(otherValue), "none");
+  scene_.gi.texels = scene::GiTexels::shown;
+  EXPECT_EQ(changed(otherValue), "both");
+  scene_.extraIsosurfaces[0].shown = true;
+  EXPECT_FALSE(nlohmann::json::parse(key(scene_, LightPart::sky)).contains("isovalue"));
 }
 
 TEST_F(LightKey, FollowsWhatLightDependsOn) {

@@ -77,12 +77,12 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 visible] = environment;
   [[maybe_unused]] const auto& [lampShown, kind, position, toward, radius, angle, lampColor, lampIntensity] =
       lamps[0];
-  [[maybe_unused]] const auto& [giMode, extent, band, samples, sequence, bounces, rouletteDepth,
+  [[maybe_unused]] const auto& [giMode, extent, band, texels, samples, sequence, bounces, rouletteDepth,
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
                                 components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, pictureExposure, metering] = picture;
-  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 3 + 30 + 7 + 5 + 9 + 3 * 8 + 15 + 5 + 3);
+  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 3 + 30 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 3);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
@@ -110,6 +110,7 @@ TEST(Settings, ListsTheContractPaths) {
                            "gi.mode",
                            "gi.extent",
                            "gi.band",
+                           "gi.texels",
                            "gi.samples",
                            "gi.bounces",
                            "gi.lattice_scale",

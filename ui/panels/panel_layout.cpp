@@ -41,7 +41,7 @@ const std::vector<GroupPlan>& plan() {
       {"Global illumination",
        true,
        {"picture.exposure", "picture.metering", "gi.mode", "gi.samples", "gi.bounces", "gi.extent", "gi.band",
-        "gi.lattice_scale", "gi.interpolation", "gi."}},
+        "gi.texels", "gi.lattice_scale", "gi.interpolation", "gi."}},
       {"Texture and fog", false, {"look.texture", "look.texture_scale", "look.fog", "look.fog_color"}},
       {"Isosurface",
        true,

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
+#include <QEventLoop>
+#include <QGuiApplication>
+#include <QPainter>
 #include <QPushButton>
 
 #include "render/graph/pass.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
-#include "ui/viewport/gl_bridge.h"
 #include "ui/viewport/viewport_overlay.h"
 
 namespace isolux::ui {
@@ -21,7 +22,12 @@ constexpr std::size_t brickBytesPerFrame = 8 << 20;  // a few milliseconds of up
 constexpr std::size_t lightBytesPerFrame = 1 << 20;  // so are these: texels are filtered on their way
 constexpr int seenMilliseconds = 200;                // what moves on is told at most this often
 constexpr int fieldPollMilliseconds = 50;
+constexpr int pollMilliseconds = 4;    // a picture that is there is taken
 constexpr int pointMilliseconds = 40;  // the pointer's value is looked up at most this often
+
+bool sameRays(const render::FrameRequest& a, const render::FrameRequest& b) {
+  return a.size == b.size && a.supersampling == b.supersampling;
+}
 
 bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // null: any
   return std::any_of(report.passes.begin(), report.passes.end(), [pass](const render::PassReport& entry) {
@@ -81,12 +87,12 @@ app::Motion motionBetween(const scene::Scene& from, scene::Scene to) {
 }  // namespace
 
 Viewport::Viewport(QWidget* parent)
-    : QOpenGLWidget(parent), overlay_(new ViewportOverlay(this)), remedy_(new QPushButton(this)) {
+    : QWidget(parent), overlay_(new ViewportOverlay(this)), remedy_(new QPushButton(this)) {
   resolved_ = scene::resolve(scene_, {});  // the background, until there is a volume
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
-  setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName("Picture");
   remedy_->setObjectName("remedy");
   remedy_->hide();
@@ -98,48 +104,31 @@ Viewport::Viewport(QWidget* parent)
   connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
   fieldTimer_.setInterval(fieldPollMilliseconds);
   connect(&fieldTimer_, &QTimer::timeout, this, &Viewport::pollFields);
-  // Without any context initializeGL() is never called; half a second after showing it would have been.
-  contextTimer_.setSingleShot(true);
-  contextTimer_.setInterval(500);
-  connect(&contextTimer_, &QTimer::timeout, this, [this] {
-    if (isVisible() && !isValid() && !problem_)
-      fail("no OpenGL context could be made for the window", needsOpenGl);
-  });
+  pollTimer_.setTimerType(Qt::PreciseTimer);
+  pollTimer_.setInterval(pollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &Viewport::poll);
 }
 
-Viewport::~Viewport() {
-  if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
-  releaseRenderer();
-}
+Viewport::~Viewport() = default;
 
-// ---- GL
-// -----------------------------------------------------------------------------------------------------
+// ---- Pictures
+// -----------------------------------------------------------------------------------------------
 
-void Viewport::initializeGL() {
-  try {
-    QOpenGLContext* current = context();
-    // The context can go away before this widget does (moved to another window or screen).
-    connect(current, &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseRenderer,
-            static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::UniqueConnection));
-    gl_ = loadGl(
-        [current](const char* name) { return reinterpret_cast<void*>(current->getProcAddress(name)); });
-    glDescription_ = QString::fromStdString(describeGl(*gl_));
-    quality_ = app::PictureQuality(isSoftware(*gl_));
-    quality_.setSupersampling(resolved_.picture.supersampling);
-    quality_.setMachine(machine_);
-    redraw();
-  } catch (...) {
-    gl_.reset();
-    fail(reasonOf(std::current_exception()), needsOpenGl);
+void Viewport::takeContext() {
+  const app::PictureThread::Context* const context = thread_.context();
+  if (context == nullptr) return;
+  if (context->failure) {
+    pollTimer_.stop();
+    fail(reasonOf(context->failure), needsOpenGl);
+    return;
   }
-}
-
-void Viewport::releaseRenderer() {
-  gl_.reset();
-  if (!renderer_) return;
-  makeCurrent();
-  renderer_.reset();
-  doneCurrent();
+  hasContext_ = true;
+  glDescription_ = QString::fromStdString(context->description->renderer + ", OpenGL " +
+                                          context->description->version + ", " + context->description->kind);
+  quality_ = app::PictureQuality(context->description->software);
+  quality_.setSupersampling(resolved_.picture.supersampling);
+  quality_.setMachine(machine_);
+  redraw();
 }
 
 void Viewport::fail(const QString& reason, const QString& advice) {
@@ -148,23 +137,22 @@ void Viewport::fail(const QString& reason, const QString& advice) {
   remedy_->hide();
   problem_ = reason;
   overlay_->setProblem(reason, advice);
+  update();
   if (news) Q_EMIT failed(reason);
 }
 
 void Viewport::showEvent(QShowEvent* event) {
-  QOpenGLWidget::showEvent(event);
-  contextTimer_.start();
-}
-
-void Viewport::resizeGL(int, int) {
-  redraw();
+  QWidget::showEvent(event);
+  pollTimer_.start();
+  orderSoon();
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
+  QWidget::resizeEvent(event);
   overlay_->setGeometry(rect());
   placeRemedy();
   showLamps();
+  redraw();
 }
 
 glm::ivec2 Viewport::pixelSize() const {
@@ -173,77 +161,145 @@ glm::ivec2 Viewport::pixelSize() const {
           std::max(1, static_cast<int>(std::lround(height() * ratio)))};
 }
 
-void Viewport::paintGL() {
-  const render::FrameReport* report = nullptr;
-  QElapsedTimer timer;
-  timer.start();
-  if (gl_ && !failed_) {
-    Q_EMIT drawing(true);
-    try {
-      report = &drawPicture();
-    } catch (const base::Error&) {  // the renderer is as good as before
-      fail(reasonOf(std::current_exception()), comesBack);
-    } catch (...) {  // and here nobody knows
-      renderer_.reset();
-      fail(reasonOf(std::current_exception()), comesBack);
-    }
-    Q_EMIT drawing(false);
+void Viewport::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (image_.isNull() || problem_) {
+    painter.fillRect(rect(), QColor::fromRgbF(0.09F, 0.10F, 0.12F));
+    return;
   }
-  if (report)
-    showed(*report, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
-  else
-    clearPicture();
+  const glm::ivec2 size = pixelSize();
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != QSize(size.x, size.y));
+  painter.drawImage(rect(), image_);
+  if (unpainted_)
+    Q_EMIT answered(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
+                                                              *std::exchange(unpainted_, std::nullopt))
+                        .count());
+  if (!sameRays(shownRequest_, quality_.request(size))) orderSoon();  // on a screen of another pixel ratio
 }
 
-const render::FrameReport& Viewport::drawPicture() {
-  if (!renderer_) {
-    renderer_ = std::make_unique<render::Renderer>(gl_);
-    renderer_->setMachine(machine_);
-    renderer_->setVolume(volume_);
-    current_ = false;
-  }
-  if (!complete()) lastRequest_ = quality_.request(pixelSize());  // else the same picture is shown again
-  lastRequest_.pixelRatio = devicePixelRatioF();
-  lastRequest_.brickUploadBytes = brickBytesPerFrame;
-  lastRequest_.lightUploadBytes = lightBytesPerFrame;
-  renderer_->setLight(light_);
-  const render::FrameReport& report = renderer_->render(drawable(), lastRequest_);
-  renderer_->present(defaultFramebufferObject(), pixelSize());
-  return report;
+// Once for all that changes in one turn of the event loop.
+void Viewport::orderSoon() {
+  if (std::exchange(orderComes_, true)) return;
+  QMetaObject::invokeMethod(this, &Viewport::order, Qt::QueuedConnection);
 }
 
-void Viewport::clearPicture() {
-  QOpenGLFunctions* functions = context()->functions();
-  functions->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  functions->glClearColor(0.09F, 0.10F, 0.12F, 1.0F);
-  functions->glClear(GL_COLOR_BUFFER_BIT);
+void Viewport::order() {
+  orderComes_ = false;
+  if (!hasContext_ || failed_ || !isVisible() || complete()) return;
+  const render::FrameRequest request = quality_.request(pixelSize());
+  const bool onItsWay = thread_.busy() && orderedChanges_ == changes_ && sameRays(orderedRequest_, request);
+  const bool isThere = current() && !bricksPending_ && !lightPending_ && sameRays(shownRequest_, request);
+  if (onItsWay || isThere) return;
+  setDrawing(true);
+  orderedRequest_ = request;
+  orderedChanges_ = changes_;
+  app::PictureOrder picture = orderOf(request);
+  picture.request.brickUploadBytes = brickBytesPerFrame;
+  picture.request.lightUploadBytes = lightBytesPerFrame;
+  picture.draft = quality_.stage() == app::PictureQuality::Stage::moving;
+  picture.tellsHits = wantsHits(request);
+  orderNumber_ = thread_.draw(std::move(picture));
+  awaited_.push_back({orderNumber_, view_, std::exchange(changed_, std::nullopt)});
+  pollTimer_.start();
+}
+
+void Viewport::setDrawing(bool draws) {
+  if (std::exchange(drawing_, draws) != draws) Q_EMIT drawing(draws);
+}
+
+app::PictureOrder Viewport::orderOf(const render::FrameRequest& request) {
+  app::PictureOrder picture{volume_, drawable(), machine_, light_, request};
+  picture.request.pixelRatio = devicePixelRatioF();
+  return picture;
+}
+
+// Light is wanted first where it is seen. A view that keeps turning is told a few times a second. By pixels:
+// what further rays of a pixel hit is in its texels' neighbourhood, which is wanted anyway.
+bool Viewport::wantsHits(const render::FrameRequest& request) const {
+  if (!volume_ || scene::shadingOf(resolved_) != scene::Shading::gi) return false;
+  if (static_cast<double>(request.size.x) * request.size.y <= seenPixels_) return false;
+  const bool moving = quality_.stage() == app::PictureQuality::Stage::moving;
+  return !moving || !sinceSeen_.isValid() || sinceSeen_.elapsed() >= seenMilliseconds;
+}
+
+void Viewport::poll() {
+  if (!hasContext_) {
+    takeContext();
+    return;
+  }
+  auto result = thread_.take();
+  if (!thread_.busy()) {
+    pollTimer_.stop();
+    setDrawing(false);
+  }
+  if (!result) return;
+  if (auto* const picture = std::get_if<app::DrawnPicture>(&*result))
+    put(*picture);
+  else if (const auto& failure = std::get<app::FailedPicture>(*result); failure.order == orderNumber_)
+    fail(reasonOf(failure.reason), comesBack);
+}
+
+void Viewport::put(const app::DrawnPicture& picture) {
+  const glm::ivec2 size = picture.color.size;
+  image_ = QImage(picture.color.rgba.data(), size.x, size.y, QImage::Format_RGBX8888)
+               .convertToFormat(QImage::Format_RGB32);
+  // A draft that comes after a change is shown all the same, so that the view moves.
+  shownChanges_ = picture.order == orderNumber_ ? orderedChanges_ : 0;
+  shownRequest_ = picture.request;
+  showed(picture, answer(picture.order));
+  update();
+}
+
+// What was changed before this order is answered by its picture. Which view it shows.
+std::uint64_t Viewport::answer(std::uint64_t order) {
+  std::uint64_t view = 0;
+  const auto answered = [&](const Awaited& awaited) {
+    if (awaited.order > order) return false;
+    if (!unpainted_) unpainted_ = awaited.changed;
+    view = awaited.view;
+    return true;
+  };
+  awaited_.erase(std::remove_if(awaited_.begin(), awaited_.end(), answered), awaited_.end());
+  return view;
 }
 
 // A picture is on screen: what follows from it.
-void Viewport::showed(const render::FrameReport& report, double milliseconds) {
+void Viewport::showed(const app::DrawnPicture& picture, std::uint64_t view) {
+  const render::FrameReport& report = picture.report;
   problem_.reset();
+  failed_ = false;
   overlay_->setProblem({});
-  current_ = true;
-  if (ran(report)) {  // not when the same picture is only shown again
-    quality_.measured(milliseconds, ran(report, render::pass::cast) ? app::Motion::rays : app::Motion::look);
-    pictureMilliseconds_ = milliseconds;
-    if (underMouse()) pointTimer_.start();  // another point may lie under a pointer that rests
-  }
-  const bool waits = refineTimer_.isActive();  // an animation draws while a finer picture is on its way
-  if (quality_.stage() == app::PictureQuality::Stage::sharp && quality_.mayRefine() && !waits) {
-    refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
-  }
+  if (ran(report) && sameRays(picture.request, quality_.request(pixelSize())))  // else it tells nothing of it
+    quality_.measured(picture.milliseconds,
+                      ran(report, render::pass::cast) ? app::Motion::rays : app::Motion::look);
+  if (underMouse()) pointTimer_.start();  // another point may lie under a pointer that rests
   bricksPending_ = report.bricks.pending;
   lightPending_ = report.light.pending;
+  const bool waits = refineTimer_.isActive();  // an animation draws while a finer picture is on its way
+  if (current() && quality_.stage() == app::PictureQuality::Stage::sharp && quality_.mayRefine() && !waits)
+    refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
   const bool empty = report.empty && !fieldsPending_;
   overlay_->setNote(fieldsPending_ ? fieldNote(*fieldJob_)
                     : empty        ? QString::fromStdString(report.empty->reason)
                                    : missingNote(report.bricks));
   offerRemedy(empty ? report.empty : std::nullopt);
-  if (bricksPending_ || lightPending_) update();  // the next frame gets further
-  reportSeen();
-  Q_EMIT reported(report, lastRequest_);
-  Q_EMIT drawn(pictureMilliseconds_, complete());
+  if (bricksPending_ || lightPending_) orderSoon();  // the next picture gets further
+  tellSeen(picture, view);
+  Q_EMIT reported(report, picture.request);
+  Q_EMIT drawn(picture.milliseconds, complete());
+}
+
+void Viewport::tellSeen(const app::DrawnPicture& picture, std::uint64_t view) {
+  if (picture.hitVoxels.empty() || bricksPending_) return;
+  const bool same = view == view_;
+  sinceSeen_.start();
+  Q_EMIT seen(picture.hitVoxels, same && seenPixels_ > 0.0);
+  if (same) seenPixels_ = static_cast<double>(picture.request.size.x) * picture.request.size.y;
+}
+
+void Viewport::viewChanged() {
+  ++view_;
+  seenPixels_ = 0.0;
 }
 
 // An empty picture says why (the overlay's note), and what would fill it is one click away.
@@ -285,32 +341,25 @@ void Viewport::placeRemedy() {
   remedy_->move((width() - remedy_->width()) / 2, belowNote);
 }
 
-// Light is wanted first where it is seen. A view that keeps turning is told a few times a second.
-void Viewport::reportSeen() {
-  if (!volume_ || bricksPending_ || scene::shadingOf(resolved_) != scene::Shading::gi) return;
-  // By pixels: what further rays of a pixel hit is in its texels' neighbourhood, which is wanted anyway.
-  const double pixels = static_cast<double>(lastRequest_.size.x) * lastRequest_.size.y;
-  if (pixels <= seenPixels_) return;
-  const bool moving = quality_.stage() == app::PictureQuality::Stage::moving;
-  if (moving && sinceSeen_.isValid() && sinceSeen_.elapsed() < seenMilliseconds) return;
-  sinceSeen_.start();
-  Q_EMIT seen(renderer_->hitVoxels(), seenPixels_ > 0.0);
-  seenPixels_ = pixels;
+bool Viewport::complete() const {
+  return current() && !bricksPending_ && !lightPending_ && !fieldsPending_ &&
+         shownRequest_.size == pixelSize() &&
+         shownRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
 }
 
-bool Viewport::complete() const {
-  return renderer_ && current_ && !bricksPending_ && !lightPending_ && !fieldsPending_ &&
-         lastRequest_.size == pixelSize() &&
-         lastRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
+// Something of the picture is another one.
+void Viewport::changed() {
+  ++changes_;
+  if (!changed_) changed_ = std::chrono::steady_clock::now();
+  if (hasContext_) failed_ = false;
+  orderSoon();
 }
 
 void Viewport::redraw(app::Motion motion) {
-  current_ = false;
-  failed_ = false;
-  if (motion == app::Motion::rays) seenPixels_ = 0.0;
+  changed();
+  if (motion == app::Motion::rays) viewChanged();
   quality_.changed(motion);
   refineTimer_.start(restMilliseconds);
-  update();
 }
 
 void Viewport::refine() {
@@ -321,7 +370,7 @@ void Viewport::refine() {
     return;
   }
   quality_.refine();
-  update();  // paintGL() starts the timer for the stage after this one
+  orderSoon();  // showed() starts the timer for the stage after this one
 }
 
 void Viewport::setInteracting(bool interacting) {
@@ -369,11 +418,6 @@ void Viewport::setTopInset(int pixels) {
 void Viewport::setVolume(VolumePointer volume) {
   fieldJob_.reset();
   volume_ = std::move(volume);
-  if (renderer_) {
-    makeCurrent();
-    renderer_->setVolume(volume_);
-    doneCurrent();
-  }
   redraw();
 }
 
@@ -381,7 +425,6 @@ void Viewport::setMachine(const scene::Machine& machine) {
   if (machine == machine_) return;
   machine_ = machine;
   quality_.setMachine(machine);
-  if (renderer_) renderer_->setMachine(machine);
   redraw();
 }
 
@@ -389,7 +432,7 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
   const app::Motion motion = motionBetween(resolved_, resolved);
   const bool switchedOn =
       scene::shadingOf(resolved) == scene::Shading::gi && scene::shadingOf(resolved_) != scene::Shading::gi;
-  if (switchedOn) seenPixels_ = 0.0;
+  if (switchedOn) viewChanged();
   scene_ = scene;
   resolved_ = resolved;
   overlay_->setScene(resolved, volume_ != nullptr, axes());
@@ -400,72 +443,72 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
 
 void Viewport::setFlowTime(double seconds) {
   resolved_.flow.time = seconds;
-  current_ = false;
   quality_.animated();
-  update();
+  changed();
 }
 
 void Viewport::setLight(LightPointer light, bool changing) {
   light_ = std::move(light);
   quality_.setLightChanging(changing);
-  current_ = false;
   if (!changing && !refineTimer_.isActive()) rest();
-  update();
+  changed();
 }
 
 render::StillPicture Viewport::picture(bool linear) {
-  if (!renderer_) throw base::Error(base::ErrorKind::graphics, "", "", "there is no picture to save");
-  makeCurrent();
+  const auto refuse = [](const char* why) { throw base::Error(base::ErrorKind::graphics, "", "", why); };
+  if (!hasContext_ || failed_) refuse("there is no picture to save");
+  if (stillComes_) refuse("another picture is being saved");
+  if (volume_ && !volume_->cubicFields->readyFor(resolved_)) {
+    if (fieldJob_ && fieldJob_->finished() && fieldJob_->error()) throw base::Error(*fieldJob_->error());
+    refuse("the volume is still being interpolated for this picture; save it in a moment");
+  }
+  render::FrameRequest request;
+  request.size = pixelSize();
+  request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
+  request.linear = linear;
+  thread_.drawStill(orderOf(request));
+  const std::unique_ptr<app::PictureThread::Still> still = awaitStill();
+  changed();  // the order that was dropped for it
+  if (!still) throw base::Error(base::ErrorKind::interrupted, "", "", "the picture was not waited for");
+  if (auto* const picture = std::get_if<render::StillPicture>(still.get())) return std::move(*picture);
   try {
-    render::FrameRequest request;
-    request.size = pixelSize();
-    request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
-    request.pixelRatio = devicePixelRatioF();
-    const bool ready = !volume_ || volume_->cubicFields->readyFor(resolved_);
-    if (!ready && fieldJob_ && fieldJob_->finished() && fieldJob_->error())
-      throw base::Error(*fieldJob_->error());
-    if (!ready)
-      throw base::Error(base::ErrorKind::graphics, "", "",
-                        "the volume is still being interpolated for this picture; save it in a moment");
-    renderer_->setLight(light_);
-    request.linear = linear;
-    base::Progress unwatched;
-    render::StillPicture picture = render::drawStill(*renderer_, resolved_, request, unwatched);
-    current_ = false;  // what pick() reads is drawn anew
-    update();
-    doneCurrent();
-    return picture;
+    std::rethrow_exception(std::get<std::exception_ptr>(*still));
   } catch (const base::Error&) {
-    doneCurrent();
     throw;
   } catch (...) {
-    renderer_.reset();
-    doneCurrent();
     throw base::Error(base::ErrorKind::graphics, "", "", reasonOf(std::current_exception()).toStdString());
   }
+}
+
+// Null: the program ends.
+std::unique_ptr<app::PictureThread::Still> Viewport::awaitStill() {
+  std::unique_ptr<app::PictureThread::Still> still;
+  QEventLoop loop;
+  QTimer timer;
+  connect(&timer, &QTimer::timeout, &loop, [&] {
+    still = thread_.takeStill();
+    if (still) loop.quit();
+  });
+  timer.start(pollMilliseconds);
+  stillComes_ = true;
+  setDrawing(true);
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  loop.exec(QEventLoop::ExcludeUserInputEvents);
+  QGuiApplication::restoreOverrideCursor();
+  stillComes_ = false;
+  setDrawing(false);
+  return still;
 }
 
 QString Viewport::description() const {
   return problem_ ? *problem_ : glDescription_;
 }
 
-std::optional<render::Pick> Viewport::pickAt(QPointF position) {
-  if (!renderer_ || !volume_ || lastRequest_.size.x < 1 || width() < 1 || height() < 1) return std::nullopt;
-  const QPointF fraction(position.x() / width(), position.y() / height());
-  const glm::ivec2 pixel{static_cast<int>(std::floor(fraction.x() * lastRequest_.size.x)),
-                         static_cast<int>(std::floor(fraction.y() * lastRequest_.size.y))};
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= lastRequest_.size.x || pixel.y >= lastRequest_.size.y) {
-    return std::nullopt;
-  }
-  makeCurrent();
-  std::optional<render::Pick> pick;
-  try {
-    pick = renderer_->pick(pixel);
-  } catch (...) {
-    pick.reset();  // nothing to read yet
-  }
-  doneCurrent();
-  return pick;
+std::optional<app::Pick> Viewport::pickAt(QPointF position) const {
+  if (!volume_ || !hasContext_ || failed_ || !rect().contains(position.toPoint())) return std::nullopt;
+  const glm::dvec2 fraction(position.x() / width(), position.y() / height());
+  const double aspect = static_cast<double>(pixelSize().x) / pixelSize().y;
+  return app::pickSurface(*volume_, resolved_, {2.0 * fraction.x - 1.0, 1.0 - 2.0 * fraction.y}, aspect);
 }
 
 }  // namespace isolux::ui

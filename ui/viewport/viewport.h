@@ -1,29 +1,37 @@
-// The picture: draws the scene with the renderer, turns the mouse into edited cameras.
+// The picture: orders pictures of the scene and shows them, turns the mouse into edited cameras.
 //
 // Left drag rotates, middle or Shift+left pans, right drag or wheel zooms, Ctrl+left rolls, a double click
 // puts the picked surface point into the centre. Under global illumination Shift+right turns the environment,
 // and lamps have handles.
 //
-// The renderer is made with the GL context and dies with it. A picture that fails (no room on the GPU, a
-// fault of the driver or of ours) costs that picture only: the reason stands in its place until something
-// changes, and then it is tried again.
+// Pictures are drawn by a thread (app/jobs/picture_thread.h) that has a GL context of its own and comes back
+// with pixels; this widget needs no OpenGL and waits for nothing. While a view changes, each change orders a
+// draft; at rest a sharp and then the full picture follow, which a new change drops.
+//
+// A picture that fails (no room on the GPU, a fault of the driver or of ours) costs that picture only: the
+// reason stands in its place until something changes, and then it is tried again.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
+#include <QImage>
 #include <QPointF>
 #include <QTimer>
+#include <QWidget>
 
 class QPushButton;
 
 #include "app/interaction/lamp_handles.h"
 #include "app/interaction/picture_quality.h"
+#include "app/interaction/surface_pick.h"
 #include "app/jobs/field_job.h"
+#include "app/jobs/picture_thread.h"
 #include "render/graph/frame.h"
-#include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/camera.h"
 #include "scene/machine.h"
@@ -31,15 +39,11 @@ class QPushButton;
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
 
-namespace isolux::render {
-struct Gl;
-}
-
 namespace isolux::ui {
 
 class ViewportOverlay;
 
-class Viewport : public QOpenGLWidget {
+class Viewport : public QWidget {
   Q_OBJECT
  public:
   explicit Viewport(QWidget* parent = nullptr);
@@ -63,18 +67,21 @@ class Viewport : public QOpenGLWidget {
   void toggleProjection();
 
   // The full picture as the scene asks for it, without letters and scale; `linear`: also as linear float32.
-  // Throws base::Error.
+  // The window goes on living until it is there, but takes no input. Throws base::Error.
   render::StillPicture picture(bool linear = false);
-  bool complete() const;        // the picture on screen is the full one
-  QString description() const;  // GL strings, or why there is no picture
+  const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale
+  bool complete() const;                          // the picture on screen is the full one
+  QString description() const;                    // GL strings, or why there is no picture
   const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);
   void gestureEnded();
-  void pointed(const std::optional<isolux::render::Pick>& pick);
+  void pointed(const std::optional<isolux::app::Pick>& pick);
   void drawn(double milliseconds, bool complete);
-  void drawing(bool begins);  // a frame, now
+  // A picture is on screen that shows a change of this long ago (the first, where it shows several).
+  void answered(double milliseconds);
+  void drawing(bool begins);  // pictures are on their way, or none is any more
   // The surface points of a picture that is lit by stored light, voxel coordinates; `finer`: of more pixels
   // than those told of the same view.
   void seen(const std::vector<glm::vec3>& hitVoxels, bool finer);
@@ -83,9 +90,7 @@ class Viewport : public QOpenGLWidget {
   void noted(const QString& message);  // worth knowing, nothing has failed
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
-  void resizeGL(int width, int height) override;
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -97,19 +102,29 @@ class Viewport : public QOpenGLWidget {
 
  private:
   enum class Drag { none, orbit, pan, zoom, roll, environment, lamp };
-  void releaseRenderer();
-  const render::FrameReport& drawPicture();
-  void clearPicture();
+  void takeContext();
+  void orderSoon();
+  void order();
+  app::PictureOrder orderOf(const render::FrameRequest& request);
+  std::unique_ptr<app::PictureThread::Still> awaitStill();
+  bool wantsHits(const render::FrameRequest& request) const;
+  void poll();
+  void setDrawing(bool draws);
+  void put(const app::DrawnPicture& picture);
   void offerRemedy(const std::optional<render::EmptyPicture>& empty);
   void takeRemedy();
   void placeRemedy();
-  void showed(const render::FrameReport& report, double milliseconds);
+  void showed(const app::DrawnPicture& picture, std::uint64_t view);
+  void tellSeen(const app::DrawnPicture& picture, std::uint64_t view);
   void fail(const QString& reason, const QString& advice);
   void redraw(
       app::Motion motion = app::Motion::rays);  // something changed: a quick picture now, a full one soon
   void refine();
   void rest();  // a gesture has ended
-  void reportSeen();
+  std::uint64_t answer(std::uint64_t order);
+  void viewChanged();
+  bool current() const { return shownChanges_ == changes_; }
+  void changed();
   scene::Scene drawable();  // what of the scene can be drawn by now; has the rest made
   void pollFields();
   app::LampStage lampStage() const;
@@ -124,12 +139,12 @@ class Viewport : public QOpenGLWidget {
   void endDrag(QPointF position);
   void reportPointed();
   void sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey, bool endsAfterPause);
-  std::optional<render::Pick> pickAt(QPointF position);
+  std::optional<app::Pick> pickAt(QPointF position) const;
   glm::ivec2 pixelSize() const;
   scene::WorldAxes axes() const;
 
-  std::shared_ptr<const render::Gl> gl_;  // null: no usable context
-  std::unique_ptr<render::Renderer> renderer_;
+  app::PictureThread thread_;
+  bool hasContext_ = false;
   std::optional<QString> problem_;
   QString glDescription_;
   VolumePointer volume_;
@@ -137,18 +152,35 @@ class Viewport : public QOpenGLWidget {
   LightPointer light_;
   scene::Machine machine_;
   app::PictureQuality quality_;
-  render::FrameRequest lastRequest_;
-  double pictureMilliseconds_ = 0.0;
-  bool current_ = false;        // nothing has changed since lastRequest_ was drawn
-  bool failed_ = false;         // the last try to draw it: nothing is tried until something changes
-  bool bricksPending_ = false;  // the next frame gets further
-  bool lightPending_ = false;   // so it does, with stored light
-  bool fieldsPending_ = false;  // the picture is drawn with other fields than the scene asks for
+  // Changes are counted. What is on screen: its pixels, what they were asked for, and after how many changes.
+  // What was ordered last: the same.
+  std::uint64_t changes_ = 1, shownChanges_ = 0, orderedChanges_ = 0;
+  QImage image_;
+  render::FrameRequest shownRequest_, orderedRequest_;
+  std::uint64_t orderNumber_ = 0;
+  // When the first change came that was not ordered yet, and that is shown by the next painting.
+  using Moment = std::chrono::steady_clock::time_point;
+  std::optional<Moment> changed_, unpainted_;
+  struct Awaited {
+    std::uint64_t order, view;
+    std::optional<Moment> changed;  // the first change since the order before
+  };
+  std::vector<Awaited> awaited_;  // orders that have not come back, and may have been dropped
+  bool orderComes_ = false;       // order() has been asked for
+  bool stillComes_ = false;       // picture() waits
+  bool drawing_ = false;          // what drawing() said last
+  bool failed_ = false;           // the last try to draw it: nothing is tried until something changes
+  bool bricksPending_ = false;    // the next frame gets further
+  bool lightPending_ = false;     // so it does, with stored light
+  bool fieldsPending_ = false;    // the picture is drawn with other fields than the scene asks for
   std::unique_ptr<app::FieldJob> fieldJob_;
   bool interacting_ = false;
-  double seenPixels_ = 0.0;  // of the finest picture of this view that was told by seen(); 0 none
+  // What rays hit: the number of the view, and the pixels of its finest picture that was told by seen(); 0
+  // none.
+  std::uint64_t view_ = 0;
+  double seenPixels_ = 0.0;
   QElapsedTimer sinceSeen_;
-  QTimer refineTimer_, pointTimer_, contextTimer_, fieldTimer_;
+  QTimer refineTimer_, pointTimer_, pollTimer_, fieldTimer_;
 
   Drag drag_ = Drag::none;
   Qt::MouseButton dragButton_ = Qt::NoButton;

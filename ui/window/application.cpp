@@ -11,7 +11,6 @@
 #include <QDir>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QSurfaceFormat>
 
 #include "app/files/state_folder.h"
 #include "app/version.h"
@@ -65,14 +64,6 @@ std::optional<std::string> displayProblem() {
 }
 
 void prepareApplication() {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(4, 5);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  format.setSwapInterval(1);
-  QSurfaceFormat::setDefaultFormat(format);
   QCoreApplication::setOrganizationName("Isolux");
   QCoreApplication::setApplicationName("isolux");
   QGuiApplication::setDesktopFileName("isolux");  // by which a desktop knows whose window it is

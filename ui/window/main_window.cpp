@@ -280,7 +280,7 @@ void MainWindow::showState() {
   recordingLabel_->setText(recording ? "● Recording" : "");
 }
 
-void MainWindow::showPointed(const std::optional<render::Pick>& pick) {
+void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
   if (!pick || !document_->volume()) {
     pointedLabel_->clear();
     return;

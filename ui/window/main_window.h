@@ -8,6 +8,7 @@
 #include <QMainWindow>
 
 #include "app/commands/command_line.h"
+#include "app/interaction/surface_pick.h"
 #include "render/graph/frame.h"
 #include "scene/machine.h"
 #include "ui/document/document.h"
@@ -92,7 +93,7 @@ class MainWindow : public QMainWindow {
   void tellOfMoving();
   void showScene(const scene::Scene& scene, const scene::Scene& resolved);
   void showState();  // title, undo names, recording: what stateChanged() announces
-  void showPointed(const std::optional<render::Pick>& pick);
+  void showPointed(const std::optional<app::Pick>& pick);
   void showRecent();
 
   void chooseFile();

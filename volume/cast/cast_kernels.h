@@ -29,6 +29,17 @@ struct CastView {
   float shifts[4] = {};                  // each isovalue minus the first, scaled
 };
 
+// A part of a picture, pixels [begin, end); images whose rows are `stride` pixels apart. lit: 255, or 0 in
+// shadow, where the surface faces away, and where there is none.
+struct ShadowTarget {
+  glm::ivec2 begin{0}, end{0};
+  const glm::vec4* points;
+  const glm::vec2* infos;
+  const glm::vec4* gradients;
+  std::uint8_t* lit;
+  std::size_t stride;
+};
+
 struct DerivativesView {
   glm::ivec3 dims{0};
   VoxelPointer samples;            // the volume's
@@ -57,6 +68,7 @@ struct CastKernels {
                const CastTarget& target);
   void (*castBehind)(const CastView& view, const PictureRays& rays, const CrossingsBefore& before,
                      const CastTarget& target);
+  void (*shadows)(const CastView& view, const ShadowRays& shadow, const ShadowTarget& target);
   void (*derivatives)(const DerivativesView& view, const DerivativesTarget& target);
 };
 

@@ -10,6 +10,7 @@
 
 #include "volume/cast/derivatives_at-inl.h"
 #include "volume/cast/first_crossing-inl.h"
+#include "volume/cast/shadows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
@@ -129,8 +130,8 @@ HWY_INLINE Before beforeAt(const CrossingsBefore& before, const CastTarget& targ
     if (at.x >= target.end.x || at.y >= target.end.y) continue;
     const std::size_t i = static_cast<std::size_t>(at.y) * target.stride + static_cast<std::size_t>(at.x);
     if (before.covered[i] > mostCovered) continue;
-    t[lane] = before.points[i].w;
-    inside[lane] = static_cast<std::int32_t>(before.infos[i].y) >> 2 & 15;
+    t[lane] = before.crossings.points[i].w;
+    inside[lane] = static_cast<std::int32_t>(before.crossings.infos[i].y) >> 2 & 15;
   }
   return {hn::Load(F(), t), hn::Load(I(), inside)};
 }
@@ -220,7 +221,7 @@ const CastKernels* castKernels(TracerTarget target) {
 #define ISOLUX_KERNELS(space, highway, one, name)                                                \
   if ((supported & (highway)) && wanted(one)) {                                                  \
     static constexpr CastKernels kernels{name, tracing::space::cast, tracing::space::castBehind, \
-                                         tracing::space::derivatives};                           \
+                                         tracing::space::shadows, tracing::space::derivatives};  \
     return &kernels;                                                                             \
   }
 #if HWY_TARGETS & HWY_AVX3

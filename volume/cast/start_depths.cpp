@@ -13,15 +13,14 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr int kBlockCells = 8;
 constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr float kWidening = 0.01f;  // pixels: the places of corners are rounded
 
 // Corners of blocks along an axis; the last block ends with the volume.
-std::vector<float> planesOf(int blocks, int voxels) {
+std::vector<float> planesOf(int blocks, int voxels, int blockCells) {
   std::vector<float> planes(static_cast<std::size_t>(blocks) + 1);
   for (int i = 0; i <= blocks; ++i)
-    planes[static_cast<std::size_t>(i)] = static_cast<float>(std::min(i * kBlockCells, voxels - 1));
+    planes[static_cast<std::size_t>(i)] = static_cast<float>(std::min(i * blockCells, voxels - 1));
   return planes;
 }
 
@@ -30,9 +29,10 @@ struct Corners {
   std::vector<float> x, y, depth;
 };
 
-Corners project(const PictureRays& rays, glm::ivec3 voxels, glm::ivec3 blocks) {
-  const std::vector<float> xs = planesOf(blocks.x, voxels.x), ys = planesOf(blocks.y, voxels.y),
-                           zs = planesOf(blocks.z, voxels.z);
+Corners project(const PictureRays& rays, glm::ivec3 voxels, const BlockMasks& of) {
+  const std::vector<float> xs = planesOf(of.blocks.x, voxels.x, of.blockCells),
+                           ys = planesOf(of.blocks.y, voxels.y, of.blockCells),
+                           zs = planesOf(of.blocks.z, voxels.z, of.blockCells);
   const glm::mat3 camera(glm::inverse(glm::dmat3(rays.right, rays.up, rays.forward)));
   const glm::vec2 toPixels = 0.5f * glm::vec2(rays.picture) / rays.halfExtent;
   const glm::vec2 middle = 0.5f * glm::vec2(rays.picture) - glm::vec2(rays.origin);
@@ -68,9 +68,9 @@ struct Range {
 };
 
 // The tiles that pixels [least, most] lie in, of `count`; empty where first > last.
-glm::ivec2 tilesOf(const Range& pixels, int count) {
-  const float first = std::floor((pixels.least - kWidening) / StartDepths::kTile);
-  const float last = std::floor((pixels.most + kWidening) / StartDepths::kTile);
+glm::ivec2 tilesOf(const Range& pixels, float tilesPerPixel, int count) {
+  const float first = std::floor((pixels.least - kWidening) * tilesPerPixel);
+  const float last = std::floor((pixels.most + kWidening) * tilesPerPixel);
   const auto end = static_cast<float>(count);
   return {static_cast<int>(std::clamp(first, 0.0f, end)),
           static_cast<int>(std::clamp(last, -1.0f, end - 1.0f))};
@@ -78,13 +78,15 @@ glm::ivec2 tilesOf(const Range& pixels, int count) {
 
 }  // namespace
 
-StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 voxels, glm::ivec3 blocks,
-                        std::span<const std::uint64_t> masks) {
+StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 voxels, const BlockMasks& of,
+                        int tile) {
   StartDepths out;
-  out.tiles = (size + (StartDepths::kTile - 1)) / StartDepths::kTile;
+  const glm::ivec3 blocks = of.blocks;
+  const float tilesPerPixel = 1.0f / static_cast<float>(tile);
+  out.tiles = (size + (tile - 1)) / tile;
   out.depths.assign(static_cast<std::size_t>(out.tiles.x) * static_cast<std::size_t>(out.tiles.y),
                     {kFar, -kFar});
-  const Corners corners = project(rays, voxels, blocks);
+  const Corners corners = project(rays, voxels, of);
   const std::size_t row = static_cast<std::size_t>(blocks.x) + 1,
                     slice = row * (static_cast<std::size_t>(blocks.y) + 1);
   Range everywhere;  // depths of blocks that reach from before the eye to behind it
@@ -93,7 +95,7 @@ StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 vox
     for (int y = 0; y < blocks.y; ++y) {
       std::size_t corner = static_cast<std::size_t>(z) * slice + static_cast<std::size_t>(y) * row;
       for (int x = 0; x < blocks.x; ++x, ++block, ++corner) {
-        if (masks[block] == 0) continue;
+        if (of.masks[block] == 0) continue;
         Range px, py, depth;
         int placed = 0;
         for (const std::size_t at : {corner, corner + 1, corner + row, corner + row + 1, corner + slice,
@@ -110,7 +112,8 @@ StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 vox
           everywhere.add(depth.most);
           continue;
         }
-        const glm::ivec2 tx = tilesOf(px, out.tiles.x), ty = tilesOf(py, out.tiles.y);
+        const glm::ivec2 tx = tilesOf(px, tilesPerPixel, out.tiles.x),
+                         ty = tilesOf(py, tilesPerPixel, out.tiles.y);
         for (int tileY = ty.x; tileY <= ty.y; ++tileY) {
           StartDepths::Depths* const line =
               &out.depths[static_cast<std::size_t>(tileY) * static_cast<std::size_t>(out.tiles.x)];

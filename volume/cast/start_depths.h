@@ -1,4 +1,4 @@
-// Where the rays of each tile of 4x4 pixels can meet a surface: from where the first block that may hold one
+// Where the rays of each tile of pixels can meet a surface: from where the first block that may hold one
 // begins to where the last one ends, along the view direction. By projecting the blocks (object order),
 // conservatively: no ray meets a surface outside of its tile's depths.
 //
@@ -17,7 +17,7 @@
 namespace isolux::volume {
 
 struct StartDepths {
-  static constexpr int kTile = 4;  // pixels
+  static constexpr int kTile = 4;  // pixels: of the packets of SurfaceCaster
   struct Depths {
     float first, last;  // mm along the view direction from `eye`; first > last: no block
   };
@@ -30,8 +30,15 @@ struct StartDepths {
   }
 };
 
-// masks: of each block of 8^3 cells, x fastest; 0: it holds nothing. size: pixels that are cast.
-StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 voxels, glm::ivec3 blocks,
-                        std::span<const std::uint64_t> masks);
+// The blocks of a volume.
+struct BlockMasks {
+  glm::ivec3 blocks;
+  std::span<const std::uint64_t> masks;  // x fastest; 0: it holds nothing
+  int blockCells = 8;
+};
+
+// size: pixels that are cast; tile: pixels per tile and axis.
+StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 voxels, const BlockMasks& of,
+                        int tile = StartDepths::kTile);
 
 }  // namespace isolux::volume

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include <tbb/blocked_range2d.h>
+#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #include "volume/cast/cast_kernels.h"
@@ -44,7 +46,7 @@ SurfaceCaster::SurfaceCaster(const Grid& grid, std::span<const double> storedIso
 SurfaceCaster::~SurfaceCaster() = default;
 
 StartDepths SurfaceCaster::startDepths(const PictureRays& rays, glm::ivec2 size) const {
-  return volume::startDepths(rays, size, view_->dims, view_->blockDims, masks_);
+  return volume::startDepths(rays, size, view_->dims, {view_->blockDims, masks_});
 }
 
 void SurfaceCaster::cast(const PictureRays& rays, const StartDepths& depths, const CastTarget& target) const {
@@ -52,35 +54,98 @@ void SurfaceCaster::cast(const PictureRays& rays, const StartDepths& depths, con
   kernels_->cast(*view_, rays, depths, target);
 }
 
-// Calls cast(target) for squares of all pixels, on all threads.
-template <class Cast>
-void SurfaceCaster::forPieces(glm::ivec2 size, std::span<glm::vec4> points, std::span<glm::vec2> infos,
-                              const std::stop_token& stop, const Cast& cast) {
-  assert(points.size() == infos.size() &&
-         points.size() == static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+CrossingImage::CrossingImage(glm::ivec2 size)
+    : area(size),
+      points(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), {0.0f, 0.0f, 0.0f, -1.0f}),
+      infos(points.size(), glm::vec2(0.0f)) {}
+
+namespace {
+
+void addHits(const CrossingImage& crossings, const Rectangle& part, PictureArea& area) {
+  const auto hit = [](const glm::vec4& point) { return point.w >= 0.0f; };
+  const glm::ivec2 end = part.low + part.size;
+  for (int y = part.low.y; y < end.y; ++y) {
+    const auto row = crossings.points.begin() + static_cast<std::ptrdiff_t>(y) * crossings.area.size().x;
+    const auto begin = row + part.low.x, stop = row + end.x;
+    const auto first = std::find_if(begin, stop, hit);
+    if (first == stop) continue;
+    const auto last = std::find_if(std::make_reverse_iterator(stop), std::make_reverse_iterator(first), hit);
+    area.add(y, static_cast<int>(first - row), static_cast<int>(last.base() - row));
+  }
+}
+
+bool anyBlock(const StartDepths& depths, const Rectangle& part) {
+  const glm::ivec2 begin = part.low / StartDepths::kTile,
+                   end = (part.low + part.size + (StartDepths::kTile - 1)) / StartDepths::kTile;
+  for (int y = begin.y; y < end.y; ++y)
+    for (int x = begin.x; x < end.x; ++x)
+      if (depths.at(x, y).first <= depths.at(x, y).last) return true;
+  return false;
+}
+
+// Calls draw(square) for squares of all pixels, on all threads; for some once a stop is asked for.
+template <class Draw>
+void forPieces(glm::ivec2 size, const std::stop_token& stop, const Draw& draw) {
   constexpr int piece = 32;  // pixels
   const glm::ivec2 pieces = (size + (piece - 1)) / piece;
   tbb::parallel_for(tbb::blocked_range2d<int>(0, pieces.y, 1, 0, pieces.x, 1), [&](const auto& range) {
-    if (stop.stop_requested()) return;
-    const glm::ivec2 begin = piece * glm::ivec2(range.cols().begin(), range.rows().begin());
-    const glm::ivec2 end = glm::min(piece * glm::ivec2(range.cols().end(), range.rows().end()), size);
-    cast(CastTarget{begin, end, points.data(), infos.data(), static_cast<std::size_t>(size.x)});
+    for (int y = range.rows().begin(); y < range.rows().end(); ++y)
+      for (int x = range.cols().begin(); x < range.cols().end() && !stop.stop_requested(); ++x) {
+        const glm::ivec2 begin = piece * glm::ivec2(x, y);
+        draw(Rectangle{begin, glm::min(begin + piece, size) - begin});
+      }
   });
 }
 
-void SurfaceCaster::castAll(const PictureRays& rays, glm::ivec2 size, std::span<glm::vec4> points,
-                            std::span<glm::vec2> infos, const std::stop_token& stop) const {
-  const StartDepths depths = startDepths(rays, size);
-  forPieces(size, points, infos, stop, [&](const CastTarget& target) { cast(rays, depths, target); });
+}  // namespace
+
+// Calls cast(target) for what may hit or has hit.
+template <class MayHit, class Cast>
+void SurfaceCaster::castPieces(CrossingImage& out, const std::stop_token& stop, const MayHit& mayHit,
+                               const Cast& cast) {
+  const glm::ivec2 size = out.area.size();
+  tbb::combinable<PictureArea> areas([&] { return PictureArea(size); });
+  forPieces(size, stop, [&](const Rectangle& part) {
+    const bool may = mayHit(part);
+    if (!may && !out.area.meets(part)) return;
+    cast(CastTarget{part.low, part.low + part.size, out.points.data(), out.infos.data(),
+                    static_cast<std::size_t>(size.x)});
+    if (may) addHits(out, part, areas.local());
+  });
+  if (!stop.stop_requested()) out.area = PictureArea(size);  // else some of what was there may be left
+  areas.combine_each([&](const PictureArea& area) { out.area.add(area); });
 }
 
-void SurfaceCaster::castBehind(const PictureRays& rays, glm::ivec2 size, const CrossingsBefore& before,
-                               std::span<glm::vec4> points, std::span<glm::vec2> infos,
+void SurfaceCaster::castAll(const PictureRays& rays, CrossingImage& out, const std::stop_token& stop) const {
+  const StartDepths depths = startDepths(rays, out.area.size());
+  castPieces(
+      out, stop, [&](const Rectangle& part) { return anyBlock(depths, part); },
+      [&](const CastTarget& target) { cast(rays, depths, target); });
+}
+
+void SurfaceCaster::castBehind(const PictureRays& rays, const CrossingsBefore& before, CrossingImage& out,
                                const std::stop_token& stop) const {
-  assert(before.points.size() == points.size() && before.infos.size() == points.size() &&
-         before.covered.size() == points.size());
-  forPieces(size, points, infos, stop,
-            [&](const CastTarget& target) { kernels_->castBehind(*view_, rays, before, target); });
+  assert(before.crossings.area.size() == out.area.size() && before.covered.size() == out.points.size());
+  castPieces(
+      out, stop, [&](const Rectangle& part) { return before.crossings.area.meets(part); },
+      [&](const CastTarget& target) { kernels_->castBehind(*view_, rays, before, target); });
+}
+
+void SurfaceCaster::castShadows(const ShadowRays& shadow, const CrossingImage& hits,
+                                std::span<const glm::vec4> gradients, ShadowImage& out,
+                                const std::stop_token& stop) const {
+  const glm::ivec2 size = hits.area.size();
+  assert(gradients.size() == hits.points.size());
+  if (out.area.size() != size) out.area = PictureArea(size);
+  out.lit.resize(hits.points.size());
+  forPieces(size, stop, [&](const Rectangle& part) {
+    if (!hits.area.meets(part) && !out.area.meets(part)) return;
+    kernels_->shadows(*view_, shadow,
+                      {part.low, part.low + part.size, hits.points.data(), hits.infos.data(),
+                       gradients.data(), out.lit.data(), static_cast<std::size_t>(size.x)});
+  });
+  if (!stop.stop_requested()) out.area = PictureArea(size);
+  out.area.add(hits.area);
 }
 
 }  // namespace isolux::volume

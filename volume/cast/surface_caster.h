@@ -11,11 +11,14 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "volume/cast/picture_area.h"
 #include "volume/cast/picture_rays.h"
 #include "volume/cast/start_depths.h"
 #include "volume/grid.h"
@@ -38,12 +41,35 @@ struct CastTarget {
   std::size_t stride = 0;
 };
 
-// The crossings that rays come from: their points and infos, and how much of the pixel is covered (nearly
-// all: the ray ends).
+// A crossing of each pixel's ray, bottom row first; beyond `area` there is none.
+struct CrossingImage {
+  explicit CrossingImage(glm::ivec2 size);
+  PictureArea area;
+  std::vector<glm::vec4> points;  // as of CastTarget
+  std::vector<glm::vec2> infos;
+};
+
+// The crossings that rays come from, and how much of the pixel is covered (nearly all: the ray ends).
 struct CrossingsBefore {
-  std::span<const glm::vec4> points;
-  std::span<const glm::vec2> infos;
+  const CrossingImage& crossings;
   std::span<const float> covered;
+};
+
+// A light infinitely far away, and the camera that saw what it shines on
+// (resources/shaders/look/surface.glsl).
+struct ShadowRays {
+  PictureRays rays;
+  glm::vec3 right{0.0f}, up{0.0f}, forward{0.0f};  // the camera's unit axes, world
+  float outward = 1.0f;                            // times the gradient
+  glm::mat3 voxelFromWorld{1.0f};                  // of directions
+  glm::vec3 light{0.0f};                           // unit, world, toward the light
+  int opaque = 0;                                  // a bit for each surface that stops light
+};
+
+// Beyond `area` all are 0.
+struct ShadowImage {
+  PictureArea area;
+  std::vector<std::uint8_t> lit;  // 255; 0: in shadow, facing away, or no surface
 };
 
 class SurfaceCaster {
@@ -62,19 +88,20 @@ class SurfaceCaster {
   StartDepths startDepths(const PictureRays& rays, glm::ivec2 size) const;
   // On the calling thread. Safe from many.
   void cast(const PictureRays& rays, const StartDepths& depths, const CastTarget& target) const;
-  // All of `size`, on all threads of the caller's arena. points, infos: size.x * size.y; some are not written
-  // once a stop is asked for, which is heeded within a millisecond.
-  void castAll(const PictureRays& rays, glm::ivec2 size, std::span<glm::vec4> points,
-               std::span<glm::vec2> infos, const std::stop_token& stop = {}) const;
-  // The next crossings behind those.
-  void castBehind(const PictureRays& rays, glm::ivec2 size, const CrossingsBefore& before,
-                  std::span<glm::vec4> points, std::span<glm::vec2> infos,
+  // All pixels of `out`, on all threads of the caller's arena. Of what it held before, only its area is
+  // overwritten; not all of it once a stop is asked for, which is heeded within a millisecond.
+  void castAll(const PictureRays& rays, CrossingImage& out, const std::stop_token& stop = {}) const;
+  // The next crossings behind those, of an image of the same size.
+  void castBehind(const PictureRays& rays, const CrossingsBefore& before, CrossingImage& out,
                   const std::stop_token& stop = {}) const;
+  // Whether the light reaches those crossings. gradients: world, of each pixel.
+  void castShadows(const ShadowRays& shadow, const CrossingImage& hits, std::span<const glm::vec4> gradients,
+                   ShadowImage& out, const std::stop_token& stop = {}) const;
 
  private:
-  template <class Cast>
-  static void forPieces(glm::ivec2 size, std::span<glm::vec4> points, std::span<glm::vec2> infos,
-                        const std::stop_token& stop, const Cast& cast);
+  template <class MayHit, class Cast>
+  static void castPieces(CrossingImage& out, const std::stop_token& stop, const MayHit& mayHit,
+                         const Cast& cast);
   std::span<const std::uint64_t> masks_;
   std::unique_ptr<casting::CastView> view_;
   const casting::CastKernels* kernels_;

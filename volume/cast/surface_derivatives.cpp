@@ -12,10 +12,11 @@
 namespace isolux::volume {
 
 void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
-                        std::span<const glm::vec4> points, const DerivativeImages& images,
-                        TracerTarget wanted, const std::stop_token& stop) {
+                        std::span<const glm::vec4> points, const PictureArea& area,
+                        const DerivativeImages& images, TracerTarget wanted, const std::stop_token& stop) {
   const casting::CastKernels* const kernels = casting::castKernels(wanted);
   assert(kernels && images.gradient.size() == points.size());
+  assert(points.size() == static_cast<std::size_t>(area.size().x) * static_cast<std::size_t>(area.size().y));
   assert(images.diagonal.size() == images.mixed.size());
   casting::DerivativesView view;
   view.dims = grid.dims();
@@ -25,14 +26,21 @@ void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients
   if (coefficients) view.spline = coefficients->values.data();
   view.worldFromVoxel = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(grid.geometry().worldFromVoxel))));
   view.dataUnits = static_cast<float>(grid.slope());
-  constexpr std::size_t piece = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), piece), [&](const auto& range) {
-    if (stop.stop_requested()) return;
-    const auto part = [&](std::span<glm::vec4> image) {
-      return image.empty() ? nullptr : image.data() + range.begin();
-    };
-    kernels->derivatives(view, {points.data() + range.begin(), range.size(), part(images.gradient),
-                                part(images.diagonal), part(images.mixed)});
+  const auto width = static_cast<std::size_t>(area.size().x);
+  const auto deriveRow = [&](const Rectangle& part, int row) {
+    const std::size_t first = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(part.low.x);
+    const auto of = [&](std::span<glm::vec4> image) { return image.empty() ? nullptr : &image[first]; };
+    kernels->derivatives(view, {&points[first], static_cast<std::size_t>(part.size.x), of(images.gradient),
+                                of(images.diagonal), of(images.mixed)});
+  };
+  const std::vector<Rectangle> parts = area.rectangles();
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    constexpr int grain = 8;  // rows
+    tbb::parallel_for(tbb::blocked_range<int>(parts[i].low.y, parts[i].low.y + parts[i].size.y, grain),
+                      [&](const auto& rows) {
+                        for (int row = rows.begin(); row < rows.end() && !stop.stop_requested(); ++row)
+                          deriveRow(parts[i], row);
+                      });
   });
 }
 

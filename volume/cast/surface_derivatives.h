@@ -10,6 +10,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "volume/cast/picture_area.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
 #include "volume/tracer/isosurface_tracer.h"
@@ -25,11 +26,13 @@ struct DerivativeImages {
 
 enum class DerivedField { trilinear, spline };
 
-// points: voxel coordinates, w < 0 where there is no surface. coefficients: of the spline; null: the samples
-// themselves. On all threads of the caller's arena. Some are not written once a stop is asked for. Needs
+// points: voxel coordinates, w < 0 where there is no surface; those beyond `area` are left alone, and
+// some within once a stop is asked for.
+// coefficients: of the spline; null: the samples themselves. On all threads of the caller's arena. Needs
 // SurfaceCaster::available().
 void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
-                        std::span<const glm::vec4> points, const DerivativeImages& images,
-                        TracerTarget wanted = TracerTarget::automatic, const std::stop_token& stop = {});
+                        std::span<const glm::vec4> points, const PictureArea& area,
+                        const DerivativeImages& images, TracerTarget wanted = TracerTarget::automatic,
+                        const std::stop_token& stop = {});
 
 }  // namespace isolux::volume

@@ -29,6 +29,7 @@ constexpr PhantomInfo kPhantoms[] = {
     {"marschner_lobb", "the reconstruction test signal of Marschner and Lobb", "", 0.5, 64},
     {"two_balls", "two balls that touch in one point, where the gradient vanishes", "mm", 0.0, 128},
     {"sheet", "a sheet thinner than a voxel", "mm", 0.0, 64},
+    {"sheets", "half a ball, cut obliquely into parallel sheets and gaps of two voxels each", "mm", 0.0, 128},
     {"noise", "smooth random field with white noise", "", 0.0, 128},
 };
 constexpr int kMinimumSize = 2, kMaximumSize = 1024;
@@ -148,6 +149,13 @@ std::vector<float> closedForm(const PhantomRequest& request, const GridGeometry&
       return half - std::abs(glm::dot(at.layerNormal, p) - at.layerOffset);
     });
   }
+  if (name == "sheets")
+    return make([=](glm::dvec3 p, std::size_t) {
+      const glm::dvec3 q = p - c;
+      const double period = e / 31.75, across = glm::dot(glm::dvec3(2, 14, -5), q) / 15.0;
+      const double fromSheet = std::abs(across - period * std::round(across / period));
+      return std::min({0.4 * e - glm::length(q), q.y, 0.25 * period - fromSheet});
+    });
   const std::uint64_t seed = request.seed;  // "noise"
   return make([=](glm::dvec3 p, std::size_t i) {
     const glm::dvec3 q = (p - c) / e;

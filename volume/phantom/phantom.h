@@ -8,10 +8,12 @@
 //   plane           -(2 qx + 3 qy + 6 qz) / 7
 //   saddle          2 (qx^2 - qy^2) / e - qz
 //   gyroid          sin X cos Y + sin Y cos Z + sin Z cos X                   (X,Y,Z) = 8 pi q / e
-//   marschner_lobb  (1 - sin(pi Z/2) + (1 + cos(12 pi cos(pi r/2))) / 4) / 2.5   (X,Y,Z) = 2 q / e, r =
-//   |(X,Y)| two_balls       -(|q - R x|^2 - R^2) (|q + R x|^2 - R^2) / (8 R^3)        R = 0.2 e, x the unit
-//   vector sheet           h - |distance to the z layer of voxels nearest to c|      h = half of sheetVoxels
-//   z spacings
+//   marschner_lobb  (1 - sin(pi Z/2) + (1 + cos(12 pi cos(pi r/2))) / 4) / 2.5
+//                                                  (X,Y,Z) = 2 q / e, r = |(X,Y)|
+//   two_balls       -(|q - R x|^2 - R^2) (|q + R x|^2 - R^2) / (8 R^3)        R = 0.2 e, x the unit vector
+//   sheet           h - |distance to the z layer of voxels nearest to c|      h = half of sheetVoxels z
+//   spacings sheets          min(R - |q|, qy, p / 4 - |u q - the multiple of p nearest to it|)
+//                                                  R = 0.4 e, p = e / 31.75, u = (2, 14, -5) / 15
 // (Marschner & Lobb 1994 with f_M = 6, alpha = 1/4.) `noise` is smooth random plus white noise. `head` is
 // a head of fixed size in mm, patient axes LPS, round the world's origin; its geometry by default shows all
 // of it.

@@ -21,7 +21,8 @@ constexpr double kCubeMm = 250.0;
 const glm::dvec3 kCubeCentreMm(0.0, -12.0, 0.0);
 constexpr float kNeckCutMm = -119.0f;  // below: air, as if the scan had ended there
 constexpr float kFleshOnSkullMm = 2.5f, kFleshOnJawMm = 2.5f, kFleshBlendMm = 5.0f;
-constexpr int kBlock = 8;  // voxels per axis that share one selection of shapes
+constexpr float kFarMm = 1e4f;             // from an organ that is not there
+constexpr int kBlock = PointRow::kPoints;  // voxels per axis that share one selection of shapes
 
 namespace hu {
 constexpr float air = -1000.0f, skin = 60.0f, fat = -90.0f, muscle = 50.0f, brain = 36.0f, liquor = 8.0f;
@@ -86,46 +87,95 @@ class LocalAnatomy {
       anatomy.organs[i].select(centre, reach, margin, organs_[i]);
   }
   bool has(Organ organ) const { return !organs_[static_cast<std::size_t>(organ)].empty(); }
-  float distance(Organ organ, glm::vec3 p) const {
-    return distanceTo(organs_[static_cast<std::size_t>(organ)], p);
+  // Nothing but air around: no skin is within the margin.
+  bool air() const {
+    return !has(Organ::flesh) && !has(Organ::skull) && !has(Organ::mandible) && !has(Organ::marker);
   }
 
-  // HU at p; w: half-width of the point spread, mm.
-  float hounsfield(glm::vec3 p, float w) const {
-    const float skull = distance(Organ::skull, p), mandible = distance(Organ::mandible, p);
-    // The skin: flesh, and what lies over the bones.
-    float body = smoothMinimum(distance(Organ::flesh, p), skull - kFleshOnSkullMm, kFleshBlendMm);
-    body = smoothMinimum(body, mandible - kFleshOnJawMm, kFleshBlendMm);
-    const float cut = kNeckCutMm - p.z;
-    body = std::max(body, cut);
-    if (body >= w && !has(Organ::marker)) return hu::air;
-    // Layers of the soft tissue by depth: skin, fat, muscle.
-    float soft = mix(hu::skin, hu::fat, coverage(body + 2.0f, w));
-    soft = mix(soft, hu::muscle, coverage(body + 6.0f, w));
-    if (has(Organ::brain)) {
-      const float d = distance(Organ::brain, p);
-      soft = mix(soft, mix(hu::liquor, hu::brain, coverage(d + 3.0f, w)), coverage(d, w));
-      if (has(Organ::ventricles)) soft = mix(soft, hu::liquor, coverage(distance(Organ::ventricles, p), w));
+  // HU at the points; w: half-width of the point spread, mm.
+  void hounsfield(const PointRow& points, float w, float (&values)[PointRow::kPoints]) {
+    for (const Organ organ : {Organ::skull, Organ::mandible, Organ::flesh})
+      if (has(organ)) measure(organ, points);
+    float body[PointRow::kPoints];
+    bool skin = has(Organ::marker);
+    for (int i = 0; i < PointRow::kPoints; ++i) {
+      body[i] = bodyAt(i, points.z[i]);
+      skin = skin || body[i] < w;
+      values[i] = hu::air;
     }
-    if (has(Organ::orbits))
-      soft = mix(soft, hu::fat, coverage(std::max(distance(Organ::orbits, p), body + 4.0f), w));
-    if (has(Organ::eyes)) soft = mix(soft, hu::eyeball, coverage(distance(Organ::eyes, p), w));
-    if (has(Organ::lenses)) soft = mix(soft, hu::lens, coverage(distance(Organ::lenses, p), w));
-
-    if (has(Organ::airways)) soft = mix(soft, hu::air, coverage(distance(Organ::airways, p), w));
-    float value = mix(hu::air, soft, coverage(body, w));
-    value = addBone(value, skull + sutureDepth(p, skull), 0.8f, cut, w);
-    value = addBone(value, mandible, 1.5f, cut, w);
-    value = addBone(value, distance(Organ::spine, p), 1.5f, cut, w);
-    if (has(Organ::teeth)) value = mix(value, hu::tooth, coverage(distance(Organ::teeth, p), w));
-    if (has(Organ::sinuses)) value = mix(value, hu::air, coverage(distance(Organ::sinuses, p), w));
-    if (has(Organ::marker)) value = mix(value, hu::metal, coverage(distance(Organ::marker, p), w));
-    return value;
+    if (!skin) return;
+    for (std::size_t organ = 0; organ < kOrganCount; ++organ)
+      if (!organs_[organ].empty()) measure(static_cast<Organ>(organ), points);
+    for (int i = 0; i < PointRow::kPoints; ++i)
+      values[i] = hounsfield({points.x[i], points.y[i], points.z[i]}, i, body[i], w);
   }
 
  private:
+  using Distances = float[PointRow::kPoints];
+
+  void measure(Organ organ, const PointRow& points) {
+    const auto index = static_cast<std::size_t>(organ);
+    distancesTo(organs_[index], points, distances_[index]);
+  }
+  float distance(Organ organ, int point) const {
+    const auto index = static_cast<std::size_t>(organ);
+    return organs_[index].empty() ? kFarMm : distances_[index][point];
+  }
+
+  // The skin: flesh, and what lies over the bones; cut off below.
+  float bodyAt(int point, float z) const {
+    const float overSkull = distance(Organ::skull, point) - kFleshOnSkullMm;
+    const float body = smoothMinimum(distance(Organ::flesh, point), overSkull, kFleshBlendMm);
+    const float overJaw = distance(Organ::mandible, point) - kFleshOnJawMm;
+    return std::max(smoothMinimum(body, overJaw, kFleshBlendMm), kNeckCutMm - z);
+  }
+
+  float softTissue(int point, float body, float w) const {
+    // Layers by depth: skin, fat, muscle.
+    float soft = mix(hu::skin, hu::fat, coverage(body + 2.0f, w));
+    soft = mix(soft, hu::muscle, coverage(body + 6.0f, w));
+    if (has(Organ::brain)) {
+      const float d = distance(Organ::brain, point);
+      soft = mix(soft, mix(hu::liquor, hu::brain, coverage(d + 3.0f, w)), coverage(d, w));
+      if (has(Organ::ventricles))
+        soft = mix(soft, hu::liquor, coverage(distance(Organ::ventricles, point), w));
+    }
+    if (has(Organ::orbits))
+      soft = mix(soft, hu::fat, coverage(std::max(distance(Organ::orbits, point), body + 4.0f), w));
+    if (has(Organ::eyes)) soft = mix(soft, hu::eyeball, coverage(distance(Organ::eyes, point), w));
+    if (has(Organ::lenses)) soft = mix(soft, hu::lens, coverage(distance(Organ::lenses, point), w));
+    if (has(Organ::airways)) soft = mix(soft, hu::air, coverage(distance(Organ::airways, point), w));
+    return soft;
+  }
+
+  float hounsfield(glm::vec3 p, int point, float body, float w) const {
+    if (body >= w && !has(Organ::marker)) return hu::air;
+    const float skull = distance(Organ::skull, point), cut = kNeckCutMm - p.z;
+    float value = mix(hu::air, softTissue(point, body, w), coverage(body, w));
+    value = addBone(value, skull + sutureDepth(p, skull), 0.8f, cut, w);
+    value = addBone(value, distance(Organ::mandible, point), 1.5f, cut, w);
+    value = addBone(value, distance(Organ::spine, point), 1.5f, cut, w);
+    if (has(Organ::teeth)) value = mix(value, hu::tooth, coverage(distance(Organ::teeth, point), w));
+    if (has(Organ::sinuses)) value = mix(value, hu::air, coverage(distance(Organ::sinuses, point), w));
+    if (has(Organ::marker)) value = mix(value, hu::metal, coverage(distance(Organ::marker, point), w));
+    return value;
+  }
+
   std::array<std::vector<const Shape*>, kOrganCount> organs_;
+  std::array<Distances, kOrganCount> distances_{};
 };
+
+// World positions, mm, of a row of voxels along x.
+PointRow pointsFrom(glm::dvec3 origin, const glm::dmat3& linear, glm::ivec3 first) {
+  PointRow points;
+  for (int i = 0; i < PointRow::kPoints; ++i) {
+    const glm::vec3 world(origin + linear * glm::dvec3(first.x + i, first.y, first.z));
+    points.x[i] = world.x;
+    points.y[i] = world.y;
+    points.z[i] = world.z;
+  }
+  return points;
+}
 
 }  // namespace
 
@@ -161,15 +211,20 @@ std::vector<std::int16_t> headVoxels(const GridGeometry& geometry, double noise,
         const double reach = glm::length(linear[0]) * half.x + glm::length(linear[1]) * half.y +
                              glm::length(linear[2]) * half.z;
         local.select(anatomy, glm::vec3(middle), static_cast<float>(reach), margin);
+        const bool air = local.air();
         for (int z = low.z; z <= high.z; ++z) {
           for (int y = low.y; y <= high.y; ++y) {
             std::size_t i = (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) +
                              static_cast<std::size_t>(y)) *
                                 static_cast<std::size_t>(dims.x) +
                             static_cast<std::size_t>(low.x);
+            float values[PointRow::kPoints];
+            if (air)
+              std::fill(std::begin(values), std::end(values), hu::air);
+            else
+              local.hounsfield(pointsFrom(origin, linear, {low.x, y, z}), w, values);
             for (int x = low.x; x <= high.x; ++x, ++i) {
-              const glm::dvec3 world = origin + linear * glm::dvec3(x, y, z);
-              double value = static_cast<double>(local.hounsfield(glm::vec3(world), w));
+              auto value = static_cast<double>(values[x - low.x]);
               if (noise > 0.0) value += noise * base::normalNoise(seed, i);
               voxels[i] = static_cast<std::int16_t>(std::clamp(std::floor(value + 0.5), -1024.0, 3071.0));
             }

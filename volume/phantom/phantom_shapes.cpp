@@ -10,23 +10,10 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr float kFar = 1e4f;
-
 float segmentParameter(const Shape& shape, glm::vec3 p) {
   const glm::vec3 axis = shape.b - shape.a;
   const float square = glm::dot(axis, axis);
   return square > 0.0f ? std::clamp(glm::dot(p - shape.a, axis) / square, 0.0f, 1.0f) : 0.0f;
-}
-
-// First-order distance to an ellipsoid: F/|grad F| with F = k0 (k0 - 1), k0 = |q/r|.
-float shapeDistance(const Shape& shape, glm::vec3 p) {
-  const float t = segmentParameter(shape, p);
-  const glm::vec3 q = p - glm::mix(shape.a, shape.b, t);
-  const glm::vec3 r = glm::mix(shape.radiiA, shape.radiiB, t);
-  const glm::vec3 scaled = q / r;
-  const float k0 = glm::length(scaled), k1 = glm::length(scaled / r);
-  if (k1 < 1e-6f) return -std::min({r.x, r.y, r.z});
-  return k0 * (k0 - 1.0f) / k1;
 }
 
 }  // namespace
@@ -85,18 +72,6 @@ void Solid::select(glm::vec3 centre, float reach, float margin, std::vector<cons
   std::size_t first = 0;
   while (first < out.size() && out[first]->remove) ++first;
   out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(first));
-}
-
-float distanceTo(const std::vector<const Shape*>& shapes, glm::vec3 p) {
-  float distance = kFar;
-  for (const Shape* shape : shapes) {
-    glm::vec3 q = p;
-    if (shape->mirrored) q.x = std::abs(q.x);
-    const float d = shapeDistance(*shape, q);
-    distance =
-        shape->remove ? -smoothMinimum(-distance, d, shape->blend) : smoothMinimum(distance, d, shape->blend);
-  }
-  return distance;
 }
 
 }  // namespace isolux::volume

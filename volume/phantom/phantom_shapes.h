@@ -5,6 +5,7 @@
 // square roots are used, so that results do not depend on the machine's mathematical library.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -44,7 +45,15 @@ class Solid {
 // Smallest of two with a cubic transition of width k, twice continuously differentiable.
 float smoothMinimum(float a, float b, float k);
 
-// Signed distance of p to the blended shapes; far outside when there are none.
-float distanceTo(const std::vector<const Shape*>& shapes, glm::vec3 p);
+// Points that are looked at together, one per SIMD lane.
+struct PointRow {
+  static constexpr int kPoints = 8;
+  float x[kPoints], y[kPoints], z[kPoints];
+};
+
+// Signed distances of the points to the blended shapes; far outside when there are none. The same bit for
+// bit with any instruction set.
+void distancesTo(std::span<const Shape* const> shapes, const PointRow& points,
+                 float (&distances)[PointRow::kPoints]);
 
 }  // namespace isolux::volume

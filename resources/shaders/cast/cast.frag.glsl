@@ -2,22 +2,23 @@
 // a bit each) + 64 where a root was not isolated.
 //
 // EXACT: every cell's first root (trace.glsl, trace_cubic.glsl), which is the surface point itself: voxel position and
-// t (mm; -1: none), and |f - isovalue| in texels of what is hit. Otherwise a bracket [t0, t1] in mm, t0 > t1 where there
-// is none, by samples at two rates, Hadwiger et al. 2005 sec. 3.2; refine.frag.glsl makes the point of it. BEHIND: the
-// next crossing behind the one in uSurface. CUBIC: of the B-spline of uField.
+// t (mm; -1: none); with VALUE_ERROR also |f - isovalue| in texels of what is hit. Otherwise a bracket [t0, t1] in mm,
+// t0 > t1 where there is none, by samples at two rates, Hadwiger et al. 2005 sec. 3.2; refine.frag.glsl makes the point
+// of it. BEHIND: the next crossing behind the one in uSurface. CUBIC: of the B-spline of uField. Pixels that are not
+// drawn (TILES of fullscreen.vert.glsl) have no crossing.
 //
 // BRICKS: a ray that comes to a brick that is not resident ends there and waits: 128 in what is known, 1 in the last
 // channel of a bracket. AGAIN: only the rays that waited.
 #define CASTS_RAYS
 #include "common.glsl"
 #include "field.glsl"
+#include "start.glsl"
 #include "trace.glsl"
 #ifdef CUBIC
 #include "spline.glsl"
 #include "trace_cubic.glsl"
 #endif
 
-uniform sampler2D uSegments;
 #ifdef AGAIN
 uniform sampler2D uBefore;  // what this pass wrote before: what is known, or the bracket
 #endif
@@ -76,7 +77,7 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
   bool known = false;
   for (int i = 0; i < uMaxSteps; ++i) {
     int shift = emptyShift(place);
-    if (shift != 0) {
+    if (shift >= 0) {
       bvec3 axis;
       t = max(t, exitOf(path, place.cell, shift, axis));
       known = known && !uGaps;
@@ -132,13 +133,12 @@ bool castRay() {
 #else
   oBracket = nothing;
 #endif
-  float start = texelFetch(uSegments, pixel, 0).r;
-  if (start >= never) return writesNothing;
   vec3 origin, direction;
   pixelRay(gl_FragCoord.xy, origin, direction);
   float voxel = 1.0 / length(direction);  // mm along the ray
-  float slack = 0.05 * voxel;             // rounding of the faces' own depths
-  float t = max(start - slack, 0.0), tEnd = never;
+  float t, tEnd;
+  rayStart(gl_FragCoord.xy, 0.05 * voxel, t, tEnd);
+  if (t > tEnd) return writesNothing;
   bool carried = false;
   int inside = 0;
 #ifdef BEHIND
@@ -162,11 +162,14 @@ bool castRay() {
 #endif
   if (crossing.found) {
     vec3 p = origin + crossing.t * direction;
+    float error = 0.0;
+#ifdef VALUE_ERROR
     float isovalue = uIsovalues[crossing.surface];
 #ifdef CUBIC
-    float error = splineMinus(clamp(p, vec3(0.0), vec3(uDims - 1)), isovalue);
+    error = splineMinus(clamp(p, vec3(0.0), vec3(uDims - 1)), isovalue);
 #else
-    float error = trilinearMinus(p, isovalue);
+    error = trilinearMinus(p, isovalue);
+#endif
 #endif
     oSurface = vec4(p, max(crossing.t, 0.0));
     oInfo = vec2(isMissing(error) ? 0.0 : abs(error), float(crossing.surface + 4 * crossing.inside));

@@ -1,6 +1,6 @@
 // The first crossing of a ray with the trilinear isosurfaces, exactly: traversal of the cells that can hold one; in
 // each the cubic along the ray is split at its extrema, so the first change of side is found whatever its shape.
-// What cannot hold one is left in one step: inactive blocks, and boxes of 2x2x2 cells by a mask for each block.
+// What cannot hold one is left in one step, by masks of boxes of 2x2x2 cells, or of single cells (GpuVolume::bindMasks).
 //
 // SURFACES isovalues (1 to 4) are followed at once. Needs field.glsl. Positions are voxel coordinates, t is in mm.
 
@@ -8,9 +8,9 @@
 #define SURFACES 1
 #endif
 
-uniform usampler3D uBlockMasks;  // a bit for each box of 2x2x2 cells that can hold a crossing: x + 4 y + 16 z
-uniform int uBlockShift;         // log2 of the cells per block and axis
-uniform bool uGaps;              // the volume has missing voxels: behind an empty box no side is known
+uniform usampler3D uMasks;  // of 4x4x4 cells (boxes) each: a bit for each that can hold a crossing, x + 4 y + 16 z
+uniform int uMaskShift;     // log2 of the cells per axis that a bit stands for
+uniform bool uGaps;         // the volume has missing voxels: behind an empty box no side is known
 uniform vec4 uIsovalues;    // texels of what is hit
 uniform vec4 uIsovalueShifts;  // each isovalue minus the first, rounded once
 
@@ -55,24 +55,25 @@ void clipToDomain(Path path, inout float t, inout float tEnd) {
 
 bool outsideCells(ivec3 cell) { return any(lessThan(cell, ivec3(0))) || any(greaterThan(cell, uDims - 2)); }
 
-// Where a ray is: the cell, the block it is in and the block's mask.
+// Where a ray is: the cell, and the mask that it is in.
 struct Place {
   ivec3 cell, block;
   uvec2 mask;
 };
 Place placeAt(vec3 p) { return Place(cellOf(p), ivec3(-1), uvec2(0u)); }
 
-// log2 of the cells per axis of the largest empty box around the cell; 0: its box can hold a crossing.
+// log2 of the cells per axis of the largest empty box around the cell; -1: the cell can hold a crossing.
 int emptyShift(inout Place place) {
-  ivec3 block = place.cell >> uBlockShift;
+  ivec3 block = place.cell >> (2 + uMaskShift);
   if (block != place.block) {
     place.block = block;
-    place.mask = texelFetch(uBlockMasks, block, 0).rg;
+    place.mask = texelFetch(uMasks, block, 0).rg;
   }
-  if ((place.mask.x | place.mask.y) == 0u) return uBlockShift;
-  ivec3 box = place.cell >> 1 & 3;
-  int bit = box.x + 4 * box.y + 16 * box.z;
-  return ((bit < 32 ? place.mask.x : place.mask.y) >> (bit & 31) & 1u) != 0u ? 0 : 1;
+  if ((place.mask.x | place.mask.y) == 0u) return 2 + uMaskShift;
+  ivec3 at = place.cell >> uMaskShift & 3;
+  uint word = at.z < 2 ? place.mask.x : place.mask.y;
+  if ((word >> ((at.x & 2) + 4 * (at.y & 2)) & 0x330033u) == 0u) return 1 + uMaskShift;
+  return (word >> (at.x + 4 * at.y + 16 * (at.z & 1)) & 1u) == 0u ? uMaskShift : -1;
 }
 
 // t at which the ray leaves the box of 1 << shift cells per axis around `cell`, and along which axis. Axes it does not
@@ -84,6 +85,9 @@ float exitOf(Path path, ivec3 cell, int shift, out bvec3 axis) {
   axis = bvec3(x, y, !x && !y);
   return x ? t.x : y ? t.y : t.z;
 }
+
+// The cell behind `cell` across `axis`.
+ivec3 neighbour(Path path, ivec3 cell, bvec3 axis) { return mix(cell, cell + 2 * path.forward - 1, axis); }
 
 // The cell behind that box.
 ivec3 nextCell(Path path, ivec3 cell, int shift, float tOut, bvec3 axis) {
@@ -172,6 +176,32 @@ int sidesOf(float valueMinusFirst) {
   return bits;
 }
 
+// The cubic of a surface in its cell. The crossing the ray comes from (first) lies at this cell's entry, on one side or
+// the other by rounding.
+vec4 ofSurface(vec4 b, int k, int inside, bool first) {
+  vec4 own = b - uIsovalueShifts[k];
+  if (first) own.x = (inside >> k & 1) != 0 ? max(own.x, 0.0) : min(own.x, -1e-30);
+  return own;
+}
+
+// The nearest crossing of the surfaces in `changed` (a bit each) in the cell between t.x and t.y.
+void solve(vec4 b, int changed, int inside, bool first, vec2 t, inout Crossing crossing) {
+  float least = 2.0;
+  for (int k = 0; k < SURFACES; ++k) {
+    if ((changed >> k & 1) == 0) continue;
+    vec4 own = ofSurface(b, k, inside, first);
+    vec2 bracket;
+    firstChange(own, (inside >> k & 1) != 0, bracket);
+    float s = rootIn(own, bracket);
+    if (s >= least) continue;
+    least = s;
+    crossing.surface = k;
+  }
+  crossing.found = true;
+  crossing.t = mix(t.x, t.y, least);
+  crossing.inside = inside ^ (1 << crossing.surface);
+}
+
 // The first crossing in [t, tEnd]. carried: the ray has just crossed surfaces at t, and `inside` is the side it is on
 // behind them; otherwise the sides are those of the field at t. Behind missing voxels nothing is known: no surface
 // there. Ends where a brick is not resident (brickMissed says so).
@@ -182,60 +212,46 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
   if (t > tEnd) return crossing;
   Place place = placeAt(origin + t * direction);
   bool known = carried, first = carried;
-  int maxSteps = 2 * (uDims.x + uDims.y + uDims.z) + 16, changed = 0;
+  int steps = 2 * (uDims.x + uDims.y + uDims.z) + 16, changed = 0;
   vec4 b;
   float tOut;
-  for (int i = 0; i < maxSteps; ++i) {
-    int shift = emptyShift(place);
+  bool alive = true;
+  while (alive) {
     bvec3 axis;
-    tOut = max(t, exitOf(path, place.cell, shift, axis));
-    if (shift == 0) {
-      if (!resident(place.cell)) return crossing;
-      vec4 low, high;
-      cellCorners(place.cell, low, high);
-      if (anyMissing(low, high)) {
-        known = false;
-      } else {
-        vec3 from = clamp(origin + t * direction - vec3(place.cell), 0.0, 1.0);
-        vec3 to = clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0);
-        b = bernstein(low - uIsovalues.x, high - uIsovalues.x, from, to);
-        if (!known) inside = sidesOf(b.x);
-        known = true;
-        for (int k = 0; k < SURFACES; ++k) {
-          bool side = (inside >> k & 1) != 0;
-          vec4 own = b - uIsovalueShifts[k];
-          // The crossing the ray comes from lies at this cell's entry, on one side or the other by rounding.
-          if (first) own.x = side ? max(own.x, 0.0) : min(own.x, -1e-30);
-          vec2 bracket;
-          changed |= int(firstChange(own, side, bracket)) << k;
-        }
-        if (changed != 0) break;  // solved below, where the lanes of a group meet again
-      }
-    } else if (uGaps) {
-      known = false;
+    int shift = emptyShift(place);
+    // Stepping over what is empty does not pay for cells: where lanes share a counter, only loops jump.
+    while (shift >= 0) {
+      float tNext = max(t, exitOf(path, place.cell, shift, axis));
+      ivec3 next = nextCell(path, place.cell, shift, tNext, axis);
+      alive = tNext < tEnd && !outsideCells(next) && --steps > 0;
+      if (!alive) break;
+      t = tNext;
+      place.cell = next;
+      if (uGaps) known = false;
+      first = false;
+      shift = emptyShift(place);
     }
+    alive = alive && resident(place.cell);
+    if (!alive) break;
+    tOut = max(t, exitOf(path, place.cell, 0, axis));
+    vec4 low, high;
+    cellCorners(place.cell, low, high);
+    bool whole = !anyMissing(low, high);
+    vec3 from = clamp(origin + t * direction - vec3(place.cell), 0.0, 1.0);
+    vec3 to = clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0);
+    b = bernstein(low - uIsovalues.x, high - uIsovalues.x, from, to);
+    if (whole && !known) inside = sidesOf(b.x);
+    known = whole;
+    for (int k = 0; k < SURFACES; ++k) {
+      vec2 bracket;
+      changed |= int(whole && firstChange(ofSurface(b, k, inside, first), (inside >> k & 1) != 0, bracket)) << k;
+    }
+    if (changed != 0) break;
     first = false;
-    if (tOut >= tEnd) return crossing;
+    place.cell = neighbour(path, place.cell, axis);
+    alive = tOut < tEnd && !outsideCells(place.cell) && --steps > 0;
     t = tOut;
-    place.cell = nextCell(path, place.cell, shift, tOut, axis);
-    if (outsideCells(place.cell)) return crossing;
   }
-  if (changed == 0) return crossing;
-  float least = 2.0;
-  for (int k = 0; k < SURFACES; ++k) {
-    if ((changed >> k & 1) == 0) continue;
-    bool side = (inside >> k & 1) != 0;
-    vec4 own = b - uIsovalueShifts[k];
-    if (first) own.x = side ? max(own.x, 0.0) : min(own.x, -1e-30);
-    vec2 bracket;
-    firstChange(own, side, bracket);
-    float s = rootIn(own, bracket);
-    if (s >= least) continue;
-    least = s;
-    crossing.surface = k;
-  }
-  crossing.found = true;
-  crossing.t = mix(t, tOut, least);
-  crossing.inside = inside ^ (1 << crossing.surface);
+  if (changed != 0) solve(b, changed, inside, first, vec2(t, tOut), crossing);
   return crossing;
 }

@@ -149,12 +149,12 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
   int maxSteps = 2 * (uDims.x + uDims.y + uDims.z) + 16;
   for (int i = 0; i < maxSteps; ++i) {
     int shift = emptyShift(place);
-    if (shift == 0 && !resident(place.cell)) return crossing;
+    if (shift < 0 && !resident(place.cell)) return crossing;
     bvec3 axis;
-    float tOut = max(t, exitOf(path, place.cell, shift, axis));
+    float tOut = max(t, exitOf(path, place.cell, max(shift, 0), axis));
     vec4 rows[16];
     float least, most;
-    if (shift != 0) {
+    if (shift >= 0) {
       known = known && !uGaps;
     } else if (!cellSamples(place.cell, rows, least, most)) {
       known = false;
@@ -186,7 +186,7 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
     first = false;
     if (tOut >= tEnd) return crossing;
     t = tOut;
-    place.cell = nextCell(path, place.cell, shift, tOut, axis);
+    place.cell = nextCell(path, place.cell, max(shift, 0), tOut, axis);
     if (outsideCells(place.cell)) return crossing;
   }
   return crossing;

@@ -2,6 +2,7 @@
 //
 // render/light/light_texel.h says what is in a texel's words, render/light/light_atlas.h where texels are. SKY, LAMPS: how each is
 // packed (PACKED_*); WORDS: of a texel; CODE_WORDS, CODE_COUNT, CODE_FIELDS: of transfer; ISOVALUE: texels hold theirs.
+// PARTS_OF_OPEN_SKY: the sky's irradiance is in parts of what an open sky gives each normal (gi/harmonics/open_sky.h).
 // INTERPOLATION: scene::GiInterpolation. Wyman et al. 2006 sec. 4.2 and fig. 6.
 #define PACKED_NONE 0
 #define PACKED_R11G11B10 1
@@ -26,6 +27,8 @@ uvec2 firstWords(int at) { return uvec2(lightWord(at), lightWord(at + 1)); }
 uniform ivec3 uLatticeDims, uLatticeBlocks;
 uniform vec3 uTexelsPerVoxel;  // 0 on an axis of one texel
 uniform vec3 uSkyScale;        // E = this times what is stored; transfer has its own scale
+uniform vec3 uPerMeanSky;      // 1 / mean of localSky() over all normals
+const float leastOpenSky = 0.2;
 #if SKY == PACKED_CODES
 layout(std430, binding = 3) readonly buffer TransferFactors {
   vec4 transferFactors[];  // E = offset + sum of codes times the second of these and all that follow
@@ -154,6 +157,9 @@ void lookUp(vec3 voxel, vec3 normal, float isovalue) {
   skySum = max(skySum, vec3(0.0));  // a few bands of spherical harmonics ring
 #else
   skySum *= scale.x * uSkyScale;
+#ifdef PARTS_OF_OPEN_SKY
+  skySum *= max(uPerMeanSky * localSky(normal), leastOpenSky);
+#endif
 #endif
   lampsSum *= scale.y;
 }

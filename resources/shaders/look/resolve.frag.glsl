@@ -1,10 +1,12 @@
 // The background behind what is shaded; supersamples averaged in linear light. LINEAR: as that is; otherwise each at
-// most 1, encoded as sRGB, with a dither of one step against banding.
+// most 1, encoded as sRGB, with a dither of one step against banding. NOTHING_ELSE: the background alone.
 #include "background.glsl"
 #ifdef ENVIRONMENT
 #include "environment.glsl"
 #endif
+#ifndef NOTHING_ELSE
 uniform sampler2D uColor;  // premultiplied
+#endif
 uniform int uSupersampling;
 uniform ivec2 uTileOrigin;   // pixels
 uniform ivec2 uPictureSize;  // pixels, of the whole picture
@@ -30,7 +32,11 @@ void main() {
   for (int y = 0; y < uSupersampling; ++y)
     for (int x = 0; x < uSupersampling; ++x) {
       ivec2 ray = pixel * uSupersampling + ivec2(x, y);
+#ifdef NOTHING_ELSE
+      vec4 color = vec4(0.0);
+#else
       vec4 color = texelFetch(uColor, ray, 0);
+#endif
       ray += uTileOrigin * uSupersampling;
 #ifdef ENVIRONMENT
       vec3 behind = environmentAt((vec2(ray) + 0.5) / vec2(rays));

@@ -137,6 +137,7 @@ TEST_F(LightControllerTest, ABallUnderAWhiteSkyIsLitByPi) {
 
 TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
   scene.lamps[0].shown = true;
+  scene.gi.texels = scene::GiTexels::own;
   light();
   const auto before = controller.light();
   ASSERT_TRUE(before && before->sky && before->lamps);
@@ -172,6 +173,47 @@ TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
   EXPECT_EQ(now->sky, before->sky) << "light outlasts another look";
   now = change([](scene::Scene& s) { s.isosurface.albedo = glm::dvec3(0.1); });
   EXPECT_NE(now->sky, before->sky) << "light is reflected";
+}
+
+// Light of the shown isosurface is baked anew for another isovalue; what was there stands in meanwhile.
+TEST_F(LightControllerTest, AnotherIsovalueLeavesItsLightToStandIn) {
+  light();
+  const auto before = controller.light();
+  ASSERT_TRUE(before->sky->geometry().isovalue);
+  EXPECT_EQ(before->skyBefore, nullptr);
+  const auto show = [&](double isovalue) {
+    scene.isosurface.value = isovalue;
+    controller.setScene(resolved(), volume);
+    EXPECT_TRUE(controller.settle(30.0));
+    return controller.light();
+  };
+  controller.setPaused(true);
+  const auto next = show(0.3);
+  EXPECT_NE(next->sky, before->sky);
+  EXPECT_EQ(next->skyBefore, before->sky);
+  EXPECT_EQ(show(0.6)->skyBefore, before->sky) << "no light came between";
+  scene.isosurface.albedo = glm::dvec3(0.1);
+  EXPECT_EQ(show(0.9)->skyBefore, nullptr) << "another light";
+}
+
+// A file of all isovalues serves a view, and one of a view all isovalues' extent.
+TEST_F(LightControllerTest, AFileSaysWhereItsTexelsAreLit) {
+  const auto file = temporaryFolder() / "light.vti";
+  base::Progress progress;
+  scene.gi.extent = scene::GiExtent::full;
+  light();
+  EXPECT_FALSE(controller.light()->sky->geometry().isovalue);
+  controller.save(file, progress);
+  scene.gi.extent = scene::GiExtent::view;
+  light();
+  EXPECT_TRUE(controller.light()->sky->geometry().isovalue);
+  controller.load(file, progress);
+  EXPECT_FALSE(controller.light()->sky->geometry().isovalue);
+  EXPECT_GT(controller.light()->sky->bakedTexels(), 30000u);
+  scene.gi.texels = scene::GiTexels::shown;
+  controller.setScene(resolved(), volume);
+  ASSERT_TRUE(controller.settle(30.0));
+  EXPECT_THROW(controller.load(file, progress), base::Error);
 }
 
 TEST_F(LightControllerTest, ExposureIsBySurfaceAndLightAndFrozenWhileTheViewTurns) {

@@ -51,18 +51,20 @@ float FormulaEstimator::bakedOf(glm::ivec3 texel, const std::vector<std::uint32_
   return mean;
 }
 
-void FormulaEstimator::normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const {
-  std::transform(texels.begin(), texels.end(), normals.begin(), normalOf);
+void FormulaEstimator::points(std::span<const glm::ivec3> texels, std::span<TexelPoint> points) const {
+  std::transform(texels.begin(), texels.end(), points.begin(), [](glm::ivec3 texel) {
+    return TexelPoint{glm::vec3(texel), normalOf(texel)};
+  });
 }
 
-bool FormulaEstimator::add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals,
+bool FormulaEstimator::add(std::span<const glm::ivec3> texels, std::span<const TexelPoint> points,
                            SampleRange range, std::span<double> sums, std::uint64_t& rays,
                            const std::stop_token& stop) const {
   ++calls;
   if (before && !before(texels, range, stop)) return false;
   const auto components = static_cast<std::size_t>(content_.components());
   for (std::size_t t = 0; t < texels.size(); ++t) {
-    if (normals[t] != normalOf(texels[t]) || normals[t] == glm::vec3(0.0f))
+    if (points[t].normal != normalOf(texels[t]) || points[t].normal == glm::vec3(0.0f))
       throw std::logic_error("a texel without its normal");
     for (std::size_t c = 0; c < components; ++c)
       for (std::uint32_t i = range.first; i < range.first + range.count; ++i)

@@ -20,8 +20,8 @@ class FormulaEstimator : public TexelEstimator {
       : content_(content) {}
 
   LightContent content() const override { return content_; }
-  void normals(std::span<const glm::ivec3> texels, std::span<glm::vec3> normals) const override;
-  bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
+  void points(std::span<const glm::ivec3> texels, std::span<TexelPoint> points) const override;
+  bool add(std::span<const glm::ivec3> texels, std::span<const TexelPoint> points, SampleRange range,
            std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const override;
 
   // One texel in seven has no normal.

@@ -24,14 +24,14 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 // Light whose paths take processor time, as those of the tracer do, and that looks at the stop as it does.
 class WorkingEstimator : public FormulaEstimator {
  public:
-  bool add(std::span<const glm::ivec3> texels, std::span<const glm::vec3> normals, SampleRange range,
+  bool add(std::span<const glm::ivec3> texels, std::span<const TexelPoint> points, SampleRange range,
            std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const override {
     const std::size_t wanted = texels.size() * range.count;
     for (std::size_t done = 0; done < wanted; done += kPathsOfMillisecond) {
       if (stop.stop_requested()) return false;
       work(std::min(1.0, static_cast<double>(wanted - done) / kPathsOfMillisecond));
     }
-    return FormulaEstimator::add(texels, normals, range, sums, rays, stop);
+    return FormulaEstimator::add(texels, points, range, sums, rays, stop);
   }
 
  private:

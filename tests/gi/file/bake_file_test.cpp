@@ -1,5 +1,6 @@
 #include "gi/file/bake_file.h"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <filesystem>
@@ -110,6 +111,46 @@ TEST_F(BakeFile, LightComesBackAsItWas) {
   }
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()),
             1);  // nothing left beside
+}
+
+// Where texels of a lattice with an isovalue were lit is found again in the volume.
+TEST_F(BakeFile, PlacesOnAnIsosurfaceComeBack) {
+  std::vector<float> ramp;
+  for (int i = 0; i < 12 * 9 * 11; ++i) ramp.push_back(0.9f * static_cast<float>(i % 12) + 0.1f);
+  const volume::Grid grid(grid_.geometry(), std::move(ramp));
+  const double isovalue = 4.0;
+  const std::string key = R"({"lattice_scale":1.5,"isovalue":4.0})";
+  const LatticeGeometry geometry =
+      LatticeGeometry::make({12, 9, 11}, 1.5, static_cast<float>(grid.storedOfValue(isovalue)));
+  auto lattice = std::make_shared<LightLattice>(geometry, kIrradiance, key);
+  for (std::uint32_t b = 0; b < geometry.blockCount(); ++b) {
+    LatticeBlock block = lattice->dark();
+    for (std::size_t i = 0; i < kTexelsOfBlock; ++i) {
+      const glm::ivec3 texel = geometry.texelOf(b, static_cast<int>(i));
+      const float away = geometry.voxelOf(texel).x - 3.9f / 0.9f;
+      if (!geometry.contains(texel) || std::abs(away) > 0.6f) continue;
+      block.samples[i] = 16;
+      block.normals[i] = {1.0f, 0.0f, 0.0f};
+      block.places[i] = geometry.voxelOf(texel) - glm::vec3(away, 0.0f, 0.0f);
+    }
+    const bool lit = std::any_of(block.samples.begin(), block.samples.end(), [](auto n) { return n > 0; });
+    if (lit) lattice->write(b, block);
+  }
+  ASSERT_GT(lattice->bakedTexels(), 100u);
+  writeBakeFile(file(), grid, {lattice, nullptr}, progress_);
+  EXPECT_TRUE(isOfOneIsovalue(file()));
+  const StoredLight light = readBakeFile(file(), grid, key, "", progress_);
+  ASSERT_TRUE(light.sky);
+  expectSameLight(*lattice, *light.sky);
+  for (std::uint32_t b = 0; b < geometry.blockCount(); ++b)
+    for (std::size_t i = 0; i < kTexelsOfBlock; ++i) {
+      if (!lattice->has(b) || lattice->at(b)->samples[i] == 0) continue;
+      EXPECT_LT(glm::length(light.sky->at(b)->places[i] - lattice->at(b)->places[i]), 1e-4f);
+    }
+  EXPECT_THROW(readBakeFile(file(), grid, R"({"lattice_scale":1.5,"isovalue":5.0})", "", progress_),
+               base::Error);
+  writeBakeFile(file(), grid_, {baked(geometry_, kIrradiance, 4), nullptr}, progress_);
+  EXPECT_FALSE(isOfOneIsovalue(file()));
 }
 
 TEST_F(BakeFile, LampsAloneAreAFileToo) {

@@ -39,14 +39,23 @@ class FrameGraphTest : public ::testing::Test {
   FrameGraph graph_;
 };
 
+// Shadows are found where hits and gradients are.
+TEST_F(FrameGraphTest, ShadowsFollowTheExecutor) {
+  scene::Scene scene;
+  scene.look.shadow = 1.0;
+  ran(scene, {}, 1, {true, true});
+  EXPECT_THAT(ran(scene, {}, 1, {true, false}), ElementsAre("gradient", "shadow", "shade", "resolve"));
+}
+
 // Block faces are not rasterised, and another executor finds the hits anew.
 TEST_F(FrameGraphTest, TheProcessorNeedsNoSegments) {
   const scene::Scene scene;
-  const OnProcessor all{true, true, true};
-  EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre("blocks", "cast", "gradient", "shade", "resolve"));
+  const OnProcessor all{true, true};
+  EXPECT_THAT(ran(scene, {}, 1, all),
+              ElementsAre("blocks", "cast", "gradient", "shade", "background", "resolve"));
   EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre());
   EXPECT_THAT(ran(scene, {}, 1), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
-  EXPECT_THAT(ran(scene, {}, 1, {true, false, false}), ElementsAre("cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, {}, 1, {true, false}), ElementsAre("cast", "gradient", "shade", "resolve"));
   EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre("gradient", "shade", "resolve"));
 }
 
@@ -94,7 +103,8 @@ TEST_F(FrameGraphTest, EachChangeRunsExactlyThePassesBehindIt) {
   scene::Scene scene;
   scene.isosurface.value = 1.0;
   scene.camera.eye = glm::dvec3(0.0, -400.0, 0.0);
-  EXPECT_THAT(ran(scene, request), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request),
+              ElementsAre("blocks", "segments", "cast", "gradient", "shade", "background", "resolve"));
   EXPECT_THAT(ran(scene, request), ElementsAre());  // a still picture costs nothing
   scene.isosurface.albedo.x = 0.5;
   EXPECT_THAT(ran(scene, request), ElementsAre("shade", "resolve"));
@@ -122,11 +132,12 @@ TEST_F(FrameGraphTest, EachLookAndImageRunsExactlyItsPasses) {
     scene.look.mode = mode;
     graph_.invalidate();
     EXPECT_THAT(ran(scene, picture),
-                ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+                ElementsAre("blocks", "segments", "cast", "gradient", "shade", "background", "resolve"));
   }
   scene.look.mode = scene::LookMode::depth;
   graph_.invalidate();
-  EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, picture),
+              ElementsAre("blocks", "segments", "cast", "shade", "background", "resolve"));
   FrameRequest depth;
   depth.color = false;
   depth.aovs = {Aov::depth};
@@ -148,8 +159,8 @@ TEST_F(FrameGraphTest, OnlyTransparentSurfacesHaveLayersBehindThem) {
   scene::Scene scene;
   FrameRequest picture;
   scene.isosurface.opacity = 0.5;
-  EXPECT_THAT(ran(scene, picture),
-              ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers", "resolve"));
+  EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers",
+                                               "background", "resolve"));
   scene.isosurface.layers = 3;
   EXPECT_THAT(ran(scene, picture), ElementsAre("layers", "resolve"));
   scene.isosurface.opacity = 1.0;
@@ -172,7 +183,7 @@ TEST_F(FrameGraphTest, TheFieldOfTheHitsIsThatOfTheBlocks) {
 // What each look computes from nothing, and what a change of it costs, as a table.
 struct LookRow {
   std::vector<std::string> settings;
-  std::vector<std::string> passes;  // between cast and resolve
+  std::vector<std::string> passes;  // between cast and background
 };
 
 const std::vector<std::string> kShaded = {"gradient", "shade"};
@@ -249,7 +260,7 @@ TEST_F(FrameGraphTest, EachLookFromNothing) {
     }
     std::vector<std::string> expected = {"blocks", "segments", "cast"};
     expected.insert(expected.end(), row.passes.begin(), row.passes.end());
-    expected.emplace_back("resolve");
+    expected.insert(expected.end(), {"background", "resolve"});
     graph_.invalidate();
     EXPECT_EQ(ran(scene, {}), expected) << named;
     EXPECT_THAT(ran(scene, {}), ElementsAre()) << named;  // a still picture costs nothing
@@ -266,9 +277,9 @@ struct ChangeRow {
 const std::vector<ChangeRow> kChanges = {
     {{}, "light.intensity=2", {"shade", "resolve"}},
     {{}, "light.direction=1,0,0", {"shade", "resolve"}},
-    {{}, "look.background_top=1,0,0", {"resolve"}},
-    {{"look.fog=1"}, "look.background_top=1,0,0", {"shade", "resolve"}},
-    {{"look.fog=1", "look.fog_color=1,1,1"}, "look.background_top=1,0,0", {"resolve"}},
+    {{}, "look.background_top=1,0,0", {"background", "resolve"}},
+    {{"look.fog=1"}, "look.background_top=1,0,0", {"shade", "background", "resolve"}},
+    {{"look.fog=1", "look.fog_color=1,1,1"}, "look.background_top=1,0,0", {"background", "resolve"}},
     {{}, "look.colormap=gray", {}},  // no colours stand for numbers
     {{}, "look.tone_warm=1,0,0", {}},
     {{}, "flow.time=3", {}},
@@ -343,7 +354,7 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
     return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
   };
   EXPECT_THAT(ranUnder(), ElementsAre("blocks", "segments", "cast", "gradient", "light", "irradiance",
-                                      "shade", "resolve"));
+                                      "shade", "background", "resolve"));
   EXPECT_THAT(ranUnder(), ElementsAre());
   for (std::uint64_t* changed :
        {&light.skyRevision, &light.lampsRevision, &light.unfinished, &light.storage}) {
@@ -358,8 +369,10 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
   scene.camera.eye = glm::dvec3(0.0, -300.0, 0.0);
   EXPECT_THAT(ranUnder(), ElementsAre("segments", "cast", "gradient", "irradiance", "shade", "resolve"));
-  light.background = true;
+  light.background = true;  // it stands behind the surface in place of the other
   EXPECT_THAT(ranUnder(), ElementsAre("resolve"));
+  scene.look.backgroundTop.x = 0.5;
+  EXPECT_THAT(ranUnder(), ElementsAre());
   ++light.version;
   EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
   scene.isosurface.opacity = 0.5;
@@ -388,7 +401,7 @@ TEST_F(FrameGraphTest, AnIsovalueWithoutASurfaceCostsNoDerivatives) {
     graph_.invalidate();
     const auto passes = declarePasses(scene, {}, nothing);
     EXPECT_THAT(namesOf(passes, frame(passes, wantedImages({})), PassState::ran),
-                ElementsAre("blocks", "segments", "cast", "shade", "resolve"))
+                ElementsAre("blocks", "segments", "cast", "shade", "background", "resolve"))
         << look;
   }
 }
@@ -421,7 +434,8 @@ TEST_F(FrameGraphTest, BricksRunWhereRaysAskForThem) {
     const auto passes = declarePasses(scene, request, 1, bricks);
     return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
   };
-  EXPECT_THAT(ranIn(), ElementsAre("blocks", "segments", "bricks", "cast", "gradient", "shade", "resolve"));
+  EXPECT_THAT(ranIn(), ElementsAre("blocks", "segments", "bricks", "cast", "gradient", "shade", "background",
+                                   "resolve"));
   EXPECT_THAT(ranIn(), ElementsAre());
   ++bricks.asked;
   EXPECT_THAT(ranIn(), ElementsAre("bricks", "cast", "gradient", "shade", "resolve"));

@@ -19,6 +19,8 @@ std::vector<FilterTexel> planes() {
   for (std::size_t i = 0; i < kAll; ++i) {
     FilterTexel& t = texels[i];
     t.normal = {0.0f, 0.0f, 1.0f};
+    t.place =
+        glm::vec3(i % kFilterTexels, i / kFilterTexels % kFilterTexels, i / (kFilterTexels * kFilterTexels));
     t.isovalue = 10.0f * static_cast<float>(i / (kFilterTexels * kFilterTexels));
     t.shape = {10.0f, 0.0f};
     t.skyPaths = t.lampsPaths = 100.0f;
@@ -38,13 +40,42 @@ TEST(LightFilterTest, LightOfOneValueStays) {
   }
 }
 
-// Along its surface and by symmetry, light that changes evenly stays as well.
+// Along its surface and by symmetry, light that changes evenly, by less than its noise, stays as well.
 TEST(LightFilterTest, LinearLightStays) {
   std::vector<FilterTexel> texels = planes();
-  for (std::size_t i = 0; i < kAll; ++i) texels[i].sky.x = static_cast<float>(i % kFilterTexels);
+  for (std::size_t i = 0; i < kAll; ++i) texels[i].sky.x = 100.0f + static_cast<float>(i % kFilterTexels);
   const std::vector<FilterTexel> result = filterBlock(texels);
   for (std::size_t i = 0; i < result.size(); ++i)
-    EXPECT_NEAR(result[i].sky.x, static_cast<float>(i % gi::kBlockTexels + 1), 1e-4f);
+    EXPECT_NEAR(result[i].sky.x, 100.0f + static_cast<float>(i % gi::kBlockTexels + 1), 0.02f);
+}
+
+// What its noise does not explain is an edge of shadow.
+TEST(LightFilterTest, EdgesOfLightStay) {
+  std::vector<FilterTexel> texels = planes();
+  for (FilterTexel& t : texels) t.skyPaths = t.lampsPaths = 1000.0f;
+  for (std::size_t i = 0; i < kAll; ++i)
+    texels[i].sky = texels[i].lamps = glm::vec3(i % kFilterTexels < 5 ? 1.0f : 3.0f);
+  const std::vector<FilterTexel> result = filterBlock(texels);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const float edge = i % gi::kBlockTexels + 1 < 5 ? 1.0f : 3.0f;
+    EXPECT_NEAR(result[i].sky.y, edge, 1e-3f);
+    EXPECT_NEAR(result[i].lamps.y, edge, 1e-3f);
+  }
+}
+
+// Where all texels are lit on one isosurface, it is their places that count.
+TEST(LightFilterTest, FarPlacesCountLittle) {
+  std::vector<FilterTexel> texels = planes();
+  for (FilterTexel& t : texels) t.isovalue = 0.0f;
+  const std::size_t other = inPadded(4, 3, 3);
+  texels[other].sky = glm::vec3(2.5f, 3.0f, 4.0f);
+  const std::size_t here = 3 * 64 + 3 * 8 + 3;
+  const float near = filterBlock(texels)[here].sky.x - 2.0f;
+  texels[other].place.x += 2.0f;
+  const float far = filterBlock(texels)[here].sky.x - 2.0f;
+  EXPECT_GT(near, 0.01f);
+  // Weights of Gaussian exp(-d^2 / 1.28) at distances 1 and 3, but for their sum.
+  EXPECT_NEAR(far / near, std::exp(-8.0f / 1.28f), 4e-4f);
 }
 
 TEST(LightFilterTest, NoiseShrinks) {
@@ -79,7 +110,7 @@ TEST(LightFilterTest, LittleLeaksFromFarIsosurfaces) {
   const std::size_t far = inPadded(3, 3, 4);
   texels[far].isovalue += 10.0f;
   texels[far].sky = glm::vec3(1e6f);
-  const double weight = std::exp(-0.5 * 16.0 - 1.0 / 0.72);
+  const double weight = std::exp(-0.5 * 16.0 - 1.0 / 1.28);
   const float leaked = filterBlock(texels)[3 * 64 + 3 * 8 + 3].sky.x - 2.0f;
   EXPECT_GT(leaked, 0.0f);
   EXPECT_LT(leaked, 1e6 * weight);  // the others' weights sum to more than 1

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/color.h"
+#include "gi/harmonics/open_sky.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/harmonics/transfer_basis.h"
 #include "scene/settings.h"
@@ -114,6 +115,57 @@ TEST_F(LightGlTest, TrilinearLookupsAreExactForLinearLight) {
     SCOPED_TRACE(scale);
     expectIrradiance([&](glm::dvec3 voxel, auto) { return formula(voxel); }, kHalfStep, 1e-5);
   }
+}
+
+// Stored in parts of what an open sky gives each normal, that sky's own light is found between texels of
+// other normals: on this ball the light itself differs by up to a quarter among the eight of a lookup.
+TEST_F(LightGlTest, WeightedLookupsAreExactForAnOpenSky) {
+  const auto volume = phantom("ball", 24);
+  const glm::vec3 middle(11.5f);
+  auto light = pictureLight(nullptr);
+  for (std::size_t i = 0; i < 9; ++i)
+    light->irradianceSh[i] =
+        i == 0 ? glm::vec3(9.0f) : glm::vec3(0.5f, 1.0f, 0.25f * static_cast<float>(i % 4));
+  const gi::OpenSky sky(light->irradianceSh);
+  const auto lattice = emptyLattice(dimsOf(volume), 1.0);
+  writeAll(*lattice, [&](glm::ivec3 t) {
+    TexelLight texel = constant(glm::vec3(0.0f));
+    texel.normal = glm::normalize(glm::vec3(t) - middle);
+    const glm::vec3 e = 3.0f * sky.at(texel.normal);
+    texel.means = {e.x, e.y, e.z};
+    return texel;
+  });
+  light->sky = lattice;
+  draw(volume, light, {"gi.precision=half", "gi.interpolation=weighted"});
+  expectIrradiance([&](auto, glm::dvec3 n) { return glm::dvec3(3.0f * sky.at(glm::vec3(n))); }, 1e-3);
+}
+
+// Light of the isovalue before is seen until that of the new one is there.
+TEST_F(LightGlTest, LightOfTheIsovalueBeforeStandsIn) {
+  const auto volume = phantom("ball", 24);
+  const auto ofIsovalue = [&](float isovalue) {
+    return std::make_shared<gi::LightLattice>(gi::LatticeGeometry::make(dimsOf(volume), 1.0, isovalue),
+                                              gi::LightContent{}, "test");
+  };
+  const auto was = ofIsovalue(0.5f), now = ofIsovalue(0.0f);
+  const auto value = [](float e) { return [e](glm::ivec3) { return constant(glm::vec3(e)); }; };
+  const auto everywhere = [&](double e) {
+    expectIrradiance([e](auto, auto) { return glm::dvec3(e); }, 1e-5);
+  };
+  writeAll(*was, value(2.0f));
+  draw(volume, pictureLight(was), kHalf);
+  everywhere(2.0);
+  auto light = pictureLight(now, 2);
+  light->skyBefore = was;
+  draw(volume, light, kHalf);
+  everywhere(2.0);
+  for (std::uint32_t block = 0; block < now->geometry().blockCount(); ++block)
+    writeBlock(*now, block, value(3.0f));
+  draw(volume, light, kHalf);
+  everywhere(3.0);
+  // Left behind by an isovalue that has no light there: dark, as nothing is local here.
+  draw(volume, pictureLight(ofIsovalue(-1.0f), 3), kHalf);
+  everywhere(0.0);
 }
 
 TEST_F(LightGlTest, TricubicLookupsAreExactForLinearLightInside) {

@@ -28,8 +28,7 @@ inline std::shared_ptr<gi::LightLattice> emptyLattice(glm::ivec3 volumeDims, dou
 // Writes one block by the formula.
 inline void writeBlock(gi::LightLattice& lattice, std::uint32_t block, const TexelFormula& formula) {
   const auto components = static_cast<std::size_t>(lattice.content().components());
-  gi::LatticeBlock out;
-  out.means.assign(gi::kTexelsOfBlock * components, 0.0f);
+  gi::LatticeBlock out = lattice.dark();
   for (int i = 0; i < gi::kTexelsOfBlock; ++i) {
     const glm::ivec3 texel = lattice.geometry().texelOf(block, i);
     if (!lattice.geometry().contains(texel)) continue;
@@ -38,6 +37,7 @@ inline void writeBlock(gi::LightLattice& lattice, std::uint32_t block, const Tex
     out.samples[at] = light.samples;
     out.normals[at] = light.samples > 0 ? light.normal : glm::vec3(0.0f);
     out.unlit[at] = light.unlit;
+    if (!out.places.empty()) out.places[at] = lattice.geometry().voxelOf(texel);
     // A lattice of one channel takes the first.
     std::copy_n(light.means.begin(), std::min(components, light.means.size()),
                 out.means.begin() + static_cast<std::ptrdiff_t>(at * components));

@@ -213,7 +213,17 @@ TEST_F(LooksGlTest, FogFollowsDepth) {
 
 // A ball over a wall; light falls along a slant, so the shadow on the wall is the ball's projection: an
 // ellipse.
-TEST_F(LooksGlTest, TheShadowOfABallIsAnEllipse) {
+class ShadowsGlTest : public LooksGlTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    LooksGlTest::SetUp();
+    scene::applyAssignment(machine_, std::string("picture.executor=") + GetParam());
+    renderer_->setMachine(machine_);
+  }
+};
+ISOLUX_ON_BOTH_EXECUTORS(ShadowsGlTest);
+
+TEST_P(ShadowsGlTest, OfABallIsAnEllipse) {
   const glm::ivec3 dims(96, 64, 96);
   const glm::dvec3 centre(40.0, 20.0, 48.0);
   const double radius = 10.0, wall = 50.0;

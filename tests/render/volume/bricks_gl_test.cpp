@@ -122,23 +122,19 @@ TEST_F(BricksGlTest, EveryFieldIsTheSameWithExactFetches) {
     }
 }
 
-// A pass that shaders must draw at the hits (fast fetches, shadow) would miss bricks that no ray has asked
-// for.
+// A pass that shaders must draw at the hits (fast fetches) would miss bricks that no ray has asked for.
 TEST_F(BricksGlTest, WhereShadersReadBricksTheProcessorCastsNoRays) {
   const auto volume = phantom("gyroid", 70);
-  scene::Scene fast, shadow;
-  fast.derivatives.fetch = scene::Fetch::fast;
-  shadow.look.shadow = 0.7;
-  for (const scene::Scene& scene : {fast, shadow}) {
-    const Drawn shaders = draw(volume, scene, MemoryLayout::bricks);
-    renderer_ = std::make_unique<render::Renderer>(context_->gl());  // nothing is resident
-    const Drawn processor = draw(volume, scene, MemoryLayout::bricks, 2048, {96, 72}, scene::Executor::cpu);
-    EXPECT_TRUE(processor.report.bricks.inUse);
-    EXPECT_EQ(processor.report.bricks.missing, 0.0);
-    EXPECT_EQ(colorDifference(shaders.color, processor.color), 0);
-    for (std::size_t i = 0; i < shaders.images.size(); ++i)
-      EXPECT_EQ(unequal(shaders.images[i], processor.images[i]), 0u) << i;
-  }
+  scene::Scene scene;
+  scene.derivatives.fetch = scene::Fetch::fast;
+  const Drawn shaders = draw(volume, scene, MemoryLayout::bricks);
+  renderer_ = std::make_unique<render::Renderer>(context_->gl());  // nothing is resident
+  const Drawn processor = draw(volume, scene, MemoryLayout::bricks, 2048, {96, 72}, scene::Executor::cpu);
+  EXPECT_TRUE(processor.report.bricks.inUse);
+  EXPECT_EQ(processor.report.bricks.missing, 0.0);
+  EXPECT_EQ(colorDifference(shaders.color, processor.color), 0);
+  for (std::size_t i = 0; i < shaders.images.size(); ++i)
+    EXPECT_EQ(unequal(shaders.images[i], processor.images[i]), 0u) << i;
 }
 
 // Filters weigh by a coordinate, which is another one in the cache: rounding may differ.

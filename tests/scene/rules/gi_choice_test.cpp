@@ -49,6 +49,26 @@ TEST(GiChoice, ABuiltInLightIsStoredAsALightProbeIs) {
     }
 }
 
+TEST(GiChoice, TexelsOfAViewAreLitOnTheOneIsosurfaceShown) {
+  Scene scene = underProbe();
+  EXPECT_TRUE(giChoiceOf(scene).onShown);
+  for (const GiExtent extent : {GiExtent::full, GiExtent::band}) {
+    scene.gi.extent = extent;
+    scene.gi.texels = GiTexels::automatic;
+    EXPECT_FALSE(giChoiceOf(scene).onShown);
+    scene.gi.texels = GiTexels::shown;
+    EXPECT_TRUE(giChoiceOf(scene).onShown);
+  }
+  scene.extraIsosurfaces[1].shown = true;
+  EXPECT_FALSE(giChoiceOf(scene).onShown) << "whichever is nearest would light the others";
+  scene = underProbe();
+  scene.gi.texels = GiTexels::own;
+  EXPECT_FALSE(giChoiceOf(scene).onShown);
+  scene = underProbe();
+  scene.look.mode = LookMode::blinn_phong;
+  EXPECT_FALSE(giChoiceOf(scene).onShown);
+}
+
 TEST(GiChoice, OfTheSky) {
   Scene scene = lit();
   EXPECT_EQ(giChoiceOf(scene).sky, GiMode::irradiance);

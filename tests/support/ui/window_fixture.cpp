@@ -14,7 +14,6 @@
 #include <QThread>
 #include <QWheelEvent>
 
-#include "render/gl/gl_messages.h"
 #include "tests/support/test_data.h"
 #include "ui/viewport/viewport.h"
 
@@ -106,17 +105,18 @@ QString writeBall(int size, glm::dvec3 spacingMm) {
 
 void WindowTest::SetUp() {
   QSettings().clear();
-  render::forgetGlErrors();
   window_ = makeWindow();
 }
 
 void WindowTest::TearDown() {
   window_.reset();
-  for (const std::string& error : render::glErrors()) ADD_FAILURE() << "OpenGL: " << error;
 }
 
 std::unique_ptr<ui::MainWindow> WindowTest::makeWindow() {
   auto window = std::make_unique<ui::MainWindow>();
+  QObject::connect(window->viewport(), &ui::Viewport::reported, [](const render::FrameReport& report) {
+    for (const std::string& error : report.glErrors) ADD_FAILURE() << "OpenGL: " << error;
+  });
   window->resize(900, 640);
   window->show();
   if (!QTest::qWaitForWindowExposed(window.get())) ADD_FAILURE() << "the window was not shown";
@@ -139,7 +139,7 @@ bool WindowTest::load(ui::MainWindow& window, const QString& path) {
 
 QImage WindowTest::fullPicture(ui::MainWindow& window) {
   if (!waitUntil([&] { return window.viewport()->complete(); })) ADD_FAILURE() << "no full picture in time";
-  return window.viewport()->grabFramebuffer();
+  return window.viewport()->shown();
 }
 
 QString WindowTest::newFile(const QString& name) {

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
+#include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -99,20 +100,18 @@ TEST(PassesPanel, CopiesItsTable) {
   EXPECT_EQ(lines[2], "cast\tran\t12.5\t4000000\tcamera changed");
 }
 
-TEST_F(WindowTest, ThePassesOfTheLastPictureAreShownAndAStillPictureRunsNone) {
+TEST_F(WindowTest, ThePassesOfTheLastPictureAreShownAndPaintingItAgainDrawsNone) {
   ASSERT_TRUE(load(*window_, "phantom:ball:32"));
   window_->showPanel("passes");
   fullPicture(*window_);
   ui::PassesPanel* panel = window_->panel<ui::PassesPanel>();
   ASSERT_TRUE(waitUntil([&] { return panel->table()->topLevelItemCount() > 4; }));
-  int ran = 0;
-  QObject::connect(window_->viewport(), &ui::Viewport::reported, [&](const render::FrameReport& report) {
-    for (const render::PassReport& pass : report.passes) ran += pass.state == PassState::ran ? 1 : 0;
-  });
+  int reports = 0;
+  QObject::connect(window_->viewport(), &ui::Viewport::reported, [&] { ++reports; });
   window_->viewport()->repaint();
   window_->viewport()->repaint();
-  EXPECT_EQ(ran, 0);
-  EXPECT_TRUE(waitUntil([&] { return allLabels(*panel).contains("nothing ran"); }));
+  QTest::qWait(100);  // nothing but time: a picture would have been drawn by now
+  EXPECT_EQ(reports, 0);
 }
 
 }  // namespace isolux::test

@@ -25,7 +25,7 @@ class OrientationTest : public WindowTest {
     return {};
   }
   QString pointed(glm::dvec3 worldMm) {
-    render::Pick pick{};
+    app::Pick pick{};
     pick.worldMm = worldMm;
     Q_EMIT window_->viewport()->pointed(pick);
     return window_->statusBar()->findChild<QLabel*>()->text();

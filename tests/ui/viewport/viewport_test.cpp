@@ -44,12 +44,12 @@ class ViewportTest : public WindowTest {
   std::string lastStep() { return window_->document()->history().undoName(); }
 
   // The surface point under a pixel, as the status bar gets it.
-  std::optional<render::Pick> pointAt(QPoint position) {
-    std::optional<render::Pick> result;
+  std::optional<app::Pick> pointAt(QPoint position) {
+    std::optional<app::Pick> result;
     bool reported = false;
     const LastMove lastMove(viewport());
     const auto connection =
-        QObject::connect(viewport(), &ui::Viewport::pointed, [&](const std::optional<render::Pick>& pick) {
+        QObject::connect(viewport(), &ui::Viewport::pointed, [&](const std::optional<app::Pick>& pick) {
           if (lastMove.position() != position) return;  // a report of an earlier place
           result = pick;
           reported = true;
@@ -74,9 +74,9 @@ class ViewportTest : public WindowTest {
 TEST_F(ViewportTest, ARestingPointerReadsTheNewPicture) {
   const auto before = pointAt(centre());
   ASSERT_TRUE(before);
-  std::optional<render::Pick> latest = before;
+  std::optional<app::Pick> latest = before;
   const auto connection = QObject::connect(viewport(), &ui::Viewport::pointed,
-                                           [&](const std::optional<render::Pick>& pick) { latest = pick; });
+                                           [&](const std::optional<app::Pick>& pick) { latest = pick; });
   QTest::keyClick(window_.get(), Qt::Key_2);  // the other side comes under the pointer
   EXPECT_TRUE(waitUntil([&] { return latest && glm::distance(latest->worldMm, before->worldMm) > 1.0; }));
   QObject::disconnect(connection);

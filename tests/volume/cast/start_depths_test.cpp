@@ -38,7 +38,7 @@ TEST(StartDepths, HoldEveryPointOfEveryBlockWithABox) {
     const glm::vec3 offset = glm::vec3(random(1, trial), random(2, trial), random(3, trial)) - 0.5f;
     const bool inside = trial % 3 == 0;
     const PictureRays rays = raysFrom(middle + (inside ? 30.0f : 200.0f) * offset, middle, trial % 5 == 1);
-    const StartDepths depths = startDepths(rays, kSize, kVoxels, kBlocks, masks);
+    const StartDepths depths = startDepths(rays, kSize, kVoxels, {kBlocks, masks});
     ASSERT_EQ(depths.tiles, (kSize + 3) / 4);
     for (std::uint64_t i = 0; i < 4000; ++i) {
       const glm::vec3 p = glm::vec3(random(4, i), random(5, i), random(6, i)) * glm::vec3(kVoxels - 1);
@@ -65,11 +65,11 @@ TEST(StartDepths, HoldEveryPointOfEveryBlockWithABox) {
 TEST(StartDepths, AreEmptyWhereNoBlockIs) {
   std::vector<std::uint64_t> masks(static_cast<std::size_t>(kBlocks.x * kBlocks.y * kBlocks.z), 0);
   const PictureRays rays = raysFrom({20, 15, -80}, {20, 15, 26}, false);
-  for (const auto& depths : startDepths(rays, kSize, kVoxels, kBlocks, masks).depths)
+  for (const auto& depths : startDepths(rays, kSize, kVoxels, {kBlocks, masks}).depths)
     EXPECT_GT(depths.first, depths.last);
   masks[0] = 1;  // a corner: a few tiles
   int tiles = 0;
-  for (const auto& depths : startDepths(rays, kSize, kVoxels, kBlocks, masks).depths)
+  for (const auto& depths : startDepths(rays, kSize, kVoxels, {kBlocks, masks}).depths)
     tiles += depths.first <= depths.last;
   EXPECT_GT(tiles, 0);
   EXPECT_LT(tiles, 20);
@@ -80,10 +80,10 @@ TEST(StartDepths, KnowTheEye) {
   std::vector<std::uint64_t> masks(static_cast<std::size_t>(kBlocks.x * kBlocks.y * kBlocks.z), 0);
   masks[0] = 1;
   const PictureRays away = raysFrom({-20, -20, -20}, {-80, -80, -80}, false);
-  for (const auto& depths : startDepths(away, kSize, kVoxels, kBlocks, masks).depths)
+  for (const auto& depths : startDepths(away, kSize, kVoxels, {kBlocks, masks}).depths)
     EXPECT_GT(depths.first, depths.last);
   const PictureRays within = raysFrom({4, 4, 4}, {80, 80, 80}, false);
-  for (const auto& depths : startDepths(within, kSize, kVoxels, kBlocks, masks).depths) {
+  for (const auto& depths : startDepths(within, kSize, kVoxels, {kBlocks, masks}).depths) {
     EXPECT_LE(depths.first, 0.0f);
     EXPECT_GT(depths.last, 0.0f);
   }

@@ -14,6 +14,7 @@
 
 #include "base/random.h"
 #include "tests/support/volumes.h"
+#include "volume/field/reconstruct.h"
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_hit.h"
 #include "volume/skip/box_bounds.h"
@@ -94,15 +95,9 @@ Ray rayOf(const PictureRays& rays, glm::dvec2 fragment) {
   return ray;
 }
 
-struct Picture {
-  std::vector<glm::vec4> points;
-  std::vector<glm::vec2> infos;
-};
-
-Picture cast(const SurfaceCaster& caster, const PictureRays& rays) {
-  const auto count = static_cast<std::size_t>(kSize.x * kSize.y);
-  Picture picture{std::vector<glm::vec4>(count), std::vector<glm::vec2>(count)};
-  caster.castAll(rays, kSize, picture.points, picture.infos);
+CrossingImage cast(const SurfaceCaster& caster, const PictureRays& rays) {
+  CrossingImage picture(kSize);
+  caster.castAll(rays, picture);
   return picture;
 }
 
@@ -128,7 +123,7 @@ void expectFirstHits(const Prepared& volume, const char* name, int views) {
     int hits = 0, undecided = 0;
     for (int k = 0; k < views; ++k) {
       const PictureRays rays = view(k, volume.grid.dims());
-      const Picture picture = cast(caster, rays);
+      const CrossingImage picture = cast(caster, rays);
       for (int i = 0; i < kSize.x * kSize.y; ++i) {
         const glm::vec4 point = picture.points[static_cast<std::size_t>(i)];
         const glm::vec2 info = picture.infos[static_cast<std::size_t>(i)];
@@ -234,11 +229,11 @@ TEST(SurfaceCaster, GoesOnBehindACrossing) {
   for (const TracerTarget target : targets()) {
     const SurfaceCaster caster = volume.caster(target);
     const PictureRays rays = view(0, volume.grid.dims());
-    Picture before = cast(caster, rays);
+    CrossingImage before = cast(caster, rays);
     int compared = 0, behind = 0;
     for (int layer = 1; layer < 6; ++layer) {
-      Picture next = before;
-      caster.castBehind(rays, kSize, {before.points, before.infos, open}, next.points, next.infos);
+      CrossingImage next = before;
+      caster.castBehind(rays, {before, open}, next);
       for (std::size_t i = 0; i < next.points.size(); ++i) {
         if (before.points[i].w < 0.0f) {
           EXPECT_LT(next.points[i].w, 0.0f);
@@ -272,11 +267,11 @@ TEST(SurfaceCaster, EndsWhereAPixelIsCovered) {
   const Prepared volume({test::phantomGrid("gyroid", 32), {0.1}});
   const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
   const PictureRays rays = view(0, volume.grid.dims());
-  const Picture first = cast(caster, rays);
+  const CrossingImage first = cast(caster, rays);
   std::vector<float> covered(first.points.size(), 0.0f);
   for (std::size_t i = 0; i < covered.size(); i += 2) covered[i] = 1.0f;
-  Picture next = first;
-  caster.castBehind(rays, kSize, {first.points, first.infos, covered}, next.points, next.infos);
+  CrossingImage next = first;
+  caster.castBehind(rays, {first, covered}, next);
   int hits = 0;
   for (std::size_t i = 0; i < covered.size(); ++i) {
     if (i % 2 == 0) {
@@ -292,20 +287,117 @@ TEST(SurfaceCaster, APartOfAPictureIsCutOut) {
   const Prepared volume({test::phantomGrid("gyroid", 32), {0.1}});
   const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
   PictureRays rays = view(2, volume.grid.dims());
-  const Picture whole = cast(caster, rays);
+  const CrossingImage whole = cast(caster, rays);
   rays.origin = {32, 20};
   const glm::ivec2 size(40, 30);
-  std::vector<glm::vec4> points(static_cast<std::size_t>(size.x * size.y));
-  std::vector<glm::vec2> infos(points.size());
-  caster.castAll(rays, size, points, infos);
+  CrossingImage part(size);
+  caster.castAll(rays, part);
   int differing = 0;
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
       const auto of = static_cast<std::size_t>((y + 20) * kSize.x + x + 32);
-      const glm::vec4 a = points[static_cast<std::size_t>(y * size.x + x)], b = whole.points[of];
+      const glm::vec4 a = part.points[static_cast<std::size_t>(y * size.x + x)], b = whole.points[of];
       differing += (a.w < 0.0f) != (b.w < 0.0f) || glm::distance(glm::vec3(a), glm::vec3(b)) > 1e-3f;
     }
   EXPECT_EQ(differing, 0);
+}
+
+// The shadow ray of shadow.frag.glsl in double precision: whether the way from the hit to the light is free.
+bool isLit(const Prepared& volume, const glm::dvec3& point, const glm::dvec3& ray, const glm::dvec3& normal,
+           const glm::dvec3& light) {
+  const double facing = glm::dot(normal, light);
+  if (facing <= 0.0) return false;
+  const glm::dvec3 origin = point - 1e-3 * ray;
+  const auto met = [&](const glm::dvec3& from, const glm::dvec3& direction) {
+    return firstHit(volume.grid, volume.blocks, volume.isovalues[0], from, direction);
+  };
+  double offset = 0.02 + 0.4 * (1.0 - facing) * (1.0 - facing);
+  if (const auto near = met(origin, normal); near && near->t < offset) offset = 0.5 * near->t;
+  return !met(origin + offset * normal, light);
+}
+
+TEST(SurfaceCaster, ShadowsAreThoseOfTheReference) {
+  const glm::dvec3 light = glm::normalize(glm::dvec3(0.5, -0.6, 0.7));
+  for (const char* name : {"gyroid", "torus"}) {
+    const Prepared volume({test::phantomGrid(name, 32), {0.1}});
+    for (const TracerTarget target : targets()) {
+      const SurfaceCaster caster = volume.caster(target);
+      int lit = 0, dark = 0, differing = 0;
+      for (int k = 0; k < 8; ++k) {
+        const PictureRays rays = view(k, volume.grid.dims());
+        const CrossingImage hits = cast(caster, rays);
+        std::vector<glm::vec4> gradients(hits.points.size());
+        for (std::size_t i = 0; i < gradients.size(); ++i)
+          if (hits.points[i].w >= 0.0f)
+            gradients[i] = glm::vec4(sampleCubic(volume.grid, glm::dvec3(hits.points[i])).gradient, 1.0);
+        ShadowImage shadow;
+        caster.castShadows({.rays = rays,
+                            .right = rays.right,
+                            .up = rays.up,
+                            .forward = rays.forward,
+                            .outward = -1.0f,
+                            .light = light,
+                            .opaque = 1},
+                           hits, gradients, shadow);
+        for (std::size_t i = 0; i < gradients.size(); ++i) {
+          if (hits.points[i].w < 0.0f) {
+            EXPECT_EQ(shadow.lit[i], 0);
+            continue;
+          }
+          const glm::dvec2 fragment(i % static_cast<std::size_t>(kSize.x),
+                                    i / static_cast<std::size_t>(kSize.x));
+          const glm::dvec3 ray = rayOf(rays, fragment + 0.5).direction;
+          const int known = static_cast<int>(hits.infos[i].y);
+          glm::dvec3 normal = -glm::normalize(glm::dvec3(gradients[i]));
+          if ((known & 4) == 0) normal = -normal;  // f falls behind: the inner side is seen
+          const double away = glm::dot(normal, ray);
+          if (away > 0.0) normal = glm::normalize(normal - away * ray);
+          const bool expected = isLit(volume, glm::dvec3(hits.points[i]), ray, normal, light);
+          (expected ? lit : dark) += 1;
+          differing += expected != (shadow.lit[i] != 0);
+        }
+      }
+      EXPECT_GT(lit, 1000) << name;
+      EXPECT_GT(dark, 1000) << name;
+      EXPECT_LE(differing, (lit + dark) / 500) << name;  // rays that graze
+    }
+  }
+}
+
+// Images that show another view, and are drawn over where that and this one hit, are those of new images.
+TEST(SurfaceCaster, LeavesNothingOfTheViewBefore) {
+  const Prepared volume({test::phantomGrid("torus", 32), {0.0}});
+  for (const TracerTarget target : targets()) {
+    const SurfaceCaster caster = volume.caster(target);
+    CrossingImage kept(kSize), behind(kSize);
+    const std::vector<float> open(kept.points.size(), 0.0f);
+    for (int k = 0; k < 12; ++k) {
+      PictureRays rays = view(k, volume.grid.dims());
+      rays.eye += static_cast<float>(k % 5) * rays.right;
+      caster.castAll(rays, kept);
+      const CrossingImage fresh = cast(caster, rays);
+      EXPECT_TRUE(kept.points == fresh.points && kept.infos == fresh.infos);
+      EXPECT_EQ(kept.area.rectangles(), fresh.area.rectangles());
+      caster.castBehind(rays, {kept, open}, behind);
+      CrossingImage freshBehind(kSize);
+      caster.castBehind(rays, {kept, open}, freshBehind);
+      EXPECT_TRUE(behind.points == freshBehind.points && behind.infos == freshBehind.infos);
+    }
+  }
+}
+
+// All crossings lie in the area, and it is no larger than strips of them need.
+TEST(SurfaceCaster, KnowsWhereTheCrossingsAre) {
+  const Prepared volume({test::phantomGrid("torus", 32), {0.0}});
+  const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
+  for (int k = 0; k < 8; ++k) {
+    const CrossingImage picture = cast(caster, view(k, volume.grid.dims()));
+    PictureArea expected(kSize);
+    for (int y = 0; y < kSize.y; ++y)
+      for (int x = 0; x < kSize.x; ++x)
+        if (picture.points[static_cast<std::size_t>(y * kSize.x + x)].w >= 0.0f) expected.add(y, x, x + 1);
+    EXPECT_EQ(picture.area.rectangles(), expected.rectangles());
+  }
 }
 
 }  // namespace

@@ -50,14 +50,19 @@ std::vector<glm::vec4> pointsIn(glm::ivec3 dims) {
   return points;
 }
 
+// As an image of one row.
+PictureArea all(const std::vector<glm::vec4>& points) {
+  return PictureArea::whole({static_cast<int>(points.size()), 1});
+}
+
 void expectReference(const Grid& grid, DerivedField field, const Coefficients* coefficients,
                      double gradientError, double hessianError) {
   const std::vector<glm::vec4> points = pointsIn(grid.dims());
   for (const TracerTarget target : targets()) {
     Images images(points.size()), alone(points.size());
-    surfaceDerivatives(grid, field, coefficients, points, {images.gradient, images.diagonal, images.mixed},
-                       target);
-    surfaceDerivatives(grid, field, coefficients, points, {alone.gradient, {}, {}}, target);
+    surfaceDerivatives(grid, field, coefficients, points, all(points),
+                       {images.gradient, images.diagonal, images.mixed}, target);
+    surfaceDerivatives(grid, field, coefficients, points, all(points), {alone.gradient, {}, {}}, target);
     double largest = 0.0, largestHessian = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_EQ(images.gradient[i].w, points[i].w < 0.0f ? 0.0f : 1.0f);
@@ -131,7 +136,7 @@ TEST(SurfaceDerivatives, SayWhereSamplesAreMissing) {
       {6.5f, 8.2f, 8.3f, 1.0f}, {7.5f, 7.5f, 7.5f, 1.0f}, {3.5f, 3.5f, 3.5f, 1.0f}};
   for (const TracerTarget target : targets()) {
     Images images(points.size());
-    surfaceDerivatives(grid, DerivedField::spline, nullptr, points,
+    surfaceDerivatives(grid, DerivedField::spline, nullptr, points, all(points),
                        {images.gradient, images.diagonal, images.mixed}, target);
     const glm::dvec3 trilinear = sampleTrilinear(grid, glm::dvec3(points[0])).gradient;
     EXPECT_LT(glm::distance(glm::dvec3(images.gradient[0]), trilinear), 1e-6);
@@ -140,6 +145,23 @@ TEST(SurfaceDerivatives, SayWhereSamplesAreMissing) {
     EXPECT_EQ(images.gradient[1], glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
     EXPECT_EQ(images.diagonal[1].w, 0.0f);
     EXPECT_EQ(images.diagonal[2].w, 1.0f);
+  }
+}
+
+TEST(SurfaceDerivatives, AreMadeInTheAreaAlone) {
+  const Grid grid = test::gridOfVoxels(obliqueGeometry({23, 19, 21}), smooth);
+  const std::vector<glm::vec4> points = pointsIn(grid.dims());
+  const glm::ivec2 size(20, 30);
+  ASSERT_EQ(points.size(), 600u);
+  const PictureArea area = PictureArea::of(size, {{5, 16}, {9, 3}});
+  Images whole(points.size()), part(points.size());
+  surfaceDerivatives(grid, DerivedField::spline, nullptr, points, PictureArea::whole(size),
+                     {whole.gradient, {}, {}});
+  surfaceDerivatives(grid, DerivedField::spline, nullptr, points, area, {part.gradient, {}, {}});
+  for (int i = 0; i < 600; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const bool within = i / size.x >= 16 && i % size.x >= 5 && i % size.x < 14;
+    EXPECT_EQ(part.gradient[at], within ? whole.gradient[at] : glm::vec4(0.0f)) << i;
   }
 }
 

@@ -109,6 +109,26 @@ TEST(Phantom, TwoBallsTouchWhereTheGradientVanishes) {
   EXPECT_NEAR(grid.value(90, 50, 50), 0.0, 1e-6);  // the far pole of one ball
 }
 
+TEST(Phantom, SheetsAreAsThickAsTheirGapsAndEndAtHalfABall) {
+  // e = 127, R = 50.8, a sheet every 4 voxels across (2, 14, -5) / 15; the middle lies between voxels.
+  const Grid grid = phantomGrid("sheets", 128);
+  const auto across = [](int x, int y, int z) {
+    return (2 * (x - 63.5) + 14 * (y - 63.5) - 5 * (z - 63.5)) / 15.0;
+  };
+  EXPECT_NEAR(across(64, 81, 64), 16.0 + 7.0 / 30.0, 1e-9);  // near the middle of the fourth sheet
+  EXPECT_NEAR(grid.value(64, 81, 64), 23.0 / 30.0, 1e-5);
+  EXPECT_NEAR(grid.value(64 + 10, 81, 64 + 4), 23.0 / 30.0, 1e-5);  // along it
+  EXPECT_NEAR(grid.value(64, 81 + 30, 64), 23.0 / 30.0, 1e-5);      // seven sheets on
+  EXPECT_NEAR(grid.value(64, 83, 64), -0.9, 1e-5);                  // in the gap
+  EXPECT_NEAR(grid.value(64, 60, 64), -3.5, 1e-6);                  // before the cut
+  EXPECT_LT(grid.value(64, 120, 64), -5.0);                         // outside the ball
+  int inside = 0, all = 0;
+  for (int z = 50; z < 80; ++z)
+    for (int y = 66; y < 90; ++y)
+      for (int x = 50; x < 80; ++x, ++all) inside += grid.value(x, y, z) >= 0.0;
+  EXPECT_NEAR(static_cast<double>(inside) / all, 0.5, 0.03);
+}
+
 TEST(Phantom, SheetIsThinnerThanAVoxelOnItsLayer) {
   for (const GridGeometry& geometry : {test::isotropicGeometry(16), test::obliqueLeftHandedGeometry(15)}) {
     const Grid grid = phantomGrid("sheet", geometry);

@@ -1,0 +1,59 @@
+#include "app/interaction/surface_pick.h"
+
+#include <vector>
+
+#include "render/passes/view_uniforms.h"
+#include "volume/field/reconstruct.h"
+#include "volume/hit/exact_cubic_hit.h"
+#include "volume/hit/exact_hit.h"
+
+namespace isolux::app {
+
+namespace {
+
+// Of the isosurfaces that can be seen.
+std::vector<double> isovaluesOf(const scene::Scene& scene) {
+  std::vector<double> values;
+  if (scene.isosurface.opacity > 0.0) values.push_back(scene.isosurface.value.value());
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
+  return values;
+}
+
+std::optional<volume::RayHit> hitOf(const volume::PreparedVolume& volume, scene::Field field, double isovalue,
+                                    const volume::Ray& ray) {
+  const volume::Grid& grid = volume.grid();
+  const auto cubic = volume.cubicFields->find(field);
+  if (!cubic)
+    return volume::firstHit(grid, *volume.blocks, isovalue, ray.origin, ray.direction, ray.tMinimum);
+  return cubic->coefficients
+             ? volume::firstHitCubic(*cubic->coefficients, grid, cubic->blocks, isovalue, ray).hit
+             : volume::firstHitCubic(grid, cubic->blocks, isovalue, ray).hit;
+}
+
+}  // namespace
+
+volume::Ray viewRay(const volume::GridGeometry& geometry, const scene::CameraFrame& frame, glm::dvec2 ndc,
+                    double aspect, double startMm) {
+  const scene::Ray ray = scene::rayThrough(frame, ndc, aspect);
+  const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
+  return {glm::dvec3(voxelFromWorld * glm::dvec4(ray.origin, 1.0)),
+          glm::dmat3(voxelFromWorld) * ray.direction, startMm};
+}
+
+std::optional<Pick> pickSurface(const volume::PreparedVolume& volume, const scene::Scene& resolved,
+                                glm::dvec2 ndc, double aspect) {
+  const volume::Grid& grid = volume.grid();
+  const double startMm = render::ViewUniforms(resolved.camera, aspect, grid.geometry()).rayStartMm;
+  const volume::Ray ray = viewRay(grid.geometry(), scene::frameOf(resolved.camera), ndc, aspect, startMm);
+  std::optional<volume::RayHit> nearest;
+  for (const double isovalue : isovaluesOf(resolved)) {
+    const auto hit = hitOf(volume, resolved.hit.field, isovalue, ray);
+    if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
+  }
+  if (!nearest) return std::nullopt;
+  return Pick{glm::dvec3(grid.geometry().worldFromVoxel * glm::dvec4(nearest->voxel, 1.0)), nearest->voxel,
+              volume::sampleTrilinear(grid, nearest->voxel).value};
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,100 @@
+// Draws pictures on a thread of its own, which owns the GL context and the renderer, so that its owner - the
+// window - waits for none of them; the owner polls.
+//
+// Data: an order is all that a picture is made from, by value. Of orders that are not begun the newest
+// counts; one that is being drawn is dropped for a newer one, unless it is a draft: drafts are quick, and a
+// view that keeps turning would never show one. Flow: draw() -> thread -> take(). Nobody waits for a lock:
+// orders and pictures pass through mailboxes.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <semaphore>
+#include <stop_token>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "base/mailbox.h"
+#include "gi/picture_light.h"
+#include "render/gl/gl_context.h"
+#include "render/graph/frame.h"
+#include "render/still_picture.h"
+#include "scene/machine.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::app {
+
+struct PictureOrder {
+  std::shared_ptr<const volume::PreparedVolume> volume;  // null: the background only
+  scene::Scene scene;                                    // resolved; its fields are made
+  scene::Machine machine;
+  std::shared_ptr<const gi::PictureLight> light;
+  render::FrameRequest request;
+  bool draft = false;
+  bool tellsHits = false;  // Renderer::hitVoxels() come with the picture
+};
+
+struct DrawnPicture {
+  std::uint64_t order = 0;  // PictureThread::draw()
+  render::FrameRequest request;
+  render::FrameReport report;
+  render::ColorImage color;
+  std::vector<glm::vec3> hitVoxels;
+  double milliseconds = 0.0;  // until it could be taken
+};
+
+struct FailedPicture {
+  std::uint64_t order = 0;
+  std::exception_ptr reason;
+};
+
+class PictureThread {
+ public:
+  using Result = std::variant<DrawnPicture, FailedPicture>;
+  using Still = std::variant<render::StillPicture, std::exception_ptr>;
+
+  // Begins to make the context (OffscreenContext::create).
+  explicit PictureThread(render::ContextChoice choice = render::ContextChoice::automatic);
+  ~PictureThread();  // stops; the end of the thread is not waited for (base/retire.h)
+  PictureThread(const PictureThread&) = delete;
+  PictureThread& operator=(const PictureThread&) = delete;
+
+  // After the context was made, or not: what it is, or why there is none. Null before. Orders are for a
+  // thread that has one.
+  struct Context {
+    std::optional<render::ContextDescription> description;
+    std::exception_ptr failure;
+  };
+  const Context* context() const;
+
+  // The number of the order, from 1 on.
+  std::uint64_t draw(PictureOrder order);
+  // A picture, or a failure, if there is one that was not taken. Those of orders that were dropped never
+  // come.
+  std::optional<Result> take();
+  bool busy() const { return !given_.empty(); }  // an order has neither come back nor been dropped
+
+  // The whole picture, of any size (render::drawStill). It drops what is being drawn, and is not dropped
+  // itself. One at a time.
+  void drawStill(PictureOrder order);
+  std::unique_ptr<Still> takeStill();
+
+ private:
+  struct Work;
+  struct Given {
+    std::uint64_t number;
+    bool draft;
+    std::stop_source stop;
+  };
+  std::shared_ptr<Work> work_;
+  std::vector<Given> given_;
+  std::uint64_t number_ = 0;
+  std::jthread thread_;
+};
+
+}  // namespace isolux::app

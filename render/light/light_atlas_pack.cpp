@@ -1,0 +1,162 @@
+// From blocks of the lattices to the words of a slot.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <glm/common.hpp>
+
+#include "render/constants.h"
+#include "render/light/isovalues_about.h"
+#include "render/light/light_atlas.h"
+#include "volume/field/reconstruct.h"
+
+namespace isolux::render {
+
+namespace {
+
+// A texel with this many paths, or all that are wanted, has its whole weight.
+constexpr std::uint32_t kPathsOfFullWeight = 16;
+
+// A block with the texels of `before` where there are none yet.
+std::shared_ptr<const gi::LatticeBlock> blockOf(const std::shared_ptr<const gi::LightLattice>& lattice,
+                                                const std::shared_ptr<const gi::LightLattice>& before,
+                                                std::uint32_t block) {
+  if (!lattice) return nullptr;
+  std::shared_ptr<const gi::LatticeBlock> now = lattice->at(block);
+  const std::shared_ptr<const gi::LatticeBlock> then = before ? before->at(block) : nullptr;
+  if (!now || !then) return now ? now : then;
+  gi::LatticeBlock both = *now;
+  const auto components = static_cast<std::size_t>(lattice->content().components());
+  for (std::size_t i = 0; i < gi::kTexelsOfBlock; ++i) {
+    if (both.samples[i] > 0 || both.unlit[i] || then->samples[i] == 0) continue;
+    both.samples[i] = then->samples[i];
+    both.normals[i] = then->normals[i];
+    if (!both.places.empty()) both.places[i] = then->places[i];
+    std::copy_n(&then->means[i * components], components, &both.means[i * components]);
+  }
+  return std::make_shared<const gi::LatticeBlock>(std::move(both));
+}
+
+}  // namespace
+
+float LightAtlas::isovalueOf(glm::ivec3 texel) const {
+  const volume::Grid& grid = *source_.grid;
+  double stored;
+  if (geometry_.dims == geometry_.volumeDims)
+    stored = grid.stored(texel.x, texel.y, texel.z);
+  else
+    stored = grid.storedOfValue(volume::sampleTrilinear(grid, geometry_.voxelOf(texel)).value);
+  return static_cast<float>(stored);
+}
+
+std::vector<FilterTexel> LightAtlas::texelsAbout(
+    std::uint32_t block, std::vector<std::shared_ptr<const gi::LatticeBlock>>& kept) const {
+  constexpr int edge = kFilterTexels;
+  std::vector<FilterTexel> texels(static_cast<std::size_t>(edge * edge * edge));
+  const glm::ivec3 first = geometry_.firstTexelOf(block) - 1;
+  IsovaluesAbout isovalues(geometry_, block, [this](glm::ivec3 texel) { return isovalueOf(texel); });
+  std::uint32_t before = ~0u;
+  std::shared_ptr<const gi::LatticeBlock> sky, lamps;
+  const auto light = [](const gi::LightLattice& lattice, const gi::LatticeBlock& from, std::size_t i) {
+    const auto channels = static_cast<std::size_t>(lattice.content().channels);
+    const float* const e = &from.means[i * channels];
+    return channels == 3 ? glm::vec3(e[0], e[1], e[2]) : glm::vec3(e[0]);
+  };
+  for (int i = 0; i < edge * edge * edge; ++i) {
+    const glm::ivec3 step(i % edge, i / edge % edge, i / (edge * edge));
+    const glm::ivec3 texel = glm::clamp(first + step, glm::ivec3(0), geometry_.dims - 1);
+    FilterTexel& out = texels[static_cast<std::size_t>(i)];
+    if (texel != first + step) continue;  // outside: no light of its own
+    const std::uint32_t of = geometry_.blockOf(texel);
+    if (of != before) {
+      sky = blockOf(sky_, skyBefore_, of);
+      lamps = blockOf(lamps_, lampsBefore_, of);
+      before = of;
+      if (sky) kept.push_back(sky);
+    }
+    const auto at = static_cast<std::size_t>(gi::LatticeGeometry::indexInBlock(texel));
+    const auto stand = [&](const gi::LatticeBlock& from) {
+      out.normal = from.normals[at];
+      out.place =
+          from.places.empty() ? glm::vec3(texel) : glm::vec3(geometry_.texelOf(glm::dvec3(from.places[at])));
+    };
+    if (lamps && lamps->samples[at] > 0) {
+      stand(*lamps);
+      out.lampsPaths = static_cast<float>(lamps->samples[at]);
+      out.lamps = light(*lamps_, *lamps, at);
+    }
+    if (sky && sky->samples[at] > 0) {
+      stand(*sky);
+      out.skyPaths = static_cast<float>(sky->samples[at]);
+      if (layout_.sky == LightPacking::codes)
+        out.transfer = &sky->means[at * static_cast<std::size_t>(sky_->content().components())];
+      else
+        out.sky = light(*sky_, *sky, at) / openSky_.at(out.normal);
+    }
+    if (out.normal == glm::vec3(0.0f)) continue;
+    out.isovalue = geometry_.isovalue ? 0.0f : isovalues.at(texel);
+    out.shape = geometry_.isovalue ? FieldShape{1.0f, 0.0f} : isovalues.shapeAt(texel);
+  }
+  return texels;
+}
+
+bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
+  const std::shared_ptr<const gi::LatticeBlock> sky = blockOf(sky_, skyBefore_, block);
+  const std::shared_ptr<const gi::LatticeBlock> lamps = blockOf(lamps_, lampsBefore_, block);
+  if (!sky && !lamps) return false;
+  const std::uint32_t whole = std::clamp(source_.light->samplesWanted, 1u, kPathsOfFullWeight);
+  // A texel without a normal counts as baked, with no light: nothing better will come.
+  const auto fraction = [&](const gi::LatticeBlock* from, std::size_t i) {
+    if (!from) return 0.0f;
+    if (from->unlit[i]) return 1.0f;
+    return std::min(1.0f, static_cast<float>(from->samples[i]) / static_cast<float>(whole));
+  };
+  const int stride = layout_.words();
+  std::vector<FilterTexel> smooth;
+  std::vector<float> smoothTransfer;
+  if (source_.filtered) {
+    std::vector<std::shared_ptr<const gi::LatticeBlock>> kept;
+    const std::vector<FilterTexel> texels = texelsAbout(block, kept);
+    if (layout_.sky != LightPacking::codes || lamps_) smooth = filterBlock(texels);
+    if (layout_.sky == LightPacking::codes)
+      smoothTransfer = filterTransfer(texels, static_cast<std::size_t>(sky_->content().components()));
+  }
+  for (std::size_t i = 0; i < gi::kTexelsOfBlock; ++i) {
+    std::uint32_t* const out = words + i * static_cast<std::size_t>(stride);
+    std::fill_n(out, stride, 0u);
+    const float skyPart = fraction(sky.get(), i), lampsPart = fraction(lamps.get(), i);
+    if (skyPart == 0.0f && lampsPart == 0.0f) continue;
+    const bool skyLit = sky && sky->samples[i] > 0, lampsLit = lamps && lamps->samples[i] > 0;
+    const glm::vec3 normal = skyLit ? sky->normals[i] : lampsLit ? lamps->normals[i] : glm::vec3(0.0f);
+    out[0] = packTexelState(normal, skyPart, lampsPart);
+    std::uint32_t* next = out + 1;
+    if (sky_) {
+      const gi::LightContent& content = sky_->content();
+      const std::size_t from = i * static_cast<std::size_t>(content.components());
+      if (skyLit)
+        packLight(layout_.sky,
+                  holdsPartsOfOpenSky()     ? &smooth[i].sky[0]
+                  : !smoothTransfer.empty() ? &smoothTransfer[from]
+                                            : &sky->means[from],
+                  content, basis_.get(), next);
+      next += layout_.wordsOf(layout_.sky);
+    }
+    if (lamps_) {
+      const gi::LightContent& content = lamps_->content();
+      if (lampsLit && source_.filtered)
+        packLight(layout_.lamps, &smooth[i].lamps[0], content, nullptr, next);
+      else if (lampsLit)
+        packLight(layout_.lamps, &lamps->means[i * static_cast<std::size_t>(content.components())], content,
+                  nullptr, next);
+      next += layout_.wordsOf(layout_.lamps);
+    }
+    if (layout_.isovalue) {
+      const float isovalue = isovalueOf(geometry_.texelOf(block, static_cast<int>(i)));
+      const float value = std::isfinite(isovalue) ? isovalue : missingTexel;
+      std::memcpy(next, &value, sizeof value);
+    }
+  }
+  return true;
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,104 @@
+#include "render/passes/resolve_passes.h"
+
+#include "render/legend/legend_overlay.h"
+#include "render/passes/curvature_ranges.h"
+#include "render/passes/light_passes.h"
+#include "scene/rules/needs.h"
+
+namespace isolux::render {
+
+namespace {
+
+// The environment is seen behind the surface.
+bool showsEnvironment(const Asked& asked) {
+  return scene::usesGi(asked.scene) && asked.light.background;
+}
+
+bool environmentIsSeen(const FrameState& frame) {
+  return scene::usesGi(*frame.scene) && frame.light && frame.light->background;
+}
+
+// What resolve.frag.glsl reads for the colour behind the surface.
+void setBehind(const FrameState& frame, Program& p) {
+  p.set("uSupersampling", frame.request.supersampling);
+  p.set("uTileOrigin", frame.tileOrigin());
+  p.set("uPictureSize", frame.request.size);
+  p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));
+  p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
+}
+
+}  // namespace
+
+void BackgroundPass::declare(Declaring& d) const {
+  d.writes(image::background).pictureSize().settings({"look.background_top", "look.background_bottom"});
+  d.notNeeded("the environment is behind the surface");
+}
+
+void BackgroundPass::run(FrameState& frame) {
+  const Target& target = frame.images.make(frame.gl, image::background, frame.drawnSize(), {GL_RGBA8});
+  frame.begin(target, frame.drawnSize());
+  Program& p = frame.program(shader, "#define NOTHING_ELSE\n");
+  setBehind(frame, p);
+  frame.drawFullscreen(p);
+}
+
+void ResolvePass::declare(Declaring& d) const {
+  const scene::Scene& scene = d.asked.scene;
+  d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend"});
+  d.input("linear picture", d.asked.request.linear);
+  if (showsEnvironment(d.asked)) {
+    d.input("light", d.asked.light.version).settings({"camera."});
+    addExposure(d);
+  } else {
+    d.reads(image::background);
+  }
+  if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
+    d.reads(image::ranges);
+}
+
+void ResolvePass::run(FrameState& frame) {
+  Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
+  if (environmentIsSeen(frame))
+    drawAll(frame, target, "");
+  else
+    drawHits(frame, target);
+  if (!frame.empty() && scene::showsLegend(*frame.scene))
+    drawLegendOver(frame, target, measureRange(*frame.scene, frame.statistics, frame.flatCurvature()));
+  if (frame.request.linear)
+    drawAll(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
+            "#define LINEAR\n");
+  else
+    frame.images.drop(image::linear);
+}
+
+Program& ResolvePass::prepared(FrameState& frame, const std::string& defines) const {
+  const bool environment = environmentIsSeen(frame);
+  Program& p = frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : ""));
+  if (environment) frame.lighting->setBackground(frame, p, 1);
+  p.setTexture("uColor", 0, frame.image(image::color));
+  setBehind(frame, p);
+  return p;
+}
+
+void ResolvePass::drawAll(FrameState& frame, const Target& target, const std::string& defines) const {
+  Program& p = prepared(frame, defines);
+  frame.begin(target, frame.drawnSize());
+  frame.drawFullscreen(p);
+}
+
+// The background's own pixels, with the surface's over them.
+void ResolvePass::drawHits(FrameState& frame, Target& target) const {
+  frame.copy(frame.images.at(image::background), target);
+  Program& p = prepared(frame, "");
+  frame.begin(target, frame.drawnSize());
+  std::vector<volume::Rectangle> pixels = frame.images.at(image::color).drawn.rectangles();
+  const int rays = frame.request.supersampling;
+  for (volume::Rectangle& part : pixels) {
+    const glm::ivec2 end = (part.low + part.size + (rays - 1)) / rays;
+    part.low /= rays;
+    part.size = end - part.low;
+  }
+  frame.drawRectangles(p, pixels);
+}
+
+}  // namespace isolux::render

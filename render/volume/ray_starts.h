@@ -1,0 +1,44 @@
+// The start depths of a picture's rays (volume/cast/start_depths.h) as shaders that cast rays read them, and
+// the tiles whose rays can meet anything, to draw those alone.
+#pragma once
+
+#include <optional>
+
+#include "render/gl/gl_objects.h"
+#include "volume/cast/picture_area.h"
+#include "volume/cast/start_depths.h"
+
+namespace isolux::render {
+
+class RayStarts {
+ public:
+  explicit RayStarts(const GlPtr& gl);
+
+  // log2 of a tile's pixels per axis: at most 256 tiles along the longer side, so that large pictures cost
+  // no more.
+  static int tileShift(glm::ivec2 size);
+
+  // Uploads the depths of tiles of 1 << shift pixels, of a picture of `size`.
+  void update(const volume::StartDepths& depths, int shift, glm::ivec2 size);
+  void clear(glm::ivec2 size);  // nothing can be met
+  // What draw() draws.
+  const volume::PictureArea& area() const { return area_; }
+
+  // Sets what start.glsl and fullscreen.vert.glsl (TILES) read, on texture unit `unit`.
+  void bind(Program& program, int unit) const;
+  // Draws the pixels of those tiles with the program in use, as points: squares without a diagonal, at which
+  // groups of pixels would be drawn twice. Changes the viewport.
+  void draw() const;
+  std::size_t bytes() const { return depths_.bytes() + buffer_.bytes(); }
+
+ private:
+  GlPtr gl_;
+  Texture depths_;  // RG32F, texel per tile: StartDepths::Depths
+  Buffer buffer_;   // squares of tiles: x, y, side
+  VertexArray array_;
+  std::size_t squares_ = 0;
+  volume::PictureArea area_;
+  int shift_ = 0;
+};
+
+}  // namespace isolux::render

@@ -1,0 +1,143 @@
+// Pictures of a thread: the newest order counts, drafts are shown, and stopping costs nothing of the next.
+#include "app/jobs/picture_thread.h"
+
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "render/renderer.h"
+#include "scene/camera.h"
+#include "scene/rules/automatic.h"
+#include "tests/support/poll.h"
+#include "tests/support/volumes.h"
+
+namespace isolux::test {
+namespace {
+
+class PictureThreadGlTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(pollUntil([&] { return thread_.context() != nullptr; }));
+    ASSERT_TRUE(thread_.context()->description.has_value());
+  }
+
+  app::PictureOrder order(double fov, glm::ivec2 size = {128, 96}) {
+    app::PictureOrder order;
+    order.volume = volume_;
+    scene::Scene scene;
+    scene.camera.fov = fov;
+    order.scene = scene::resolve(scene, volume_->facts);
+    order.request.size = size;
+    return order;
+  }
+
+  app::PictureThread::Result next() {
+    std::optional<app::PictureThread::Result> result;
+    EXPECT_TRUE(pollUntil([&] {
+      result = thread_.take();
+      return result.has_value();
+    }));
+    return std::move(*result);
+  }
+  app::DrawnPicture nextPicture() { return std::get<app::DrawnPicture>(next()); }
+
+  // The same by a renderer of this thread.
+  std::vector<std::uint8_t> expected(const app::PictureOrder& order) {
+    const auto context = render::OffscreenContext::create(render::ContextChoice::osmesa);
+    context->makeCurrent();
+    render::Renderer renderer(context->gl());
+    renderer.setVolume(order.volume);
+    renderer.render(order.scene, order.request);
+    return renderer.readColor().rgba;
+  }
+
+  std::shared_ptr<const volume::PreparedVolume> volume_ = phantom("gyroid", 48);
+  app::PictureThread thread_{render::ContextChoice::osmesa};
+};
+
+}  // namespace
+
+TEST_F(PictureThreadGlTest, APictureIsThatOfARendererHere) {
+  app::PictureOrder asked = order(30.0);
+  asked.tellsHits = true;
+  const std::uint64_t number = thread_.draw(asked);
+  EXPECT_TRUE(thread_.busy());
+  const app::DrawnPicture picture = nextPicture();
+  EXPECT_FALSE(thread_.busy());
+  EXPECT_EQ(picture.order, number);
+  EXPECT_EQ(picture.color.rgba, expected(asked));
+  EXPECT_GT(picture.milliseconds, 0.0);
+  ASSERT_FALSE(picture.hitVoxels.empty());
+  for (const glm::vec3& hit : picture.hitVoxels) {
+    EXPECT_GE(std::min({hit.x, hit.y, hit.z}), 0.0F);
+    EXPECT_LE(std::max({hit.x, hit.y, hit.z}), 47.0F);
+  }
+}
+
+TEST_F(PictureThreadGlTest, TheNewestOrderIsDrawnAndIsRight) {
+  for (int round = 0; round < 5; ++round) {
+    std::uint64_t last = 0;
+    app::PictureOrder asked;
+    for (int i = 0; i < 20; ++i) {
+      asked = order(20.0 + i + round, i % 2 == 0 ? glm::ivec2{160, 120} : glm::ivec2{96, 64});
+      asked.draft = i % 3 == 0;
+      last = thread_.draw(asked);
+      std::this_thread::sleep_for(std::chrono::milliseconds(i % 4));
+    }
+    app::DrawnPicture picture;
+    while (picture.order < last) picture = nextPicture();
+    EXPECT_EQ(picture.color.rgba, expected(asked));
+    EXPECT_FALSE(thread_.busy());
+    EXPECT_FALSE(thread_.take().has_value());
+  }
+}
+
+// A draft is drawn to its end whatever is ordered meanwhile; a picture that is none makes way.
+TEST_F(PictureThreadGlTest, DraftsAreNotDropped) {
+  app::PictureOrder large = order(30.0, {1024, 1024});
+  large.draft = true;
+  const std::uint64_t draft = thread_.draw(large);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // it has begun, or the next takes its place
+  const std::uint64_t small = thread_.draw(order(31.0));
+  const app::DrawnPicture first = nextPicture();
+  if (first.order == draft) {
+    EXPECT_EQ(nextPicture().order, small);
+  }
+  large.draft = false;
+  thread_.draw(large);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const std::uint64_t last = thread_.draw(order(32.0));
+  EXPECT_EQ(nextPicture().order, last);
+}
+
+TEST_F(PictureThreadGlTest, APictureThatFailsSaysWhyAndTheNextComes) {
+  app::PictureOrder bad = order(30.0);
+  bad.scene.extraIsosurfaces[0].shown = true;  // and nobody has said where it is
+  bad.scene.extraIsosurfaces[0].value.reset();
+  const std::uint64_t number = thread_.draw(bad);
+  const app::PictureThread::Result failed = next();
+  ASSERT_TRUE(std::holds_alternative<app::FailedPicture>(failed));
+  EXPECT_EQ(std::get<app::FailedPicture>(failed).order, number);
+  EXPECT_THROW(std::rethrow_exception(std::get<app::FailedPicture>(failed).reason), std::bad_optional_access);
+  const app::PictureOrder good = order(30.0);
+  thread_.draw(good);
+  EXPECT_EQ(nextPicture().color.rgba, expected(good));
+}
+
+TEST_F(PictureThreadGlTest, AStillIsDrawnWhateverIsOrderedMeanwhile) {
+  thread_.draw(order(30.0, {800, 600}));
+  const app::PictureOrder asked = order(25.0, {320, 240});
+  thread_.drawStill(asked);
+  thread_.draw(order(31.0));
+  std::unique_ptr<app::PictureThread::Still> still;
+  ASSERT_TRUE(pollUntil([&] {
+    still = thread_.takeStill();
+    return still != nullptr;
+  }));
+  ASSERT_TRUE(std::holds_alternative<render::StillPicture>(*still));
+  EXPECT_EQ(std::get<render::StillPicture>(*still).color.rgba, expected(asked));
+}
+
+}  // namespace isolux::test

@@ -1,0 +1,79 @@
+// The window's thread waits for no picture: a view that is turned while light is baked.
+#include "tests/support/ui/watchdog.h"
+#include "tests/support/ui/window_fixture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include "ui/document/baked_light.h"
+#include "ui/viewport/viewport.h"
+
+namespace isolux::test {
+
+namespace {
+
+constexpr double longestTurn = 30.0, longestAnswer = 50.0;  // milliseconds
+
+struct Orbit {
+  std::vector<double> answers;  // from a mouse move to a picture that shows it, milliseconds, sorted
+  int moves = 0;
+};
+
+// Drags on a circle, 60 moves a second.
+Orbit orbit(ui::Viewport* viewport, double seconds) {
+  constexpr int pause = 16;
+  Orbit result;
+  const auto connection = QObject::connect(viewport, &ui::Viewport::answered, [&](double milliseconds) {
+    result.answers.push_back(milliseconds);
+  });
+  const QPoint centre = viewport->rect().center();
+  const auto at = [&](int i) {
+    return centre +
+           QPoint(static_cast<int>(60.0 * std::cos(0.05 * i)), static_cast<int>(60.0 * std::sin(0.05 * i)));
+  };
+  QTest::mousePress(viewport, Qt::LeftButton, Qt::NoModifier, at(0));
+  QElapsedTimer timer;
+  timer.start();
+  while (static_cast<double>(timer.elapsed()) < 1e3 * seconds) {
+    QTest::mouseMove(viewport, at(++result.moves));
+    QTest::qWait(pause);
+  }
+  QTest::mouseRelease(viewport, Qt::LeftButton, Qt::NoModifier, at(result.moves));
+  QObject::disconnect(connection);
+  std::sort(result.answers.begin(), result.answers.end());
+  return result;
+}
+
+}  // namespace
+
+TEST_F(WindowTest, TurningBesideABakeNeverBlocksTheWindow) {
+  ASSERT_TRUE(load(*window_, "phantom:head:64"));
+  ui::Edit edit{window_->document()->scene(), "Light", {}, false};
+  edit.scene.look.mode = scene::LookMode::gi;
+  edit.scene.gi.samples = 1000000;  // never complete
+  window_->document()->edit(edit);
+  ASSERT_TRUE(waitUntil([&] { return window_->light()->state().counters.rays > 0; }));
+  orbit(window_->viewport(), 0.5);  // programs are compiled, the size of drafts is found
+  const auto raysBefore = window_->light()->state().counters.rays;
+  const Watchdog watchdog;
+  const Orbit turned = orbit(window_->viewport(), 3.0);
+  const double median = turned.answers.empty() ? 1e9 : turned.answers[turned.answers.size() / 2];
+  std::printf(
+      "turns: %zu, longest %.1f ms of the processor, %.1f ms in all, 99 %% within %.1f ms; "
+      "%zu pictures for %d moves, median answer %.1f ms, longest %.1f ms\n",
+      watchdog.turns().size(), watchdog.longestProcessor(), watchdog.longestWall(),
+      watchdog.wallQuantile(0.99), turned.answers.size(), turned.moves, median,
+      turned.answers.empty() ? 0.0 : turned.answers.back());
+  EXPECT_GT(watchdog.turns().size(), 100u);
+  EXPECT_LE(watchdog.longestProcessor(), longestTurn);
+  EXPECT_LE(watchdog.wallQuantile(0.95), longestTurn);  // the rest is what other programs took
+  EXPECT_LE(median, longestAnswer);
+  EXPECT_GT(window_->light()->state().counters.rays, raysBefore);  // and light was baked
+}
+
+}  // namespace isolux::test
