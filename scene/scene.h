@@ -185,8 +185,8 @@ struct Gi {
   GiPrecision precision = GiPrecision::r11g11b10;
   int shOrder = 5;
   double shWindow = 0.0;  // 0 none, 1 full: against ringing
-  int components = 24;    // of a compressed transfer vector
-  int componentBits = 8;  // 8 or 16
+  int components = 24;    // of a compressed transfer vector, at most
+  int componentBits = 4;  // on average
   bool operator==(const Gi&) const = default;
 };
 

@@ -286,9 +286,9 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("gi.sh_window", ISOLUX_MEMBER(gi.shWindow), unitRange, "",
                    "Damps high bands of the environment against ringing."));
   add(entry<Scene>("gi.components", ISOLUX_MEMBER(gi.components), {4, 192}, "numbers per texel",
-                   "Stored transfer is compressed to this many principal components."));
-  add(entry<Scene>("gi.component_bits", ISOLUX_MEMBER(gi.componentBits), {8, 16}, "bits",
-                   "Of each component: up to 8 are stored in 8 bits, more in 16."));
+                   "Stored transfer is compressed to at most this many principal components."));
+  add(entry<Scene>("gi.component_bits", ISOLUX_MEMBER(gi.componentBits), {1, 16}, "bits per number",
+                   "On average: those that vary more get more. A texel's bits are rounded up to 32."));
 
   add(entry<Scene>("camera.eye", ISOLUX_MEMBER(camera.eye), positionRange, "mm",
                    "Where the viewer is; auto looks from the front, slightly above, at the whole volume."));

@@ -298,8 +298,8 @@ bool LightPlanner::compress(const base::Progress& progress) {
   const bool settled = sky_.bake->counters().idle && texels > 0;
   if (revision == basisRevision_ && basis_) return false;
   if (!grown && !settled) return false;
-  basis_ =
-      gi::TransferBasis::fit(lattice, scene_.gi.components, scene_.gi.componentBits > 8 ? 16 : 8, &progress);
+  basis_ = gi::TransferBasis::fit(lattice, scene_.gi.components,
+                                  scene_.gi.components * scene_.gi.componentBits, &progress);
   basisComponents_ = scene_.gi.components;
   basisBits_ = scene_.gi.componentBits;
   basisTexels_ = texels;

@@ -6,6 +6,8 @@
 
 #include <Eigen/Dense>
 
+#include "gi/harmonics/bit_allocation.h"
+
 namespace isolux::gi {
 
 namespace {
@@ -19,8 +21,7 @@ double bandWeight(int band) {
   return 1.0 / std::sqrt(1.0 + band);
 }
 
-// The range of codes goes beyond that of the texels by this part of it, on either side.
-constexpr double kMargin = 0.03;
+constexpr std::size_t kMostNumbers = 4000;  // of a component, that its bits are chosen by
 
 // A transfer vector a row, of at most `most` baked texels, evenly chosen.
 Eigen::MatrixXd gather(const LightLattice& lattice, std::size_t most, const base::Progress* progress) {
@@ -45,6 +46,17 @@ Eigen::MatrixXd gather(const LightLattice& lattice, std::size_t most, const base
       values.data(), static_cast<Eigen::Index>(values.size() / d), static_cast<Eigen::Index>(d));
 }
 
+// At most kMostNumbers of a column, rising.
+std::vector<double> someSorted(const Eigen::MatrixXd& coefficients, Eigen::Index column) {
+  const auto count = static_cast<std::size_t>(coefficients.rows());
+  const std::size_t every = (count + kMostNumbers - 1) / kMostNumbers;
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < count; i += every)
+    numbers.push_back(coefficients(static_cast<Eigen::Index>(i), column));
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
 template <class Matrix>
 std::vector<float> floatsOf(const Matrix& matrix) {
   const Rows rows = matrix.template cast<float>();
@@ -57,7 +69,7 @@ std::shared_ptr<const TransferBasis> TransferBasis::fit(const LightLattice& latt
                                                         const base::Progress* progress,
                                                         std::size_t mostTexels) {
   const LightContent& content = lattice.content();
-  assert(content.kind == LightContent::Kind::transfer && (bits == 8 || bits == 16) && components > 0);
+  assert(content.kind == LightContent::Kind::transfer && bits > 0 && components > 0);
   const auto heedStop = [&] {
     if (progress) progress->throwIfStopped();
   };
@@ -81,52 +93,64 @@ std::shared_ptr<const TransferBasis> TransferBasis::fit(const LightLattice& latt
   heedStop();
   auto basis = std::make_shared<TransferBasis>();
   basis->content_ = content;
-  basis->bits_ = bits;
+  basis->words_ = static_cast<std::size_t>((bits + kWordBits - 1) / kWordBits);
   basis->mean_ = floatsOf(mean);
-  basis->basis_ = floatsOf(axes.transpose() * weights.cwiseInverse().asDiagonal());
-  basis->projection_ = floatsOf(axes.transpose() * weights.asDiagonal());
   const Eigen::MatrixXd coefficients = weighted * axes;
-  const double codes = std::ldexp(1.0, bits) - 1.0;
+  std::vector<std::vector<double>> sorted;
   for (Eigen::Index k = 0; k < kept; ++k) {
-    const double low = coefficients.col(k).minCoeff(), high = coefficients.col(k).maxCoeff();
+    sorted.push_back(someSorted(coefficients, k));
     // Texels that differ by rounding alone are the same.
-    const double range = high - low > 1e-9 * weights[0] * mean.norm() ? high - low : 0.0;
-    basis->low_.push_back(static_cast<float>(low - kMargin * range));
-    basis->step_.push_back(static_cast<float>((1.0 + 2.0 * kMargin) * range / codes));
+    if (!(sorted.back().back() - sorted.back().front() > 1e-9 * weights[0] * mean.norm())) sorted.pop_back();
+    if (sorted.size() <= static_cast<std::size_t>(k)) break;  // those that follow vary less
   }
+  heedStop();
+  std::vector<int> widths = allocateBits(sorted, static_cast<int>(basis->words_) * kWordBits);
+  const std::vector<FieldPlace> places = placeFields(widths, static_cast<int>(basis->words_));
+  std::vector<Eigen::Index> coded;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k].word < 0) continue;
+    const Quantizer quantizer = quantizerOf(sorted[k], widths[k]);
+    basis->fields_.push_back({places[k].word, places[k].shift, widths[k], static_cast<float>(quantizer.low),
+                              static_cast<float>(quantizer.step)});
+    coded.push_back(static_cast<Eigen::Index>(k));
+  }
+  const Eigen::MatrixXd used = axes(Eigen::all, coded);
+  basis->basis_ = floatsOf(used.transpose() * weights.cwiseInverse().asDiagonal());
+  basis->projection_ = floatsOf(used.transpose() * weights.asDiagonal());
   return basis;
 }
 
-void TransferBasis::encode(std::span<const float> transfer, std::span<std::uint8_t> codes) const {
-  assert(transfer.size() == mean_.size() && codes.size() == bytesPerTexel());
+void TransferBasis::encode(std::span<const float> transfer, std::span<std::uint32_t> words) const {
+  assert(transfer.size() == mean_.size() && words.size() == words_);
   const auto d = static_cast<Eigen::Index>(mean_.size());
-  const Vector c = Eigen::Map<const Rows>(projection_.data(), components(), d) *
+  const auto components = static_cast<Eigen::Index>(fields_.size());
+  const Vector c = Eigen::Map<const Rows>(projection_.data(), components, d) *
                    (Eigen::Map<const Vector>(transfer.data(), d) - Eigen::Map<const Vector>(mean_.data(), d));
-  const float last = std::ldexp(1.0f, bits_) - 1.0f;
-  for (std::size_t k = 0; k < low_.size(); ++k) {
-    const float at = step_[k] > 0.0f ? (c[static_cast<Eigen::Index>(k)] - low_[k]) / step_[k] : 0.0f;
-    // NaN becomes 0.
-    const auto code = static_cast<std::uint32_t>(std::lround(std::min(at > 0.0f ? at : 0.0f, last)));
-    if (bits_ == 8) {
-      codes[k] = static_cast<std::uint8_t>(code);
-    } else {
-      codes[2 * k] = static_cast<std::uint8_t>(code & 0xff);
-      codes[2 * k + 1] = static_cast<std::uint8_t>(code >> 8);
-    }
+  std::fill(words.begin(), words.end(), 0u);
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    const Field& field = fields_[k];
+    const Quantizer quantizer{static_cast<double>(field.low), static_cast<double>(field.step)};
+    const std::uint32_t code =
+        codeOf(quantizer, field.bits, static_cast<double>(c[static_cast<Eigen::Index>(k)]));
+    words[static_cast<std::size_t>(field.word)] |= code << field.shift;
   }
 }
 
-void TransferBasis::decode(std::span<const std::uint8_t> codes, std::span<float> transfer) const {
-  assert(transfer.size() == mean_.size() && codes.size() == bytesPerTexel());
+std::uint32_t TransferBasis::code(std::span<const std::uint32_t> words, std::size_t component) const {
+  const Field& field = fields_[component];
+  return words[static_cast<std::size_t>(field.word)] >> field.shift & ((1u << field.bits) - 1u);
+}
+
+void TransferBasis::decode(std::span<const std::uint32_t> words, std::span<float> transfer) const {
+  assert(transfer.size() == mean_.size() && words.size() == words_);
   const auto d = static_cast<Eigen::Index>(mean_.size());
-  Vector c(components());
-  for (std::size_t k = 0; k < low_.size(); ++k) {
-    const std::uint32_t code = bits_ == 8 ? codes[k] : codes[2 * k] | std::uint32_t{codes[2 * k + 1]} << 8;
-    c[static_cast<Eigen::Index>(k)] = low_[k] + static_cast<float>(code) * step_[k];
-  }
+  const auto components = static_cast<Eigen::Index>(fields_.size());
+  Vector c(components);
+  for (std::size_t k = 0; k < fields_.size(); ++k)
+    c[static_cast<Eigen::Index>(k)] = fields_[k].low + static_cast<float>(code(words, k)) * fields_[k].step;
   Eigen::Map<Vector>(transfer.data(), d) =
       Eigen::Map<const Vector>(mean_.data(), d) +
-      Eigen::Map<const Rows>(basis_.data(), components(), d).transpose() * c;
+      Eigen::Map<const Rows>(basis_.data(), components, d).transpose() * c;
 }
 
 TransferBasis::Lighting TransferBasis::under(std::span<const glm::vec3> environment) const {
@@ -145,10 +169,10 @@ TransferBasis::Lighting TransferBasis::under(std::span<const glm::vec3> environm
   };
   Lighting lighting;
   glm::dvec3 offset = lit(mean_.data());
-  for (std::size_t k = 0; k < low_.size(); ++k) {
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
     const glm::dvec3 factor = lit(basis_.data() + k * mean_.size());
-    offset += static_cast<double>(low_[k]) * factor;
-    lighting.factors.emplace_back(static_cast<double>(step_[k]) * factor);
+    offset += static_cast<double>(fields_[k].low) * factor;
+    lighting.factors.emplace_back(static_cast<double>(fields_[k].step) * factor);
   }
   lighting.offset = glm::vec3(offset);
   return lighting;

@@ -1,8 +1,10 @@
-// Compression of transfer vectors to a few principal components, in 8 or 16 bits each.
+// Compression of transfer vectors to a few principal components of unequal bits.
 //
 // A transfer vector of D = channels * order^2 numbers is written as mean + sum_k c_k B_k. Lighting then needs
 // no decompression: E = mean . l + sum_k c_k (B_k . l), with the dot products made once a frame (Sloan et al.
-// 2003, "Clustered Principal Components", with one cluster). Wyman et al. 2006 store D floats.
+// 2003, "Clustered Principal Components", with one cluster). Wyman et al. 2006 store D floats. Each bit goes
+// to the component whose error it lessens most (Huang & Schultheiss 1963): the first get several times as
+// many as the last, and what brings nothing gets none.
 #pragma once
 
 #include <cstdint>
@@ -19,26 +21,30 @@ namespace isolux::gi {
 
 class TransferBasis {
  public:
+  // Of one component in the words of a texel: (words[word] >> shift) & ((1 << bits) - 1) is its code, and
+  // c = low + code * step. No field lies in two words.
+  struct Field {
+    int word = 0, shift = 0, bits = 0;
+    float low = 0.0f, step = 0.0f;  // step 0: the component is the same in all texels
+    bool operator==(const Field&) const = default;
+  };
+
   // From the baked texels of a lattice, at most `mostTexels` of them, evenly chosen. Null if there are none.
-  // `components` is cut to D. Errors count by what they do to E under usual environments, whose coefficients
-  // fall with the band of spherical harmonics. Throws Error{interrupted} within 100 ms of a stop of
-  // `progress`.
+  // `bits` of a texel, for at most `components` components, are rounded up to whole words. Errors count by
+  // what they do to E under usual environments, whose coefficients fall with the band of spherical harmonics.
+  // Throws Error{interrupted} within 100 ms of a stop of `progress`.
   static std::shared_ptr<const TransferBasis> fit(const LightLattice& lattice, int components, int bits,
                                                   const base::Progress* progress = nullptr,
                                                   std::size_t mostTexels = 20000);
 
-  int components() const { return static_cast<int>(low_.size()); }
-  int bits() const { return bits_; }  // 8 or 16
-  std::size_t bytesPerTexel() const { return low_.size() * static_cast<std::size_t>(bits_ / 8); }
+  const std::vector<Field>& fields() const { return fields_; }  // of the components that have any bits
+  std::size_t words() const { return words_; }                  // of 32 bits, of a texel
   const LightContent& content() const { return content_; }
-  // Of component k: c = low + code * step.
-  float low(int component) const { return low_[static_cast<std::size_t>(component)]; }
-  float step(int component) const { return step_[static_cast<std::size_t>(component)]; }
 
-  // Codes are unsigned integers: c_k = low_k + code * step_k, over the range of the texels that the basis is
-  // from and a little more; what is beyond is clamped. `codes`: bytesPerTexel() bytes, 16 bits little endian.
-  void encode(std::span<const float> transfer, std::span<std::uint8_t> codes) const;
-  void decode(std::span<const std::uint8_t> codes, std::span<float> transfer) const;
+  // What is beyond the range of a field is clamped. `words`: words() of them.
+  void encode(std::span<const float> transfer, std::span<std::uint32_t> words) const;
+  void decode(std::span<const std::uint32_t> words, std::span<float> transfer) const;
+  std::uint32_t code(std::span<const std::uint32_t> words, std::size_t component) const;
 
   // What a picture needs under an environment of order^2 rgb coefficients: E = offset + sum_k code_k
   // factor_k.
@@ -50,10 +56,10 @@ class TransferBasis {
 
  private:
   LightContent content_;
-  int bits_ = 8;
+  std::size_t words_ = 0;
   std::vector<float> mean_, basis_;  // D; components x D
   std::vector<float> projection_;    // components x D: c = projection (transfer - mean)
-  std::vector<float> low_, step_;    // step 0: that component is the same in all texels
+  std::vector<Field> fields_;
 };
 
 }  // namespace isolux::gi

@@ -11,7 +11,8 @@ namespace isolux::render {
 namespace {
 
 constexpr std::size_t kFirstSlots = 64;
-constexpr std::size_t kTogether = 64;  // blocks packed at a time
+constexpr std::size_t kTogether = 64;               // blocks packed at a time
+constexpr std::size_t kWorkOfFilteredTransfer = 4;  // packing its block takes so many times as long
 
 const gi::LightContent* contentOf(const std::shared_ptr<const gi::LightLattice>& lattice) {
   return lattice ? &lattice->content() : nullptr;
@@ -38,7 +39,9 @@ std::size_t LightAtlas::slotBytes() const {
 
 std::size_t LightAtlas::mostSlots() const {
   const std::size_t pages = geometry_.blockCount() * sizeof(std::uint32_t);
-  return std::min(source_.budgetBytes - std::min(source_.budgetBytes, pages), mostBufferBytes_) / slotBytes();
+  const std::size_t room =
+      std::min(source_.budgetBytes - std::min(source_.budgetBytes, pages), mostBufferBytes_);
+  return std::min<std::size_t>(room / slotBytes(), geometry_.blockCount());
 }
 
 bool LightAtlas::setSource(const Source& source) {
@@ -208,8 +211,9 @@ void LightAtlas::update(std::size_t limitBytes) {
   uploaded_ = 0;
   if (!stores()) return;
   collect();
-  const std::size_t most =
-      limitBytes == 0 ? queue_.size() : std::max<std::size_t>(1, limitBytes / slotBytes());
+  const bool slow = source_.filtered && layout_.sky == LightPacking::codes;
+  const std::size_t workBytes = slotBytes() * (slow ? kWorkOfFilteredTransfer : 1);
+  const std::size_t most = limitBytes == 0 ? queue_.size() : std::max<std::size_t>(1, limitBytes / workBytes);
   std::vector<std::uint32_t> blocks;
   for (std::size_t done = 0; done < most && !queue_.empty(); done += blocks.size()) {
     blocks.clear();

@@ -32,7 +32,7 @@ class LightAtlas {
     std::shared_ptr<const gi::PictureLight> light;  // null: nothing
     scene::GiPrecision precision = scene::GiPrecision::r11g11b10;
     bool isovalues = false;
-    // Irradiance without its noise (render/light/light_filter.h); the sky's as parts of gi::OpenSky.
+    // Light without its noise (render/light/light_filter.h); the sky's irradiance as parts of gi::OpenSky.
     bool filtered = false;
     std::shared_ptr<const volume::Grid> grid;
     std::size_t budgetBytes = 0;
@@ -69,8 +69,10 @@ class LightAtlas {
   void collect();
   void queue(std::uint32_t block);
   void queueNeighbours(std::uint32_t block);
-  float isovalueOf(glm::ivec3 texel) const;  // stored units
-  std::vector<FilterTexel> filteredBlock(std::uint32_t block) const;
+  float isovalueOf(glm::ivec3 texel) const;  // stored units; NaN: a voxel is missing
+  // A block's texels and those about it; transfer vectors are those of `kept`.
+  std::vector<FilterTexel> texelsAbout(std::uint32_t block,
+                                       std::vector<std::shared_ptr<const gi::LatticeBlock>>& kept) const;
   bool reserve(std::size_t slots);  // room for so many, false where that is not to be had
   std::size_t slotBytes() const;
   std::size_t mostSlots() const;

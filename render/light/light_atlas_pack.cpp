@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "render/constants.h"
+#include "render/light/isovalues_about.h"
 #include "render/light/light_atlas.h"
 #include "volume/field/reconstruct.h"
 
@@ -45,13 +46,15 @@ float LightAtlas::isovalueOf(glm::ivec3 texel) const {
     stored = grid.stored(texel.x, texel.y, texel.z);
   else
     stored = grid.storedOfValue(volume::sampleTrilinear(grid, geometry_.voxelOf(texel)).value);
-  return std::isfinite(stored) ? static_cast<float>(stored) : missingTexel;
+  return static_cast<float>(stored);
 }
 
-std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
+std::vector<FilterTexel> LightAtlas::texelsAbout(
+    std::uint32_t block, std::vector<std::shared_ptr<const gi::LatticeBlock>>& kept) const {
   constexpr int edge = kFilterTexels;
   std::vector<FilterTexel> texels(static_cast<std::size_t>(edge * edge * edge));
   const glm::ivec3 first = geometry_.firstTexelOf(block) - 1;
+  IsovaluesAbout isovalues(geometry_, block, [this](glm::ivec3 texel) { return isovalueOf(texel); });
   std::uint32_t before = ~0u;
   std::shared_ptr<const gi::LatticeBlock> sky, lamps;
   const auto light = [](const gi::LightLattice& lattice, const gi::LatticeBlock& from, std::size_t i) {
@@ -63,13 +66,13 @@ std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
     const glm::ivec3 step(i % edge, i / edge % edge, i / (edge * edge));
     const glm::ivec3 texel = glm::clamp(first + step, glm::ivec3(0), geometry_.dims - 1);
     FilterTexel& out = texels[static_cast<std::size_t>(i)];
-    out.isovalue = geometry_.isovalue ? 0.0f : isovalueOf(texel);
     if (texel != first + step) continue;  // outside: no light of its own
     const std::uint32_t of = geometry_.blockOf(texel);
     if (of != before) {
-      sky = storesSkyIrradiance() ? blockOf(sky_, skyBefore_, of) : nullptr;
+      sky = blockOf(sky_, skyBefore_, of);
       lamps = blockOf(lamps_, lampsBefore_, of);
       before = of;
+      if (sky) kept.push_back(sky);
     }
     const auto at = static_cast<std::size_t>(gi::LatticeGeometry::indexInBlock(texel));
     const auto stand = [&](const gi::LatticeBlock& from) {
@@ -85,10 +88,16 @@ std::vector<FilterTexel> LightAtlas::filteredBlock(std::uint32_t block) const {
     if (sky && sky->samples[at] > 0) {
       stand(*sky);
       out.skyPaths = static_cast<float>(sky->samples[at]);
-      out.sky = light(*sky_, *sky, at) / openSky_.at(out.normal);
+      if (layout_.sky == LightPacking::codes)
+        out.transfer = &sky->means[at * static_cast<std::size_t>(sky_->content().components())];
+      else
+        out.sky = light(*sky_, *sky, at) / openSky_.at(out.normal);
     }
+    if (out.normal == glm::vec3(0.0f)) continue;
+    out.isovalue = geometry_.isovalue ? 0.0f : isovalues.at(texel);
+    out.shape = geometry_.isovalue ? FieldShape{1.0f, 0.0f} : isovalues.shapeAt(texel);
   }
-  return filterBlock(texels);
+  return texels;
 }
 
 bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
@@ -104,7 +113,14 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
   };
   const int stride = layout_.words();
   std::vector<FilterTexel> smooth;
-  if (source_.filtered) smooth = filteredBlock(block);
+  std::vector<float> smoothTransfer;
+  if (source_.filtered) {
+    std::vector<std::shared_ptr<const gi::LatticeBlock>> kept;
+    const std::vector<FilterTexel> texels = texelsAbout(block, kept);
+    if (layout_.sky != LightPacking::codes || lamps_) smooth = filterBlock(texels);
+    if (layout_.sky == LightPacking::codes)
+      smoothTransfer = filterTransfer(texels, static_cast<std::size_t>(sky_->content().components()));
+  }
   for (std::size_t i = 0; i < gi::kTexelsOfBlock; ++i) {
     std::uint32_t* const out = words + i * static_cast<std::size_t>(stride);
     std::fill_n(out, stride, 0u);
@@ -116,11 +132,13 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
     std::uint32_t* next = out + 1;
     if (sky_) {
       const gi::LightContent& content = sky_->content();
-      if (skyLit && holdsPartsOfOpenSky())
-        packLight(layout_.sky, &smooth[i].sky[0], content, nullptr, next);
-      else if (skyLit)
-        packLight(layout_.sky, &sky->means[i * static_cast<std::size_t>(content.components())], content,
-                  basis_.get(), next);
+      const std::size_t from = i * static_cast<std::size_t>(content.components());
+      if (skyLit)
+        packLight(layout_.sky,
+                  holdsPartsOfOpenSky()     ? &smooth[i].sky[0]
+                  : !smoothTransfer.empty() ? &smoothTransfer[from]
+                                            : &sky->means[from],
+                  content, basis_.get(), next);
       next += layout_.wordsOf(layout_.sky);
     }
     if (lamps_) {
@@ -133,7 +151,8 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
       next += layout_.wordsOf(layout_.lamps);
     }
     if (layout_.isovalue) {
-      const float value = isovalueOf(geometry_.texelOf(block, static_cast<int>(i)));
+      const float isovalue = isovalueOf(geometry_.texelOf(block, static_cast<int>(i)));
+      const float value = std::isfinite(isovalue) ? isovalue : missingTexel;
       std::memcpy(next, &value, sizeof value);
     }
   }

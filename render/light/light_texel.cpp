@@ -66,9 +66,8 @@ LightTexelLayout lightTexelLayout(const gi::LightContent* sky, const gi::LightCo
   layout.sky = packingOf(sky, basis, precision);
   layout.lamps = packingOf(lamps, nullptr, precision);
   if (layout.sky == LightPacking::codes) {
-    layout.codeWords = static_cast<int>((basis->bytesPerTexel() + 3) / 4);
-    layout.codeBits = basis->bits();
-    layout.components = basis->components();
+    layout.fields = basis->fields();
+    layout.codeWords = static_cast<int>(basis->words());
   }
   layout.isovalue = isovalue && layout.stores();
   return layout;
@@ -114,11 +113,7 @@ void packLight(LightPacking packing, const float* means, const gi::LightContent&
     }
     case LightPacking::codes: {
       assert(basis);
-      const auto bytes = static_cast<std::size_t>(basis->bytesPerTexel());
-      std::uint8_t codes[2048] = {};
-      assert(bytes <= sizeof codes);
-      basis->encode({means, static_cast<std::size_t>(content.components())}, {codes, bytes});
-      std::memcpy(out, codes, (bytes + 3) / 4 * 4);
+      basis->encode({means, static_cast<std::size_t>(content.components())}, {out, basis->words()});
       return;
     }
   }

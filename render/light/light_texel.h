@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -22,9 +23,8 @@ enum class LightPacking { none, r11g11b10, half, single, codes };  // light_latt
 
 struct LightTexelLayout {
   LightPacking sky = LightPacking::none, lamps = LightPacking::none;
-  int codeWords = 0;  // of codes
-  int codeBits = 8;
-  int components = 0;
+  std::vector<gi::TransferBasis::Field> fields{};  // of codes
+  int codeWords = 0;
   bool isovalue = false;
 
   int wordsOf(LightPacking packing) const;

@@ -54,6 +54,18 @@ std::size_t lampCount(const gi::PictureLight* light) {
   return light ? std::min(light->lampLights.size(), kMostLamps) : 0;
 }
 
+// CODE_FIELDS is a list of what FIELD(component, word, shift, mask) makes of each component.
+std::string codeDefines(const LightTexelLayout& layout) {
+  std::string defines = "#define CODE_WORDS " + std::to_string(layout.codeWords) + "\n#define CODE_COUNT " +
+                        std::to_string(layout.fields.size()) + "\n#define CODE_FIELDS";
+  for (std::size_t k = 0; k < layout.fields.size(); ++k) {
+    const gi::TransferBasis::Field& field = layout.fields[k];
+    defines += " FIELD(" + std::to_string(k) + ", " + std::to_string(field.word) + ", " +
+               std::to_string(field.shift) + ", " + std::to_string((1u << field.bits) - 1u) + "u)";
+  }
+  return defines + "\n";
+}
+
 }  // namespace
 
 float exposureOf(const scene::Scene& scene, const gi::PictureLight* light) {
@@ -125,8 +137,8 @@ std::string FrameLight::defines(const FrameState& frame) const {
   std::string lamps = number("LAMP_COUNT", lampCount(frame.light.get()));
   if (!layout.stores()) return lamps;
   return lamps + "#define STORED\n" + number("SKY", layout.sky) + number("LAMPS", layout.lamps) +
-         number("WORDS", layout.words()) + number("CODE_WORDS", layout.codeWords) +
-         number("CODE_BITS", layout.codeBits) + number("INTERPOLATION", frame.scene->gi.interpolation) +
+         number("WORDS", layout.words()) + codeDefines(layout) +
+         number("INTERPOLATION", frame.scene->gi.interpolation) +
          (atlas_.holdsPartsOfOpenSky() ? "#define PARTS_OF_OPEN_SKY\n" : "");
 }
 
@@ -167,11 +179,8 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   const gi::TransferBasis::Lighting lighting = frame.light->basis->under(frame.light->environment);
   p.set("uTransferOffset", lighting.offset);
   if (factorsOf_ != frame.light) {
-    const float largest = layout.codeBits == 8 ? 255.0f : 65535.0f;  // codes are unpacked to 0 .. 1
-    std::vector<glm::vec4> factors(static_cast<std::size_t>(layout.codeWords * (32 / layout.codeBits)),
-                                   glm::vec4(0.0f));
-    for (std::size_t i = 0; i < lighting.factors.size(); ++i)
-      factors[i] = glm::vec4(largest * lighting.factors[i], 0.0f);
+    std::vector<glm::vec4> factors(1, glm::vec4(0.0f));  // a buffer is never empty
+    for (const glm::vec3& factor : lighting.factors) factors.emplace_back(factor, 0.0f);
     factors_.setData(factors.data(), factors.size() * sizeof(glm::vec4));
     factorsOf_ = frame.light;
   }

@@ -1,7 +1,7 @@
 // Stored light: texels of the light lattice around a point, interpolated. Only baked texels have weight.
 //
 // render/light/light_texel.h says what is in a texel's words, render/light/light_atlas.h where texels are. SKY, LAMPS: how each is
-// packed (PACKED_*); WORDS: of a texel; CODE_WORDS, CODE_BITS: of transfer; ISOVALUE: texels hold theirs.
+// packed (PACKED_*); WORDS: of a texel; CODE_WORDS, CODE_COUNT, CODE_FIELDS: of transfer; ISOVALUE: texels hold theirs.
 // PARTS_OF_OPEN_SKY: the sky's irradiance is in parts of what an open sky gives each normal (gi/harmonics/open_sky.h).
 // INTERPOLATION: scene::GiInterpolation. Wyman et al. 2006 sec. 4.2 and fig. 6.
 #define PACKED_NONE 0
@@ -31,17 +31,10 @@ uniform vec3 uPerMeanSky;      // 1 / mean of localSky() over all normals
 const float leastOpenSky = 0.2;
 #if SKY == PACKED_CODES
 layout(std430, binding = 3) readonly buffer TransferFactors {
-  vec4 transferFactors[];  // E = offset + sum of codes (0 .. 1) times these
+  vec4 transferFactors[];  // E = offset + sum of codes times the second of these and all that follow
 };
 uniform vec3 uTransferOffset;
-#if CODE_BITS == 8
-#define CodeSum vec4
-#define unpackCodes unpackUnorm4x8
-#else
-#define CodeSum vec2
-#define unpackCodes unpackUnorm2x16
-#endif
-CodeSum codeSums[CODE_WORDS];
+float codeSums[CODE_COUNT + 1];
 #endif
 
 // Sums over texels: light times weight, weight, and how much of the lookup is known.
@@ -84,7 +77,11 @@ void gather(int at, uvec2 head, float weight, float place) {
   weights += w;
   int words = max(at, 0) + 1;
 #if SKY == PACKED_CODES
-  for (int i = 0; i < CODE_WORDS; ++i) codeSums[i] += w.x * unpackCodes(lightWord(words + i));
+  uint codes[CODE_WORDS];
+  for (int i = 0; i < CODE_WORDS; ++i) codes[i] = lightWord(words + i);
+#define FIELD(component, word, shift, mask) codeSums[component] += w.x * float(codes[word] >> shift & mask);
+  CODE_FIELDS
+#undef FIELD
 #elif SKY != PACKED_NONE
   skySum += w.x * unpackLight(SKY, words, head.y);
 #endif
@@ -104,7 +101,7 @@ float texelIsovalue(int at) { return uintBitsToFloat(lightWord(max(at, 0) + 1 + 
 void lookUp(vec3 voxel, vec3 normal, float isovalue) {
   vec3 texel = clamp(voxel * uTexelsPerVoxel, vec3(0.0), vec3(uLatticeDims - 1));
 #if SKY == PACKED_CODES
-  for (int i = 0; i < CODE_WORDS; ++i) codeSums[i] = CodeSum(0.0);
+  for (int i = 0; i < CODE_COUNT; ++i) codeSums[i] = 0.0;
 #endif
 #if INTERPOLATION == NEAREST
   int at = lightTexelAt(ivec3(texel + 0.5));
@@ -156,15 +153,7 @@ void lookUp(vec3 voxel, vec3 normal, float isovalue) {
   vec2 scale = 1.0 / max(weights, vec2(1e-30));
 #if SKY == PACKED_CODES
   skySum = uTransferOffset;
-  for (int i = 0; i < CODE_WORDS; ++i) {
-    CodeSum codes = scale.x * codeSums[i];
-#if CODE_BITS == 8
-    skySum += codes.x * transferFactors[4 * i].rgb + codes.y * transferFactors[4 * i + 1].rgb +
-              codes.z * transferFactors[4 * i + 2].rgb + codes.w * transferFactors[4 * i + 3].rgb;
-#else
-    skySum += codes.x * transferFactors[2 * i].rgb + codes.y * transferFactors[2 * i + 1].rgb;
-#endif
-  }
+  for (int i = 0; i < CODE_COUNT; ++i) skySum += scale.x * codeSums[i] * transferFactors[i + 1].rgb;
   skySum = max(skySum, vec3(0.0));  // a few bands of spherical harmonics ring
 #else
   skySum *= scale.x * uSkyScale;

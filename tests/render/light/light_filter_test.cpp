@@ -1,10 +1,12 @@
 // The filter of stored irradiance: no GL.
 #include "render/light/light_filter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace isolux::render {
 namespace {
@@ -20,6 +22,7 @@ std::vector<FilterTexel> planes() {
     t.place =
         glm::vec3(i % kFilterTexels, i / kFilterTexels % kFilterTexels, i / (kFilterTexels * kFilterTexels));
     t.isovalue = 10.0f * static_cast<float>(i / (kFilterTexels * kFilterTexels));
+    t.shape = {10.0f, 0.0f};
     t.skyPaths = t.lampsPaths = 100.0f;
     t.sky = glm::vec3(2.0f, 3.0f, 4.0f);
     t.lamps = glm::vec3(1.0f);
@@ -101,17 +104,92 @@ TEST(LightFilterTest, NothingLeaksFromOtherNormals) {
   EXPECT_NEAR(filterBlock(texels)[3 * 64 + 3 * 8 + 3].sky.x, 2.0f, 1e-5f);
 }
 
-// A step of the isovalue steepens the slope that it is measured by: its distance is 11 / 6 texels, of
-// Gaussian exp(-(11 / 3)^2 / 2), times that of one texel's distance.
+// Two texels off by its isovalue, and one in place.
 TEST(LightFilterTest, LittleLeaksFromFarIsosurfaces) {
   std::vector<FilterTexel> texels = planes();
   const std::size_t far = inPadded(3, 3, 4);
-  texels[far].isovalue += 100.0f;
+  texels[far].isovalue += 10.0f;
   texels[far].sky = glm::vec3(1e6f);
-  const double weight = std::exp(-0.5 * 121.0 / 9.0 - 1.0 / 1.28);
+  const double weight = std::exp(-0.5 * 16.0 - 1.0 / 1.28);
   const float leaked = filterBlock(texels)[3 * 64 + 3 * 8 + 3].sky.x - 2.0f;
   EXPECT_GT(leaked, 0.0f);
   EXPECT_LT(leaked, 1e6 * weight);  // the others' weights sum to more than 1
+}
+
+// f = max(0, z - 3): what is lit at the kink, or below it, is lit on nobody's isosurface.
+TEST(LightFilterTest, PlateausTakeTheLightOfTheSlope) {
+  std::vector<FilterTexel> texels = planes();
+  for (int z = -1; z <= 8; ++z)
+    for (int y = -1; y <= 8; ++y)
+      for (int x = -1; x <= 8; ++x) {
+        const auto f = [](int at) { return 10.0f * static_cast<float>(std::max(0, at - 3)); };
+        FilterTexel& t = texels[inPadded(x, y, z)];
+        t.isovalue = f(z);
+        t.shape = fieldShape(f(z), {f(z), f(z), f(z - 1)}, {f(z), f(z), f(z + 1)});
+        if (z <= 3) t.sky = glm::vec3(1000.0f);
+      }
+  const std::vector<FilterTexel> result = filterBlock(texels);
+  EXPECT_LT(result[3 * 64 + 3 * 8 + 3].sky.x, 350.0f);
+  EXPECT_NEAR(result[4 * 64 + 3 * 8 + 3].sky.x, 2.0f, 2.0f);
+  EXPECT_NEAR(result[5 * 64 + 3 * 8 + 3].sky.x, 2.0f, 1e-3f);
+}
+
+// A transfer vector of three numbers is filtered as irradiance of three channels.
+TEST(LightFilterTest, TransferIsFilteredLikeIrradiance) {
+  std::vector<FilterTexel> texels = planes();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> any(0.0f, 1.0f);
+  std::vector<float> vectors(3 * kAll);
+  for (std::size_t i = 0; i < kAll; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) vectors[3 * i + c] = any(random);
+    texels[i].normal = glm::normalize(glm::vec3(any(random), any(random), 1.0f));
+    texels[i].skyPaths = i % 7 == 0 ? 0.0f : 100.0f * any(random);
+    texels[i].sky = glm::vec3(vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2]);
+    texels[i].transfer = texels[i].skyPaths > 0.0f ? &vectors[3 * i] : nullptr;
+  }
+  const std::vector<FilterTexel> irradiance = filterBlock(texels);
+  const std::vector<float> transfer = filterTransfer(texels, 3);
+  ASSERT_EQ(transfer.size(), 3u * gi::kTexelsOfBlock);
+  for (std::size_t i = 0; i < irradiance.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float expected = irradiance[i].skyPaths > 0.0f ? irradiance[i].sky[static_cast<int>(c)] : 0.0f;
+      ASSERT_NEAR(transfer[3 * i + c], expected, 3e-3f);  // parts below 1e-4 are left out
+    }
+}
+
+// Units are anything: nothing overflows or vanishes.
+TEST(LightFilterTest, TheUnitOfTheFieldDoesNotMatter) {
+  for (const float unit : {1e-36f, 1e30f}) {
+    std::vector<FilterTexel> texels = planes();
+    for (std::size_t i = 0; i < kAll; ++i) {
+      texels[i].isovalue *= unit;
+      texels[i].shape.steepness *= unit;
+      texels[i].sky.x = static_cast<float>(i % kFilterTexels);
+    }
+    EXPECT_NEAR(filterBlock(texels)[3 * 64 + 3 * 8 + 3].sky.x, 4.0f, 1e-4f);
+  }
+}
+
+TEST(FieldShapeTest, OfALineAndAParabola) {
+  for (const float unit : {1e-36f, 1.0f, 1e36f}) {
+    const FieldShape line =
+        fieldShape(5.0f * unit, glm::vec3(4.0f, 3.0f, 3.0f) * unit, glm::vec3(6.0f, 7.0f, 7.0f) * unit);
+    EXPECT_NEAR(line.steepness / unit, 3.0f, 1e-5f);
+    EXPECT_NEAR(line.kink, 0.0f, 1e-6f);
+    const FieldShape parabola =
+        fieldShape(9.0f * unit, glm::vec3(4.0f, 9.0f, 9.0f) * unit, glm::vec3(16.0f, 9.0f, 9.0f) * unit);
+    EXPECT_NEAR(parabola.steepness / unit, 6.0f, 1e-5f);
+    EXPECT_NEAR(parabola.kink, 1.0f / 3.0f, 1e-6f);
+  }
+}
+
+TEST(FieldShapeTest, AtTheBorderTheOneSideThereIs) {
+  const glm::vec3 none(NAN), known(7.0f, 5.0f, 5.0f);
+  const FieldShape shape = fieldShape(5.0f, none, known);
+  EXPECT_FLOAT_EQ(shape.steepness, 2.0f);
+  EXPECT_FLOAT_EQ(shape.kink, 0.0f);
+  EXPECT_FLOAT_EQ(fieldShape(5.0f, known, none).steepness, 2.0f);
+  EXPECT_FLOAT_EQ(fieldShape(5.0f, none, none).steepness, 0.0f);
 }
 
 TEST(LightFilterTest, WhatHasNoPathsHasNoWeight) {

@@ -506,7 +506,7 @@ TEST_F(LightGlTest, BricksShowTheSameLight) {
 TEST_F(LightGlTest, TransferIsTheDotProductOfItsCodes) {
   const auto volume = phantom("ball", 24);
   for (const int channels : {1, 3})
-    for (const int bits : {8, 16}) {
+    for (const int bits : {32, 96, 7 * 16}) {
       const gi::LightContent content{gi::LightContent::Kind::transfer, channels, 3};
       const auto components = static_cast<std::size_t>(content.components());
       const auto lattice = emptyLattice(dimsOf(volume), 1.0, content);
@@ -534,7 +534,7 @@ TEST_F(LightGlTest, TransferIsTheDotProductOfItsCodes) {
         const gi::TransferBasis& basis = *light->basis;
         expectIrradiance(
             [&](glm::dvec3 voxel, auto) {
-              std::vector<std::uint8_t> codes(basis.bytesPerTexel());
+              std::vector<std::uint32_t> codes(basis.words());
               std::vector<float> decoded(components);
               basis.encode(transfer(glm::ivec3(voxel + 0.5)), codes);
               basis.decode(codes, decoded);
