@@ -1,6 +1,7 @@
 #include "render/light/light_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
