@@ -61,17 +61,20 @@ float weightOf(const FilterTexel& own, const FilterTexel& other) {
 // A texel, and what itself and each of its neighbours counts.
 struct Neighbourhood {
   const FilterTexel* own;
+  float ownTrust;
   std::array<const FilterTexel*, 27> texels;
-  std::array<float, 27> weights;
+  std::array<float, 27> weights, trust;
 };
 
 Neighbourhood neighbourhoodOf(const std::vector<FilterTexel>& texels, const std::vector<float>& trust,
                               glm::ivec3 texel) {
-  Neighbourhood result{&texels[at(texel.x, texel.y, texel.z)], {}, {}};
+  Neighbourhood result{
+      &texels[at(texel.x, texel.y, texel.z)], trust[at(texel.x, texel.y, texel.z)], {}, {}, {}};
   for (int n = 0; n < 27; ++n) {
     const glm::ivec3 step = glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
     const std::size_t i = at(texel.x + step.x, texel.y + step.y, texel.z + step.z);
     result.texels[static_cast<std::size_t>(n)] = &texels[i];
+    result.trust[static_cast<std::size_t>(n)] = trust[i];
     result.weights[static_cast<std::size_t>(n)] = trust[i] * weightOf(*result.own, texels[i]);
   }
   return result;
@@ -85,10 +88,12 @@ FilterTexel filtered(const Neighbourhood& around) {
   for (std::size_t n = 0; n < around.texels.size(); ++n) {
     const FilterTexel& other = *around.texels[n];
     if (around.weights[n] == 0.0f) continue;
-    const float sky =
-        around.weights[n] * other.skyPaths * likeness(own.sky, own.skyPaths, other.sky, other.skyPaths);
+    // Paths count as far as they are believed: what is wrong is no edge of shadow.
+    const float mine = around.ownTrust, others = around.trust[n];
+    const float sky = around.weights[n] * other.skyPaths *
+                      likeness(own.sky, mine * own.skyPaths, other.sky, others * other.skyPaths);
     const float lamps = around.weights[n] * other.lampsPaths *
-                        likeness(own.lamps, own.lampsPaths, other.lamps, other.lampsPaths);
+                        likeness(own.lamps, mine * own.lampsPaths, other.lamps, others * other.lampsPaths);
     skyWeight += sky;
     result.sky += sky * other.sky;
     lampsWeight += lamps;

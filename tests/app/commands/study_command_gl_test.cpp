@@ -68,7 +68,7 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
     EXPECT_TRUE(result.contains(key)) << key;
   EXPECT_EQ(result["complete"], true);
   EXPECT_EQ(result["volume"]["data_hash"].get<std::string>().size(), 16u);
-  ASSERT_EQ(result["knobs"].size(), 19u);
+  ASSERT_EQ(result["knobs"].size(), 20u);
   for (const json& knob : result["knobs"]) {
     if (knob.contains("skipped")) {
       EXPECT_THAT(knob["skipped"].get<std::string>(), HasSubstr("one colour"));

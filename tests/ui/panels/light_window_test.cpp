@@ -68,6 +68,7 @@ TEST_F(LightWindowTest, LightComesAndThePictureIsLitByIt) {
   EXPECT_EQ(status()->text(), "Light complete");
   EXPECT_GT(light()->state().counters.texelsLit, 100U);
   set("gi.mode", "off");
+  ASSERT_TRUE(waitForPhase(Phase::off));
   EXPECT_EQ(differingPixels(local, fullPicture(*window_)), 0.0);  // nothing else has changed
   set("look.mode", "lambert");
   EXPECT_TRUE(waitUntil([&] { return status()->isHidden(); }));
