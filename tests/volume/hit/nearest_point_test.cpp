@@ -2,6 +2,7 @@
 #include "volume/hit/nearest_point.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -47,7 +48,9 @@ TEST(NearestSurfacePoint, IsOnTheSurfaceAndNearlyTheNearest) {
     int found = 0;
     double excess = 0.0;
     for (int i = 0; i < 4000 && found < 60; ++i) {
-      const glm::ivec3 texel = glm::ivec3(3) + glm::ivec3(i * 7919 % 31, i * 104729 % 33, i * 1299709 % 34);
+      const std::int64_t n = i;
+      const glm::ivec3 texel =
+          glm::ivec3(3) + glm::ivec3(glm::i64vec3(n * 7919 % 31, n * 104729 % 33, n * 1299709 % 34));
       const auto point = nearestSurfacePoint(grid, glm::vec3(texel), kReach, static_cast<float>(isovalue));
       if (!point) continue;
       ++found;
