@@ -1,10 +1,11 @@
 #include "volume/hit/nearest_point.h"
 
-#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "volume/field/reconstruct.h"
 
 namespace isolux::volume {
 
@@ -12,40 +13,10 @@ namespace {
 
 constexpr int kSlides = 3;            // along the surface
 constexpr int kCorrections = 2;       // Newton's, back to it, after each
-constexpr float kOffSurface = 1e-3f;  // voxels: farther off is no point of the surface
+constexpr double kOffSurface = 1e-3;  // voxels: farther off is no point of the surface
 
 float distanceSquared(glm::vec3 a, glm::vec3 b) {
   return glm::dot(a - b, a - b);
-}
-
-// The field and its gradient in one cell, voxel coordinates.
-struct CellField {
-  float value = 0.0f;
-  glm::vec3 gradient{0.0f};
-};
-
-CellField cellFieldAt(const Grid& grid, glm::vec3 voxel) {
-  const glm::ivec3 last = glm::max(grid.dims() - 2, glm::ivec3(0));
-  const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), last);
-  const glm::ivec3 high = glm::min(low + 1, grid.dims() - 1);
-  const glm::vec3 part = voxel - glm::vec3(low);
-  float corners[8];
-  for (int i = 0; i < 8; ++i)
-    corners[i] = static_cast<float>(
-        grid.stored((i & 1) ? high.x : low.x, (i & 2) ? high.y : low.y, (i & 4) ? high.z : low.z));
-  const auto mixed = [](float a, float b, float t) { return a + t * (b - a); };
-  float alongX[4], slopeX[4];
-  for (int i = 0; i < 4; ++i) {
-    alongX[i] = mixed(corners[2 * i], corners[2 * i + 1], part.x);
-    slopeX[i] = corners[2 * i + 1] - corners[2 * i];
-  }
-  const float y0 = mixed(alongX[0], alongX[1], part.y), y1 = mixed(alongX[2], alongX[3], part.y);
-  CellField field;
-  field.value = mixed(y0, y1, part.z);
-  field.gradient.x = mixed(mixed(slopeX[0], slopeX[1], part.y), mixed(slopeX[2], slopeX[3], part.y), part.z);
-  field.gradient.y = mixed(alongX[1] - alongX[0], alongX[3] - alongX[2], part.z);
-  field.gradient.z = y1 - y0;
-  return field;
 }
 
 // Where the surface crosses an edge of the cells that reach touches, nearest to `voxel`.
@@ -79,16 +50,16 @@ std::optional<glm::vec3> nearestEdgeCrossing(const Grid& grid, glm::vec3 voxel, 
   return nearest;
 }
 
-// Back to the surface along the gradient; nothing where that does not lead there.
-std::optional<glm::vec3> ontoSurface(const Grid& grid, glm::vec3 point, float isovalue) {
+// Back to the surface along the gradient; nothing where that does not lead there. isovalue: data units.
+std::optional<glm::vec3> ontoSurface(const Grid& grid, glm::dvec3 point, double isovalue) {
   for (int i = 0;; ++i) {
-    point = glm::clamp(point, glm::vec3(0.0f), glm::vec3(grid.dims() - 1));
-    const CellField field = cellFieldAt(grid, point);
-    const float off = field.value - isovalue, squared = glm::dot(field.gradient, field.gradient);
-    if (!(squared > 0.0f)) return std::nullopt;  // NaN too
+    point = glm::clamp(point, glm::dvec3(0.0), glm::dvec3(grid.dims() - 1));
+    const FieldSample field = sampleTrilinear(grid, point);
+    const double off = field.value - isovalue, squared = glm::dot(field.gradient, field.gradient);
+    if (!(squared > 0.0)) return std::nullopt;  // NaN too
     if (i == kCorrections) {
       if (off * off > kOffSurface * kOffSurface * squared) return std::nullopt;
-      return point;
+      return glm::vec3(point);
     }
     point -= field.gradient * (off / squared);
   }
@@ -100,14 +71,16 @@ std::optional<glm::vec3> nearestSurfacePoint(const Grid& grid, glm::vec3 voxel, 
                                              float isovalue) {
   const std::optional<glm::vec3> start = nearestEdgeCrossing(grid, voxel, reach, isovalue);
   if (!start) return std::nullopt;
+  const double value = grid.valueOfStored(static_cast<double>(isovalue));
+  const glm::dvec3 from(voxel);
   glm::vec3 nearest = *start;
   for (int i = 0; i < kSlides; ++i) {
-    const glm::vec3 gradient = cellFieldAt(grid, nearest).gradient;
-    const float squared = glm::dot(gradient, gradient);
-    if (!(squared > 0.0f)) break;
+    const glm::dvec3 at(nearest), gradient = sampleTrilinear(grid, at).gradient;
+    const double squared = glm::dot(gradient, gradient);
+    if (!(squared > 0.0)) break;
     // The foot of the perpendicular on the tangent plane.
-    const glm::vec3 foot = voxel + gradient * (glm::dot(nearest - voxel, gradient) / squared);
-    const std::optional<glm::vec3> closer = ontoSurface(grid, foot, isovalue);
+    const glm::dvec3 foot = from + gradient * (glm::dot(at - from, gradient) / squared);
+    const std::optional<glm::vec3> closer = ontoSurface(grid, foot, value);
     if (!closer || distanceSquared(*closer, voxel) >= distanceSquared(nearest, voxel)) break;
     nearest = *closer;
   }
