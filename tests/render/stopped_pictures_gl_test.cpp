@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/support/stop_latency.h"
 
 namespace isolux::test {
 namespace {
@@ -44,6 +45,22 @@ class StoppedPicturesGlTest : public RenderGlTest {
       EXPECT_EQ(error.kind(), base::ErrorKind::interrupted);
       return true;
     }
+  }
+
+  // A full picture of a window.
+  void expectMakesWaySoon(const char* executor) {
+    renderer_->setVolume(volume_);
+    const scene::Scene scene = sceneOf({executor, "look.mode=curvature_2d"});
+    const auto draw = [&](const std::stop_token& stop) {
+      renderer_->invalidate();
+      render::FrameRequest request;
+      request.size = {1280, 900};
+      request.supersampling = 2;
+      request.stop = stop;
+      renderer_->render(scene, request);
+    };
+    draw({});  // programs are compiled
+    expectStopsSoon([&](base::Progress& progress) { draw(progress.token()); });
   }
 
   const std::shared_ptr<const volume::PreparedVolume> volume_ = phantom("gyroid", 64);
@@ -100,6 +117,14 @@ TEST_F(StoppedPicturesGlTest, WhatWasCompleteIsKept) {
     if (pass.name != "cast") continue;
     EXPECT_EQ(pass.state, render::PassState::cached);
   }
+}
+
+TEST_F(StoppedPicturesGlTest, ShadersMakeWaySoon) {
+  expectMakesWaySoon("picture.executor=gpu");
+}
+
+TEST_F(StoppedPicturesGlTest, TheProcessorMakesWaySoon) {
+  expectMakesWaySoon("picture.executor=cpu");
 }
 
 // Whether the surface was found anew is told once, by the first picture that is completed.

@@ -18,7 +18,6 @@ namespace isolux::test {
 namespace {
 
 constexpr double longestTurn = 30.0, longestAnswer = 50.0;  // milliseconds
-constexpr double ofOthers = 2.0;  // wall time may be so many times as long where other programs run beside
 
 struct Orbit {
   std::vector<double> answers;  // from a mouse move to a picture that shows it, milliseconds, sorted
@@ -72,8 +71,8 @@ TEST_F(WindowTest, TurningBesideABakeNeverBlocksTheWindow) {
       turned.answers.empty() ? 0.0 : turned.answers.back());
   EXPECT_GT(watchdog.turns().size(), 100u);
   EXPECT_LE(watchdog.longestProcessor(), longestTurn);
-  EXPECT_LE(watchdog.wallQuantile(0.95), ofOthers * longestTurn);
-  EXPECT_LE(median, ofOthers * longestAnswer);
+  EXPECT_LE(watchdog.wallQuantile(0.95), longestTurn);
+  EXPECT_LE(median, longestAnswer);
   EXPECT_GT(window_->light()->state().counters.rays, raysBefore);  // and light was baked
 }
 
