@@ -15,8 +15,8 @@ namespace isolux::render {
 struct Target {
   std::vector<Texture> images;
   Framebuffer framebuffer;
-  volume::PictureArea
-      drawn;  // beyond it, they are known to hold what stands for nothing; of new ones nothing is known
+  // Beyond it, the images are known to hold what stands for nothing; of new ones nothing is known.
+  volume::PictureArea drawn;
   std::size_t bytes() const;
 };
 
