@@ -385,7 +385,12 @@ Crossings CrossingFinder<T>::find(const RayLanes& ray, VF t, VF tEnd, MF alive, 
     const VI bit = hn::And(
         hn::BitCast(i, hn::Shr(hn::BitCast(U(), word), hn::BitCast(U(), hn::And(box, hn::Set(i, 31))))), one);
     const MI full = hn::Ne(bit, hn::Zero(i)), emptyBlock = hn::Eq(hn::Or(low, high), hn::Zero(i));
-    const VI size = hn::IfThenElse(full, one, hn::IfThenElse(emptyBlock, hn::Set(i, 8), hn::Set(i, 2)));
+    // Eight boxes, 2 x 2 x 2 of them, lie in one word.
+    const VI eight = hn::Shl(hn::Set(i, 0x00330033), hn::And(box, hn::Set(i, 10)));
+    const MI emptyEight = hn::Eq(hn::And(word, eight), hn::Zero(i));
+    const VI size = hn::IfThenElse(
+        full, one,
+        hn::IfThenElse(emptyBlock, hn::Set(i, 8), hn::IfThenElse(emptyEight, hn::Set(i, 4), hn::Set(i, 2))));
 
     // Where the ray leaves the box.
     const VI inBox = hn::Sub(size, one);
