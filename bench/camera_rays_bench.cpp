@@ -35,7 +35,7 @@ void compare(const Subject& subject) {
     subject.volume->boxes->masks({&isovalue, 1}, flags, masks);
   };
   activate();
-  const volume::SurfaceCaster caster(grid, {&stored, 1}, subject.volume->blocks->dims(), masks);
+  const volume::SurfaceCaster caster({grid}, {&stored, 1}, subject.volume->blocks->dims(), masks);
   const std::size_t count = static_cast<std::size_t>(pictureSize.x) * static_cast<std::size_t>(pictureSize.y);
   std::vector<glm::vec4> points(count);
   std::vector<glm::vec2> infos(count);

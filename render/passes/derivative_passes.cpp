@@ -52,7 +52,7 @@ void drawDerivatives(FrameState& frame, Target& target, const char* shader, bool
 
 void GradientPass::declare(Declaring& d) const {
   d.reads(image::surface).volume().settings({"derivatives.field", "derivatives.fetch"});
-  d.input("executor", d.asked.onProcessor.all);
+  d.input("executor at the hits", d.asked.onProcessor.all);
   if (hessianIsRead(d.asked))
     d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
   else
@@ -71,7 +71,7 @@ void GradientPass::run(FrameState& frame) {
 void HessianPass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::hessian);
   d.volume().settings({"derivatives.field", "derivatives.fetch"});
-  d.input("executor", d.asked.onProcessor.all);
+  d.input("executor at the hits", d.asked.onProcessor.all);
   if (hessianIsRead(d.asked)) d.writes(image::gradient);
 }
 

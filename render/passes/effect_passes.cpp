@@ -30,7 +30,7 @@ void ShadowPass::declare(Declaring& d) const {
   std::array<bool, scene::kExtraIsosurfaces> opaque{};
   for (std::size_t i = 0; i < opaque.size(); ++i) opaque[i] = s.extraIsosurfaces[i].opacity >= 1.0;
   d.input("what is opaque", s.isosurface.opacity >= 1.0, opaque);
-  d.input("executor", d.asked.onProcessor.all);
+  d.input("executor at the hits", d.asked.onProcessor.all);
 }
 
 std::optional<LookInput> ShadowPass::forLook(const scene::Scene& scene) const {

@@ -58,7 +58,10 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
   std::vector<double> isovalues;
   for (const Surface& surface : frame.surfaces)
     isovalues.push_back(frame.volume->grid().storedOfValue(surface.value));
-  return {frame.volume->grid(), isovalues, frame.volume->blocks().dims(), frame.volume->masks()};
+  const scene::Field field = frame.scene->hit.field;
+  const GpuVolume& volume = *frame.volume;
+  return {
+      {volume.grid(), field, volume.coefficients(field)}, isovalues, volume.blocks().dims(), volume.masks()};
 }
 
 void cast(FrameState& frame, volume::CrossingImage& out) {
@@ -85,7 +88,7 @@ HostImages::HostImages(glm::ivec2 size)
 OnProcessor onProcessor(bool taken, const scene::Scene& scene) {
   OnProcessor on;
   if (!taken) return on;
-  on.casts = scene.hit.method == scene::HitMethod::exact && scene.hit.field == scene::Field::trilinear;
+  on.casts = scene.hit.method == scene::HitMethod::exact;
   // The fast scheme is one of filtered fetches: it is what it is on a graphics card only.
   on.all = on.casts && (scene.derivatives.field == scene::Field::trilinear ||
                         scene.derivatives.fetch != scene::Fetch::fast);

@@ -20,8 +20,10 @@ using VoxelPointer = std::variant<const std::int8_t*, const std::uint8_t*, const
 struct CastView {
   glm::ivec3 dims{0};       // voxels; all at least 2
   glm::ivec3 blockDims{0};  // of 8^3 cells
-  VoxelPointer voxels;
+  VoxelPointer samples;     // of the field: the voxels, or coefficients
+  bool cubic = false;       // it is their tri-cubic B-spline, else trilinear
   float offset = 0.0f, scale = 1.0f;
+  const float* gapsOf = nullptr;         // the voxels, where some are missing but known as coefficients
   bool gaps = false;                     // some voxel is missing: behind an empty box no side is known
   const std::uint64_t* masks = nullptr;  // of each block: bit x + 4 y + 16 z, a box of 2^3 cells
   int surfaces = 1;                      // 1 to 4

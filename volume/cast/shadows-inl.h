@@ -14,7 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/cast/cast_kernels.h"
-#include "volume/cast/first_crossing-inl.h"
+#include "volume/cast/crossing_finders-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
@@ -87,8 +87,8 @@ HWY_INLINE MF isOpaque(const CastView& view, int opaque, VI surface) {
 
 // Lanes that meet an opaque surface before tEnd, and where; `inside` becomes the sides behind the transparent
 // ones that were passed.
-template <class T>
-HWY_INLINE MF meets(const CastView& view, const CrossingFinder<T>& finder, const RayLanes& ray, VF tEnd,
+template <class Cells>
+HWY_INLINE MF meets(const CastView& view, const CrossingFinder<Cells>& finder, const RayLanes& ray, VF tEnd,
                     MF alive, int opaque, VI& inside, VF& t) {
   const F f;
   constexpr int most = 32;  // transparent surfaces passed through
@@ -105,9 +105,9 @@ HWY_INLINE MF meets(const CastView& view, const CrossingFinder<T>& finder, const
   return hn::Or(met, alive);
 }
 
-template <class T>
-HWY_INLINE void tracePacket(const CastView& view, const CrossingFinder<T>& finder, const ShadowRays& shadow,
-                            ShadowPacket& packet, std::uint8_t* lit) {
+template <class Cells>
+HWY_INLINE void tracePacket(const CastView& view, const CrossingFinder<Cells>& finder,
+                            const ShadowRays& shadow, ShadowPacket& packet, std::uint8_t* lit) {
   if (packet.count == 0) return;
   const F f;
   const I i;
@@ -138,7 +138,7 @@ HWY_INLINE void tracePacket(const CastView& view, const CrossingFinder<T>& finde
 // Points of 4x4 pixels are neighbours on their way, too.
 void shadows(const CastView& view, const ShadowRays& shadow, const ShadowTarget& target) {
   constexpr int tile = StartDepths::kTile;
-  const auto each = [&](const auto& finder) {
+  withFinder(view, [&](const auto& finder) {
     ShadowPacket packet;
     for (int y0 = target.begin.y; y0 < target.end.y; y0 += tile)
       for (int x0 = target.begin.x; x0 < target.end.x; x0 += tile)
@@ -154,8 +154,7 @@ void shadows(const CastView& view, const ShadowRays& shadow, const ShadowTarget&
             if (packet.count == kLanes) tracePacket(view, finder, shadow, packet, target.lit);
           }
     tracePacket(view, finder, shadow, packet, target.lit);
-  };
-  std::visit([&](const auto* voxels) { each(CrossingFinder(view, voxels)); }, view.voxels);
+  });
 }
 
 #endif

@@ -8,8 +8,8 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
+#include "volume/cast/crossing_finders-inl.h"
 #include "volume/cast/derivatives_at-inl.h"
-#include "volume/cast/first_crossing-inl.h"
 #include "volume/cast/shadows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -79,8 +79,8 @@ HWY_INLINE void storeNothing(const CastTarget& target, glm::ivec2 pixel) {
   store(target, pixel, nowhere, hn::Set(F(), -1.0f), zero, zero);
 }
 
-template <class T>
-HWY_INLINE void storeCrossings(const CrossingFinder<T>& finder, const Packet& packet,
+template <class Cells>
+HWY_INLINE void storeCrossings(const CrossingFinder<Cells>& finder, const Packet& packet,
                                const Crossings& crossing, const CastTarget& target, glm::ivec2 pixel) {
   const F f;
   if (hn::AllFalse(f, crossing.found)) {
@@ -99,8 +99,8 @@ HWY_INLINE void storeCrossings(const CrossingFinder<T>& finder, const Packet& pa
         hn::IfThenElseZero(sure, error), hn::IfThenElseZero(crossing.found, known));
 }
 
-template <class T>
-HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<T>& finder, const PictureRays& rays,
+template <class Cells>
+HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<Cells>& finder, const PictureRays& rays,
                            StartDepths::Depths depths, const CastTarget& target, glm::ivec2 pixel) {
   const F f;
   const VF zero = hn::Zero(f);
@@ -136,8 +136,8 @@ HWY_INLINE Before beforeAt(const CrossingsBefore& before, const CastTarget& targ
   return {hn::Load(F(), t), hn::Load(I(), inside)};
 }
 
-template <class T>
-HWY_INLINE void castPacketBehind(const CastView& view, const CrossingFinder<T>& finder,
+template <class Cells>
+HWY_INLINE void castPacketBehind(const CastView& view, const CrossingFinder<Cells>& finder,
                                  const PictureRays& rays, const CrossingsBefore& before,
                                  const CastTarget& target, glm::ivec2 pixel) {
   const F f;
@@ -157,13 +157,10 @@ HWY_INLINE void castPacketBehind(const CastView& view, const CrossingFinder<T>& 
 template <class Cast>
 HWY_INLINE void forPackets(const CastView& view, const CastTarget& target, const Cast& cast) {
   constexpr int rows = static_cast<int>(kLanes) / kTile;
-  std::visit(
-      [&](const auto* voxels) {
-        const CrossingFinder finder(view, voxels);
-        for (int y = target.begin.y; y < target.end.y; y += rows)
-          for (int x = target.begin.x; x < target.end.x; x += kTile) cast(finder, glm::ivec2(x, y));
-      },
-      view.voxels);
+  withFinder(view, [&](const auto& finder) {
+    for (int y = target.begin.y; y < target.end.y; y += rows)
+      for (int x = target.begin.x; x < target.end.x; x += kTile) cast(finder, glm::ivec2(x, y));
+  });
 }
 
 void cast(const CastView& view, const PictureRays& rays, const StartDepths& depths,

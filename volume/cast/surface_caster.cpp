@@ -19,16 +19,10 @@ const char* SurfaceCaster::target() {
   return kernels ? kernels->name : nullptr;
 }
 
-SurfaceCaster::SurfaceCaster(const Grid& grid, std::span<const double> storedIsovalues, glm::ivec3 blocks,
-                             std::span<const std::uint64_t> masks, TracerTarget wanted)
-    : masks_(masks), view_(std::make_unique<casting::CastView>()), kernels_(casting::castKernels(wanted)) {
-  assert(kernels_ && !storedIsovalues.empty() && storedIsovalues.size() <= 4);
-  casting::CastView& view = *view_;
-  view.dims = grid.dims();
-  view.blockDims = blocks;
-  view.masks = masks.data();
-  view.gaps = grid.missingCount() > 0;
-  std::visit([&](const auto& voxels) { view.voxels = voxels.data(); }, grid.voxels());
+namespace {
+
+// How samples become texels (render/volume/volume_texture.h).
+void scaleVoxels(const Grid& grid, casting::CastView& view) {
   const std::size_t bytes = bytesOf(grid.storedType());
   if (bytes == sizeof(float)) {
     const ValueScaling scaling = scalingOf(grid.storedMinimum(), grid.storedMaximum());
@@ -37,8 +31,39 @@ SurfaceCaster::SurfaceCaster(const Grid& grid, std::span<const double> storedIso
   } else {
     view.scale = bytes == 1 ? 1.0f / 255.0f : 1.0f / 65535.0f;
   }
+}
+
+void takeCoefficients(const Coefficients& coefficients, const Grid& grid, casting::CastView& view) {
+  view.samples = coefficients.values.data();
+  view.scale = std::ldexp(
+      1.0f, -exponentOf(static_cast<double>(coefficients.least), static_cast<double>(coefficients.most)));
+  if (view.gaps) view.gapsOf = std::get<std::vector<float>>(grid.voxels()).data();
+}
+
+}  // namespace
+
+SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> storedIsovalues,
+                             glm::ivec3 blocks, std::span<const std::uint64_t> masks, TracerTarget wanted)
+    : masks_(masks), view_(std::make_unique<casting::CastView>()), kernels_(casting::castKernels(wanted)) {
+  assert(kernels_ && !storedIsovalues.empty() && storedIsovalues.size() <= 4);
+  casting::CastView& view = *view_;
+  const Grid& grid = field.grid;
+  view.dims = grid.dims();
+  view.blockDims = blocks;
+  view.masks = masks.data();
+  view.gaps = grid.missingCount() > 0;
+  view.cubic = field.field != scene::Field::trilinear;
+  double origin = 0.0;  // of the samples, stored units
+  if (field.field == scene::Field::cubic_interpolating) {
+    takeCoefficients(*field.coefficients, grid, view);
+    origin = field.coefficients->offset;
+  } else {
+    std::visit([&](const auto& voxels) { view.samples = voxels.data(); }, grid.voxels());
+    scaleVoxels(grid, view);
+    origin = static_cast<double>(view.offset);
+  }
   view.surfaces = static_cast<int>(storedIsovalues.size());
-  view.isovalue = static_cast<float>(storedIsovalues[0] - static_cast<double>(view.offset));
+  view.isovalue = static_cast<float>(storedIsovalues[0] - origin);
   for (std::size_t k = 0; k < storedIsovalues.size(); ++k)
     view.shifts[k] = static_cast<float>(storedIsovalues[k] - storedIsovalues[0]) * view.scale;
 }

@@ -1,4 +1,4 @@
-// The first crossing of a picture's rays with up to four trilinear isosurfaces, exactly, on the processor.
+// The first crossing of a picture's rays with up to four isosurfaces, exactly, on the processor.
 //
 // Definitions are those of pass `cast` (resources/shaders/cast/): a hit is the first change of (f >=
 // isovalue), in either direction; the side is carried from cell to cell; a cell with a missing voxel holds no
@@ -18,9 +18,11 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "scene/scene.h"
 #include "volume/cast/picture_area.h"
 #include "volume/cast/picture_rays.h"
 #include "volume/cast/start_depths.h"
+#include "volume/field/coefficients.h"
 #include "volume/grid.h"
 #include "volume/tracer/isosurface_tracer.h"
 
@@ -31,9 +33,18 @@ struct CastKernels;
 struct CastView;
 }  // namespace casting
 
+// The field that is cast: the trilinear one of a grid, or the tri-cubic B-spline of its samples or of
+// coefficients (cubic_interpolating).
+struct CastField {
+  const Grid& grid;
+  scene::Field field = scene::Field::trilinear;
+  const Coefficients* coefficients = nullptr;
+};
+
 // A part of what is cast, pixels [begin, end), `begin` a multiple of 4, and the pixel (0, 0) of the images it
 // is written to, whose rows are `stride` pixels apart. points: voxel coordinates and t (mm; -1: no surface).
-// infos: |f - isovalue| in texels, and surface + 4 * (sides behind it, a bit each).
+// infos: |f - isovalue| in texels, and surface + 4 * (sides behind it, a bit each) + 64 where a touch before
+// it was not decided (cubic fields).
 struct CastTarget {
   glm::ivec2 begin{0}, end{0};
   glm::vec4* points = nullptr;
@@ -78,10 +89,10 @@ class SurfaceCaster {
   static bool available() { return target() != nullptr; }
   static const char* target();
 
-  // storedIsovalues: one to four, stored units. masks: of them, by BoxBounds::masks; blocks of 8^3 cells.
-  // Grid and masks must stay. The grid has at least 2 voxels on each axis. wanted: one of those that this
-  // machine has, for tests.
-  SurfaceCaster(const Grid& grid, std::span<const double> storedIsovalues, glm::ivec3 blocks,
+  // storedIsovalues: one to four, stored units. masks: of them, by BoxBounds::masks of the same field; blocks
+  // of 8^3 cells. Field and masks must stay. The grid has at least 2 voxels on each axis. wanted: one of
+  // those that this machine has, for tests.
+  SurfaceCaster(const CastField& field, std::span<const double> storedIsovalues, glm::ivec3 blocks,
                 std::span<const std::uint64_t> masks, TracerTarget wanted = TracerTarget::automatic);
   ~SurfaceCaster();
 

@@ -26,14 +26,12 @@ struct Corners {
   Edge e00, e10, e01, e11;
 };
 
-HWY_INLINE Edge edgeOf(const std::int16_t*, const std::int32_t* pairs) {
-  const VI pair = hn::Load(I(), pairs);
+HWY_INLINE Edge edgeOf(const std::int16_t*, VI pair) {
   return {hn::ConvertTo(F(), hn::ShiftRight<16>(hn::ShiftLeft<16>(pair))),
           hn::ConvertTo(F(), hn::ShiftRight<16>(pair))};
 }
 
-HWY_INLINE Edge edgeOf(const std::uint16_t*, const std::int32_t* pairs) {
-  const VI pair = hn::Load(I(), pairs);
+HWY_INLINE Edge edgeOf(const std::uint16_t*, VI pair) {
   return {hn::ConvertTo(F(), hn::And(pair, hn::Set(I(), 0xffff))),
           hn::ConvertTo(F(), hn::BitCast(I(), hn::ShiftRight<16>(hn::BitCast(U(), pair))))};
 }
@@ -44,16 +42,21 @@ HWY_INLINE Edge edgeOf(const float*, const std::int64_t* pairs) {
   return {hn::ConcatEven(F(), b, a), hn::ConcatOdd(F(), b, a)};
 }
 
-HWY_INLINE Edge edgeOf(const std::int8_t*, const std::int32_t* pairs) {
-  const VI pair = hn::Load(I(), pairs);
+// Of the two lower bytes.
+HWY_INLINE Edge edgeOf(const std::int8_t*, VI pair) {
   return {hn::ConvertTo(F(), hn::ShiftRight<24>(hn::ShiftLeft<24>(pair))),
           hn::ConvertTo(F(), hn::ShiftRight<24>(hn::ShiftLeft<16>(pair)))};
 }
 
-HWY_INLINE Edge edgeOf(const std::uint8_t*, const std::int32_t* pairs) {
-  const VI pair = hn::Load(I(), pairs), byte = hn::Set(I(), 0xff);
+HWY_INLINE Edge edgeOf(const std::uint8_t*, VI pair) {
+  const VI byte = hn::Set(I(), 0xff);
   return {hn::ConvertTo(F(), hn::And(pair, byte)),
           hn::ConvertTo(F(), hn::And(hn::ShiftRight<8>(pair), byte))};
+}
+
+template <class T>
+HWY_INLINE Edge edgeOf(const T* type, const std::int32_t* pairs) {
+  return edgeOf(type, hn::Load(I(), pairs));
 }
 
 // The cells whose lowest corners are voxels at[lane].

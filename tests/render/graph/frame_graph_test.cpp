@@ -57,6 +57,10 @@ TEST_F(FrameGraphTest, TheProcessorNeedsNoSegments) {
   EXPECT_THAT(ran(scene, {}, 1), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
   EXPECT_THAT(ran(scene, {}, 1, {true, false}), ElementsAre("cast", "gradient", "shade", "resolve"));
   EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre("gradient", "shade", "resolve"));
+  // What lies behind depends on who casts and on who derives, which need not be the same.
+  scene::Scene transparent;
+  transparent.isosurface.opacity = 0.5;
+  EXPECT_THAT(ran(transparent, {}, 1, {true, false}), ElementsAre("gradient", "shade", "layers", "resolve"));
 }
 
 TEST_F(FrameGraphTest, SkipsWhatNobodyReads) {

@@ -1,0 +1,240 @@
+// What a trilinear cell holds of each lane's ray: the cubic along it, whether that crosses the isovalue, and
+// where; as resources/shaders/cast/trace.glsl. Included once per instruction set by simd_cast.cpp.
+#if defined(ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H
+#undef ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H
+#else
+#define ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H
+#endif
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "volume/cast/ray_lanes-inl.h"
+#include "volume/tracer/corners-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isolux::volume::tracing {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+
+// The cubic in Bernstein form on [0, 1].
+struct Bernstein {
+  VF b0, b1, b2, b3;
+
+  // De Casteljau: no cancellation, and inside the hull of the coefficients.
+  HWY_INLINE VF operator()(VF s) const {
+    const VF q0 = mix(b0, b1, s), q1 = mix(b1, b2, s), q2 = mix(b2, b3, s);
+    return mix(mix(q0, q1, s), mix(q1, q2, s), s);
+  }
+  HWY_INLINE VF start() const { return b0; }
+  HWY_INLINE Bernstein minus(float shift) const {
+    const VF v = hn::Set(F(), shift);
+    return {hn::Sub(b0, v), hn::Sub(b1, v), hn::Sub(b2, v), hn::Sub(b3, v)};
+  }
+  HWY_INLINE Bernstein startingAt(VF value) const { return {value, b1, b2, b3}; }
+  static HWY_INLINE VF mix(VF a, VF b, VF s) { return hn::MulAdd(s, hn::Sub(b, a), a); }
+  static HWY_INLINE Bernstein zero() {
+    const VF none = hn::Zero(F());
+    return {none, none, none, none};
+  }
+  static HWY_INLINE Bernstein select(MF first, const Bernstein& a, const Bernstein& b) {
+    return {hn::IfThenElse(first, a.b0, b.b0), hn::IfThenElse(first, a.b1, b.b1),
+            hn::IfThenElse(first, a.b2, b.b2), hn::IfThenElse(first, a.b3, b.b3)};
+  }
+};
+
+// Where between 0, its extrema and 1 a cubic first lies on the other side, and the stop before.
+struct Change {
+  MF found;
+  VF before, at;
+};
+
+HWY_INLINE Change firstChange(const Bernstein& b, MF inside) {
+  const F f;
+  const VF zero = hn::Zero(f), one = hn::Set(f, 1.0f);
+  const VF c0 = hn::Sub(b.b1, b.b0), d1 = hn::Sub(b.b2, b.b1), d2 = hn::Sub(b.b3, b.b2);
+  const VF c1 = hn::Sub(d1, c0), c2 = hn::Sub(hn::Sub(d2, d1), c1);
+  const VF discriminant = hn::NegMulAdd(c2, c0, hn::Mul(c1, c1));
+  // Citardauq's form: the stable one of the two for each root.
+  const VF q = hn::Neg(hn::Add(c1, hn::CopySign(hn::Sqrt(hn::Max(discriminant, zero)), c1)));
+  const VF r0 = hn::IfThenElse(hn::Ne(c2, zero), hn::Div(q, c2), one);
+  const VF r1 = hn::IfThenElse(hn::Ne(q, zero), hn::Div(c0, q), one);
+  const MF bends = hn::Gt(discriminant, zero);
+  const auto within = [&](VF s) { return hn::IfThenElse(bends, hn::Min(hn::Max(s, zero), one), one); };
+  const VF first = within(hn::Min(r0, r1)), second = within(hn::Max(r0, r1));
+  const MF at0 = changesSide(b.b0, inside), atFirst = changesSide(b(first), inside),
+           atSecond = changesSide(b(second), inside), at1 = changesSide(b.b3, inside);
+  Change change;
+  change.found = hn::Or(hn::Or(at0, atFirst), hn::Or(atSecond, at1));
+  change.at =
+      hn::IfThenElse(at0, zero, hn::IfThenElse(atFirst, first, hn::IfThenElse(atSecond, second, one)));
+  change.before = hn::IfThenElse(hn::Or(at0, atFirst), zero, hn::IfThenElse(atSecond, first, second));
+  return change;
+}
+
+// The root in a change, over which the cubic is monotone: regula falsi, Illinois variant.
+HWY_INLINE VF rootIn(const Bernstein& b, const Change& change, MF wanted) {
+  const F f;
+  const VF half = hn::Set(f, 0.5f), zero = hn::Zero(f), close = hn::Set(f, 1e-6f);
+  VF s0 = change.before, s1 = change.at, f0 = b(s0), f1 = b(s1);
+  const MF noChange = hn::Not(hn::Xor(hn::Lt(f0, zero), hn::Lt(f1, zero)));
+  // A crossing at the stretch's very entry.
+  const VF nearer = hn::IfThenElse(hn::Le(hn::Abs(f0), hn::Abs(f1)), s0, s1);
+  MF open = hn::AndNot(noChange, wanted);
+  VF s = hn::IfThenElse(noChange, nearer, s0);
+  MF lastHigh = hn::Lt(zero, zero), lastLow = lastHigh;  // which end was replaced before
+  for (int i = 0; i < 12 && !hn::AllFalse(f, open); ++i) {
+    const VF step = hn::Div(hn::Mul(f1, hn::Sub(s1, s0)), hn::Sub(f1, f0));
+    s = hn::IfThenElse(open, hn::Min(hn::Max(hn::Sub(s1, step), s0), s1), s);
+    const VF value = b(s);
+    open = hn::AndNot(hn::Or(hn::Eq(value, zero), hn::Lt(hn::Sub(s1, s0), close)), open);
+    const MF high = hn::Not(hn::Xor(hn::Lt(value, zero), hn::Lt(f1, zero)));
+    const VF kept0 = hn::IfThenElse(lastHigh, hn::Mul(half, f0), f0);
+    const VF kept1 = hn::IfThenElse(lastLow, hn::Mul(half, f1), f1);
+    s1 = hn::IfThenElse(high, s, s1);
+    s0 = hn::IfThenElse(high, s0, s);
+    f1 = hn::IfThenElse(high, value, kept1);
+    f0 = hn::IfThenElse(high, kept0, value);
+    lastHigh = high;
+    lastLow = hn::Not(high);
+  }
+  return s;
+}
+
+// Of lanes `here`, those whose curve leaves its side. The cubic's extrema leave no doubt.
+HWY_INLINE MF leavesSide(const Bernstein& b, MF inside, MF here, MF&) {
+  const F f;
+  const MF atEnds = hn::Or(changesSide(b.b0, inside), changesSide(b.b3, inside));
+  const MF between = hn::Or(changesSide(b.b1, inside), changesSide(b.b2, inside));
+  const MF leaves = hn::And(here, atEnds);
+  const MF open = hn::And(here, hn::AndNot(atEnds, between));  // convex hull: no other lane has a crossing
+  if (hn::AllFalse(f, open)) return leaves;
+  return hn::Or(leaves, hn::And(open, firstChange(b, inside).found));
+}
+
+// Where those curves leave it first.
+HWY_INLINE VF firstRoot(const Bernstein& b, MF inside, MF wanted) {
+  return rootIn(b, firstChange(b, inside), wanted);
+}
+
+template <class T>
+class TrilinearCells {
+ public:
+  using Curve = Bernstein;
+  struct Samples {};  // nothing of a cell is kept
+
+  TrilinearCells(const CastView& view, const T* voxels)
+      : view_(view),
+        voxels_(voxels),
+        row_(static_cast<std::size_t>(view.dims.x)),
+        slice_(row_ * static_cast<std::size_t>(view.dims.y)),
+        wide_(slice_ * static_cast<std::size_t>(view.dims.z) > std::numeric_limits<std::uint32_t>::max()) {}
+
+  // Whether so many of the lanes alive stand before cells that these are to be tested.
+  static HWY_INLINE bool areEnough(std::size_t waiting, std::size_t living) { return 2 * waiting >= living; }
+
+  // The field less the first isovalue, scaled, along each ray in [tIn, tOut] of its cell. Returns lanes whose
+  // cell has a missing corner.
+  HWY_INLINE MF along(const RayLanes& ray, const CellLanes& cell, VF tIn, VF tOut, MI wanted, Samples&,
+                      Bernstein& b) const {
+    const Corners corners = cornersOf(cell, wanted);
+    const MF gaps = missing(corners);
+    b = fieldAlong(ray, cell, corners, tIn, tOut);
+    return gaps;
+  }
+
+  // The same at points; NaN beside missing voxels.
+  HWY_INLINE VF valueAt(const VF (&p)[3], MF wanted) const {
+    const F f;
+    const CellLanes cell = cellsAt(view_, p);
+    const RayLanes at{{p[0], p[1], p[2]}, {hn::Zero(f), hn::Zero(f), hn::Zero(f)}, {}};
+    return fieldAlong(at, cell, cornersOf(cell, hn::RebindMask(I(), wanted)), hn::Zero(f), hn::Zero(f)).b0;
+  }
+
+ private:
+  HWY_INLINE Corners cornersOf(const CellLanes& cell, MI wanted) const;
+  HWY_INLINE MF missing(const Corners& c) const;
+  HWY_INLINE Bernstein fieldAlong(const RayLanes& ray, const CellLanes& cell, const Corners& c, VF tIn,
+                                  VF tOut) const;
+
+  const CastView& view_;
+  const T* voxels_;
+  std::size_t row_, slice_;
+  bool wide_;  // voxels have no 32-bit numbers
+};
+
+// Other lanes read one place that is always the same.
+template <class T>
+HWY_INLINE Corners TrilinearCells<T>::cornersOf(const CellLanes& cell, MI wanted) const {
+  const I i;
+  if (!wide_) {
+    const VI at =
+        hn::Add(hn::Mul(hn::Add(hn::Mul(cell.z, hn::Set(i, view_.dims.y)), cell.y), hn::Set(i, view_.dims.x)),
+                cell.x);
+    return loadCorners(voxels_, hn::IfThenElseZero(wanted, at), row_, slice_);
+  }
+  alignas(64) std::int32_t x[kLanes], y[kLanes], z[kLanes];
+  hn::Store(hn::IfThenElseZero(wanted, cell.x), i, x);
+  hn::Store(hn::IfThenElseZero(wanted, cell.y), i, y);
+  hn::Store(hn::IfThenElseZero(wanted, cell.z), i, z);
+  std::size_t at[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    at[lane] = static_cast<std::size_t>(z[lane]) * slice_ + static_cast<std::size_t>(y[lane]) * row_ +
+               static_cast<std::size_t>(x[lane]);
+  return loadCorners(voxels_, at, row_, slice_);
+}
+
+template <class T>
+HWY_INLINE MF TrilinearCells<T>::missing(const Corners& c) const {
+  const F f;
+  if constexpr (std::is_same_v<T, float>) {
+    const auto either = [](const Edge& a, const Edge& b) {
+      return hn::Or(hn::Or(hn::IsNaN(a.low), hn::IsNaN(a.high)), hn::Or(hn::IsNaN(b.low), hn::IsNaN(b.high)));
+    };
+    return hn::Or(either(c.e00, c.e10), either(c.e01, c.e11));
+  }
+  return noLane();
+}
+
+// Bernstein coefficients are the polar form of the trilinear function at the stretch's two ends. Offset and
+// isovalue are subtracted first: differences of like numbers are exact.
+template <class T>
+HWY_INLINE Bernstein TrilinearCells<T>::fieldAlong(const RayLanes& ray, const CellLanes& cell,
+                                                   const Corners& c, VF tIn, VF tOut) const {
+  const F f;
+  const VF px = inCell(ray, 0, cell.x, tIn), py = inCell(ray, 1, cell.y, tIn),
+           pz = inCell(ray, 2, cell.z, tIn);
+  const VF qx = inCell(ray, 0, cell.x, tOut), qy = inCell(ray, 1, cell.y, tOut),
+           qz = inCell(ray, 2, cell.z, tOut);
+  const VF offset = hn::Set(f, view_.offset), isovalue = hn::Set(f, view_.isovalue);
+  const auto less = [&](VF v) {
+    if constexpr (std::is_same_v<T, float>) v = hn::Sub(v, offset);
+    return hn::Sub(v, isovalue);
+  };
+  const auto lerp = [](VF a, VF difference, VF s) { return hn::MulAdd(s, difference, a); };
+  const VF a00 = less(c.e00.low), a10 = less(c.e10.low), a01 = less(c.e01.low), a11 = less(c.e11.low);
+  const VF x00 = hn::Sub(c.e00.high, c.e00.low), x10 = hn::Sub(c.e10.high, c.e10.low),
+           x01 = hn::Sub(c.e01.high, c.e01.low), x11 = hn::Sub(c.e11.high, c.e11.low);
+  const VF p00 = lerp(a00, x00, px), p10 = lerp(a10, x10, px), p01 = lerp(a01, x01, px),
+           p11 = lerp(a11, x11, px);
+  const VF q00 = lerp(a00, x00, qx), q10 = lerp(a10, x10, qx), q01 = lerp(a01, x01, qx),
+           q11 = lerp(a11, x11, qx);
+  const VF py0 = hn::Sub(p10, p00), py1 = hn::Sub(p11, p01), qy0 = hn::Sub(q10, q00), qy1 = hn::Sub(q11, q01);
+  const VF pp = lerp(p00, py0, py), pq = lerp(p00, py0, qy), qp = lerp(q00, qy0, py), qq = lerp(q00, qy0, qy);
+  const VF ppZ = hn::Sub(lerp(p01, py1, py), pp), pqZ = hn::Sub(lerp(p01, py1, qy), pq);
+  const VF qpZ = hn::Sub(lerp(q01, qy1, py), qp), qqZ = hn::Sub(lerp(q01, qy1, qy), qq);
+  const VF scale = hn::Set(f, view_.scale), third = hn::Set(f, view_.scale / 3.0f);
+  return {hn::Mul(scale, lerp(pp, ppZ, pz)),
+          hn::Mul(third, hn::Add(hn::Add(lerp(qp, qpZ, pz), lerp(pq, pqZ, pz)), lerp(pp, ppZ, qz))),
+          hn::Mul(third, hn::Add(hn::Add(lerp(qq, qqZ, pz), lerp(qp, qpZ, qz)), lerp(pq, pqZ, qz))),
+          hn::Mul(scale, lerp(qq, qqZ, qz))};
+}
+
+#endif
+}  // namespace HWY_NAMESPACE
+}  // namespace isolux::volume::tracing
+HWY_AFTER_NAMESPACE();
+
+#endif
