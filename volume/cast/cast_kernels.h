@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "volume/cast/cell_bits_on_demand.h"
 #include "volume/cast/surface_caster.h"
 
 namespace isolux::volume::casting {
@@ -25,6 +26,7 @@ struct CastView {
   float offset = 0.0f, scale = 1.0f;
   const float* gapsOf = nullptr;         // the voxels, where some are missing but known as coefficients
   bool gaps = false;                     // some voxel is missing: behind an empty box no side is known
+  CellBitsOnDemand* cells = nullptr;     // of the cubic field
   const std::uint64_t* masks = nullptr;  // of each block: bit x + 4 y + 16 z, a box of 2^3 cells
   int surfaces = 1;                      // 1 to 4
   float isovalue = 0.0f;                 // the first, less the offset, stored units

@@ -18,6 +18,7 @@
 #include <type_traits>
 
 #include "volume/cast/bernstein9-inl.h"
+#include "volume/cast/cubic_cell_bits-inl.h"
 #include "volume/tracer/corners-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -97,6 +98,9 @@ class CubicCells {
 
   static HWY_INLINE bool areEnough(std::size_t waiting, std::size_t living) { return 2 * waiting >= living; }
 
+  // Of lanes in boxes that can hold a crossing: those whose cell can.
+  HWY_INLINE MI mayCross(const CellLanes& cell, MI wanted) const;
+
   // The field less the first isovalue, scaled, along each ray in [tIn, tOut] of its cell. Returns lanes whose
   // cell has a missing sample, or a missing corner: coefficients are known in gaps too.
   MF along(const RayLanes& ray, const CellLanes& cell, VF tIn, VF tOut, MI wanted, Samples& samples,
@@ -113,6 +117,7 @@ class CubicCells {
   // Calls visit(Cell) for each lane wanted.
   template <class Visit>
   HWY_INLINE void forLanes(const CellLanes& cell, MI wanted, const Visit& visit) const;
+  const casting::CellBitsOnDemand::Words& bitsOf(glm::ivec3 block) const;
   void load(const Cell& cell, Samples& samples) const;
   HWY_INLINE bool hasMissingCorner(glm::ivec3 low) const;
   HWY_INLINE RowLanes lessIsovalue(const T* row) const;
@@ -138,6 +143,30 @@ HWY_INLINE void CubicCells<T>::forLanes(const CellLanes& cell, MI wanted, const 
     const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
     visit(Cell{lane, {x[lane], y[lane], z[lane]}});
   }
+}
+
+template <class T>
+const casting::CellBitsOnDemand::Words& CubicCells<T>::bitsOf(glm::ivec3 block) const {
+  const std::size_t at = (static_cast<std::size_t>(block.z) * static_cast<std::size_t>(view_.blockDims.y) +
+                          static_cast<std::size_t>(block.y)) *
+                             static_cast<std::size_t>(view_.blockDims.x) +
+                         static_cast<std::size_t>(block.x);
+  if (const auto* const known = view_.cells->find(at)) return *known;
+  CubicBlock samples;
+  samples.load(view_, samples_, block);
+  return *view_.cells->add(at, samples.crossed(view_));
+}
+
+template <class T>
+HWY_INLINE MI CubicCells<T>::mayCross(const CellLanes& cell, MI wanted) const {
+  const I i;
+  alignas(64) std::int32_t may[kLanes] = {};
+  forLanes(cell, wanted, [&](const Cell& one) {
+    const auto& words = bitsOf(one.low >> 3);
+    may[one.lane] = static_cast<std::int32_t>(
+        words[static_cast<std::size_t>(one.low.z & 7)] >> ((one.low.x & 7) + 8 * (one.low.y & 7)) & 1);
+  });
+  return hn::Ne(hn::Load(i, may), hn::Zero(i));
 }
 
 // Beyond the border samples repeat.

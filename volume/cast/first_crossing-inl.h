@@ -185,12 +185,12 @@ Crossings CrossingFinder<Cells>::find(const RayLanes& ray, VF t, VF tEnd, MF ali
     const VI word = hn::IfThenElse(hn::Gt(box, hn::Set(i, 31)), high, low);
     const VI bit = hn::And(
         hn::BitCast(i, hn::Shr(hn::BitCast(U(), word), hn::BitCast(U(), hn::And(box, hn::Set(i, 31))))), one);
-    const MI full = hn::Ne(bit, hn::Zero(i)), emptyBlock = hn::Eq(hn::Or(low, high), hn::Zero(i));
+    const MI fullBox = hn::Ne(bit, hn::Zero(i)), emptyBlock = hn::Eq(hn::Or(low, high), hn::Zero(i));
     // Eight boxes, 2 x 2 x 2 of them, lie in one word.
     const VI eight = hn::Shl(hn::Set(i, 0x00330033), hn::And(box, hn::Set(i, 10)));
     const MI emptyEight = hn::Eq(hn::And(word, eight), hn::Zero(i));
     const VI size = hn::IfThenElse(
-        full, one,
+        fullBox, one,
         hn::IfThenElse(emptyBlock, hn::Set(i, 8), hn::IfThenElse(emptyEight, hn::Set(i, 4), hn::Set(i, 2))));
 
     // Where the ray leaves the box.
@@ -203,8 +203,8 @@ Crossings CrossingFinder<Cells>::find(const RayLanes& ray, VF t, VF tEnd, MF ali
     }
     const VF tOut = hn::Max(t, hn::Min(hn::Min(exit[0], exit[1]), exit[2]));
 
-    const MI waits = hn::And(living, full);
-    MI moves = hn::AndNot(full, living);
+    const MI waits = cells_.mayCross(cell, hn::And(living, fullBox));
+    MI moves = hn::AndNot(waits, living);
     if (view_.gaps) known = hn::AndNot(hn::RebindMask(f, moves), known);
     const std::size_t waiting = hn::CountTrue(i, waits);
     if (waiting > 0 && Cells::areEnough(waiting, hn::CountTrue(i, living))) {

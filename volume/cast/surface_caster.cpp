@@ -53,6 +53,10 @@ SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> sto
   view.masks = masks.data();
   view.gaps = grid.missingCount() > 0;
   view.cubic = field.field != scene::Field::trilinear;
+  if (view.cubic) {
+    cells_ = std::make_unique<casting::CellBitsOnDemand>(masks.size());
+    view.cells = cells_.get();
+  }
   double origin = 0.0;  // of the samples, stored units
   if (field.field == scene::Field::cubic_interpolating) {
     takeCoefficients(*field.coefficients, grid, view);

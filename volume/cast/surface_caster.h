@@ -29,6 +29,7 @@
 namespace isolux::volume {
 
 namespace casting {
+class CellBitsOnDemand;
 struct CastKernels;
 struct CastView;
 }  // namespace casting
@@ -114,6 +115,7 @@ class SurfaceCaster {
   static void castPieces(CrossingImage& out, const std::stop_token& stop, const MayHit& mayHit,
                          const Cast& cast);
   std::span<const std::uint64_t> masks_;
+  std::unique_ptr<casting::CellBitsOnDemand> cells_;  // of cubic fields
   std::unique_ptr<casting::CastView> view_;
   const casting::CastKernels* kernels_;
 };

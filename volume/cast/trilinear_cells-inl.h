@@ -135,6 +135,9 @@ class TrilinearCells {
   // Whether so many of the lanes alive stand before cells that these are to be tested.
   static HWY_INLINE bool areEnough(std::size_t waiting, std::size_t living) { return 2 * waiting >= living; }
 
+  // Of lanes in boxes that can hold a crossing: those whose cell can.
+  HWY_INLINE MI mayCross(const CellLanes&, MI wanted) const { return wanted; }
+
   // The field less the first isovalue, scaled, along each ray in [tIn, tOut] of its cell. Returns lanes whose
   // cell has a missing corner.
   HWY_INLINE MF along(const RayLanes& ray, const CellLanes& cell, VF tIn, VF tOut, MI wanted, Samples&,
