@@ -27,8 +27,8 @@ std::vector<MachineSetting> makeMachineSettings() {
                                 "How long a picture in motion may take."));
   list.push_back(choiceEntry<Machine>(
       "picture.executor", ISOLUX_MEMBER(executor),
-      "What computes hits and derivatives of pictures: the graphics card, or the processor (exact hits of "
-      "the trilinear field); auto takes the processor where OpenGL is software."));
+      "What computes hits and derivatives of pictures: the graphics card, or the processor (exact hits "
+      "only); auto takes the processor where OpenGL is software."));
   return list;
 }
 

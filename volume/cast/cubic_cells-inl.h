@@ -96,8 +96,6 @@ class CubicCells {
         row_(static_cast<std::size_t>(view.dims.x)),
         slice_(row_ * static_cast<std::size_t>(view.dims.y)) {}
 
-  static HWY_INLINE bool areEnough(std::size_t waiting, std::size_t living) { return 2 * waiting >= living; }
-
   // Of lanes in boxes that can hold a crossing: those whose cell can.
   HWY_INLINE MI mayCross(const CellLanes& cell, MI wanted) const;
 

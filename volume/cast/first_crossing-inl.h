@@ -3,7 +3,7 @@
 // cubic_cells-inl.h. Included once per instruction set by simd_cast.cpp.
 //
 // The lanes of a packet go on their ways together. Those that stand in a box that may hold a crossing wait
-// until enough of the living do; then all their cells are tested at once. Crossings are solved together, too,
+// until half of the living do; then all their cells are tested at once. Crossings are solved together, too,
 // when all lanes have ended.
 #if defined(ISOLUX_VOLUME_CAST_FIRST_CROSSING_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_FIRST_CROSSING_INL_H
@@ -207,7 +207,7 @@ Crossings CrossingFinder<Cells>::find(const RayLanes& ray, VF t, VF tEnd, MF ali
     MI moves = hn::AndNot(waits, living);
     if (view_.gaps) known = hn::AndNot(hn::RebindMask(f, moves), known);
     const std::size_t waiting = hn::CountTrue(i, waits);
-    if (waiting > 0 && Cells::areEnough(waiting, hn::CountTrue(i, living))) {
+    if (waiting > 0 && 2 * waiting >= hn::CountTrue(i, living)) {
       moves = living;
       Curve b;
       MF here = hn::RebindMask(f, waits);

@@ -132,9 +132,6 @@ class TrilinearCells {
         slice_(row_ * static_cast<std::size_t>(view.dims.y)),
         wide_(slice_ * static_cast<std::size_t>(view.dims.z) > std::numeric_limits<std::uint32_t>::max()) {}
 
-  // Whether so many of the lanes alive stand before cells that these are to be tested.
-  static HWY_INLINE bool areEnough(std::size_t waiting, std::size_t living) { return 2 * waiting >= living; }
-
   // Of lanes in boxes that can hold a crossing: those whose cell can.
   HWY_INLINE MI mayCross(const CellLanes&, MI wanted) const { return wanted; }
 

@@ -248,6 +248,18 @@ TEST_F(RendererGlTest, TheProcessorNeedsNoTextureOfTheVolume) {
     if (pass.onProcessor) processor.push_back(pass.name);
   }
   EXPECT_EQ(processor, (std::vector<std::string>{"cast", "gradient"}));
+  // Nor for the cubic fields and their shadows.
+  scene::Scene shadowed = scene;
+  shadowed.look.shadow = 1.0;
+  for (const auto field : {scene::Field::cubic, scene::Field::cubic_interpolating}) {
+    shadowed.hit.field = shadowed.derivatives.field = field;
+    draw(shadowed);
+    EXPECT_LT(report_.gpuBytes, 48u * 48u * 48u * 4u);
+    for (const render::PassReport& pass : usedPasses()) {
+      const bool reads = pass.name == "cast" || pass.name == "gradient" || pass.name == "shadow";
+      EXPECT_EQ(pass.onProcessor, reads) << pass.name;
+    }
+  }
 }
 
 // Images of a size that comes back were dropped on the way: a pass that was not needed then draws anew.
