@@ -106,8 +106,8 @@ TEST_F(RendererLifeGlTest, AFrameThatFailsLeavesTheNextAsItWas) {
   const Settings transparent = {"isosurface.opacity=0.5", "look.mode=curvature_2d"};
   const render::ColorImage before = picture(volume, transparent);
   Settings tooMuch = transparent;
-  tooMuch.insert(tooMuch.end(),
-                 {"memory.layout=whole", "memory.gpu_budget_mb=16", "hit.field=cubic_interpolating"});
+  tooMuch.insert(tooMuch.end(), {"picture.executor=gpu", "memory.layout=whole", "memory.gpu_budget_mb=16",
+                                 "hit.field=cubic_interpolating"});
   EXPECT_NO_THROW(picture(volume, transparent));
   EXPECT_THROW(picture(phantom("ball", 180), tooMuch), base::Error);
   EXPECT_EQ(picture(volume, transparent).rgba, before.rgba);
