@@ -10,13 +10,16 @@
 
 #include <tbb/concurrent_vector.h>
 
+#include "base/memory_budget.h"
+
 namespace isolux::volume::casting {
 
 class CellBitsOnDemand {
  public:
   using Words = std::array<std::uint64_t, 8>;  // of 8^3 cells: bit x + 8 y of word z
 
-  explicit CellBitsOnDemand(std::size_t blocks) : places_(blocks) {}
+  // `active`: of the blocks, how many rays may come to. Throws base::Error{memory}.
+  CellBitsOnDemand(std::size_t blocks, std::size_t active);
 
   // Null where nobody has been.
   const Words* find(std::size_t block) const;
@@ -24,6 +27,7 @@ class CellBitsOnDemand {
   const Words* add(std::size_t block, const Words& words);
 
  private:
+  base::MemoryBudget::Held held_;
   std::vector<std::atomic<std::uint32_t>> places_;  // in words_, from 1; 0: none
   tbb::concurrent_vector<Words> words_;
 };

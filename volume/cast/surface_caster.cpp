@@ -54,7 +54,8 @@ SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> sto
   view.gaps = grid.missingCount() > 0;
   view.cubic = field.field != scene::Field::trilinear;
   if (view.cubic) {
-    cells_ = std::make_unique<casting::CellBitsOnDemand>(masks.size());
+    const auto active = masks.size() - static_cast<std::size_t>(std::count(masks.begin(), masks.end(), 0u));
+    cells_ = std::make_unique<casting::CellBitsOnDemand>(masks.size(), active);
     view.cells = cells_.get();
   }
   double origin = 0.0;  // of the samples, stored units

@@ -92,7 +92,7 @@ class SurfaceCaster {
 
   // storedIsovalues: one to four, stored units. masks: of them, by BoxBounds::masks of the same field; blocks
   // of 8^3 cells. Field and masks must stay. The grid has at least 2 voxels on each axis. wanted: one of
-  // those that this machine has, for tests.
+  // those that this machine has, for tests. Throws base::Error{memory} for cubic fields.
   SurfaceCaster(const CastField& field, std::span<const double> storedIsovalues, glm::ivec3 blocks,
                 std::span<const std::uint64_t> masks, TracerTarget wanted = TracerTarget::automatic);
   ~SurfaceCaster();
