@@ -105,4 +105,12 @@ std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
   return std::make_shared<const LightScene>(std::move(light));
 }
 
+std::shared_ptr<const LightScene> innerSideOf(const LightScene& light, base::Progress& progress) {
+  auto inner = std::make_shared<LightScene>(light);
+  inner->inside = scene::otherSide(light.inside);
+  inner->tracer =
+      std::make_shared<const volume::IsosurfaceTracer>(light.volume->volume.grid, inner->inside, progress);
+  return inner;
+}
+
 }  // namespace isolux::gi

@@ -13,6 +13,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/progress.h"
 #include "gi/sampling/environment.h"
 #include "scene/albedo.h"
 #include "scene/rules/gi_choice.h"
@@ -59,6 +60,9 @@ std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                                                  const std::shared_ptr<const volume::PreparedVolume>& volume,
                                                  std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                                                  std::shared_ptr<const Environment> environment);
+// The same for the inner sides of the surfaces: they are the outer sides of all that is not inside. Its
+// tracer shares the tables of `light`'s. Throws Error{interrupted}.
+std::shared_ptr<const LightScene> innerSideOf(const LightScene& light, base::Progress& progress);
 // The file, the sky of one colour, or the built-in light. Throws base::Error{input}.
 std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings);
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry);

@@ -24,12 +24,18 @@ struct SurfaceBrightness {
   double median = 0.0, highlight = 0.0;  // luminance; highlight: 98 % of the points are darker
 };
 
-struct PictureLight {
+// Of one side of the surfaces.
+struct StoredSide {
   // Either may be null: nothing stored of it.
   std::shared_ptr<const LightLattice> sky, lamps;
   // Of the isovalue that was shown before, which stand in for texels that are not lit yet. Irradiance; null
   // where there are none.
   std::shared_ptr<const LightLattice> skyBefore, lampsBefore;
+  bool operator==(const StoredSide&) const = default;
+};
+
+struct PictureLight : StoredSide {  // its own: of the outer side
+  StoredSide inner;                 // of the geometry and contents of the outer side's, once any is seen
   std::uint32_t samplesWanted = 100;
   glm::vec3 skyScale{1.0f};  // E = skyScale * stored: exposure, and the colour of a unit sky
   // Transfer: the environment's coefficients in the world's frame, windowed, with exposure; order^2 of rgb.

@@ -182,32 +182,40 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
   return image;
 }
 
-void appendHits(const FrameState& frame, std::size_t most, std::vector<glm::vec3>& hits) {
+void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits) {
   const Target& surface = frame.images.at(image::surface + frame.layer);
   const glm::ivec2 size(surface.images[0].size());
   glm::ivec2 grid = size;
   for (int step = 1; static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y) > most;)
     grid = glm::max(size / ++step, glm::ivec2(1));
-  std::vector<float> points;
-  if (grid == size) {
-    points = surface.images[0].readFloats(4);
-  } else {
-    const Texture some = Texture::make2D(frame.gl, GL_RGBA32F, grid);
-    const Framebuffer target(frame.gl, {&some});
-    frame.gl->BlitNamedFramebuffer(surface.framebuffer.id(), target.id(), 0, 0, size.x, size.y, 0, 0, grid.x,
-                                   grid.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    points = some.readFloats(4);
+  const auto read = [&](const Texture& image, GLenum format, int channels) {
+    if (grid == size) return image.readFloats(channels);
+    const Texture some = Texture::make2D(frame.gl, format, grid);
+    const Framebuffer from(frame.gl, {&image}), target(frame.gl, {&some});
+    frame.gl->BlitNamedFramebuffer(from.id(), target.id(), 0, 0, size.x, size.y, 0, 0, grid.x, grid.y,
+                                   GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return some.readFloats(channels);
+  };
+  const std::vector<float> points = read(surface.images[0], GL_RGBA32F, 4);
+  const std::vector<float> info = read(surface.images[1], GL_RG32F, 2);
+  for (std::size_t i = 0; 4 * i < points.size(); ++i) {
+    const float* const point = &points[4 * i];
+    if (!(point[3] >= 0.0f)) continue;
+    const int known = static_cast<int>(info[2 * i + 1]);  // as surface.glsl reads it
+    const bool risesBehind = (known >> 2 >> (known & 3) & 1) != 0;
+    (risesBehind == (outward < 0.0) ? hits.outer : hits.inner).emplace_back(point[0], point[1], point[2]);
   }
-  for (std::size_t i = 0; i < points.size(); i += 4)
-    if (points[i + 3] >= 0.0f) hits.emplace_back(points[i], points[i + 1], points[i + 2]);
 }
 
-std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
+gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
   constexpr std::size_t most = 1u << 20;
-  std::vector<glm::vec3> hits;
+  gi::SeenPoints hits;
   if (drawn.raySize.x == 0 || !frame.images.has(image::surface)) return hits;
-  appendHits(frame, most, hits);
-  if (drawn.layered) hits.insert(hits.end(), frame.hitsBehind.begin(), frame.hitsBehind.end());
+  appendHits(frame, most, drawn.outward, hits);
+  if (!drawn.layered) return hits;
+  const gi::SeenPoints& behind = frame.hitsBehind;
+  hits.outer.insert(hits.outer.end(), behind.outer.begin(), behind.outer.end());
+  hits.inner.insert(hits.inner.end(), behind.inner.begin(), behind.inner.end());
   return hits;
 }
 

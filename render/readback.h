@@ -25,9 +25,9 @@ ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
 LinearImage readLinear(const FrameState& frame);
 LinearImage readLinearPicture(const FrameState& frame);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
-// The surface points, voxel coordinates, of every n-th ray on both axes, with n so that there are at most
-// `most`: spread evenly over the picture. Only those are read back. Of the layer that `frame` draws now.
-void appendHits(const FrameState& frame, std::size_t most, std::vector<glm::vec3>& hits);
-std::vector<glm::vec3> hitVoxels(const FrameState& frame, const DrawnFrame& drawn);
+// The surface points of every n-th ray on both axes, with n so that there are at most `most`: spread evenly
+// over the picture. Only those are read back. Of the layer that `frame` draws now; `outward`: DrawnFrame's.
+void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits);
+gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn);
 
 }  // namespace isolux::render

@@ -423,7 +423,7 @@ AovImage Renderer::readAov(Aov aov) {
   return render::readAov(parts_->frame, parts_->drawn, aov);
 }
 
-std::vector<glm::vec3> Renderer::hitVoxels() {
+gi::SeenPoints Renderer::hitVoxels() {
   return render::hitVoxels(parts_->frame, parts_->drawn);
 }
 

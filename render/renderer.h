@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gi/picture_light.h"
+#include "gi/seen_points.h"
 #include "render/graph/frame.h"
 #include "scene/machine.h"
 #include "scene/scene.h"
@@ -56,7 +57,7 @@ class Renderer {
   // Voxel coordinates of the surface points of the last picture, those behind transparent surfaces too where
   // the look reads stored light; about a million at most of the first crossings and of
   // those behind, spread evenly over the picture. Pixels without one are left out.
-  std::vector<glm::vec3> hitVoxels();
+  gi::SeenPoints hitVoxels();
   // A hash of what each pass that the last picture needed holds in its images, drawn anew or kept: what tests
   // compare. Passes that hold none are left out.
   std::map<std::string, std::uint64_t> imageHashes();

@@ -7,6 +7,9 @@ namespace isolux::scene {
 
 enum class Csg { none, unite, intersection, difference };  // of the volume and a second one
 enum class Inside { above, below };                        // inside is f >= isovalue, or f <= isovalue
+constexpr Inside otherSide(Inside inside) {
+  return inside == Inside::above ? Inside::below : Inside::above;
+}
 enum class HitMethod { sampled, exact };  // Hadwiger et al. 2005 sec. 3.2, or every cell's first root
 // Trilinear interpolation, the tri-cubic B-spline of the samples (smooth), or the B-spline through the
 // samples.

@@ -91,7 +91,7 @@ void runBake(const BakeOptions& options, base::Progress& progress) {
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
 
-  LightController controller({.threads = machineOf(*options.scene).threads});
+  LightController controller({.threads = machineOf(*options.scene).threads, .innerSides = false});
   std::string replaced;
   controller.setScene(scene, prepared);
   {

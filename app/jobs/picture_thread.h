@@ -20,6 +20,7 @@
 
 #include "base/mailbox.h"
 #include "gi/picture_light.h"
+#include "gi/seen_points.h"
 #include "render/gl/gl_context.h"
 #include "render/graph/frame.h"
 #include "render/still_picture.h"
@@ -44,7 +45,7 @@ struct DrawnPicture {
   render::FrameRequest request;
   render::FrameReport report;
   render::ColorImage color;
-  std::vector<glm::vec3> hitVoxels;
+  gi::SeenPoints hitVoxels;
   double milliseconds = 0.0;  // until it could be taken
 };
 

@@ -75,7 +75,8 @@ base::Error described(const std::exception_ptr& failure) {
 }  // namespace
 
 struct LightController::Parts {
-  explicit Parts(Options options) : threads(options.threads), planner(options.background) {}
+  explicit Parts(Options options)
+      : threads(options.threads), planner(options.background, options.innerSides) {}
 
   // What the planner thread has to do; guarded by `mutex`.
   mutable std::mutex mutex;
@@ -84,7 +85,7 @@ struct LightController::Parts {
   VolumePointer volume;
   std::optional<int> threads;
   std::optional<scene::GiTexels> texelsOfFile;  // for the next plan
-  std::vector<glm::vec3> hits;
+  gi::SeenPoints hits;
   bool sceneTold = false, hitsTold = false, cancelTold = false, compressTold = false, busy = false;
   bool planning =
       false;  // the planner thread is at work on `planner`, busy or only looking whether to compress
@@ -102,16 +103,13 @@ struct LightController::Parts {
 
   void run(const std::stop_token& stop);
   void work(bool withScene, bool withHits, bool cancel, const scene::Scene& now, const VolumePointer& of,
-            const std::vector<glm::vec3>& seen);
+            const gi::SeenPoints& seen);
   [[nodiscard]] LightPlan publish(const std::exception_ptr& failed);
   std::vector<std::shared_ptr<gi::LightBake>> bakes() const;
 };
 
 std::vector<std::shared_ptr<gi::LightBake>> LightController::Parts::bakes() const {
-  std::vector<std::shared_ptr<gi::LightBake>> list;
-  for (const auto& bake : {plan.sky, plan.lamps})
-    if (bake) list.push_back(bake);
-  return list;
+  return plan.bakes();
 }
 
 void LightController::Parts::run(const std::stop_token& stop) {
@@ -132,7 +130,7 @@ void LightController::Parts::run(const std::stop_token& stop) {
     planner.setThreads(threads);
     if (const auto texels = std::exchange(texelsOfFile, std::nullopt)) planner.setTexelsOfFile(*texels);
     // Looking whether to compress needs no points.
-    const std::vector<glm::vec3> seen = withScene || withHits ? hits : std::vector<glm::vec3>();
+    const gi::SeenPoints seen = withScene || withHits ? hits : gi::SeenPoints();
     busy = withScene || withHits || cancel || compress;
     planning = true;
     lock.unlock();
@@ -144,17 +142,17 @@ void LightController::Parts::run(const std::stop_token& stop) {
 }
 
 void LightController::Parts::work(bool withScene, bool withHits, bool cancel, const scene::Scene& now,
-                                  const VolumePointer& of, const std::vector<glm::vec3>& seen) {
+                                  const VolumePointer& of, const gi::SeenPoints& seen) {
   std::exception_ptr failed;
   try {
     if (withScene) planner.plan(now, of, progress);
-    if (withScene || withHits) planner.wish(seen, progress);
+    const bool otherLight = (withScene || withHits) && planner.wish(seen, progress);
     if (cancel) planner.wishNothing();
     const bool compressed = planner.compress(progress);
     const bool rests = std::chrono::steady_clock::now() - toldAt >= restsAfter;
     const bool metered = planner.meterPending() && rests;
     if (metered) planner.meter(progress);
-    if (!withScene && !compressed && !metered) return;
+    if (!withScene && !otherLight && !compressed && !metered) return;
   } catch (...) {
     failed = std::current_exception();
   }
@@ -201,7 +199,7 @@ void LightController::setScene(const scene::Scene& resolved,
   if (parts_->planned + (parts_->sceneTold || parts_->busy ? 1 : 0) > 0 && lit == parts_->scene &&
       volume == parts_->volume)
     return;
-  if (volume != parts_->volume) parts_->hits.clear();
+  if (volume != parts_->volume) parts_->hits = {};
   parts_->scene = lit;
   parts_->volume = std::move(volume);
   parts_->sceneTold = true;
@@ -217,7 +215,7 @@ void LightController::setThreads(std::optional<int> threads) {
   parts_->changed.notify_all();
 }
 
-void LightController::setVisible(std::vector<glm::vec3> hitVoxels) {
+void LightController::setVisible(gi::SeenPoints hitVoxels) {
   const std::lock_guard guard(parts_->mutex);
   parts_->hits = std::move(hitVoxels);
   parts_->hitsTold = true;

@@ -16,12 +16,11 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
 #include "base/error.h"
 #include "base/progress.h"
 #include "gi/bake/light_bake.h"
 #include "gi/picture_light.h"
+#include "gi/seen_points.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
@@ -43,14 +42,15 @@ class LightController {
   struct Options {
     bool background = false;                    // bake politely: gi::LightBake::Options
     std::optional<int> threads = std::nullopt;  // scene::Machine::threads
+    bool innerSides = true;                     // lit where they are seen; else their light is local
   };
   explicit LightController(Options options);
   ~LightController();  // stops all work without waiting for its end: base/retire.h
 
   // `resolved` by scene::resolve; `volume` may be null.
   void setScene(const scene::Scene& resolved, std::shared_ptr<const volume::PreparedVolume> volume);
-  // The surface points of the picture, voxel coordinates, NaN where there is none: Renderer::hitVoxels().
-  void setVisible(std::vector<glm::vec3> hitVoxels);
+  // The surface points of the picture: Renderer::hitVoxels().
+  void setVisible(gi::SeenPoints hitVoxels);
   void setThreads(std::optional<int> threads);  // from now on
   void setPaused(bool paused);
   bool paused() const;

@@ -9,8 +9,6 @@
 
 #include "base/retire.h"
 #include "gi/light_key.h"
-#include "gi/texels/texel_band.h"
-#include "gi/texels/texel_sets.h"
 #include "gi/trace/lattice_estimator.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
@@ -19,19 +17,6 @@
 namespace isolux::app {
 
 namespace {
-
-// Nobody knows what is seen behind a transparent surface: whole isosurfaces are.
-std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
-  std::vector<double> isovalues = {*scene.isosurface.value};
-  bool transparent = scene.isosurface.opacity < 1.0;
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces) {
-    if (!extra.shown) continue;
-    isovalues.push_back(*extra.value);
-    transparent = transparent || extra.opacity < 1.0;
-  }
-  if (!transparent) isovalues.clear();
-  return isovalues;
-}
 
 // A name that changes when the probe's file does.
 std::string nameOf(const scene::Environment& settings) {
@@ -52,6 +37,13 @@ std::string nameOf(const scene::Environment& settings) {
 
 }  // namespace
 
+std::vector<std::shared_ptr<gi::LightBake>> LightPlan::bakes() const {
+  std::vector<std::shared_ptr<gi::LightBake>> list;
+  for (const auto& bake : {sky, lamps, innerSky, innerLamps})
+    if (bake) list.push_back(bake);
+  return list;
+}
+
 // Without a setting, what --threads allows, else one per core.
 int LightPlanner::threads() const {
   const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
@@ -69,7 +61,9 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   if (!volume || scene::shadingOf(resolved) != scene::Shading::gi) {
     // Stored light stays: the look may come back.
     if (!volume) stop();
-    plan_ = {scene::giChoiceOf(resolved), nullptr, sky_.bake, lamps_.bake, {}};
+    plan_ = {};
+    plan_.choice = scene::giChoiceOf(resolved);
+    takeBakes();
     wishNothing();
     return plan_;
   }
@@ -84,8 +78,8 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   }
   lightScene_ = gi::makeLightScene(resolved, volume, choice.wanted ? tracer_ : nullptr, environment_);
   considerMetering(progress);
-  require(sky_, gi::LightPart::sky, choice.sky != scene::GiMode::off);
-  require(lamps_, gi::LightPart::lamps, choice.lamps);
+  require(outer_, lightScene_);
+  requireInner(progress);
   if (choice.sky == scene::GiMode::transfer && projectedOrder_ != resolved.gi.shOrder) {
     projection_ = gi::projectEnvironment(*environment_, resolved.gi.shOrder);
     projectedOrder_ = resolved.gi.shOrder;
@@ -93,7 +87,9 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   if (choice.sky != scene::GiMode::transfer || resolved.gi.components != basisComponents_ ||
       resolved.gi.componentBits != basisBits_)
     basis_.reset();
-  plan_ = {choice, nullptr, sky_.bake, lamps_.bake, {}};
+  plan_ = {};
+  plan_.choice = choice;
+  takeBakes();
   if (environment_->badPixels() > 0)
     plan_.warnings.push_back(std::to_string(environment_->badPixels()) +
                              " pixels of the light probe are no numbers or negative: replaced");
@@ -102,8 +98,8 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
         "light is traced at about a third of the speed: the volume has more voxels than the SIMD tracer "
         "reaches "
         "(about 1600 x 1600 x 1600)");
-  for (const auto& bake : {sky_.bake, lamps_.bake})
-    if (const int wanted = threads(); bake && bake->counters().threads < wanted)
+  for (const auto& bake : plan_.bakes())
+    if (const int wanted = threads(); bake->counters().threads < wanted)
       plan_.warnings.push_back("the system gives " + std::to_string(bake->counters().threads) + " of the " +
                                std::to_string(wanted) + " threads wanted for light");
   publish();
@@ -162,21 +158,44 @@ std::shared_ptr<const gi::LightLattice> LightPlanner::standIn(const Part& part) 
   return darker ? part.before : lattice;
 }
 
-void LightPlanner::require(Part& part, gi::LightPart which, bool wanted) {
+void LightPlanner::require(Side& side, const std::shared_ptr<const gi::LightScene>& light) {
+  require(side.sky, light, gi::LightPart::sky, light->choice.sky != scene::GiMode::off);
+  require(side.lamps, light, gi::LightPart::lamps, light->choice.lamps);
+}
+
+// Light of inner sides that are not seen any more stays as long as it is right.
+void LightPlanner::requireInner(base::Progress& progress) {
+  if (!innerSeen_ && !inner_.sky.bake && !inner_.lamps.bake) return;
+  if (!lightScene_->choice.wanted) {
+    require(inner_, lightScene_);
+    return;
+  }
+  const std::shared_ptr<const gi::LightScene> light = gi::innerSideOf(*lightScene_, progress);
+  const auto fits = [&](const Part& part, gi::LightPart which) {
+    return !part.bake || part.key == gi::lightKey(scene_, *light, which);
+  };
+  if (innerSeen_ || (fits(inner_.sky, gi::LightPart::sky) && fits(inner_.lamps, gi::LightPart::lamps)))
+    require(inner_, light);
+  else
+    stop(inner_);
+}
+
+void LightPlanner::require(Part& part, const std::shared_ptr<const gi::LightScene>& light,
+                           gi::LightPart which, bool wanted) {
   if (!wanted) {
     if (part.bake) part.bake->requestStop();
     part = {};
     return;
   }
   const auto samples = static_cast<std::uint32_t>(scene_.gi.samples);
-  const std::string key = gi::lightKey(scene_, *lightScene_, which);
+  const std::string key = gi::lightKey(scene_, *light, which);
   if (part.bake && part.key == key) {
     part.bake->setSamples(samples);
     part.bake->setThreads(threads());
     return;
   }
   if (part.bake) part.bake->requestStop();  // its threads end before those of the new one have much to do
-  gi::LightScene ofAll = *lightScene_;
+  gi::LightScene ofAll = *light;
   ofAll.choice.onShown = false;
   const std::string keyOfAll = gi::lightKey(scene_, ofAll, which);
   std::shared_ptr<const gi::LightLattice> before;
@@ -184,13 +203,13 @@ void LightPlanner::require(Part& part, gi::LightPart which, bool wanted) {
   part = {};
   part.before = std::move(before);
   part.keyOfAll = keyOfAll;
-  if (which == gi::LightPart::sky) basis_.reset();  // it was fitted to the old lattice
+  if (&part == &outer_.sky) basis_.reset();  // it was fitted to the old lattice
   std::optional<float> isovalue;
-  if (lightScene_->choice.onShown)
+  if (light->choice.onShown)
     isovalue = static_cast<float>(volume_->grid().storedOfValue(*scene_.isosurface.value));
   const auto lattice = gi::LatticeGeometry::make(volume_->grid().dims(), scene_.gi.latticeScale, isovalue);
   part.key = key;
-  part.estimator = std::make_shared<gi::LatticeEstimator>(lightScene_, lattice, which);
+  part.estimator = std::make_shared<gi::LatticeEstimator>(light, lattice, which);
   part.bake = makeBake(part, std::make_shared<gi::LightLattice>(lattice, part.estimator->content(), key));
 }
 
@@ -207,98 +226,68 @@ std::shared_ptr<gi::LightBake> LightPlanner::makeBake(const Part& part,
 }
 
 void LightPlanner::adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPart which) {
-  Part& part = which == gi::LightPart::sky ? sky_ : lamps_;
+  Part& part = which == gi::LightPart::sky ? outer_.sky : outer_.lamps;
   if (part.bake) part.bake->requestStop();
   part.bake = makeBake(part, std::move(lattice));
   part.before.reset();
   part.asked.reset();
-  plan_.sky = sky_.bake;
-  plan_.lamps = lamps_.bake;
+  takeBakes();
   basis_.reset();
   publish();
+}
+
+void LightPlanner::takeBakes() {
+  plan_.sky = outer_.sky.bake;
+  plan_.lamps = outer_.lamps.bake;
+  plan_.innerSky = inner_.sky.bake;
+  plan_.innerLamps = inner_.lamps.bake;
 }
 
 void LightPlanner::publish() {
   auto light = std::make_shared<gi::PictureLight>(gi::makePictureLight(scene_, *lightScene_, projection_));
   light->seen = brightness_;
   if (brightness_) light->automaticExposure = static_cast<float>(gi::exposureOf(*brightness_));
-  if (sky_.bake) light->sky = sky_.bake->lattice();
-  if (lamps_.bake) light->lamps = lamps_.bake->lattice();
-  light->skyBefore = sky_.before;
-  light->lampsBefore = lamps_.before;
+  const auto latticeOf = [](const Part& part) { return part.bake ? part.bake->lattice() : nullptr; };
+  const auto store = [&](gi::StoredSide& stored, const Side& side) {
+    stored = {latticeOf(side.sky), latticeOf(side.lamps), side.sky.before, side.lamps.before};
+  };
+  store(*light, outer_);
+  store(light->inner, inner_);
   light->basis = basis_;
   light->version = ++version_;
   plan_.light = std::move(light);
 }
 
-int LightPlanner::reach() const {
-  const scene::GiInterpolation interpolation = scene_.gi.interpolation;
-  return interpolation == scene::GiInterpolation::tricubic ? 2 : 1;
-}
-
-void LightPlanner::wish(const std::vector<glm::vec3>& hits, base::Progress& progress) {
-  if (!plan_.light || (!sky_.bake && !lamps_.bake)) return;
-  const gi::LatticeGeometry& lattice = (sky_.bake ? sky_ : lamps_).bake->lattice()->geometry();
-  const std::vector<gi::WantedBlock> visible = gi::texelsAround(lattice, hits, reach());
-  std::vector<gi::WantedBlock> nearby;
-  // A command asks for its picture alone; a viewer moves on.
-  if (background_) nearby = gi::texelsBeside(lattice, visible, 2);
-  for (Part* part : {&sky_, &lamps_})
-    if (part->bake) wish(*part, visible, nearby, progress);
-}
-
-void LightPlanner::wish(Part& part, const std::vector<gi::WantedBlock>& visible,
-                        const std::vector<gi::WantedBlock>& nearby, base::Progress& progress) {
-  part.bake->want(gi::Wish::visible, visible);
-  part.bake->want(gi::Wish::nearby, nearby);
-  const scene::GiExtent extent = scene_.gi.extent;
-  Asked asked{extent, reach(), scene_.hit.field, {}, isovaluesBehindOthers(scene_)};
-  if (extent == scene::GiExtent::band) asked.band = scene_.gi.band.value();
-  if (part.asked == asked) return;
-  const gi::LatticeGeometry& lattice = part.bake->lattice()->geometry();
-  const auto ofBand = [&](double low, double high) {
-    return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress, scene_.hit.field);
-  };
-  // A command that asks for all light hears at once that it does not fit; a window's grows as far as it goes.
-  if (extent == scene::GiExtent::full && !background_) part.bake->lattice()->checkThatAllFits();
-  std::vector<gi::WantedBlock> band;
-  if (extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);
-  for (const double isovalue : asked.behind) {
-    const std::vector<gi::WantedBlock> whole = ofBand(isovalue, isovalue);
-    band.insert(band.end(), whole.begin(), whole.end());
-  }
-  part.bake->want(gi::Wish::band, std::move(band));
-  part.bake->want(gi::Wish::rest,
-                  extent == scene::GiExtent::full ? gi::allTexels(lattice) : std::vector<gi::WantedBlock>{});
-  part.asked = std::move(asked);
-}
-
 void LightPlanner::stop() {
-  for (Part* part : {&sky_, &lamps_}) {
+  stop(outer_);
+  stop(inner_);
+}
+
+void LightPlanner::stop(Side& side) {
+  for (Part* part : {&side.sky, &side.lamps}) {
     if (part->bake) part->bake->requestStop();
     *part = {};
   }
 }
 
-void LightPlanner::wishNothing() {
-  for (Part* part : {&sky_, &lamps_}) {
-    if (!part->bake) continue;
-    for (const gi::Wish kind : {gi::Wish::visible, gi::Wish::nearby, gi::Wish::band, gi::Wish::rest})
-      part->bake->want(kind, {});
-    part->asked.reset();
-  }
-}
-
 bool LightPlanner::compress(const base::Progress& progress) {
-  if (!plan_.light || plan_.choice.sky != scene::GiMode::transfer || !sky_.bake) return false;
-  const gi::LightLattice& lattice = *sky_.bake->lattice();
+  if (!plan_.light || plan_.choice.sky != scene::GiMode::transfer || !outer_.sky.bake) return false;
+  std::vector<const gi::LightLattice*> lattices;
+  std::uint64_t texels = 0, revision = 0;
+  bool idle = true;
+  for (const Part* part : {&outer_.sky, &inner_.sky}) {
+    if (!part->bake) continue;
+    lattices.push_back(part->bake->lattice().get());
+    texels += lattices.back()->bakedTexels();
+    revision += lattices.back()->revision();
+    idle = idle && part->bake->counters().idle;
+  }
   constexpr std::uint64_t enoughForFirst = 64;
-  const std::uint64_t texels = lattice.bakedTexels(), revision = lattice.revision();
   const bool grown = texels >= std::max(enoughForFirst, basis_ ? 4 * basisTexels_ : 0);
-  const bool settled = sky_.bake->counters().idle && texels > 0;
+  const bool settled = idle && texels > 0;
   if (revision == basisRevision_ && basis_) return false;
   if (!grown && !settled) return false;
-  basis_ = gi::TransferBasis::fit(lattice, scene_.gi.components,
+  basis_ = gi::TransferBasis::fit(lattices, scene_.gi.components,
                                   scene_.gi.components * scene_.gi.componentBits, &progress);
   basisComponents_ = scene_.gi.components;
   basisBits_ = scene_.gi.componentBits;

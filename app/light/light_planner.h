@@ -19,6 +19,7 @@
 #include "gi/bake/light_bake.h"
 #include "gi/light_scene.h"
 #include "gi/picture_light.h"
+#include "gi/seen_points.h"
 #include "gi/trace/exposure_meter.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
@@ -32,13 +33,18 @@ using VolumePointer = std::shared_ptr<const volume::PreparedVolume>;
 struct LightPlan {
   scene::GiChoice choice;
   std::shared_ptr<const gi::PictureLight> light;
-  std::shared_ptr<gi::LightBake> sky, lamps;
+  std::shared_ptr<gi::LightBake> sky, lamps;  // of the outer sides
+  std::shared_ptr<gi::LightBake> innerSky, innerLamps;
   std::vector<std::string> warnings;
+
+  std::vector<std::shared_ptr<gi::LightBake>> bakes() const;  // those that there are
 };
 
 class LightPlanner {
  public:
-  explicit LightPlanner(bool background) : background_(background) {}
+  // `innerSides`: light of inner sides is planned, too.
+  explicit LightPlanner(bool background, bool innerSides = true)
+      : background_(background), innerSides_(innerSides) {}
   void setThreads(std::optional<int> threads) { threads_ = threads; }  // of the next plan
   // Where texels are lit while gi.texels is automatic and the volume the same: as those of a file that was
   // read.
@@ -49,8 +55,9 @@ class LightPlanner {
 
   // Decides anew. Throws base::Error (light probe, memory, stopped); the plan before holds then.
   const LightPlan& plan(const scene::Scene& given, const VolumePointer& volume, base::Progress& progress);
-  // Asks the bakes for what the scene and these surface points need.
-  void wish(const std::vector<glm::vec3>& hits, base::Progress& progress);
+  // Asks the bakes for what the scene and these surface points need. True if the plan's light changed: light
+  // of inner sides is planned when the first is seen. Throws Error{interrupted}, Error{memory}.
+  bool wish(const gi::SeenPoints& seen, base::Progress& progress);
   void wishNothing();
   // Compresses stored transfer anew where much was added since: true if the plan's light changed. Throws
   // Error{interrupted} when stopped.
@@ -81,21 +88,31 @@ class LightPlanner {
     std::optional<Asked> asked;
     std::shared_ptr<const gi::LightLattice> before;  // of another isovalue: PictureLight::skyBefore
   };
+  struct Side {
+    Part sky, lamps;
+  };
 
   void loadEnvironment(const scene::Environment& settings);
   void considerMetering(base::Progress& progress);
   void measureBrightness(base::Progress& progress);
-  void require(Part& part, gi::LightPart which, bool wanted);
-  void wish(Part& part, const std::vector<gi::WantedBlock>& visible,
-            const std::vector<gi::WantedBlock>& nearby, base::Progress& progress);
+  void require(Side& side, const std::shared_ptr<const gi::LightScene>& light);
+  void require(Part& part, const std::shared_ptr<const gi::LightScene>& light, gi::LightPart which,
+               bool wanted);
+  void requireInner(base::Progress& progress);
+  // `behind`: isovalues whose surfaces may be seen anywhere.
+  void wish(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent,
+            const std::vector<double>& behind, base::Progress& progress);
+  void wish(Part& part, const Asked& asked, base::Progress& progress);
+  void takeBakes();
   static std::shared_ptr<const gi::LightLattice> standIn(const Part& part);
   std::shared_ptr<gi::LightBake> makeBake(const Part& part, std::shared_ptr<gi::LightLattice> lattice) const;
   int threads() const;
   void stop();
+  static void stop(Side& side);
   void publish();
   int reach() const;
 
-  bool background_;
+  bool background_, innerSides_;
   std::optional<scene::GiTexels> texelsOfFile_;
   std::optional<int> threads_;
   scene::Scene scene_;
@@ -115,7 +132,8 @@ class LightPlanner {
   const volume::PreparedVolume* brightnessOfVolume_ = nullptr;
   std::string brightnessOfEnvironment_;
   bool meterPending_ = false;
-  Part sky_, lamps_;
+  Side outer_, inner_;
+  bool innerSeen_ = false;  // by the last wish
   std::shared_ptr<const gi::TransferBasis> basis_;
   int basisComponents_ = 0, basisBits_ = 0;
   std::uint64_t basisTexels_ = 0, basisRevision_ = 0;

@@ -50,7 +50,7 @@ LightStudio::LightStudio(render::Renderer& renderer, SurfaceTruth& truth,
       scene_(std::move(scene)),
       size_(size),
       repeat_(repeat),
-      controller_({.threads = machine.threads}) {}
+      controller_({.threads = machine.threads, .innerSides = false}) {}
 
 void LightStudio::prepareHits(base::Progress& progress) {
   if (!hits_.empty()) return;
@@ -90,7 +90,7 @@ void LightStudio::bake(Alternative& alternative, bool anew, base::Progress& prog
     while (!controller_.settle(0.05)) progress.throwIfStopped();  // or the planner sees the second alone
   }
   controller_.setScene(alternative.scene, volume_);
-  controller_.setVisible(hitVoxels_);
+  controller_.setVisible({hitVoxels_});
   base::Progress inner;  // the bake's own fraction is not the study's
   const std::stop_callback stop(progress.token(), [&inner] { inner.requestStop(); });
   if (!controller_.finish(inner)) progress.throwIfStopped();

@@ -4,7 +4,7 @@
 // Bakes of a knob are made in turns with all others of it, anew each time; values that only change how the
 // same stored light is kept or read share one bake. The truth has the scene's bounces, for the knob `bounces`
 // kTruthBounces of them; it knows no lattice, no spherical harmonics and no compression. Pixels that show
-// the surface from inside are left out: no light is stored there.
+// the surface from inside are left out.
 #pragma once
 
 #include <map>

@@ -24,24 +24,28 @@ double bandWeight(int band) {
 constexpr std::size_t kMostNumbers = 4000;  // of a component, that its bits are chosen by
 
 // A transfer vector a row, of at most `most` baked texels, evenly chosen.
-Eigen::MatrixXd gather(const LightLattice& lattice, std::size_t most, const base::Progress* progress) {
-  const std::size_t baked = lattice.bakedTexels(),
-                    d = static_cast<std::size_t>(lattice.content().components());
+Eigen::MatrixXd gather(std::span<const LightLattice* const> lattices, std::size_t most,
+                       const base::Progress* progress) {
+  const auto d = static_cast<std::size_t>(lattices.front()->content().components());
+  std::size_t baked = 0;
+  for (const LightLattice* lattice : lattices) baked += lattice->bakedTexels();
   const std::size_t every = std::max<std::size_t>((baked + most - 1) / std::max<std::size_t>(most, 1), 1);
   std::vector<double> values;
   values.reserve(std::min(baked, most) * d);
   std::size_t seen = 0;
-  for (std::uint32_t b = 0; b < lattice.geometry().blockCount(); ++b) {
-    if (progress) progress->throwIfStopped();
-    const auto block = lattice.at(b);
-    if (!block) continue;
+  const auto take = [&](const LatticeBlock& block) {
     for (std::size_t i = 0; i < kTexelsOfBlock; ++i) {
-      if (block->samples[i] == 0 || seen++ % every != 0) continue;
-      const float* const means = block->means.data() + i * d;
+      if (block.samples[i] == 0 || seen++ % every != 0) continue;
+      const float* const means = block.means.data() + i * d;
       if (std::all_of(means, means + d, [](float m) { return std::isfinite(m); }))
         values.insert(values.end(), means, means + d);
     }
-  }
+  };
+  for (const LightLattice* lattice : lattices)
+    for (std::uint32_t b = 0; b < lattice->geometry().blockCount(); ++b) {
+      if (progress) progress->throwIfStopped();
+      if (const auto block = lattice->at(b)) take(*block);
+    }
   return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       values.data(), static_cast<Eigen::Index>(values.size() / d), static_cast<Eigen::Index>(d));
 }
@@ -65,15 +69,16 @@ std::vector<float> floatsOf(const Matrix& matrix) {
 
 }  // namespace
 
-std::shared_ptr<const TransferBasis> TransferBasis::fit(const LightLattice& lattice, int components, int bits,
+std::shared_ptr<const TransferBasis> TransferBasis::fit(std::span<const LightLattice* const> lattices,
+                                                        int components, int bits,
                                                         const base::Progress* progress,
                                                         std::size_t mostTexels) {
-  const LightContent& content = lattice.content();
+  const LightContent& content = lattices.front()->content();
   assert(content.kind == LightContent::Kind::transfer && bits > 0 && components > 0);
   const auto heedStop = [&] {
     if (progress) progress->throwIfStopped();
   };
-  Eigen::MatrixXd texels = gather(lattice, mostTexels, progress);
+  Eigen::MatrixXd texels = gather(lattices, mostTexels, progress);
   if (texels.rows() == 0) return nullptr;
   const Eigen::Index d = texels.cols(), kept = std::min<Eigen::Index>(components, d);
 

@@ -29,13 +29,21 @@ class TransferBasis {
     bool operator==(const Field&) const = default;
   };
 
-  // From the baked texels of a lattice, at most `mostTexels` of them, evenly chosen. Null if there are none.
+  // From the baked texels of lattices of the same content, at most `mostTexels` of them, evenly chosen. Null
+  // if there are none.
   // `bits` of a texel, for at most `components` components, are rounded up to whole words. Errors count by
   // what they do to E under usual environments, whose coefficients fall with the band of spherical harmonics.
   // Throws Error{interrupted} within 100 ms of a stop of `progress`.
-  static std::shared_ptr<const TransferBasis> fit(const LightLattice& lattice, int components, int bits,
+  static std::shared_ptr<const TransferBasis> fit(std::span<const LightLattice* const> lattices,
+                                                  int components, int bits,
                                                   const base::Progress* progress = nullptr,
                                                   std::size_t mostTexels = 20000);
+  static std::shared_ptr<const TransferBasis> fit(const LightLattice& lattice, int components, int bits,
+                                                  const base::Progress* progress = nullptr,
+                                                  std::size_t mostTexels = 20000) {
+    const LightLattice* const one = &lattice;
+    return fit(std::span(&one, 1), components, bits, progress, mostTexels);
+  }
 
   const std::vector<Field>& fields() const { return fields_; }  // of the components that have any bits
   std::size_t words() const { return words_; }                  // of 32 bits, of a texel

@@ -9,8 +9,6 @@
 
 #include "base/color.h"
 #include "base/error.h"
-#include "gi/harmonics/spherical_harmonics.h"
-#include "gi/sampling/lamp_sampling.h"
 #include "gi/trace/parallel_tasks.h"
 #include "volume/field/reconstruct.h"
 
@@ -48,21 +46,6 @@ std::uint32_t seedOf(std::uint32_t pixel, bool lamps) {
   return 2u * pixel + (lamps ? 1u : 0u);
 }
 
-// E of a lamp with nothing in its way; one that the horizon cuts counts whole or not at all, as in pictures.
-glm::dvec3 unoccluded(const LampLight& lamp, const glm::dvec3& normal, const glm::dvec3& worldMm) {
-  if (lamp.kind == scene::LampKind::directional) {
-    const double sine2 = (1.0 - lamp.cosHalfAngle) * (1.0 + lamp.cosHalfAngle);
-    const double worth = lamp.cosHalfAngle >= 1.0 ? 1.0 : std::numbers::pi * sine2;
-    return lamp.power * (worth * std::max(0.0, glm::dot(normal, lamp.toward)));
-  }
-  const glm::dvec3 toward = lamp.positionMm - worldMm;
-  const double square = std::max(glm::dot(toward, toward), 1e-30);
-  const double cosine = std::max(0.0, glm::dot(normal, toward) / std::sqrt(square));
-  const double radius2 = lamp.radiusMm * lamp.radiusMm;
-  if (lamp.kind == scene::LampKind::point) return lamp.power * (cosine / square);
-  return lamp.power * (std::numbers::pi * radius2 * cosine / std::max(square, radius2));
-}
-
 }  // namespace
 
 void Reference::Estimate::merge(glm::vec3 roundMean, float roundVariance, std::uint32_t roundCount) {
@@ -77,7 +60,7 @@ void Reference::Estimate::merge(glm::vec3 roundMean, float roundVariance, std::u
 
 std::size_t Reference::bytesOf(glm::ivec2 size) {
   constexpr std::size_t point = sizeof(LightPoint) + 2 * sizeof(Estimate);
-  constexpr std::size_t own = sizeof(int) + sizeof(glm::vec3) + sizeof(std::uint32_t);
+  constexpr std::size_t own = sizeof(int) + sizeof(std::uint32_t);
   constexpr std::size_t image = 2 * sizeof(glm::vec3) + sizeof(float) + sizeof(std::uint32_t) + 1;
   return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * (point + own + image);
 }
@@ -101,86 +84,80 @@ Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
   hasLamps_ = !own->lamps.empty();
   tracer_.emplace(own);
   findHits(options, progress);
+  if (outerPoints_ < points_.size()) innerTracer_.emplace(innerSideOf(*own, progress));
 }
 
 void Reference::findHits(const Options& options, base::Progress& progress) {
   const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
   surfaces_.assign(width * height, -1);
-  local_.assign(width * height, glm::vec3(nan));
-  const volume::Grid& grid = volume_->grid();
-  const glm::dmat4& worldFromVoxel = grid.geometry().worldFromVoxel;
-  std::vector<std::vector<LightPoint>> pointsOfRow(height);
-  std::vector<std::vector<std::uint32_t>> pixelsOfRow(height);
+  std::vector<RowPoints> rows(height);
   std::atomic<std::size_t> rowsDone{0};
   const bool finished = runTasks(height, options.threads, [&](std::size_t row) {
-    std::vector<PrimaryHit> found;
-    std::vector<glm::vec3> voxels;
-    std::vector<std::size_t> columns;
-    for (std::size_t column = 0; column < width; ++column) {
-      if (column % 64 == 0 && progress.stopRequested()) return false;
-      const auto hit = hits_.at({static_cast<int>(column), static_cast<int>(row)});
-      if (!hit) continue;
-      found.push_back(*hit);
-      voxels.emplace_back(hit->voxel);
-      columns.push_back(column);
-    }
-    std::vector<glm::vec3> gradients(voxels.size());
-    tracer_->light().tracer->gradients(voxels, gradients);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const std::size_t pixel = row * width + columns[i];
-      const glm::vec3 ray = hits_.direction({static_cast<int>(columns[i]), static_cast<int>(row)});
-      glm::vec3 outward = tracer_->normalOf(gradients[i]);
-      if (outward == glm::vec3(0.0f)) outward = -ray;  // taken as if it faced the viewer
-      surfaces_[pixel] = found[i].surface;
-      if (!found[i].outer) {
-        glm::vec3 normal = -outward;
-        const float away = glm::dot(normal, ray);
-        if (away > 0.0f) {  // seen edge on
-          const glm::vec3 edge = normal - away * ray;
-          const float length = glm::length(edge);
-          normal = length > 1e-6f ? edge / length : -ray;
-        }
-        local_[pixel] = localLight(normal, glm::dvec3(worldFromVoxel * glm::dvec4(found[i].voxel, 1.0)));
-        continue;
-      }
-      LightPoint point;
-      point.voxel = voxels[i];
-      point.normal = outward;
-      const double value = scene_.hit.field == scene::Field::trilinear
-                               ? hits_.surfaces()[static_cast<std::size_t>(found[i].surface)].isovalue
-                               : volume::sampleTrilinear(grid, found[i].voxel).value;
-      point.isovalue = static_cast<float>(grid.storedOfValue(value));
-      pointsOfRow[row].push_back(point);
-      pixelsOfRow[row].push_back(static_cast<std::uint32_t>(pixel));
-    }
+    if (!findHitsOfRow(row, progress, rows[row])) return false;
     const std::size_t done = ++rowsDone;
     progress.report(static_cast<double>(done) / static_cast<double>(height), "finding the surface");
     return true;
   });
   if (!finished) progress.throwIfStopped();
-  for (std::size_t row = 0; row < height; ++row) {
-    points_.insert(points_.end(), pointsOfRow[row].begin(), pointsOfRow[row].end());
-    pixelOf_.insert(pixelOf_.end(), pixelsOfRow[row].begin(), pixelsOfRow[row].end());
+  for (const std::size_t side : {0u, 1u}) {
+    const std::size_t first = points_.size();
+    for (const RowPoints& row : rows) {
+      points_.insert(points_.end(), row.points[side].begin(), row.points[side].end());
+      pixelOf_.insert(pixelOf_.end(), row.pixels[side].begin(), row.pixels[side].end());
+    }
+    if (side == 0) outerPoints_ = points_.size();
+    addTasks(first);
   }
   sky_.resize(points_.size());
   lamps_.resize(points_.size());
-  samples_.assign((points_.size() + kPointsOfTask - 1) / kPointsOfTask, 0);
 }
 
-glm::vec3 Reference::localLight(glm::vec3 normal, glm::dvec3 worldMm) const {
-  float basis[9];
-  evaluateSh(3, normal, basis);
-  glm::vec3 sky(0.0f);
-  for (std::size_t i = 0; i < 9; ++i) sky += light_.irradianceSh[i] * basis[i];
-  glm::dvec3 lamps(0.0);
-  for (const LampLight& lamp : light_.lampLights) lamps += unoccluded(lamp, glm::dvec3(normal), worldMm);
-  return glm::max(sky, glm::vec3(0.0f)) + glm::vec3(lamps);
+bool Reference::findHitsOfRow(std::size_t row, const base::Progress& progress, RowPoints& found) {
+  const auto width = static_cast<std::size_t>(size_.x);
+  const volume::Grid& grid = volume_->grid();
+  std::vector<PrimaryHit> hits;
+  std::vector<glm::vec3> voxels;
+  std::vector<std::size_t> columns;
+  for (std::size_t column = 0; column < width; ++column) {
+    if (column % 64 == 0 && progress.stopRequested()) return false;
+    const auto hit = hits_.at({static_cast<int>(column), static_cast<int>(row)});
+    if (!hit) continue;
+    hits.push_back(*hit);
+    voxels.emplace_back(hit->voxel);
+    columns.push_back(column);
+  }
+  std::vector<glm::vec3> gradients(voxels.size());
+  tracer_->light().tracer->gradients(voxels, gradients);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const PrimaryHit& hit = hits[i];
+    const std::size_t pixel = row * width + columns[i];
+    surfaces_[pixel] = hit.surface;
+    LightPoint point;
+    point.voxel = voxels[i];
+    point.normal = (hit.outer ? 1.0f : -1.0f) * tracer_->normalOf(gradients[i]);
+    if (point.normal == glm::vec3(0.0f))  // taken as if it faced the viewer
+      point.normal = -hits_.direction({static_cast<int>(columns[i]), static_cast<int>(row)});
+    const double value = scene_.hit.field == scene::Field::trilinear
+                             ? hits_.surfaces()[static_cast<std::size_t>(hit.surface)].isovalue
+                             : volume::sampleTrilinear(grid, hit.voxel).value;
+    point.isovalue = static_cast<float>(grid.storedOfValue(value));
+    const std::size_t side = hit.outer ? 0 : 1;
+    found.points[side].push_back(point);
+    found.pixels[side].push_back(static_cast<std::uint32_t>(pixel));
+  }
+  return true;
 }
 
-bool Reference::refineTask(std::size_t task, std::uint32_t samples, std::uint64_t& rays,
+void Reference::addTasks(std::size_t first) {
+  for (; first < points_.size(); first += kPointsOfTask)
+    tasks_.push_back({first, std::min(kPointsOfTask, points_.size() - first), 0});
+}
+
+bool Reference::refineTask(Task& task, std::uint32_t samples, std::uint64_t& rays,
                            const std::stop_token& stop) {
-  const std::size_t first = task * kPointsOfTask, count = std::min(kPointsOfTask, points_.size() - first);
-  const SampleRange range{samples_[task], samples - samples_[task]};
+  const std::size_t first = task.first, count = task.count;
+  const PathTracer& tracer = first < outerPoints_ ? *tracer_ : *innerTracer_;
+  const SampleRange range{task.samples, samples - task.samples};
   std::vector<LightPoint> points(points_.begin() + static_cast<std::ptrdiff_t>(first),
                                  points_.begin() + static_cast<std::ptrdiff_t>(first + count));
   std::vector<glm::vec3> skyMeans(count), lampMeans(count);
@@ -188,7 +165,7 @@ bool Reference::refineTask(std::size_t task, std::uint32_t samples, std::uint64_
   const auto estimate = [&](LightPart part, std::span<glm::vec3> means, std::span<float> variances) {
     for (std::size_t i = 0; i < count; ++i)
       points[i].seed = seedOf(pixelOf_[first + i], part == LightPart::lamps);
-    return tracer_->irradiance(part, points, range, means, variances, rays, stop);
+    return tracer.irradiance(part, points, range, means, variances, rays, stop);
   };
   // Both before either is kept: a pixel has as many samples of the one light as of the other.
   if (hasSky_ && !estimate(LightPart::sky, skyMeans, skyVariances)) return false;
@@ -197,17 +174,18 @@ bool Reference::refineTask(std::size_t task, std::uint32_t samples, std::uint64_
     sky_[first + i].merge(skyMeans[i], skyVariances[i], range.count);
     lamps_[first + i].merge(lampMeans[i], lampVariances[i], range.count);
   }
-  samples_[task] = samples;
+  task.samples = samples;
   return true;
 }
 
 bool Reference::refineTo(std::uint32_t samples, base::Progress& progress, double from, double to) {
   std::atomic<std::uint64_t> rays{0};
   std::atomic<std::size_t> done{0};
-  const double tasks = static_cast<double>(std::max<std::size_t>(1, samples_.size()));
-  const bool finished = runTasks(samples_.size(), threads_, [&](std::size_t task) {
+  const double tasks = static_cast<double>(std::max<std::size_t>(1, tasks_.size()));
+  const bool finished = runTasks(tasks_.size(), threads_, [&](std::size_t index) {
+    Task& task = tasks_[index];
     std::uint64_t raysOfTask = 0;
-    if (samples_[task] < samples && !refineTask(task, samples, raysOfTask, progress.token())) return false;
+    if (task.samples < samples && !refineTask(task, samples, raysOfTask, progress.token())) return false;
     rays += raysOfTask;
     progress.report(std::lerp(from, to, static_cast<double>(++done) / tasks), "tracing light");
     return true;
@@ -220,13 +198,13 @@ ReferenceImage Reference::image() const {
   ReferenceImage image;
   image.size = size_;
   const std::size_t pixels = surfaces_.size();
-  image.irradiance = local_;
+  image.irradiance.assign(pixels, glm::vec3(nan));
   image.color.assign(pixels, glm::vec3(nan));
   image.variance.assign(pixels, nan);
   image.samples.assign(pixels, 0);
   image.hit.assign(pixels, 0);
   image.rays = rays_;
-  image.cappedPaths = tracer_->cappedPaths();
+  image.cappedPaths = tracer_->cappedPaths() + (innerTracer_ ? innerTracer_->cappedPaths() : 0);
   const double skyScale = std::exp2(scene_.light.environment.exposure);
   const double stops = scene_.picture.exposure.value_or(static_cast<double>(light_.automaticExposure));
   const auto exposure = static_cast<float>(std::exp2(stops));
@@ -238,19 +216,17 @@ ReferenceImage Reference::image() const {
     if (n > 1.0)
       image.variance[pixel] =
           static_cast<float>((skyScale * skyScale * sky_[i].squares + lamps_[i].squares) / (n - 1.0) / n);
+    const glm::vec3 tint = i < outerPoints_ ? glm::vec3(1.0f) : glm::vec3(scene_.look.innerTint);
+    const glm::vec3 albedo = hits_.surfaces()[static_cast<std::size_t>(surfaces_[pixel])].albedo * tint;
+    image.hit[pixel] = 1;
+    image.color[pixel] = albedo * image.irradiance[pixel] * (exposure * std::numbers::inv_pi_v<float>);
   }
+  if (!background_) return image;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-    if (surfaces_[pixel] >= 0) {
-      const bool inner = !std::isnan(local_[pixel].x);
-      if (inner) image.variance[pixel] = 0.0f;
-      image.hit[pixel] = 1;
-      const glm::vec3 albedo = hits_.surfaces()[static_cast<std::size_t>(surfaces_[pixel])].albedo;
-      image.color[pixel] = albedo * image.irradiance[pixel] * (exposure * std::numbers::inv_pi_v<float>);
-    } else if (background_) {
-      const glm::ivec2 at(static_cast<int>(pixel) % size_.x, static_cast<int>(pixel) / size_.x);
-      const glm::vec3 direction = light_.environmentFromWorld * hits_.backgroundDirection(at);
-      image.color[pixel] = background_->radiance(direction) * (light_.backgroundScale * exposure);
-    }
+    if (image.hit[pixel]) continue;
+    const glm::ivec2 at(static_cast<int>(pixel) % size_.x, static_cast<int>(pixel) / size_.x);
+    const glm::vec3 direction = light_.environmentFromWorld * hits_.backgroundDirection(at);
+    image.color[pixel] = background_->radiance(direction) * (light_.backgroundScale * exposure);
   }
   return image;
 }

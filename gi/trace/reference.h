@@ -1,17 +1,18 @@
 // A picture whose every pixel is path traced, without stored light: the yardstick of the light lattice, and a
 // still for print.
 //
-// One ray a pixel, through its middle, as in the renderer's deferred images. On the outer side of a surface
-// E is that of the path tracer at the hit itself, of the sky and of the lamps, each from its own pattern of
-// samples; the paths are traced against the surface's isovalue, or, where hits are on a cubic field, against
-// that of the trilinear isosurface through the hit. On the inner side, which no stored light is of, E is the
-// local light of pictures: the sky without anything in its way, in order 3, and lamps without shadows. The
-// colour is albedo * E / pi * 2^picture.exposure; solid textures, lines and fog are not drawn. What gi.mode
-// stores does not matter, but that `vicinity` takes the sky's mean and no bounces and `shadow` no bounces.
+// One ray a pixel, through its middle, as in the renderer's deferred images. E is that of the path tracer at
+// the hit itself, on the side that is seen (inner sides: innerSideOf()), of the sky and of the lamps, each
+// from its own pattern of samples; the paths are traced against the surface's isovalue, or, where hits are on
+// a cubic field, against that of the trilinear isosurface through the hit. The colour is albedo * E / pi *
+// 2^picture.exposure, times look.inner_tint on inner sides; solid textures, lines and fog are not drawn. What
+// gi.mode stores does not matter, but that `vicinity` takes the sky's mean and no bounces and `shadow` no
+// bounces.
 //
 // One owner thread; the work is spread over threads of its own, and the result does not depend on how many.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -36,7 +37,7 @@ struct ReferenceImage {
   std::vector<glm::vec3> color;        // linear
   std::vector<glm::vec3> irradiance;   // E, with the environment's exposure
   std::vector<float> variance;         // of the mean's luminance of E, from the samples themselves
-  std::vector<std::uint32_t> samples;  // paths of each light; 0 on inner sides
+  std::vector<std::uint32_t> samples;  // paths of each light
   std::vector<std::uint8_t> hit;
   std::uint64_t rays = 0;         // of the paths
   std::uint64_t cappedPaths = 0;  // PathTracer::cappedPaths()
@@ -71,8 +72,17 @@ class Reference {
     void merge(glm::vec3 roundMean, float roundVariance, std::uint32_t roundCount);
   };
   void findHits(const Options& options, base::Progress& progress);
-  glm::vec3 localLight(glm::vec3 normal, glm::dvec3 worldMm) const;
-  bool refineTask(std::size_t task, std::uint32_t samples, std::uint64_t& rays, const std::stop_token& stop);
+  struct Task {  // points of one side
+    std::size_t first = 0, count = 0;
+    std::uint32_t samples = 0;
+  };
+  struct RowPoints {  // outer, inner
+    std::array<std::vector<LightPoint>, 2> points;
+    std::array<std::vector<std::uint32_t>, 2> pixels;
+  };
+  bool findHitsOfRow(std::size_t row, const base::Progress& progress, RowPoints& found);
+  void addTasks(std::size_t first);  // of all points from there on
+  bool refineTask(Task& task, std::uint32_t samples, std::uint64_t& rays, const std::stop_token& stop);
 
   static std::size_t bytesOf(glm::ivec2 size);  // of all that there is per pixel, with an image()
 
@@ -82,17 +92,17 @@ class Reference {
   glm::ivec2 size_;
   int threads_;
   PrimaryHits hits_;
-  std::optional<PathTracer> tracer_;
+  std::optional<PathTracer> tracer_, innerTracer_;  // innerTracer_: where inner sides are seen
   PictureLight light_;
   std::shared_ptr<const Environment> background_;
   bool hasSky_ = false, hasLamps_ = false;
 
   std::vector<int> surfaces_;           // of pixels; -1: no hit
-  std::vector<glm::vec3> local_;        // of inner sides
   std::vector<std::uint32_t> pixelOf_;  // of points
-  std::vector<LightPoint> points_;
-  std::vector<Estimate> sky_, lamps_;   // of points
-  std::vector<std::uint32_t> samples_;  // of tasks
+  std::vector<LightPoint> points_;      // first those of outer sides
+  std::size_t outerPoints_ = 0;
+  std::vector<Estimate> sky_, lamps_;  // of points
+  std::vector<Task> tasks_;
   std::uint64_t rays_ = 0;
 };
 

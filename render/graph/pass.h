@@ -77,11 +77,13 @@ struct BrickState {
 struct LightState {
   bool stored = false;        // there is a lattice, and the frame reads it
   std::uint64_t storage = 0;  // changes when other lattices, or other contents of them, are held
+  bool inner = false;         // it has light of inner sides
   std::uint64_t skyRevision = 0, lampsRevision = 0;  // of the lattices
-  std::uint64_t unfinished = 0;                      // changes with each frame that has left uploads over
-  std::uint64_t version = 0;                         // of all but the lattices; 0: nobody has said what it is
-  float automaticExposure = 0.0f;                    // stops
-  bool background = false;                           // the environment is there to be seen
+  std::uint64_t innerSkyRevision = 0, innerLampsRevision = 0;
+  std::uint64_t unfinished = 0;    // changes with each frame that has left uploads over
+  std::uint64_t version = 0;       // of all but the lattices; 0: nobody has said what it is
+  float automaticExposure = 0.0f;  // stops
+  bool background = false;         // the environment is there to be seen
 };
 
 // All that decides which passes a frame needs and what they depend on.

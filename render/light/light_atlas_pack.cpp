@@ -50,8 +50,11 @@ float LightAtlas::isovalueOf(glm::ivec3 texel) const {
 }
 
 std::vector<FilterTexel> LightAtlas::texelsAbout(
-    std::uint32_t block, std::vector<std::shared_ptr<const gi::LatticeBlock>>& kept) const {
+    std::uint32_t page, std::vector<std::shared_ptr<const gi::LatticeBlock>>& kept) const {
   constexpr int edge = kFilterTexels;
+  const Side& side = sideOf(page);
+  const gi::StoredSide& stored = side.light;
+  const std::uint32_t block = page - side.first;
   std::vector<FilterTexel> texels(static_cast<std::size_t>(edge * edge * edge));
   const glm::ivec3 first = geometry_.firstTexelOf(block) - 1;
   IsovaluesAbout isovalues(geometry_, block, [this](glm::ivec3 texel) { return isovalueOf(texel); });
@@ -69,8 +72,8 @@ std::vector<FilterTexel> LightAtlas::texelsAbout(
     if (texel != first + step) continue;  // outside: no light of its own
     const std::uint32_t of = geometry_.blockOf(texel);
     if (of != before) {
-      sky = blockOf(sky_, skyBefore_, of);
-      lamps = blockOf(lamps_, lampsBefore_, of);
+      sky = blockOf(stored.sky, stored.skyBefore, of);
+      lamps = blockOf(stored.lamps, stored.lampsBefore, of);
       before = of;
       if (sky) kept.push_back(sky);
     }
@@ -83,15 +86,15 @@ std::vector<FilterTexel> LightAtlas::texelsAbout(
     if (lamps && lamps->samples[at] > 0) {
       stand(*lamps);
       out.lampsPaths = static_cast<float>(lamps->samples[at]);
-      out.lamps = light(*lamps_, *lamps, at);
+      out.lamps = light(*stored.lamps, *lamps, at);
     }
     if (sky && sky->samples[at] > 0) {
       stand(*sky);
       out.skyPaths = static_cast<float>(sky->samples[at]);
       if (layout_.sky == LightPacking::codes)
-        out.transfer = &sky->means[at * static_cast<std::size_t>(sky_->content().components())];
+        out.transfer = &sky->means[at * static_cast<std::size_t>(stored.sky->content().components())];
       else
-        out.sky = light(*sky_, *sky, at) / openSky_.at(out.normal);
+        out.sky = light(*stored.sky, *sky, at) / openSky_.at(out.normal);
     }
     if (out.normal == glm::vec3(0.0f)) continue;
     out.isovalue = geometry_.isovalue ? 0.0f : isovalues.at(texel);
@@ -100,9 +103,12 @@ std::vector<FilterTexel> LightAtlas::texelsAbout(
   return texels;
 }
 
-bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
-  const std::shared_ptr<const gi::LatticeBlock> sky = blockOf(sky_, skyBefore_, block);
-  const std::shared_ptr<const gi::LatticeBlock> lamps = blockOf(lamps_, lampsBefore_, block);
+bool LightAtlas::pack(std::uint32_t page, std::uint32_t* words) const {
+  const Side& side = sideOf(page);
+  const gi::StoredSide& stored = side.light;
+  const std::uint32_t block = page - side.first;
+  const std::shared_ptr<const gi::LatticeBlock> sky = blockOf(stored.sky, stored.skyBefore, block);
+  const std::shared_ptr<const gi::LatticeBlock> lamps = blockOf(stored.lamps, stored.lampsBefore, block);
   if (!sky && !lamps) return false;
   const std::uint32_t whole = std::clamp(source_.light->samplesWanted, 1u, kPathsOfFullWeight);
   // A texel without a normal counts as baked, with no light: nothing better will come.
@@ -116,10 +122,10 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
   std::vector<float> smoothTransfer;
   if (source_.filtered) {
     std::vector<std::shared_ptr<const gi::LatticeBlock>> kept;
-    const std::vector<FilterTexel> texels = texelsAbout(block, kept);
-    if (layout_.sky != LightPacking::codes || lamps_) smooth = filterBlock(texels);
+    const std::vector<FilterTexel> texels = texelsAbout(page, kept);
+    if (layout_.sky != LightPacking::codes || stored.lamps) smooth = filterBlock(texels);
     if (layout_.sky == LightPacking::codes)
-      smoothTransfer = filterTransfer(texels, static_cast<std::size_t>(sky_->content().components()));
+      smoothTransfer = filterTransfer(texels, static_cast<std::size_t>(stored.sky->content().components()));
   }
   for (std::size_t i = 0; i < gi::kTexelsOfBlock; ++i) {
     std::uint32_t* const out = words + i * static_cast<std::size_t>(stride);
@@ -130,8 +136,8 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
     const glm::vec3 normal = skyLit ? sky->normals[i] : lampsLit ? lamps->normals[i] : glm::vec3(0.0f);
     out[0] = packTexelState(normal, skyPart, lampsPart);
     std::uint32_t* next = out + 1;
-    if (sky_) {
-      const gi::LightContent& content = sky_->content();
+    if (stored.sky) {
+      const gi::LightContent& content = stored.sky->content();
       const std::size_t from = i * static_cast<std::size_t>(content.components());
       if (skyLit)
         packLight(layout_.sky,
@@ -141,8 +147,8 @@ bool LightAtlas::pack(std::uint32_t block, std::uint32_t* words) const {
                   content, basis_.get(), next);
       next += layout_.wordsOf(layout_.sky);
     }
-    if (lamps_) {
-      const gi::LightContent& content = lamps_->content();
+    if (stored.lamps) {
+      const gi::LightContent& content = stored.lamps->content();
       if (lampsLit && source_.filtered)
         packLight(layout_.lamps, &smooth[i].lamps[0], content, nullptr, next);
       else if (lampsLit)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gi/picture_light.h"
+#include "gi/seen_points.h"
 #include "render/gl/image_pool.h"
 #include "render/graph/frame.h"
 #include "render/graph/pass.h"
@@ -61,8 +62,8 @@ struct FrameState {
 
   // The crossing that is drawn now: "" the first, otherwise one behind (layers pass), and the one before it.
   std::string layer, layerBefore;
-  bool anyBehind = false;             // the cast of the layer found a crossing
-  std::vector<glm::vec3> hitsBehind;  // of the layers, where the look reads stored light: voxel coordinates
+  bool anyBehind = false;     // the cast of the layer found a crossing
+  gi::SeenPoints hitsBehind;  // of the layers, where the look reads stored light
 
   // What is drawn: the picture, or a tile of it.
   glm::ivec2 drawnSize() const { return request.tile ? request.tile->size : request.size; }

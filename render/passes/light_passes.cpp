@@ -103,8 +103,16 @@ LightState FrameLight::state(const FrameState& frame) const {
   state.stored = frame.readsLight && atlas_.stores();
   state.storage = storage_;
   state.version = light ? light->version + 1 : 0;
-  if (light && light->sky) state.skyRevision = light->sky->revision();
-  if (light && light->lamps) state.lampsRevision = light->lamps->revision();
+  const auto revisionOf = [](const std::shared_ptr<const gi::LightLattice>& lattice) {
+    return lattice ? lattice->revision() : 0;
+  };
+  if (light) {
+    state.inner = state.stored && atlas_.hasInner();
+    state.skyRevision = revisionOf(light->sky);
+    state.lampsRevision = revisionOf(light->lamps);
+    state.innerSkyRevision = revisionOf(light->inner.sky);
+    state.innerLampsRevision = revisionOf(light->inner.lamps);
+  }
   state.unfinished = unfinished_;
   state.automaticExposure = light ? light->automaticExposure : 0.0f;
   state.background = light && light->background;
@@ -169,11 +177,14 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   p.set("uTexelsPerVoxel", texelsPerVoxel);
   p.set("uSkyScale", frame.light->skyScale);
   if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());
-  glm::vec4 isovalues(0.0f);
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
-    isovalues[static_cast<int>(i)] =
-        static_cast<float>(frame.volume->grid().storedOfValue(frame.surfaces[i].value));
+  glm::vec4 isovalues(0.0f), opacities(1.0f);
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
+    const Surface& surface = frame.surfaces[i];
+    isovalues[static_cast<int>(i)] = static_cast<float>(frame.volume->grid().storedOfValue(surface.value));
+    opacities[static_cast<int>(i)] = static_cast<float>(surface.opacity);
+  }
   p.set("uStoredIsovalues", isovalues);
+  p.set("uOpacities", opacities);
   const LightTexelLayout& layout = atlas_.layout();
   if (layout.sky != LightPacking::codes) return;
   const gi::TransferBasis::Lighting lighting = frame.light->basis->under(frame.light->environment);
@@ -223,6 +234,7 @@ void LightPass::declare(Declaring& d) const {
   const LightState& light = d.asked.light;
   d.writes(image::light).notNeeded("no look reads stored light");
   d.input("lattice", light.storage).input("stored light", light.skyRevision, light.lampsRevision);
+  d.input("stored light of inner sides", light.innerSkyRevision, light.innerLampsRevision);
   d.input("uploads left over", light.unfinished);
 }
 
@@ -240,7 +252,8 @@ void IrradiancePass::declare(Declaring& d) const {
   d.notNeeded("no look reads light of the surface points");
   d.settings({"camera."}).input("light", light.version);
   if (!light.stored) return;
-  d.settings({"isosurface.inside"});  // light is stored on the outer side
+  d.settings({"isosurface.inside"});  // light is stored of one side, or of each
+  if (light.inner) d.settings({"isosurface.opacity", "isosurface#.opacity"});
   d.reads(image::light).input("lattice", light.storage);
   d.input("gi.interpolation", d.asked.scene.gi.interpolation);  // wherever light is stored, planned or not
 }

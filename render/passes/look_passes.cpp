@@ -270,7 +270,7 @@ void LayersPass::run(FrameState& frame) {
   Target& color = frame.target(image::color, {GL_RGBA16F});
   const Target& front = frame.images.at(image::front);
   frame.copy(front, color);
-  frame.hitsBehind.clear();
+  frame.hitsBehind = {};
   if (frame.empty()) return;
   const int layers = frame.scene->isosurface.layers;
   // Each layer reads the surface image of the one before it: two names in turn.
@@ -283,7 +283,8 @@ void LayersPass::run(FrameState& frame) {
       if (pass->kind.ofCrossing && frame.anyBehind) pass->run(frame);  // the first is the cast
     if (frame.request.stop.stop_requested()) break;
     if (frame.anyBehind && scene::usesGi(*frame.scene))
-      appendHits(frame, kMostHitsBehind / static_cast<std::size_t>(layers), frame.hitsBehind);
+      appendHits(frame, kMostHitsBehind / static_cast<std::size_t>(layers), frame.outward(),
+                 frame.hitsBehind);
     frame.layerBefore = frame.layer;
   }
   frame.layer.clear();

@@ -39,7 +39,7 @@ bool BakedLight::changing() const {
 
 void BakedLight::setVolume(VolumePointer volume) {
   volume_ = std::move(volume);
-  hits_.clear();
+  hits_ = {};
   volumeIsNew_ = true;
   toldScene_ = false;
   light_.reset();
@@ -56,7 +56,7 @@ void BakedLight::setScene(const scene::Scene& resolved) {
   timer_.start(busyMilliseconds);
 }
 
-void BakedLight::setVisible(std::vector<glm::vec3> hitVoxels, bool finer) {
+void BakedLight::setVisible(gi::SeenPoints hitVoxels, bool finer) {
   hits_ = std::move(hitVoxels);
   if (cancelled_ && finer) return;  // nobody has turned to anything new
   cancelled_ = false;

@@ -28,7 +28,7 @@ class BakedLight : public QObject {
   void setVolume(VolumePointer volume);  // its light is gone at once; setScene() follows
   void setScene(const scene::Scene& resolved);
   // The surface points of the picture. `finer`: of the same view as the last, with more pixels.
-  void setVisible(std::vector<glm::vec3> hitVoxels, bool finer);
+  void setVisible(gi::SeenPoints hitVoxels, bool finer);
   void setThreads(std::optional<int> threads);  // scene::Machine::threads
   void setDrawing(bool drawing);                // a frame is drawn now: the processor is needed
   void setDrawn(double milliseconds);
@@ -60,7 +60,7 @@ class BakedLight : public QObject {
   app::LightState state_;
   VolumePointer volume_;
   scene::Scene scene_;
-  std::vector<glm::vec3> hits_;
+  gi::SeenPoints hits_;
   LightPointer light_;
   std::uint64_t revision_ = 0;
   bool toldScene_ = false;

@@ -84,7 +84,7 @@ class Viewport : public QWidget {
   void drawing(bool begins);  // pictures are on their way, or none is any more
   // The surface points of a picture that is lit by stored light, voxel coordinates; `finer`: of more pixels
   // than those told of the same view.
-  void seen(const std::vector<glm::vec3>& hitVoxels, bool finer);
+  void seen(const isolux::gi::SeenPoints& hitVoxels, bool finer);
   void reported(const isolux::render::FrameReport& report, const isolux::render::FrameRequest& request);
   void failed(const QString& message);
   void noted(const QString& message);  // worth knowing, nothing has failed

@@ -16,6 +16,7 @@
 #define WEIGHTED 4
 
 uniform usamplerBuffer uLightPages;   // of each block, x fastest: its slot plus 1, 0 where nothing is stored
+uniform int uInnerPages;              // where those of the inner side begin; -1: there are none
 uniform usamplerBuffer uLightTexels;  // words: 512 texels a slot, x fastest
 #if WORDS % 2 == 0
 uint lightWord(int at) { return texelFetch(uLightTexels, at >> 1)[at & 1]; }
@@ -41,10 +42,13 @@ float codeSums[CODE_COUNT + 1];
 vec3 skySum = vec3(0.0), lampsSum = vec3(0.0);
 vec2 weights = vec2(0.0), covered = vec2(0.0);  // sky, lamps
 
+int firstPage = 0;  // of the side that is looked up
+
 // Where a texel's words begin; -1 where its block is not there.
 int lightTexelAt(ivec3 texel) {
   ivec3 block = texel >> 3, inner = texel & 7;
-  uint page = texelFetch(uLightPages, (block.z * uLatticeBlocks.y + block.y) * uLatticeBlocks.x + block.x).r;
+  int index = firstPage + (block.z * uLatticeBlocks.y + block.y) * uLatticeBlocks.x + block.x;
+  uint page = texelFetch(uLightPages, index).r;
   return page == 0u ? -1 : (((int(page) - 1) * 8 + inner.z) * 64 + inner.y * 8 + inner.x) * WORDS;
 }
 
@@ -96,7 +100,8 @@ void gather(int at, uvec2 head, float weight, float place) {
 
 float texelIsovalue(int at) { return uintBitsToFloat(lightWord(max(at, 0) + 1 + skyWords + lampsWords)); }
 
-// Stored light at a point (voxel coordinates) on the isosurface of `isovalue` (stored units) with this outward normal;
+// Stored light at a point (voxel coordinates) on the isosurface of `isovalue` (stored units), with its normal on the
+// side of firstPage;
 // w: how much of the lookup is baked, 0 where nothing is.
 void lookUp(vec3 voxel, vec3 normal, float isovalue) {
   vec3 texel = clamp(voxel * uTexelsPerVoxel, vec3(0.0), vec3(uLatticeDims - 1));

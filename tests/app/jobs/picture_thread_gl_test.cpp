@@ -69,10 +69,12 @@ TEST_F(PictureThreadGlTest, APictureIsThatOfARendererHere) {
   EXPECT_EQ(picture.order, number);
   EXPECT_EQ(picture.color.rgba, expected(asked));
   EXPECT_GT(picture.milliseconds, 0.0);
-  ASSERT_FALSE(picture.hitVoxels.empty());
-  for (const glm::vec3& hit : picture.hitVoxels) {
-    EXPECT_GE(std::min({hit.x, hit.y, hit.z}), 0.0F);
-    EXPECT_LE(std::max({hit.x, hit.y, hit.z}), 47.0F);
+  for (const auto* hits : {&picture.hitVoxels.outer, &picture.hitVoxels.inner}) {
+    ASSERT_FALSE(hits->empty());
+    for (const glm::vec3& hit : *hits) {
+      EXPECT_GE(std::min({hit.x, hit.y, hit.z}), 0.0F);
+      EXPECT_LE(std::max({hit.x, hit.y, hit.z}), 47.0F);
+    }
   }
 }
 

@@ -56,7 +56,7 @@ class LightControllerTest : public ::testing::Test {
 
   void light() {
     controller.setScene(resolved(), volume);
-    controller.setVisible(surface());
+    controller.setVisible({surface()});
     base::Progress progress;
     ASSERT_TRUE(controller.finish(progress, 120.0));
   }
@@ -94,7 +94,7 @@ TEST_F(LightControllerTest, AWindowsLightStopsAtTheMemoryBudgetAndStays) {
   // The tables, and some of the 64 blocks of 32 x 32 x 32 texels.
   const test::MemoryLimit limit(std::size_t{3} << 20);
   window.setScene(resolved(), volume);
-  window.setVisible(surface());
+  window.setVisible({surface()});
   ASSERT_TRUE(test::pollUntil([&] { return window.state().phase == Phase::failed; }));
   const app::LightState state = window.state();
   ASSERT_EQ(state.phase, Phase::failed);
@@ -234,7 +234,7 @@ TEST_F(LightControllerTest, ExposureIsBySurfaceAndLightAndFrozenWhileTheViewTurn
               s.light.environment.moves = true;
             }),
             studio);
-  controller.setVisible(surface());
+  controller.setVisible({surface()});
   EXPECT_EQ(exposure([](scene::Scene&) {}), studio) << "what is seen and stored so far does not matter";
   EXPECT_NE(exposure([](scene::Scene& s) { s.light.environment.builtIn = scene::BuiltInLight::sunset; }),
             studio);
@@ -287,7 +287,7 @@ TEST_F(LightControllerTest, AMissingProbeIsSaidAndAnotherWorks) {
 TEST_F(LightControllerTest, PauseCancelAndGoOn) {
   scene.gi.samples = 1000000;  // for ever
   controller.setScene(resolved(), volume);
-  controller.setVisible(surface());
+  controller.setVisible({surface()});
   ASSERT_TRUE(controller.settle(30.0));
   controller.setPaused(true);
   EXPECT_EQ(controller.state().phase, Phase::paused);
@@ -329,7 +329,7 @@ TEST_F(LightControllerTest, TransferOfAFinishedPictureIsCompressedFromAllItsTexe
   for (int i = 0; i < 4; ++i) {
     app::LightController fresh{{.threads = 2}};
     fresh.setScene(resolved(), volume);
-    fresh.setVisible(seen);
+    fresh.setVisible({seen});
     base::Progress progress;
     ASSERT_TRUE(fresh.finish(progress, 120.0));
     const auto picture = fresh.light();
@@ -365,7 +365,7 @@ TEST_F(LightControllerTest, AWindowThatClosesDoesNotWaitForTheBake) {
   for (int i = 0; i < 3; ++i) {
     auto ofWindow = std::make_unique<app::LightController>(app::LightController::Options{.background = true});
     ofWindow->setScene(resolved(), volume);
-    ofWindow->setVisible(surface());
+    ofWindow->setVisible({surface()});
     ASSERT_TRUE(test::pollUntil([&] { return ofWindow->state().counters.rays > 0; }));
     const auto begin = std::chrono::steady_clock::now();
     ofWindow.reset();

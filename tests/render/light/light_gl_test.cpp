@@ -596,7 +596,7 @@ TEST_F(LightGlTest, TransparentSurfacesHaveTheirLight) {
 TEST_F(LightGlTest, HitVoxelsAreTheSurfacePoints) {
   const auto volume = phantom("ball", 24);
   draw(volume, pictureLight(nullptr), {});
-  const std::vector<glm::vec3> hits = renderer_->hitVoxels();
+  const std::vector<glm::vec3> hits = renderer_->hitVoxels().outer;
   std::size_t next = 0;
   for (int y = 95; y >= 0; --y)  // bottom row first
     for (int x = 0; x < 96; ++x) {

@@ -1,0 +1,102 @@
+// What bakes are asked for: by what is seen, by what may be seen, and by what the scene wants beside it.
+#include "app/light/light_planner.h"
+#include "gi/texels/texel_band.h"
+#include "gi/texels/texel_sets.h"
+
+namespace isolux::app {
+
+namespace {
+
+// Nobody knows what is seen behind a transparent surface: whole isosurfaces are.
+std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
+  std::vector<double> isovalues = {*scene.isosurface.value};
+  bool transparent = scene.isosurface.opacity < 1.0;
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces) {
+    if (!extra.shown) continue;
+    isovalues.push_back(*extra.value);
+    transparent = transparent || extra.opacity < 1.0;
+  }
+  if (!transparent) isovalues.clear();
+  return isovalues;
+}
+
+// Of surfaces that are seen through themselves: whole inner sides are.
+std::vector<double> transparentIsovalues(const scene::Scene& scene) {
+  const auto transparent = [](double opacity) { return opacity > 0.0 && opacity < 1.0; };
+  std::vector<double> isovalues;
+  if (transparent(scene.isosurface.opacity)) isovalues.push_back(*scene.isosurface.value);
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown && transparent(extra.opacity)) isovalues.push_back(*extra.value);
+  return isovalues;
+}
+
+}  // namespace
+
+int LightPlanner::reach() const {
+  const scene::GiInterpolation interpolation = scene_.gi.interpolation;
+  return interpolation == scene::GiInterpolation::tricubic ? 2 : 1;
+}
+
+bool LightPlanner::wish(const gi::SeenPoints& seen, base::Progress& progress) {
+  if (!plan_.light || (!outer_.sky.bake && !outer_.lamps.bake)) return false;
+  innerSeen_ = innerSides_ && (!seen.inner.empty() || !transparentIsovalues(scene_).empty());
+  const bool complete = !inner_.sky.bake == !outer_.sky.bake && !inner_.lamps.bake == !outer_.lamps.bake;
+  const bool changes = innerSeen_ && !complete;
+  if (changes) {
+    requireInner(progress);
+    takeBakes();
+    publish();
+  }
+  wish(outer_, seen.outer, scene_.gi.extent, isovaluesBehindOthers(scene_), progress);
+  wish(inner_, seen.inner, scene::GiExtent::view, transparentIsovalues(scene_), progress);
+  return changes;
+}
+
+void LightPlanner::wish(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent,
+                        const std::vector<double>& behind, base::Progress& progress) {
+  if (!side.sky.bake && !side.lamps.bake) return;
+  const gi::LatticeGeometry& lattice = (side.sky.bake ? side.sky : side.lamps).bake->lattice()->geometry();
+  const std::vector<gi::WantedBlock> visible = gi::texelsAround(lattice, hits, reach());
+  std::vector<gi::WantedBlock> nearby;
+  // A command asks for its picture alone; a viewer moves on.
+  if (background_) nearby = gi::texelsBeside(lattice, visible, 2);
+  Asked asked{extent, reach(), scene_.hit.field, {}, behind};
+  if (extent == scene::GiExtent::band) asked.band = scene_.gi.band.value();
+  for (Part* part : {&side.sky, &side.lamps}) {
+    if (!part->bake) continue;
+    part->bake->want(gi::Wish::visible, visible);
+    part->bake->want(gi::Wish::nearby, nearby);
+    wish(*part, asked, progress);
+  }
+}
+
+void LightPlanner::wish(Part& part, const Asked& asked, base::Progress& progress) {
+  if (part.asked == asked) return;
+  const gi::LatticeGeometry& lattice = part.bake->lattice()->geometry();
+  const auto ofBand = [&](double low, double high) {
+    return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress, scene_.hit.field);
+  };
+  // A command that asks for all light hears at once that it does not fit; a window's grows as far as it goes.
+  if (asked.extent == scene::GiExtent::full && !background_) part.bake->lattice()->checkThatAllFits();
+  std::vector<gi::WantedBlock> band;
+  if (asked.extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);
+  for (const double isovalue : asked.behind) {
+    const std::vector<gi::WantedBlock> whole = ofBand(isovalue, isovalue);
+    band.insert(band.end(), whole.begin(), whole.end());
+  }
+  part.bake->want(gi::Wish::band, std::move(band));
+  part.bake->want(gi::Wish::rest, asked.extent == scene::GiExtent::full ? gi::allTexels(lattice)
+                                                                        : std::vector<gi::WantedBlock>{});
+  part.asked = asked;
+}
+
+void LightPlanner::wishNothing() {
+  for (Part* part : {&outer_.sky, &outer_.lamps, &inner_.sky, &inner_.lamps}) {
+    if (!part->bake) continue;
+    for (const gi::Wish kind : {gi::Wish::visible, gi::Wish::nearby, gi::Wish::band, gi::Wish::rest})
+      part->bake->want(kind, {});
+    part->asked.reset();
+  }
+}
+
+}  // namespace isolux::app
