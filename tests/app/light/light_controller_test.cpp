@@ -359,6 +359,107 @@ TEST_F(LightControllerTest, LoadsWhileThePlannerCompresses) {
   EXPECT_TRUE(controller.light()->basis) << "what was loaded is compressed";
 }
 
+// Nothing is traced or kept of inner sides before one is seen; from then on both are baked.
+TEST_F(LightControllerTest, InnerSidesAreBakedOnceTheyAreSeen) {
+  scene.gi.texels = scene::GiTexels::shown;
+  scene.lamps[0].shown = true;
+  light();
+  const auto without = controller.light();
+  const gi::BakeCounters before = controller.state().counters;
+  EXPECT_EQ(without->inner, gi::StoredSide());
+  base::Progress progress;
+  controller.setVisible({surface(), {surface().front()}});
+  ASSERT_TRUE(controller.finish(progress, 120.0));
+  const auto with = controller.light();
+  ASSERT_TRUE(with->inner.sky && with->inner.lamps);
+  EXPECT_EQ(with->sky, without->sky);
+  EXPECT_EQ(with->inner.sky->bakedTexels(), 8u);
+  EXPECT_EQ(controller.state().counters.texelsLit, before.texelsLit + 16u);
+  // Seen no longer: it stays as long as it is right.
+  controller.setVisible({surface()});
+  ASSERT_TRUE(controller.finish(progress, 120.0));
+  EXPECT_EQ(controller.light()->inner, with->inner);
+  scene.look.mode = scene::LookMode::normal;
+  light();
+  scene.look.mode = scene::LookMode::gi;
+  light();
+  EXPECT_EQ(controller.light()->inner.sky, with->inner.sky);
+  scene.isosurface.value = *resolved().isosurface.value + 0.25;
+  light();
+  EXPECT_EQ(controller.light()->inner, gi::StoredSide());
+}
+
+TEST_F(LightControllerTest, LightOfInnerSidesFollowsTheIsovalue) {
+  scene.gi.texels = scene::GiTexels::shown;
+  const auto show = [&](double isovalue) {
+    scene.isosurface.value = isovalue;
+    controller.setScene(resolved(), volume);
+    controller.setVisible({surface(), surface()});
+    base::Progress progress;
+    EXPECT_TRUE(controller.finish(progress, 120.0));
+    return controller.light();
+  };
+  const auto first = show(0.5), second = show(0.75);
+  EXPECT_NE(second->inner.sky, first->inner.sky);
+  EXPECT_EQ(second->inner.skyBefore, first->inner.sky);
+}
+
+// One isosurface, its two sides exchanged: the same paths, bit for bit.
+TEST_F(LightControllerTest, TheInnerSideIsTheOuterSideOfTheOtherInside) {
+  const auto lit = [&](scene::Inside inside, gi::SeenPoints seen) {
+    scene.isosurface.inside = inside;
+    app::LightController fresh{{}};
+    fresh.setScene(resolved(), volume);
+    fresh.setVisible(std::move(seen));
+    base::Progress progress;
+    EXPECT_TRUE(fresh.finish(progress, 120.0));
+    return fresh.light();
+  };
+  const auto inner = lit(scene::Inside::above, {{}, surface()})->inner.sky;
+  const auto outer = lit(scene::Inside::below, {surface()})->sky;
+  EXPECT_EQ(inner->key(), outer->key());
+  ASSERT_EQ(inner->bakedTexels(), outer->bakedTexels());
+  gi::LatticeBlock a, b;
+  for (std::uint32_t block = 0; block < outer->geometry().blockCount(); ++block) {
+    if (!outer->read(block, a)) continue;
+    ASSERT_TRUE(inner->read(block, b));
+    EXPECT_EQ(a.samples, b.samples);
+    EXPECT_EQ(a.normals, b.normals);
+    EXPECT_EQ(a.means, b.means);
+  }
+}
+
+// Through a transparent surface its own far side is seen, wherever that is.
+TEST_F(LightControllerTest, TransparentSurfacesShowTheirInnerSides) {
+  scene.isosurface.opacity = 0.5;
+  light();
+  const auto both = controller.light();
+  ASSERT_TRUE(both->inner.sky);
+  EXPECT_EQ(both->inner.sky->bakedTexels(), both->sky->bakedTexels());
+  app::LightController outerOnly{{.innerSides = false}};
+  outerOnly.setScene(resolved(), volume);
+  outerOnly.setVisible({surface(), surface()});
+  base::Progress progress;
+  ASSERT_TRUE(outerOnly.finish(progress, 120.0));
+  EXPECT_EQ(outerOnly.light()->inner, gi::StoredSide());
+}
+
+// Compressed in one basis with the outer side's: it is fitted to the texels of both.
+TEST_F(LightControllerTest, TransferOfBothSidesIsCompressedTogether) {
+  scene.gi.mode = scene::GiMode::transfer;
+  scene.gi.shOrder = 3;
+  controller.setScene(resolved(), volume);
+  controller.setVisible({surface(), surface()});
+  base::Progress progress;
+  ASSERT_TRUE(controller.finish(progress, 120.0));
+  const auto picture = controller.light();
+  ASSERT_TRUE(picture->inner.sky && picture->basis);
+  const std::vector<const gi::LightLattice*> both = {picture->sky.get(), picture->inner.sky.get()};
+  const auto expected =
+      gi::TransferBasis::fit(both, scene.gi.components, scene.gi.components * scene.gi.componentBits);
+  EXPECT_EQ(picture->basis->fields(), expected->fields());
+}
+
 TEST_F(LightControllerTest, AWindowThatClosesDoesNotWaitForTheBake) {
   scene.gi.samples = 1000000;  // for ever
   double shortest = 1e9;       // of some, for a busy machine

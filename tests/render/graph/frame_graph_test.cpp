@@ -360,8 +360,8 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   EXPECT_THAT(ranUnder(), ElementsAre("blocks", "segments", "cast", "gradient", "light", "irradiance",
                                       "shade", "background", "resolve"));
   EXPECT_THAT(ranUnder(), ElementsAre());
-  for (std::uint64_t* changed :
-       {&light.skyRevision, &light.lampsRevision, &light.unfinished, &light.storage}) {
+  for (std::uint64_t* changed : {&light.skyRevision, &light.lampsRevision, &light.innerSkyRevision,
+                                 &light.innerLampsRevision, &light.unfinished, &light.storage}) {
     ++*changed;  // more of it is baked, or there is more to upload
     EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance", "shade", "resolve"));
   }
@@ -383,6 +383,10 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   EXPECT_THAT(ranUnder(), ElementsAre("shade", "layers", "resolve"));
   ++light.skyRevision;
   EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance", "shade", "layers", "resolve"));
+  light.inner = true;  // of light on inner sides some comes through
+  EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "layers", "resolve"));
+  scene.isosurface.opacity = 0.25;
+  EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "layers", "resolve"));
   scene.look.mode = scene::LookMode::lambert;
   light.stored = false;
   ranUnder();

@@ -199,7 +199,8 @@ TEST_P(EverySettingWithStoredLightGlTest, ChangesThePassesThatRun) {
     return light;
   });
   const auto light = pictureLight(lattice);
-  light->irradianceSh[0] = glm::vec3(1.0f);  // local light, of inner sides
+  light->irradianceSh[0] = glm::vec3(1.0f);  // local light, that comes through transparent surfaces
+  light->inner.sky = lattice;
   for (render::Renderer* renderer : {renderer_.get(), fresh_.get()}) renderer->setLight(light);
   changeEverySetting({"look.ridge_threshold=0.02", "look.shading=gi", "gi.interpolation=trilinear"});
 }
