@@ -182,22 +182,28 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
   return image;
 }
 
-void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits) {
+namespace {
+
+struct HitPart {
+  glm::ivec2 from, to;  // rays
+  glm::ivec2 grid;      // that are read of them, evenly spread
+};
+
+std::vector<float> readPart(const FrameState& frame, const Texture& image, const HitPart& part, GLenum format,
+                            int channels) {
+  if (part.grid == glm::ivec2(image.size())) return image.readFloats(channels);
+  const Texture some = Texture::make2D(frame.gl, format, part.grid);
+  const Framebuffer from(frame.gl, {&image}), target(frame.gl, {&some});
+  frame.gl->BlitNamedFramebuffer(from.id(), target.id(), part.from.x, part.from.y, part.to.x, part.to.y, 0, 0,
+                                 part.grid.x, part.grid.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  return some.readFloats(channels);
+}
+
+gi::SeenPoints hitsOfPart(const FrameState& frame, const HitPart& part, double outward) {
   const Target& surface = frame.images.at(image::surface + frame.layer);
-  const glm::ivec2 size(surface.images[0].size());
-  glm::ivec2 grid = size;
-  for (int step = 1; static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y) > most;)
-    grid = glm::max(size / ++step, glm::ivec2(1));
-  const auto read = [&](const Texture& image, GLenum format, int channels) {
-    if (grid == size) return image.readFloats(channels);
-    const Texture some = Texture::make2D(frame.gl, format, grid);
-    const Framebuffer from(frame.gl, {&image}), target(frame.gl, {&some});
-    frame.gl->BlitNamedFramebuffer(from.id(), target.id(), 0, 0, size.x, size.y, 0, 0, grid.x, grid.y,
-                                   GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    return some.readFloats(channels);
-  };
-  const std::vector<float> points = read(surface.images[0], GL_RGBA32F, 4);
-  const std::vector<float> info = read(surface.images[1], GL_RG32F, 2);
+  const std::vector<float> points = readPart(frame, surface.images[0], part, GL_RGBA32F, 4);
+  const std::vector<float> info = readPart(frame, surface.images[1], part, GL_RG32F, 2);
+  gi::SeenPoints hits;
   for (std::size_t i = 0; 4 * i < points.size(); ++i) {
     const float* const point = &points[4 * i];
     if (!(point[3] >= 0.0f)) continue;
@@ -205,17 +211,44 @@ void appendHits(const FrameState& frame, std::size_t most, double outward, gi::S
     const bool risesBehind = (known >> 2 >> (known & 3) & 1) != 0;
     (risesBehind == (outward < 0.0) ? hits.outer : hits.inner).emplace_back(point[0], point[1], point[2]);
   }
+  return hits;
 }
 
-gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
+void append(std::vector<glm::vec3>& to, const std::vector<glm::vec3>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits,
+                bool everyRay) {
+  const glm::ivec2 size(frame.images.at(image::surface + frame.layer).images[0].size());
+  glm::ivec2 grid = size;
+  for (int step = 1; static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y) > most;)
+    grid = glm::max(size / ++step, glm::ivec2(1));
+  gi::SeenPoints found = hitsOfPart(frame, {{0, 0}, size, grid}, outward);
+  if (everyRay && grid != size && !found.inner.empty()) {
+    found = {};
+    const int rows = std::max(1, static_cast<int>(most) / size.x);
+    for (int y = 0; y < size.y; y += rows) {
+      const int end = std::min(y + rows, size.y);
+      const gi::SeenPoints more = hitsOfPart(frame, {{0, y}, {size.x, end}, {size.x, end - y}}, outward);
+      append(found.outer, more.outer);
+      append(found.inner, more.inner);
+    }
+  }
+  append(hits.outer, found.outer);
+  append(hits.inner, found.inner);
+}
+
+gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn, bool everyRay) {
   constexpr std::size_t most = 1u << 20;
   gi::SeenPoints hits;
   if (drawn.raySize.x == 0 || !frame.images.has(image::surface)) return hits;
-  appendHits(frame, most, drawn.outward, hits);
+  appendHits(frame, most, drawn.outward, hits, everyRay);
   if (!drawn.layered) return hits;
-  const gi::SeenPoints& behind = frame.hitsBehind;
-  hits.outer.insert(hits.outer.end(), behind.outer.begin(), behind.outer.end());
-  hits.inner.insert(hits.inner.end(), behind.inner.begin(), behind.inner.end());
+  append(hits.outer, frame.hitsBehind.outer);
+  append(hits.inner, frame.hitsBehind.inner);
   return hits;
 }
 

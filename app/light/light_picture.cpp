@@ -31,7 +31,7 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
     surface.size = glm::max(surface.size, glm::ivec2(1));
     surface.aovs = {render::Aov::voxel};
     renderer.render(resolved, surface);
-    controller.setVisible(renderer.hitVoxels());
+    controller.setVisible(renderer.hitVoxels(true));  // in the dark one unlit texel's local light glares
   }
   if (!controller.finish(progress)) progress.throwIfStopped();
   renderer.setLight(controller.light());

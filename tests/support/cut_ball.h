@@ -29,9 +29,8 @@ struct CutBall {
   }
   // Above 0 inside; `sign` -1: below.
   std::shared_ptr<const volume::PreparedVolume> volume(double sign = 1.0) const {
-    return prepared(gridOfWorld(unitGeometry(dims), [&](glm::dvec3 p) {
-      return sign * (radius - glm::length(p - middle));
-    }));
+    return prepared(gridOfWorld(unitGeometry(dims),
+                                [&](glm::dvec3 p) { return sign * (radius - glm::length(p - middle)); }));
   }
 };
 

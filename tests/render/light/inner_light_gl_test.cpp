@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "app/light/light_controller.h"
+#include "gi/trace/reference.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light/light_support.h"
 #include "tests/support/cut_ball.h"
+#include "tests/support/volumes.h"
 
 namespace isolux::test {
 namespace {
@@ -180,6 +182,43 @@ TEST_F(InnerLightGlTest, WhereNoInnerSideIsSeenNothingIsStoredOfAny) {
   draw(with);
   EXPECT_EQ(renderer_->readColor().rgba, without.rgba);
   EXPECT_GT(renderer_->render(scene_, request()).light.bytes, bytes) << "its pages";
+}
+
+// Both sides of a gyroid against paths traced at the pixels' own hits: the inner side errs no more than the
+// outer one.
+TEST_F(InnerLightGlTest, TheErrorIsThatOfTheOuterSide) {
+  volume_ = phantom("gyroid", 48);
+  scene::Scene scene;
+  scene.look.mode = scene::LookMode::gi;
+  scene.light.environment.constant = glm::dvec3(1.0);
+  scene_ = scene::resolve(scene, volume_->facts);
+  draw(baked());
+  base::Progress progress;
+  const auto tracer = std::make_shared<const volume::IsosurfaceTracer>(volume_->volume.grid,
+                                                                       scene_.isosurface.inside, progress);
+  gi::Reference reference(volume_, tracer, gi::loadEnvironment(scene_.light.environment), scene_,
+                          {request().size, 2}, progress);
+  ASSERT_TRUE(reference.refineTo(512, progress));
+  const gi::ReferenceImage truth = reference.image();
+  const gi::PrimaryHits hits(volume_, scene_, request().size, progress);
+  double squares[2] = {}, sum[2] = {}, count[2] = {};
+  for (std::size_t i = 0; i < truth.hit.size(); ++i) {
+    const auto hit = hits.at({static_cast<int>(i) % 128, static_cast<int>(i) / 128});
+    if (!hit || hit_.values[i] == 0.0f) continue;
+    const std::size_t side = hit->outer ? 0 : 1;
+    const double e = truth.irradiance[i].x, off = at(irradiance_, i).x - e;
+    squares[side] += off * off;
+    sum[side] += e;
+    ++count[side];
+  }
+  double rms[2];
+  for (const std::size_t side : {0u, 1u}) {
+    ASSERT_GT(count[side], 1000.0);
+    rms[side] = std::sqrt(squares[side] / count[side]) / (sum[side] / count[side]);
+  }
+  // Measured: 3.6 % and 3.4 %, with 100 paths a texel.
+  EXPECT_LT(rms[1], 0.05);
+  EXPECT_LT(rms[1], 1.25 * rms[0]);
 }
 
 struct InnerCase {

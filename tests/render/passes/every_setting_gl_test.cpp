@@ -191,16 +191,19 @@ TEST_P(EverySettingOfDeferredImagesGlTest, ChangesThePassesThatRun) {
 class EverySettingWithStoredLightGlTest : public EverySettingGlTest {};
 
 TEST_P(EverySettingWithStoredLightGlTest, ChangesThePassesThatRun) {
-  const auto lattice = emptyLattice(volume_->grid().dims(), 1.0);
-  writeAll(*lattice, [](glm::ivec3 texel) {
-    TexelLight light;
-    light.normal = glm::normalize(glm::vec3(texel % 3) - glm::vec3(0.9f));
-    for (int i = 0; i < 3; ++i) light.means.push_back(1.0f + 0.03f * static_cast<float>(texel[i]));
-    return light;
-  });
-  const auto light = pictureLight(lattice);
+  const auto latticeOf = [&](float least) {
+    auto lattice = emptyLattice(volume_->grid().dims(), 1.0);
+    writeAll(*lattice, [least](glm::ivec3 texel) {
+      TexelLight light;
+      light.normal = glm::normalize(glm::vec3(texel % 3) - glm::vec3(0.9f));
+      for (int i = 0; i < 3; ++i) light.means.push_back(least + 0.03f * static_cast<float>(texel[i]));
+      return light;
+    });
+    return lattice;
+  };
+  const auto light = pictureLight(latticeOf(1.0f));
+  light->inner.sky = latticeOf(0.5f);
   light->irradianceSh[0] = glm::vec3(1.0f);  // local light, that comes through transparent surfaces
-  light->inner.sky = lattice;
   for (render::Renderer* renderer : {renderer_.get(), fresh_.get()}) renderer->setLight(light);
   changeEverySetting({"look.ridge_threshold=0.02", "look.shading=gi", "gi.interpolation=trilinear"});
 }
