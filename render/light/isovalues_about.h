@@ -39,7 +39,7 @@ class IsovaluesAbout {
   }
 
  private:
-  static constexpr int kReach = 2, kEdge = gi::kBlockTexels + 2 * kReach;
+  static constexpr int kReach = kFilterBorder + 1, kEdge = gi::kBlockTexels + 2 * kReach;
   static constexpr std::size_t kTexels = std::size_t{kEdge} * kEdge * kEdge;
 
   const gi::LatticeGeometry& lattice_;

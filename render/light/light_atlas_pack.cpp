@@ -56,7 +56,7 @@ std::vector<FilterTexel> LightAtlas::texelsAbout(
   const gi::StoredSide& stored = side.light;
   const std::uint32_t block = page - side.first;
   std::vector<FilterTexel> texels(static_cast<std::size_t>(edge * edge * edge));
-  const glm::ivec3 first = geometry_.firstTexelOf(block) - 1;
+  const glm::ivec3 first = geometry_.firstTexelOf(block) - kFilterBorder;
   IsovaluesAbout isovalues(geometry_, block, [this](glm::ivec3 texel) { return isovalueOf(texel); });
   std::uint32_t before = ~0u;
   std::shared_ptr<const gi::LatticeBlock> sky, lamps;
@@ -123,7 +123,8 @@ bool LightAtlas::pack(std::uint32_t page, std::uint32_t* words) const {
   if (source_.filtered) {
     std::vector<std::shared_ptr<const gi::LatticeBlock>> kept;
     const std::vector<FilterTexel> texels = texelsAbout(page, kept);
-    if (layout_.sky != LightPacking::codes || stored.lamps) smooth = filterBlock(texels);
+    if (layout_.sky != LightPacking::codes || stored.lamps)
+      smooth = filterBlock(texels, geometry_.firstTexelOf(block) - kFilterBorder);
     if (layout_.sky == LightPacking::codes)
       smoothTransfer = filterTransfer(texels, static_cast<std::size_t>(stored.sky->content().components()));
   }

@@ -1,14 +1,21 @@
 // Takes the noise out of stored irradiance: each texel becomes a weighted mean of itself and its 26
-// neighbours, those that lie on nearly the same isosurface with nearly the same normal. No GL.
+// neighbours, those that lie on nearly the same isosurface with nearly the same normal; and then makes up for
+// what lookups between texels will blur. No GL.
 //
 // The weight of a neighbour is its number of paths times a Gaussian of the distance between the places where
-// both are lit (0.8 texels) times one of how far its isosurface passes from the texel (0.5 texels, by the
+// both are lit (1.6 texels) times one of how far its isosurface passes from the texel (0.5 texels, by the
 // isovalues' difference over the gradient; nothing where all texels are lit on one isosurface) times the 16th
 // power of the normals' cosine: what lies on the other side of a thin wall, or on a wall at an angle, counts
-// little or nothing. Irradiance that differs by clearly more than its noise does not count either, taking the
-// standard error of n paths for 1 / sqrt(n) of their mean: the Gaussian is of three such errors, so that
-// edges of shadow stay. A bilateral filter (Tomasi & Manduchi 1998) whose range is mostly the surface. The
-// widths are those with the least error against path-traced pixels (docs/accuracy.md).
+// little or nothing. Light that changes from place to place is averaged along the lines where it is the same,
+// not across: a plane fitted to the luminance of the 27 by least squares, with these weights, says how far
+// that of the neighbour's place is off, and a Gaussian of it (half a standard error of the difference of two
+// estimates of n paths, each taken for 1 / sqrt(n) of their mean) is a factor, too. So edges of shadow stay.
+// A steering kernel (Takeda, Farsiu & Milanfar 2007). The widths are those with the least error against
+// path-traced pixels (docs/accuracy.md).
+//
+// A lookup at the place where a texel is lit reads eight texels that are lit elsewhere, and would not give
+// its light back. What it would miss is added to the texel (one step of Van Cittert's iteration, 1931): light
+// that bends within a texel, in a narrow gap or at a rim, is not blurred.
 //
 // A texel of its own isosurface, at the edge of a plateau or in the middle of a thin wall, lies where
 // trilinear interpolation makes that isosurface bumpy: its light is wrong, whatever the number of paths. So
@@ -26,7 +33,8 @@
 
 namespace isolux::render {
 
-inline constexpr int kFilterTexels = gi::kBlockTexels + 2;  // per axis: a block and one texel around it
+inline constexpr int kFilterBorder = 2;  // texels around a block that its own depend on
+inline constexpr int kFilterTexels = gi::kBlockTexels + 2 * kFilterBorder;  // per axis
 
 // Of the field at a texel.
 struct FieldShape {
@@ -46,10 +54,12 @@ struct FilterTexel {
   const float* transfer = nullptr;   // of the sky, where that is stored
 };
 
-// `texels`: kFilterTexels^3, x fastest, the block from (1, 1, 1) on. Result: the block's 512, of which only
-// light is set; texels without paths stay as they are.
-std::vector<FilterTexel> filterBlock(const std::vector<FilterTexel>& texels);
-// The same of transfer vectors of `components` numbers, side by side; 0 where a texel has no paths.
+// `texels`: kFilterTexels^3, x fastest, the block from kFilterBorder on each axis on; `first`: which of the
+// lattice the first one is. Result: the block's 512, of which only light is set; texels without paths stay as
+// they are.
+std::vector<FilterTexel> filterBlock(const std::vector<FilterTexel>& texels, glm::ivec3 first);
+// Transfer vectors of `components` numbers, side by side; 0 where a texel has no paths. They are averaged
+// only: Gaussians of 0.8 texels, in all directions.
 std::vector<float> filterTransfer(const std::vector<FilterTexel>& texels, std::size_t components);
 
 }  // namespace isolux::render
