@@ -57,7 +57,7 @@ LightErrors lightErrorsOf(const std::vector<float>& drawn, const LightTruth& tru
   errors.pixels = squares.size();
   if (squares.empty()) {
     errors.mean = errors.truthNoise = errors.rmse = errors.rmseStandardError = errors.bias =
-        errors.biasStandardError = errors.most99 = errors.maximum = errors.maximumZ = nan;
+        errors.biasStandardError = errors.most99 = errors.most999 = errors.maximum = errors.maximumZ = nan;
     return errors;
   }
   const auto channels = static_cast<double>(sizes.size());
@@ -71,6 +71,7 @@ LightErrors lightErrorsOf(const std::vector<float>& drawn, const LightTruth& tru
   errors.bias = bias.value;
   errors.biasStandardError = bias.standardError;
   errors.most99 = base::quantile(sizes, 0.99);
+  errors.most999 = base::quantile(sizes, 0.999);
   return errors;
 }
 

@@ -30,7 +30,7 @@ struct LightErrors {
   double truthNoise = 0.0;                     // RMS of the truth's standard errors
   double rmse = 0.0, rmseStandardError = 0.0;  // without the truth's noise
   double bias = 0.0, biasStandardError = 0.0;  // mean of the errors
-  double most99 = 0.0;                         // 99 % quantile of their size, noise included
+  double most99 = 0.0, most999 = 0.0;          // 99 and 99.9 % quantile of their size, noise included
   double maximum = 0.0;                        // the largest, signed
   double maximumZ = 0.0;                       // in standard errors of the truth there; NaN: it has none
   std::size_t maximumPixel = 0;

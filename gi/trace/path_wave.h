@@ -38,6 +38,9 @@ struct PathSetup {
   // Outward unit normal of a gradient in stored units per voxel; 0 for a gradient that is 0 or not finite.
   glm::vec3 normalOf(glm::vec3 gradient) const;
 
+  // Where directions of the sky are drawn. `normal`: unit, world.
+  const FacingSky::Facing& facingOf(glm::vec3 normal) const;
+
   std::shared_ptr<const LightScene> light;
   LampSampler lamps;
   Sky sky;             // of radiance 1 where environment is null
@@ -88,7 +91,7 @@ class PathWave {
   struct Departure {
     std::uint32_t path, point;
     glm::vec3 direction, throughput;
-    float cosine;
+    float inverseMean;  // FacingSky::Facing; where the sky's directions are drawn
   };
   struct SkyRay {  // to a direction that was drawn from the sky
     std::uint32_t path;
@@ -99,6 +102,7 @@ class PathWave {
   void start(const Job& job);
   void depart(const Job& job, std::uint32_t depth);
   void departBatch(const Job& job, std::uint32_t depth, std::span<const Vertex> vertices);
+  void bendPairs(const Job& job, std::span<const Vertex> vertices, std::size_t count);
   void aimAtSky(const Job& job, std::span<const Vertex> vertices, std::size_t count);
   void aimByCosine(const Job& job, std::span<const Vertex> vertices, std::size_t count);
   template <class Lit, class Escaped>
@@ -117,6 +121,7 @@ class PathWave {
     EnvironmentBatch sky;
     BatchVectors normals, directions;
     BatchFloats cosines;
+    BatchFloats densities, inverseMeans;  // BentPair, FacingSky::Facing
   };
 
   Batch batch_;
