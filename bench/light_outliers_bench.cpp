@@ -65,7 +65,7 @@ void run() {
   for (const Judged& judged :
        {Judged{"head phantom", "phantom:head", 300.0}, Judged{"engine_crop", data / "engine_crop.mhd", 80.0},
         Judged{"ct_head_skin_bone, bone", data / "ct_head_skin_bone.nii.gz", 0.51},
-        Judged{"ct_head_pitch, metal", data / "ct_head_pitch.nii.gz", 250.0},
+        Judged{"ct_head_pitch, 200", data / "ct_head_pitch.nii.gz", 200.0},
         Judged{"mri_colin27", data / "mri_colin27.nii.gz", 71.5}})
     judge(judged);
 }

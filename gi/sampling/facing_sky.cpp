@@ -11,7 +11,7 @@ namespace isolux::gi {
 namespace {
 
 constexpr int kCells = FacingSky::kCells, kFacings = FacingSky::kFacings;
-constexpr int kTried = 8;               // directions of a cell, per axis
+constexpr int kTried = 8, kDirectionsOfCell = kTried * kTried;  // per axis
 constexpr float kBeyondHorizon = 0.1f;  // normals stand for others that are so far off, in radians
 constexpr float kLeastCosine = 0.05f;   // of a cell
 constexpr float kLargestNumber = 1.0f - 0x1p-24f;
@@ -65,47 +65,72 @@ Part partOf(const std::array<float, kCells>& starts, float u) {
   return {i, length, (u - starts[i]) / length};
 }
 
-// The root mean square of clamped cosines, slightly past the horizon.
-float cosineOf(std::span<const glm::vec3> directions, glm::vec3 normal) {
-  float sum = 0.0f;
-  for (const glm::vec3& direction : directions) {
-    const float cosine = std::max(glm::dot(direction, normal) + kBeyondHorizon, 0.0f);
-    sum += cosine * cosine;
-  }
-  return std::sqrt(sum / static_cast<float>(directions.size()));
+// At least 0; compilers make no vectors of a choice.
+float clamped(float x) {
+  return 0.5f * (x + std::abs(x));
 }
 
-FacingSky::Facing facingOf(std::span<const glm::vec3> directions, glm::vec3 normal) {
+using OfFacings = std::array<float, kFacings * kFacings>;
+
+struct Normals {
+  OfFacings x, y, z;
+};
+Normals normalsOfFacings() {
+  Normals normals;
+  for (int i = 0; i < kFacings * kFacings; ++i) {
+    const glm::vec3 normal = normalOfFacing(i % kFacings, i / kFacings);
+    const auto at = static_cast<std::size_t>(i);
+    normals.x[at] = normal.x, normals.y[at] = normal.y, normals.z[at] = normal.z;
+  }
+  return normals;
+}
+
+// Sums over directions: of squares of clamped cosines slightly past the horizon, and of clamped cosines. Side
+// by side for all normals, which is what compilers make vectors of.
+struct CosineSums {
+  OfFacings squares{}, cosines{};
+
+  void add(const Normals& n, glm::vec3 d) {
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      const float cosine = n.x[i] * d.x + n.y[i] * d.y + n.z[i] * d.z;
+      const float past = clamped(cosine + kBeyondHorizon);
+      squares[i] += past * past;
+      cosines[i] += clamped(cosine);
+    }
+  }
+};
+
+FacingSky::Facing facingFrom(const std::vector<CosineSums>& cells, std::size_t which) {
   FacingSky::Facing facing;
   std::array<float, kCells> rows{}, columns;
-  const std::size_t ofCell = directions.size() / (kCells * kCells);
+  float cosines = 0.0f;
   for (std::size_t row = 0; row < kCells; ++row) {
     for (std::size_t column = 0; column < kCells; ++column) {
-      columns[column] =
-          kLeastCosine + cosineOf(directions.subspan((row * kCells + column) * ofCell, ofCell), normal);
+      const CosineSums& cell = cells[row * kCells + column];
+      columns[column] = kLeastCosine + std::sqrt(cell.squares[which] / kDirectionsOfCell);
       rows[row] += columns[column];
+      cosines += cell.cosines[which];
     }
     startsOf(columns, facing.columns[row]);
   }
   startsOf(rows, facing.rows);
-  float mean = 0.0f;
-  for (const glm::vec3& direction : directions) mean += std::max(glm::dot(direction, normal), 0.0f);
-  facing.inverseMean = 1.0f / std::max(mean / static_cast<float>(directions.size()), kLeastCosine);
+  facing.inverseMean = 1.0f / std::max(cosines / (kDirectionsOfCell * kCells * kCells), kLeastCosine);
   return facing;
 }
 
 }  // namespace
 
 FacingSky::FacingSky(const std::function<glm::vec3(glm::vec2)>& directionAt) {
-  std::vector<glm::vec3> directions;  // cell after cell
-  constexpr int kOfCell = kTried * kTried;
-  for (int i = 0; i < kCells * kCells * kOfCell; ++i) {
-    const int cell = i / kOfCell, within = i % kOfCell;
-    const glm::vec2 at(cell % kCells * kTried + within % kTried, cell / kCells * kTried + within / kTried);
-    directions.push_back(directionAt((at + 0.5f) / static_cast<float>(kCells * kTried)));
-  }
-  for (int i = 0; i < kFacings * kFacings; ++i)
-    facings_.push_back(gi::facingOf(directions, normalOfFacing(i % kFacings, i / kFacings)));
+  const Normals normals = normalsOfFacings();
+  std::vector<CosineSums> cells(kCells * kCells);
+  for (int cell = 0; cell < kCells * kCells; ++cell)
+    for (int i = 0; i < kDirectionsOfCell; ++i) {
+      const glm::vec2 at(cell % kCells * kTried + i % kTried, cell / kCells * kTried + i / kTried);
+      cells[static_cast<std::size_t>(cell)].add(
+          normals, directionAt((at + 0.5f) / static_cast<float>(kCells * kTried)));
+    }
+  facings_.reserve(normals.x.size());
+  for (std::size_t i = 0; i < normals.x.size(); ++i) facings_.push_back(facingFrom(cells, i));
 }
 
 const FacingSky::Facing& FacingSky::of(glm::vec3 normal) const {

@@ -4,7 +4,9 @@
 // Path i of a wave is sample samples.first + i % samples.count of point i / samples.count. At each vertex of
 // a path, direct light of the sky is estimated by one direction, drawn from the sky with a probability of
 // `share` and else from the cosine, and weighted for both (one-sample multiple importance sampling with the
-// balance heuristic, Veach 1997 eq. 9.15). A path goes on in directions of the cosine only: one that is drawn
+// balance heuristic, Veach 1997 eq. 9.15). Those of the sky are drawn by radiance times cosine, which the
+// cells of FacingSky come close to and the weights take for granted: weights that add up to one leave the
+// estimate unbiased, whatever they are. A path goes on in directions of the cosine only: one that is drawn
 // from the sky is a shadow ray and ends it, and the others count 1 / (1 - share) times as much. At a bounce
 // the path goes on about the B-spline normal; where that does not face the arriving ray, or is 0, about the
 // normal of the trilinear cell, and where that does not either, straight back: a path is never dropped, so no
