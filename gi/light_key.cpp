@@ -15,8 +15,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Of the light itself: goes up when the same settings give other numbers. 2: other hashes of volumes. 3: other
-// directions of light probes.
+// Of the light itself: goes up when the same settings give other numbers. 2: other hashes of volumes. 3:
+// other directions of light probes.
 constexpr int formatVersion = 3;
 
 template <class Vector>
