@@ -92,7 +92,8 @@ TEST_F(WindowTest, ThePictureStaysInAnotherWindow) {
 TEST_F(WindowTest, APictureThatFailsIsSaidAndComesBackWithUndo) {
   ASSERT_TRUE(load(*window_, "phantom:ball:132"));
   ui::Viewport* viewport = window_->viewport();
-  viewport->setMachine({.memory = {.gpuBudgetMb = 16, .layout = scene::MemoryLayout::whole}});
+  viewport->setMachine({.memory = {.gpuBudgetMb = 16, .layout = scene::MemoryLayout::whole},
+                        .executor = scene::Executor::gpu});
   const QImage before = fullPicture(*window_);
   ui::Edit edit{window_->document()->scene(), "Other field", {}, false};  // whose textures need 17.5 MiB
   edit.scene.hit.field = scene::Field::cubic_interpolating;
