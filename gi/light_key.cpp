@@ -15,9 +15,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Of the light itself: goes up when the same settings give other numbers. 2: other hashes of volumes. 3:
-// other directions of light probes.
-constexpr int formatVersion = 3;
+// Of the light itself: goes up when the same settings give other numbers. 2: other hashes of volumes.
+constexpr int formatVersion = 2;
 
 template <class Vector>
 ordered_json arrayOf(const Vector& v) {

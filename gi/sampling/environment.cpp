@@ -185,7 +185,6 @@ void Environment::buildDistribution() {
   }
   distribute(rows, rowStart_);
   fillGuide(rowStart_, rowGuide_);
-  if (!constant_) facing_ = FacingSky([this](glm::vec2 u) { return sample(u).direction; });
   // They are read all over.
   const base::Progress progress;
   volume::preferHugePages(columnStart_.data(), columnStart_.size() * sizeof columnStart_[0], progress);

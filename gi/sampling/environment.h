@@ -24,7 +24,6 @@
 
 #include "base/progress.h"
 #include "gi/sampling/batch.h"
-#include "gi/sampling/facing_sky.h"
 
 namespace isolux::gi {
 
@@ -71,9 +70,6 @@ class Environment {
   // For many at once (batch.h); they live as long as the environment.
   EnvironmentTables tables() const;
 
-  // Of one that is not constant: for directions that a surface faces.
-  const FacingSky& facing() const { return facing_; }
-
   // Spherical-harmonic coefficients of this order, 1 .. 8 (gi/harmonics/spherical_harmonics.h), integrated
   // exactly over every pixel.
   std::vector<glm::dvec3> project(int order) const;
@@ -108,7 +104,6 @@ class Environment {
   std::vector<std::uint32_t> rowStart_, columnStart_;
   std::vector<std::uint32_t> rowGuide_, columnGuide_;  // guide_table.h; of the columns row after row
   std::vector<float> rowDensity_;                      // 2^-62 / solid angle
-  FacingSky facing_;
   std::vector<float> sineSquaredHalf_;  // of the upper edge's angle from the zenith, height + 1
 };
 

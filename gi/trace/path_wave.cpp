@@ -66,8 +66,7 @@ PathSetup::PathSetup(std::shared_ptr<const LightScene> lightScene)
   sky.environment = light->environment;
   sky.worldFromEnvironment = light->worldFromEnvironment;
   if (light->choice.unitSky) sky.environment = nullptr;
-  share =
-      sky.environment && !sky.environment->isConstant() ? static_cast<float>(light->environmentShare) : 0.0f;
+  share = sky.environment ? static_cast<float>(light->environmentShare) : 0.0f;
   bounces = std::clamp(light->bounces, 0, kMostBounces);
 }
 
@@ -77,10 +76,6 @@ glm::vec3 PathSetup::normalOf(glm::vec3 gradient) const {
   const glm::vec3 normal = normalOfGradient * (gradient / scale);
   const float length = glm::length(normal);
   return length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f);
-}
-
-const FacingSky::Facing& PathSetup::facingOf(glm::vec3 normal) const {
-  return sky.environment->facing().of(normal * sky.worldFromEnvironment);
 }
 
 struct PathWave::Job {
@@ -157,30 +152,11 @@ void PathWave::departBatch(const Job& job, std::uint32_t depth, std::span<const 
   aimByCosine(job, vertices, cosines);
 }
 
-// The numbers that draw directions of the sky, so that they draw those that their vertices face.
-void PathWave::bendPairs(const Job& job, std::span<const Vertex> vertices, std::size_t count) {
-  const FacingSky::Facing* facing = nullptr;
-  glm::vec3 normal(0.0f);
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vertex& vertex = vertices[batch_.toSky[k]];
-    if (k == 0 || vertex.normal != normal) {
-      normal = vertex.normal;
-      facing = &job.setup.facingOf(normal);
-    }
-    const BentPair bent = bend(*facing, {batch_.skyPairs.x[k], batch_.skyPairs.y[k]});
-    batch_.skyPairs.x[k] = bent.u.x;
-    batch_.skyPairs.y[k] = bent.u.y;
-    batch_.densities[k] = bent.density;
-    batch_.inverseMeans[k] = facing->inverseMean;
-  }
-}
-
 void PathWave::aimAtSky(const Job& job, std::span<const Vertex> vertices, std::size_t count) {
   if (count == 0) return;
   const PathSetup& setup = job.setup;
   const Sky& sky = setup.sky;
   const float share = job.share;
-  bendPairs(job, vertices, count);
   sampleBatch(sky.environment->tables(), batch_.skyPairs, count, batch_.sky);
   std::size_t end = skyRays_.size();
   skyRays_.resize(end + count);
@@ -190,11 +166,8 @@ void PathWave::aimAtSky(const Job& job, std::span<const Vertex> vertices, std::s
     const glm::vec3 direction = sky.worldFromEnvironment * batch_.sky.direction[k];
     const glm::vec3 radiance = sky.environment->pixels()[batch_.sky.pixel[k]] * sky.scale;
     const float cosine = glm::dot(vertex.normal, direction);
-    // The weight is by the density that is meant, pdf * cosine / mean cosine; the sample's own is
-    // pdf * density.
-    const float meant = cosine * batch_.inverseMeans[k];
-    const float both = share * batch_.sky.pdf[k] * batch_.inverseMeans[k] + (1.0f - share) / pi;
-    toSky_[end] = {vertex.path, finite(vertex.throughput * (meant / batch_.densities[k] / both) * radiance)};
+    const float density = share * batch_.sky.pdf[k] + (1.0f - share) * cosine / pi;
+    toSky_[end] = {vertex.path, finite(vertex.throughput * (cosine / density) * radiance)};
     skyRays_[end] =
         rayFrom(setup, vertex.voxel, vertex.normal, direction, job.range.points[vertex.point].isovalue);
     end += cosine > 0.0f ? 1 : 0;  // else the next one takes its place
@@ -207,16 +180,11 @@ void PathWave::aimByCosine(const Job& job, std::span<const Vertex> vertices, std
   const PathSetup& setup = job.setup;
   cosineBatch(batch_.cosinePairs, batch_.normals, count, batch_.directions, batch_.cosines);
   const float scale = pi / (1.0f - job.share);
-  glm::vec3 normal(0.0f);
-  float inverseMean = 0.0f;
   for (std::size_t k = 0; k < count; ++k) {
     const Vertex& vertex = vertices[batch_.byCosine[k]];
     const glm::vec3 direction = batch_.directions[k];
-    if (job.share > 0.0f && (k == 0 || vertex.normal != normal)) {
-      normal = vertex.normal;
-      inverseMean = setup.facingOf(normal).inverseMean;
-    }
-    departures_.push_back({vertex.path, vertex.point, direction, vertex.throughput * scale, inverseMean});
+    departures_.push_back(
+        {vertex.path, vertex.point, direction, vertex.throughput * scale, batch_.cosines[k]});
     rays_.push_back(
         rayFrom(setup, vertex.voxel, vertex.normal, direction, job.range.points[vertex.point].isovalue));
   }
@@ -330,8 +298,8 @@ bool PathWave::skyLight(const PathSetup& setup, const Range& range, std::span<gl
     for (std::size_t k = 0; k < list.size(); ++k) {
       const Departure& departure = departures_[list[k]];
       const glm::vec3 radiance = sky.environment->pixels()[batch_.sky.pixel[k]] * sky.scale;
-      const float byCosine = (1.0f - setup.share) / pi;
-      const float weight = byCosine / (byCosine + setup.share * batch_.sky.pdf[k] * departure.inverseMean);
+      const float byCosine = (1.0f - setup.share) * departure.cosine / pi;
+      const float weight = byCosine / (byCosine + setup.share * batch_.sky.pdf[k]);
       light[departure.path] =
           finite(departure.throughput * (setup.share > 0.0f ? radiance * weight : radiance));
     }

@@ -4,9 +4,7 @@
 // Path i of a wave is sample samples.first + i % samples.count of point i / samples.count. At each vertex of
 // a path, direct light of the sky is estimated by one direction, drawn from the sky with a probability of
 // `share` and else from the cosine, and weighted for both (one-sample multiple importance sampling with the
-// balance heuristic, Veach 1997 eq. 9.15). Those of the sky are drawn by radiance times cosine, which the
-// cells of FacingSky come close to and the weights take for granted: weights that add up to one leave the
-// estimate unbiased, whatever they are. A path goes on in directions of the cosine only: one that is drawn
+// balance heuristic, Veach 1997 eq. 9.15). A path goes on in directions of the cosine only: one that is drawn
 // from the sky is a shadow ray and ends it, and the others count 1 / (1 - share) times as much. At a bounce
 // the path goes on about the B-spline normal; where that does not face the arriving ray, or is 0, about the
 // normal of the trilinear cell, and where that does not either, straight back: a path is never dropped, so no
@@ -39,9 +37,6 @@ struct PathSetup {
 
   // Outward unit normal of a gradient in stored units per voxel; 0 for a gradient that is 0 or not finite.
   glm::vec3 normalOf(glm::vec3 gradient) const;
-
-  // Where directions of the sky are drawn. `normal`: unit, world.
-  const FacingSky::Facing& facingOf(glm::vec3 normal) const;
 
   std::shared_ptr<const LightScene> light;
   LampSampler lamps;
@@ -93,7 +88,7 @@ class PathWave {
   struct Departure {
     std::uint32_t path, point;
     glm::vec3 direction, throughput;
-    float inverseMean;  // FacingSky::Facing; where the sky's directions are drawn
+    float cosine;
   };
   struct SkyRay {  // to a direction that was drawn from the sky
     std::uint32_t path;
@@ -104,7 +99,6 @@ class PathWave {
   void start(const Job& job);
   void depart(const Job& job, std::uint32_t depth);
   void departBatch(const Job& job, std::uint32_t depth, std::span<const Vertex> vertices);
-  void bendPairs(const Job& job, std::span<const Vertex> vertices, std::size_t count);
   void aimAtSky(const Job& job, std::span<const Vertex> vertices, std::size_t count);
   void aimByCosine(const Job& job, std::span<const Vertex> vertices, std::size_t count);
   template <class Lit, class Escaped>
@@ -123,7 +117,6 @@ class PathWave {
     EnvironmentBatch sky;
     BatchVectors normals, directions;
     BatchFloats cosines;
-    BatchFloats densities, inverseMeans;  // BentPair, FacingSky::Facing
   };
 
   Batch batch_;

@@ -220,7 +220,7 @@ TEST_F(LightKey, TransferAndAUnitSkyDoNotDependOnTheEnvironment) {
 // Files of stored light say which light they are of: what they say must not change.
 TEST_F(LightKey, IsThatOfFilesOfBefore) {
   auto json = nlohmann::json::parse(key(scene_, LightPart::sky));
-  EXPECT_EQ(json.at("format"), 3);
+  EXPECT_EQ(json.at("format"), 2);
   EXPECT_EQ(json.at("environment"), nlohmann::json({{"hash", base::hexText(probe_->hash())},
                                                     {"rotation", {1.0, 0.0, 0.0, 0.0}},
                                                     {"share", 0.75}}));
