@@ -1,7 +1,5 @@
 #include "bench/mesh_path_tracer.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,38 +45,12 @@ struct MeshPathTracer::Random {
   double operator()() { return base::uniformNoise(seed, counter++); }
 };
 
-struct MeshPathTracer::Embree {
-  explicit Embree(const Triangles& mesh) : device(rtcNewDevice(nullptr)), scene(rtcNewScene(device)) {
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* points = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                           sizeof(glm::vec3), mesh.points.size());
-    std::copy(mesh.points.begin(), mesh.points.end(), static_cast<glm::vec3*>(points));
-    void* corners = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12,
-                                            mesh.corners.size() / 3);
-    std::copy(mesh.corners.begin(), mesh.corners.end(), static_cast<std::uint32_t*>(corners));
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
-  }
-  ~Embree() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-  Embree(const Embree&) = delete;
-  Embree& operator=(const Embree&) = delete;
-
-  RTCDevice device;
-  RTCScene scene;
-};
-
 MeshPathTracer::MeshPathTracer(std::shared_ptr<const gi::LightScene> light, Triangles mesh, double isovalue)
     : light_(std::move(light)),
       mesh_(std::move(mesh)),
       albedo_(light_->albedo.at(isovalue)),
       worldFromEnvironment_(light_->worldFromEnvironment),
-      embree_(std::make_unique<Embree>(mesh_)) {
+      embree_(mesh_, RTC_SCENE_FLAG_ROBUST) {
   const glm::dmat3 worldFromVoxel(light_->volume->grid().geometry().worldFromVoxel);
   voxelFromWorld_ = glm::inverse(worldFromVoxel);
   offset_ = 0.1 * std::min({glm::length(worldFromVoxel[0]), glm::length(worldFromVoxel[1]),
@@ -94,8 +66,6 @@ MeshPathTracer::MeshPathTracer(std::shared_ptr<const gi::LightScene> light, Tria
       below_.push_back(sum);
     }
 }
-
-MeshPathTracer::~MeshPathTracer() = default;
 
 glm::dvec3 MeshPathTracer::normalAt(glm::dvec3 voxel) const {
   const glm::dvec3 gradient =
@@ -120,7 +90,7 @@ bool MeshPathTracer::firstEntry(glm::dvec3 voxel, glm::dvec3 worldDirection, Hit
     query.ray.tnear = from;
     query.ray.tfar = std::numeric_limits<float>::infinity();
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(embree_->scene, &context, &query);
+    rtcIntersect1(embree_.get(), &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
     const std::uint32_t* const corner = &mesh_.corners[3 * static_cast<std::size_t>(query.hit.primID)];
     const double u = query.hit.u, v = query.hit.v;

@@ -13,6 +13,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "bench/embree_scene.h"
 #include "bench/triangles.h"
 #include "gi/light_scene.h"
 
@@ -23,9 +24,6 @@ class MeshPathTracer {
   // Normals of the mesh are those of the field's gradient at its corners (volume::sampleCubic), interpolated
   // between. `light` has no lamps; `isovalue`, of the mesh, in data units.
   MeshPathTracer(std::shared_ptr<const gi::LightScene> light, Triangles mesh, double isovalue);
-  ~MeshPathTracer();
-  MeshPathTracer(const MeshPathTracer&) = delete;
-  MeshPathTracer& operator=(const MeshPathTracer&) = delete;
 
   struct Estimate {
     glm::dvec3 irradiance{0.0}, variance{0.0};  // of the mean
@@ -46,9 +44,8 @@ class MeshPathTracer {
   std::vector<double> below_;        // sums of the probe's pixels' luminance times solid angle, up to each
   glm::dvec3 albedo_;
   glm::dmat3 voxelFromWorld_, worldFromEnvironment_;
-  double offset_;  // voxel lengths off the surface, mm
-  struct Embree;
-  std::unique_ptr<Embree> embree_;
+  double offset_;  // off the surface, mm
+  EmbreeScene embree_;
 };
 
 }  // namespace isolux::bench

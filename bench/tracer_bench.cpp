@@ -1,6 +1,5 @@
 // Rays of a light bake on one core: every instruction set of the isosurface tracer against its scalar
 // version, and against Embree on the triangle mesh of one isovalue. CPU time of the thread, medians.
-#include <embree3/rtcore.h>
 #include <time.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include "base/quantiles.h"
 #include "base/random.h"
 #include "bench/bench.h"
+#include "bench/embree_scene.h"
 #include "bench/subjects.h"
 #include "bench/triangles.h"
 #include "tests/support/test_data.h"
@@ -111,25 +111,7 @@ std::vector<TraceRay> surfaceRays(const volume::Grid& grid, const Triangles& mes
 // Embree's scene of a mesh.
 class MeshTracer {
  public:
-  explicit MeshTracer(const Triangles& mesh) : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* points = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                           sizeof(glm::vec3), mesh.points.size());
-    std::copy(mesh.points.begin(), mesh.points.end(), static_cast<glm::vec3*>(points));
-    void* corners = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12,
-                                            mesh.corners.size() / 3);
-    std::copy(mesh.corners.begin(), mesh.corners.end(), static_cast<std::uint32_t*>(corners));
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene_);
-  }
-  ~MeshTracer() {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
-  }
-  MeshTracer(const MeshTracer&) = delete;
-  MeshTracer& operator=(const MeshTracer&) = delete;
+  explicit MeshTracer(const Triangles& mesh) : scene_(mesh) {}
 
   void single(const std::vector<TraceRay>& rays, std::vector<float>& t, bool any) const {
     RTCIntersectContext context;
@@ -150,10 +132,10 @@ class MeshTracer {
                  0};
       hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       if (any) {
-        rtcOccluded1(scene_, &context, &hit.ray);
+        rtcOccluded1(scene_.get(), &context, &hit.ray);
         t[i] = hit.ray.tfar < 0.0f ? 0.0f : kInfinity;
       } else {
-        rtcIntersect1(scene_, &context, &hit);
+        rtcIntersect1(scene_.get(), &context, &hit);
         t[i] = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID ? hit.ray.tfar : kInfinity;
       }
     }
@@ -176,9 +158,9 @@ class MeshTracer {
         hits.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
       }
       if (any)
-        rtcOccluded16(valid, scene_, &context, &ray);
+        rtcOccluded16(valid, scene_.get(), &context, &ray);
       else
-        rtcIntersect16(valid, scene_, &context, &hits);
+        rtcIntersect16(valid, scene_.get(), &context, &hits);
       for (std::size_t k = 0; k < 16 && first + k < rays.size(); ++k) {
         const bool hit = any ? ray.tfar[k] < 0.0f : hits.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
         t[first + k] = !hit ? kInfinity : any ? 0.0f : ray.tfar[k];
@@ -188,8 +170,7 @@ class MeshTracer {
 
  private:
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  RTCDevice device_;
-  RTCScene scene_;
+  EmbreeScene scene_;
 };
 
 struct Alternative {
