@@ -54,6 +54,11 @@ ordered_json infoJson(const PreparedVolume& prepared) {
   json["range"] = ordered_json::array({grid.minimum(), grid.maximum()});
   json["missing"] = grid.missingCount();
   json["suggested_isovalue"] = isovalue;
+  const scene::NoiseModel& noise = prepared.facts.noise;
+  json["noise"] = {{"values", noise.values},
+                   {"deviations", noise.deviations},
+                   {"at_suggested", noise.at(isovalue)},
+                   {"blur_voxels", vectorJson(noise.correlation)}};
   json["histogram"] = {{"minimum", prepared.histogram.minimum},
                        {"maximum", prepared.histogram.maximum},
                        {"counts", prepared.histogram.counts},
@@ -72,6 +77,17 @@ ordered_json infoJson(const PreparedVolume& prepared) {
 
 std::string vectorText(glm::dvec3 v, const char* between = ", ") {
   return base::shortText(v.x) + between + base::shortText(v.y) + between + base::shortText(v.z);
+}
+
+std::string noiseText(const scene::NoiseModel& noise, double isovalue, const std::string& unit) {
+  std::string text = base::shortText(noise.at(isovalue), 3) + unit + " at the suggested isovalue";
+  if (noise.values.size() > 1) {
+    const auto [least, most] = std::minmax_element(noise.deviations.begin(), noise.deviations.end());
+    text += ", " + base::shortText(*least, 3) + " to " + base::shortText(*most, 3) + " over the values";
+  }
+  if (noise.correlation != glm::dvec3(0.0))
+    text += ", blurred by " + vectorText(noise.correlation, " x ") + " voxels";
+  return text;
 }
 
 std::string peaksText(const volume::Histogram& histogram) {
@@ -147,6 +163,7 @@ void printText(const PreparedVolume& prepared, std::ostream& out) {
   row("histogram", histogramBar(prepared.histogram));
   row("peaks", peaksText(prepared.histogram));
   row("isovalue", base::shortText(isovalue) + unit + " (suggested)");
+  row("noise", noiseText(prepared.facts.noise, isovalue, unit));
   row("blocks", std::to_string(activeBlocksAt(prepared, isovalue)) + " of " +
                     std::to_string(prepared.blocks->count()) + " active there, " +
                     std::to_string(prepared.blocks->blockCells()) + " cells per axis each");

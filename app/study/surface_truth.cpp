@@ -52,7 +52,8 @@ SurfaceTruth::SurfaceTruth(std::shared_ptr<const volume::PreparedVolume> volume,
               .rayStartMm),
       isovalue_(scene.isosurface.value.value()),
       outward_(scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0),
-      noise_(scene.derivatives.noise.value()) {}
+      noise_(scene.derivatives.noise.value()),
+      noiseBlur_(volume_->facts.noise.correlation) {}
 
 volume::Ray SurfaceTruth::rayOf(std::size_t pixel, glm::dvec2 offset) const {
   const std::size_t width = static_cast<std::size_t>(size_.x);
@@ -123,7 +124,7 @@ TrueShape SurfaceTruth::shapeAt(Field field, const glm::dvec3& voxel) const {
   TrueShape shape;
   shape.normal = curvature.normal;
   shape.hasNormal = curvature.normal != glm::dvec3(0.0);
-  const double noise = volume::curvatureScale(grid.geometry(), field, noise_).gradientNoise;
+  const double noise = volume::curvatureScale(grid.geometry(), field, noise_, noiseBlur_).gradientNoise;
   shape.hasCurvature = known && shape.hasNormal && glm::length(gradient) >= volume::kClearGradient * noise;
   shape.kappa1 = curvature.kappa1;
   shape.kappa2 = curvature.kappa2;
@@ -141,7 +142,8 @@ TrueSurface SurfaceTruth::of(Field hitField, Field shapeField, base::Progress& p
     });
     shapes = std::move(found);
   }
-  return {hits, shapes, volume::curvatureScale(volume_->grid().geometry(), shapeField, noise_).flatCurvature};
+  return {hits, shapes,
+          volume::curvatureScale(volume_->grid().geometry(), shapeField, noise_, noiseBlur_).flatCurvature};
 }
 
 bool SurfaceTruth::undecided(Field hitField, std::size_t pixel) const {

@@ -53,6 +53,7 @@ class SurfaceTruth {
   glm::ivec2 size_;
   scene::CameraFrame frame_;
   double rayStartMm_, isovalue_, outward_, noise_;
+  glm::dvec3 noiseBlur_;
   std::array<std::shared_ptr<const volume::CubicField>, kFields>
       cubic_;  // of the cubic fields, once asked for
   std::array<Hits, kFields> hits_;

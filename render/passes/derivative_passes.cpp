@@ -105,7 +105,8 @@ void CurvaturePass::run(FrameState& frame) {
   p.setTexture("uHessianMixed", 2, frame.image(image::hessian, 2));
   p.set("uOutward", static_cast<float>(frame.outward()));
   const volume::CurvatureScale scale = volume::curvatureScale(
-      frame.volume->grid().geometry(), frame.scene->derivatives.field, *frame.scene->derivatives.noise);
+      frame.volume->grid().geometry(), frame.scene->derivatives.field, *frame.scene->derivatives.noise,
+      frame.volume->facts().noise.correlation);
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));

@@ -26,6 +26,7 @@ class GpuVolume {
   GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
 
   const volume::Grid& grid() const { return volume_->grid(); }
+  const scene::VolumeFacts& facts() const { return volume_->facts; }
   std::shared_ptr<const volume::Grid> sharedGrid() const { return volume_->volume.grid; }
   bool hasCells() const;  // an axis of one voxel has none, and no surface
 

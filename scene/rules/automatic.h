@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene/noise.h"
 #include "scene/scene.h"
 #include "scene/world_axes.h"
 
@@ -19,7 +20,7 @@ struct VolumeFacts {
   double minimum = 0.0, maximum = 0.0;               // data units
   double typicalStep =
       0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
-  double noise = 0.0;  // data units: standard deviation of a voxel
+  NoiseModel noise;    // of a voxel
   WorldAxes axes = WorldAxes::zUp;
 };
 

@@ -1,8 +1,10 @@
 // Volumes for tests: phantoms and fields of formulas, as grids and prepared.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 
@@ -34,6 +36,14 @@ volume::Grid gridOfWorld(const volume::GridGeometry& geometry, const F& f) {
     return f(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0)));
   });
 }
+
+// Noise of deviation 1, as if white noise on a ring had been blurred by a Gaussian of this deviation along
+// each axis, voxels.
+std::vector<float> blurredNoise(glm::ivec3 dims, glm::dvec3 blur, std::uint64_t seed);
+// The grid's values with noise, float32; or int16, which stay `air` where the grid has that value or less.
+volume::Grid withNoise(const volume::Grid& grid, double deviation, glm::dvec3 blur, std::uint64_t seed);
+volume::Grid roundedWithNoise(const volume::Grid& grid, double deviation, glm::dvec3 blur, std::uint64_t seed,
+                              double air);
 
 std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid);
 std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name, int size);

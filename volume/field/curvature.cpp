@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "volume/field/noise_gain.h"
+
 namespace isolux::volume {
 
 namespace {
@@ -17,38 +19,6 @@ double largestComponent(glm::dvec3 v) {
 double smoothstep(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
-}
-
-// Standard deviation of a component of the voxel gradient for white noise of deviation 1, over all positions:
-// sqrt(integral of b'^2) integral of b^2, where b is the function that one sample contributes. For the cubic
-// B-spline the integrals are 2/3 and 151/315; for the linear one 2 and 2/3; for the cardinal cubic spline
-// they are means over a period of the B-spline's Fourier symbols over those of the prefilter squared.
-double gradientNoiseGain(scene::Field field) {
-  switch (field) {
-    case scene::Field::trilinear:
-      return 0.9428;
-    case scene::Field::cubic_interpolating:
-      return 1.3752;
-    case scene::Field::cubic:
-      break;
-  }
-  return 0.3914;
-}
-
-// The same of a second derivative in a random direction: sqrt(3/5 p^2 + 6/5 m^2), where p and m are the
-// deviations of pure and mixed ones, sqrt(integral of b''^2) integral of b^2 and integral of b'^2
-// sqrt(integral of b^2); two pure ones have the covariance m^2. For the cubic B-spline the integral of b''^2
-// is 8/3. The linear one has mixed ones only: sqrt(4/5) m.
-double hessianNoiseGain(scene::Field field) {
-  switch (field) {
-    case scene::Field::trilinear:
-      return 1.4606;
-    case scene::Field::cubic_interpolating:
-      return 3.6064;
-    case scene::Field::cubic:
-      break;
-  }
-  return 0.7894;
 }
 
 }  // namespace
@@ -92,13 +62,20 @@ PrincipalCurvature principalCurvature(glm::dvec3 worldGradient, const glm::dmat3
   return out;
 }
 
-CurvatureScale curvatureScale(const GridGeometry& geometry, scene::Field field, double noise) {
-  const glm::dmat3 inverse = glm::inverse(glm::dmat3(geometry.worldFromVoxel));
-  const double squares =
-      glm::dot(inverse[0], inverse[0]) + glm::dot(inverse[1], inverse[1]) + glm::dot(inverse[2], inverse[2]);
+CurvatureScale curvatureScale(const GridGeometry& geometry, scene::Field field, double noise,
+                              const glm::dvec3& noiseBlur) {
+  const NoiseGain gain = noiseGain(field, noiseBlur);
+  const glm::dmat3 worldFromGradient = glm::transpose(glm::inverse(glm::dmat3(geometry.worldFromVoxel)));
+  const glm::dvec3 squares(glm::dot(worldFromGradient[0], worldFromGradient[0]),
+                           glm::dot(worldFromGradient[1], worldFromGradient[1]),
+                           glm::dot(worldFromGradient[2], worldFromGradient[2]));
+  // The mean over unit vectors n of n_i^2 is 1/3, of n_i^4 1/5, of n_i^2 n_j^2 1/15.
+  const double gradient = glm::dot(gain.gradient, squares) / 3.0;
+  const glm::dvec3 pairs(squares.x * squares.y, squares.x * squares.z, squares.y * squares.z);
+  const double hessian = glm::dot(gain.pure, squares * squares) / 5.0 +
+                         glm::dot(4.0 * gain.mixed + 2.0 * gain.covariance, pairs) / 15.0;
   const glm::dvec3 edges = glm::dvec3(glm::max(geometry.dims - 1, glm::ivec3(1))) * geometry.spacingMm();
-  return {gradientNoiseGain(field) * noise * std::sqrt(squares / 3.0), 0.1 / glm::length(edges),
-          hessianNoiseGain(field) * noise * squares / 3.0};
+  return {noise * std::sqrt(gradient), 0.1 / glm::length(edges), noise * std::sqrt(hessian)};
 }
 
 double curvatureConfidence(const PrincipalCurvature& curvature, glm::dvec3 worldGradient,

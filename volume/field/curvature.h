@@ -49,10 +49,11 @@ struct CurvatureScale {
   double flatCurvature = 0.0;  // 1/mm
   double hessianNoise = 0.0;   // standard deviation of a normal second derivative, data units per mm^2
 };
-// `noise`: standard deviation of a voxel's value (volume/statistics/noise_estimate.h), propagated as white
-// noise through the field's derivative weights (mean square over positions) and the geometry (root mean
-// square over directions).
-CurvatureScale curvatureScale(const GridGeometry& geometry, scene::Field field, double noise);
+// `noise`: standard deviation of a voxel's value, and the blur that its neighbours correlate by
+// (scene::NoiseModel), propagated through the field's derivative weights (mean square over positions) and the
+// spacing of voxels (root mean square over directions).
+CurvatureScale curvatureScale(const GridGeometry& geometry, scene::Field field, double noise,
+                              const glm::dvec3& noiseBlur = glm::dvec3(0.0));
 
 double curvatureConfidence(const PrincipalCurvature& curvature, glm::dvec3 worldGradient,
                            const CurvatureScale& scale);

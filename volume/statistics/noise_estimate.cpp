@@ -4,74 +4,301 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "base/quantiles.h"
-#include "base/random.h"
-#include "volume/parallel_steps.h"
+#include "volume/statistics/noise_places.h"
 
 namespace isolux::volume {
 
 namespace {
 
-constexpr std::uint64_t kPlaces = 60000;
+constexpr std::size_t kRanges = 16, kFewestPlaces = 1000;  // of values; places of one
+constexpr double kFlat = 0.1;                              // part of a range's places that counts
+constexpr double kFlatOfNoise = 0.195;                     // chi^2 of 3 degrees / 3 at that quantile
+constexpr double deviationsPerMedian = 1.4826;             // of the absolute value of a normal variable
+constexpr std::size_t kSpacings = kNoiseSpacings;
 
-// What storing a value as this type has added to its noise.
-double storageNoise(const Grid& grid) {
-  const double uniform = 1.0 / std::sqrt(12.0);
-  if (grid.storedType() != VoxelType::float32) return std::abs(grid.slope()) * uniform;
-  const double largest = std::max(std::abs(grid.storedMinimum()), std::abs(grid.storedMaximum()));
-  return std::abs(grid.slope()) * largest * static_cast<double>(std::numeric_limits<float>::epsilon()) *
-         uniform;
+// Mean square of a fourth difference of unit gain for noise of deviation 1 with this blur, voxels.
+double gainOf(double blur, std::size_t spacing) {
+  const auto rho = [&](int steps) {
+    return scene::noiseCorrelation(blur, steps * static_cast<int>(spacing + 1));
+  };
+  return (70.0 - 112.0 * rho(1) + 56.0 * rho(2) - 16.0 * rho(3) + 2.0 * rho(4)) / 70.0;
 }
 
-// The difference along `axis` at a random place, of unit variance for white noise of unit variance; NaN where
-// voxels are missing and where all are equal.
-double differenceAt(const Grid& grid, int axis, std::uint64_t place) {
-  static constexpr std::array<double, 5> fourth{1, -4, 6, -4, 1}, second{1, -2, 1, 0, 0};
-  const glm::ivec3 dims = grid.dims();
-  const bool wide = dims[axis] >= 5;
-  const std::array<double, 5>& weights = wide ? fourth : second;
-  const int taps = wide ? 5 : 3;
-  glm::ivec3 at;
-  for (int i = 0; i < 3; ++i) {
-    const int room = i == axis ? dims[i] - taps + 1 : dims[i];
-    at[i] =
-        static_cast<int>(base::uniformNoise(std::uint64_t{17} + static_cast<std::uint64_t>(i), place) * room);
+// What storing a value as this type has added to its noise, stored units.
+double storageNoise(const Grid& grid) {
+  const double uniform = 1.0 / std::sqrt(12.0);
+  if (grid.storedType() != VoxelType::float32) return uniform;
+  const double largest = std::max(std::abs(grid.storedMinimum()), std::abs(grid.storedMaximum()));
+  return largest * static_cast<double>(std::numeric_limits<float>::epsilon()) * uniform;
+}
+
+double medianOf(std::vector<double>& numbers) {
+  return numbers.empty() ? std::nan("") : base::quantile(numbers, 0.5);
+}
+
+// The flattest places of a range of values.
+struct Range {
+  std::span<const NoisePlace> places;
+  double value = 0.0;      // median, stored units
+  double size = 0.0;       // of differences of neighbours, along all axes
+  double steepness = 0.0;  // of the steepest of the places, in parts of what is expected of noise alone
+  double growth = 0.0;     // of differences over 3 voxels, in parts of those of neighbours
+  double unlike = 0.0;     // largest over least of the three axes
+};
+
+double sizeOf(std::span<const NoisePlace> places, std::size_t spacing) {
+  std::vector<double> sizes;
+  for (const NoisePlace& place : places)
+    for (const auto& along : place.differences)
+      if (!std::isnan(along[spacing])) sizes.push_back(along[spacing]);
+  return deviationsPerMedian * medianOf(sizes);
+}
+
+double unlikeAxes(std::span<const NoisePlace> places) {
+  std::vector<double> least, most;
+  for (const NoisePlace& place : places) {
+    const auto& d = place.differences;
+    if (std::isnan(d[0][0] + d[1][0] + d[2][0])) continue;
+    least.push_back(std::min({d[0][0], d[1][0], d[2][0]}));
+    most.push_back(std::max({d[0][0], d[1][0], d[2][0]}));
   }
-  double sum = 0.0, norm = 0.0;
-  bool constant = true;
-  const double first = grid.stored(at.x, at.y, at.z);
-  for (int tap = 0; tap < taps; ++tap, ++at[axis]) {
-    const double value = grid.stored(at.x, at.y, at.z), weight = weights[static_cast<std::size_t>(tap)];
-    constant = constant && value == first;
-    sum += weight * value;
-    norm += weight * weight;
+  return medianOf(most) / medianOf(least);
+}
+
+Range rangeOf(std::span<NoisePlace> places) {
+  Range range;
+  range.value = places[places.size() / 2].value;
+  const auto flat = static_cast<std::ptrdiff_t>(std::ceil(kFlat * static_cast<double>(places.size())));
+  std::nth_element(places.begin(), places.begin() + (flat - 1), places.end(),
+                   [](const NoisePlace& a, const NoisePlace& b) { return a.steepness < b.steepness; });
+  range.places = places.first(static_cast<std::size_t>(flat));
+  range.size = sizeOf(range.places, 0);
+  range.growth = sizeOf(range.places, kSpacings - 1) / range.size;
+  range.unlike = unlikeAxes(range.places);
+  // An odd difference over 6 voxels has the variance s^2 / 18, per voxel, in each of three directions.
+  const double noise = std::max(sizeOf(range.places, 1), range.size);
+  range.steepness =
+      places[static_cast<std::size_t>(flat - 1)].steepness / (kFlatOfNoise * noise * noise / 6.0);
+  return range;
+}
+
+std::vector<Range> rangesOf(std::vector<NoisePlace>& places) {
+  std::sort(places.begin(), places.end(),
+            [](const NoisePlace& a, const NoisePlace& b) { return a.value < b.value; });
+  const std::size_t count = std::clamp(places.size() / kFewestPlaces, std::size_t{1}, kRanges);
+  std::vector<Range> ranges;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t begin = i * places.size() / count, end = (i + 1) * places.size() / count;
+    ranges.push_back(rangeOf(std::span(places).subspan(begin, end - begin)));
   }
-  return constant ? std::nan("") : sum / std::sqrt(norm);
+  return ranges;
+}
+
+// Leaves out ranges in which this is clearly more than usual.
+void leaveOutUnusual(std::vector<Range>& ranges, double Range::*measure) {
+  constexpr double most = 1.25;
+  std::vector<double> list;
+  for (const Range& range : ranges)
+    if (std::isfinite(range.*measure)) list.push_back(range.*measure);
+  if (list.empty()) return;
+  const double usual = base::quantile(list, 0.25);
+  std::erase_if(ranges, [&](const Range& range) { return range.*measure > most * usual; });
+}
+
+// Ranges in which the flattest places are as flat as noise is, else the flattest quarter; without those that
+// are bent more than others (the middle of a sheet is flat, too), or more along one axis.
+std::vector<Range> believable(std::vector<Range> ranges) {
+  constexpr double mostSteep = 3.0;  // 1: noise alone
+  std::sort(ranges.begin(), ranges.end(),
+            [](const Range& a, const Range& b) { return a.steepness < b.steepness; });
+  const std::size_t fewest = (ranges.size() + 3) / 4;
+  while (ranges.size() > fewest && !(ranges.back().steepness <= mostSteep)) ranges.pop_back();
+  leaveOutUnusual(ranges, &Range::growth);
+  leaveOutUnusual(ranges, &Range::unlike);
+  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.value < b.value; });
+  return ranges;
+}
+
+// The half that is bent the least.
+std::vector<Range> smoothest(std::vector<Range> ranges) {
+  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.growth < b.growth; });
+  ranges.resize((ranges.size() + 1) / 2);
+  return ranges;
+}
+
+using Squares = std::array<double, kSpacings>;
+
+// Mean squares along each axis of all ranges together, in parts of each range's; `rounding`: what storing and
+// dithering have added to each place's.
+std::array<Squares, 3> squaresAlongAxes(const std::vector<Range>& ranges, double rounding) {
+  std::array<Squares, 3> squares{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t h = 0; h < kSpacings; ++h) {
+      std::vector<double> sizes, roundings;
+      for (const Range& range : ranges)
+        for (const NoisePlace& place : range.places)
+          if (const double size = place.differences[axis][h]; !std::isnan(size)) {
+            sizes.push_back(size / range.size);
+            roundings.push_back(rounding / (range.size * range.size));
+          }
+      const double size = deviationsPerMedian * medianOf(sizes);
+      squares[axis][h] = std::max(size * size - medianOf(roundings), 0.0);
+    }
+  return squares;
+}
+
+struct Fit {
+  double blur = 0.0, misfit = 0.0;
+};
+
+// The blur along an axis, given the variance of the noise; what grows with h^8 beside it is structure.
+Fit fitBlur(const Squares& measured, double variance) {
+  static const std::vector<std::pair<double, Squares>> gains = [] {
+    std::vector<std::pair<double, Squares>> list;
+    for (int i = 0; i <= 30; ++i) {
+      Squares gain;
+      for (std::size_t h = 0; h < kSpacings; ++h) gain[h] = gainOf(0.05 * i, h);
+      list.emplace_back(0.05 * i, gain);
+    }
+    return list;
+  }();
+  Fit best{0.0, std::numeric_limits<double>::infinity()};
+  for (const auto& [blur, gain] : gains) {
+    double product = 0.0, square = 0.0;
+    Squares missing{}, growth{};
+    for (std::size_t h = 0; h < kSpacings; ++h) {
+      if (!(measured[h] > 0.0)) continue;
+      missing[h] = 1.0 - variance * gain[h] / measured[h];
+      growth[h] = std::pow(static_cast<double>(h + 1), 8) / measured[h];
+      product += missing[h] * growth[h];
+      square += growth[h] * growth[h];
+    }
+    const double structure = square > 0.0 ? std::max(0.0, product / square) : 0.0;
+    double misfit = 0.002 * blur * blur;  // of two that fit alike the plainer
+    for (std::size_t h = 0; h < kSpacings; ++h) {
+      const double error = missing[h] - structure * growth[h];
+      misfit += error * error;
+    }
+    if (misfit < best.misfit) best = {blur, misfit};
+  }
+  return best;
+}
+
+// With the one variance that fits all axes best.
+glm::dvec3 fitBlurs(const std::array<Squares, 3>& measured) {
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  for (const Squares& along : measured)
+    for (const double square : along)
+      if (square > 0.0) low = std::min(low, square), high = std::max(high, square);
+  glm::dvec3 best(0.0);
+  double least = std::numeric_limits<double>::infinity();
+  for (double variance = low; variance <= 1.4 * high; variance *= 1.04) {
+    glm::dvec3 blur(0.0);
+    double misfit = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!(measured[axis][0] > 0.0)) continue;
+      const Fit fit = fitBlur(measured[axis], variance);
+      blur[static_cast<int>(axis)] = fit.blur;
+      misfit += fit.misfit;
+    }
+    if (misfit < least) {
+      least = misfit;
+      best = blur;
+    }
+  }
+  return best;
+}
+
+// How a range's deviation is measured: along the axes along which voxels are the most independent, at the
+// least spacing at which they are nearly so.
+class Gauge {
+ public:
+  explicit Gauge(const glm::dvec3& blur) {
+    constexpr double enough = 0.3;
+    for (spacing_ = 0;; ++spacing_) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        gains_[axis] = gainOf(blur[static_cast<int>(axis)], spacing_);
+      best_ = *std::max_element(gains_.begin(), gains_.end());
+      if (best_ >= enough || spacing_ + 1 == kSpacings) return;
+    }
+  }
+  struct Reading {
+    double variance = 0.0;
+    std::size_t count = 0;
+  };
+  Reading read(const Range& range, double rounding) const {
+    std::vector<double> sizes;
+    double gain = 0.0;
+    for (const NoisePlace& place : range.places)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double size = place.differences[axis][spacing_];
+        if (gains_[axis] < 0.5 * best_ || std::isnan(size)) continue;
+        sizes.push_back(size / std::sqrt(gains_[axis]));
+        gain = gains_[axis];
+      }
+    const std::size_t count = sizes.size();
+    if (count == 0) return {};
+    const double size = deviationsPerMedian * medianOf(sizes);
+    return {std::max(0.0, size * size - rounding / gain), count};
+  }
+
+ private:
+  std::size_t spacing_ = 0;
+  std::array<double, 3> gains_{};
+  double best_ = 0.0;
+};
+
+// What differs by no more than chance becomes alike (empirical Bayes: Efron & Morris 1975): logarithms of
+// deviations, each with a standard error of 0.82 / sqrt(count).
+void shrink(std::vector<double>& deviations, const std::vector<double>& counts) {
+  double mean = 0.0, chance = 0.0, square = 0.0;
+  const auto n = static_cast<double>(deviations.size());
+  for (const double deviation : deviations) mean += std::log(deviation) / n;
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const double apart = std::log(deviations[i]) - mean;
+    square += apart * apart / std::max(1.0, n - 1.0);
+    chance += 0.67 / counts[i] / n;
+  }
+  const double own = square > 0.0 ? std::clamp(1.0 - chance / square, 0.0, 1.0) : 0.0;
+  for (double& deviation : deviations) deviation = std::exp(std::lerp(mean, std::log(deviation), own));
 }
 
 }  // namespace
 
-double estimateNoise(const Grid& grid) {
+scene::NoiseModel estimateNoise(const Grid& grid) {
   base::Progress unwatched;
   return estimateNoise(grid, unwatched);
 }
 
-double estimateNoise(const Grid& grid, base::Progress& progress) {
-  if (grid.missingCount() == grid.geometry().voxelCount()) return 0.0;
-  const std::uint64_t places = std::min<std::uint64_t>(kPlaces, 4 * grid.geometry().voxelCount());
-  std::vector<double> sizes(places, std::nan(""));
-  parallelPieces(places, 1024, progress, {}, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t place = begin; place < end; ++place)
-      if (const int axis = static_cast<int>(place % 3); grid.dims()[axis] >= 3)
-        sizes[place] = std::abs(differenceAt(grid, axis, place));
-  });
-  std::erase_if(sizes, [](double size) { return std::isnan(size); });
-  const double least = storageNoise(grid);
-  if (sizes.empty()) return least;
-  constexpr double deviationsPerMedian = 1.4826;  // of the absolute value of a normal variable
-  return std::max(deviationsPerMedian * base::quantile(sizes, 0.5) * std::abs(grid.slope()), least);
+scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
+  scene::NoiseModel model;
+  if (grid.missingCount() == grid.geometry().voxelCount()) return model;
+  const double least = storageNoise(grid), slope = std::abs(grid.slope());
+  std::vector<NoisePlace> places = noisePlaces(grid, progress);
+  if (places.empty()) return {{grid.minimum()}, {least * slope}, glm::dvec3(0.0)};
+  // Rounded, and dithered.
+  const double step = grid.storedType() == VoxelType::float32 ? 0.0 : 1.0, rounding = step * step / 6.0;
+  const std::vector<Range> ranges = believable(rangesOf(places));
+  model.correlation = fitBlurs(squaresAlongAxes(smoothest(ranges), rounding));
+  const Gauge gauge(model.correlation);
+  std::vector<double> counts;
+  for (const Range& range : ranges) {
+    const Gauge::Reading reading = gauge.read(range, rounding);
+    if (reading.count == 0) continue;
+    model.values.push_back(grid.valueOfStored(range.value));
+    model.deviations.push_back(slope * std::max(std::sqrt(reading.variance + 0.5 * rounding), least));
+    counts.push_back(static_cast<double>(reading.count));
+  }
+  shrink(model.deviations, counts);
+  if (model.values.front() > model.values.back()) {
+    std::reverse(model.values.begin(), model.values.end());
+    std::reverse(model.deviations.begin(), model.deviations.end());
+  }
+  return model;
 }
 
 }  // namespace isolux::volume

@@ -171,12 +171,12 @@ TEST(CurvatureConfidence, IsZeroAtUmbilicsFlatsAndGradientsWithinNoiseAndOneWher
 // A volume of noise of standard deviation 3, seen as each of the fields.
 class FieldsOfNoise {
  public:
+  static constexpr int kSize = 80;
   static constexpr scene::Field kFields[3] = {scene::Field::trilinear, scene::Field::cubic,
                                               scene::Field::cubic_interpolating};
 
-  FieldsOfNoise(const GridGeometry& geometry, std::uint64_t seed)
-      : grid_(geometry, noise(geometry.voxelCount(), seed)),
-        coefficients_(interpolatingCoefficients(grid_)) {}
+  FieldsOfNoise(const GridGeometry& geometry, std::uint64_t seed, const dvec3& blur = dvec3(0.0))
+      : grid_(geometry, noise(geometry.dims, blur, seed)), coefficients_(interpolatingCoefficients(grid_)) {}
 
   // The mean over random places of measure(i, sample), field by field.
   template <class Measure>
@@ -184,7 +184,7 @@ class FieldsOfNoise {
     std::array<double, 3> sums{};
     constexpr int count = 20000;
     for (std::uint64_t i = 0; i < count; ++i) {
-      const dvec3 p = 5.0 + 29.0 * test::randomVector(i, 1);
+      const dvec3 p = 5.0 + (kSize - 11.0) * test::randomVector(i, 1);
       const FieldSample samples[3] = {sampleTrilinear(grid_, p), sampleCubic(grid_, p),
                                       sampleCubic(coefficients_, grid_, p)};
       for (std::size_t f = 0; f < 3; ++f) sums[f] += measure(i, samples[f]) / count;
@@ -193,9 +193,9 @@ class FieldsOfNoise {
   }
 
  private:
-  static std::vector<float> noise(std::size_t count, std::uint64_t seed) {
-    std::vector<float> voxels(count);
-    for (std::size_t i = 0; i < count; ++i) voxels[i] = static_cast<float>(3.0 * base::normalNoise(seed, i));
+  static std::vector<float> noise(glm::ivec3 dims, const dvec3& blur, std::uint64_t seed) {
+    std::vector<float> voxels = test::blurredNoise(dims, blur, seed);
+    for (float& voxel : voxels) voxel *= 3.0f;
     return voxels;
   }
 
@@ -203,36 +203,46 @@ class FieldsOfNoise {
   Coefficients coefficients_;
 };
 
+const dvec3 kNoiseBlurs[] = {dvec3(0.0), dvec3(0.7), dvec3(0.0, 0.4, 1.1)};
+
 // The propagated noise against derivatives of volumes of noise.
 TEST(CurvatureScale, GradientNoiseIsThatOfFieldsOfNoise) {
-  for (const GridGeometry& geometry : {test::isotropicGeometry(40), test::obliqueLeftHandedGeometry(40)}) {
-    const auto squares = FieldsOfNoise(geometry, 5).means([&](std::uint64_t, const FieldSample& sample) {
-      const dvec3 world = worldGradient(geometry, sample.gradient);
-      return glm::dot(world, world) / 3.0;
-    });
-    for (std::size_t f = 0; f < 3; ++f) {
-      const double measured = std::sqrt(squares[f]);
-      EXPECT_NEAR(curvatureScale(geometry, FieldsOfNoise::kFields[f], 3.0).gradientNoise, measured,
-                  0.03 * measured)
-          << f;
+  for (const GridGeometry& geometry :
+       {test::isotropicGeometry(FieldsOfNoise::kSize), test::obliqueLeftHandedGeometry(FieldsOfNoise::kSize)})
+    for (const dvec3& blur : kNoiseBlurs) {
+      const auto squares =
+          FieldsOfNoise(geometry, 5, blur).means([&](std::uint64_t, const FieldSample& sample) {
+            const dvec3 world = worldGradient(geometry, sample.gradient);
+            return glm::dot(world, world) / 3.0;
+          });
+      for (std::size_t f = 0; f < 3; ++f) {
+        const double measured = std::sqrt(squares[f]);
+        EXPECT_NEAR(curvatureScale(geometry, FieldsOfNoise::kFields[f], 3.0, blur).gradientNoise, measured,
+                    0.03 * measured)
+            << f << ' ' << blur.z;
+      }
     }
-  }
 }
 
 TEST(CurvatureScale, HessianNoiseIsThatOfFieldsOfNoise) {
-  const GridGeometry geometry = GridGeometry::make(glm::ivec3(40), dvec3(0.8));
-  const auto squares = FieldsOfNoise(geometry, 6).means([&](std::uint64_t i, const FieldSample& sample) {
-    const double z = 2.0 * test::randomVector(i, 2).x - 1.0, angle = 6.283185307 * test::randomVector(i, 2).y;
-    const dvec3 direction(std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle),
-                          z);
-    return std::pow(glm::dot(direction, worldHessian(geometry, sample.hessian) * direction), 2);
-  });
-  for (std::size_t f = 0; f < 3; ++f) {
-    const double measured = std::sqrt(squares[f]);
-    EXPECT_NEAR(curvatureScale(geometry, FieldsOfNoise::kFields[f], 3.0).hessianNoise, measured,
-                0.04 * measured)
-        << f;
-  }
+  for (const dvec3& spacing : {dvec3(0.8), dvec3(0.8, 0.8, 2.4)})
+    for (const dvec3& blur : kNoiseBlurs) {
+      const GridGeometry geometry = GridGeometry::make(glm::ivec3(FieldsOfNoise::kSize), spacing);
+      const auto squares =
+          FieldsOfNoise(geometry, 6, blur).means([&](std::uint64_t i, const FieldSample& sample) {
+            const double z = 2.0 * test::randomVector(i, 2).x - 1.0,
+                         angle = 6.283185307 * test::randomVector(i, 2).y;
+            const dvec3 direction(std::sqrt(1.0 - z * z) * std::cos(angle),
+                                  std::sqrt(1.0 - z * z) * std::sin(angle), z);
+            return std::pow(glm::dot(direction, worldHessian(geometry, sample.hessian) * direction), 2);
+          });
+      for (std::size_t f = 0; f < 3; ++f) {
+        const double measured = std::sqrt(squares[f]);
+        EXPECT_NEAR(curvatureScale(geometry, FieldsOfNoise::kFields[f], 3.0, blur).hessianNoise, measured,
+                    0.04 * measured)
+            << f << ' ' << blur.z << ' ' << spacing.z;
+      }
+    }
 }
 
 // A flat face under noise has no direction, though it bends everywhere a little.
@@ -244,7 +254,7 @@ TEST(CurvatureConfidence, NoiseOnAFlatFaceIsNoShape) {
       for (int x = 0; x < 40; ++x)
         voxels.push_back(static_cast<float>(20.0 * z + base::normalNoise(9, voxels.size())));
   const Grid grid(geometry, std::move(voxels));
-  const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, estimateNoise(grid));
+  const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, estimateNoise(grid).at(0.0));
   double sum = 0.0;
   for (std::uint64_t i = 0; i < 3000; ++i) {
     const FieldSample sample = sampleCubic(grid, 5.0 + 29.0 * test::randomVector(i, 1));
@@ -273,7 +283,7 @@ TEST(CurvatureConfidence, TellsNoiseFromEdgesByTheVolumesOwnNoise) {
     const Grid grid(geometry, std::move(voxels));
     base::Progress progress;
     const MinMaxBlocks blocks(grid, 8, progress);
-    const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, estimateNoise(grid));
+    const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, estimateNoise(grid).at(0.0));
     std::vector<double> found;
     for (std::uint64_t k = 0; k < 4000; ++k) {
       const Ray ray = test::randomRay(8 * k, grid.dims());

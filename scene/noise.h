@@ -1,0 +1,26 @@
+// What is known of the noise of a volume's values.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace isolux::scene {
+
+// Noise of a Gaussian distribution whose deviation may depend on the value: stationary but for that, as if
+// white noise had been blurred along each axis by a Gaussian.
+struct NoiseModel {
+  // Standard deviations of a voxel, data units, at `values`, ascending. Both empty: no noise is known.
+  std::vector<double> values, deviations;
+  // Standard deviation of the blur along each axis, voxels; 0: neighbours are independent.
+  glm::dvec3 correlation{0.0};
+
+  // Linear between values; beyond the first and the last as there. 0 without values.
+  double at(double value) const;
+  bool operator==(const NoiseModel&) const = default;
+};
+
+// Correlation of two voxels `distance` voxels apart along an axis with this blur: of the sampled Gaussian.
+double noiseCorrelation(double blur, int distance);
+
+}  // namespace isolux::scene
