@@ -20,7 +20,7 @@ struct VolumeFacts {
   double minimum = 0.0, maximum = 0.0;               // data units
   double typicalStep =
       0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
-  NoiseModel noise;    // of a voxel
+  NoiseModel noise{};  // of a voxel
   WorldAxes axes = WorldAxes::zUp;
 };
 
