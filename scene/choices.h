@@ -14,6 +14,9 @@ enum class HitMethod { sampled, exact };  // Hadwiger et al. 2005 sec. 3.2, or e
 // Trilinear interpolation, the tri-cubic B-spline of the samples (smooth), or the B-spline through the
 // samples.
 enum class Field { trilinear, cubic, cubic_interpolating };
+// Of pictures at rest whose hits are trilinear; automatic: the B-spline through the samples where the surface
+// lies visibly beside it (volume/statistics/spline_gap.h).
+enum class StillField { automatic, same, cubic_interpolating };
 enum class Fetch { fast, exact };  // the texture unit's linear filter, or single texels weighted in float
 enum class LookMode {
   blinn_phong,

@@ -59,6 +59,7 @@ struct ExtraIsosurface {
 struct Hit {
   HitMethod method = HitMethod::exact;
   Field field = Field::trilinear;
+  StillField stillField = StillField::automatic;
   double rate = 2.0;                    // r0, samples per voxel along the ray (method sampled)
   double nearFactor = 8.0;              // n: r1 = n r0 near the isovalue
   std::optional<double> nearThreshold;  // delta, data units: nearer than this counts as near

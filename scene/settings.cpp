@@ -74,8 +74,16 @@ std::vector<Setting> makeSettings() {
       "the interpolant in every cell."));
   add(choiceEntry<Scene>(
       "hit.field", ISOLUX_MEMBER(hit.field),
-      "The reconstruction whose surface is hit: trilinear, the tri-cubic B-spline, or the B-spline "
-      "that passes through the samples."));
+      "The reconstruction whose surface is hit: trilinear; the tri-cubic B-spline, which is the smoothest "
+      "and "
+      "shrinks what is thin until it is gone; or the B-spline that passes through the samples, which holds "
+      "wires, twigs and vessels together where trilinear hits draw beads."));
+  add(choiceEntry<Scene>(
+      "hit.still_field", ISOLUX_MEMBER(hit.stillField),
+      "The reconstruction whose surface pictures at rest show where hit.field is trilinear: the same, or the "
+      "B-spline that passes through the samples; auto takes that where more than a tenth of the visible "
+      "surface "
+      "lies over a tenth of a voxel beside it. Deferred images (--aov) and stored light keep hit.field."));
   add(entry<Scene>("hit.rate", ISOLUX_MEMBER(hit.rate), {0.125, 64}, "samples per voxel",
                    "How densely a ray is sampled; method sampled only."));
   add(entry<Scene>("hit.near_factor", ISOLUX_MEMBER(hit.nearFactor), {1, 64}, "",

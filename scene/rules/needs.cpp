@@ -48,6 +48,12 @@ bool showsLegend(const Scene& scene) {
   return scene.look.legend && isMeasure(scene.look.mode);
 }
 
+bool mayRefineHits(const Scene& scene) {
+  const Hit& hit = scene.hit;
+  return hit.stillField != StillField::same && hit.method == HitMethod::exact &&
+         hit.field == Field::trilinear && !usesGi(scene);
+}
+
 bool needsGradient(const Scene& scene) {
   return lookInfo(scene.look.mode).readsGradient;
 }

@@ -27,6 +27,9 @@ bool showsShadow(const Scene& scene);
 bool showsFlow(const Scene& scene);
 bool showsLegend(const Scene& scene);
 
+// Pictures at rest may take hits of the B-spline through the samples instead of trilinear ones.
+bool mayRefineHits(const Scene& scene);
+
 bool needsGradient(const Scene& scene);
 bool needsCurvature(const Scene& scene);
 

@@ -37,6 +37,14 @@ std::span<const Named<Field>> choicesOf() {
 }
 
 template <>
+std::span<const Named<StillField>> choicesOf() {
+  static constexpr Named<StillField> names[] = {{StillField::automatic, "auto"},
+                                                {StillField::same, "same"},
+                                                {StillField::cubic_interpolating, "cubic_interpolating"}};
+  return names;
+}
+
+template <>
 std::span<const Named<Fetch>> choicesOf() {
   static constexpr Named<Fetch> names[] = {{Fetch::fast, "fast"}, {Fetch::exact, "exact"}};
   return names;

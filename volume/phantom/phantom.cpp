@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -30,6 +31,7 @@ constexpr PhantomInfo kPhantoms[] = {
     {"two_balls", "two balls that touch in one point, where the gradient vanishes", "mm", 0.0, 128},
     {"sheet", "a sheet thinner than a voxel", "mm", 0.0, 64},
     {"sheets", "half a ball, cut obliquely into parallel sheets and gaps of two voxels each", "mm", 0.0, 128},
+    {"wires", "six interlocking rings of wire with a smooth profile 1.4 voxels wide", "", 500.0, 128},
     {"noise", "smooth random field with white noise", "", 0.0, 128},
 };
 constexpr int kMinimumSize = 2, kMaximumSize = 1024;
@@ -101,6 +103,19 @@ double latticeNoise(glm::dvec3 p, std::uint64_t seed) {
   return sum;
 }
 
+// Rings of wire round axes that lean by 40 degrees, a sixth of a turn apart.
+double distanceToRings(glm::dvec3 q, double radius) {
+  constexpr double lean = 40.0 / 180.0 * kPi;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int ring = 0; ring < 6; ++ring) {
+    const double turn = ring * kPi / 3.0;
+    const glm::dvec3 axis(std::sin(lean) * std::cos(turn), std::sin(lean) * std::sin(turn), std::cos(lean));
+    const double along = glm::dot(q, axis);
+    nearest = std::min(nearest, std::hypot(along, glm::length(q - along * axis) - radius));
+  }
+  return nearest;
+}
+
 std::vector<float> closedForm(const PhantomRequest& request, const GridGeometry& geometry,
                               base::Progress& progress) {
   const Placement at(geometry);
@@ -156,6 +171,13 @@ std::vector<float> closedForm(const PhantomRequest& request, const GridGeometry&
       const double fromSheet = std::abs(across - period * std::round(across / period));
       return std::min({0.4 * e - glm::length(q), q.y, 0.25 * period - fromSheet});
     });
+  if (name == "wires") {
+    const double width = 0.6 * e / 127.0;
+    return make([=](glm::dvec3 p, std::size_t) {
+      const double distance = distanceToRings(p - c, 0.3 * e);
+      return 1000.0 * std::exp(-0.5 * distance * distance / (width * width));
+    });
+  }
   const std::uint64_t seed = request.seed;  // "noise"
   return make([=](glm::dvec3 p, std::size_t i) {
     const glm::dvec3 q = (p - c) / e;

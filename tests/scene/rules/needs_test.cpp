@@ -54,6 +54,19 @@ TEST(Needs, NothingIsLaidOverARawQuantity) {
   }
 }
 
+TEST(Needs, TrilinearExactHitsMayBeRefinedAtRest) {
+  scene::Scene scene;
+  EXPECT_TRUE(scene::mayRefineHits(scene));
+  for (const auto change : {+[](scene::Scene& s) { s.hit.stillField = scene::StillField::same; },
+                            +[](scene::Scene& s) { s.hit.method = scene::HitMethod::sampled; },
+                            +[](scene::Scene& s) { s.hit.field = scene::Field::cubic; },
+                            +[](scene::Scene& s) { s.look.mode = scene::LookMode::gi; }}) {
+    scene::Scene other = scene;
+    change(other);
+    EXPECT_FALSE(scene::mayRefineHits(other));
+  }
+}
+
 TEST(Needs, ASurfaceOfOpacity0IsNotThereNorTransparent) {
   scene::Scene scene;
   EXPECT_FALSE(scene::isTransparent(scene));

@@ -2,6 +2,7 @@
 #include "tests/support/volumes.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -127,6 +128,23 @@ TEST(Phantom, SheetsAreAsThickAsTheirGapsAndEndAtHalfABall) {
     for (int y = 66; y < 90; ++y)
       for (int x = 50; x < 80; ++x, ++all) inside += grid.value(x, y, z) >= 0.0;
   EXPECT_NEAR(static_cast<double>(inside) / all, 0.5, 0.03);
+}
+
+TEST(Phantom, WiresFallOffFromRings) {
+  // e = 127; the first ring's axis leans by 40 degrees toward x, so that y is in its plane.
+  const Grid grid = phantomGrid("wires", 128);
+  const double width = 0.6, radius = 38.1;
+  const auto expected = [&](double distance) {
+    return 1000.0 * std::exp(-0.5 * distance * distance / (width * width));
+  };
+  for (const int y : {100, 101, 102, 103}) {
+    // The middle lies between voxels: the nearest in x and z are half a voxel off the ring's plane and its
+    // radius.
+    const double lean = 40.0 / 180.0 * std::numbers::pi, along = 0.5 * std::sin(lean) + 0.5 * std::cos(lean);
+    const double q = y - 63.5, off = std::sqrt(0.5 + q * q - along * along) - radius;
+    EXPECT_NEAR(grid.value(64, y, 64), expected(std::hypot(along, off)), 1e-3) << y;
+  }
+  EXPECT_LT(grid.value(64, 64, 64), 1e-6);
 }
 
 TEST(Phantom, SheetIsThinnerThanAVoxelOnItsLayer) {
