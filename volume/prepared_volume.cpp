@@ -172,6 +172,7 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress)
   prepared->facts.suggestedIsovalue =
       known ? *known : suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
   prepared->facts.axes = prepared->volume.axes;
+  prepared->facts.spacingMm = prepared->grid().geometry().spacingMm();
   prepared->facts.minimum = prepared->grid().minimum();
   prepared->facts.maximum = prepared->grid().maximum();
   prepared->facts.typicalStep = typicalStep(prepared->grid(), progress);

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "app/study/light_study.h"
+#include "app/study/light_truth.h"
+#include "app/study/scale_study.h"
 #include "base/error.h"
 #include "base/quantiles.h"
 
@@ -49,6 +51,8 @@ const std::array<double, 3>& errorsToReach(Measure measure) {
   static constexpr std::array<double, 3> voxels{0.1, 0.01, 0.001}, degrees{1.0, 0.1, 0.01},
       partsOfMean{0.05, 0.02, 0.01};
   if (measure == Measure::light) return partsOfMean;
+  static constexpr std::array<double, 3> partsOfCurvature{0.5, 0.2, 0.1};
+  if (measure == Measure::scale) return partsOfCurvature;
   return measure == Measure::hits ? voxels : degrees;
 }
 
@@ -136,6 +140,22 @@ void Studio::requireSurface(const scene::Scene& scene, base::Progress& progress)
                       "no pixel of this view shows the surface");
 }
 
+void Studio::judgeScale(const scene::Scene& scene, StudySetting& setting, base::Progress& progress) {
+  if (!scale_) {
+    const TrueSurface truth = truth_.of(scene.hit.field, scene.derivatives.field, progress);
+    std::vector<bool> isHit;
+    for (const TrueHit& hit : truth.hits) isHit.push_back(hit.hit);
+    std::vector<glm::dvec3> points;
+    for (const std::size_t pixel : chosenPixels(isHit, kScalePoints))
+      points.push_back(truth.hits[pixel].voxel);
+    scale_ = std::make_unique<ScaleStudio>(volume_, scene, std::move(points), volume_->facts.noise);
+  }
+  const double scaleMm = scene.derivatives.scale.value_or(0.0);
+  const ScaleFindings findings = scale_->at(scaleMm, progress);
+  setting.errors.noise = findings.errors;
+  setting.scale = {scaleMm, findings.buildSeconds};
+}
+
 StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, base::Progress& progress) {
   const scene::Scene& scene = alternative.scene;
   const auto errors = [&](scene::Field hitField, scene::Field shapeField) {
@@ -149,6 +169,10 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   setting.comparison = alternative.comparison;
   setting.frameMilliseconds = base::median(alternative.frames);
   for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = base::median(times);
+  if (knob.measure == Measure::scale) {
+    judgeScale(scene, setting, progress);
+    return setting;
+  }
   setting.errors = errors(scene.hit.field, scene.derivatives.field);
   constexpr scene::Field best = scene::Field::cubic_interpolating;
   if (knob.field)
@@ -184,6 +208,10 @@ KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from,
     const double part =
         static_cast<double>(result.settings.size()) / static_cast<double>(alternatives.size());
     progress.report(measured + (to - measured) * part, "comparing");
+  }
+  if (scale_) {
+    result.addedNoise = scale_->deviation();
+    result.knowsTruth = scale_->isPhantom();
   }
   return result;
 }

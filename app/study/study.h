@@ -30,6 +30,12 @@ struct LightCost {
   std::uint64_t latticeBytes = 0, gpuBytes = 0;
 };
 
+// What a field at a scale costs beside its pictures.
+struct ScaleCost {
+  double scaleMm = 0.0;
+  double buildSeconds = 0.0;  // 0: none is built
+};
+
 struct StudySetting {
   std::string value;
   bool isDefault = false;
@@ -38,6 +44,7 @@ struct StudySetting {
   std::map<std::string, double> passMilliseconds;  // with gradient and hessian each run for themselves
   Errors errors;                                   // against double precision on the same fields
   std::optional<Errors> fieldErrors;  // of a field: against cubic_interpolating in double precision
+  std::optional<ScaleCost> scale{};   // of the knob of the scale; then only errors.noise is defined
   std::optional<LightCost> light;     // of a knob of light; then only errors.light is defined
 };
 
@@ -46,6 +53,9 @@ struct KnobStudy {
   std::vector<StudySetting> settings;
   std::string plot;       // file name beside study.json; "" where there is none
   std::string skipped{};  // why it was not studied: it has no effect in this scene
+  // Of the knob of the scale: the noise that was added, data units, and whether the truth is a phantom's own.
+  double addedNoise = 0.0;
+  bool knowsTruth = false;
   // Of a knob of light: what it was compared with.
   std::uint64_t truthSamples = 0;  // paths per pixel
   int truthBounces = 0;
@@ -59,10 +69,12 @@ double costOf(const Knob& knob, const StudySetting& setting, const Panel& panel)
 const Errors& judged(const StudySetting& setting);
 // The cheapest of the knob's settings whose first panel's error is at most this; null: none is.
 const StudySetting* cheapest(const KnobStudy& study, double error);
-// What cheapest() is asked for: of hits in voxels, of shapes in degrees, of light in parts of its mean.
+// What cheapest() is asked for: of hits in voxels, of shapes in degrees, of scales in parts of the curvature,
+// of light in parts of its mean.
 const std::array<double, 3>& errorsToReach(Measure measure);
 
 class LightStudio;
+class ScaleStudio;
 
 class Studio {
  public:
@@ -81,6 +93,7 @@ class Studio {
   void drawOnce(Alternative& alternative, bool timed);
   void requireSurface(const scene::Scene& scene, base::Progress& progress);
   DrawnImages imagesOf(const scene::Scene& scene);
+  void judgeScale(const scene::Scene& scene, StudySetting& setting, base::Progress& progress);
   StudySetting judge(const Knob& knob, const Alternative& alternative, base::Progress& progress);
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
@@ -91,7 +104,8 @@ class Studio {
   render::Renderer renderer_;
   SurfaceTruth truth_;
   std::optional<scene::Field> drawnField_;  // of the hits of the last frame
-  std::unique_ptr<LightStudio> light_;      // once asked for
+  std::unique_ptr<ScaleStudio> scale_;      // once asked for
+  std::unique_ptr<LightStudio> light_;      // the same
 };
 
 }  // namespace isolux::app

@@ -10,16 +10,16 @@
 
 namespace isolux::app {
 
-namespace {
-
 double angleDegrees(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * (180.0 / std::numbers::pi);
 }
 
-double curvatureError(const float* drawn, const TrueShape& shape, double flat) {
-  const double size = std::max({std::abs(shape.kappa1), std::abs(shape.kappa2), flat});
-  return std::max(std::abs(drawn[0] - shape.kappa1), std::abs(drawn[1] - shape.kappa2)) / size;
+double curvatureError(double kappa1, double kappa2, const TrueShape& truth, double flatCurvature) {
+  const double size = std::max({std::abs(truth.kappa1), std::abs(truth.kappa2), flatCurvature});
+  return std::max(std::abs(kappa1 - truth.kappa1), std::abs(kappa2 - truth.kappa2)) / size;
 }
+
+namespace {
 
 double partsPerMillion(std::size_t count, std::size_t of) {
   return of == 0 ? 0.0 : 1e6 * static_cast<double>(count) / static_cast<double>(of);
@@ -80,7 +80,7 @@ Errors errorsOf(const DrawnImages& drawn, const TrueSurface& truth,
     if (shape.hasNormal && !std::isnan(n.x)) normal.push_back(angleDegrees(n, shape.normal));
     const float* const kappa = &drawn.kappa[2 * i];
     if (shape.hasCurvature && !std::isnan(kappa[0]))
-      curvature.push_back(curvatureError(kappa, shape, truth.flatCurvature));
+      curvature.push_back(curvatureError(kappa[0], kappa[1], shape, truth.flatCurvature));
   }
   errors.depthVoxels = spreadOf(std::move(depthVoxels));
   errors.depthMm = spreadOf(std::move(depthMm));

@@ -53,6 +53,12 @@ struct Spread {
 };
 Spread spreadOf(std::vector<double> errors);
 
+// What noise makes of shapes, over points and seeds (app/study/scale_study.h).
+struct NoiseErrors {
+  Spread normalDegrees;
+  Spread curvature;  // as Errors::curvature
+};
+
 struct Errors {
   std::size_t pixels = 0;     // of the picture
   std::size_t surface = 0;    // pixels where the truth hits
@@ -61,6 +67,7 @@ struct Errors {
   std::size_t undecided = 0;  // would be one of these, but the truth's own answer hangs on a rounding
   Spread depthVoxels, depthMm, normalDegrees;
   Spread curvature;   // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
+  NoiseErrors noise;  // of the knob of the scale, beside the above
   LightErrors light;  // of knobs of light, which have nothing of the above
 
   double missedPpm() const;  // of the picture's pixels
@@ -74,6 +81,10 @@ inline constexpr double kSameCrossingVoxels = 2.0;
 // A hit is of the truth's first crossing when it is nearer to it than to the next one behind, and not
 // farther from it than that step.
 bool isFirstCrossing(double depthMm, const TrueHit& truth);
+
+// max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature) of the truth.
+double curvatureError(double kappa1, double kappa2, const TrueShape& truth, double flatCurvature);
+double angleDegrees(const glm::dvec3& a, const glm::dvec3& b);  // between unit vectors
 
 // `undecided(pixel)`: asked about missed and invented pixels only.
 Errors errorsOf(const DrawnImages& drawn, const TrueSurface& truth,

@@ -11,8 +11,9 @@
 
 namespace isolux::app {
 
-// What a knob trades for time or memory: where the surface is, how it is bent, or how it is lit.
-enum class Measure { hits, shape, light };
+// What a knob trades for time or memory: where the surface is, how it is bent, what noise makes of that, or
+// how it is lit.
+enum class Measure { hits, shape, scale, light };
 // What it costs: the time of passes; of light, tracing it, reading it, or keeping it.
 enum class Cost { passes, bakeSeconds, lookupMilliseconds, gpuMegabytes };
 
@@ -31,9 +32,10 @@ struct Knob {
   const char* setting;  // its path
   const char* label;    // with unit, for tables and plots
   Measure measure;
-  bool field;                       // it chooses a field: also compared with cubic_interpolating
-  bool sampled;                     // acts on hit.method sampled only
-  std::vector<const char*> values;  // of the setting; near_threshold: multiples of the automatic one
+  bool field;    // it chooses a field: also compared with cubic_interpolating
+  bool sampled;  // acts on hit.method sampled only
+  // Of the setting; near_threshold: multiples of the automatic one; derivatives_scale: of the mean spacing.
+  std::vector<const char*> values;
   Cost cost = Cost::passes;
   bool ordered = false;   // its values are numbers in order, joined by a line in plots
   bool transfer = false;  // acts on stored transfer: turned where the environment moves

@@ -11,6 +11,7 @@
 #include "app/files/files.h"
 #include "app/files/json_text.h"
 #include "app/study/study_light_report.h"
+#include "app/study/study_scale_report.h"
 #include "app/study/study_table.h"
 #include "app/version.h"
 #include "base/number_text.h"
@@ -61,6 +62,12 @@ ordered_json settingJson(const StudySetting& setting, glm::ivec2 size) {
             {"frame_milliseconds", setting.frameMilliseconds},
             {"light", lightCostJson(*setting.light)},
             {"errors", lightErrorsJson(setting.errors.light, size)}};
+  if (setting.scale)
+    return {{"value", setting.value},
+            {"default", setting.isDefault},
+            {"frame_milliseconds", setting.frameMilliseconds},
+            {"pass_milliseconds", setting.passMilliseconds},
+            {"scale", scaleJson(setting)}};
   ordered_json json{{"value", setting.value},
                     {"default", setting.isDefault},
                     {"comparison", setting.comparison},
@@ -81,6 +88,8 @@ ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
   }
   if (study.knob.measure == Measure::light)
     json["truth"] = {{"samples", study.truthSamples}, {"bounces", study.truthBounces}};
+  else if (study.knob.measure == Measure::scale)
+    json.update({{"added_noise", study.addedNoise}, {"truth", study.knowsTruth ? "phantom" : "none"}});
   else
     json.update(
         {{"passes", panels[0].passes}, {"method", study.knob.sampled ? "sampled" : "as in the scene"}});
@@ -159,8 +168,8 @@ void reachLine(std::ostream& out, const KnobStudy& study) {
       out << '`' << setting->value << "` (" << costText(study.knob, costOf(study.knob, *setting, panel))
           << ')';
     else
-      out << '`' << setting->value << "` (" << tableNumber(milliseconds(*setting, panel)) << " ms, "
-          << judged(*setting).missed << " missed)";
+      out << '`' << setting->value << "` (" << tableNumber(milliseconds(*setting, panel)) << " ms"
+          << (setting->scale ? "" : ", " + std::to_string(judged(*setting).missed) + " missed") << ')';
   }
   out << ".\n";
 }
@@ -219,6 +228,8 @@ std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStu
     }
     if (study.knob.measure == Measure::light)
       writeLightTable(out, study, subject.size);
+    else if (study.knob.measure == Measure::scale)
+      writeScaleTable(out, study);
     else
       table(out, study);
     if (study.knob.field) fieldTable(out, study);

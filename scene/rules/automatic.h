@@ -22,6 +22,7 @@ struct VolumeFacts {
       0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
   NoiseModel noise{};  // of a voxel
   WorldAxes axes = WorldAxes::zUp;
+  glm::dvec3 spacingMm{1.0};
 };
 
 // Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
