@@ -55,9 +55,17 @@ json upgradeFrom3(json session, const std::string& file) {
   return session;
 }
 
+// Version 4 knew no derivatives at a scale.
+json upgradeFrom4(json session, const std::string& file) {
+  checkKeys(session, {versionKey, "program", "scene", "places"}, file, "");
+  session["scene"] = derivativesAsBefore(session.value("scene", json::object()));
+  return session;
+}
+
 // upgrades[i] turns version i+1 into version i+2.
 using Upgrade = json (*)(json session, const std::string& file);
-constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1, upgradeFrom2, upgradeFrom3};
+constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1, upgradeFrom2, upgradeFrom3,
+                                                           upgradeFrom4};
 
 int versionOf(const json& session, const std::string& file) {
   const auto found = session.find(versionKey);

@@ -127,6 +127,13 @@ json lightAsBefore(json stored) {
   return stored;
 }
 
+json derivativesAsBefore(json stored) {
+  addMissing(stored, {{"derivatives", {{"scale", 0.0}, {"normal_scale", 0.0}}},
+                      {"hit", {{"still_field", "same"}}},
+                      {"look", {{"contours", 0.0}}}});
+  return stored;
+}
+
 void checkKeys(const json& stored, std::initializer_list<std::string_view> known, const std::string& file,
                const std::string& place) {
   if (!stored.is_object()) base::throwInput(file, place, "a JSON object was expected");

@@ -50,6 +50,10 @@ scene::Scene sceneFromStored(const nlohmann::json& stored, const std::string& fi
 // there was no choice of: a white sky, and exposure by the lights.
 nlohmann::json lightAsBefore(nlohmann::json stored);
 
+// Of before there were derivatives at a scale, hits of pictures at rest, and outlines that go with tone: none
+// of them.
+nlohmann::json derivativesAsBefore(nlohmann::json stored);
+
 // `stored` must be an object with no other keys than the `known` ones; `place` as above.
 void checkKeys(const nlohmann::json& stored, std::initializer_list<std::string_view> known,
                const std::string& file, const std::string& place);

@@ -70,8 +70,21 @@ TEST(Recording, OfBeforeBuiltInLightsKeepsItsSkyAndItsExposure) {
   EXPECT_EQ(recording.start.picture.metering, scene::Metering::lights);
   EXPECT_EQ(recording.sceneAt(2).light.environment.constant, glm::dvec3(0.5, 1.0, 2.0));
   std::ofstream(file) << "{\"isolux_recording\": 2}\n";
+  EXPECT_FALSE(loadRecording(file).start.light.environment.constant);
+}
+
+TEST(Recording, OfBeforeScalesKeepsItsDerivatives) {
+  const fs::path file = test::temporaryFolder() / "r.jsonl";
+  for (const char* version : {"1", "2"}) {
+    std::ofstream(file) << "{\"isolux_recording\": " << version << "}\n";
+    const Scene start = loadRecording(file).start;
+    EXPECT_EQ(start.derivatives.scale, 0.0);
+    EXPECT_EQ(start.derivatives.normalScale, 0.0);
+    EXPECT_EQ(start.hit.stillField, scene::StillField::same);
+  }
+  std::ofstream(file) << "{\"isolux_recording\": 3}\n";
   EXPECT_TRUE(loadRecording(file).start == Scene{});
-  EXPECT_THAT(refusal("{\"isolux_recording\": 3}\n"), HasSubstr("versions 1 and 2"));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 4}\n"), HasSubstr("versions 1 to 3"));
 }
 
 TEST(Recording, AnAnimatedFlowMovesOn) {

@@ -22,9 +22,18 @@ using scene::Scene;
 using testing::AllOf;
 using testing::HasSubstr;
 
-// What a session of before there were built-in lights leaves unsaid.
-Scene litAsBefore() {
+// What a session of before there were derivatives at a scale leaves unsaid.
+Scene derivedAsBefore() {
   Scene scene;
+  scene.derivatives.scale = scene.derivatives.normalScale = 0.0;
+  scene.hit.stillField = scene::StillField::same;
+  scene.look.contours = 0.0;
+  return scene;
+}
+
+// And of before there were built-in lights.
+Scene litAsBefore() {
+  Scene scene = derivedAsBefore();
   scene.light.environment.constant = glm::dvec3(1.0);
   scene.picture.metering = scene::Metering::lights;
   return scene;
@@ -69,7 +78,7 @@ TEST(Session, OfBeforeBuiltInLightsKeepsItsSkyAndItsExposure) {
   EXPECT_EQ(read(R"({"isolux_session": 1, "settings": {"look.mode": "gi"}})").light.environment.constant,
             glm::dvec3(1.0));
   EXPECT_EQ(read(R"({"isolux_session": 2})").picture.metering, scene::Metering::lights);
-  EXPECT_TRUE(read(R"({"isolux_session": 4})") == Scene{}) << "later ones have the defaults of now";
+  EXPECT_TRUE(read(R"({"isolux_session": 4})") == derivedAsBefore()) << "later ones have the light of now";
   EXPECT_THAT(refusal(R"({"isolux_session": 3, "scene": {"light": 7}})"), HasSubstr("light"));
   EXPECT_THAT(refusal(R"({"isolux_session": 3, "scene": 7})"), HasSubstr("scene"));
 }
@@ -174,6 +183,14 @@ TEST(Session, UpgradesVersion1) {
   EXPECT_TRUE(parseSession(R"({"isolux_session": 1})", "", {"/data"}) == litAsBefore());
 }
 
+TEST(Session, OfBeforeScalesKeepsItsDerivatives) {
+  const auto read = [](const std::string& text) { return parseSession(text, "a.isolux", {"/data"}); };
+  EXPECT_TRUE(read(R"({"isolux_session": 4, "scene": {}})") == derivedAsBefore());
+  const Scene tone = read(R"({"isolux_session": 4, "scene": {"look": {"mode": "tone", "contours": 0.3}}})");
+  EXPECT_EQ(tone.look.contours, 0.3);
+  EXPECT_EQ(tone.derivatives.scale, 0.0);
+}
+
 TEST(Session, RefusesBadVersion1WithThePath) {
   EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"camera.fow": 3}})"), HasSubstr("camera.fow"));
   EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"fov": 3}})"), HasSubstr("settings.fov"));
@@ -183,8 +200,8 @@ TEST(Session, RefusesBadVersion1WithThePath) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 4})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 4, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 5})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "scene": {}})", "", {"/"}) == Scene{});
   EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", {"/"}) == litAsBefore());
 }
 
@@ -207,8 +224,8 @@ TEST(Session, ValuesAreCheckedWithTheirPath) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 5, "scene": {"new": 1}})"),
-              AllOf(HasSubstr("version 5"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 6, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 6"), HasSubstr("newer Isolux")));
   EXPECT_THAT(refusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 
