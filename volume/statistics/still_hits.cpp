@@ -1,0 +1,41 @@
+#include "volume/statistics/still_hits.h"
+
+#include <algorithm>
+
+#include "volume/statistics/spline_gap.h"
+#include "volume/statistics/visible_points.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kPoints = 800, kKept = 64;
+
+}  // namespace
+
+bool gainsFromSpline(double shareBeside) {
+  return shareBeside > kManyBesideSpline;
+}
+
+std::optional<double> StillHits::find(double isovalue) const {
+  const std::lock_guard lock(mutex_);
+  const auto found =
+      std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.isovalue == isovalue; });
+  return found == kept_.end() ? std::nullopt : std::optional(found->share);
+}
+
+double StillHits::measure(double isovalue, base::Progress& progress) const {
+  if (const auto share = find(isovalue)) return *share;
+  std::vector<glm::dvec3> points;
+  for (const VisiblePoint& point : visiblePoints(*grid_, *blocks_, isovalue, kPoints))
+    points.push_back(point.voxel);
+  progress.throwIfStopped();
+  const double share = shareBesideSpline(*grid_, points);
+  progress.throwIfStopped();
+  const std::lock_guard lock(mutex_);
+  if (kept_.size() == kKept) kept_.erase(kept_.begin());
+  kept_.push_back({isovalue, share});
+  return share;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,41 @@
+// Whether a surface gains from hits of the spline through the samples, which pictures at rest then take
+// (hit.still_field): measured at points that can be seen, once for each isovalue.
+//
+// All members may be called from any thread; nobody waits for another's work.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "base/progress.h"
+#include "volume/grid.h"
+#include "volume/skip/min_max_blocks.h"
+
+namespace isolux::volume {
+
+class StillHits {
+ public:
+  StillHits(std::shared_ptr<const Grid> grid, std::shared_ptr<const MinMaxBlocks> blocks)
+      : grid_(std::move(grid)), blocks_(std::move(blocks)) {}
+
+  // The share of what can be seen of the isosurface that lies visibly beside the spline's (spline_gap.h); 0
+  // without a surface. `measure` takes some tens of milliseconds. Throws Error{interrupted}.
+  std::optional<double> find(double isovalue) const;
+  double measure(double isovalue, base::Progress& progress) const;
+
+ private:
+  struct Kept {
+    double isovalue, share;
+  };
+  std::shared_ptr<const Grid> grid_;
+  std::shared_ptr<const MinMaxBlocks> blocks_;
+  mutable std::mutex mutex_;        // held for moments
+  mutable std::vector<Kept> kept_;  // the latest last
+};
+
+// The spline is worth its time.
+bool gainsFromSpline(double shareBeside);
+
+}  // namespace isolux::volume
