@@ -41,6 +41,8 @@ Source sourceOf(const FrameState& frame, Aov aov) {
       source.info = frame.image(image::surface, 1).readFloats(2);
       break;
     case Aov::normal:
+      source.gradient = frame.shadingGradientImage().readFloats(4);
+      break;
     case Aov::gradient:
       source.gradient = frame.gradientImage().readFloats(4);
       break;
@@ -66,6 +68,7 @@ Source sourceOf(const FrameState& frame, Aov aov) {
     case Aov::voxel:
     case Aov::position:
     case Aov::depth:
+    case Aov::scale:
       break;
   }
   return source;
@@ -167,6 +170,9 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
         break;
       case Aov::curvature_confidence:
         out[0] = source.first[4 * i + 2];
+        break;
+      case Aov::scale:
+        out[0] = static_cast<float>(drawn.scaleMm);
         break;
       case Aov::irradiance:
         if (drawn.lit) put(vectorAt(source.first, i));

@@ -18,6 +18,7 @@ struct DrawnFrame {
   double outward = -1.0;                   // times the gradient: the outward normal
   scene::Field hitField = scene::Field::trilinear;
   bool layered = false;  // there are surfaces behind transparent ones
+  double scaleMm = 0.0;  // of second derivatives
   bool lit = false;      // somebody had said what the light is
 };
 

@@ -9,6 +9,7 @@
 #include "render/empty_picture.h"
 #include "render/gl/gl_messages.h"
 #include "render/graph/pass_declarations.h"
+#include "render/passes/curvature_ranges.h"
 #include "render/passes/frame_state.h"
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
@@ -77,6 +78,16 @@ std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
   return values;
 }
 
+// Of what is drawn at the hits as far as somebody reads it.
+std::vector<FieldAt> fieldsReadBy(const scene::Scene& scene, const FrameRequest& request) {
+  const scene::Field derived = scene.derivatives.field;
+  std::vector<FieldAt> fields = {{scene.hit.field}};
+  const bool images = !request.aovs.empty();
+  if (images || scene::needsGradient(scene)) fields.push_back({derived, scene::normalScale(scene)});
+  if (images || scene::needsCurvature(scene)) fields.push_back({derived, scene::derivativesScale(scene)});
+  return fields;
+}
+
 bool passRan(const FrameReport& report, const std::string& name) {
   return std::any_of(report.passes.begin(), report.passes.end(), [&](const PassReport& pass) {
     return pass.name == name && pass.state == PassState::ran;
@@ -133,6 +144,7 @@ struct Renderer::Parts {
   DrawnFrame drawn;
   std::vector<std::pair<const Pass*, std::string>> held;  // images of the last frame, and who wrote them
   std::shared_ptr<const volume::PreparedVolume> volume;
+  std::optional<scene::Scene> completedScene;  // of completed()
   scene::Memory memory;
   scene::Executor executor = scene::Executor::automatic;
   std::uint64_t copiesMade = 0;   // VolumeState::made
@@ -143,6 +155,8 @@ struct Renderer::Parts {
   bool complete = true;           // the last frame had all the time it needed
   bool imagesDropped = false;     // in this frame, because their size is another
 
+  // With what is automatic about derivatives where the picture reads them and nobody has filled it in.
+  const scene::Scene& completed(const scene::Scene& scene, const FrameRequest& request);
   void prepare(const scene::Scene& scene, const FrameRequest& request);
   // Blocks of other sizes are those of benchmarks.
   bool hasMasks() const { return volume->blocks->blockCells() == volume::BoxBounds::kBlockCells; }
@@ -183,6 +197,15 @@ void Renderer::invalidate() {
   for (const auto& pass : parts_->passes) pass->forget();
 }
 
+const scene::Scene& Renderer::Parts::completed(const scene::Scene& scene, const FrameRequest& request) {
+  const bool reads = !request.aovs.empty() || scene::needsGradient(scene);
+  if (!volume || !reads) return scene;
+  completedScene = scene;
+  base::Progress unwatched;
+  volume->derivativeChoices->complete(*completedScene, unwatched);
+  return *completedScene;
+}
+
 void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& request) {
   const int longest = std::max(request.size.x, request.size.y) * request.supersampling;
   if (!request.tile && longest > frame.gl->maxImage)
@@ -198,9 +221,9 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   }
   frame.onProcessor = onProcessor(volume && hasMasks() && takesProcessor(executor, *frame.gl), scene);
   if (frame.volume && frame.onProcessor.all) {
-    frame.volume->requireFields(scene);
+    frame.volume->requireFields(fieldsReadBy(scene, request));
   } else if (frame.volume) {
-    frame.volume->require(scene, memory);
+    frame.volume->require(fieldsReadBy(scene, request), memory);
     // Shaders at the hits find only bricks that rays of shaders have asked for.
     if (frame.volume->bricks()) frame.onProcessor = {};
   }
@@ -231,6 +254,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
            frame.outward(),
            scene.hit.field,
            scene::isTransparent(scene),
+           scene::derivativesScale(scene),
            frame.light != nullptr};
 }
 
@@ -238,13 +262,14 @@ void Renderer::Parts::plan(const std::vector<PassDeclaration>& declared,
                            const std::vector<PlannedPass>& planned) {
   frame.used.clear();
   held.clear();
-  frame.withGradient = frame.withHessian = false;
+  frame.withGradient = frame.withShadingGradient = frame.withHessian = false;
   for (const PlannedPass& entry : planned) {
     if (entry.state == PassState::skipped) continue;
     frame.used.push_back(passes[entry.index].get());
     for (const std::string& image : declared[entry.index].writes) {
       held.emplace_back(frame.used.back(), image);
       frame.withGradient = frame.withGradient || image == image::gradient;
+      frame.withShadingGradient = frame.withShadingGradient || image == image::shadingGradient;
       frame.withHessian = frame.withHessian || image == image::hessian;
     }
   }
@@ -332,10 +357,11 @@ void Renderer::Parts::leave(bool stopped) {
   frame.gl->UseProgram(0);
 }
 
-const FrameReport& Renderer::render(const scene::Scene& scene, const FrameRequest& request) {
+const FrameReport& Renderer::render(const scene::Scene& asked, const FrameRequest& request) {
   assert(request.size.x > 0 && request.size.y > 0 && request.supersampling >= 1);
-  assert(scene.isosurface.value && scene.camera.eye && scene.camera.target && scene.camera.up);
+  assert(asked.isosurface.value && asked.camera.eye && asked.camera.target && asked.camera.up);
   Parts& parts = *parts_;
+  const scene::Scene& scene = parts.completed(asked, request);
   const Gl& gl = *parts.frame.gl;
   const Clock::time_point begin = Clock::now();
   const std::size_t errorsBefore = glErrors().size();
@@ -347,7 +373,7 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
     const auto declared =
         declarePasses(parts.passes, Asked(scene, request, parts.volumeState(), parts.brickState(),
                                           parts.frame.lighting->state(parts.frame), parts.frame.onProcessor));
-    const auto plan = parts.graph.plan(declared, wantedImages(request));
+    const auto plan = parts.graph.plan(declared, wantedImages(request, scene));
     parts.plan(declared, plan);
     for (const PlannedPass& entry : plan)
       if (parts.imagesDropped && entry.state != PassState::cached)
@@ -392,6 +418,11 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   if (parts.volume && parts.waitingRays == 0)
     parts.report.empty = whyEmpty(scene, *parts.volume, static_cast<double>(request.size.x) / request.size.y,
                                   !parts.frame.empty(), parts.hit);
+  if (parts.frame.withHessian && request.color && scene::needsCurvature(scene)) {
+    const volume::CurvatureStatistics& surface = parts.frame.statistics;
+    const double flat = parts.frame.flatCurvature();
+    parts.report.curvature = {measureRange(scene, surface, flat), ridgeThresholds(scene, surface, flat)};
+  }
   parts.report.surfaceChanged = std::exchange(parts.hitsChanged, false);
   parts.report.milliseconds = millisecondsSince(begin);
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;

@@ -41,8 +41,9 @@ class Renderer {
   // sky. Its lattices may go on being filled; each render() takes what is there.
   void setLight(std::shared_ptr<const gi::PictureLight> light);
 
-  // `scene` must be resolved (scene::resolve). Only what `request` needs is computed; what has not changed
-  // since the last call is not computed again.
+  // `scene` must be resolved (scene::resolve). What is automatic about derivatives is chosen here where
+  // nobody has done so (volume/statistics/derivative_choices.h: takes long). Only what `request` needs is
+  // computed; what has not changed since the last call is not computed again.
   const FrameReport& render(const scene::Scene& scene, const FrameRequest& request);
 
   // Forgets what earlier frames computed, so that the next render() runs every pass it needs (benchmarks).

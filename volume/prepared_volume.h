@@ -8,6 +8,7 @@
 #include "volume/read/reader.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/statistics/derivative_choices.h"
 #include "volume/statistics/histogram.h"
 
 namespace isolux::volume {
@@ -20,6 +21,7 @@ struct PreparedVolume {
   std::shared_ptr<const MinMaxBlocks> blocks;
   std::shared_ptr<const BoxBounds> boxes;    // of the trilinear field, for blocks of BoxBounds::kBlockCells
   std::shared_ptr<CubicFields> cubicFields;  // made when first asked for
+  std::shared_ptr<DerivativeChoices> derivativeChoices;  // so are they
   Histogram histogram;
   scene::VolumeFacts facts;
   double readSeconds = 0.0, prepareSeconds = 0.0;

@@ -3,6 +3,8 @@
 #include <iostream>
 
 #include "app/commands/command.h"
+#include "app/commands/derivative_report.h"
+#include "app/commands/progress_bar.h"
 #include "base/number_text.h"
 #include "base/printable.h"
 
@@ -30,7 +32,7 @@ std::size_t activeBlocksAt(const PreparedVolume& prepared, double isovalue) {
   return prepared.blocks->activeBlocks(static_cast<float>(prepared.grid().storedOfValue(isovalue)), flags);
 }
 
-ordered_json infoJson(const PreparedVolume& prepared) {
+ordered_json infoJson(const PreparedVolume& prepared, const volume::DerivativeChoice& choice) {
   const volume::Volume& v = prepared.volume;
   const volume::Grid& grid = prepared.grid();
   const volume::GridGeometry& geometry = grid.geometry();
@@ -59,6 +61,7 @@ ordered_json infoJson(const PreparedVolume& prepared) {
                    {"deviations", noise.deviations},
                    {"at_suggested", noise.at(isovalue)},
                    {"blur_voxels", vectorJson(noise.correlation)}};
+  json["derivatives_at_suggested"] = choiceJson(choice);
   json["histogram"] = {{"minimum", prepared.histogram.minimum},
                        {"maximum", prepared.histogram.maximum},
                        {"counts", prepared.histogram.counts},
@@ -88,6 +91,10 @@ std::string noiseText(const scene::NoiseModel& noise, double isovalue, const std
   if (noise.correlation != glm::dvec3(0.0))
     text += ", blurred by " + vectorText(noise.correlation, " x ") + " voxels";
   return text;
+}
+
+std::string scaleText(double scaleMm, const std::string& reason) {
+  return base::shortText(scaleMm, 3) + " mm" + (reason.empty() ? "" : " (" + reason + ")");
 }
 
 std::string peaksText(const volume::Histogram& histogram) {
@@ -131,7 +138,7 @@ std::string histogramBar(const volume::Histogram& histogram) {
   return bar;
 }
 
-void printText(const PreparedVolume& prepared, std::ostream& out) {
+void printText(const PreparedVolume& prepared, const volume::DerivativeChoice& choice, std::ostream& out) {
   const volume::Volume& v = prepared.volume;
   const volume::Grid& grid = prepared.grid();
   const volume::GridGeometry& geometry = grid.geometry();
@@ -164,6 +171,8 @@ void printText(const PreparedVolume& prepared, std::ostream& out) {
   row("peaks", peaksText(prepared.histogram));
   row("isovalue", base::shortText(isovalue) + unit + " (suggested)");
   row("noise", noiseText(prepared.facts.noise, isovalue, unit));
+  row("curvature at", scaleText(choice.scaleMm, choice.scaleReason));
+  row("normals at", scaleText(choice.normalScaleMm, choice.normalReason));
   row("blocks", std::to_string(activeBlocksAt(prepared, isovalue)) + " of " +
                     std::to_string(prepared.blocks->count()) + " active there, " +
                     std::to_string(prepared.blocks->blockCells()) + " cells per axis each");
@@ -176,6 +185,13 @@ void printText(const PreparedVolume& prepared, std::ostream& out) {
   row("memory", bytesText(grid.bytes()));
   row("hash", base::hexText(grid.hash()));
   for (const std::string& warning : v.warnings) row("warning", warning);
+}
+
+volume::DerivativeChoice chosenWithProgressBar(const PreparedVolume& prepared, scene::Field field,
+                                               base::Progress& progress) {
+  progress.report(0.0, "measuring noise");
+  const ProgressBar bar(progress);
+  return prepared.derivativeChoices->choose(prepared.facts.suggestedIsovalue, field, progress);
 }
 
 }  // namespace
@@ -194,10 +210,12 @@ Command makeInfo(CLI::App& program) {
             requireSource(options->path, *sceneOptions);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             const auto prepared = loadWithProgressBar(scene.source, progress);
+            const volume::DerivativeChoice choice =
+                chosenWithProgressBar(*prepared, scene.derivatives.field, progress);
             if (options->json)
-              std::cout << jsonText(infoJson(*prepared));
+              std::cout << jsonText(infoJson(*prepared, choice));
             else
-              printText(*prepared, std::cout);
+              printText(*prepared, choice, std::cout);
           }};
 }
 

@@ -7,10 +7,12 @@
 #include <optional>
 
 #include "app/commands/command.h"
+#include "app/commands/derivative_report.h"
 #include "app/commands/progress_bar.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
+#include "app/jobs/field_job.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/version.h"
@@ -91,7 +93,7 @@ std::uint64_t peakBytes() {
 ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
                        const render::FrameRequest& request, const volume::PreparedVolume& prepared,
                        const render::ContextDescription& context, const Drawn& drawn,
-                       const LightController& light) {
+                       const LightController& light, const DerivativeFacts& derivatives) {
   ordered_json passes = ordered_json::array();
   for (const render::PassReport& pass : drawn.picture.report.passes)
     passes.push_back({{"name", pass.name},
@@ -117,6 +119,7 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
                     {"missing", bricks.missing}};
   const std::optional<render::EmptyPicture>& empty = drawn.picture.report.empty;
   json["empty"] = empty ? ordered_json(empty->reason) : ordered_json(nullptr);
+  json["derivatives"] = derivativesJson(derivatives);
   json["bake"] = bakeJson(light.state());
   json["exposure"] = exposureJson(scene, light.light().get());
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
@@ -169,6 +172,7 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   checkOutput(guard, options.stats, "--stats");
 
   const auto prepared = loadWithProgressBar(scene.source, progress);
+  const scene::Derivatives asked = scene.derivatives;
   scene = scene::resolve(std::move(scene), prepared->facts);
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
@@ -184,17 +188,22 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
       light.setScene(litScene(scene, request), prepared);
       light.load(options.light, progress);
     }
+    completeFields(scene, *prepared, !request.aovs.empty(), progress);
     lightPicture(light, renderer, scene, request, prepared, progress);
     progress.report(0.0, "drawing");
     drawn = draw(renderer, scene, request, options.repeat, progress);
     progress.throwIfStopped();
     writePicture(drawn.picture, request, options, scene);
   }
+  std::optional<DerivativeFacts> derivatives;
+  if (!options.stats.empty() || options.explain)
+    derivatives = derivativeFacts(renderer, asked, scene, request, drawn.picture.report, *prepared);
   if (!options.stats.empty())
     writeTextFile(options.stats, jsonText(statsJson(options, scene, request, *prepared,
-                                                    context->description(), drawn, light)));
+                                                    context->description(), drawn, light, *derivatives)));
   if (options.explain) {
     printPasses(drawn.picture.report);
+    printDerivatives(*derivatives);
     printBake(light.state());
     printExposure(scene, light.light().get());
   }

@@ -11,6 +11,7 @@
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
+#include "app/jobs/field_job.h"
 #include "app/light/light_picture.h"
 #include "app/process/external_program.h"
 #include "base/error.h"
@@ -67,7 +68,8 @@ class FrameMaker {
       source_ = scene.source;
       renderer_->setVolume(prepared_);
     }
-    const scene::Scene resolved = scene::resolve(scene, prepared_->facts);
+    scene::Scene resolved = scene::resolve(scene, prepared_->facts);
+    completeFields(resolved, *prepared_, false, progress);
     if (!image_ || !(resolved == drawn_)) {
       request_.supersampling = resolved.picture.supersampling;
       lightPicture(light_, *renderer_, resolved, request_, prepared_, progress);

@@ -3,11 +3,82 @@
 #include <new>
 #include <utility>
 
+#include "scene/rules/needs.h"
+
 namespace isolux::app {
 
+namespace {
+
+using scene::Field;
+
+bool isComplete(const scene::Derivatives& derivatives) {
+  return derivatives.noise && derivatives.scale && derivatives.normalScale;
+}
+
+// The look reads derivatives of which something is to be chosen.
+bool awaitsChoice(const scene::Scene& scene) {
+  return scene::needsGradient(scene) && !isComplete(scene.derivatives);
+}
+
+// Deferred images read curvature, whatever the look.
+scene::Scene withImages(scene::Scene scene) {
+  scene.look.mode = scene::LookMode::kappa1;
+  return scene;
+}
+
+// Of two scales, that which is asked for where its field is there, else the one before where that still is.
+double readyScale(const volume::CubicFields& fields, Field field, double wanted, double before) {
+  for (const double scale : {wanted, before})
+    if (scale > 0.0 && fields.find(field, scale)) return scale;
+  return 0.0;
+}
+
+// Replaces scales whose fields are not there.
+void takeReadyScales(scene::Scene& scene, const volume::CubicFields& fields, const scene::Derivatives& last) {
+  scene::Derivatives& now = scene.derivatives;
+  const auto ready = [&](std::optional<double>& scale, const std::optional<double>& before) {
+    const double known = last.field == now.field ? before.value_or(0.0) : 0.0;
+    scale = readyScale(fields, now.field, scale.value_or(known), known);
+  };
+  if (scene::needsGradient(scene)) ready(now.normalScale, last.normalScale);
+  if (scene::needsCurvature(scene)) ready(now.scale, last.scale);
+}
+
+}  // namespace
+
+void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume, bool images,
+                    base::Progress& progress) {
+  if (awaitsChoice(images ? withImages(resolved) : resolved))
+    volume.derivativeChoices->complete(resolved, progress);
+  volume.cubicFields->makeFor(images ? withImages(resolved) : resolved, progress);
+}
+
+bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume) {
+  scene::Scene scene = resolved;
+  if (awaitsChoice(scene) && !volume.derivativeChoices->completeIfChosen(scene)) return false;
+  return volume.cubicFields->readyFor(scene);
+}
+
+scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume& volume,
+                             const scene::Derivatives& last) {
+  const volume::CubicFields& fields = *volume.cubicFields;
+  scene::Derivatives& now = resolved.derivatives;
+  if (awaitsChoice(resolved) && !volume.derivativeChoices->completeIfChosen(resolved))
+    now.noise = now.noise.value_or(last.noise.value_or(0.0));
+  if (resolved.hit.field != Field::trilinear && !fields.find(resolved.hit.field))
+    resolved.hit.field = Field::trilinear;
+  takeReadyScales(resolved, fields, last);
+  const bool unscaled = scene::readsUnscaled(resolved) || !scene::needsGradient(resolved);
+  if (now.field == Field::cubic_interpolating && unscaled && !fields.find(now.field)) {
+    now.field = Field::cubic;
+    takeReadyScales(resolved, fields, last);
+  }
+  return resolved;
+}
+
 FieldJob::FieldJob(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene)
-    : volume_(std::move(volume)), hitField_(scene.hit.field), derivativesField_(scene.derivatives.field) {
-  thread_ = std::thread([this, scene] { run(scene); });
+    : volume_(std::move(volume)), scene_(scene) {
+  thread_ = std::thread([this] { run(); });
 }
 
 FieldJob::~FieldJob() {
@@ -16,12 +87,16 @@ FieldJob::~FieldJob() {
 }
 
 bool FieldJob::isFor(const scene::Scene& scene) const {
-  return hitField_ == scene.hit.field && derivativesField_ == scene.derivatives.field;
+  const bool same = scene_.hit.field == scene.hit.field && scene_.derivatives == scene.derivatives &&
+                    scene::needsGradient(scene_) == scene::needsGradient(scene) &&
+                    scene::needsCurvature(scene_) == scene::needsCurvature(scene);
+  return same && (!awaitsChoice(scene) || scene_.isosurface.value == scene.isosurface.value);
 }
 
-void FieldJob::run(const scene::Scene& scene) {
+void FieldJob::run() {
   try {
-    volume_->cubicFields->makeFor(scene, progress_);
+    scene::Scene scene = scene_;
+    completeFields(scene, *volume_, false, progress_);
   } catch (const base::Error& error) {
     error_ = error;
   } catch (const std::bad_alloc&) {
@@ -29,15 +104,6 @@ void FieldJob::run(const scene::Scene& scene) {
                          "out of memory while the field is interpolated");
   }
   finished_.store(true, std::memory_order_release);
-}
-
-scene::Scene withReadyFields(scene::Scene resolved, const volume::CubicFields& fields) {
-  if (resolved.hit.field != scene::Field::trilinear && !fields.find(resolved.hit.field))
-    resolved.hit.field = scene::Field::trilinear;
-  if (resolved.derivatives.field == scene::Field::cubic_interpolating &&
-      !fields.find(resolved.derivatives.field))
-    resolved.derivatives.field = scene::Field::cubic;
-  return resolved;
 }
 
 }  // namespace isolux::app

@@ -1,5 +1,6 @@
-// Makes what a scene's cubic fields need of a volume (volume/field/cubic_fields.h) on a background thread;
-// the owner polls. Meanwhile pictures are drawn with the fields that are there.
+// What a scene's pictures need of a volume beside its voxels, and what of it is automatic: fields
+// (volume/field/cubic_fields.h) and scales of derivatives (volume/statistics/derivative_choices.h). Made on a
+// background thread, which the owner polls; meanwhile pictures are drawn with what is there.
 #pragma once
 
 #include <atomic>
@@ -14,31 +15,41 @@
 
 namespace isolux::app {
 
+// Fills in what is automatic about derivatives and makes the fields that pictures of the scene read, with its
+// deferred images where those are wanted. For those who may wait.
+void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume, bool images,
+                    base::Progress& progress);
+
+// Whether a picture of the scene finds all that.
+bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume);
+
+// The scene with what can be drawn now. What is not made yet is replaced: hits by those of the trilinear
+// field, derivatives by those of the B-spline of the samples, scales by those of `last`, else by none.
+// `last`: of the last picture of the volume that had all it asked for.
+scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume& volume,
+                             const scene::Derivatives& last = {});
+
 class FieldJob {
  public:
   FieldJob(std::shared_ptr<const volume::PreparedVolume> volume,
            const scene::Scene& scene);  // starts at once
   ~FieldJob();                          // stops and waits: at most 100 ms
 
-  bool isFor(const scene::Scene& scene) const;  // the same fields
+  bool isFor(const scene::Scene& scene) const;  // which needs the same
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   const base::Progress& progress() const { return progress_; }
   // After finished(): what went wrong.
   const std::optional<base::Error>& error() const { return error_; }
 
  private:
-  void run(const scene::Scene& scene);
+  void run();
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
-  scene::Field hitField_, derivativesField_;
+  const scene::Scene scene_;
   base::Progress progress_;
   std::atomic<bool> finished_{false};
   std::optional<base::Error> error_;
   std::thread thread_;
 };
-
-// The scene with fields that are not made yet replaced: hits by those of the trilinear field, derivatives by
-// those of the B-spline of the samples.
-scene::Scene withReadyFields(scene::Scene resolved, const volume::CubicFields& fields);
 
 }  // namespace isolux::app

@@ -20,7 +20,6 @@ scene::Scene litScene(scene::Scene resolved, const render::FrameRequest& request
 void lightPicture(LightController& controller, render::Renderer& renderer, const scene::Scene& resolved,
                   const render::FrameRequest& request,
                   const std::shared_ptr<const volume::PreparedVolume>& volume, base::Progress& progress) {
-  volume->cubicFields->makeFor(resolved, progress);
   const scene::Scene lit = litScene(resolved, request);
   controller.setScene(lit, volume);
   if (scene::giChoiceOf(lit).wanted) {

@@ -10,9 +10,9 @@ namespace isolux::app {
 // The scene whose light a request reads: with deferred irradiance, any look's.
 scene::Scene litScene(scene::Scene resolved, const render::FrameRequest& request);
 
-// Makes what the fields of `resolved` need (volume/field/cubic_fields.h). Bakes what the picture of
-// `resolved` shows, as far as gi.extent says, and gives it to `renderer`; nothing is baked for pictures that
-// read no light. Throws base::Error, also when `progress` is stopped.
+// Bakes what the picture of `resolved`, whose fields are there (completeFields()), shows, as far as gi.extent
+// says, and gives it to `renderer`; nothing is baked for pictures that read no light. Throws base::Error,
+// also when `progress` is stopped.
 void lightPicture(LightController& controller, render::Renderer& renderer, const scene::Scene& resolved,
                   const render::FrameRequest& request,
                   const std::shared_ptr<const volume::PreparedVolume>& volume, base::Progress& progress);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/jobs/field_job.h"
 #include "app/study/light_study.h"
 #include "app/study/light_truth.h"
 #include "app/study/scale_study.h"
@@ -126,7 +127,7 @@ void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& pro
   for (int round = 0; round <= repeat_; ++round)
     for (Alternative& alternative : alternatives) {
       progress.throwIfStopped();
-      volume_->cubicFields->makeFor(alternative.scene, progress);
+      completeFields(alternative.scene, *volume_, true, progress);
       drawOnce(alternative, round > 0);  // the first round warms up, and its pictures are compared
       if (round == 0) alternative.images = imagesOf(alternative.scene);
       progress.report(from + (to - from) * ++done / frames, "measuring");

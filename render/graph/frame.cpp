@@ -36,6 +36,7 @@ const std::vector<AovInfo>& aovs() {
       {Aov::direction1, "direction1", "unit vector, world", {"x", "y", "z"}},
       {Aov::direction2, "direction2", "unit vector, world", {"x", "y", "z"}},
       {Aov::curvature_confidence, "curvature_confidence", "0 to 1", {""}},
+      {Aov::scale, "scale", "mm, of the curvature", {""}},
       {Aov::irradiance, "irradiance", "radiance times sr, no exposure of the picture", {"r", "g", "b"}},
       {Aov::hit, "hit", "1 or 0", {""}},
   };

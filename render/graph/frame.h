@@ -28,6 +28,7 @@ enum class Aov {
   direction1,
   direction2,
   curvature_confidence,
+  scale,
   irradiance,
   hit
 };
@@ -102,12 +103,20 @@ struct LightReport {
   bool pending = false;  // the next frame gets further
 };
 
+// What the look takes from the surface's curvature as a whole, where it reads any; 1/mm (Gaussian curvature:
+// 1/mm^2).
+struct CurvatureReport {
+  glm::dvec2 range{0.0};            // of the colours that stand for numbers
+  glm::dvec2 ridgeThresholds{0.0};  // of ridges, of valleys
+};
+
 struct FrameReport {
   std::vector<PassReport> passes;
   double milliseconds = 0.0;  // wall time of the frame, GL finished
   std::size_t blocksActive = 0, blocksTotal = 0;
   BrickReport bricks;
   LightReport light;
+  std::optional<CurvatureReport> curvature;
   // Surface points were found anew since the last picture that was completed: Renderer::hitVoxels() differ.
   bool surfaceChanged = false;
   std::size_t gpuBytes = 0;           // textures and buffers held by the renderer

@@ -4,14 +4,11 @@
 
 #include "base/hash.h"
 #include "render/passes/pass_list.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
 namespace {
-
-bool readsGradient(Aov aov) {
-  return aov == Aov::normal || aov == Aov::gradient || aov == Aov::irradiance;
-}
 
 // Where bricks at the hits may have been replaced, what reads voxels there needs its rays cast again: the
 // cast depends on all that those passes depend on.
@@ -19,7 +16,7 @@ void bringBricksBack(const PassList& passes, const Asked& asked, std::vector<Pas
   if (!asked.bricks.mayReplace) return;
   const auto cast = std::find_if(declared.begin(), declared.end(),
                                  [](const PassDeclaration& one) { return one.name == pass::cast; });
-  const std::vector<bool> used = usedPasses(declared, wantedImages(asked.request));
+  const std::vector<bool> used = usedPasses(declared, wantedImages(asked.request, asked.scene));
   std::vector<Parameter> more;
   base::Hasher which;
   for (std::size_t i = 0; i < passes.size(); ++i) {
@@ -57,19 +54,34 @@ bool readsHessian(Aov aov) {
          aov == Aov::curvature_confidence;
 }
 
-std::vector<std::string> wantedImages(const FrameRequest& request) {
+bool readsHessian(const scene::Scene& scene, const FrameRequest& request) {
+  return (request.color && scene::needsCurvature(scene)) ||
+         std::any_of(request.aovs.begin(), request.aovs.end(), [](Aov aov) { return readsHessian(aov); });
+}
+
+const char* shadingGradientOf(const scene::Scene& scene, const FrameRequest& request) {
+  const std::vector<Aov>& aovs = request.aovs;
+  const bool atScale =
+      readsHessian(scene, request) || std::find(aovs.begin(), aovs.end(), Aov::gradient) != aovs.end();
+  const bool same = scene::derivativesScale(scene) == scene::normalScale(scene);
+  return atScale && !same ? image::shadingGradient : image::gradient;
+}
+
+std::vector<std::string> wantedImages(const FrameRequest& request, const scene::Scene& scene) {
   std::vector<std::string> wanted;
   if (request.color) wanted.emplace_back(image::picture);
   for (const Aov aov : request.aovs) {
     if (aov == Aov::irradiance)
       wanted.emplace_back(image::irradiance);
-    else if (readsGradient(aov))
+    else if (aov == Aov::normal)
+      wanted.emplace_back(shadingGradientOf(scene, request));
+    else if (aov == Aov::gradient)
       wanted.emplace_back(image::gradient);
     else if (aov == Aov::hessian)
       wanted.emplace_back(image::hessian);
     else if (readsHessian(aov)) {
       wanted.emplace_back(image::curvature);
-      if (aov == Aov::direction2) wanted.emplace_back(image::gradient);
+      if (aov == Aov::direction2) wanted.emplace_back(image::hessian);
     } else {
       wanted.emplace_back(image::surface);
     }

@@ -12,8 +12,10 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                                            const VolumeState& volume, const BrickState& bricks = {},
                                            const LightState& light = {});
 // The images a request reads in the end. An opaque picture has no layers pass: shade writes its colour.
-std::vector<std::string> wantedImages(const FrameRequest& request);
+std::vector<std::string> wantedImages(const FrameRequest& request, const scene::Scene& scene);
 // The deferred image comes from second derivatives.
 bool readsHessian(Aov aov);
+// The picture does, by its look or one of its images.
+bool readsHessian(const scene::Scene& scene, const FrameRequest& request);
 
 }  // namespace isolux::render

@@ -12,11 +12,15 @@ namespace isolux::render {
 
 namespace {
 
-// Second derivatives are read: by the look, where there is a surface, or by a deferred image.
 bool hessianIsRead(const Asked& asked) {
-  const std::vector<Aov>& images = asked.request.aovs;
-  return (asked.request.color && asked.volume.crossed && scene::needsCurvature(asked.scene)) ||
-         std::any_of(images.begin(), images.end(), readsHessian);
+  FrameRequest request = asked.request;
+  request.color = request.color && asked.volume.crossed;  // no colour of nothing
+  return readsHessian(asked.scene, request);
+}
+
+// Normals are made of other gradients than curvature.
+bool shadesApart(const Asked& asked) {
+  return shadingGradientOf(asked.scene, asked.request) != image::gradient;
 }
 
 void clearAll(FrameState& frame, Target& target) {
@@ -26,21 +30,25 @@ void clearAll(FrameState& frame, Target& target) {
     frame.clear(target, {kZero, kZero, kZero});
 }
 
-void drawDerivatives(FrameState& frame, Target& target, const char* shader, bool hessian) {
+// At that scale.
+void drawDerivatives(FrameState& frame, Target& target, const char* shader, double scaleMm) {
+  const FieldAt field{frame.scene->derivatives.field, scaleMm};
   if (frame.onProcessor.all) {
-    deriveOnProcessor(frame, target);
+    deriveOnProcessor(frame, target, field);
     return;
   }
   // In bricks, what was drawn in an earlier round of the frame stays.
   if (frame.empty() || (frame.bricks() && !frame.keepHits)) clearAll(frame, target);
   if (frame.empty()) return;
-  const scene::Derivatives& settings = frame.scene->derivatives;
-  std::string defines = hessian ? "#define HESSIAN\n" : "";
-  if (settings.field != scene::Field::trilinear) defines += "#define CUBIC\n";
-  if (settings.fetch == scene::Fetch::fast) defines += "#define FAST\n";
+  std::string defines = target.images.size() == 3 ? "#define HESSIAN\n" : "";
+  if (scaleMm > 0.0)
+    defines += "#define SCALED\n";
+  else if (field.field != scene::Field::trilinear)
+    defines += "#define CUBIC\n";
+  if (frame.scene->derivatives.fetch == scene::Fetch::fast) defines += "#define FAST\n";
   Program& p = frame.program(shader, defines);
   frame.setView(p);
-  frame.volume->bind(p, settings.field);
+  frame.volume->bind(p, field);
   p.setTexture("uSurface", 2, frame.image(image::surface));
   const glm::dmat3 linear(frame.volume->grid().geometry().worldFromVoxel);
   p.set("uInverseTransposed", glm::mat3(glm::transpose(glm::inverse(linear))));
@@ -51,32 +59,31 @@ void drawDerivatives(FrameState& frame, Target& target, const char* shader, bool
 }  // namespace
 
 void GradientPass::declare(Declaring& d) const {
-  d.reads(image::surface).volume().settings({"derivatives.field", "derivatives.fetch"});
-  d.input("executor at the hits", d.asked.onProcessor.all);
-  if (hessianIsRead(d.asked))
+  const bool apart = shadesApart(d.asked);
+  d.reads(image::surface).volume();
+  d.settings({"derivatives.field", "derivatives.fetch", "derivatives.normal_scale"});
+  d.input("executor at the hits", d.asked.onProcessor.all).input("image of their own", apart);
+  if (!apart && hessianIsRead(d.asked))
     d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
   else
-    d.writes(image::gradient);
-}
-
-std::optional<LookInput> GradientPass::forLook(const scene::Scene& scene) const {
-  if (!scene::needsGradient(scene)) return std::nullopt;
-  return LookInput{image::gradient};  // FrameState::setPoint() binds them
+    d.writes(shadingGradientOf(d.asked.scene, d.asked.request));
 }
 
 void GradientPass::run(FrameState& frame) {
-  drawDerivatives(frame, frame.target(image::gradient, {GL_RGBA32F}), shader, false);
+  const char* const image = shadingGradientOf(*frame.scene, frame.request);
+  drawDerivatives(frame, frame.target(image, {GL_RGBA32F}), shader, scene::normalScale(*frame.scene));
 }
 
 void HessianPass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::hessian);
-  d.volume().settings({"derivatives.field", "derivatives.fetch"});
+  d.volume().settings({"derivatives.field", "derivatives.fetch", "derivatives.scale"});
   d.input("executor at the hits", d.asked.onProcessor.all);
-  if (hessianIsRead(d.asked)) d.writes(image::gradient);
+  if (hessianIsRead(d.asked) || shadesApart(d.asked)) d.writes(image::gradient);
 }
 
 void HessianPass::run(FrameState& frame) {
-  drawDerivatives(frame, frame.target(image::hessian, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}), shader, true);
+  drawDerivatives(frame, frame.target(image::hessian, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}), shader,
+                  scene::derivativesScale(*frame.scene));
 }
 
 std::optional<std::size_t> HessianPass::bytes(const FrameState& frame) const {
@@ -84,7 +91,7 @@ std::optional<std::size_t> HessianPass::bytes(const FrameState& frame) const {
 }
 
 void CurvaturePass::declare(Declaring& d) const {
-  d.reads(image::gradient).reads(image::hessian).writes(image::curvature);
+  d.reads(image::hessian).writes(image::curvature);
   d.settings({"isosurface.inside", "derivatives.noise"});
 }
 
@@ -104,9 +111,9 @@ void CurvaturePass::run(FrameState& frame) {
   p.setTexture("uHessianDiagonal", 1, frame.image(image::hessian, 1));
   p.setTexture("uHessianMixed", 2, frame.image(image::hessian, 2));
   p.set("uOutward", static_cast<float>(frame.outward()));
-  const volume::CurvatureScale scale = volume::curvatureScale(
-      frame.volume->grid().geometry(), frame.scene->derivatives.field, *frame.scene->derivatives.noise,
-      frame.volume->facts().noise.correlation);
+  const volume::CurvatureScale scale =
+      volume::curvatureScale(frame.volume->grid().geometry(), frame.scene->derivatives.field,
+                             *frame.scene->derivatives.noise, frame.volume->facts().noise.correlation);
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));

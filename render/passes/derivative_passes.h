@@ -5,17 +5,17 @@
 
 namespace isolux::render {
 
-// The world gradient at the surface point, by the field of derivatives.field.
+// The world gradient at the surface point that normals are made of: at derivatives.normal_scale.
 class GradientPass : public Pass {
  public:
   GradientPass() : Pass(pass::gradient, "derivatives.frag.glsl", {.atHits = true, .ofCrossing = true}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
   bool isOn(const OnProcessor& on) const override { return on.all; }
 };
 
-// The same with the world Hessian, from the same samples: runs instead where second derivatives are read.
+// The world gradient and Hessian from the same samples, at derivatives.scale: runs where second derivatives
+// are read, and instead of the gradient pass where both scales are the same.
 class HessianPass : public Pass {
  public:
   HessianPass() : Pass(pass::hessian, "derivatives.frag.glsl", {.atHits = true, .ofCrossing = true}) {}

@@ -48,7 +48,10 @@ FrameState::FrameState(GlPtr pointer)
 FrameState::~FrameState() = default;
 
 Program& FrameState::program(const std::string& fragment, const std::string& defines) {
-  const std::string all = bricks() ? "#define BRICKS\n" + defines : defines;
+  const Bricks* const inBricks = bricks();
+  const std::string all =
+      inBricks ? "#define BRICKS\n#define BRICK_APRON " + std::to_string(inBricks->apron()) + "\n" + defines
+               : defines;
   const std::string key = fragment + "|" + all;
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
@@ -168,7 +171,7 @@ void FrameState::setView(Program& program) const {
 
 void FrameState::setPoint(Program& program, int unit) const {
   program.setTexture("uSurface", unit, image(image::surface, 0));
-  if (withGradient) program.setTexture("uGradient", unit + 1, gradientImage());
+  if (withGradient || withShadingGradient) program.setTexture("uGradient", unit + 1, shadingGradientImage());
   program.setTexture("uInfo", unit + 2, image(image::surface, 1));
   program.set("uRightWorld", glm::vec3(view->rightWorld));
   program.set("uUpWorld", glm::vec3(view->upWorld));

@@ -17,6 +17,7 @@
 #include "render/passes/view_uniforms.h"
 #include "render/volume/gpu_volume.h"
 #include "render/volume/ray_starts.h"
+#include "scene/rules/needs.h"
 #include "scene/scene.h"
 #include "volume/statistics/curvature_statistics.h"
 
@@ -94,9 +95,15 @@ struct FrameState {
   // Where the crossing may be seen: rays beyond do not have it.
   const volume::PictureArea& area() const { return images.at(image::surface + layer).drawn; }
 
-  // The gradients of whichever pass wrote them: the first image of the Hessians, or their own.
-  bool withGradient = false, withHessian = false;  // they are drawn in this frame
+  // What is drawn in this frame: gradients, of curvature and normals alike or of normals apart; Hessians.
+  bool withGradient = false, withShadingGradient = false, withHessian = false;
+  // Of whichever pass wrote them: the first image of the Hessians, or their own.
   const Texture& gradientImage() const { return image(withHessian ? image::hessian : image::gradient); }
+  const Texture& shadingGradientImage() const {
+    return withShadingGradient ? image(image::shadingGradient) : gradientImage();
+  }
+  // What second derivatives are of.
+  FieldAt curvatureField() const { return {scene->derivatives.field, scene::derivativesScale(*scene)}; }
 
   // A pass over the picture: its program (made once for each set of defines; BRICKS is one where the volume
   // is in bricks), its target, and a triangle over all of it, or over rectangles.

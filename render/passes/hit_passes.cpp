@@ -185,7 +185,7 @@ void RefinePass::run(FrameState& frame) {
   const scene::Field field = frame.scene->hit.field;
   Program& p = frame.program(shader, field == scene::Field::trilinear ? "" : "#define CUBIC\n");
   frame.setView(p);
-  frame.volume->bind(p, field);
+  frame.volume->bind(p, {field});
   frame.setIsovalues(p, field);
   p.setTexture("uBrackets", 2, frame.image(image::bracket));
   p.set("uRefinements", frame.scene->hit.refinements);
@@ -209,7 +209,7 @@ bool anyHit(FrameState& frame) {
 void setTrace(FrameState& frame, Program& p) {
   const scene::Field field = frame.scene->hit.field;
   frame.setView(p);
-  frame.volume->bind(p, field);
+  frame.volume->bind(p, {field});
   frame.setIsovalues(p, field);
   frame.volume->bindMasks(p, frame.scene->hit, 3);
   p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);

@@ -113,6 +113,7 @@ void RangesPass::declare(Declaring& d) const {
   d.writes(image::ranges).volume().isovalues().settings({"isosurface.inside"});
   // The curvature of the samples' spline, or of the one through them.
   d.input("derivatives.field", d.asked.scene.derivatives.field == scene::Field::cubic_interpolating);
+  d.settings({"derivatives.scale"});
 }
 
 std::optional<LookInput> RangesPass::forLook(const scene::Scene& scene) const {
@@ -125,7 +126,7 @@ void RangesPass::run(FrameState& frame) {
   if (frame.volume)
     for (const Surface& surface : frame.surfaces)
       all.push_back(
-          frame.volume->curvatureStatistics(frame.scene->derivatives.field, surface.value, frame.outward()));
+          frame.volume->curvatureStatistics(frame.curvatureField(), surface.value, frame.outward()));
   frame.statistics = outerBounds(all);
 }
 
@@ -189,9 +190,11 @@ void ShadePass::declare(Declaring& d) const {
   d.reads(image::surface).writes(transparent ? image::front : image::color);
   d.input("surfaces let light through", transparent);
   // Where no ray can hit anything, colours read nothing of the surface.
-  if (d.asked.volume.crossed)
+  if (d.asked.volume.crossed) {
+    if (scene::needsGradient(d.asked.scene)) d.normals();  // FrameState::setPoint() binds them
     for (const auto& pass : d.passes)
       if (const std::optional<LookInput> input = pass->forLook(d.asked.scene)) d.reads(input->image);
+  }
   d.settings({"camera.", "isosurface.", "isosurface#."},
              {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface#.value"});
   d.settings({"look."}, {"look.legend", "look.background_top", "look.background_bottom"});

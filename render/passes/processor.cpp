@@ -1,9 +1,15 @@
 #include "render/passes/processor.h"
 
 #include <algorithm>
+#include <span>
 #include <type_traits>
 
+#include <tbb/parallel_for.h>
+#include <glm/vector_relational.hpp>
+#include "volume/field/reconstruct.h"
+
 #include "render/passes/frame_state.h"
+#include "scene/rules/needs.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/cast/surface_derivatives.h"
 
@@ -54,6 +60,26 @@ std::vector<float> alphaOf(const Texture& color, const volume::PictureArea& befo
   return alpha;
 }
 
+// TEMPORARY
+void deriveScaled(const volume::Grid& grid, const volume::ScaledField& scaled,
+                  std::span<const glm::vec4> points, const volume::DerivativeImages& images) {
+  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+    images.gradient[i] = glm::vec4(0.0f);
+    if (!images.diagonal.empty()) images.diagonal[i] = images.mixed[i] = glm::vec4(0.0f);
+    if (points[i].w < 0.0f) return;
+    const glm::dvec3 voxel(points[i]);
+    const volume::FieldSample sample = volume::sampleScaled(scaled, grid, voxel);
+    images.gradient[i] = glm::vec4(volume::worldGradient(grid.geometry(), sample.gradient), 1.0);
+    if (images.diagonal.empty()) return;
+    const glm::dmat3 h = volume::worldHessian(grid.geometry(), sample.hessian);
+    const glm::ivec3 cell = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), grid.dims() - 2);
+    const bool within = glm::all(glm::greaterThanEqual(cell, glm::ivec3(2))) &&
+                        glm::all(glm::lessThan(cell + 3, grid.dims()));
+    images.diagonal[i] = glm::vec4(h[0][0], h[1][1], h[2][2], 1.0);
+    images.mixed[i] = glm::vec4(h[0][1], h[0][2], h[1][2], within ? 1.0f : 0.0f);
+  });
+}
+
 volume::SurfaceCaster casterOf(const FrameState& frame) {
   std::vector<double> isovalues;
   for (const Surface& surface : frame.surfaces)
@@ -80,7 +106,7 @@ void cast(FrameState& frame, volume::CrossingImage& out) {
 
 HostImages::HostImages(glm::ivec2 size)
     : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                                             (sizeof(glm::vec2) + 4 * sizeof(glm::vec4)),
+                                             (sizeof(glm::vec2) + 5 * sizeof(glm::vec4)),
                                          "hits of the picture",
                                          "a smaller picture or --executor gpu needs less")),
       crossings(size) {}
@@ -90,8 +116,7 @@ OnProcessor onProcessor(bool taken, const scene::Scene& scene) {
   if (!taken) return on;
   on.casts = scene.hit.method == scene::HitMethod::exact;
   // The fast scheme is one of filtered fetches: it is what it is on a graphics card only.
-  on.all = on.casts && (scene.derivatives.field == scene::Field::trilinear ||
-                        scene.derivatives.fetch != scene::Fetch::fast);
+  on.all = on.casts && !scene::fetchesFast(scene);
   return on;
 }
 
@@ -113,31 +138,31 @@ void castOnProcessor(FrameState& frame) {
   target.drawn = crossings.area;
 }
 
-void deriveOnProcessor(FrameState& frame, Target& target) {
+void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field) {
   HostImages& images = frame.host.at(frame.layer);
   const volume::PictureArea& area = images.crossings.area;
   const std::size_t count = target.images.size();
+  const std::span<HostImages::Derivatives> own(count == 3 ? images.hessian : &images.gradient, count);
   volume::PictureArea changed = area;
-  for (std::size_t i = 0; i < count; ++i) {
-    HostImages::Derivatives& own = images.derivatives[i];
-    own.texels.resize(images.crossings.points.size());
-    if (own.area.size() == area.size()) changed.add(own.area);
+  for (HostImages::Derivatives& image : own) {
+    image.texels.resize(images.crossings.points.size());
+    if (image.area.size() == area.size()) changed.add(image.area);
   }
-  auto& [gradient, diagonal, mixed] = images.derivatives;
-  volume::DerivativeImages out{gradient.texels, {}, {}};
-  if (count == 3) out = {gradient.texels, diagonal.texels, mixed.texels};
-  const scene::Field field = frame.scene->derivatives.field;
+  volume::DerivativeImages out{own[0].texels, {}, {}};
+  if (count == 3) out = {own[0].texels, own[1].texels, own[2].texels};
   const volume::DerivedField derived =
-      field == scene::Field::trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline;
-  if (!changed.empty())
-    volume::surfaceDerivatives(frame.volume->grid(), derived, frame.volume->coefficients(field),
+      field.field == scene::Field::trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline;
+  if (const volume::ScaledField* const scaled = frame.volume->scaled(field); scaled && !changed.empty())
+    deriveScaled(frame.volume->grid(), *scaled, images.crossings.points, out);
+  else if (!changed.empty())
+    volume::surfaceDerivatives(frame.volume->grid(), derived, frame.volume->coefficients(field.field),
                                images.crossings.points, changed, out, volume::TracerTarget::automatic,
                                frame.request.stop);
   const bool stopped = frame.request.stop.stop_requested();  // some of what was there may be left
   target.drawn.add(area);
   for (std::size_t i = 0; i < count; ++i) {
-    upload(target.images[i], target.drawn, images.derivatives[i].texels);
-    images.derivatives[i].area = stopped ? changed : area;
+    upload(target.images[i], target.drawn, own[i].texels);
+    own[i].area = stopped ? changed : area;
   }
   if (!stopped) target.drawn = area;
 }
@@ -153,8 +178,9 @@ void shadowOnProcessor(FrameState& frame, Target& target, int opaque) {
                                   .voxelFromWorld = glm::mat3(voxelFromWorld),
                                   .light = frame.towardLight(),
                                   .opaque = opaque};
-  casterOf(frame).castShadows(shadow, images.crossings, images.derivatives[0].texels, images.shadow,
-                              frame.request.stop);
+  const bool apart = frame.withShadingGradient || !frame.withHessian;  // FrameState::shadingGradientImage()
+  const HostImages::Derivatives& gradients = apart ? images.gradient : images.hessian[0];
+  casterOf(frame).castShadows(shadow, images.crossings, gradients.texels, images.shadow, frame.request.stop);
   target.drawn.add(images.shadow.area);
   upload(target.images[0], target.drawn, images.shadow.lit);
   target.drawn = images.shadow.area;

@@ -15,6 +15,7 @@
 #include "base/memory_budget.h"
 #include "render/gl/image_pool.h"
 #include "render/graph/pass.h"
+#include "render/volume/gpu_volume.h"
 #include "scene/machine.h"
 #include "scene/scene.h"
 #include "volume/cast/surface_caster.h"
@@ -39,7 +40,8 @@ struct HostImages {
   };
   base::MemoryBudget::Held held;
   volume::CrossingImage crossings;
-  Derivatives derivatives[3];  // gradient; diagonal and mixed of the Hessian
+  Derivatives gradient;    // of normals, where no Hessian comes with it
+  Derivatives hessian[3];  // gradient; diagonal and mixed
   volume::ShadowImage shadow;
 };
 
@@ -47,7 +49,7 @@ struct HostImages {
 void castOnProcessor(FrameState& frame);
 // Derivatives at the points of frame.layer, uploaded to the images of `target`: gradient; with three,
 // diagonal and mixed of the Hessian too.
-void deriveOnProcessor(FrameState& frame, Target& target);
+void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field);
 
 // Whether the key light reaches those points. opaque: a bit for each surface that stops it.
 void shadowOnProcessor(FrameState& frame, Target& target, int opaque);

@@ -1,9 +1,9 @@
 // Which bricks of a volume are resident, and in which slot of the cache: least recently used ones make room.
 // No GL.
 //
-// Brick b holds the voxels that lookups around cells 32 b .. 32 b + 31 need, 32 b - 1 .. 32 b + 33 on each
-// axis (the apron of the tri-cubic spline); bricks.glsl reads them. Time goes in rounds: one pass of rays
-// over the picture. Hadwiger et al. 2005 sec. 3.1.
+// Brick b holds the voxels that lookups around cells 32 b .. 32 b + 31 need, 32 b - apron .. 32 b + 32 +
+// apron on each axis; bricks.glsl reads them. Time goes in rounds: one pass of rays over the picture.
+// Hadwiger et al. 2005 sec. 3.1.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,12 @@
 
 namespace isolux::render {
 
-inline constexpr int brickCells = 32, brickTexels = 35;  // per axis; bricks.glsl holds the same numbers
+inline constexpr int brickCells = 32;  // per axis; bricks.glsl holds the same numbers
+// Voxels that a lookup reads before its cell and behind it.
+inline constexpr int cubicApron = 1, quinticApron = 2;
+constexpr int brickTexels(int apron) {
+  return brickCells + 1 + 2 * apron;
+}
 
 // Bricks of a volume per axis; at least one.
 glm::ivec3 brickDims(glm::ivec3 voxels);

@@ -18,13 +18,13 @@ std::size_t product(glm::ivec3 v) {
   return static_cast<std::size_t>(v.x) * static_cast<std::size_t>(v.y) * static_cast<std::size_t>(v.z);
 }
 
-std::size_t brickTexelCount() {
-  return product(glm::ivec3(brickTexels));
+std::size_t brickTexelCount(int apron) {
+  return product(glm::ivec3(brickTexels(apron)));
 }
 
-std::size_t slotBytes(const std::vector<const TexelSource*>& channels) {
+std::size_t slotBytes(const std::vector<const TexelSource*>& channels, int apron) {
   std::size_t sum = 0;
-  for (const TexelSource* channel : channels) sum += channel->texelBytes() * brickTexelCount();
+  for (const TexelSource* channel : channels) sum += channel->texelBytes() * brickTexelCount(apron);
   return sum;
 }
 
@@ -45,33 +45,33 @@ glm::ivec3 slotDimsFor(std::size_t most, int perAxis) {
   return best;
 }
 
-glm::ivec3 checkedSlots(const Gl& gl, const std::vector<const TexelSource*>& channels, std::size_t bricks,
+glm::ivec3 checkedSlots(const Gl& gl, std::size_t slotBytes, int apron, std::size_t bricks,
                         std::size_t budgetBytes) {
-  const std::size_t affordable = std::min(budgetBytes / slotBytes(channels), bricks);
-  const int perAxis = gl.max3dTexture / brickTexels;
+  const std::size_t affordable = std::min(budgetBytes / slotBytes, bricks);
+  const int perAxis = gl.max3dTexture / brickTexels(apron);
   const glm::ivec3 dims = slotDimsFor(std::max<std::size_t>(affordable, 1), std::max(perAxis, 1));
   if (affordable < std::min(kFewestSlots, bricks) || perAxis < 1 ||
       product(dims) < std::min(kFewestSlots, bricks))
     throw base::Error(base::ErrorKind::memory, "", "graphics memory",
                       "not even " + std::to_string(kFewestSlots) + " bricks of " +
-                          std::to_string(slotBytes(channels) >> 10) +
-                          " KiB fit: memory.gpu_budget_mb is too small");
+                          std::to_string(slotBytes >> 10) + " KiB fit: memory.gpu_budget_mb is too small");
   return dims;
 }
 
 }  // namespace
 
-Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, std::size_t budgetBytes)
+Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, std::size_t budgetBytes)
     : gl_(std::move(gl)),
       channels_(std::move(channels)),
+      apron_(apron),
       dims_(brickDims(channels_[0]->dims())),
-      slotDims_(checkedSlots(*gl_, channels_, product(dims_), budgetBytes)),
+      slotDims_(checkedSlots(*gl_, slotBytes(channels_, apron_), apron_, product(dims_), budgetBytes)),
       cache_(product(dims_), std::min(product(slotDims_), product(dims_))),
       table_(Texture::make3D(gl_, GL_RGBA16UI, dims_, false)),
       use_(gl_),
       marks_(product(dims_) + 1, 0) {
   for (const TexelSource* channel : channels_)
-    caches_.push_back(Texture::make3D(gl_, channel->internalFormat(), slotDims_ * brickTexels, true));
+    caches_.push_back(Texture::make3D(gl_, channel->internalFormat(), slotDims_ * brickTexels(apron_), true));
   const std::vector<std::uint16_t> nowhere(4 * product(dims_), 0);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_->TextureSubImage3D(table_.id(), 0, 0, 0, 0, dims_.x, dims_.y, dims_.z, GL_RGBA_INTEGER,
@@ -127,7 +127,7 @@ bool Bricks::canServe(BrickCache::Round kept) const {
 
 std::size_t Bricks::serve(BrickCache::Round kept, std::size_t limitBytes) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::size_t each = slotBytes(channels_);
+  const std::size_t each = slotBytes(channels_, apron_);
   std::size_t count = 0, next = 0;
   for (; next < wanted_.size() && (count == 0 || (count + 1) * each <= limitBytes); ++next) {
     const BrickCache::Brick brick = wanted_[next];
@@ -164,15 +164,15 @@ void Bricks::setEntry(BrickCache::Brick brick, bool isResident) const {
 }
 
 void Bricks::upload(BrickCache::Brick brick, BrickCache::Slot slot) {
-  const int s = static_cast<int>(slot);
-  const glm::ivec3 to = brickTexels * glm::ivec3(s % slotDims_.x, s / slotDims_.x % slotDims_.y,
-                                                 s / (slotDims_.x * slotDims_.y));
+  const int s = static_cast<int>(slot), side = brickTexels(apron_);
+  const glm::ivec3 to =
+      side * glm::ivec3(s % slotDims_.x, s / slotDims_.x % slotDims_.y, s / (slotDims_.x * slotDims_.y));
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    texels_.resize(channels_[i]->texelBytes() * brickTexelCount());
-    channels_[i]->copyBox(brickAt(brick) * brickCells - 1, glm::ivec3(brickTexels), texels_.data());
-    gl_->TextureSubImage3D(caches_[i].id(), 0, to.x, to.y, to.z, brickTexels, brickTexels, brickTexels,
-                           GL_RED, channels_[i]->type(), texels_.data());
+    texels_.resize(channels_[i]->texelBytes() * brickTexelCount(apron_));
+    channels_[i]->copyBox(brickAt(brick) * brickCells - apron_, glm::ivec3(side), texels_.data());
+    gl_->TextureSubImage3D(caches_[i].id(), 0, to.x, to.y, to.z, side, side, side, GL_RED,
+                           channels_[i]->type(), texels_.data());
   }
   setEntry(brick, true);
 }

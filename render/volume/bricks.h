@@ -2,8 +2,8 @@
 //
 // Rays mark the bricks they use and those they wait for (bricks.glsl); after a round of rays endRound() reads
 // the marks and serve() uploads what was asked for, replacing what was least recently used. One cache texture
-// for each channel, the samples and, where there are any, the coefficients of the interpolating spline: a
-// brick has the same slot in both. The brick table, a texture, says which. Hadwiger et al. 2005 sec. 3.1.
+// for each channel (the samples, the coefficients of splines): a brick has the same slot in all. The brick
+// table, a texture, says which. Hadwiger et al. 2005 sec. 3.1.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,13 @@ namespace isolux::render {
 class Bricks {
  public:
   // Nothing is resident yet. The cache takes what fits into the budget and the driver's 3D textures, at most
-  // all bricks. Throws base::Error{memory} when not even a handful fits. `channels` outlive this.
-  Bricks(GlPtr gl, std::vector<const TexelSource*> channels, std::size_t budgetBytes);
+  // all bricks. Throws base::Error{memory} when not even a handful fits. `channels` outlive this. apron: as
+  // the lookups need it (brick_cache.h); programs are told by BRICK_APRON.
+  Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, std::size_t budgetBytes);
 
   void bind(Program& program) const;  // uBricks, texture unit 15
   const Texture& texture(std::size_t channel) const { return caches_[channel]; }
+  int apron() const { return apron_; }
   std::size_t bytes() const;
 
   glm::ivec3 dims() const { return dims_; }  // bricks per axis
@@ -57,6 +59,7 @@ class Bricks {
 
   GlPtr gl_;
   std::vector<const TexelSource*> channels_;
+  int apron_;
   glm::ivec3 dims_, slotDims_;
   BrickCache cache_;
   std::vector<Texture> caches_;

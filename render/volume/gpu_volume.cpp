@@ -25,9 +25,21 @@ void checkBlocks(const Gl& gl, const volume::MinMaxBlocks& blocks, const std::st
                           "; read a part of the volume");
 }
 
-bool needsCoefficients(const scene::Scene& scene) {
-  return scene.hit.field == scene::Field::cubic_interpolating ||
-         scene.derivatives.field == scene::Field::cubic_interpolating;
+// What a lookup is made from: the trilinear field and the B-spline `cubic` share the samples.
+FieldAt sourceAt(const FieldAt& of) {
+  if (of.scaleMm > 0.0 && of.field != scene::Field::trilinear) return of;
+  const bool samples = of.field != scene::Field::cubic_interpolating;
+  return {samples ? scene::Field::trilinear : of.field, 0.0};
+}
+
+// The samples, and what else these fields are made from.
+std::vector<FieldAt> sourcesOf(const std::vector<FieldAt>& fields) {
+  std::vector<FieldAt> sources = {FieldAt()};
+  for (const FieldAt& field : fields)
+    if (const FieldAt source = sourceAt(field);
+        std::find(sources.begin(), sources.end(), source) == sources.end())
+      sources.push_back(source);
+  return sources;
 }
 
 }  // namespace
@@ -46,56 +58,96 @@ const volume::CubicField& GpuVolume::cubic(scene::Field field) const {
   return *volume_->cubicFields->make(field, unwatched);  // which keeps it
 }
 
+std::unique_ptr<GpuVolume::Channel> GpuVolume::makeChannel(const FieldAt& of) const {
+  if (of.scaleMm > 0.0) {
+    base::Progress unwatched;
+    std::shared_ptr<const volume::ScaledField> scaled =
+        volume_->cubicFields->make(of.field, of.scaleMm, unwatched);
+    TexelSource texels(scaled->coefficients, grid().dims());
+    return std::make_unique<Channel>(of, std::move(scaled), std::move(texels));
+  }
+  const volume::Coefficients* const own = coefficients(of.field);
+  return std::make_unique<Channel>(of, nullptr, own ? TexelSource(*own, grid().dims()) : TexelSource(grid()));
+}
+
+std::size_t GpuVolume::channelOf(const FieldAt& of) const {
+  const FieldAt source = sourceAt(of);
+  const auto at = std::find_if(channels_.begin(), channels_.end(),
+                               [&](const auto& channel) { return channel->of == source; });
+  return static_cast<std::size_t>(at - channels_.begin());
+}
+
+std::size_t GpuVolume::channelBytes() const {
+  std::size_t sum = 0;
+  for (const auto& channel : channels_) sum += channel->source.bytes();
+  return sum;
+}
+
 bool GpuVolume::fitsWhole(std::size_t budgetBytes) const {
   const glm::ivec3 dims = grid().dims();
-  const std::size_t bytes = samples_->bytes() + (coefficientTexels_ ? coefficientTexels_->bytes() : 0);
-  return std::max({dims.x, dims.y, dims.z}) <= gl_->max3dTexture && bytes <= budgetBytes;
+  return std::max({dims.x, dims.y, dims.z}) <= gl_->max3dTexture && channelBytes() <= budgetBytes;
 }
 
 void GpuVolume::makeWhole(std::size_t budgetBytes) {
   bricks_.reset();
-  if (samples_->bytes() + (coefficientTexels_ ? coefficientTexels_->bytes() : 0) > budgetBytes)
-    for (Texture* const texture : {&samplesTexture_, &coefficientsTexture_})
-      *texture = Texture();  // made under a larger budget: refused now, too
-  if (!samplesTexture_) samplesTexture_ = uploadWhole(gl_, *samples_, budgetBytes);
-  if (coefficientTexels_ && !coefficientsTexture_)
-    coefficientsTexture_ =
-        uploadWhole(gl_, *coefficientTexels_, budgetBytes - std::min(budgetBytes, samplesTexture_.bytes()));
+  if (channelBytes() > budgetBytes)
+    for (const auto& channel : channels_)
+      channel->whole = Texture();  // made under a larger budget: refused now
+  std::size_t left = budgetBytes;
+  for (const auto& channel : channels_) {
+    if (!channel->whole) channel->whole = uploadWhole(gl_, channel->source, left);
+    left -= std::min(left, channel->whole.bytes());
+  }
 }
 
 void GpuVolume::makeBricks(std::size_t budgetBytes) {
-  samplesTexture_ = Texture();
-  coefficientsTexture_ = Texture();
   bricks_.reset();
-  std::vector<const TexelSource*> channels = {&*samples_};
-  if (coefficientTexels_) channels.push_back(&*coefficientTexels_);
-  bricks_.emplace(gl_, std::move(channels), budgetBytes);
+  std::vector<const TexelSource*> sources;
+  int apron = cubicApron;
+  for (const auto& channel : channels_) {
+    channel->whole = Texture();
+    sources.push_back(&channel->source);
+    if (channel->scaled) apron = quinticApron;
+  }
+  bricks_.emplace(gl_, std::move(sources), apron, budgetBytes);
   ++bricksMade_;
 }
 
-void GpuVolume::requireFields(const scene::Scene& scene) {
-  if (!hasCells()) return;
-  if (!samples_) samples_.emplace(grid());
-  if (needsCoefficients(scene) && !coefficientTexels_)
-    coefficientTexels_.emplace(*cubic(scene::Field::cubic_interpolating).coefficients, grid().dims());
+void GpuVolume::dropOthers(const std::vector<FieldAt>& wanted) {
+  const auto unwanted = [&](const auto& channel) {
+    return std::find(wanted.begin(), wanted.end(), channel->of) == wanted.end();
+  };
+  if (std::none_of(channels_.begin(), channels_.end(), unwanted)) return;
+  bricks_.reset();  // they point to the channels
+  layout_.reset();
+  std::erase_if(channels_, unwanted);
 }
 
-void GpuVolume::require(const scene::Scene& scene, const scene::Memory& memory) {
+void GpuVolume::requireFields(const std::vector<FieldAt>& fields) {
   if (!hasCells()) return;
-  const std::size_t budgetBytes = static_cast<std::size_t>(memory.gpuBudgetMb) << 20;
-  requireFields(scene);
-  const bool needed = needsCoefficients(scene);
-  if (layout_ == Layout{memory, coefficientTexels_.has_value()}) return;
+  const std::vector<FieldAt> wanted = sourcesOf(fields);
+  const auto isThere = [&](const FieldAt& source) { return channelOf(source) < channels_.size(); };
+  if (std::all_of(wanted.begin(), wanted.end(), isThere)) return;
+  dropOthers(wanted);
+  for (const FieldAt& source : wanted)
+    if (!isThere(source)) channels_.push_back(makeChannel(source));
   layout_.reset();
-  if (!needed) coefficientTexels_.reset();  // they stay while nothing else is made
-  const Layout wanted{memory, coefficientTexels_.has_value()};
+}
+
+void GpuVolume::require(const std::vector<FieldAt>& fields, const scene::Memory& memory) {
+  if (!hasCells()) return;
+  requireFields(fields);
+  if (layout_ == memory) return;
+  layout_.reset();
+  dropOthers(sourcesOf(fields));
+  const std::size_t budgetBytes = static_cast<std::size_t>(memory.gpuBudgetMb) << 20;
   const bool whole = memory.layout == scene::MemoryLayout::whole ||
                      (memory.layout == scene::MemoryLayout::automatic && fitsWhole(budgetBytes));
   if (whole)
     makeWhole(budgetBytes);
   else
     makeBricks(budgetBytes);
-  layout_ = wanted;
+  layout_ = memory;
 }
 
 std::size_t GpuVolume::activeBricks() const {
@@ -121,38 +173,43 @@ const volume::Coefficients* GpuVolume::coefficients(scene::Field field) const {
   return field == scene::Field::cubic_interpolating ? &*cubic(field).coefficients : nullptr;
 }
 
-const TexelSource& GpuVolume::sourceOf(scene::Field field) const {
-  return field == scene::Field::cubic_interpolating ? *coefficientTexels_ : *samples_;
+const volume::ScaledField* GpuVolume::scaled(const FieldAt& of) const {
+  const std::size_t channel = channelOf(of);
+  return channel < channels_.size() ? channels_[channel]->scaled.get() : nullptr;
 }
 
-void GpuVolume::bind(Program& program, scene::Field field) const {
-  const bool coefficients = field == scene::Field::cubic_interpolating;
-  program.setTexture("uVolume", 0, bricks_ ? bricks_->texture(0) : samplesTexture_);
-  if (bricks_) {
-    program.setTexture("uField", 1, bricks_->texture(coefficients ? 1 : 0));
-    bricks_->bind(program);
-  } else {
-    program.setTexture("uField", 1, coefficients ? coefficientsTexture_ : samplesTexture_);
-  }
+const TexelSource& GpuVolume::sourceOf(const FieldAt& of) const {
+  return channels_[channelOf(of)]->source;
+}
+
+void GpuVolume::bind(Program& program, const FieldAt& of) const {
+  const std::size_t channel = channelOf(of);
+  const auto texture = [&](std::size_t i) -> const Texture& {
+    return bricks_ ? bricks_->texture(i) : channels_[i]->whole;
+  };
+  program.setTexture("uVolume", 0, texture(0));
+  program.setTexture("uField", 1, texture(channel));
+  if (bricks_) bricks_->bind(program);
   program.set("uDims", grid().dims());
   program.set("uFour", 4);
-  program.set("uFieldPerVolume", static_cast<float>(sourceOf(field).scale() / samples_->scale()));
+  program.set("uSix", 6);
+  program.set("uFieldPerVolume", static_cast<float>(sourceOf(of).scale() / channels_[0]->source.scale()));
 }
 
 double GpuVolume::texelOf(double value) const {
-  return (grid().storedOfValue(value) - samples_->offset()) / samples_->scale();
+  return texelOf(value, scene::Field::trilinear);
 }
 
 double GpuVolume::texelOf(double value, scene::Field field) const {
-  return (grid().storedOfValue(value) - sourceOf(field).offset()) / sourceOf(field).scale();
+  return (grid().storedOfValue(value) - sourceOf({field}).offset()) / sourceOf({field}).scale();
 }
 
 double GpuVolume::dataUnitsPerTexel() const {
-  return grid().slope() * samples_->scale();
+  return dataUnitsPerTexel(scene::Field::trilinear);
 }
 
 double GpuVolume::dataUnitsPerTexel(scene::Field field) const {
-  return grid().slope() * sourceOf(field).scale();
+  return grid().slope() * sourceOf({field}).scale();
 }
 
 void GpuVolume::setField(scene::Field field) {
@@ -243,14 +300,15 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   uploaded_ = Uploaded::nothing;
 }
 
-volume::CurvatureStatistics GpuVolume::curvatureStatistics(scene::Field field, double value, double outward) {
+volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward) {
   if (!hasCells()) return {};
-  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(field));
+  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field));
 }
 
 std::size_t GpuVolume::bytes() const {
-  std::size_t sum = maskTexture_.bytes();
-  return sum + samplesTexture_.bytes() + coefficientsTexture_.bytes() + (bricks_ ? bricks_->bytes() : 0);
+  std::size_t sum = maskTexture_.bytes() + (bricks_ ? bricks_->bytes() : 0);
+  for (const auto& channel : channels_) sum += channel->whole.bytes();
+  return sum;
 }
 
 }  // namespace isolux::render

@@ -13,12 +13,20 @@
 #include "render/volume/volume_texture.h"
 #include "scene/machine.h"
 #include "scene/scene.h"
+#include "volume/field/scaled_field.h"
 #include "volume/prepared_volume.h"
 #include "volume/skip/active_blocks.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/statistics/curvature_statistics.h"
 
 namespace isolux::render {
+
+// What a lookup is of: a field, at a scale (mm) where that is above 0 (volume/field/scaled_field.h).
+struct FieldAt {
+  scene::Field field = scene::Field::trilinear;
+  double scaleMm = 0.0;
+  bool operator==(const FieldAt&) const = default;
+};
 
 class GpuVolume {
  public:
@@ -30,12 +38,13 @@ class GpuVolume {
   std::shared_ptr<const volume::Grid> sharedGrid() const { return volume_->volume.grid; }
   bool hasCells() const;  // an axis of one voxel has none, and no surface
 
-  // Makes room for what a scene's fields need and is not there yet, as one texture each or as bricks
+  // Makes room for what these fields need and is not there yet, as one texture each or as bricks
   // (memory.layout), and uploads whole textures; memory.gpu_budget_mb is for all textures together. Throws
   // base::Error{memory}.
-  void require(const scene::Scene& scene, const scene::Memory& memory);
-  // The same without textures, where nothing on the graphics card reads voxels. What is there stays.
-  void requireFields(const scene::Scene& scene);
+  void require(const std::vector<FieldAt>& fields, const scene::Memory& memory);
+  // The same without textures, where nothing on the graphics card reads voxels. What others needed stays
+  // until something new is made.
+  void requireFields(const std::vector<FieldAt>& fields);
   // None: the volume is whole.
   Bricks* bricks() { return bricks_ ? &*bricks_ : nullptr; }
   const Bricks* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
@@ -43,18 +52,17 @@ class GpuVolume {
   // Bricks that hold an active block: what pictures of these isosurfaces can need.
   std::size_t activeBricks() const;
 
-  // Sets uVolume and uDims, and uField, uFieldPerVolume for the texture that `field` is made from. Uses
+  // Sets uVolume and uDims, and uField, uFieldPerVolume for the texture that the field is made from. Uses
   // texture units 0 and 1, and 15 for bricks.
-  void bind(Program& program, scene::Field field) const;
+  void bind(Program& program, const FieldAt& of) const;
   // A value in data units as a texel of uVolume, or of the texture `field` is made from.
   double texelOf(double value) const;
   double texelOf(double value, scene::Field field) const;
   double dataUnitsPerTexel() const;  // of uVolume
   double dataUnitsPerTexel(scene::Field field) const;
 
-  // How the surface of `value` (data units) is curved by the derivatives of `field`. All 0 where there is
-  // none.
-  volume::CurvatureStatistics curvatureStatistics(scene::Field field, double value, double outward);
+  // How the surface of `value` (data units) is curved by these derivatives. All 0 where there is none.
+  volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward);
 
   // False: no cell of this field can hold a surface of one of `values` (data units).
   bool mayCross(scene::Field field, const std::vector<double>& values) const;
@@ -68,6 +76,8 @@ class GpuVolume {
   std::span<const std::uint64_t> masks() const { return masks_; }
   // Of the field's B-spline; null: the samples themselves.
   const volume::Coefficients* coefficients(scene::Field field) const;
+  // Null: the scale is 0, or was not required.
+  const volume::ScaledField* scaled(const FieldAt& of) const;
   bool isActive(std::size_t block) const { return active_->flags()[block] != 0; }
   // A picture of these surfaces is about to be cast. The first is cast by boxes; from the second on each cell
   // has a bit (volume/skip/cell_bits.h) where its corners decide, which reads the voxels of active blocks
@@ -81,15 +91,24 @@ class GpuVolume {
   std::size_t bytes() const;
 
  private:
-  struct Layout {
-    scene::Memory memory;
-    bool coefficients = false;
-    bool operator==(const Layout&) const = default;
+  // One texture, or one channel of the bricks: the samples, or the coefficients of what it is of.
+  struct Channel {
+    Channel(const FieldAt& field, std::shared_ptr<const volume::ScaledField> kept, TexelSource texels)
+        : of(field), scaled(std::move(kept)), source(std::move(texels)) {}
+    FieldAt of;
+    std::shared_ptr<const volume::ScaledField> scaled;  // whose coefficients they are; null: the scale is 0
+    TexelSource source;
+    Texture whole;  // none: the volume is in bricks, or on the processor only
   };
+  using Channels = std::vector<std::unique_ptr<Channel>>;  // their sources stay where they are
+  std::unique_ptr<Channel> makeChannel(const FieldAt& of) const;
+  std::size_t channelOf(const FieldAt& of) const;  // what it is made from; channels_.size(): nothing yet
+  void dropOthers(const std::vector<FieldAt>& wanted);
+  std::size_t channelBytes() const;
   bool fitsWhole(std::size_t budgetBytes) const;
   void makeWhole(std::size_t budgetBytes);
   void makeBricks(std::size_t budgetBytes);
-  const TexelSource& sourceOf(scene::Field field) const;
+  const TexelSource& sourceOf(const FieldAt& of) const;
   // What a cubic field needs; makes it where nobody has (see volume/field/cubic_fields.h: takes long).
   const volume::CubicField& cubic(scene::Field field) const;
   void setField(scene::Field field);  // whose blocks are kept
@@ -99,9 +118,8 @@ class GpuVolume {
 
   GlPtr gl_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
-  std::optional<TexelSource> samples_, coefficientTexels_;
-  std::optional<Layout> layout_;                  // that is made
-  Texture samplesTexture_, coefficientsTexture_;  // of a whole volume
+  Channels channels_;                    // the samples are the first
+  std::optional<scene::Memory> layout_;  // by which textures of all channels are made
   std::optional<Bricks> bricks_;
   std::size_t bricksMade_ = 0;
 

@@ -65,6 +65,24 @@ bool needsCurvature(const Scene& scene) {
          look.contours > 0.0 || look.suggestiveContours > 0.0 || showsFlow(scene);
 }
 
+double derivativesScale(const Scene& scene) {
+  return scene.derivatives.field == Field::trilinear ? 0.0 : scene.derivatives.scale.value_or(0.0);
+}
+
+double normalScale(const Scene& scene) {
+  return scene.derivatives.field == Field::trilinear ? 0.0 : scene.derivatives.normalScale.value_or(0.0);
+}
+
+bool readsUnscaled(const Scene& scene) {
+  return (needsGradient(scene) && normalScale(scene) == 0.0) ||
+         (needsCurvature(scene) && derivativesScale(scene) == 0.0);
+}
+
+bool fetchesFast(const Scene& scene) {
+  return scene.derivatives.fetch == Fetch::fast && scene.derivatives.field != Field::trilinear &&
+         readsUnscaled(scene);
+}
+
 bool isTransparent(const Scene& scene) {
   const auto between = [](double opacity) { return opacity > 0.0 && opacity < 1.0; };
   if (between(scene.isosurface.opacity)) return true;

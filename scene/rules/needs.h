@@ -33,6 +33,15 @@ bool mayRefineHits(const Scene& scene);
 bool needsGradient(const Scene& scene);
 bool needsCurvature(const Scene& scene);
 
+// Scales, mm, of the derivatives that curvature comes from and of those that normals are made of
+// (derivatives.scale, derivatives.normal_scale). 0: none, by the setting, because the field has none, or
+// because what is automatic is not known yet.
+double derivativesScale(const Scene& scene);
+double normalScale(const Scene& scene);
+// The look reads derivatives at no scale; and those are made of filtered fetches, which a scale has not.
+bool readsUnscaled(const Scene& scene);
+bool fetchesFast(const Scene& scene);
+
 // Some surface lets through what lies behind it. One of opacity 0 is not there.
 bool isTransparent(const Scene& scene);
 

@@ -118,6 +118,7 @@ constexpr Rule rules[] = {
     {"derivatives.", needsGradient, "this look needs no derivatives"},
     {"derivatives.fetch", [](const Scene& s) { return s.derivatives.field != Field::trilinear; },
      "trilinear derivatives are read in one way only"},
+    {"derivatives.fetch", readsUnscaled, "derivatives at a scale are read by single voxels"},
     {"derivatives.noise derivatives.scale", needsCurvature, "this look needs no curvature"},
     {"derivatives.scale derivatives.normal_scale",
      [](const Scene& s) { return s.derivatives.field != Field::trilinear; },

@@ -1,12 +1,12 @@
 // Where the voxels of a volume lie in its textures: as one texture, or (BRICKS) as bricks in a cache.
 //
-// A brick holds what every lookup around its 32^3 cells needs: voxels 32 b - 1 .. 32 b + 33 on each axis, border voxels
-// repeated. All lookups around one cell are made in the cell's own brick. CASTS_RAYS: each brick that is entered is
+// A brick holds what every lookup around its 32^3 cells needs: voxels 32 b - BRICK_APRON .. 32 b + 32 + BRICK_APRON on
+// each axis, border voxels repeated. All lookups around one cell are made in the cell's own brick. CASTS_RAYS: each brick that is entered is
 // marked as used, or as asked for where it is not resident. Hadwiger et al. 2005 sec. 3.1.
 
 #ifdef BRICKS
-const int brickShift = 5, brickTexels = 35;  // render/volume/brick_cache.h holds the same numbers
-uniform usampler3D uBricks;                  // of each brick: its slot in the cache; w = 1 where it is resident
+const int brickShift = 5, brickTexels = 33 + 2 * BRICK_APRON;  // render/volume/brick_cache.h holds the same numbers
+uniform usampler3D uBricks;  // of each brick: its slot in the cache; w = 1 where it is resident
 
 #ifdef CASTS_RAYS
 layout(std430, binding = 0) buffer BrickUse {
@@ -25,7 +25,7 @@ void enterBrick(ivec3 cell) {
   uvec4 slot = texelFetch(uBricks, brick, 0);
   currentBrick = brick;
   currentSlot = ivec3(slot.xyz) * brickTexels;
-  currentShift = currentSlot + 1 - (brick << brickShift);
+  currentShift = currentSlot + BRICK_APRON - (brick << brickShift);
   currentResident = slot.w != 0u;
   if (!currentResident) brickMissed = true;
 #ifdef CASTS_RAYS

@@ -1,11 +1,14 @@
 // World gradient (data units per mm) and, with HESSIAN, world Hessian (per mm^2) at the surface point:
 // g_w = A^-T g_v, H_w = A^-T H_v A^-1.
 //
-// CUBIC: tri-cubic B-spline of uField, by single fetches or (FAST) filtered ones. Otherwise the trilinear field's own,
+// SCALED: of the field at a scale, known everywhere. CUBIC: tri-cubic B-spline of uField, by single fetches or (FAST) filtered ones. Otherwise the trilinear field's own,
 // whose Hessian has mixed terms only. Where a sample of the B-spline is missing: the trilinear gradient, no Hessian.
 #include "common.glsl"
 #include "field.glsl"
 #include "spline.glsl"
+#ifdef SCALED
+#include "quintic.glsl"
+#endif
 
 uniform sampler2D uSurface;
 uniform mat3 uInverseTransposed;  // A^-T
@@ -27,7 +30,12 @@ void main() {
   if (!resident(cellOf(p))) discard;  // written while its brick was
   vec3 gradient, diagonal = vec3(0.0), mixed = vec3(0.0);
   bool known = true;
-#ifdef CUBIC
+#ifdef SCALED
+  quinticDerivatives(p, gradient, diagonal, mixed);
+  gradient *= uFieldPerVolume;
+  diagonal *= uFieldPerVolume;
+  mixed *= uFieldPerVolume;
+#elif defined(CUBIC)
 #ifdef FAST
   known = splineDerivativesFast(p, gradient, diagonal, mixed);
 #else
@@ -49,7 +57,9 @@ void main() {
   hessian = uInverseTransposed * hessian * transpose(uInverseTransposed) * uDataUnits;
   oHessianDiagonal = vec4(hessian[0][0], hessian[1][1], hessian[2][2], 1.0);
   float within = 1.0;
-#ifdef CUBIC
+#ifdef SCALED
+  if (!quinticWithin(cellOf(p))) within = 0.0;
+#elif defined(CUBIC)
   ivec3 first = cellOf(p) - 1;  // of the spline's 4x4x4 samples: those beyond the border only repeat it
   if (any(lessThan(first, ivec3(0))) || any(greaterThan(first + 3, uDims - 1))) within = 0.0;
 #endif

@@ -8,7 +8,7 @@
 #include "surface.glsl"
 #include "noise.glsl"
 
-uniform sampler2D uKappa, uDirection;
+uniform sampler2D uKappa, uDirection, uCurvatureGradient;
 uniform float uGrain;  // rays
 layout(location = 0) out vec4 oField;
 layout(location = 1) out vec4 oNoise;
@@ -32,7 +32,8 @@ void main() {
   Point p = pointAt(pixel, surface);
   vec3 direction = texelFetch(uDirection, pixel, 0).xyz;
 #ifdef MINIMUM
-  direction = cross(p.outward, direction);
+  vec3 gradient = texelFetch(uCurvatureGradient, pixel, 0).xyz;  // normals may be made of another one
+  direction = cross(safeNormalize(uOutward * gradient, -p.ray), direction);
 #endif
   // The tangent as it moves over the picture; its depth shifts it in perspective.
   vec3 camera = vec3(dot(direction, uRightWorld), dot(direction, uUpWorld), dot(direction, uForwardWorld));

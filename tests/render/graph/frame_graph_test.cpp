@@ -34,7 +34,7 @@ class FrameGraphTest : public ::testing::Test {
   std::vector<std::string> ran(const scene::Scene& scene, const FrameRequest& request,
                                std::uint64_t volume = 1, const OnProcessor& onProcessor = {}) {
     const auto passes = declarePasses(makePasses(), Asked(scene, request, volume, {}, {}, onProcessor));
-    return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
+    return namesOf(passes, frame(passes, wantedImages(request, scene)), PassState::ran);
   }
   FrameGraph graph_;
 };
@@ -61,6 +61,40 @@ TEST_F(FrameGraphTest, TheProcessorNeedsNoSegments) {
   scene::Scene transparent;
   transparent.isosurface.opacity = 0.5;
   EXPECT_THAT(ran(transparent, {}, 1, {true, false}), ElementsAre("gradient", "shade", "layers", "resolve"));
+}
+
+// Curvature and normals at one scale share a pass; at two each has its own.
+TEST_F(FrameGraphTest, NormalsAtAScaleOfTheirOwnHaveAPassOfTheirOwn) {
+  scene::Scene scene;
+  scene.look.mode = scene::LookMode::kappa1;
+  scene.derivatives.scale = scene.derivatives.normalScale = 1.0;
+  EXPECT_THAT(ran(scene, {}), ElementsAre("blocks", "segments", "cast", "hessian", "curvature", "ranges", "shade",
+                                          "background", "resolve"));
+  scene.derivatives.normalScale = 0.0;
+  EXPECT_THAT(ran(scene, {}), ElementsAre("gradient", "shade", "resolve"));
+  scene.derivatives.scale = 2.0;
+  EXPECT_THAT(ran(scene, {}), ElementsAre("hessian", "curvature", "ranges", "shade", "resolve"));
+  scene.derivatives.normalScale = 2.0;
+  EXPECT_THAT(ran(scene, {}), ElementsAre("shade", "resolve"));
+  scene.look.mode = scene::LookMode::lambert;  // reads no second derivatives
+  EXPECT_THAT(ran(scene, {}), ElementsAre("gradient", "shade", "resolve"));
+  scene.derivatives.scale = 3.0;
+  EXPECT_THAT(ran(scene, {}), ElementsAre());
+  scene.derivatives.normalScale = 1.0;
+  EXPECT_THAT(ran(scene, {}), ElementsAre("gradient", "shade", "resolve"));
+  // Deferred images: gradients are those of curvature, normals those of shading.
+  FrameRequest request;
+  request.color = false;
+  request.aovs = {Aov::normal};
+  EXPECT_THAT(ran(scene, request), ElementsAre());
+  request.aovs = {Aov::gradient};
+  EXPECT_THAT(ran(scene, request), ElementsAre("hessian"));
+  request.aovs = {Aov::gradient, Aov::normal};
+  EXPECT_THAT(ran(scene, request), ElementsAre("gradient"));
+  // The trilinear field has no scale.
+  scene.derivatives.field = scene::Field::trilinear;
+  request.aovs = {Aov::normal, Aov::kappa};
+  EXPECT_THAT(ran(scene, request), ElementsAre("hessian", "curvature"));
 }
 
 TEST_F(FrameGraphTest, SkipsWhatNobodyReads) {
@@ -355,7 +389,7 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   light.version = 1;
   const auto ranUnder = [&] {
     const auto passes = declarePasses(scene, request, 1, {}, light);
-    return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
+    return namesOf(passes, frame(passes, wantedImages(request, scene)), PassState::ran);
   };
   EXPECT_THAT(ranUnder(), ElementsAre("blocks", "segments", "cast", "gradient", "light", "irradiance",
                                       "shade", "background", "resolve"));
@@ -408,7 +442,7 @@ TEST_F(FrameGraphTest, AnIsovalueWithoutASurfaceCostsNoDerivatives) {
     nothing.crossed = false;
     graph_.invalidate();
     const auto passes = declarePasses(scene, {}, nothing);
-    EXPECT_THAT(namesOf(passes, frame(passes, wantedImages({})), PassState::ran),
+    EXPECT_THAT(namesOf(passes, frame(passes, wantedImages({}, scene)), PassState::ran),
                 ElementsAre("blocks", "segments", "cast", "shade", "background", "resolve"))
         << look;
   }
@@ -420,7 +454,7 @@ TEST_F(FrameGraphTest, WhatLivesInTheGpusCopyIsMadeAnewWithIt) {
   VolumeState volume{7, 1};
   const auto ranWith = [&](const BrickState& bricks) {
     const auto passes = declarePasses(scene, {}, volume, bricks);
-    return namesOf(passes, frame(passes, wantedImages({})), PassState::ran);
+    return namesOf(passes, frame(passes, wantedImages({}, scene)), PassState::ran);
   };
   ranWith({});
   ++volume.made;
@@ -440,7 +474,7 @@ TEST_F(FrameGraphTest, BricksRunWhereRaysAskForThem) {
   BrickState bricks{true, false, 1, 0};
   const auto ranIn = [&] {
     const auto passes = declarePasses(scene, request, 1, bricks);
-    return namesOf(passes, frame(passes, wantedImages(request)), PassState::ran);
+    return namesOf(passes, frame(passes, wantedImages(request, scene)), PassState::ran);
   };
   EXPECT_THAT(ranIn(), ElementsAre("blocks", "segments", "bricks", "cast", "gradient", "shade", "background",
                                    "resolve"));
@@ -464,7 +498,7 @@ TEST_F(FrameGraphTest, BricksRunWhereRaysAskForThem) {
   bricks = {};
   EXPECT_THAT(ranIn(), ElementsAre("cast", "gradient", "shade", "resolve"));
   const auto passes = declarePasses(scene, request, 1, bricks);
-  for (const PlannedPass& planned : graph_.plan(passes, wantedImages(request)))
+  for (const PlannedPass& planned : graph_.plan(passes, wantedImages(request, scene)))
     if (passes[planned.index].name == pass::bricks) {
       EXPECT_EQ(planned.state, PassState::skipped);
       EXPECT_EQ(planned.reason, "the volume is one texture");

@@ -48,7 +48,8 @@ json otherValue(const scene::Setting& s, const scene::Scene& scene) {
 std::string declared(const scene::Scene& scene) {
   const std::vector<render::PassDeclaration> passes = render::declarePasses(scene, {}, 1);
   std::string text;
-  for (const render::PlannedPass& planned : render::FrameGraph().plan(passes, render::wantedImages({}))) {
+  for (const render::PlannedPass& planned :
+       render::FrameGraph().plan(passes, render::wantedImages({}, scene))) {
     if (planned.state == render::PassState::skipped) continue;
     const render::PassDeclaration& pass = passes[planned.index];
     text += pass.name;

@@ -18,8 +18,9 @@ TEST(BrickCacheTest, BricksCoverTheCells) {
 
 TEST(BrickCacheTest, TheShaderHoldsTheSameNumbers) {
   const std::string source = shaderSource("field.glsl");
-  EXPECT_NE(source.find("brickShift = 5, brickTexels = " + std::to_string(brickTexels)), std::string::npos);
+  EXPECT_NE(source.find("brickShift = 5, brickTexels = 33 + 2 * BRICK_APRON"), std::string::npos);
   EXPECT_EQ(1 << 5, brickCells);
+  for (const int apron : {cubicApron, quinticApron}) EXPECT_EQ(33 + 2 * apron, brickTexels(apron));
 }
 
 TEST(BrickCacheTest, FreeSlotsComeFirstThenTheLeastRecentlyUsed) {

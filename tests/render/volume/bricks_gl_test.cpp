@@ -122,6 +122,36 @@ TEST_F(BricksGlTest, EveryFieldIsTheSameWithExactFetches) {
     }
 }
 
+// Lookups of a field at a scale are wider, and have textures of their own: up to three beside the samples.
+TEST_F(BricksGlTest, FieldsAtScalesAreTheSame) {
+  const auto volume = phantom("gyroid", 70);
+  const double spacing = volume->grid().geometry().spacingMm().x;
+  for (const Field field : {Field::cubic, Field::cubic_interpolating})
+    for (const double normalScale : {0.0, 0.7, 1.5}) {
+      scene::Scene scene;
+      scene.hit.field = Field::cubic_interpolating;
+      scene.derivatives.field = field;
+      scene.derivatives.scale = 1.5 * spacing;
+      scene.derivatives.normalScale = normalScale * spacing;
+      const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+      ASSERT_GT(hits(whole), 1000u);
+      expectEqual(whole, draw(volume, scene, MemoryLayout::bricks), "normals at " + std::to_string(normalScale));
+    }
+}
+
+// Without a scaled field bricks are as they were.
+TEST_F(BricksGlTest, OnlyFieldsAtScalesNeedWiderBricks) {
+  const auto volume = noise(glm::ivec3(100), 3);
+  scene::Scene scene;
+  scene.isosurface.value = 0.9;
+  scene.derivatives.scale = scene.derivatives.normalScale = 0.0;
+  const std::size_t slots = draw(volume, scene, MemoryLayout::bricks, 2).report.bricks.slots;
+  EXPECT_EQ(slots, (std::size_t{2} << 20) / (35 * 35 * 35 * sizeof(float)));
+  scene.derivatives.scale = scene.derivatives.normalScale = 1.0;
+  const std::size_t wider = draw(volume, scene, MemoryLayout::bricks, 4).report.bricks.slots;
+  EXPECT_EQ(wider, (std::size_t{4} << 20) / (2 * 37 * 37 * 37 * sizeof(float)));
+}
+
 // A pass that shaders must draw at the hits (fast fetches) would miss bricks that no ray has asked for.
 TEST_F(BricksGlTest, WhereShadersReadBricksTheProcessorCastsNoRays) {
   const auto volume = phantom("gyroid", 70);

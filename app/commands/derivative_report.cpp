@@ -1,0 +1,112 @@
+#include "app/commands/derivative_report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <glm/common.hpp>
+
+#include "base/number_text.h"
+#include "render/graph/pass_declarations.h"
+#include "scene/rules/needs.h"
+
+namespace isolux::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json pairJson(glm::dvec2 v) {
+  return ordered_json::array({v.x, v.y});
+}
+
+// A picture of its rays that is no larger than the renderer draws at once.
+double unknownShareOf(render::Renderer& renderer, const scene::Scene& scene, render::FrameRequest request) {
+  constexpr int most = 4096;
+  request.color = request.linear = false;
+  request.supersampling = 1;
+  request.aovs = {render::Aov::hit, render::Aov::curvature_confidence};
+  while (std::max(request.size.x, request.size.y) > most)
+    request.size = glm::max(request.size / 2, glm::ivec2(1));
+  renderer.render(scene, request);
+  const render::AovImage hit = renderer.readAov(render::Aov::hit);
+  const render::AovImage confidence = renderer.readAov(render::Aov::curvature_confidence);
+  std::size_t seen = 0, unknown = 0;
+  for (std::size_t i = 0; i < hit.values.size(); ++i) {
+    if (hit.values[i] != 1.0f) continue;
+    ++seen;
+    if (!(confidence.values[i] >= 0.5f)) ++unknown;
+  }
+  return seen > 0 ? static_cast<double>(unknown) / static_cast<double>(seen) : 0.0;
+}
+
+// "0.8 mm, chosen: curvature stands clear of the noise there" of an automatic number.
+std::string numberText(const std::optional<double>& asked, const std::optional<double>& drawn,
+                       const std::string& unit, const std::string& reason) {
+  if (!drawn) return "not read";
+  std::string text = base::shortText(*drawn, 3) + unit;
+  if (asked) return text + ", as set";
+  return reason.empty() ? text + ", automatic" : text + ", automatic: " + reason;
+}
+
+}  // namespace
+
+DerivativeFacts derivativeFacts(render::Renderer& renderer, const scene::Derivatives& asked,
+                                const scene::Scene& drawn, const render::FrameRequest& request,
+                                const render::FrameReport& report, const volume::PreparedVolume& volume) {
+  DerivativeFacts facts{asked, drawn, {}, report.curvature, {}};
+  facts.choice = volume.derivativeChoices->find(drawn.isosurface.value.value(), drawn.derivatives.field);
+  const bool readsCurvature = (request.color && scene::needsCurvature(drawn)) ||
+                              std::any_of(request.aovs.begin(), request.aovs.end(),
+                                          [](render::Aov aov) { return render::readsHessian(aov); });
+  if (readsCurvature) facts.unknownShare = unknownShareOf(renderer, drawn, request);
+  return facts;
+}
+
+ordered_json choiceJson(const volume::DerivativeChoice& choice) {
+  return {{"noise", choice.noise},
+          {"scale_mm", choice.scaleMm},
+          {"normal_scale_mm", choice.normalScaleMm},
+          {"reasons",
+           {{"noise", choice.noiseReason},
+            {"scale", choice.scaleReason},
+            {"normal_scale", choice.normalReason}}}};
+}
+
+ordered_json derivativesJson(const DerivativeFacts& facts) {
+  const scene::Derivatives &asked = facts.asked, &drawn = facts.drawn.derivatives;
+  const auto number = [](const std::optional<double>& v) {
+    return v ? ordered_json(*v) : ordered_json(nullptr);
+  };
+  ordered_json automatic = ordered_json::array();
+  if (!asked.noise) automatic.push_back("noise");
+  if (!asked.scale) automatic.push_back("scale");
+  if (!asked.normalScale) automatic.push_back("normal_scale");
+  ordered_json json{{"noise", number(drawn.noise)},
+                    {"scale_mm", number(drawn.scale)},
+                    {"normal_scale_mm", number(drawn.normalScale)},
+                    {"automatic", automatic}};
+  json["chosen"] = facts.choice ? choiceJson(*facts.choice) : ordered_json(nullptr);
+  json["range"] = facts.curvature ? pairJson(facts.curvature->range) : ordered_json(nullptr);
+  json["ridge_thresholds"] =
+      facts.curvature ? pairJson(facts.curvature->ridgeThresholds) : ordered_json(nullptr);
+  json["unknown_share"] = number(facts.unknownShare);
+  return json;
+}
+
+void printDerivatives(const DerivativeFacts& facts) {
+  if (!scene::needsGradient(facts.drawn) && !facts.unknownShare) return;
+  const scene::Derivatives &asked = facts.asked, &drawn = facts.drawn.derivatives;
+  const volume::DerivativeChoice reasons = facts.choice.value_or(volume::DerivativeChoice{});
+  const auto line = [](const char* what, const std::string& text) {
+    std::printf("%s: %s\n", what, text.c_str());
+  };
+  line("noise of a voxel", numberText(asked.noise, drawn.noise, "", reasons.noiseReason));
+  line("scale of curvature", numberText(asked.scale, drawn.scale, " mm", reasons.scaleReason));
+  line("scale of normals", numberText(asked.normalScale, drawn.normalScale, " mm", reasons.normalReason));
+  if (facts.unknownShare)
+    std::printf("curvature means nothing (confidence below 0.5) on %.1f %% of what is seen\n",
+                100.0 * *facts.unknownShare);
+  std::fflush(stdout);
+}
+
+}  // namespace isolux::app
