@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "volume/field/reconstruct.h"
-#include "volume/skip/cell_bits.h"
 
 namespace isolux::render {
 
@@ -150,25 +149,6 @@ void GpuVolume::require(const std::vector<FieldAt>& fields, const scene::Memory&
   layout_ = memory;
 }
 
-std::size_t GpuVolume::activeBricks() const {
-  if (!active_ || !hasCells()) return 0;
-  if (activeBricks_) return *activeBricks_;
-  const glm::ivec3 bricks = brickDims(grid().dims()), dims = blocks().dims();
-  const int perBrick = brickCells / blocks().blockCells();
-  std::vector<std::uint8_t> active(static_cast<std::size_t>(bricks.x) * static_cast<std::size_t>(bricks.y) *
-                                   static_cast<std::size_t>(bricks.z));
-  std::size_t block = 0;
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x, ++block)
-        if (isActive(block)) {
-          const int brick = (z / perBrick * bricks.y + y / perBrick) * bricks.x + x / perBrick;
-          active[static_cast<std::size_t>(brick)] = 1;
-        }
-  activeBricks_ = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
-  return *activeBricks_;
-}
-
 const volume::Coefficients* GpuVolume::coefficients(scene::Field field) const {
   return field == scene::Field::cubic_interpolating ? &*cubic(field).coefficients : nullptr;
 }
@@ -212,68 +192,6 @@ double GpuVolume::dataUnitsPerTexel(scene::Field field) const {
   return grid().slope() * sourceOf({field}).scale();
 }
 
-void GpuVolume::setField(scene::Field field) {
-  using volume::BoxBounds;
-  using volume::MinMaxBlocks;
-  if (activeField_ == field) return;
-  std::shared_ptr<const MinMaxBlocks> blocks = volume_->blocks;
-  boxes_ = volume_->boxes;
-  if (field != scene::Field::trilinear) {
-    const volume::CubicField& made = cubic(field);
-    blocks = {volume_, &made.blocks};
-    boxes_ = {volume_, &made.boxes};
-  }
-  active_ = std::make_unique<volume::ActiveBlocks>(blocks);
-  storedIsovalues_.clear();
-  masks_.clear();
-  maskTexture_ = Texture();
-  activeField_ = field;
-}
-
-void GpuVolume::updateMasks() {
-  const std::vector<std::uint8_t>& flags = active_->flags();
-  if (active_->blocks().blockCells() == volume::BoxBounds::kBlockCells) {
-    boxes_->masks(storedIsovalues_, flags, masks_);
-  } else {  // of another size (benchmarks): every box of an active one
-    masks_.resize(flags.size());
-    std::transform(flags.begin(), flags.end(), masks_.begin(),
-                   [](std::uint8_t flag) { return flag ? ~std::uint64_t{0} : std::uint64_t{0}; });
-  }
-}
-
-bool GpuVolume::mayHaveCells(const scene::Hit& hit) const {
-  const glm::ivec3 dims = blocks().dims();
-  return hit.method == scene::HitMethod::exact && hit.field == scene::Field::trilinear &&
-         grid().missingCount() == 0 && blocks().blockCells() == volume::BoxBounds::kBlockCells &&
-         2 * std::max({dims.x, dims.y, dims.z}) <= gl_->max3dTexture;
-}
-
-void GpuVolume::uploadMasks(bool cells) {
-  const glm::ivec3 dims = (cells ? 2 : 1) * blocks().dims();
-  if (maskTexture_.size() != dims) maskTexture_ = Texture::make3D(gl_, GL_RG32UI, dims, false);
-  std::vector<std::uint64_t> bits;
-  if (cells) volume::cellBits(grid(), blocks().dims(), masks_, storedIsovalues_, bits);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TextureSubImage3D(maskTexture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RG_INTEGER,
-                         GL_UNSIGNED_INT, (cells ? bits : masks_).data());
-  uploaded_ = cells ? Uploaded::cells : Uploaded::boxes;
-}
-
-void GpuVolume::prepareMasks(const scene::Hit& hit) {
-  if (uploaded_ == Uploaded::nothing)
-    uploadMasks(false);
-  else if (uploaded_ == Uploaded::boxes && mayHaveCells(hit))
-    uploadMasks(true);
-}
-
-void GpuVolume::bindMasks(Program& program, const scene::Hit& hit, int unit) {
-  if (uploaded_ == Uploaded::nothing || (uploaded_ == Uploaded::cells && !mayHaveCells(hit)))
-    uploadMasks(false);
-  program.setTexture("uMasks", unit, maskTexture_);
-  const bool ofCells = uploaded_ == Uploaded::cells || blocks().blockCells() == 4;
-  program.set("uMaskShift", ofCells ? 0 : 1);
-}
-
 bool GpuVolume::mayCross(scene::Field field, const std::vector<double>& values) const {
   if (!hasCells()) return false;
   // The smoothing spline stays within the range of the samples; the interpolating one need not.
@@ -283,8 +201,28 @@ bool GpuVolume::mayCross(scene::Field field, const std::vector<double>& values) 
   });
 }
 
+SurfaceBlocks& GpuVolume::blocksOf(scene::Field field) {
+  const auto found = std::find_if(surfaces_.begin(), surfaces_.end(),
+                                  [field](const auto& kept) { return kept->field() == field; });
+  if (found != surfaces_.end()) {
+    std::rotate(found, found + 1, surfaces_.end());
+    return *surfaces_.back();
+  }
+  std::shared_ptr<const volume::MinMaxBlocks> blocks = volume_->blocks;
+  std::shared_ptr<const volume::BoxBounds> boxes = volume_->boxes;
+  if (field != scene::Field::trilinear) {
+    const volume::CubicField& made = cubic(field);
+    blocks = {volume_, &made.blocks};
+    boxes = {volume_, &made.boxes};
+  }
+  if (surfaces_.size() == kKeptFields) surfaces_.erase(surfaces_.begin());
+  surfaces_.push_back(
+      std::make_unique<SurfaceBlocks>(gl_, volume_, field, std::move(blocks), std::move(boxes)));
+  return *surfaces_.back();
+}
+
 void GpuVolume::activate(scene::Field field, const std::vector<double>& values) {
-  setField(field);
+  SurfaceBlocks& surface = blocksOf(field);
   if (!hasCells()) return;
   std::vector<float> stored;
   stored.reserve(values.size());
@@ -292,12 +230,7 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   const double offset = field == scene::Field::cubic_interpolating ? cubic(field).coefficients->offset : 0.0;
   for (const double value : values)
     stored.push_back(static_cast<float>(grid().storedOfValue(value) - offset));
-  if (stored == storedIsovalues_ && !masks_.empty()) return;
-  active_->update(stored);
-  activeBricks_.reset();
-  storedIsovalues_ = std::move(stored);
-  updateMasks();
-  uploaded_ = Uploaded::nothing;
+  surface.activate(std::move(stored));
 }
 
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward) {
@@ -306,7 +239,8 @@ volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, do
 }
 
 std::size_t GpuVolume::bytes() const {
-  std::size_t sum = maskTexture_.bytes() + (bricks_ ? bricks_->bytes() : 0);
+  std::size_t sum = bricks_ ? bricks_->bytes() : 0;
+  for (const auto& surface : surfaces_) sum += surface->textureBytes();
   for (const auto& channel : channels_) sum += channel->whole.bytes();
   return sum;
 }

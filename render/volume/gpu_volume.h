@@ -10,12 +10,12 @@
 
 #include "render/gl/gl_objects.h"
 #include "render/volume/bricks.h"
+#include "render/volume/surface_blocks.h"
 #include "render/volume/volume_texture.h"
 #include "scene/machine.h"
 #include "scene/scene.h"
 #include "volume/field/scaled_field.h"
 #include "volume/prepared_volume.h"
-#include "volume/skip/active_blocks.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/statistics/curvature_statistics.h"
 
@@ -50,7 +50,7 @@ class GpuVolume {
   const Bricks* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
   std::size_t bricksMade() const { return bricksMade_; }  // how often: what was resident is gone then
   // Bricks that hold an active block: what pictures of these isosurfaces can need.
-  std::size_t activeBricks() const;
+  std::size_t activeBricks() const { return surfaces_.empty() || !hasCells() ? 0 : surface().activeBricks(); }
 
   // Sets uVolume and uDims, and uField, uFieldPerVolume for the texture that the field is made from. Uses
   // texture units 0 and 1, and 15 for bricks.
@@ -69,25 +69,27 @@ class GpuVolume {
   // Makes the blocks active that the surfaces of `values` (data units) of this field can cross, in time
   // proportional to what changes; uploads the masks of their boxes.
   void activate(scene::Field field, const std::vector<double>& values);
-  std::size_t activeBlocks() const { return active_ ? active_->activeCount() : 0; }
-  const volume::MinMaxBlocks& blocks() const { return active_->blocks(); }
+  std::size_t activeBlocks() const { return surfaces_.empty() ? 0 : surface().active().activeCount(); }
+  const volume::MinMaxBlocks& blocks() const { return surface().blocks(); }
   // Of each block, the boxes that can hold a surface (volume::BoxBounds); none where blocks are not of 8^3
   // cells.
-  std::span<const std::uint64_t> masks() const { return masks_; }
+  std::span<const std::uint64_t> masks() const { return surface().masks(); }
   // Of the field's B-spline; null: the samples themselves.
   const volume::Coefficients* coefficients(scene::Field field) const;
   // Null: the scale is 0, or was not required.
   const volume::ScaledField* scaled(const FieldAt& of) const;
-  bool isActive(std::size_t block) const { return active_->flags()[block] != 0; }
+  bool isActive(std::size_t block) const { return surface().active().flags()[block] != 0; }
   // A picture of these surfaces is about to be cast. The first is cast by boxes; from the second on each cell
   // has a bit (volume/skip/cell_bits.h) where its corners decide, which reads the voxels of active blocks
   // once: a moving isovalue does not pay for it. Hits are the same.
-  void prepareMasks(const scene::Hit& hit);
+  void prepareMasks(const scene::Hit& hit) { surface().prepareMasks(hit); }
   // Sets what trace.glsl skips empty space by, on texture unit `unit`.
-  void bindMasks(Program& program, const scene::Hit& hit, int unit);
+  void bindMasks(Program& program, const scene::Hit& hit, int unit) {
+    surface().bindMasks(program, hit, unit);
+  }
 
   // Of which boxes can hold a surface, on the processor and, once shaders have asked for them, as a texture.
-  std::size_t blockBytes() const { return masks_.size() * sizeof(std::uint64_t) + maskTexture_.bytes(); }
+  std::size_t blockBytes() const { return surfaces_.empty() ? 0 : surface().bytes(); }
   std::size_t bytes() const;
 
  private:
@@ -111,10 +113,9 @@ class GpuVolume {
   const TexelSource& sourceOf(const FieldAt& of) const;
   // What a cubic field needs; makes it where nobody has (see volume/field/cubic_fields.h: takes long).
   const volume::CubicField& cubic(scene::Field field) const;
-  void setField(scene::Field field);  // whose blocks are kept
-  void updateMasks();
-  bool mayHaveCells(const scene::Hit& hit) const;
-  void uploadMasks(bool cells);
+  SurfaceBlocks& blocksOf(scene::Field field);  // from then on those of the last picture
+  SurfaceBlocks& surface() { return *surfaces_.back(); }
+  const SurfaceBlocks& surface() const { return *surfaces_.back(); }
 
   GlPtr gl_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
@@ -123,15 +124,9 @@ class GpuVolume {
   std::optional<Bricks> bricks_;
   std::size_t bricksMade_ = 0;
 
-  std::optional<scene::Field> activeField_;
-  std::unique_ptr<volume::ActiveBlocks> active_;
-  mutable std::optional<std::size_t> activeBricks_;  // counted when asked for
-  std::shared_ptr<const volume::BoxBounds> boxes_;   // of activeField_
-  std::vector<std::uint64_t> masks_;
-  std::vector<float> storedIsovalues_;  // of the masks
-  Texture maskTexture_;                 // RG32UI
-  enum class Uploaded { nothing, boxes, cells };
-  Uploaded uploaded_ = Uploaded::nothing;  // of these surfaces
+  // Of fields of hits, that of the last picture last: pictures at rest may have another than moving ones.
+  static constexpr std::size_t kKeptFields = 2;
+  std::vector<std::unique_ptr<SurfaceBlocks>> surfaces_;
 };
 
 }  // namespace isolux::render

@@ -1,0 +1,58 @@
+// Which blocks, boxes and cells of a field of hits can hold the shown isosurfaces: on the processor, and as
+// the texture that shaders skip empty space by.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/gl/gl_objects.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+#include "volume/skip/active_blocks.h"
+
+namespace isolux::render {
+
+class SurfaceBlocks {
+ public:
+  // Blocks and boxes are the field's, and live as long as this.
+  SurfaceBlocks(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume, scene::Field field,
+                std::shared_ptr<const volume::MinMaxBlocks> blocks,
+                std::shared_ptr<const volume::BoxBounds> boxes);
+
+  scene::Field field() const { return field_; }
+  // For surfaces of these values, as blocks hold them: in time proportional to what changes.
+  void activate(std::vector<float> storedIsovalues);
+
+  const volume::ActiveBlocks& active() const { return active_; }
+  const volume::MinMaxBlocks& blocks() const { return active_.blocks(); }
+  std::span<const std::uint64_t> masks() const { return masks_; }
+  std::size_t activeBricks() const;  // bricks that hold an active block
+
+  // GpuVolume::prepareMasks() and bindMasks().
+  void prepareMasks(const scene::Hit& hit);
+  void bindMasks(Program& program, const scene::Hit& hit, int unit);
+
+  std::size_t textureBytes() const { return texture_.bytes(); }
+  std::size_t bytes() const { return masks_.size() * sizeof(std::uint64_t) + texture_.bytes(); }
+
+ private:
+  void updateMasks();
+  bool mayHaveCells(const scene::Hit& hit) const;
+  void upload(bool cells);
+
+  GlPtr gl_;
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  scene::Field field_;
+  volume::ActiveBlocks active_;
+  std::shared_ptr<const volume::BoxBounds> boxes_;
+  std::vector<std::uint64_t> masks_;
+  std::vector<float> storedIsovalues_;         // of the masks
+  mutable std::optional<std::size_t> bricks_;  // counted when asked for
+  Texture texture_;                            // RG32UI
+  enum class Uploaded { nothing, boxes, cells };
+  Uploaded uploaded_ = Uploaded::nothing;  // of these surfaces
+};
+
+}  // namespace isolux::render
