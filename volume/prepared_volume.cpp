@@ -166,6 +166,7 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress)
   prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
   prepared->cubicFields = std::make_shared<CubicFields>(prepared->volume.grid);
   prepared->derivativeChoices = std::make_shared<DerivativeChoices>(prepared->volume.grid, prepared->blocks);
+  prepared->stillHits = std::make_shared<StillHits>(prepared->volume.grid, prepared->blocks);
   progress.report(0.7, "counting values");
   prepared->histogram = makeHistogram(prepared->grid(), 512, progress);
   noteImplausible(prepared->volume, prepared->histogram);

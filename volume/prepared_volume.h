@@ -10,6 +10,7 @@
 #include "volume/skip/min_max_blocks.h"
 #include "volume/statistics/derivative_choices.h"
 #include "volume/statistics/histogram.h"
+#include "volume/statistics/still_hits.h"
 
 namespace isolux::volume {
 
@@ -22,6 +23,7 @@ struct PreparedVolume {
   std::shared_ptr<const BoxBounds> boxes;    // of the trilinear field, for blocks of BoxBounds::kBlockCells
   std::shared_ptr<CubicFields> cubicFields;  // made when first asked for
   std::shared_ptr<DerivativeChoices> derivativeChoices;  // so are they
+  std::shared_ptr<const StillHits> stillHits;            // and these
   Histogram histogram;
   scene::VolumeFacts facts;
   double readSeconds = 0.0, prepareSeconds = 0.0;

@@ -13,8 +13,8 @@ constexpr std::size_t kPoints = 800, kKept = 64;
 
 }  // namespace
 
-bool gainsFromSpline(double shareBeside) {
-  return shareBeside > kManyBesideSpline;
+bool StillHits::gains(double share) const {
+  return !givenUp_ && share > kManyBesideSpline;
 }
 
 std::optional<double> StillHits::find(double isovalue) const {

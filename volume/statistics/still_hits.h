@@ -4,6 +4,7 @@
 // All members may be called from any thread; nobody waits for another's work.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,17 +26,20 @@ class StillHits {
   std::optional<double> find(double isovalue) const;
   double measure(double isovalue, base::Progress& progress) const;
 
+  // The spline's field did not fit into memory: nothing gains from it any more.
+  void giveUp() const { givenUp_ = true; }
+  // The spline is worth its time.
+  bool gains(double share) const;
+
  private:
   struct Kept {
     double isovalue, share;
   };
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const MinMaxBlocks> blocks_;
+  mutable std::atomic<bool> givenUp_{false};
   mutable std::mutex mutex_;        // held for moments
   mutable std::vector<Kept> kept_;  // the latest last
 };
-
-// The spline is worth its time.
-bool gainsFromSpline(double shareBeside);
 
 }  // namespace isolux::volume

@@ -18,9 +18,12 @@ StillHits hitsOf(const char* phantom) {
 
 TEST(StillHits, WiresGainAndResolvedSurfacesDoNot) {
   base::Progress progress;
-  EXPECT_TRUE(gainsFromSpline(hitsOf("wires:128").measure(500.0, progress)));
-  EXPECT_FALSE(gainsFromSpline(hitsOf("torus:64").measure(0.0, progress)));
-  EXPECT_FALSE(gainsFromSpline(hitsOf("gyroid:96").measure(0.0, progress)));
+  const StillHits wires = hitsOf("wires:128"), torus = hitsOf("torus:64"), gyroid = hitsOf("gyroid:96");
+  EXPECT_TRUE(wires.gains(wires.measure(500.0, progress)));
+  EXPECT_FALSE(torus.gains(torus.measure(0.0, progress)));
+  EXPECT_FALSE(gyroid.gains(gyroid.measure(0.0, progress)));
+  wires.giveUp();
+  EXPECT_FALSE(wires.gains(wires.measure(500.0, progress)));
 }
 
 TEST(StillHits, AreMeasuredOnceForEachIsovalue) {
