@@ -1,9 +1,155 @@
-// Stand-in: chooses no scale. The real one comes with the research on scales.
 #include "volume/statistics/derivative_choices.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/number_text.h"
 #include "volume/statistics/noise_estimate.h"
+#include "volume/statistics/scale_ladder.h"
+#include "volume/statistics/visible_points.h"
 
 namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kPoints = 600;  // at which scales are measured
+constexpr std::size_t kFewest = 30;   // below, nothing is known
+// What noise may do at scale 0 before a scale is looked for.
+constexpr double kCleanCurvature = 0.02;                         // of the root mean square
+constexpr double kCleanNormal = 0.5 * std::numbers::pi / 180.0;  // radians
+constexpr std::size_t kMostKept = 8;
+
+// Away from the border, where samples are repeated.
+std::vector<glm::dvec3> pointsWithin(const Grid& grid, const MinMaxBlocks& blocks, double isovalue) {
+  constexpr double margin = 2.0;
+  std::vector<glm::dvec3> points;
+  for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, kPoints)) {
+    const glm::dvec3 far = glm::dvec3(grid.dims() - 1) - point.voxel;
+    const glm::dvec3 near = glm::min(point.voxel, far);
+    if (std::min({near.x, near.y, near.z}) >= margin) points.push_back(point.voxel);
+  }
+  return points;
+}
+
+struct Verdict {
+  std::size_t step = 0;
+  ScaleErrors errors;
+  bool settled = false;  // no larger scale can be better
+};
+
+Verdict judged(std::span<const ScaleStep> steps, double noiseVariance, bool clean) {
+  Verdict verdict{.errors = scaleErrors(steps, noiseVariance)};
+  const ScaleErrors& e = verdict.errors;
+  verdict.step = clean ? 0 : e.best;
+  verdict.settled = clean || e.lost.back() > e.noise[e.best] + e.lost[e.best];
+  return verdict;
+}
+
+struct Search {
+  ScaleLadder::Measures measures;
+  double noise = 0.0;  // as the surface shows it
+  bool cleanCurvature = false;
+  Verdict curvature, normal;
+};
+
+void judge(Search& search, const DerivativeQuestion& question, double estimated) {
+  const ScaleLadder::Measures& m = search.measures;
+  const double variance =
+      question.noise ? estimated * estimated : surfaceNoise(m.curvature, estimated * estimated);
+  search.noise = std::sqrt(variance);
+  search.cleanCurvature =
+      variance * m.curvature[0].noise <= kCleanCurvature * kCleanCurvature * m.meanSquareCurvature[0];
+  const bool cleanNormal = variance * m.normal[0].noise <= kCleanNormal * kCleanNormal;
+  search.curvature = judged(m.curvature, variance, search.cleanCurvature);
+  search.normal = judged(m.normal, variance, cleanNormal);
+}
+
+// Scale after scale, until larger ones only lose.
+Search searchScales(ScaleLadder& ladder, const DerivativeQuestion& question, double noise,
+                    base::Progress& progress) {
+  constexpr std::size_t fewestSteps = 5;  // that tell how rough a surface is
+  Search search;
+  search.noise = noise;
+  do {
+    progress.throwIfStopped();
+    ladder.addScale();
+    search.measures = ladder.measures();
+    if (search.measures.points < kFewest) break;
+    judge(search, question, noise);
+  } while (!ladder.complete() && (search.measures.curvature.size() < fewestSteps ||
+                                  !(search.curvature.settled && search.normal.settled)));
+  return search;
+}
+
+std::string percentText(double part) {
+  return base::shortText(100.0 * part, 2) + " %";
+}
+
+std::string scaleReason(const DerivativeChoice& choice) {
+  const double* const noise = choice.curvatureNoise;
+  const auto part = [&](double of) {
+    return percentText(choice.curvature > 0.0 ? of / choice.curvature : 0.0);
+  };
+  if (choice.scaleMm == 0.0) return "noise is " + part(noise[0]) + " of the curvature, any scale loses more";
+  return "noise falls from " + part(noise[0]) + " to " + part(noise[1]) +
+         " of the curvature, larger scales lose more shape";
+}
+
+std::string normalReason(const DerivativeChoice& choice) {
+  const auto degrees = [](double radians) {
+    return base::shortText(radians * 180.0 / std::numbers::pi, 2) + " degrees";
+  };
+  const double* const noise = choice.normalNoise;
+  if (choice.normalScaleMm == 0.0)
+    return "noise turns normals by " + degrees(noise[0]) + ", any scale turns them more";
+  return "noise turns normals by " + degrees(noise[1]) + " instead of " + degrees(noise[0]);
+}
+
+// Where voxels are much longer one way, slices show as terraces: no scale below half of that; 0 where voxels
+// are alike, more or less.
+double leastScale(const GridGeometry& geometry) {
+  constexpr double alike = 1.5;
+  const glm::dvec3 spacing = geometry.spacingMm();
+  const double most = std::max({spacing.x, spacing.y, spacing.z});
+  return most > alike * std::min({spacing.x, spacing.y, spacing.z}) ? 0.5 * most : 0.0;
+}
+
+std::string noiseReason(double estimated, double believed) {
+  if (believed < estimated)
+    return "the surface changes too little from scale to scale for the " + base::shortText(estimated, 3) +
+           " that neighbouring voxels differ by";
+  if (believed > estimated)
+    return "neighbouring voxels have " + base::shortText(estimated, 3) + ", but the surface is rougher";
+  return "differences between neighbouring voxels";
+}
+
+DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const GridGeometry& geometry,
+                          double noise) {
+  DerivativeChoice choice;
+  choice.noise = search.noise;
+  choice.noiseReason = noiseReason(noise, search.noise);
+  if (search.measures.points < kFewest) {
+    choice.scaleReason = choice.normalReason = "too little of the surface can be seen to measure it";
+    return choice;
+  }
+  const double least = search.cleanCurvature ? 0.0 : leastScale(geometry);
+  choice.scaleMm = std::max(least, ladder.scaleMm(search.curvature.step));
+  choice.normalScaleMm = ladder.scaleMm(search.normal.step);
+  const auto rms = [&](const ScaleStep& step) { return choice.noise * std::sqrt(step.noise); };
+  choice.curvatureNoise[0] = rms(search.measures.curvature[0]);
+  choice.curvatureNoise[1] = rms(search.measures.curvature[search.curvature.step]);
+  choice.normalNoise[0] = rms(search.measures.normal[0]);
+  choice.normalNoise[1] = rms(search.measures.normal[search.normal.step]);
+  choice.curvature = std::sqrt(search.measures.meanSquareCurvature[search.curvature.step]);
+  choice.scaleReason = choice.scaleMm > ladder.scaleMm(search.curvature.step)
+                           ? "half of the distance between slices"
+                           : scaleReason(choice);
+  choice.normalReason = normalReason(choice);
+  return choice;
+}
+
+}  // namespace
 
 scene::NoiseModel DerivativeChoices::noise(base::Progress& progress) const {
   {
@@ -12,44 +158,65 @@ scene::NoiseModel DerivativeChoices::noise(base::Progress& progress) const {
   }
   scene::NoiseModel model = estimateNoise(*grid_, progress);
   const std::lock_guard lock(mutex_);
-  noise_ = model;
-  return model;
+  if (!noise_) noise_ = std::move(model);
+  return *noise_;
 }
 
-std::optional<DerivativeChoice> DerivativeChoices::find(double isovalue, scene::Field field) const {
+std::optional<DerivativeChoice> DerivativeChoices::find(const DerivativeQuestion& question) const {
   const std::lock_guard lock(mutex_);
   for (const Kept& kept : kept_)
-    if (kept.isovalue == isovalue && kept.field == field) return kept.choice;
+    if (kept.question == question) return kept.choice;
   return std::nullopt;
 }
 
-DerivativeChoice DerivativeChoices::choose(double isovalue, scene::Field field,
+DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
                                            base::Progress& progress) const {
-  if (const auto there = find(isovalue, field)) return *there;
+  if (const auto found = find(question)) return *found;
+  const scene::NoiseModel model = noise(progress);
+  const double noise = question.noise.value_or(model.at(question.isovalue));
   DerivativeChoice choice;
-  choice.noise = noise(progress).at(isovalue);
-  choice.noiseReason = "measured over the whole volume";
-  choice.scaleReason = choice.normalReason = "nothing is chosen yet";
+  if (question.field == scene::Field::trilinear) {
+    choice.noise = noise;
+    choice.noiseReason = "differences between neighbouring voxels";
+    choice.scaleReason = choice.normalReason = "the trilinear field has no scale";
+  } else {
+    ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue), model.correlation);
+    choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), grid_->geometry(), noise);
+  }
   const std::lock_guard lock(mutex_);
-  kept_.push_back({isovalue, field, choice});
+  if (kept_.size() >= kMostKept) kept_.erase(kept_.begin());
+  kept_.push_back({question, choice});
   return choice;
 }
 
+namespace {
+
+DerivativeQuestion questionOf(const scene::Scene& scene) {
+  return {scene.isosurface.value.value(), scene.derivatives.field, scene.derivatives.noise};
+}
+
+void fillIn(scene::Derivatives& derivatives, const DerivativeChoice& choice) {
+  if (!derivatives.noise) derivatives.noise = choice.noise;
+  if (!derivatives.scale) derivatives.scale = choice.scaleMm;
+  if (!derivatives.normalScale) derivatives.normalScale = choice.normalScaleMm;
+}
+
+bool isComplete(const scene::Derivatives& derivatives) {
+  return derivatives.noise && derivatives.scale && derivatives.normalScale;
+}
+
+}  // namespace
+
 bool DerivativeChoices::completeIfChosen(scene::Scene& scene) const {
-  const auto choice = find(scene.isosurface.value.value(), scene.derivatives.field);
-  if (!choice) return false;
-  scene::Derivatives& to = scene.derivatives;
-  to.noise = to.noise.value_or(choice->noise);
-  to.scale = to.scale.value_or(choice->scaleMm);
-  to.normalScale = to.normalScale.value_or(choice->normalScaleMm);
-  return true;
+  if (isComplete(scene.derivatives)) return true;
+  const auto choice = find(questionOf(scene));
+  if (choice) fillIn(scene.derivatives, *choice);
+  return choice.has_value();
 }
 
 void DerivativeChoices::complete(scene::Scene& scene, base::Progress& progress) const {
-  scene::Derivatives& to = scene.derivatives;
-  if (to.noise && to.scale && to.normalScale) return;
-  choose(scene.isosurface.value.value(), to.field, progress);
-  completeIfChosen(scene);
+  if (isComplete(scene.derivatives)) return;
+  fillIn(scene.derivatives, choose(questionOf(scene), progress));
 }
 
 }  // namespace isolux::volume

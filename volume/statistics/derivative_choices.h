@@ -20,16 +20,21 @@
 namespace isolux::volume {
 
 struct DerivativeChoice {
-  double noise = 0.0;                         // standard deviation of a voxel near the surface, data units
+  double noise = 0.0;  // standard deviation of a voxel as the surface shows it, data units
   double scaleMm = 0.0, normalScaleMm = 0.0;  // derivatives.scale, derivatives.normal_scale
   // At scale 0 and at the one that was chosen: what noise does to a curvature, 1/mm, and to a normal,
   // radians; root mean squares. 0 without a surface.
   double curvatureNoise[2] = {}, normalNoise[2] = {};
   double curvature = 0.0;  // root mean square of the principal curvatures at the chosen scale, 1/mm
-  // Of derivatives at the chosen scale: what changes to the next scale, over what noise would change. 1: the
-  // surface is as rough as its noise.
-  double roughness = 1.0;
   std::string noiseReason, scaleReason, normalReason;  // a sentence each, without a full stop
+};
+
+// What a choice depends on.
+struct DerivativeQuestion {
+  double isovalue = 0.0;
+  scene::Field field = scene::Field::cubic;
+  std::optional<double> noise;  // known by somebody; empty: estimated
+  bool operator==(const DerivativeQuestion&) const = default;
 };
 
 class DerivativeChoices {
@@ -40,8 +45,8 @@ class DerivativeChoices {
   // Of the whole volume. Throws Error{interrupted}, as all that take a Progress.
   scene::NoiseModel noise(base::Progress& progress) const;
 
-  std::optional<DerivativeChoice> find(double isovalue, scene::Field field) const;
-  DerivativeChoice choose(double isovalue, scene::Field field, base::Progress& progress) const;
+  std::optional<DerivativeChoice> find(const DerivativeQuestion& question) const;
+  DerivativeChoice choose(const DerivativeQuestion& question, base::Progress& progress) const;
 
   // Fills in what is empty of derivatives.noise, .scale and .normal_scale of a scene whose isovalue is known:
   // with what has been chosen before (false: nothing has, and nothing is filled in), or by choosing.
@@ -50,8 +55,7 @@ class DerivativeChoices {
 
  private:
   struct Kept {
-    double isovalue;
-    scene::Field field;
+    DerivativeQuestion question;
     DerivativeChoice choice;
   };
   std::shared_ptr<const Grid> grid_;

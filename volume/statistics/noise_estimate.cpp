@@ -48,6 +48,7 @@ struct Range {
   double steepness = 0.0;  // of the steepest of the places, in parts of what is expected of noise alone
   double growth = 0.0;     // of differences over 3 voxels, in parts of those of neighbours
   double unlike = 0.0;     // largest over least of the three axes
+  bool constant() const { return unlike == 0.0; }  // no more than storing costs: the others are 0
 };
 
 double sizeOf(std::span<const NoisePlace> places, std::size_t spacing) {
@@ -69,7 +70,7 @@ double unlikeAxes(std::span<const NoisePlace> places) {
   return medianOf(most) / medianOf(least);
 }
 
-Range rangeOf(std::span<NoisePlace> places) {
+Range rangeOf(std::span<NoisePlace> places, double least) {
   Range range;
   range.value = places[places.size() / 2].value;
   const auto flat = static_cast<std::ptrdiff_t>(std::ceil(kFlat * static_cast<double>(places.size())));
@@ -77,6 +78,7 @@ Range rangeOf(std::span<NoisePlace> places) {
                    [](const NoisePlace& a, const NoisePlace& b) { return a.steepness < b.steepness; });
   range.places = places.first(static_cast<std::size_t>(flat));
   range.size = sizeOf(range.places, 0);
+  if (!(range.size > least)) return range;
   range.growth = sizeOf(range.places, kSpacings - 1) / range.size;
   range.unlike = unlikeAxes(range.places);
   // An odd difference over 6 voxels has the variance s^2 / 18, per voxel, in each of three directions.
@@ -86,14 +88,14 @@ Range rangeOf(std::span<NoisePlace> places) {
   return range;
 }
 
-std::vector<Range> rangesOf(std::vector<NoisePlace>& places) {
+std::vector<Range> rangesOf(std::vector<NoisePlace>& places, double least) {
   std::sort(places.begin(), places.end(),
             [](const NoisePlace& a, const NoisePlace& b) { return a.value < b.value; });
   const std::size_t count = std::clamp(places.size() / kFewestPlaces, std::size_t{1}, kRanges);
   std::vector<Range> ranges;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t begin = i * places.size() / count, end = (i + 1) * places.size() / count;
-    ranges.push_back(rangeOf(std::span(places).subspan(begin, end - begin)));
+    ranges.push_back(rangeOf(std::span(places).subspan(begin, end - begin), least));
   }
   return ranges;
 }
@@ -103,10 +105,11 @@ void leaveOutUnusual(std::vector<Range>& ranges, double Range::*measure) {
   constexpr double most = 1.25;
   std::vector<double> list;
   for (const Range& range : ranges)
-    if (std::isfinite(range.*measure)) list.push_back(range.*measure);
+    if (!range.constant() && std::isfinite(range.*measure)) list.push_back(range.*measure);
   if (list.empty()) return;
   const double usual = base::quantile(list, 0.25);
-  std::erase_if(ranges, [&](const Range& range) { return range.*measure > most * usual; });
+  std::erase_if(ranges,
+                [&](const Range& range) { return !range.constant() && range.*measure > most * usual; });
 }
 
 // Ranges in which the flattest places are as flat as noise is, else the flattest quarter; without those that
@@ -123,8 +126,9 @@ std::vector<Range> believable(std::vector<Range> ranges) {
   return ranges;
 }
 
-// The half that is bent the least.
+// The half that is bent the least, of those that are not constant.
 std::vector<Range> smoothest(std::vector<Range> ranges) {
+  std::erase_if(ranges, [](const Range& range) { return range.constant(); });
   std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.growth < b.growth; });
   ranges.resize((ranges.size() + 1) / 2);
   return ranges;
@@ -282,8 +286,9 @@ scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
   if (places.empty()) return {{grid.minimum()}, {least * slope}, glm::dvec3(0.0)};
   // Rounded, and dithered.
   const double step = grid.storedType() == VoxelType::float32 ? 0.0 : 1.0, rounding = step * step / 6.0;
-  const std::vector<Range> ranges = believable(rangesOf(places));
-  model.correlation = fitBlurs(squaresAlongAxes(smoothest(ranges), rounding));
+  const std::vector<Range> ranges = believable(rangesOf(places, least));
+  if (const std::vector<Range> noisy = smoothest(ranges); !noisy.empty())
+    model.correlation = fitBlurs(squaresAlongAxes(noisy, rounding));
   const Gauge gauge(model.correlation);
   std::vector<double> counts;
   for (const Range& range : ranges) {

@@ -1,0 +1,56 @@
+// Curvatures and normals of a surface at one scale after another, and what noise does to them.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "volume/grid.h"
+#include "volume/statistics/points_at_scale.h"
+#include "volume/statistics/scale_errors.h"
+
+namespace isolux::volume {
+
+class ScaleLadder {
+ public:
+  // points: on the surface, voxel coordinates. noiseBlur as in scene::NoiseModel.
+  ScaleLadder(const Grid& grid, std::vector<glm::dvec3> points, const glm::dvec3& noiseBlur);
+
+  // 0, then steps of sqrt 2 from the first that smooths more than the spline does, to about 4 voxels.
+  bool complete() const { return steps_.size() == scalesMm_.size(); }
+  void addScale();
+  double scaleMm(std::size_t step) const { return scalesMm_[step]; }
+
+  // Of the scales that have been added; points at which all of them have a clear gradient, weighted by its
+  // square. The squared sum of both principal curvatures' errors, 1/mm^2; of the normal's, radians^2.
+  struct Measures {
+    std::vector<ScaleStep> curvature, normal;
+    std::vector<double> meanSquareCurvature;  // of kappa1^2 + kappa2^2, with their noise
+    std::size_t points = 0;
+  };
+  Measures measures() const;
+
+ private:
+  struct AtPoint {
+    double slope = 0.0;  // |g|
+    glm::dvec3 normal{0.0};
+    glm::dmat3 shape{0.0};  // P H P / |g|: its eigenvalues are 0 and the curvatures
+  };
+  struct Step {
+    std::vector<AtPoint> points;
+    double medianSlope = 0.0;
+    PointNoise noise, noiseWithNext;  // variances; covariances with the next scale's
+  };
+  std::vector<char> clearPoints() const;
+
+  const Grid& grid_;
+  std::vector<glm::dvec3> points_;
+  glm::dvec3 noiseBlur_;
+  std::vector<double> scalesMm_;
+  std::vector<Step> steps_;
+};
+
+}  // namespace isolux::volume

@@ -1,0 +1,117 @@
+#include "volume/statistics/visible_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "volume/hit/cell_walk.h"
+#include "volume/hit/exact_hit.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kDirections = 10;
+
+// A spiral from pole to pole: even on the sphere, and along no axis.
+glm::dvec3 spiralDirection(std::size_t i) {
+  const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
+  const double angle = static_cast<double>(i) * std::numbers::pi * (3.0 - std::sqrt(5.0)) + 0.3;
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+// Evenly spread in the unit square for any count: the R2 sequence (Roberts 2018).
+glm::dvec2 spreadPoint(std::size_t i) {
+  constexpr double plastic = 1.32471795724474602596;
+  const double x = 0.5 + static_cast<double>(i) / plastic,
+               y = 0.5 + static_cast<double>(i) / (plastic * plastic);
+  return {x - std::floor(x), y - std::floor(y)};
+}
+
+// Parallel rays toward all of a box of voxels.
+class Beam {
+ public:
+  Beam(const GridGeometry& geometry, glm::dvec3 low, glm::dvec3 high, glm::dvec3 direction)
+      : voxelFromWorld_(geometry.voxelFromWorld()), direction_(direction) {
+    right_ = glm::normalize(
+        glm::cross(direction, std::abs(direction.z) < 0.7 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
+    up_ = glm::cross(right_, direction);
+    least_ = glm::dvec3(std::numeric_limits<double>::infinity());
+    most_ = -least_;
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::dvec4 voxel((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
+                             (corner & 4) ? high.z : low.z, 1.0);
+      const glm::dvec3 world(geometry.worldFromVoxel * voxel);
+      const glm::dvec3 at(glm::dot(world, right_), glm::dot(world, up_), glm::dot(world, direction));
+      least_ = glm::min(least_, at);
+      most_ = glm::max(most_, at);
+    }
+  }
+  Ray ray(glm::dvec2 part) const {
+    const glm::dvec2 at = glm::dvec2(least_) + part * glm::dvec2(most_ - least_);
+    const double before = least_.z - 0.01 * (most_.z - least_.z);
+    Ray ray;
+    ray.origin =
+        glm::dvec3(voxelFromWorld_ * glm::dvec4(at.x * right_ + at.y * up_ + before * direction_, 1.0));
+    ray.direction = glm::dvec3(voxelFromWorld_ * glm::dvec4(direction_, 0.0));
+    return ray;
+  }
+  glm::dvec3 direction() const { return direction_; }
+
+ private:
+  glm::dmat4 voxelFromWorld_;
+  glm::dvec3 direction_, right_{0.0}, up_{0.0}, least_{0.0}, most_{0.0};
+};
+
+struct VoxelBox {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+};
+
+VoxelBox boxOfSurface(const Grid& grid, const MinMaxBlocks& blocks, double isovalue) {
+  VoxelBox box;
+  const auto stored = static_cast<float>(grid.storedOfValue(isovalue));
+  const glm::ivec3 dims = blocks.dims();
+  std::size_t i = 0;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x, ++i)
+        if (blocks.active(i, stored)) {
+          const glm::dvec3 at(x, y, z);
+          box.low = glm::min(box.low, at);
+          box.high = glm::max(box.high, at + 1.0);
+        }
+  const double cells = blocks.blockCells();
+  return {box.low * cells, glm::min(box.high * cells, glm::dvec3(grid.dims() - 1))};
+}
+
+}  // namespace
+
+std::vector<VisiblePoint> visiblePoints(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                        std::size_t wanted) {
+  std::vector<VisiblePoint> points;
+  const VoxelBox box = boxOfSurface(grid, blocks, isovalue);
+  if (!(box.low.x <= box.high.x) || !std::isfinite(isovalue)) return points;
+  std::vector<Beam> beams;
+  for (std::size_t i = 0; i < kDirections; ++i)
+    beams.emplace_back(grid.geometry(), box.low, box.high, spiralDirection(i));
+  const std::size_t batch = (wanted / kDirections + 1) * kDirections;
+  std::vector<std::optional<RayHit>> hits(batch);
+  constexpr std::size_t mostBatches = 16;
+  for (std::size_t first = 0; first < mostBatches * batch && points.size() < wanted; first += batch) {
+    tbb::parallel_for(std::size_t{0}, batch, [&](std::size_t i) {
+      const Ray ray = beams[i % kDirections].ray(spreadPoint((first + i) / kDirections));
+      hits[i] = firstHit(grid, blocks, isovalue, ray.origin, ray.direction);
+    });
+    for (std::size_t i = 0; i < batch && points.size() < wanted; ++i)
+      if (hits[i]) points.push_back({hits[i]->voxel, beams[i % kDirections].direction()});
+  }
+  return points;
+}
+
+}  // namespace isolux::volume
