@@ -5,9 +5,12 @@
 
 #include <glm/common.hpp>
 
+#include "app/jobs/rest_scene.h"
 #include "base/number_text.h"
 #include "render/graph/pass_declarations.h"
 #include "scene/rules/needs.h"
+#include "scene/settings.h"
+#include "volume/statistics/spline_gap.h"
 
 namespace isolux::app {
 
@@ -106,6 +109,26 @@ void printDerivatives(const DerivativeFacts& facts) {
   if (facts.unknownShare)
     std::printf("curvature means nothing (confidence below 0.5) on %.1f %% of what is seen\n",
                 100.0 * *facts.unknownShare);
+  std::fflush(stdout);
+}
+
+ordered_json restJson(const scene::Scene& drawn, const volume::PreparedVolume& volume) {
+  const std::optional<double> share = volume.stillHits->find(drawn.isosurface.value.value());
+  return {{"field", scene::setting("hit.field").get(atRestIfReady(drawn, volume))},
+          {"share_beside_spline", share ? ordered_json(*share) : ordered_json(nullptr)}};
+}
+
+void printRest(const scene::Scene& drawn, const volume::PreparedVolume& volume) {
+  const ordered_json json = restJson(drawn, volume);
+  std::printf("field of hits: %s", json["field"].get<std::string>().c_str());
+  if (!json["share_beside_spline"].is_null())
+    std::printf(
+        " (%.0f %% of what can be seen lies over %.1f voxel beside the spline's surface; pictures at rest "
+        "take the "
+        "spline's hits from %.0f %% on)",
+        100.0 * json["share_beside_spline"].get<double>(), volume::kSeenGapVoxels,
+        100.0 * volume::kManyBesideSpline);
+  std::printf("\n");
   std::fflush(stdout);
 }
 

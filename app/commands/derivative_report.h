@@ -30,4 +30,8 @@ nlohmann::ordered_json choiceJson(const volume::DerivativeChoice& choice);
 nlohmann::ordered_json derivativesJson(const DerivativeFacts& facts);
 void printDerivatives(const DerivativeFacts& facts);
 
+// Which field the hits of a picture of the scene at rest are of, and why (app/jobs/rest_scene.h).
+nlohmann::ordered_json restJson(const scene::Scene& drawn, const volume::PreparedVolume& volume);
+void printRest(const scene::Scene& drawn, const volume::PreparedVolume& volume);
+
 }  // namespace isolux::app

@@ -13,6 +13,7 @@
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/jobs/field_job.h"
+#include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/version.h"
@@ -120,6 +121,7 @@ ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
   const std::optional<render::EmptyPicture>& empty = drawn.picture.report.empty;
   json["empty"] = empty ? ordered_json(empty->reason) : ordered_json(nullptr);
   json["derivatives"] = derivativesJson(derivatives);
+  json["hits"] = restJson(scene, prepared);
   json["bake"] = bakeJson(light.state());
   json["exposure"] = exposureJson(scene, light.light().get());
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
@@ -181,6 +183,7 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   renderer.setVolume(prepared);
   LightController light({.threads = machine.threads});
   Drawn drawn;
+  std::optional<scene::Scene> shown;  // at rest
   {
     progress.report(0.0, "drawing");
     const ProgressBar bar(progress);
@@ -190,8 +193,9 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
     }
     completeFields(scene, *prepared, !request.aovs.empty(), progress);
     lightPicture(light, renderer, scene, request, prepared, progress);
+    if (request.aovs.empty()) shown = atRest(scene, *prepared, progress);
     progress.report(0.0, "drawing");
-    drawn = draw(renderer, scene, request, options.repeat, progress);
+    drawn = draw(renderer, shown.value_or(scene), request, options.repeat, progress);
     progress.throwIfStopped();
     writePicture(drawn.picture, request, options, scene);
   }
@@ -204,6 +208,7 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   if (options.explain) {
     printPasses(drawn.picture.report);
     printDerivatives(*derivatives);
+    printRest(scene, *prepared);
     printBake(light.state());
     printExposure(scene, light.light().get());
   }

@@ -12,6 +12,7 @@
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/jobs/field_job.h"
+#include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
 #include "app/process/external_program.h"
 #include "base/error.h"
@@ -73,7 +74,8 @@ class FrameMaker {
     if (!image_ || !(resolved == drawn_)) {
       request_.supersampling = resolved.picture.supersampling;
       lightPicture(light_, *renderer_, resolved, request_, prepared_, progress);
-      image_ = render::drawStill(*renderer_, resolved, request_, progress).color;
+      const scene::Scene shown = atRest(resolved, *prepared_, progress);
+      image_ = render::drawStill(*renderer_, shown, request_, progress).color;
       drawn_ = resolved;
     }
     writePng(*image_, file, sessionText(resolved, file.parent_path()));

@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "app/jobs/rest_scene.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::app {
@@ -56,7 +57,7 @@ void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume
 bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume) {
   scene::Scene scene = resolved;
   if (awaitsChoice(scene) && !volume.derivativeChoices->completeIfChosen(scene)) return false;
-  return volume.cubicFields->readyFor(scene);
+  return volume.cubicFields->readyFor(scene) && restIsReady(scene, volume);
 }
 
 scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume& volume,
@@ -90,13 +91,17 @@ bool FieldJob::isFor(const scene::Scene& scene) const {
   const bool same = scene_.hit.field == scene.hit.field && scene_.derivatives == scene.derivatives &&
                     scene::needsGradient(scene_) == scene::needsGradient(scene) &&
                     scene::needsCurvature(scene_) == scene::needsCurvature(scene);
-  return same && (!awaitsChoice(scene) || scene_.isosurface.value == scene.isosurface.value);
+  const bool sameAtRest = scene_.hit.stillField == scene.hit.stillField &&
+                          scene::mayRefineHits(scene_) == scene::mayRefineHits(scene);
+  const bool measures = awaitsChoice(scene) || scene::mayRefineHits(scene);
+  return same && sameAtRest && (!measures || scene_.isosurface.value == scene.isosurface.value);
 }
 
 void FieldJob::run() {
   try {
     scene::Scene scene = scene_;
     completeFields(scene, *volume_, false, progress_);
+    atRest(std::move(scene), *volume_, progress_);
   } catch (const base::Error& error) {
     error_ = error;
   } catch (const std::bad_alloc&) {

@@ -20,7 +20,7 @@ namespace isolux::app {
 void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume, bool images,
                     base::Progress& progress);
 
-// Whether a picture of the scene finds all that.
+// Whether a picture of the scene finds all that, at rest too (app/jobs/rest_scene.h).
 bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume);
 
 // The scene with what can be drawn now. What is not made yet is replaced: hits by those of the trilinear

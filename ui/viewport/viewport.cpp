@@ -4,6 +4,7 @@
 
 #include <QPushButton>
 
+#include "app/jobs/rest_scene.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
 #include "ui/viewport/viewport_overlay.h"
@@ -99,7 +100,7 @@ void Viewport::placeRemedy() {
 
 bool Viewport::complete() const {
   return current() && !bricksPending_ && !lightPending_ && !fieldsPending_ &&
-         shownRequest_.size == pixelSize() &&
+         shownRequest_.size == pixelSize() && shownAtRest_ == restDiffers() &&
          shownRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
 }
 
@@ -200,7 +201,8 @@ std::optional<app::Pick> Viewport::pickAt(QPointF position) const {
   if (!volume_ || !hasContext_ || failed_ || !rect().contains(position.toPoint())) return std::nullopt;
   const glm::dvec2 fraction(position.x() / width(), position.y() / height());
   const double aspect = static_cast<double>(pixelSize().x) / pixelSize().y;
-  return app::pickSurface(*volume_, resolved_, {2.0 * fraction.x - 1.0, 1.0 - 2.0 * fraction.y}, aspect);
+  const scene::Scene shown = shownAtRest_ ? app::atRestIfReady(resolved_, *volume_) : resolved_;
+  return app::pickSurface(*volume_, shown, {2.0 * fraction.x - 1.0, 1.0 - 2.0 * fraction.y}, aspect);
 }
 
 }  // namespace isolux::ui

@@ -107,7 +107,7 @@ class Viewport : public QWidget {
   void takeContext();
   void orderSoon();
   void order();
-  app::PictureOrder orderOf(const render::FrameRequest& request);
+  app::PictureOrder orderOf(const render::FrameRequest& request, bool atRest);
   std::unique_ptr<app::PictureThread::Still> awaitStill();
   bool wantsHits(const render::FrameRequest& request) const;
   void poll();
@@ -127,7 +127,9 @@ class Viewport : public QWidget {
   void viewChanged();
   bool current() const { return shownChanges_ == changes_; }
   void changed();
-  scene::Scene drawable();  // what of the scene can be drawn by now; has the rest made
+  bool restDiffers() const;  // a picture at rest shows other hits than one in motion
+  bool drawsRest() const;    // the next picture is one at rest
+  scene::Scene drawable();   // what of the scene can be drawn by now; has the rest made
   void pollFields();
   app::LampStage lampStage() const;
   std::vector<app::LampHandle> lamps() const;
@@ -174,7 +176,8 @@ class Viewport : public QWidget {
   bool failed_ = false;           // the last try to draw it: nothing is tried until something changes
   bool bricksPending_ = false;    // the next frame gets further
   bool lightPending_ = false;     // so it does, with stored light
-  bool fieldsPending_ = false;    // the picture is drawn with other fields than the scene asks for
+  bool orderedAtRest_ = false, shownAtRest_ = false;
+  bool fieldsPending_ = false;  // the picture is drawn with other fields than the scene asks for
   std::unique_ptr<app::FieldJob> fieldJob_;
   scene::Derivatives lastDerivatives_;  // of the last picture of the volume that had what it asked for
   bool interacting_ = false;

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPushButton>
 
+#include "app/jobs/rest_scene.h"
 #include "render/graph/pass.h"
 #include "scene/rules/relevance.h"
 #include "ui/viewport/viewport.h"
@@ -139,13 +140,17 @@ void Viewport::order() {
   orderComes_ = false;
   if (!hasContext_ || failed_ || !isVisible() || complete()) return;
   const render::FrameRequest request = quality_.request(pixelSize());
-  const bool onItsWay = thread_.busy() && orderedChanges_ == changes_ && sameRays(orderedRequest_, request);
-  const bool isThere = current() && !bricksPending_ && !lightPending_ && sameRays(shownRequest_, request);
+  const bool atRest = drawsRest();
+  const bool onItsWay = thread_.busy() && orderedChanges_ == changes_ && orderedAtRest_ == atRest &&
+                        sameRays(orderedRequest_, request);
+  const bool isThere = current() && !bricksPending_ && !lightPending_ && shownAtRest_ == atRest &&
+                       sameRays(shownRequest_, request);
   if (onItsWay || isThere) return;
   setDrawing(true);
   orderedRequest_ = request;
   orderedChanges_ = changes_;
-  app::PictureOrder picture = orderOf(request);
+  orderedAtRest_ = atRest;
+  app::PictureOrder picture = orderOf(request, atRest);
   picture.request.brickUploadBytes = brickBytesPerFrame;
   picture.request.lightUploadBytes = lightBytesPerFrame;
   picture.draft = quality_.stage() == app::PictureQuality::Stage::moving;
@@ -159,8 +164,9 @@ void Viewport::setDrawing(bool draws) {
   if (std::exchange(drawing_, draws) != draws) Q_EMIT drawing(draws);
 }
 
-app::PictureOrder Viewport::orderOf(const render::FrameRequest& request) {
+app::PictureOrder Viewport::orderOf(const render::FrameRequest& request, bool atRest) {
   app::PictureOrder picture{volume_, drawable(), machine_, light_, request};
+  if (atRest && volume_) picture.scene = app::atRestIfReady(std::move(picture.scene), *volume_);
   picture.request.pixelRatio = devicePixelRatioF();
   return picture;
 }
@@ -197,6 +203,7 @@ void Viewport::put(const app::DrawnPicture& picture) {
                .convertToFormat(QImage::Format_RGB32);
   // A draft that comes after a change is shown all the same, so that the view moves.
   shownChanges_ = picture.order == orderNumber_ ? orderedChanges_ : 0;
+  shownAtRest_ = picture.order == orderNumber_ && orderedAtRest_;
   shownRequest_ = picture.request;
   showed(picture, answer(picture.order));
   update();
@@ -254,6 +261,14 @@ void Viewport::viewChanged() {
   seenPixels_ = 0.0;
 }
 
+bool Viewport::restDiffers() const {
+  return volume_ && app::atRestIfReady(resolved_, *volume_).hit.field != resolved_.hit.field;
+}
+
+bool Viewport::drawsRest() const {
+  return quality_.complete() && quality_.stage() != app::PictureQuality::Stage::moving && restDiffers();
+}
+
 scene::Scene Viewport::drawable() {
   fieldsPending_ = volume_ && !app::fieldsAreReady(resolved_, *volume_);
   if (!volume_) return resolved_;
@@ -294,7 +309,7 @@ render::StillPicture Viewport::picture(bool linear) {
   request.size = pixelSize();
   request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
   request.linear = linear;
-  thread_.drawStill(orderOf(request));
+  thread_.drawStill(orderOf(request, true));
   const std::unique_ptr<app::PictureThread::Still> still = awaitStill();
   changed();  // the order that was dropped for it
   if (!still) throw base::Error(base::ErrorKind::interrupted, "", "", "the picture was not waited for");
