@@ -300,6 +300,11 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   uploaded_ = Uploaded::nothing;
 }
 
+glm::dvec3 GpuVolume::noiseBlur() const {
+  base::Progress unwatched;
+  return volume_->derivativeChoices->noise(unwatched).correlation;
+}
+
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward) {
   if (!hasCells()) return {};
   return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field));
