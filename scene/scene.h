@@ -70,6 +70,9 @@ struct Derivatives {
   Field field = Field::cubic;
   Fetch fetch = Fetch::exact;
   std::optional<double> noise;  // standard deviation of a voxel, data units
+  // Deviations of the Gaussian that the samples are smoothed with before they are derived, mm; 0: none.
+  std::optional<double> scale;        // for what reads second derivatives
+  std::optional<double> normalScale;  // for the gradient that shading sees
   bool operator==(const Derivatives&) const = default;
 };
 

@@ -99,6 +99,14 @@ std::vector<Setting> makeSettings() {
       "derivatives.noise", ISOLUX_MEMBER(derivatives.noise), {0, 1e38}, "data units",
       "Standard deviation of the noise of a voxel, which the confidence in curvature is measured against; "
       "auto estimates it from the volume."));
+  add(entry<Scene>("derivatives.scale", ISOLUX_MEMBER(derivatives.scale), {0, 1e6}, "mm",
+                   "The scale of curvature, lines and flow: standard deviation of the Gaussian that the "
+                   "volume is smoothed "
+                   "with before second derivatives are taken, the same in all directions; 0 smooths nothing, "
+                   "auto chooses by "
+                   "the noise."));
+  add(entry<Scene>("derivatives.normal_scale", ISOLUX_MEMBER(derivatives.normalScale), {0, 1e6}, "mm",
+                   "The same for the normals of shading and contours."));
 
   add(choiceEntry<Scene>(
       "look.mode", ISOLUX_MEMBER(look.mode),

@@ -112,7 +112,10 @@ constexpr Rule rules[] = {
     {"derivatives.", needsGradient, "this look needs no derivatives"},
     {"derivatives.fetch", [](const Scene& s) { return s.derivatives.field != Field::trilinear; },
      "trilinear derivatives are read in one way only"},
-    {"derivatives.noise", needsCurvature, "this look needs no curvature"},
+    {"derivatives.noise derivatives.scale", needsCurvature, "this look needs no curvature"},
+    {"derivatives.scale derivatives.normal_scale",
+     [](const Scene& s) { return s.derivatives.field != Field::trilinear; },
+     "trilinear derivatives have no scale"},
 
     {"look.shading", [](const Scene& s) { return isColored(s.look.mode); },
      "this look is a shading itself, or shows a raw quantity"},

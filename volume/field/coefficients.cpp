@@ -6,9 +6,9 @@
 #include <limits>
 
 #include <tbb/combinable.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include "volume/field/fill_missing.h"
+#include "volume/field/filter_lines.h"
 #include "volume/parallel_steps.h"
 
 namespace isolux::volume {
@@ -16,14 +16,7 @@ namespace isolux::volume {
 namespace {
 
 constexpr const char* kStage = "interpolating";
-constexpr std::size_t kLines = 16;  // filtered side by side: one SIMD lane each
 const double kPole = std::sqrt(3.0) - 2.0;
-
-// Neighbouring lines of samples along one axis: line r has sample k at first[k * stride + r * lineStride].
-struct Lines {
-  float* first;
-  std::size_t count, length, stride, lineStride;
-};
 
 // Turns samples into cubic B-spline coefficients in place (Unser, Aldroubi & Eden 1993, part II, box 2): one
 // causal and one anticausal first-order recursion. Both boundaries are mirrors half a sample beyond the
@@ -70,28 +63,12 @@ class Prefilter {
   std::vector<double> c_;  // sample k of line r at k * kLines + r
 };
 
-void filterAlong(int axis, std::vector<float>& values, const glm::ivec3& size, base::Progress& progress,
-                 Share share) {
-  const std::size_t dims[3] = {static_cast<std::size_t>(size.x), static_cast<std::size_t>(size.y),
-                               static_cast<std::size_t>(size.z)};
-  const std::size_t strides[3] = {1, dims[0], dims[0] * dims[1]};
-  const int along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2;  // lines beside one another; and the rest
-  if (dims[axis] < 2) return;
-  const std::size_t bundles = (dims[along] + kLines - 1) / kLines;
-  tbb::enumerable_thread_specific<Prefilter> filters([&] { return Prefilter(dims[axis]); });
-  parallelSteps(bundles * dims[across], progress, share, [&](std::size_t step) {
-    const std::size_t line = step % bundles * kLines;
-    filters.local()({values.data() + line * strides[along] + step / bundles * strides[across],
-                     std::min(kLines, dims[along] - line), dims[axis], strides[axis], strides[along]});
-  });
-}
-
-std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progress& progress) {
+std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progress& progress, Share share) {
   std::vector<float> values;
   resizeStoppably(values, grid.geometry().voxelCount(), progress);
   std::visit(
       [&](const auto& voxels) {
-        parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {0.0, 0.1, kStage},
+        parallelPieces(voxels.size(), std::size_t{1} << 18, progress, share,
                        [&](std::size_t begin, std::size_t end) {
                          for (std::size_t i = begin; i < end; ++i)
                            values[i] = static_cast<float>(static_cast<double>(voxels[i]) - offset);
@@ -99,6 +76,16 @@ std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progre
       },
       grid.voxels());
   return values;
+}
+
+}  // namespace
+
+Coefficients samplesApart(const Grid& grid, base::Progress& progress, Share share) {
+  Coefficients result;
+  const double middle = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
+  if (std::abs(middle) > grid.storedMaximum() - grid.storedMinimum()) result.offset = middle;
+  result.values = differencesFrom(result.offset, grid, progress, share);
+  return result;
 }
 
 void findRange(Coefficients& coefficients, base::Progress& progress) {
@@ -122,24 +109,22 @@ void findRange(Coefficients& coefficients, base::Progress& progress) {
   coefficients.most = all.most;
 }
 
-}  // namespace
-
 Coefficients interpolatingCoefficients(const Grid& grid) {
   base::Progress unwatched;
   return interpolatingCoefficients(grid, unwatched);
 }
 
 Coefficients interpolatingCoefficients(const Grid& grid, base::Progress& progress) {
-  Coefficients result;
-  result.held = base::machineMemory().reserve(
+  base::MemoryBudget::Held held = base::machineMemory().reserve(
       grid.geometry().voxelCount() * sizeof(float), "the field cubic_interpolating",
       "the field cubic of hit.field and derivatives.field needs none");
-  const double middle = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
-  if (std::abs(middle) > grid.storedMaximum() - grid.storedMinimum()) result.offset = middle;
-  result.values = differencesFrom(result.offset, grid, progress);
+  Coefficients result = samplesApart(grid, progress, {0.0, 0.1, kStage});
+  result.held = std::move(held);
   if (grid.missingCount() > 0) fillMissing(result.values, grid.dims(), progress, {0.1, 0.4, kStage});
   for (int axis = 0; axis < 3; ++axis)
-    filterAlong(axis, result.values, grid.dims(), progress, {0.4 + 0.2 * axis, 0.6 + 0.2 * axis, kStage});
+    if (grid.dims()[axis] > 1)
+      filterLines(axis, result.values, grid.dims(), progress, {0.4 + 0.2 * axis, 0.6 + 0.2 * axis, kStage},
+                  Prefilter(static_cast<std::size_t>(grid.dims()[axis])));
   findRange(result, progress);
   return result;
 }

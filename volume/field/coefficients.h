@@ -1,11 +1,12 @@
-// Coefficients of the tri-cubic B-spline that passes through a grid's samples (the field
-// cubic_interpolating).
+// Coefficients of the B-splines that are not a grid's samples themselves; of the tri-cubic one that passes
+// through the samples (the field cubic_interpolating).
 #pragma once
 
 #include <vector>
 
 #include "base/progress.h"
 #include "volume/grid.h"
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -23,6 +24,10 @@ struct Coefficients {
   base::MemoryBudget::Held held{};
   bool empty() const { return values.empty(); }
 };
+
+// What makers begin and end with: the samples, missing ones NaN, less the offset; least and most.
+Coefficients samplesApart(const Grid& grid, base::Progress& progress, Share share);
+void findRange(Coefficients& coefficients, base::Progress& progress);
 
 // The recursive prefilter per axis. The boundary is a mirror half a voxel beyond the border samples
 // (c[-1] = c[0]): what clamped lookups see, so that the border samples are interpolated too. Missing voxels

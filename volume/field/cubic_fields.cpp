@@ -1,5 +1,8 @@
 #include "volume/field/cubic_fields.h"
 
+#include <algorithm>
+
+#include "scene/rules/needs.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::volume {
@@ -18,13 +21,27 @@ CubicField made(const Grid& grid, scene::Field field, base::Progress& progress) 
   return {std::move(coefficients), std::move(blocks), std::move(boxes)};
 }
 
-// The fields of a scene for which something must be made.
-template <class Visit>
-void forEachNeeded(const scene::Scene& scene, const Visit& visit) {
+constexpr std::size_t kKeptScales = 2;
+
+// The scales that derivatives of the scene are read at, mm; 0 is none.
+std::vector<double> scalesOf(const scene::Scene& scene) {
+  std::vector<double> scales;
+  if (scene::needsCurvature(scene)) scales.push_back(scene.derivatives.scale.value_or(0.0));
+  if (scene::needsGradient(scene)) scales.push_back(scene.derivatives.normalScale.value_or(0.0));
+  return scales;
+}
+
+// Calls visit(field) and visitScaled(field, scaleMm) for what must be made of a scene.
+template <class Visit, class VisitScaled>
+void forEachNeeded(const scene::Scene& scene, const Visit& visit, const VisitScaled& visitScaled) {
+  const scene::Field derived = scene.derivatives.field;
   if (scene.hit.field != scene::Field::trilinear) visit(scene.hit.field);
-  if (scene.derivatives.field == scene::Field::cubic_interpolating &&
-      scene.hit.field != scene.derivatives.field)
-    visit(scene.derivatives.field);
+  if (derived == scene::Field::trilinear) return;
+  const std::vector<double> scales = scalesOf(scene);
+  const bool atNone = scales.empty() || std::find(scales.begin(), scales.end(), 0.0) != scales.end();
+  if (derived == scene::Field::cubic_interpolating && atNone && scene.hit.field != derived) visit(derived);
+  for (const double scale : scales)
+    if (scale > 0.0) visitScaled(derived, scale);
 }
 
 }  // namespace
@@ -45,14 +62,40 @@ std::shared_ptr<const CubicField> CubicFields::make(scene::Field field, base::Pr
   return slot;
 }
 
+std::shared_ptr<const ScaledField> CubicFields::find(scene::Field field, double scaleMm) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = std::find_if(scaled_.begin(), scaled_.end(), [&](const auto& scaled) {
+    return scaled->field == field && scaled->scaleMm == scaleMm;
+  });
+  if (found == scaled_.end()) return nullptr;
+  std::rotate(found, found + 1, scaled_.end());
+  return scaled_.back();
+}
+
+std::shared_ptr<const ScaledField> CubicFields::make(scene::Field field, double scaleMm,
+                                                     base::Progress& progress) {
+  if (field == scene::Field::trilinear || !(scaleMm > 0.0)) return nullptr;
+  if (auto there = find(field, scaleMm)) return there;
+  auto fresh = std::make_shared<const ScaledField>(scaledField(*grid_, field, scaleMm, progress));
+  if (auto there = find(field, scaleMm)) return there;
+  const std::lock_guard lock(mutex_);
+  if (scaled_.size() == kKeptScales) scaled_.erase(scaled_.begin());
+  scaled_.push_back(fresh);
+  return fresh;
+}
+
 bool CubicFields::readyFor(const scene::Scene& scene) const {
   bool ready = true;
-  forEachNeeded(scene, [&](scene::Field field) { ready = ready && find(field) != nullptr; });
+  forEachNeeded(
+      scene, [&](scene::Field field) { ready = ready && find(field) != nullptr; },
+      [&](scene::Field field, double scaleMm) { ready = ready && find(field, scaleMm) != nullptr; });
   return ready;
 }
 
 void CubicFields::makeFor(const scene::Scene& scene, base::Progress& progress) {
-  forEachNeeded(scene, [&](scene::Field field) { make(field, progress); });
+  forEachNeeded(
+      scene, [&](scene::Field field) { make(field, progress); },
+      [&](scene::Field field, double scaleMm) { make(field, scaleMm, progress); });
 }
 
 }  // namespace isolux::volume

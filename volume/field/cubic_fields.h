@@ -8,10 +8,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/field/coefficients.h"
+#include "volume/field/scaled_field.h"
 #include "volume/grid.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/skip/min_max_blocks.h"
@@ -34,7 +36,13 @@ class CubicFields {
   // two is kept: nobody waits for what may be stopped. Null for `trilinear`. Throws Error{interrupted}.
   std::shared_ptr<const CubicField> make(scene::Field field, base::Progress& progress);
 
-  // Whether a picture of the scene finds all it needs; and making it.
+  // The field at a scale, by the same rules; null for `trilinear` and a scale of 0, which need none. The last
+  // two that were asked for are kept: those of derivatives.scale and derivatives.normal_scale.
+  std::shared_ptr<const ScaledField> find(scene::Field field, double scaleMm) const;
+  std::shared_ptr<const ScaledField> make(scene::Field field, double scaleMm, base::Progress& progress);
+
+  // Whether a picture of the scene finds all it needs; and making it. Scales that the scene leaves empty are
+  // not chosen here: they count as 0.
   bool readyFor(const scene::Scene& scene) const;
   void makeFor(const scene::Scene& scene, base::Progress& progress);
 
@@ -42,6 +50,7 @@ class CubicFields {
   std::shared_ptr<const Grid> grid_;
   mutable std::mutex mutex_;  // held for moments
   std::shared_ptr<const CubicField> cubic_, interpolating_;
+  mutable std::vector<std::shared_ptr<const ScaledField>> scaled_;  // the last one asked for is last
 };
 
 }  // namespace isolux::volume

@@ -7,15 +7,18 @@
 #include <glm/matrix.hpp>
 
 #include "volume/field/cubic_weights.h"
+#include "volume/field/quintic_weights.h"
 
 namespace isolux::volume {
 
 namespace {
 
-// Up to four samples of one axis and what they weigh for the value and both derivatives.
+// Samples of one axis and what they weigh for the value and both derivatives.
+template <int taps>
 struct AxisTaps {
-  std::array<int, 4> sample;
-  CubicWeights<double> weights;
+  int count = taps;  // those behind are not there
+  std::array<int, taps> sample{};
+  std::array<double, taps> w{}, d1{}, d2{};
 };
 
 double clampedCoordinate(double x, int n) {
@@ -23,53 +26,80 @@ double clampedCoordinate(double x, int n) {
   return std::min(std::max(0.0, x), static_cast<double>(n - 1));
 }
 
-AxisTaps cubicTaps(double coordinate, int n) {
+int cellOf(double x, int n) {
+  return std::clamp(static_cast<int>(std::floor(x)), 0, std::max(n - 2, 0));
+}
+
+template <int taps, class Weights>
+void setWeights(AxisTaps<taps>& at, const Weights& weights) {
+  std::copy_n(weights.w, taps, at.w.begin());
+  std::copy_n(weights.d1, taps, at.d1.begin());
+  std::copy_n(weights.d2, taps, at.d2.begin());
+}
+
+AxisTaps<4> cubicTapsAt(double coordinate, int n) {
   const double x = clampedCoordinate(coordinate, n);
-  const int cell = std::clamp(static_cast<int>(std::floor(x)), 0, std::max(n - 2, 0));
-  AxisTaps taps;
-  taps.weights = cubicWeights(x - cell);
+  const int cell = cellOf(x, n);
+  AxisTaps<4> taps;
+  setWeights(taps, cubicWeights(x - cell));
   for (int k = 0; k < 4; ++k) taps.sample[static_cast<std::size_t>(k)] = std::clamp(cell - 1 + k, 0, n - 1);
   return taps;
 }
 
-// Tensor product of three axes: value, gradient and Hessian from the same 64 samples.
-template <class Fetch>
-FieldSample tensorCubic(glm::ivec3 dims, glm::dvec3 voxel, const Fetch& fetch) {
-  const AxisTaps tx = cubicTaps(voxel.x, dims.x), ty = cubicTaps(voxel.y, dims.y),
-                 tz = cubicTaps(voxel.z, dims.z);
-  const CubicWeights<double>&wx = tx.weights, &wy = ty.weights, &wz = tz.weights;
+AxisTaps<kQuinticTaps> quinticTapsAt(double coordinate, int n) {
+  const double x = clampedCoordinate(coordinate, n);
+  const int cell = cellOf(x, n);
+  const QuinticTaps<double> folded = quinticTaps(cell, x - cell, n);
+  AxisTaps<kQuinticTaps> taps;
+  setWeights(taps, folded.weights);
+  taps.count = std::min(kQuinticTaps, n);
+  for (int k = 0; k < kQuinticTaps; ++k) taps.sample[static_cast<std::size_t>(k)] = folded.first + k;
+  return taps;
+}
+
+// Tensor product of three axes: value, gradient and Hessian from the same samples.
+template <int taps, class Fetch>
+FieldSample tensorProduct(const AxisTaps<taps>& x, const AxisTaps<taps>& y, const AxisTaps<taps>& z,
+                          const Fetch& fetch) {
+  const auto count = [](const AxisTaps<taps>& axis) { return static_cast<std::size_t>(axis.count); };
   FieldSample out;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < count(z); ++k) {
     // Of the plane: f, fx, fy, fxx, fxy, fyy.
     double f = 0, fx = 0, fy = 0, fxx = 0, fxy = 0, fyy = 0;
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < count(y); ++j) {
       double v = 0, vx = 0, vxx = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const double s = fetch(tx.sample[i], ty.sample[j], tz.sample[k]);
-        v += wx.w[i] * s;
-        vx += wx.d1[i] * s;
-        vxx += wx.d2[i] * s;
+      for (std::size_t i = 0; i < count(x); ++i) {
+        const double s = fetch(x.sample[i], y.sample[j], z.sample[k]);
+        v += x.w[i] * s;
+        vx += x.d1[i] * s;
+        vxx += x.d2[i] * s;
       }
-      f += wy.w[j] * v;
-      fx += wy.w[j] * vx;
-      fy += wy.d1[j] * v;
-      fxx += wy.w[j] * vxx;
-      fxy += wy.d1[j] * vx;
-      fyy += wy.d2[j] * v;
+      f += y.w[j] * v;
+      fx += y.w[j] * vx;
+      fy += y.d1[j] * v;
+      fxx += y.w[j] * vxx;
+      fxy += y.d1[j] * vx;
+      fyy += y.d2[j] * v;
     }
-    out.value += wz.w[k] * f;
-    out.gradient += glm::dvec3(wz.w[k] * fx, wz.w[k] * fy, wz.d1[k] * f);
-    out.hessian[0][0] += wz.w[k] * fxx;
-    out.hessian[1][1] += wz.w[k] * fyy;
-    out.hessian[2][2] += wz.d2[k] * f;
-    out.hessian[1][0] += wz.w[k] * fxy;
-    out.hessian[2][0] += wz.d1[k] * fx;
-    out.hessian[2][1] += wz.d1[k] * fy;
+    out.value += z.w[k] * f;
+    out.gradient += glm::dvec3(z.w[k] * fx, z.w[k] * fy, z.d1[k] * f);
+    out.hessian[0][0] += z.w[k] * fxx;
+    out.hessian[1][1] += z.w[k] * fyy;
+    out.hessian[2][2] += z.d2[k] * f;
+    out.hessian[1][0] += z.w[k] * fxy;
+    out.hessian[2][0] += z.d1[k] * fx;
+    out.hessian[2][1] += z.d1[k] * fy;
   }
   out.hessian[0][1] = out.hessian[1][0];
   out.hessian[0][2] = out.hessian[2][0];
   out.hessian[1][2] = out.hessian[2][1];
   return out;
+}
+
+template <class Fetch>
+FieldSample tensorCubic(glm::ivec3 dims, glm::dvec3 voxel, const Fetch& fetch) {
+  return tensorProduct(cubicTapsAt(voxel.x, dims.x), cubicTapsAt(voxel.y, dims.y),
+                       cubicTapsAt(voxel.z, dims.z), fetch);
 }
 
 void toDataUnits(FieldSample& sample, const Grid& grid) {
@@ -86,7 +116,7 @@ FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel) {
   double t[3];
   for (int axis = 0; axis < 3; ++axis) {
     const double x = clampedCoordinate(voxel[axis], dims[axis]);
-    low[axis] = std::clamp(static_cast<int>(std::floor(x)), 0, std::max(dims[axis] - 2, 0));
+    low[axis] = cellOf(x, dims[axis]);
     high[axis] = std::min(low[axis] + 1, dims[axis] - 1);
     t[axis] = x - low[axis];
   }
@@ -142,6 +172,17 @@ FieldSample sampleCubic(const Coefficients& coefficients, const Grid& grid, glm:
     return static_cast<double>(coefficients.values[grid.index(x, y, z)]);
   });
   out.value += coefficients.offset;  // the weights sum to 1, their derivatives to 0
+  toDataUnits(out, grid);
+  return out;
+}
+
+FieldSample sampleScaled(const ScaledField& scaled, const Grid& grid, glm::dvec3 voxel) {
+  const glm::ivec3 dims = grid.dims();
+  const std::vector<float>& values = scaled.coefficients.values;
+  FieldSample out = tensorProduct(
+      quinticTapsAt(voxel.x, dims.x), quinticTapsAt(voxel.y, dims.y), quinticTapsAt(voxel.z, dims.z),
+      [&](int x, int y, int z) { return static_cast<double>(values[grid.index(x, y, z)]); });
+  out.value += scaled.coefficients.offset;
   toDataUnits(out, grid);
   return out;
 }

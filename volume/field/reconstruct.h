@@ -1,5 +1,5 @@
-// Continuous fields from samples: trilinear and tri-cubic B-spline, value and derivatives, in double
-// precision.
+// Continuous fields from samples: trilinear, tri-cubic B-spline, and the tri-quintic one at a scale; value
+// and derivatives, in double precision.
 //
 // The CPU reference for what the shaders do. Positions are voxel coordinates inside [0, n-1]; outside they
 // are clamped. Derivatives are per voxel; GridGeometry carries them to world: g_w = A^-T g_v, H_w = A^-T H_v
@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/field/coefficients.h"
+#include "volume/field/scaled_field.h"
 #include "volume/grid.h"
 
 namespace isolux::volume {
@@ -25,6 +26,10 @@ FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel);  // hessian: on
 FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel);  // B-spline of the samples themselves (smooths)
 // The spline that passes through the samples: interpolatingCoefficients(grid).
 FieldSample sampleCubic(const Coefficients& coefficients, const Grid& grid, glm::dvec3 voxel);
+
+// The field at a scale. Unlike the others it goes on beyond the border by point reflection, and is a number
+// where voxels are missing, too.
+FieldSample sampleScaled(const ScaledField& scaled, const Grid& grid, glm::dvec3 voxel);
 
 glm::dvec3 worldGradient(const GridGeometry& geometry, glm::dvec3 voxelGradient);
 glm::dmat3 worldHessian(const GridGeometry& geometry, const glm::dmat3& voxelHessian);

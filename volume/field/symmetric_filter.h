@@ -1,0 +1,36 @@
+// Convolution of lines of samples with a symmetric kernel: for filterLines().
+#pragma once
+
+#include <vector>
+
+#include "volume/field/filter_lines.h"
+#include "volume/field/scale_kernel.h"
+
+namespace isolux::volume {
+
+// What stands beyond the border of a line: its point reflections, f(-k) = 2 f(0) - f(k), which go on with a
+// ramp and keep the border samples; or zeros.
+enum class Beyond { reflected, nothing };
+
+// Double arithmetic. A kernel of any length: reflections repeat after twice the line, where a longer kernel
+// is folded.
+class SymmetricFilter {
+ public:
+  SymmetricFilter(const HalfKernel& kernel, std::size_t length, Beyond beyond);
+  void operator()(const Lines& lines);
+
+ private:
+  void load(const Lines& lines);
+  void extend();
+  void store(const Lines& lines) const;
+  double* sample(std::size_t k) { return samples_.data() + (reach_ + k) * kLines; }
+  const double* sample(std::size_t k) const { return samples_.data() + (reach_ + k) * kLines; }
+
+  std::size_t length_, reach_;
+  Beyond beyond_;
+  HalfKernel kernel_;
+  std::vector<double> samples_;        // less their ramp; sample k of line r at (reach_ + k) * kLines + r
+  std::vector<double> first_, slope_;  // of the ramp from the first to the last sample of each line
+};
+
+}  // namespace isolux::volume
