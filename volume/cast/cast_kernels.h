@@ -49,6 +49,7 @@ struct DerivativesView {
   VoxelPointer samples;            // the volume's
   VoxelPointer spline;             // whose B-spline is derived: the samples, or coefficients
   bool cubic = true;               // else the trilinear field
+  const float* scaled = nullptr;   // coefficients of the field at a scale: derived instead of either
   glm::mat3 worldFromVoxel{1.0f};  // of gradients: A^-T
   float dataUnits = 1.0f;          // per stored unit
 };

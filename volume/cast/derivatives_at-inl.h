@@ -53,7 +53,7 @@ HWY_INLINE Located locate(glm::ivec3 dims, glm::vec4 point) {
   Located at;
   for (int axis = 0; axis < 3; ++axis) {
     const float p = std::fmin(std::fmax(point[axis], 0.0f), static_cast<float>(dims[axis] - 1));
-    at.cell[axis] = std::min(static_cast<int>(p), dims[axis] - 2);
+    at.cell[axis] = std::max(std::min(static_cast<int>(p), dims[axis] - 2), 0);
     at.part[axis] = p - static_cast<float>(at.cell[axis]);
   }
   return at;
@@ -183,12 +183,10 @@ HWY_INLINE glm::vec4 withFlag(glm::vec3 v, float scale, bool flag) {
   return {v.x * scale, v.y * scale, v.z * scale, flag ? 1.0f : 0.0f};
 }
 
-// Cell: int16_t ... of the samples; Spline: of what the spline is made of.
-template <bool hessian, class Sample, class Spline>
-HWY_INLINE void derivativesOf(const DerivativesView& view, const Sample* samples, const Spline* spline,
-                              const casting::DerivativesTarget& target) {
-  const DerivativesAt<Sample> cells(view, samples);
-  const DerivativesAt<Spline> splines(view, spline);
+// Writes derivativesAt(point) of each point of the target, carried to world.
+template <bool hessian, class At>
+HWY_INLINE void storeDerivatives(const DerivativesView& view, const casting::DerivativesTarget& target,
+                                 const At& derivativesAt) {
   const glm::vec4 none(0.0f);
   const glm::mat3& m = view.worldFromVoxel;
   for (std::size_t i = 0; i < target.count; ++i) {
@@ -196,14 +194,7 @@ HWY_INLINE void derivativesOf(const DerivativesView& view, const Sample* samples
     target.gradient[i] = none;
     if (hessian) target.diagonal[i] = target.mixed[i] = none;
     if (point.w < 0.0f) continue;
-    PointDerivatives at{};
-    if (view.cubic) {
-      at = splines.template spline<hessian>(point);
-      if (!at.known) at.gradient = cells.trilinear(point).gradient;
-    } else {
-      at = cells.trilinear(point);
-      at.within = true;
-    }
+    PointDerivatives at = derivativesAt(point);
     const glm::vec3 g = at.gradient;
     target.gradient[i] =
         withFlag({m[0].x * g.x + m[1].x * g.y + m[2].x * g.z, m[0].y * g.x + m[1].y * g.y + m[2].y * g.z,
@@ -214,6 +205,25 @@ HWY_INLINE void derivativesOf(const DerivativesView& view, const Sample* samples
     target.diagonal[i] = withFlag(at.diagonal, view.dataUnits, true);
     target.mixed[i] = withFlag(at.mixed, view.dataUnits, at.within);
   }
+}
+
+// Sample: int16_t ... of the voxels; Spline: of what the spline is made of.
+template <bool hessian, class Sample, class Spline>
+HWY_INLINE void derivativesOf(const DerivativesView& view, const Sample* samples, const Spline* spline,
+                              const casting::DerivativesTarget& target) {
+  const DerivativesAt<Sample> cells(view, samples);
+  const DerivativesAt<Spline> splines(view, spline);
+  storeDerivatives<hessian>(view, target, [&](glm::vec4 point) {
+    PointDerivatives at{};
+    if (view.cubic) {
+      at = splines.template spline<hessian>(point);
+      if (!at.known) at.gradient = cells.trilinear(point).gradient;
+    } else {
+      at = cells.trilinear(point);
+      at.within = true;
+    }
+    return at;
+  });
 }
 
 #endif

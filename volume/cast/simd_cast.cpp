@@ -10,6 +10,7 @@
 
 #include "volume/cast/crossing_finders-inl.h"
 #include "volume/cast/derivatives_at-inl.h"
+#include "volume/cast/scaled_derivatives-inl.h"
 #include "volume/cast/shadows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -190,8 +191,22 @@ void derivativesOfAll(const DerivativesView& view, const Sample* samples, const 
     derivativesOf<false>(view, samples, spline, target);
 }
 
+template <bool hessian>
+void derivativesAtScale(const DerivativesView& view, const casting::DerivativesTarget& target) {
+  const ScaledDerivativesAt scaled(view);
+  storeDerivatives<hessian>(view, target,
+                            [&](glm::vec4 point) { return scaled.template operator()<hessian>(point); });
+}
+
 // Coefficients are floats; otherwise the spline is that of the samples.
 void derivatives(const DerivativesView& view, const casting::DerivativesTarget& target) {
+  if (view.scaled) {
+    if (target.diagonal)
+      derivativesAtScale<true>(view, target);
+    else
+      derivativesAtScale<false>(view, target);
+    return;
+  }
   std::visit(
       [&](const auto* samples) {
         const auto* const coefficients = std::get_if<const float*>(&view.spline);

@@ -11,21 +11,24 @@
 
 namespace isolux::volume {
 
-void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
-                        std::span<const glm::vec4> points, const PictureArea& area,
-                        const DerivativeImages& images, TracerTarget wanted, const std::stop_token& stop) {
+namespace {
+
+casting::DerivativesView viewOf(const Grid& grid) {
+  casting::DerivativesView view;
+  view.dims = grid.dims();
+  std::visit([&](const auto& voxels) { view.samples = voxels.data(); }, grid.voxels());
+  view.spline = view.samples;
+  view.worldFromVoxel = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(grid.geometry().worldFromVoxel))));
+  view.dataUnits = static_cast<float>(grid.slope());
+  return view;
+}
+
+void derive(const casting::DerivativesView& view, std::span<const glm::vec4> points, const PictureArea& area,
+            const DerivativeImages& images, TracerTarget wanted, const std::stop_token& stop) {
   const casting::CastKernels* const kernels = casting::castKernels(wanted);
   assert(kernels && images.gradient.size() == points.size());
   assert(points.size() == static_cast<std::size_t>(area.size().x) * static_cast<std::size_t>(area.size().y));
   assert(images.diagonal.size() == images.mixed.size());
-  casting::DerivativesView view;
-  view.dims = grid.dims();
-  view.cubic = field == DerivedField::spline;
-  std::visit([&](const auto& voxels) { view.samples = voxels.data(); }, grid.voxels());
-  view.spline = view.samples;
-  if (coefficients) view.spline = coefficients->values.data();
-  view.worldFromVoxel = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(grid.geometry().worldFromVoxel))));
-  view.dataUnits = static_cast<float>(grid.slope());
   const auto width = static_cast<std::size_t>(area.size().x);
   const auto deriveRow = [&](const Rectangle& part, int row) {
     const std::size_t first = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(part.low.x);
@@ -42,6 +45,25 @@ void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients
                           deriveRow(parts[i], row);
                       });
   });
+}
+
+}  // namespace
+
+void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
+                        std::span<const glm::vec4> points, const PictureArea& area,
+                        const DerivativeImages& images, TracerTarget wanted, const std::stop_token& stop) {
+  casting::DerivativesView view = viewOf(grid);
+  view.cubic = field == DerivedField::spline;
+  if (coefficients) view.spline = coefficients->values.data();
+  derive(view, points, area, images, wanted, stop);
+}
+
+void surfaceDerivatives(const Grid& grid, const ScaledField& scaled, std::span<const glm::vec4> points,
+                        const PictureArea& area, const DerivativeImages& images, TracerTarget wanted,
+                        const std::stop_token& stop) {
+  casting::DerivativesView view = viewOf(grid);
+  view.scaled = scaled.coefficients.values.data();
+  derive(view, points, area, images, wanted, stop);
 }
 
 }  // namespace isolux::volume

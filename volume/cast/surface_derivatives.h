@@ -2,7 +2,7 @@
 // and `hessian` write (resources/shaders/derivatives/derivatives.frag.glsl), with their definitions.
 //
 // g_w = A^-T g_v, data units per mm; H_w = A^-T H_v A^-1, per mm^2. Where a sample of the B-spline is
-// missing: the trilinear gradient, no Hessian.
+// missing: the trilinear gradient, no Hessian. The field at a scale is known everywhere.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include "volume/cast/picture_area.h"
-#include "volume/field/coefficients.h"
+#include "volume/field/scaled_field.h"
 #include "volume/grid.h"
 #include "volume/tracer/isosurface_tracer.h"
 
@@ -34,5 +34,11 @@ void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients
                         std::span<const glm::vec4> points, const PictureArea& area,
                         const DerivativeImages& images, TracerTarget wanted = TracerTarget::automatic,
                         const std::stop_token& stop = {});
+
+// The same of the field at a scale; `samples are the volume's own`: all 6^3 coefficients of a lookup are.
+// Axes may have a single voxel.
+void surfaceDerivatives(const Grid& grid, const ScaledField& scaled, std::span<const glm::vec4> points,
+                        const PictureArea& area, const DerivativeImages& images,
+                        TracerTarget wanted = TracerTarget::automatic, const std::stop_token& stop = {});
 
 }  // namespace isolux::volume

@@ -80,7 +80,7 @@ template <class Real>
   }
   const QuinticWeights<Real> weights = quinticWeights(t);
   out.first = std::max(std::min(cell - 2, n - kQuinticTaps), 0);
-  if (out.first == cell - 2) {
+  if (n >= kQuinticTaps && out.first == cell - 2) {
     out.weights = weights;
     return out;
   }

@@ -55,22 +55,20 @@ PictureArea all(const std::vector<glm::vec4>& points) {
   return PictureArea::whole({static_cast<int>(points.size()), 1});
 }
 
-void expectReference(const Grid& grid, DerivedField field, const Coefficients* coefficients,
-                     double gradientError, double hessianError) {
+// derive(points, images, target) against reference(position); `reach`: taps before and behind a cell.
+template <class Derive, class Reference>
+void expectDerivatives(const Grid& grid, const Derive& derive, const Reference& reference, int reach,
+                       double gradientError, double hessianError) {
   const std::vector<glm::vec4> points = pointsIn(grid.dims());
   for (const TracerTarget target : targets()) {
     Images images(points.size()), alone(points.size());
-    surfaceDerivatives(grid, field, coefficients, points, all(points),
-                       {images.gradient, images.diagonal, images.mixed}, target);
-    surfaceDerivatives(grid, field, coefficients, points, all(points), {alone.gradient, {}, {}}, target);
+    derive(points, DerivativeImages{images.gradient, images.diagonal, images.mixed}, target);
+    derive(points, DerivativeImages{alone.gradient, {}, {}}, target);
     double largest = 0.0, largestHessian = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_EQ(images.gradient[i].w, points[i].w < 0.0f ? 0.0f : 1.0f);
       if (points[i].w < 0.0f) continue;
-      const glm::dvec3 p(points[i]);
-      const FieldSample s = field == DerivedField::trilinear ? sampleTrilinear(grid, p)
-                            : coefficients                   ? sampleCubic(*coefficients, grid, p)
-                                                             : sampleCubic(grid, p);
+      const FieldSample s = reference(glm::dvec3(points[i]));
       const glm::dvec3 g = worldGradient(grid.geometry(), s.gradient);
       const glm::dmat3 h = worldHessian(grid.geometry(), s.hessian);
       largest = std::max(largest, glm::distance(glm::dvec3(images.gradient[i]), g));
@@ -79,10 +77,12 @@ void expectReference(const Grid& grid, DerivedField field, const Coefficients* c
       largestHessian = std::max({largestHessian, glm::distance(glm::dvec3(images.diagonal[i]), diagonal),
                                  glm::distance(glm::dvec3(images.mixed[i]), mixed)});
       EXPECT_EQ(images.diagonal[i].w, 1.0f);
-      const glm::vec3 low = glm::floor(glm::vec3(points[i])) - 1.0f;
-      const bool within = field == DerivedField::trilinear ||
-                          (low.x >= 0 && low.y >= 0 && low.z >= 0 &&
-                           glm::all(glm::lessThanEqual(low + 3.0f, glm::vec3(grid.dims() - 1))));
+      const glm::vec3 cell = glm::min(glm::floor(glm::vec3(points[i])), glm::vec3(grid.dims() - 2)),
+                      last(grid.dims() - 1);
+      const auto beyond = static_cast<float>(reach);
+      const bool within =
+          reach == 0 || (glm::all(glm::greaterThanEqual(cell - (beyond - 1.0f), glm::vec3(0.0f))) &&
+                         glm::all(glm::lessThanEqual(cell + beyond, last)));
       EXPECT_EQ(images.mixed[i].w, within ? 1.0f : 0.0f)
           << points[i].x << ' ' << points[i].y << ' ' << points[i].z;
     }
@@ -91,12 +91,53 @@ void expectReference(const Grid& grid, DerivedField field, const Coefficients* c
   }
 }
 
+void expectReference(const Grid& grid, DerivedField field, const Coefficients* coefficients,
+                     double gradientError, double hessianError) {
+  expectDerivatives(
+      grid,
+      [&](const std::vector<glm::vec4>& points, const DerivativeImages& images, TracerTarget target) {
+        surfaceDerivatives(grid, field, coefficients, points, all(points), images, target);
+      },
+      [&](glm::dvec3 p) {
+        return field == DerivedField::trilinear ? sampleTrilinear(grid, p)
+               : coefficients                   ? sampleCubic(*coefficients, grid, p)
+                                                : sampleCubic(grid, p);
+      },
+      field == DerivedField::trilinear ? 0 : 2, gradientError, hessianError);
+}
+
+void expectScaledReference(const Grid& grid, double scaleMm, double gradientError, double hessianError) {
+  base::Progress progress;
+  const ScaledField scaled = scaledField(grid, scene::Field::cubic_interpolating, scaleMm, progress);
+  expectDerivatives(
+      grid,
+      [&](const std::vector<glm::vec4>& points, const DerivativeImages& images, TracerTarget target) {
+        surfaceDerivatives(grid, scaled, points, all(points), images, target);
+      },
+      [&](glm::dvec3 p) { return sampleScaled(scaled, grid, p); }, 3, gradientError, hessianError);
+}
+
 TEST(SurfaceDerivatives, AreThoseOfTheFields) {
   const Grid grid = test::gridOfVoxels(obliqueGeometry({23, 19, 21}), smooth);
   const Coefficients coefficients = interpolatingCoefficients(grid);
   expectReference(grid, DerivedField::spline, nullptr, 2e-6, 2e-6);
   expectReference(grid, DerivedField::spline, &coefficients, 2e-6, 2e-6);
   expectReference(grid, DerivedField::trilinear, nullptr, 2e-6, 2e-6);
+}
+
+TEST(SurfaceDerivatives, AtAScaleAreThoseOfTheFieldAtThatScale) {
+  expectScaledReference(test::gridOfVoxels(obliqueGeometry({23, 19, 21}), smooth), 0.9, 2e-6, 2e-6);
+  expectScaledReference(test::gridOfVoxels(obliqueGeometry({23, 19, 21}), smooth), 0.1, 2e-6, 2e-6);
+  expectScaledReference(
+      test::gridOfVoxels(obliqueGeometry({16, 16, 16}),
+                         [](glm::dvec3 p) { return 1e6 + std::round(16.0 * smooth(p)) / 16.0; }),
+      1.0, 1e-5, 1e-5);
+}
+
+TEST(SurfaceDerivatives, AtAScaleManageAxesShorterThanTheSpline) {
+  for (const glm::ivec3& dims : {glm::ivec3(1, 2, 3), glm::ivec3(4, 5, 6), glm::ivec3(7, 1, 4),
+                                 glm::ivec3(2, 7, 1), glm::ivec3(8, 3, 5), glm::ivec3(1, 1, 1)})
+    expectScaledReference(test::gridOfVoxels(obliqueGeometry(dims), smooth), 0.8, 2e-6, 2e-6);
 }
 
 TEST(SurfaceDerivatives, ReadEveryTypeOfVoxels) {
