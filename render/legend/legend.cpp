@@ -116,6 +116,15 @@ int along(double value, double low, double high, int length) {
   return static_cast<int>(std::lround(t * (length - 1)));
 }
 
+// The line below: the height that it takes, and itself in a panel of that height.
+int noteHeight(const Legend& legend, const Measures& m, const Font& font) {
+  return legend.note.empty() ? 0 : m.gap + font.lineHeight();
+}
+void drawNote(Canvas& canvas, const Legend& legend, const Measures& m, const Font& font, int height) {
+  if (!legend.note.empty())
+    canvas.text(font, legend.note, {m.pad, height - m.pad - font.lineHeight() + font.ascent()});
+}
+
 LegendImage drawBar(const Legend& legend, int pictureHeight) {
   const Measures m(pictureHeight);
   const Font font(m.text);
@@ -124,10 +133,12 @@ LegendImage drawBar(const Legend& legend, int pictureHeight) {
   const std::string title = axisTitle(legend.quantity, legend.unit, ticks.format.exponent);
 
   const int beside = m.bar + m.line + m.tick + m.gap + ticks.width(font);
-  const glm::ivec2 size(2 * m.pad + std::max(font.width(title), beside + 2 * m.line),
-                        2 * m.pad + font.lineHeight() + m.gap + m.line + length + m.text / 2);
+  const int widest = std::max({font.width(title), beside + 2 * m.line, font.width(legend.note)});
+  const glm::ivec2 size(2 * m.pad + widest, 2 * m.pad + font.lineHeight() + m.gap + m.line + length +
+                                                m.text / 2 + noteHeight(legend, m, font));
   Canvas canvas(size);
   canvas.panel(static_cast<float>(m.pad) * 0.8f);
+  drawNote(canvas, legend, m, font, size.y);
   canvas.text(font, title, {m.pad, m.pad + font.ascent()});
   const glm::ivec2 top(m.pad + m.line, m.pad + font.lineHeight() + m.gap);
   canvas.frame(top, top + glm::ivec2(m.bar, length), m.line);
@@ -172,11 +183,13 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
   const glm::ivec2 top(left, m.pad + font.lineHeight() + m.gap);
   const int below = top.y + length + m.line + m.tick + m.gap;
   const glm::ivec2 size(
-      std::max(left + std::max(length + m.line, length - 1 + rightOverhang), m.pad + font.width(vertical)) +
+      std::max({left + std::max(length + m.line, length - 1 + rightOverhang), m.pad + font.width(vertical),
+                m.pad + font.width(legend.note)}) +
           m.pad,
-      below + font.lineHeight() + m.gap + font.lineHeight() + m.pad - m.gap);
+      below + font.lineHeight() + m.gap + font.lineHeight() + m.pad - m.gap + noteHeight(legend, m, font));
   Canvas canvas(size);
   canvas.panel(static_cast<float>(m.pad) * 0.8f);
+  drawNote(canvas, legend, m, font, size.y);
   canvas.text(font, vertical, {m.pad, m.pad + font.ascent()});
   drawTriangle(canvas, legend, top, length);
   canvas.frame(top, top + glm::ivec2(length), m.line);

@@ -20,6 +20,7 @@ struct Legend {
   std::string unit;              // "1/mm"; empty: a pure number
   double low = 0.0,
          high = 1.0;  // of the colours; both axes of the square. Finite; may coincide or be swapped
+  std::string note;   // a line below; empty: none
   std::vector<glm::vec3> colors;  // linear RGB: low to high, or the square's rows from below
 };
 

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 
+#include "base/number_text.h"
 #include "render/legend/legend.h"
 #include "scene/color_maps.h"
 #include "scene/curvature_map.h"
 #include "scene/looks.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
 namespace {
 
-Legend legendOf(const scene::Look& look, glm::dvec2 range) {
+Legend legendOf(const scene::Scene& scene, glm::dvec2 range) {
+  const scene::Look& look = scene.look;
   const scene::LookInfo& info = scene::lookInfo(look.mode);
   Legend legend;
   legend.quantity = info.quantity;
@@ -19,6 +22,8 @@ Legend legendOf(const scene::Look& look, glm::dvec2 range) {
   legend.unit = scene::unitOf(info);
   legend.low = range.x;
   legend.high = range.y;
+  const double scale = scene::derivativesScale(scene);
+  if (scale > 0.0) legend.note = "scale " + base::shortText(scale, 2) + " mm";
   legend.colors = measureColors(look).texels;
   return legend;
 }
@@ -35,7 +40,7 @@ MeasureColors measureColors(const scene::Look& look) {
 
 void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range) {
   const glm::ivec2 size = frame.request.size;
-  const LegendImage image = drawLegend(legendOf(frame.scene->look, range), std::min(size.y, 2 * size.x));
+  const LegendImage image = drawLegend(legendOf(*frame.scene, range), std::min(size.y, 2 * size.x));
   const int margin = std::max(2, size.y / 50);
   if (image.size.x + 2 * margin > size.x * 7 / 10 || image.size.y + 2 * margin > size.y * 7 / 10) return;
   const Gl& gl = *frame.gl;

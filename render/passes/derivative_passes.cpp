@@ -61,7 +61,8 @@ void drawDerivatives(FrameState& frame, Target& target, const char* shader, doub
 void GradientPass::declare(Declaring& d) const {
   const bool apart = shadesApart(d.asked);
   d.reads(image::surface).volume();
-  d.settings({"derivatives.field", "derivatives.fetch", "derivatives.normal_scale"});
+  d.settings({"derivatives.field", "derivatives.normal_scale"});
+  if (scene::normalScale(d.asked.scene) == 0.0) d.settings({"derivatives.fetch"});
   d.input("executor at the hits", d.asked.onProcessor.all).input("image of their own", apart);
   if (!apart && hessianIsRead(d.asked))
     d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
@@ -76,7 +77,8 @@ void GradientPass::run(FrameState& frame) {
 
 void HessianPass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::hessian);
-  d.volume().settings({"derivatives.field", "derivatives.fetch", "derivatives.scale"});
+  d.volume().settings({"derivatives.field", "derivatives.scale"});
+  if (scene::derivativesScale(d.asked.scene) == 0.0) d.settings({"derivatives.fetch"});
   d.input("executor at the hits", d.asked.onProcessor.all);
   if (hessianIsRead(d.asked) || shadesApart(d.asked)) d.writes(image::gradient);
 }

@@ -4,10 +4,6 @@
 #include <span>
 #include <type_traits>
 
-#include <tbb/parallel_for.h>
-#include <glm/vector_relational.hpp>
-#include "volume/field/reconstruct.h"
-
 #include "render/passes/frame_state.h"
 #include "scene/rules/needs.h"
 #include "volume/cast/surface_caster.h"
@@ -60,24 +56,18 @@ std::vector<float> alphaOf(const Texture& color, const volume::PictureArea& befo
   return alpha;
 }
 
-// TEMPORARY
-void deriveScaled(const volume::Grid& grid, const volume::ScaledField& scaled,
-                  std::span<const glm::vec4> points, const volume::DerivativeImages& images) {
-  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
-    images.gradient[i] = glm::vec4(0.0f);
-    if (!images.diagonal.empty()) images.diagonal[i] = images.mixed[i] = glm::vec4(0.0f);
-    if (points[i].w < 0.0f) return;
-    const glm::dvec3 voxel(points[i]);
-    const volume::FieldSample sample = volume::sampleScaled(scaled, grid, voxel);
-    images.gradient[i] = glm::vec4(volume::worldGradient(grid.geometry(), sample.gradient), 1.0);
-    if (images.diagonal.empty()) return;
-    const glm::dmat3 h = volume::worldHessian(grid.geometry(), sample.hessian);
-    const glm::ivec3 cell = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), grid.dims() - 2);
-    const bool within = glm::all(glm::greaterThanEqual(cell, glm::ivec3(2))) &&
-                        glm::all(glm::lessThan(cell + 3, grid.dims()));
-    images.diagonal[i] = glm::vec4(h[0][0], h[1][1], h[2][2], 1.0);
-    images.mixed[i] = glm::vec4(h[0][1], h[0][2], h[1][2], within ? 1.0f : 0.0f);
-  });
+void derive(const GpuVolume& volume, const FieldAt& field, const volume::CrossingImage& crossings,
+            const volume::PictureArea& area, const volume::DerivativeImages& out,
+            const std::stop_token& stop) {
+  constexpr auto widest = volume::TracerTarget::automatic;
+  if (const volume::ScaledField* const scaled = volume.scaled(field)) {
+    volume::surfaceDerivatives(volume.grid(), *scaled, crossings.points, area, out, widest, stop);
+    return;
+  }
+  const bool trilinear = field.field == scene::Field::trilinear;
+  volume::surfaceDerivatives(volume.grid(),
+                             trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline,
+                             volume.coefficients(field.field), crossings.points, area, out, widest, stop);
 }
 
 volume::SurfaceCaster casterOf(const FrameState& frame) {
@@ -150,14 +140,7 @@ void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field) 
   }
   volume::DerivativeImages out{own[0].texels, {}, {}};
   if (count == 3) out = {own[0].texels, own[1].texels, own[2].texels};
-  const volume::DerivedField derived =
-      field.field == scene::Field::trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline;
-  if (const volume::ScaledField* const scaled = frame.volume->scaled(field); scaled && !changed.empty())
-    deriveScaled(frame.volume->grid(), *scaled, images.crossings.points, out);
-  else if (!changed.empty())
-    volume::surfaceDerivatives(frame.volume->grid(), derived, frame.volume->coefficients(field.field),
-                               images.crossings.points, changed, out, volume::TracerTarget::automatic,
-                               frame.request.stop);
+  if (!changed.empty()) derive(*frame.volume, field, images.crossings, changed, out, frame.request.stop);
   const bool stopped = frame.request.stop.stop_requested();  // some of what was there may be left
   target.drawn.add(area);
   for (std::size_t i = 0; i < count; ++i) {

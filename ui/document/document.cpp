@@ -59,7 +59,9 @@ scene::Scene Document::shownScene() const {
 }
 
 scene::Scene Document::resolvedScene() const {
-  return scene::resolve(shownScene(), volume_ ? volume_->facts : scene::VolumeFacts{});
+  scene::Scene resolved = scene::resolve(shownScene(), volume_ ? volume_->facts : scene::VolumeFacts{});
+  if (volume_) volume_->derivativeChoices->completeIfChosen(resolved);
+  return resolved;
 }
 
 QString Document::name() const {

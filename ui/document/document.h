@@ -35,7 +35,9 @@ class Document : public QObject {
   const scene::Scene& scene() const { return history_.scene(); }
   // As it is on screen: an animated flow has moved on since scene().
   scene::Scene shownScene() const;
-  scene::Scene resolvedScene() const;  // shownScene() with automatic settings filled in from the volume
+  // shownScene() with automatic settings filled in from the volume, as far as they are known.
+  scene::Scene resolvedScene() const;
+  void announce();  // says both again: more of what is automatic is known
   const VolumePointer& volume() const { return volume_; }
   const app::History& history() const { return history_; }
 
@@ -102,7 +104,6 @@ class Document : public QObject {
   void restoreDocument();
   void changeSource(const volume::PreparedVolume& volume);
   void commit(const scene::Scene& before, const QString& name);
-  void announce();
   void reloadIfSourceChanged();
   void moveFlow();
 

@@ -131,7 +131,9 @@ void Viewport::refine() {
 
 void Viewport::setInteracting(bool interacting) {
   interacting_ = interacting;
-  if (!interacting) rest();
+  if (interacting) return;
+  if (fieldsPending_) changed();  // what was not begun while the isovalue moved
+  rest();
 }
 
 void Viewport::rest() {
@@ -152,6 +154,7 @@ void Viewport::setTopInset(int pixels) {
 
 void Viewport::setVolume(VolumePointer volume) {
   fieldJob_.reset();
+  lastDerivatives_ = {};
   volume_ = std::move(volume);
   redraw();
 }

@@ -87,6 +87,8 @@ class Viewport : public QWidget {
   void seen(const isolux::gi::SeenPoints& hitVoxels, bool finer);
   void reported(const isolux::render::FrameReport& report, const isolux::render::FrameRequest& request);
   void failed(const QString& message);
+  void
+  derivativesChosen();  // what is automatic about them is known now (DerivativeChoices::completeIfChosen)
   void noted(const QString& message);  // worth knowing, nothing has failed
 
  protected:
@@ -174,6 +176,7 @@ class Viewport : public QWidget {
   bool lightPending_ = false;     // so it does, with stored light
   bool fieldsPending_ = false;    // the picture is drawn with other fields than the scene asks for
   std::unique_ptr<app::FieldJob> fieldJob_;
+  scene::Derivatives lastDerivatives_;  // of the last picture of the volume that had what it asked for
   bool interacting_ = false;
   // What rays hit: the number of the view, and the pixels of its finest picture that was told by seen(); 0
   // none.

@@ -33,7 +33,8 @@ bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // nu
 // What to say of a picture of which something is missing.
 QString fieldNote(const app::FieldJob& job) {
   if (job.finished() && job.error()) return QString::fromStdString(job.error()->what());
-  return QString("Interpolating the volume: %1 %; until then another field is shown")
+  return QString("Preparing the volume (%1): %2 %; until then another field is shown")
+      .arg(job.progress().stage())
       .arg(std::lround(100.0 * job.progress().fraction()));
 }
 
@@ -230,9 +231,9 @@ void Viewport::showed(const app::DrawnPicture& picture, std::uint64_t view) {
   if (current() && quality_.stage() == app::PictureQuality::Stage::sharp && quality_.mayRefine() && !waits)
     refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
   const bool empty = report.empty && !fieldsPending_;
-  overlay_->setNote(fieldsPending_ ? fieldNote(*fieldJob_)
-                    : empty        ? QString::fromStdString(report.empty->reason)
-                                   : missingNote(report.bricks));
+  overlay_->setNote(fieldsPending_ && fieldJob_ ? fieldNote(*fieldJob_)
+                    : empty                     ? QString::fromStdString(report.empty->reason)
+                                                : missingNote(report.bricks));
   offerRemedy(empty ? report.empty : std::nullopt);
   if (bricksPending_ || lightPending_) orderSoon();  // the next picture gets further
   tellSeen(picture, view);
@@ -254,18 +255,25 @@ void Viewport::viewChanged() {
 }
 
 scene::Scene Viewport::drawable() {
-  fieldsPending_ = volume_ && !volume_->cubicFields->readyFor(resolved_);
-  if (!fieldsPending_) return resolved_;
-  if (!fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_)))
-    fieldJob_ = std::make_unique<app::FieldJob>(volume_, resolved_);
-  if (!fieldTimer_.isActive()) fieldTimer_.start();
-  return app::withReadyFields(resolved_, *volume_->cubicFields);
+  fieldsPending_ = volume_ && !app::fieldsAreReady(resolved_, *volume_);
+  if (!volume_) return resolved_;
+  const scene::Scene ready = app::withReadyFields(resolved_, *volume_, lastDerivatives_);
+  if (!fieldsPending_) {
+    lastDerivatives_ = ready.derivatives;
+    return ready;
+  }
+  const bool needsJob = !fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_));
+  if (needsJob && !interacting_) fieldJob_ = std::make_unique<app::FieldJob>(volume_, resolved_);
+  if (fieldJob_ && !fieldTimer_.isActive()) fieldTimer_.start();
+  return ready;
 }
 
 void Viewport::pollFields() {
-  if (!fieldJob_ || !volume_ || volume_->cubicFields->readyFor(resolved_)) {
+  if (!fieldJob_ || !volume_ || app::fieldsAreReady(resolved_, *volume_)) {
     fieldTimer_.stop();
-    if (fieldsPending_) redraw();
+    if (!fieldsPending_) return;
+    redraw();
+    Q_EMIT derivativesChosen();
     return;
   }
   overlay_->setNote(fieldNote(*fieldJob_));
@@ -278,9 +286,9 @@ render::StillPicture Viewport::picture(bool linear) {
   const auto refuse = [](const char* why) { throw base::Error(base::ErrorKind::graphics, "", "", why); };
   if (!hasContext_ || failed_) refuse("there is no picture to save");
   if (stillComes_) refuse("another picture is being saved");
-  if (volume_ && !volume_->cubicFields->readyFor(resolved_)) {
+  if (volume_ && !app::fieldsAreReady(resolved_, *volume_)) {
     if (fieldJob_ && fieldJob_->finished() && fieldJob_->error()) throw base::Error(*fieldJob_->error());
-    refuse("the volume is still being interpolated for this picture; save it in a moment");
+    refuse("the volume is still being prepared for this picture; save it in a moment");
   }
   render::FrameRequest request;
   request.size = pixelSize();

@@ -138,6 +138,7 @@ void MainWindow::connectDocument() {
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
   connect(document_, &Document::flowMoved, viewport_, &Viewport::setFlowTime);
+  connect(viewport_, &Viewport::derivativesChosen, document_, &Document::announce);
   connect(document_, &Document::stateChanged, this, &MainWindow::showState);
   connect(document_, &Document::loadStarted, this, [this](const QString& name) {
     message_->clear();

@@ -23,22 +23,75 @@ std::shared_ptr<const volume::PreparedVolume> ball(int size) {
 
 scene::Scene interpolating() {
   scene::Scene scene;
+  scene.isosurface.value = 0.0;
   scene.hit.field = scene.derivatives.field = scene::Field::cubic_interpolating;
   return scene;
 }
 
 TEST(FieldJob, MakesWhatASceneNeedsAndUntilThenOtherFieldsAreDrawn) {
   const auto volume = ball(24);
-  const scene::Scene scene = interpolating(), before = withReadyFields(scene, *volume->cubicFields);
+  const scene::Scene scene = interpolating(), before = withReadyFields(scene, *volume);
   EXPECT_EQ(before.hit.field, scene::Field::trilinear);
   EXPECT_EQ(before.derivatives.field, scene::Field::cubic);
+  EXPECT_FALSE(fieldsAreReady(scene, *volume));
   const FieldJob job(volume, scene);
   ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
   EXPECT_FALSE(job.error());
   EXPECT_TRUE(job.isFor(scene));
   EXPECT_FALSE(job.isFor(before));
-  EXPECT_TRUE(volume->cubicFields->readyFor(scene));
-  EXPECT_TRUE(withReadyFields(scene, *volume->cubicFields) == scene);
+  EXPECT_TRUE(fieldsAreReady(scene, *volume));
+  const scene::Scene after = withReadyFields(scene, *volume);
+  EXPECT_EQ(after.hit.field, scene.hit.field);
+  EXPECT_EQ(after.derivatives.field, scene.derivatives.field);
+}
+
+// Scales whose fields are not there yet are those of the picture before, or none.
+TEST(FieldJob, ScalesAreThoseThatAreThere) {
+  const auto volume = ball(24);
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene.look.mode = scene::LookMode::kappa1;
+  scene.derivatives = {.noise = 1.0, .scale = 3.0, .normalScale = 2.0};
+  const auto scales = [&](const scene::Derivatives& last) {
+    const scene::Derivatives ready = withReadyFields(scene, *volume, last).derivatives;
+    return std::pair(*ready.scale, *ready.normalScale);
+  };
+  EXPECT_EQ(scales({}), std::pair(0.0, 0.0));
+  {
+    const FieldJob job(volume, scene);
+    ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
+  }
+  EXPECT_TRUE(fieldsAreReady(scene, *volume));
+  EXPECT_EQ(scales({}), std::pair(3.0, 2.0));
+  const scene::Derivatives before = scene.derivatives;
+  scene.derivatives.scale = 4.0;
+  EXPECT_FALSE(fieldsAreReady(scene, *volume));
+  EXPECT_EQ(scales({}), std::pair(0.0, 2.0));
+  EXPECT_EQ(scales(before), std::pair(3.0, 2.0));
+  scene.derivatives.field = scene::Field::cubic_interpolating;
+  EXPECT_EQ(scales(before), std::pair(0.0, 0.0));
+  scene.look.mode = scene::LookMode::depth;  // reads none
+  scene.derivatives.field = scene::Field::cubic;
+  EXPECT_TRUE(fieldsAreReady(scene, *volume));
+}
+
+// What is automatic is chosen once for an isovalue, and shown when it is known.
+TEST(FieldJob, ChoosesWhatIsAutomatic) {
+  const auto volume = ball(24);
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  EXPECT_FALSE(fieldsAreReady(scene, *volume));
+  const FieldJob job(volume, scene);
+  ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
+  EXPECT_TRUE(fieldsAreReady(scene, *volume));
+  const auto choice = volume->derivativeChoices->find(0.0, scene.derivatives.field);
+  ASSERT_TRUE(choice);
+  const scene::Derivatives drawn = withReadyFields(scene, *volume).derivatives;
+  EXPECT_EQ(drawn.normalScale, choice->normalScaleMm);
+  EXPECT_EQ(drawn.noise, choice->noise);
+  scene.isosurface.value = 1.0;
+  EXPECT_FALSE(fieldsAreReady(scene, *volume));
+  EXPECT_FALSE(job.isFor(scene));
 }
 
 TEST(FieldJob, EndsSoonWhenNobodyWantsItAnyMore) {

@@ -1,5 +1,5 @@
-// Derivatives at a scale in pictures: against the same field in double precision at the hits of the picture, for
-// curvature and normals at scales of their own.
+// Derivatives at a scale in pictures: against the same field in double precision at the hits of the picture,
+// for curvature and normals at scales of their own.
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -22,6 +22,12 @@ double largest(const glm::dmat3& m) {
   for (int c = 0; c < 3; ++c)
     for (int r = 0; r < 3; ++r) most = std::max(most, std::abs(m[c][r]));
   return most;
+}
+
+render::FrameRequest picture() {
+  render::FrameRequest request;
+  request.size = kSize;
+  return request;
 }
 
 struct Worst {
@@ -80,9 +86,9 @@ TEST_P(ScaledDerivativesGlTest, AgreeWithDoublePrecision) {
       scene.derivatives.scale = 1.0 * spacing.x;
       scene.derivatives.normalScale = 0.7 * spacing.x;
       const Worst worst = against(volume, scene);
-      std::printf("field %d: %d points; gradient %.1e, Hessian %.1e of a typical step; kappa %.1e, normal %.1e\n",
-                  static_cast<int>(field), worst.count, worst.gradient, worst.hessian, worst.kappa,
-                  worst.normal);
+      std::printf(
+          "field %d: %d points; gradient %.1e, Hessian %.1e of a typical step; kappa %.1e, normal %.1e\n",
+          static_cast<int>(field), worst.count, worst.gradient, worst.hessian, worst.kappa, worst.normal);
       ASSERT_GT(worst.count, 500);
       EXPECT_LT(worst.gradient, 2e-4);
       EXPECT_LT(worst.hessian, 1e-3);
@@ -93,7 +99,7 @@ TEST_P(ScaledDerivativesGlTest, AgreeWithDoublePrecision) {
 
 // A surface that ends at the border of its volume, and one whose axes are shorter than a lookup is wide.
 TEST_P(ScaledDerivativesGlTest, AgreeAtBorders) {
-  for (const glm::ivec3 dims : {glm::ivec3(20, 24, 17), glm::ivec3(4, 3, 24), glm::ivec3(2, 20, 5)}) {
+  for (const glm::ivec3& dims : {glm::ivec3(20, 24, 17), glm::ivec3(4, 3, 24), glm::ivec3(2, 20, 5)}) {
     const auto geometry = volume::GridGeometry::make(dims, {1.0, 0.8, 1.3});
     const auto volume = prepared(gridOfVoxels(geometry, [&](glm::dvec3 v) {
       const glm::dvec3 p = v / glm::max(glm::dvec3(dims - 1), glm::dvec3(1.0)) - 0.45;
@@ -117,7 +123,8 @@ TEST_P(ScaledDerivativesGlTest, AgreeAtBorders) {
 TEST_P(ScaledDerivativesGlTest, ALargeConstantInTheValuesCostsNothing) {
   const auto truth = phantom("torus", 48);
   std::vector<float> shifted;
-  for (const float v : std::get<std::vector<float>>(truth->grid().voxels())) shifted.push_back(1e6f + 100.0f * v);
+  for (const float v : std::get<std::vector<float>>(truth->grid().voxels()))
+    shifted.push_back(1e6f + 100.0f * v);
   const auto volume = prepared(volume::Grid(truth->grid().geometry(), shifted));
   scene::Scene scene;
   scene.isosurface.value = 1e6;
@@ -142,7 +149,7 @@ TEST_P(ScaledDerivativesGlTest, EqualScalesShareAPass) {
     scene_ = scene::resolve(scene, volume->facts);
     renderer_->setVolume(volume);
     std::string names;
-    for (const render::PassReport& pass : renderer_->render(scene_, {.size = kSize}).passes)
+    for (const render::PassReport& pass : renderer_->render(scene_, picture()).passes)
       if (pass.state == render::PassState::ran && (pass.name == "gradient" || pass.name == "hessian"))
         names += pass.name + " ";
     return names;
@@ -164,11 +171,11 @@ TEST_P(ScaledDerivativesGlTest, NoPictureShowsNormalsOfTheOneBefore) {
     scene_ = scene::resolve(scene, volume->facts);
     renderer.setVolume(volume);
     renderer.setMachine(machine_);
-    renderer.render(scene_, {.size = kSize});
+    renderer.render(scene_, picture());
     return renderer.readColor().rgba;
   };
-  const std::pair<double, double> scales[] = {{2.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 0.0}, {2.0, 3.0},
-                                              {3.0, 3.0}, {2.0, 3.0}, {2.0, 0.0}};
+  const std::pair<double, double> scales[] = {{2.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 0.0},
+                                              {2.0, 3.0}, {3.0, 3.0}, {2.0, 3.0}, {2.0, 0.0}};
   for (const auto mode : {scene::LookMode::kappa1, scene::LookMode::lambert, scene::LookMode::kappa1})
     for (const auto& [scale, normalScale] : scales) {
       scene.look.mode = mode;

@@ -71,6 +71,31 @@ class ViewportTest : public WindowTest {
 
 }  // namespace
 
+// A picture is there at once; that at the scale follows when its field is made, and is saved only then.
+TEST_F(ViewportTest, APictureAtAScaleComesWhenItsFieldIsThere) {
+  ASSERT_TRUE(load(*window_, "phantom:head:96"));
+  ui::Edit edit{window_->document()->scene(), "Curvature", {}, false};
+  edit.scene.look.mode = scene::LookMode::kappa1;
+  edit.scene.derivatives.scale = edit.scene.derivatives.normalScale = 0.0;
+  window_->document()->edit(edit);
+  const QImage unscaled = fullPicture(*window_);
+  bool complete = true;  // the first picture that is drawn
+  int pictures = 0;
+  const auto connection = QObject::connect(viewport(), &ui::Viewport::drawn, [&](double, bool isComplete) {
+    if (pictures++ == 0) complete = isComplete;
+  });
+  edit.scene.derivatives.scale = 6.0;
+  window_->document()->edit(edit);
+  ASSERT_TRUE(waitUntil([&] { return pictures > 0; }));
+  EXPECT_FALSE(complete);
+  const QImage scaled = fullPicture(*window_);
+  QObject::disconnect(connection);
+  EXPECT_GT(differingPixels(unscaled, scaled), 0.02);
+  EXPECT_EQ(viewport()->picture().color.size, glm::ivec2(scaled.width(), scaled.height()));
+  window_->document()->undo();
+  EXPECT_EQ(differingPixels(unscaled, fullPicture(*window_), 0), 0.0);
+}
+
 TEST_F(ViewportTest, ARestingPointerReadsTheNewPicture) {
   const auto before = pointAt(centre());
   ASSERT_TRUE(before);
