@@ -11,7 +11,6 @@
 
 #include "volume/mesh/csg.h"
 #include "volume/parallel_steps.h"
-#include "volume/statistics/noise_estimate.h"
 #include "volume/statistics/plausibility.h"
 
 namespace isolux::volume {
@@ -178,7 +177,6 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress)
   prepared->facts.minimum = prepared->grid().minimum();
   prepared->facts.maximum = prepared->grid().maximum();
   prepared->facts.typicalStep = typicalStep(prepared->grid(), progress);
-  prepared->facts.noise = estimateNoise(prepared->grid(), progress);
   setBounds(*prepared, progress);
   prepared->prepareSeconds = secondsSince(start);
   progress.report(1.0, "ready");

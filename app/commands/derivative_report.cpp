@@ -57,7 +57,8 @@ DerivativeFacts derivativeFacts(render::Renderer& renderer, const scene::Derivat
                                 const scene::Scene& drawn, const render::FrameRequest& request,
                                 const render::FrameReport& report, const volume::PreparedVolume& volume) {
   DerivativeFacts facts{asked, drawn, {}, report.curvature, {}};
-  facts.choice = volume.derivativeChoices->find(drawn.isosurface.value.value(), drawn.derivatives.field);
+  facts.choice =
+      volume.derivativeChoices->find({drawn.isosurface.value.value(), drawn.derivatives.field, asked.noise});
   const bool readsCurvature = (request.color && scene::needsCurvature(drawn)) ||
                               std::any_of(request.aovs.begin(), request.aovs.end(),
                                           [](render::Aov aov) { return render::readsHessian(aov); });

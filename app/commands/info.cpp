@@ -32,7 +32,12 @@ std::size_t activeBlocksAt(const PreparedVolume& prepared, double isovalue) {
   return prepared.blocks->activeBlocks(static_cast<float>(prepared.grid().storedOfValue(isovalue)), flags);
 }
 
-ordered_json infoJson(const PreparedVolume& prepared, const volume::DerivativeChoice& choice) {
+struct Measured {
+  scene::NoiseModel noise;
+  volume::DerivativeChoice choice;
+};
+
+ordered_json infoJson(const PreparedVolume& prepared, const Measured& measured) {
   const volume::Volume& v = prepared.volume;
   const volume::Grid& grid = prepared.grid();
   const volume::GridGeometry& geometry = grid.geometry();
@@ -56,12 +61,12 @@ ordered_json infoJson(const PreparedVolume& prepared, const volume::DerivativeCh
   json["range"] = ordered_json::array({grid.minimum(), grid.maximum()});
   json["missing"] = grid.missingCount();
   json["suggested_isovalue"] = isovalue;
-  const scene::NoiseModel& noise = prepared.facts.noise;
+  const scene::NoiseModel& noise = measured.noise;
   json["noise"] = {{"values", noise.values},
                    {"deviations", noise.deviations},
                    {"at_suggested", noise.at(isovalue)},
                    {"blur_voxels", vectorJson(noise.correlation)}};
-  json["derivatives_at_suggested"] = choiceJson(choice);
+  json["derivatives_at_suggested"] = choiceJson(measured.choice);
   json["histogram"] = {{"minimum", prepared.histogram.minimum},
                        {"maximum", prepared.histogram.maximum},
                        {"counts", prepared.histogram.counts},
@@ -138,7 +143,7 @@ std::string histogramBar(const volume::Histogram& histogram) {
   return bar;
 }
 
-void printText(const PreparedVolume& prepared, const volume::DerivativeChoice& choice, std::ostream& out) {
+void printText(const PreparedVolume& prepared, const Measured& measured, std::ostream& out) {
   const volume::Volume& v = prepared.volume;
   const volume::Grid& grid = prepared.grid();
   const volume::GridGeometry& geometry = grid.geometry();
@@ -170,9 +175,9 @@ void printText(const PreparedVolume& prepared, const volume::DerivativeChoice& c
   row("histogram", histogramBar(prepared.histogram));
   row("peaks", peaksText(prepared.histogram));
   row("isovalue", base::shortText(isovalue) + unit + " (suggested)");
-  row("noise", noiseText(prepared.facts.noise, isovalue, unit));
-  row("curvature at", scaleText(choice.scaleMm, choice.scaleReason));
-  row("normals at", scaleText(choice.normalScaleMm, choice.normalReason));
+  row("noise", noiseText(measured.noise, isovalue, unit));
+  row("curvature at", scaleText(measured.choice.scaleMm, measured.choice.scaleReason));
+  row("normals at", scaleText(measured.choice.normalScaleMm, measured.choice.normalReason));
   row("blocks", std::to_string(activeBlocksAt(prepared, isovalue)) + " of " +
                     std::to_string(prepared.blocks->count()) + " active there, " +
                     std::to_string(prepared.blocks->blockCells()) + " cells per axis each");
@@ -187,11 +192,12 @@ void printText(const PreparedVolume& prepared, const volume::DerivativeChoice& c
   for (const std::string& warning : v.warnings) row("warning", warning);
 }
 
-volume::DerivativeChoice chosenWithProgressBar(const PreparedVolume& prepared, scene::Field field,
-                                               base::Progress& progress) {
+Measured measuredWithProgressBar(const PreparedVolume& prepared, scene::Field field,
+                                 base::Progress& progress) {
   progress.report(0.0, "measuring noise");
   const ProgressBar bar(progress);
-  return prepared.derivativeChoices->choose(prepared.facts.suggestedIsovalue, field, progress);
+  const volume::DerivativeChoices& choices = *prepared.derivativeChoices;
+  return {choices.noise(progress), choices.choose({prepared.facts.suggestedIsovalue, field}, progress)};
 }
 
 }  // namespace
@@ -210,12 +216,11 @@ Command makeInfo(CLI::App& program) {
             requireSource(options->path, *sceneOptions);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             const auto prepared = loadWithProgressBar(scene.source, progress);
-            const volume::DerivativeChoice choice =
-                chosenWithProgressBar(*prepared, scene.derivatives.field, progress);
+            const Measured measured = measuredWithProgressBar(*prepared, scene.derivatives.field, progress);
             if (options->json)
-              std::cout << jsonText(infoJson(*prepared, choice));
+              std::cout << jsonText(infoJson(*prepared, measured));
             else
-              printText(*prepared, choice, std::cout);
+              printText(*prepared, measured, std::cout);
           }};
 }
 

@@ -51,9 +51,12 @@ SurfaceTruth::SurfaceTruth(std::shared_ptr<const volume::PreparedVolume> volume,
           render::ViewUniforms(scene.camera, static_cast<double>(size.x) / size.y, volume_->grid().geometry())
               .rayStartMm),
       isovalue_(scene.isosurface.value.value()),
-      outward_(scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0),
-      noise_(scene.derivatives.noise.value()),
-      noiseBlur_(volume_->facts.noise.correlation) {}
+      outward_(scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0) {
+  base::Progress unwatched;
+  const scene::NoiseModel noise = volume_->derivativeChoices->noise(unwatched);
+  noise_ = scene.derivatives.noise.value_or(noise.at(isovalue_));
+  noiseBlur_ = noise.correlation;
+}
 
 volume::Ray SurfaceTruth::rayOf(std::size_t pixel, glm::dvec2 offset) const {
   const std::size_t width = static_cast<std::size_t>(size_.x);

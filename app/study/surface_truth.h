@@ -52,8 +52,8 @@ class SurfaceTruth {
   std::shared_ptr<const volume::PreparedVolume> volume_;
   glm::ivec2 size_;
   scene::CameraFrame frame_;
-  double rayStartMm_, isovalue_, outward_, noise_;
-  glm::dvec3 noiseBlur_;
+  double rayStartMm_, isovalue_, outward_, noise_ = 0.0;
+  glm::dvec3 noiseBlur_{0.0};
   std::array<std::shared_ptr<const volume::CubicField>, kFields>
       cubic_;  // of the cubic fields, once asked for
   std::array<Hits, kFields> hits_;

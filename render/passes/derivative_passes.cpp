@@ -115,7 +115,7 @@ void CurvaturePass::run(FrameState& frame) {
   p.set("uOutward", static_cast<float>(frame.outward()));
   const volume::CurvatureScale scale =
       volume::curvatureScale(frame.volume->grid().geometry(), frame.scene->derivatives.field,
-                             *frame.scene->derivatives.noise, frame.volume->facts().noise.correlation);
+                             *frame.scene->derivatives.noise, frame.volume->noiseBlur());
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));

@@ -233,6 +233,11 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   surface.activate(std::move(stored));
 }
 
+glm::dvec3 GpuVolume::noiseBlur() const {
+  base::Progress unwatched;
+  return volume_->derivativeChoices->noise(unwatched).correlation;
+}
+
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward) {
   if (!hasCells()) return {};
   return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field));

@@ -53,7 +53,6 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   }
   resolveLamps(scene, facts);
   if (!scene.hit.nearThreshold) scene.hit.nearThreshold = facts.typicalStep / scene.hit.rate;
-  if (!scene.derivatives.noise) scene.derivatives.noise = facts.noise.at(*scene.isosurface.value);
   if (!scene.look.textureScale)
     scene.look.textureScale = std::max(0.1 * glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
 

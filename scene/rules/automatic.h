@@ -6,7 +6,6 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/noise.h"
 #include "scene/scene.h"
 #include "scene/world_axes.h"
 
@@ -18,15 +17,15 @@ struct VolumeFacts {
   double suggestedIsovalue = 0.0;                    // data units, volume::suggestIsovalue()
   std::optional<double> csgIsovalue = std::nullopt;  // of the second volume, where there is one
   double minimum = 0.0, maximum = 0.0;               // data units
-  double typicalStep =
-      0.0;             // data units: what neighbouring voxels differ by where they differ (90 % quantile)
-  NoiseModel noise{};  // of a voxel
+  // Data units: what neighbouring voxels differ by where they differ (90 % quantile).
+  double typicalStep = 0.0;
   WorldAxes axes = WorldAxes::zUp;
   glm::dvec3 spacingMm{1.0};
 };
 
 // Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
-// maps, the ridge threshold), the fog's colour and the exposure, which stay automatic for the renderer, those
+// maps, the ridge threshold; noise and scales of derivatives, which volume::DerivativeChoices fills in), the
+// fog's colour and the exposure, which stay automatic for the renderer, those
 // of the bake's own business (gi.environment_share), and the isovalue
 // of a second volume that is not there. An explicit setting
 // is never changed. An automatic camera looks from the front (frontOf(): a patient faces the viewer, patient

@@ -25,9 +25,12 @@ constexpr std::size_t budgetBytes = std::size_t{1} << 20;
 inline void prepare(volume::Volume volume, base::Progress& progress) {
   const auto prepared = volume::prepareVolume(std::move(volume), progress);
   const scene::VolumeFacts& facts = prepared->facts;
-  for (const double number : {facts.suggestedIsovalue, facts.minimum, facts.maximum, facts.noise.at(facts.suggestedIsovalue),
-                              facts.boundsMinMm.x, facts.boundsMinMm.y, facts.boundsMinMm.z,
-                              facts.boundsMaxMm.x, facts.boundsMaxMm.y, facts.boundsMaxMm.z})
+  const volume::DerivativeChoice choice =
+      prepared->derivativeChoices->choose({facts.suggestedIsovalue}, progress);
+  for (const double number :
+       {choice.noise, choice.scaleMm, choice.normalScaleMm, facts.suggestedIsovalue, facts.minimum,
+        facts.maximum, facts.boundsMinMm.x, facts.boundsMinMm.y, facts.boundsMinMm.z, facts.boundsMaxMm.x,
+        facts.boundsMaxMm.y, facts.boundsMaxMm.z})
     if (!std::isfinite(number)) std::abort();
 }
 

@@ -33,7 +33,7 @@ struct DerivativeChoice {
 struct DerivativeQuestion {
   double isovalue = 0.0;
   scene::Field field = scene::Field::cubic;
-  std::optional<double> noise;  // known by somebody; empty: estimated
+  std::optional<double> noise = std::nullopt;  // known by somebody; empty: estimated
   bool operator==(const DerivativeQuestion&) const = default;
 };
 

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "volume/prepared_volume.h"
 
 namespace isolux::volume {
 namespace {
@@ -109,15 +108,6 @@ TEST(NoiseEstimate, ManagesShortAxesAndMissingVoxels) {
       EXPECT_TRUE(std::isfinite(noise));
     }
   }
-}
-
-TEST(NoiseEstimate, IsAFactOfThePreparedVolume) {
-  base::Progress progress;
-  Volume volume;
-  volume.grid = std::make_shared<const Grid>(test::phantomGrid("ball", 32, 0.5));
-  const scene::NoiseModel expected = estimateNoise(*volume.grid);
-  EXPECT_EQ(prepareVolume(std::move(volume), progress)->facts.noise, expected);
-  EXPECT_GT(expected.at(0.0), 0.0);
 }
 
 }  // namespace
