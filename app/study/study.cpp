@@ -114,10 +114,12 @@ DrawnImages Studio::imagesOf(const scene::Scene& scene) {
   render::FrameRequest request;
   request.size = size_;
   request.color = false;
-  request.aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal, render::Aov::kappa};
+  request.aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal, render::Aov::kappa,
+                  render::Aov::curvature_confidence};
   renderer_.render(scene, request);
   return {renderer_.readAov(render::Aov::hit).values, renderer_.readAov(render::Aov::depth).values,
-          renderer_.readAov(render::Aov::normal).values, renderer_.readAov(render::Aov::kappa).values};
+          renderer_.readAov(render::Aov::normal).values, renderer_.readAov(render::Aov::kappa).values,
+          renderer_.readAov(render::Aov::curvature_confidence).values};
 }
 
 void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& progress, double from,
@@ -141,7 +143,8 @@ void Studio::requireSurface(const scene::Scene& scene, base::Progress& progress)
                       "no pixel of this view shows the surface");
 }
 
-void Studio::judgeScale(const scene::Scene& scene, StudySetting& setting, base::Progress& progress) {
+void Studio::judgeScale(const Alternative& alternative, StudySetting& setting, base::Progress& progress) {
+  const scene::Scene& scene = alternative.scene;
   if (!scale_) {
     const TrueSurface truth = truth_.of(scene.hit.field, scene.derivatives.field, progress);
     std::vector<bool> isHit;
@@ -149,12 +152,13 @@ void Studio::judgeScale(const scene::Scene& scene, StudySetting& setting, base::
     std::vector<glm::dvec3> points;
     for (const std::size_t pixel : chosenPixels(isHit, kScalePoints))
       points.push_back(truth.hits[pixel].voxel);
-    scale_ = std::make_unique<ScaleStudio>(volume_, scene, std::move(points), volume_->facts.noise);
+    scale_ = std::make_unique<ScaleStudio>(volume_, scene, std::move(points),
+                                           volume_->derivativeChoices->noise(progress));
   }
   const double scaleMm = scene.derivatives.scale.value_or(0.0);
   const ScaleFindings findings = scale_->at(scaleMm, progress);
   setting.errors.noise = findings.errors;
-  setting.scale = {scaleMm, findings.buildSeconds};
+  setting.scale = {scaleMm, findings.buildSeconds, unknownShare(alternative.images)};
 }
 
 StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, base::Progress& progress) {
@@ -171,7 +175,7 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   setting.frameMilliseconds = base::median(alternative.frames);
   for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = base::median(times);
   if (knob.measure == Measure::scale) {
-    judgeScale(scene, setting, progress);
+    judgeScale(alternative, setting, progress);
     return setting;
   }
   setting.errors = errors(scene.hit.field, scene.derivatives.field);

@@ -34,6 +34,7 @@ struct LightCost {
 struct ScaleCost {
   double scaleMm = 0.0;
   double buildSeconds = 0.0;  // 0: none is built
+  double unknown = 0.0;       // part of the surface's pixels whose curvature has a confidence below 1/2
 };
 
 struct StudySetting {
@@ -93,7 +94,7 @@ class Studio {
   void drawOnce(Alternative& alternative, bool timed);
   void requireSurface(const scene::Scene& scene, base::Progress& progress);
   DrawnImages imagesOf(const scene::Scene& scene);
-  void judgeScale(const scene::Scene& scene, StudySetting& setting, base::Progress& progress);
+  void judgeScale(const Alternative& alternative, StudySetting& setting, base::Progress& progress);
   StudySetting judge(const Knob& knob, const Alternative& alternative, base::Progress& progress);
 
   std::shared_ptr<const volume::PreparedVolume> volume_;

@@ -49,6 +49,16 @@ Spread spreadOf(std::vector<double> errors) {
   return spread;
 }
 
+double unknownShare(const DrawnImages& drawn) {
+  std::size_t seen = 0, unknown = 0;
+  for (std::size_t i = 0; i < drawn.hit.size(); ++i) {
+    if (drawn.hit[i] != 1.0f) continue;
+    ++seen;
+    if (!(drawn.confidence[i] >= 0.5f)) ++unknown;
+  }
+  return static_cast<double>(unknown) / static_cast<double>(seen);
+}
+
 double Errors::missedPpm() const {
   return partsPerMillion(missed, pixels);
 }

@@ -44,7 +44,10 @@ struct DrawnImages {
   std::vector<float> hit, depthMm;
   std::vector<float> normal;  // x, y, z
   std::vector<float> kappa;   // kappa1, kappa2, 1/mm
+  std::vector<float> confidence{};
 };
+// The part of the pixels with a hit whose confidence is below 1/2; NaN without a hit.
+double unknownShare(const DrawnImages& drawn);
 
 // The distribution of an error over the pixels where it is defined; all NaN where there is no such pixel.
 struct Spread {

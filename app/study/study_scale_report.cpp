@@ -15,6 +15,7 @@ nlohmann::ordered_json scaleJson(const StudySetting& setting) {
   const NoiseErrors& errors = setting.errors.noise;
   return {{"scale_mm", cost.scaleMm},
           {"build_seconds", cost.buildSeconds},
+          {"unknown_share", cost.unknown},
           {"points", errors.curvature.pixels / kNoiseSeeds},
           {"seeds", kNoiseSeeds},
           {"curvature_median_relative", errors.curvature.median},
@@ -38,7 +39,7 @@ void writeScaleTable(std::ostream& out, const KnobStudy& study) {
   out << "\n\n| " << study.knob.label
       << " | scale, mm | field, s | hessian, ms | frame, ms | curvature median, % | 99 % | normal RMS, ° | "
          "99 % |\n"
-         "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+         "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
   for (const StudySetting& setting : study.settings) {
     const ScaleCost& cost = setting.scale.value();
     const NoiseErrors& errors = setting.errors.noise;
