@@ -38,7 +38,7 @@ void writeScaleTable(std::ostream& out, const KnobStudy& study) {
            "them.";
   out << "\n\n| " << study.knob.label
       << " | scale, mm | field, s | hessian, ms | frame, ms | curvature median, % | 99 % | normal RMS, ° | "
-         "99 % |\n"
+         "99 % | no confidence, % |\n"
          "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
   for (const StudySetting& setting : study.settings) {
     const ScaleCost& cost = setting.scale.value();
@@ -49,8 +49,8 @@ void writeScaleTable(std::ostream& out, const KnobStudy& study) {
         << (hessian == setting.passMilliseconds.end() ? "–" : tableNumber(hessian->second)) << " | "
         << tableNumber(setting.frameMilliseconds) << " | " << tableNumber(100.0 * errors.curvature.median)
         << " | " << tableNumber(100.0 * errors.curvature.most99) << " | "
-        << tableNumber(errors.normalDegrees.rms) << " | " << tableNumber(errors.normalDegrees.most99)
-        << " |\n";
+        << tableNumber(errors.normalDegrees.rms) << " | " << tableNumber(errors.normalDegrees.most99) << " | "
+        << tableNumber(100.0 * cost.unknown) << " |\n";
   }
 }
 
