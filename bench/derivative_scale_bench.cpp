@@ -20,13 +20,12 @@
 #include "volume/field/reconstruct.h"
 #include "volume/field/scaled_field.h"
 #include "volume/prepared_volume.h"
-#include "volume/statistics/points_at_scale.h"
 #include "volume/statistics/visible_points.h"
 
 namespace isolux::bench {
 namespace {
 
-constexpr int kSize = 96, kHeadSize = 192, kSeeds = 5;
+constexpr int kSize = 96, kHeadSize = 128, kSeeds = 5;
 constexpr std::size_t kPoints = 2000;
 constexpr double kTrimmed =
     0.02;  // of the points, the worst: next to vanishing gradients errors have no bound
@@ -148,24 +147,21 @@ struct Belief {
 volume::CurvatureScale confidenceScale(const volume::PreparedVolume& volume,
                                        const volume::DerivativeChoice& choice) {
   base::Progress progress;
-  const volume::GridGeometry& geometry = volume.grid().geometry();
-  const glm::dvec3 blur = volume.derivativeChoices->noise(progress).correlation;
-  volume::CurvatureScale scale = volume::curvatureScale(geometry, scene::Field::cubic, choice.noise, blur);
-  const volume::PointNoise noise =
-      volume::pointNoise(geometry, volume::smoothingAtScale(geometry, choice.scaleMm), blur);
-  scale.gradientNoise = choice.noise * std::sqrt(noise.gradient);
-  scale.hessianNoise = choice.noise * std::sqrt(noise.hessian);
+  volume::CurvatureScale scale =
+      volume::curvatureScale(volume.grid().geometry(), scene::Field::cubic, choice.noise,
+                             volume.derivativeChoices->noise(progress).correlation, choice.scaleMm);
+  if (choice.scaleMm > 0.0) scale.lostCurvature = choice.lostCurvature;
   return scale;
 }
 
-// Scales of the table, voxels.
-const std::array<double, 9>& ladder() {
-  static const std::array<double, 9> scales = {0.0, 0.3536, 0.5, 0.7071, 1.0, 1.4142, 2.0, 2.8284, 4.0};
+// Scales of the table, voxels. Below 1 / sqrt 3 all are as 0: the spline smooths as much by itself.
+const std::array<double, 7>& ladder() {
+  static const std::array<double, 7> scales = {0.0, 0.7071, 1.0, 1.4142, 2.0, 2.8284, 4.0};
   return scales;
 }
 
 struct Row {
-  std::array<double, 9> fixed{};  // mean squares over seeds
+  std::array<double, 7> fixed{};  // mean squares over seeds
   double automatic = 0.0, milliseconds = 0.0, scale = 0.0;
   Belief belief;
 };

@@ -12,11 +12,13 @@
 // +1/R. No square root of a negative number can occur. Eq. (5) of the paper is not used: it is an eigenvector
 // only of special matrices. Where r = 0 (umbilics) every tangent is principal; u is given, with confidence 0.
 //
-// Confidence = c_g c_d c_n in [0, 1], with the constants below:
+// Confidence = c_g c_d c_n c_s in [0, 1], with the constants below:
 //   c_g = smoothstep(3, 6, |g| / gradientNoise): gradients of noise alone seldom exceed 4 of its deviations;
 //   c_d = smoothstep(0.02, 0.1, (kappa1 - kappa2) / (|kappa1| + |kappa2| + flatCurvature));
 //   c_n = smoothstep(2, 5, (kappa1 - kappa2) |g| / hessianNoise): noise alone bends a flat face this way and
 //   that;
+//   c_s = min(1, 1.02 q^2 / (q^2 + 3.25^2)), q = max(|kappa1|, |kappa2|) / hypot(hessianNoise / |g|,
+//   lostCurvature / 2): of what has 0.9 at least 95 % shall be right within a fifth (docs/accuracy.md);
 // flatCurvature = 0.1 / the diagonal of the volume, mm. Exactly 0 at umbilic and flat points and where the
 // gradient vanishes.
 #pragma once
@@ -31,7 +33,8 @@ namespace isolux::volume {
 
 inline constexpr double kNoisyGradient = 3.0, kClearGradient = 6.0;      // deviations of the noise
 inline constexpr double kNoisyDifference = 2.0, kClearDifference = 5.0;  // deviations of a curvature's noise
-inline constexpr double kRoundCurvature = 0.02, kClearCurvature = 0.1;   // relative differences of kappa
+inline constexpr double kClearSize = 3.25, kSureSize = 1.02, kLostPart = 0.5;  // of c_s
+inline constexpr double kRoundCurvature = 0.02, kClearCurvature = 0.1;  // relative differences of kappa
 
 struct PrincipalCurvature {
   double kappa1 = 0.0, kappa2 = 0.0;                         // 1/mm
@@ -48,6 +51,7 @@ struct CurvatureScale {
   double gradientNoise = 0.0;  // standard deviation of a component of the world gradient, data units per mm
   double flatCurvature = 0.0;  // 1/mm
   double hessianNoise = 0.0;   // standard deviation of a normal second derivative, data units per mm^2
+  double lostCurvature = 0.0;  // 1/mm, root mean square: shape that is smoothed away (DerivativeChoice)
 };
 // `noise`: standard deviation of a voxel's value, and the blur that its neighbours correlate by
 // (scene::NoiseModel), propagated through the field's derivative weights (mean square over positions) and the

@@ -23,11 +23,10 @@ struct CurvatureStatistics {
   Quantiles of(scene::LookMode look) const;
 };
 
-// Over about `wanted` points where the surface cuts edges between neighbouring voxels, chosen by a fixed
-// random sequence: edges of all axes are alike, so the points cover the surface evenly but for a factor that
-// depends on its slant (1 to sqrt 3). `blocks` are those of the samples. Curvature is that of the B-spline of
-// the samples, or of the `coefficients` where given; `outward` as in volume/field/curvature.h. A few
-// milliseconds.
+// Over about `wanted` points that can be seen (visible_points.h): folds that nobody looks into bend more, and
+// would make ranges several times too wide. `blocks` are those of the samples. Curvature is that of the
+// B-spline of the samples, or of the `coefficients` where given; `outward` as in volume/field/curvature.h.
+// Some milliseconds.
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                         double outward = -1.0, const Coefficients* coefficients = nullptr,
                                         std::size_t wanted = 2000);

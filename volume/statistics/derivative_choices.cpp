@@ -18,6 +18,7 @@ constexpr std::size_t kFewest = 30;   // below, nothing is known
 // What noise may do at scale 0 before a scale is looked for.
 constexpr double kCleanCurvature = 0.02;                         // of the root mean square
 constexpr double kCleanNormal = 0.5 * std::numbers::pi / 180.0;  // radians
+constexpr double kRough = 1.2;                                   // times the noise of voxels
 constexpr std::size_t kMostKept = 8;
 
 // Away from the border, where samples are repeated.
@@ -38,11 +39,17 @@ struct Verdict {
   bool settled = false;  // no larger scale can be better
 };
 
-Verdict judged(std::span<const ScaleStep> steps, double noiseVariance, bool clean) {
+// What roughness leaves at larger scales is not known as well as what noise leaves: of scales nearly as good
+// as the best the largest.
+Verdict judged(std::span<const ScaleStep> steps, double noiseVariance, bool clean, bool rough) {
+  constexpr double nearly = 1.2;  // of the root mean square error
   Verdict verdict{.errors = scaleErrors(steps, noiseVariance)};
   const ScaleErrors& e = verdict.errors;
+  const double allowed = (rough ? nearly * nearly : 1.0) * (e.noise[e.best] + e.lost[e.best]);
   verdict.step = clean ? 0 : e.best;
-  verdict.settled = clean || e.lost.back() > e.noise[e.best] + e.lost[e.best];
+  for (std::size_t i = e.best; !clean && i < steps.size(); ++i)
+    if (e.noise[i] + e.lost[i] <= allowed) verdict.step = i;
+  verdict.settled = clean || e.lost.back() > allowed;
   return verdict;
 }
 
@@ -58,11 +65,12 @@ void judge(Search& search, const DerivativeQuestion& question, double estimated)
   const double variance =
       question.noise ? estimated * estimated : surfaceNoise(m.curvature, estimated * estimated);
   search.noise = std::sqrt(variance);
+  const bool rough = variance > kRough * kRough * estimated * estimated;
   search.cleanCurvature =
       variance * m.curvature[0].noise <= kCleanCurvature * kCleanCurvature * m.meanSquareCurvature[0];
   const bool cleanNormal = variance * m.normal[0].noise <= kCleanNormal * kCleanNormal;
-  search.curvature = judged(m.curvature, variance, search.cleanCurvature);
-  search.normal = judged(m.normal, variance, cleanNormal);
+  search.curvature = judged(m.curvature, variance, search.cleanCurvature, rough);
+  search.normal = judged(m.normal, variance, cleanNormal, false);
 }
 
 // Scale after scale, until larger ones only lose.
@@ -141,6 +149,7 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
   choice.curvatureNoise[1] = rms(search.measures.curvature[search.curvature.step]);
   choice.normalNoise[0] = rms(search.measures.normal[0]);
   choice.normalNoise[1] = rms(search.measures.normal[search.normal.step]);
+  choice.lostCurvature = std::sqrt(search.curvature.errors.lost[search.curvature.step]);
   choice.curvature = std::sqrt(search.measures.meanSquareCurvature[search.curvature.step]);
   choice.scaleReason = choice.scaleMm > ladder.scaleMm(search.curvature.step)
                            ? "half of the distance between slices"
@@ -167,6 +176,16 @@ std::optional<DerivativeChoice> DerivativeChoices::find(const DerivativeQuestion
   for (const Kept& kept : kept_)
     if (kept.question == question) return kept.choice;
   return std::nullopt;
+}
+
+double DerivativeChoices::lostCurvature(const scene::Scene& completed) const {
+  const scene::Derivatives& derivatives = completed.derivatives;
+  const std::lock_guard lock(mutex_);
+  for (const Kept& kept : kept_)
+    if (kept.question.isovalue == completed.isosurface.value && kept.question.field == derivatives.field &&
+        kept.choice.noise == derivatives.noise && kept.choice.scaleMm == derivatives.scale)
+      return kept.choice.lostCurvature;
+  return 0.0;
 }
 
 DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,

@@ -42,7 +42,7 @@ double medianOf(std::vector<double>& numbers) {
 
 // The flattest places of a range of values.
 struct Range {
-  std::span<const NoisePlace> places;
+  std::vector<NoiseDifferences> places;
   double value = 0.0;      // median, stored units
   double size = 0.0;       // of differences of neighbours, along all axes
   double steepness = 0.0;  // of the steepest of the places, in parts of what is expected of noise alone
@@ -51,18 +51,17 @@ struct Range {
   bool constant() const { return unlike == 0.0; }  // no more than storing costs: the others are 0
 };
 
-double sizeOf(std::span<const NoisePlace> places, std::size_t spacing) {
+double sizeOf(std::span<const NoiseDifferences> places, std::size_t spacing) {
   std::vector<double> sizes;
-  for (const NoisePlace& place : places)
-    for (const auto& along : place.differences)
+  for (const NoiseDifferences& place : places)
+    for (const auto& along : place)
       if (!std::isnan(along[spacing])) sizes.push_back(along[spacing]);
   return deviationsPerMedian * medianOf(sizes);
 }
 
-double unlikeAxes(std::span<const NoisePlace> places) {
+double unlikeAxes(std::span<const NoiseDifferences> places) {
   std::vector<double> least, most;
-  for (const NoisePlace& place : places) {
-    const auto& d = place.differences;
+  for (const NoiseDifferences& d : places) {
     if (std::isnan(d[0][0] + d[1][0] + d[2][0])) continue;
     least.push_back(std::min({d[0][0], d[1][0], d[2][0]}));
     most.push_back(std::max({d[0][0], d[1][0], d[2][0]}));
@@ -70,13 +69,13 @@ double unlikeAxes(std::span<const NoisePlace> places) {
   return medianOf(most) / medianOf(least);
 }
 
-Range rangeOf(std::span<NoisePlace> places, double least) {
+Range rangeOf(const NoisePlaces& all, std::span<NoisePlace> places, double least, base::Progress& progress) {
   Range range;
   range.value = places[places.size() / 2].value;
   const auto flat = static_cast<std::ptrdiff_t>(std::ceil(kFlat * static_cast<double>(places.size())));
   std::nth_element(places.begin(), places.begin() + (flat - 1), places.end(),
                    [](const NoisePlace& a, const NoisePlace& b) { return a.steepness < b.steepness; });
-  range.places = places.first(static_cast<std::size_t>(flat));
+  range.places = all.differencesAt(places.first(static_cast<std::size_t>(flat)), progress);
   range.size = sizeOf(range.places, 0);
   if (!(range.size > least)) return range;
   range.growth = sizeOf(range.places, kSpacings - 1) / range.size;
@@ -88,14 +87,15 @@ Range rangeOf(std::span<NoisePlace> places, double least) {
   return range;
 }
 
-std::vector<Range> rangesOf(std::vector<NoisePlace>& places, double least) {
+std::vector<Range> rangesOf(const NoisePlaces& all, std::vector<NoisePlace>& places, double least,
+                            base::Progress& progress) {
   std::sort(places.begin(), places.end(),
             [](const NoisePlace& a, const NoisePlace& b) { return a.value < b.value; });
   const std::size_t count = std::clamp(places.size() / kFewestPlaces, std::size_t{1}, kRanges);
   std::vector<Range> ranges;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t begin = i * places.size() / count, end = (i + 1) * places.size() / count;
-    ranges.push_back(rangeOf(std::span(places).subspan(begin, end - begin), least));
+    ranges.push_back(rangeOf(all, std::span(places).subspan(begin, end - begin), least, progress));
   }
   return ranges;
 }
@@ -144,8 +144,8 @@ std::array<Squares, 3> squaresAlongAxes(const std::vector<Range>& ranges, double
     for (std::size_t h = 0; h < kSpacings; ++h) {
       std::vector<double> sizes, roundings;
       for (const Range& range : ranges)
-        for (const NoisePlace& place : range.places)
-          if (const double size = place.differences[axis][h]; !std::isnan(size)) {
+        for (const NoiseDifferences& place : range.places)
+          if (const double size = place[axis][h]; !std::isnan(size)) {
             sizes.push_back(size / range.size);
             roundings.push_back(rounding / (range.size * range.size));
           }
@@ -237,9 +237,9 @@ class Gauge {
   Reading read(const Range& range, double rounding) const {
     std::vector<double> sizes;
     double gain = 0.0;
-    for (const NoisePlace& place : range.places)
+    for (const NoiseDifferences& place : range.places)
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double size = place.differences[axis][spacing_];
+        const double size = place[axis][spacing_];
         if (gains_[axis] < 0.5 * best_ || std::isnan(size)) continue;
         sizes.push_back(size / std::sqrt(gains_[axis]));
         gain = gains_[axis];
@@ -282,11 +282,12 @@ scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
   scene::NoiseModel model;
   if (grid.missingCount() == grid.geometry().voxelCount()) return model;
   const double least = storageNoise(grid), slope = std::abs(grid.slope());
-  std::vector<NoisePlace> places = noisePlaces(grid, progress);
+  const NoisePlaces all(grid);
+  std::vector<NoisePlace> places = all.list(progress);
   if (places.empty()) return {{grid.minimum()}, {least * slope}, glm::dvec3(0.0)};
   // Rounded, and dithered.
   const double step = grid.storedType() == VoxelType::float32 ? 0.0 : 1.0, rounding = step * step / 6.0;
-  const std::vector<Range> ranges = believable(rangesOf(places, least));
+  const std::vector<Range> ranges = believable(rangesOf(all, places, least, progress));
   if (const std::vector<Range> noisy = smoothest(ranges); !noisy.empty())
     model.correlation = fitBlurs(squaresAlongAxes(noisy, rounding));
   const Gauge gauge(model.correlation);

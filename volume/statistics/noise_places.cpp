@@ -14,14 +14,18 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::uint64_t kPlaces = 120000;
+constexpr std::uint64_t kPlaces = 240000;
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
+// Runs along x: what takes long is to fetch a voxel from far away, its neighbours come with it.
 glm::ivec3 randomVoxel(glm::ivec3 dims, std::uint64_t number) {
+  constexpr std::uint64_t run = 6;
+  constexpr int step = 4;
   glm::ivec3 at;
   for (int i = 0; i < 3; ++i)
-    at[i] = static_cast<int>(base::uniformNoise(std::uint64_t{17} + static_cast<std::uint64_t>(i), number) *
-                             dims[i]);
+    at[i] = static_cast<int>(
+        base::uniformNoise(std::uint64_t{17} + static_cast<std::uint64_t>(i), number / run) * dims[i]);
+  at.x = (at.x + step * static_cast<int>(number % run)) % dims.x;
   return at;
 }
 
@@ -34,25 +38,34 @@ class Looker {
         dims_(grid.dims()),
         constants_{grid.storedMinimum(), grid.storedMaximum(), mostFrequent} {}
 
+  // Steepness is NaN where much is set to one value.
   NoisePlace at(std::uint64_t number) const {
     const glm::ivec3 at = randomVoxel(dims_, number);
-    NoisePlace place;
+    NoisePlace place{.number = number};
     double values = 0.0;
-    int opposite = 0;
+    int opposite = 0, set = isSet(stored(at)) ? 1 : 0;
     for (int axis = 0; axis < 3; ++axis) {
       const Opposite pair = oppositeAlong(at, axis);
       if (pair.distance == 0) continue;
       const double odd = (pair.after - pair.before) / pair.distance;
       place.steepness += odd * odd;
       values += 0.5 * (pair.after + pair.before);
+      set += pair.set;
       ++opposite;
     }
     place.value = values / opposite;
+    if (set >= 2) place.steepness = kNotANumber;
+    return place;
+  }
+
+  NoiseDifferences differencesAt(std::uint64_t number) const {
+    const glm::ivec3 at = randomVoxel(dims_, number);
+    NoiseDifferences differences{};
     for (int axis = 0; axis < 3; ++axis)
       for (int spacing = 1; spacing <= kNoiseSpacings; ++spacing)
-        place.differences[static_cast<std::size_t>(axis)][static_cast<std::size_t>(spacing - 1)] =
+        differences[static_cast<std::size_t>(axis)][static_cast<std::size_t>(spacing - 1)] =
             std::abs(fourthAlong(at, axis, spacing));
-    return place;
+    return differences;
   }
 
  private:
@@ -75,13 +88,15 @@ class Looker {
   struct Opposite {
     double before = 0.0, after = 0.0;
     int distance = 0;  // voxels between them
+    int set = 0;       // how many are set to one value
   };
   Opposite oppositeAlong(glm::ivec3 at, int axis) const {
     for (int reach = kNoiseSpacings; reach > 0; --reach) {
       if (!reaches(at, axis, reach)) continue;
       glm::ivec3 step(0);
       step[axis] = reach;
-      return {dithered(at - step), dithered(at + step), 2 * reach};
+      const int set = (isSet(stored(at - step)) ? 1 : 0) + (isSet(stored(at + step)) ? 1 : 0);
+      return {dithered(at - step), dithered(at + step), 2 * reach, set};
     }
     return {};
   }
@@ -134,22 +149,35 @@ double mostFrequentConstant(const Grid& grid) {
 
 }  // namespace
 
-std::vector<NoisePlace> noisePlaces(const Grid& grid, base::Progress& progress) {
-  std::vector<NoisePlace> places(std::min<std::uint64_t>(kPlaces, 4 * grid.geometry().voxelCount()));
-  const double constant = mostFrequentConstant(grid);
+NoisePlaces::NoisePlaces(const Grid& grid) : grid_(grid), mostFrequent_(mostFrequentConstant(grid)) {}
+
+std::vector<NoisePlace> NoisePlaces::list(base::Progress& progress) const {
+  std::vector<NoisePlace> places(std::min<std::uint64_t>(kPlaces, 4 * grid_.geometry().voxelCount()));
   std::visit(
       [&](const auto& voxels) {
-        const Looker looker(grid, voxels, constant);
-        parallelPieces(places.size(), 1024, progress, {}, [&](std::size_t begin, std::size_t end) {
+        const Looker looker(grid_, voxels, mostFrequent_);
+        parallelPieces(places.size(), 4096, progress, {}, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) places[i] = looker.at(i);
         });
       },
-      grid.voxels());
-  std::erase_if(places, [](const NoisePlace& place) {
-    return std::isnan(place.value) || std::all_of(place.differences.begin(), place.differences.end(),
-                                                  [](const auto& along) { return std::isnan(along[0]); });
-  });
+      grid_.voxels());
+  std::erase_if(
+      places, [](const NoisePlace& place) { return std::isnan(place.value) || std::isnan(place.steepness); });
   return places;
+}
+
+std::vector<NoiseDifferences> NoisePlaces::differencesAt(std::span<const NoisePlace> places,
+                                                         base::Progress& progress) const {
+  std::vector<NoiseDifferences> list(places.size());
+  std::visit(
+      [&](const auto& voxels) {
+        const Looker looker(grid_, voxels, mostFrequent_);
+        parallelPieces(places.size(), 512, progress, {}, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) list[i] = looker.differencesAt(places[i].number);
+        });
+      },
+      grid_.voxels());
+  return list;
 }
 
 }  // namespace isolux::volume

@@ -3,12 +3,14 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
+#include "base/quantiles.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/rays.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::volume {
@@ -66,27 +68,42 @@ TEST(CurvatureStatistics, AtAScaleSeeThroughNoise) {
   EXPECT_GT(plain.high - plain.low, 5.0 * (found.high - found.low));
 }
 
-TEST(CurvatureStatistics, OfATorusHaveTheQuantilesOfItsClosedForm) {
+TEST(CurvatureStatistics, OfATorusAreThoseOfWhatCanBeSeenOfItsClosedForm) {
   const GridGeometry geometry = test::isotropicGeometry(128);
   const Subject torus("torus", geometry);
   const CurvatureStatistics s = curvatureStatistics(torus.grid, torus.blocks, 0.0);
-  const double major = 0.27 * 127.0, minor = 0.12 * 127.0;
+  const double minor = 0.12 * 127.0;
   expectAll(s.of(LookMode::kappa1), 1.0 / minor, 0.03 / minor);
-  // kappa2 = cos w / (major + minor cos w) over angles w of the tube, with area (major + minor cos w) dw.
-  const auto quantile = [&](double fraction) {
-    double area = 0.0;
-    const double total = std::numbers::pi * major;
-    double w = std::numbers::pi;  // from the innermost circle outward
-    while (area < fraction * total) {
-      area += (major + minor * std::cos(w)) * 1e-4;
-      w -= 1e-4;
-    }
-    return std::cos(w) / (major + minor * std::cos(w));
-  };
-  // Edges weigh a surface by |nx| + |ny| + |nz|, which moves quantiles a little.
-  EXPECT_NEAR(s.of(LookMode::kappa2).low, quantile(0.05), 0.004);
+  // First hits of rays of every direction, by formula; ten directions stand for all of them.
+  const auto field = test::analyticField("torus", geometry);
+  std::vector<double> seen;
+  for (std::uint64_t i = 0; seen.size() < 20000; ++i) {
+    const glm::dvec3 direction = glm::normalize(2.0 * test::randomVector(i, 1) - 1.0 + 1e-9),
+                     part = test::randomVector(i, 2);
+    if (glm::length(2.0 * test::randomVector(i, 1) - 1.0) > 1.0) continue;  // even on the sphere
+    const glm::dvec3 right = glm::normalize(glm::cross(direction, glm::dvec3(0.6, 0.8, 0.0)));
+    const glm::dvec3 centre = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(glm::dvec3(63.5), 1.0));
+    const glm::dvec3 start =
+        centre + 130.0 * ((part.x - 0.5) * right + (part.y - 0.5) * glm::cross(right, direction) - direction);
+    if (const auto t = field->firstHit(start, direction, 0.0))
+      seen.push_back(field->curvature(start + *t * direction).kappa2);
+  }
+  const auto quantile = [&](double part) { return base::quantile(seen, part); };
+  EXPECT_NEAR(s.of(LookMode::kappa2).low, quantile(0.05), 0.006);
   EXPECT_NEAR(s.of(LookMode::kappa2).median, quantile(0.5), 0.004);
   EXPECT_NEAR(s.of(LookMode::kappa2).high, quantile(0.95), 0.002);
+}
+
+// A cavity is bent ten times as much as all that can be seen.
+TEST(CurvatureStatistics, AreOfWhatCanBeSeen) {
+  const Grid grid = test::gridOfVoxels(test::unitGeometry(glm::ivec3(96)), [](glm::dvec3 p) {
+    const double r = glm::length(p - glm::dvec3(47.5));
+    const glm::dvec3 q = (p - glm::dvec3(47.5)) / 8.0 - glm::round((p - glm::dvec3(47.5)) / 8.0);
+    return std::min(40.0 - r, r > 32.0 ? 100.0 : 8.0 * glm::length(q) - 3.0);
+  });
+  base::Progress progress;
+  const CurvatureStatistics s = curvatureStatistics(grid, MinMaxBlocks(grid, 8, progress), 0.0);
+  expectAll(s.of(LookMode::kappa1), 1.0 / 40.0, 0.1 / 40.0);
 }
 
 TEST(CurvatureStatistics, WithoutASurfaceAreZero) {

@@ -45,7 +45,7 @@ TEST(PointsAtScale, AreTheSplineAtScaleZero) {
   }
 }
 
-// The field that pictures are drawn with, but for the splines: a twentieth at 1 voxel, less at larger scales.
+// The field that pictures are drawn with, but for the splines: a tenth at 1 voxel, less at larger scales.
 TEST(PointsAtScale, AgreeWithTheScaledField) {
   for (const GridGeometry& geometry : {test::isotropicGeometry(40), test::obliqueLeftHandedGeometry(40)}) {
     const Grid grid = test::withNoise(test::phantomGrid("torus", geometry), 0.5, glm::dvec3(0.0), 3);
@@ -64,7 +64,7 @@ TEST(PointsAtScale, AgreeWithTheScaledField) {
           error += std::pow(largest(found[i].hessian - hessian), 2);
           size += std::pow(largest(hessian), 2);
         }
-        EXPECT_LT(std::sqrt(error / size), voxels < 1.5 ? 0.08 : 0.03) << voxels << ' ' << margin;
+        EXPECT_LT(std::sqrt(error / size), voxels < 1.5 ? 0.12 : 0.03) << voxels << ' ' << margin;
       }
     }
   }
@@ -100,11 +100,12 @@ TEST(ScaleErrors, BalanceNoiseAndWhatIsLost) {
   const double noise = 0.3;
   for (const double scale : {1.0, 2.0, 4.0, 8.0}) {
     const double next = 2.0 * scale, ofNoise = std::pow(scale, -4.0) - std::pow(next, -4.0);
-    steps.push_back({std::pow(scale, -4.0), noise * ofNoise + 1e-4 * scale, ofNoise});
+    steps.push_back({std::pow(scale, -4.0), noise * ofNoise + 1e-3 * scale, ofNoise});
   }
   const ScaleErrors errors = scaleErrors(steps, noise);
-  EXPECT_EQ(errors.best, 2u);  // 0.3 / 256 + 3e-4
-  EXPECT_NEAR(errors.lost[2], 3e-4, 2e-4);
+  EXPECT_EQ(errors.best, 2u);         // 0.3 / 256 + 3e-3
+  EXPECT_GT(errors.lost[2], 1.5e-3);  // 3e-3, of which noise hides a part
+  EXPECT_LT(errors.lost[2], 4.5e-3);
   EXPECT_NEAR(errors.noise[2], noise / 256.0, 1e-12);
   EXPECT_EQ(scaleErrors(steps, 0.0).best, 0u);
 }
