@@ -191,7 +191,8 @@ volume::DerivativeChoice chosenWithProgressBar(const PreparedVolume& prepared, s
                                                base::Progress& progress) {
   progress.report(0.0, "measuring noise");
   const ProgressBar bar(progress);
-  return prepared.derivativeChoices->choose(prepared.facts.suggestedIsovalue, field, progress);
+  return prepared.derivativeChoices->choose(
+      {.isovalue = prepared.facts.suggestedIsovalue, .field = field, .noise = {}}, progress);
 }
 
 }  // namespace
