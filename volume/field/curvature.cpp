@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "volume/field/noise_gain.h"
+#include "volume/field/scaled_field.h"
 
 namespace isolux::volume {
 
@@ -63,8 +64,8 @@ PrincipalCurvature principalCurvature(glm::dvec3 worldGradient, const glm::dmat3
 }
 
 CurvatureScale curvatureScale(const GridGeometry& geometry, scene::Field field, double noise,
-                              const glm::dvec3& noiseBlur) {
-  const NoiseGain gain = noiseGain(field, noiseBlur);
+                              const glm::dvec3& noiseBlur, double scaleMm) {
+  const NoiseGain gain = noiseGain(field, noiseBlur, deviationsInVoxels(geometry, scaleMm));
   const glm::dmat3 worldFromGradient = glm::transpose(glm::inverse(glm::dmat3(geometry.worldFromVoxel)));
   const glm::dvec3 squares(glm::dot(worldFromGradient[0], worldFromGradient[0]),
                            glm::dot(worldFromGradient[1], worldFromGradient[1]),

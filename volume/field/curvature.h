@@ -51,9 +51,10 @@ struct CurvatureScale {
 };
 // `noise`: standard deviation of a voxel's value, and the blur that its neighbours correlate by
 // (scene::NoiseModel), propagated through the field's derivative weights (mean square over positions) and the
-// spacing of voxels (root mean square over directions).
+// spacing of voxels (root mean square over directions). scaleMm: of the field at a scale (scaled_field.h); 0:
+// the field itself.
 CurvatureScale curvatureScale(const GridGeometry& geometry, scene::Field field, double noise,
-                              const glm::dvec3& noiseBlur = glm::dvec3(0.0));
+                              const glm::dvec3& noiseBlur = glm::dvec3(0.0), double scaleMm = 0.0);
 
 double curvatureConfidence(const PrincipalCurvature& curvature, glm::dvec3 worldGradient,
                            const CurvatureScale& scale);

@@ -20,7 +20,10 @@ struct NoiseGain {
 // (scene::NoiseModel). A sample contributes the product of b(x), b(y), b(z) to the field; with a(k) the
 // correlation of noise k voxels apart, the mean square of the n-th derivative is the sum over k of a(k) times
 // the autocorrelation of b's n-th derivative at k, which for B-splines is (-1)^n times the 2n-th derivative
-// of the B-spline of twice the order (Unser 1999).
-NoiseGain noiseGain(scene::Field field, const glm::dvec3& blur = glm::dvec3(0.0));
+// of the B-spline of twice the order (Unser 1999). `deviations`: of the field at a scale, voxels
+// (deviationsInVoxels); all 0: the field itself. Correlations between the axes of a sheared grid are left
+// out.
+NoiseGain noiseGain(scene::Field field, const glm::dvec3& blur = glm::dvec3(0.0),
+                    const glm::dvec3& deviations = glm::dvec3(0.0));
 
 }  // namespace isolux::volume

@@ -18,18 +18,6 @@ double sumOf(const HalfKernel& kernel) {
   return sum;
 }
 
-HalfKernel cutToSumOne(HalfKernel kernel) {
-  const double sum = sumOf(kernel);
-  double beyond = 0.0;
-  while (kernel.size() > 1 && beyond + 2.0 * std::abs(kernel.back()) < kTail * std::abs(sum)) {
-    beyond += 2.0 * std::abs(kernel.back());
-    kernel.pop_back();
-  }
-  const double left = sumOf(kernel);
-  for (double& weight : kernel) weight /= left;
-  return kernel;
-}
-
 HalfKernel sampledGaussian(double parameter) {
   HalfKernel kernel(static_cast<std::size_t>(std::ceil(kGaussianReach * parameter)) + 1);
   for (std::size_t k = 0; k < kernel.size(); ++k) {
@@ -50,6 +38,18 @@ double sampledVariance(double parameter) {
 }
 
 }  // namespace
+
+HalfKernel cutToSumOne(HalfKernel kernel) {
+  const double sum = sumOf(kernel);
+  double beyond = 0.0;
+  while (kernel.size() > 1 && beyond + 2.0 * std::abs(kernel.back()) < kTail * std::abs(sum)) {
+    beyond += 2.0 * std::abs(kernel.back());
+    kernel.pop_back();
+  }
+  const double left = sumOf(kernel);
+  for (double& weight : kernel) weight /= left;
+  return kernel;
+}
 
 double gaussianParameter(double variance) {
   if (variance >= 1.0) return std::sqrt(variance);
@@ -79,7 +79,7 @@ HalfKernel quinticPrefilter() {
     for (std::size_t k = 0; k < response.size(); ++k) response[k] = std::pow(z, static_cast<double>(k));
     return cutToSumOne(std::move(response));
   };
-  return convolved(ofPole(-13.0 + std::sqrt(105.0)), ofPole(-13.0 - std::sqrt(105.0)));
+  return cutToSumOne(convolved(ofPole(-13.0 + std::sqrt(105.0)), ofPole(-13.0 - std::sqrt(105.0))));
 }
 
 HalfKernel convolved(const HalfKernel& a, const HalfKernel& b) {
@@ -89,7 +89,11 @@ HalfKernel convolved(const HalfKernel& a, const HalfKernel& b) {
     for (int m = std::max(-reachA, k - reachB); m <= std::min(reachA, k + reachB); ++m)
       sum[static_cast<std::size_t>(k)] +=
           a[static_cast<std::size_t>(std::abs(m))] * b[static_cast<std::size_t>(std::abs(k - m))];
-  return cutToSumOne(std::move(sum));
+  return sum;
+}
+
+HalfKernel scaleKernel(const HalfKernel& smoothing) {
+  return cutToSumOne(convolved(smoothing, quinticPrefilter()));
 }
 
 }  // namespace isolux::volume

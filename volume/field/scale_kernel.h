@@ -23,8 +23,13 @@ HalfKernel smoothingKernel(scene::Field field, double deviation);
 // 1) / 120, whose poles are -0.4306 and -0.0431 (Unser, Aldroubi & Eden 1993, part II, table I).
 HalfKernel quinticPrefilter();
 
-// Convolution of both, cut where less than 1e-9 of it is beyond, of sum 1.
 HalfKernel convolved(const HalfKernel& a, const HalfKernel& b);
+
+// Without what has less than 1e-9 of the sum at its ends; the rest of sum 1.
+HalfKernel cutToSumOne(HalfKernel kernel);
+
+// From samples to coefficients of the field at a scale, along one axis: smoothing and prefilter.
+HalfKernel scaleKernel(const HalfKernel& smoothing);
 
 // The parameter of the sampled Gaussian whose variance this is.
 double gaussianParameter(double variance);

@@ -126,8 +126,8 @@ ScaledField scaledField(const Grid& grid, scene::Field field, double scaleMm, ba
   if (gaps) fillWithMeans(values, grid.dims(), smoothing, progress, {0.1, 0.4, kSmoothing});
   smoothing.direct(values, Beyond::reflected, progress, {0.4, 0.6, kSmoothing});
   for (int i = 0; i < 3; ++i)
-    smoothing.filterAxis(values, i, convolved(smoothing.axis(i), quinticPrefilter()), Beyond::reflected,
-                         progress, {0.6 + 0.1 * i, 0.7 + 0.1 * i, kSmoothing});
+    smoothing.filterAxis(values, i, scaleKernel(smoothing.axis(i)), Beyond::reflected, progress,
+                         {0.6 + 0.1 * i, 0.7 + 0.1 * i, kSmoothing});
   findRange(result.coefficients, progress);
   held.shrinkTo(bytes);
   result.coefficients.held = std::move(held);

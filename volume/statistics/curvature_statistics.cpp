@@ -35,16 +35,9 @@ Quantiles quantilesOf(std::vector<double>& values) {
   return {lowerQuantile(values, 0.05), lowerQuantile(values, 0.5), lowerQuantile(values, 0.95)};
 }
 
-}  // namespace
-
-Quantiles CurvatureStatistics::of(scene::LookMode look) const {
-  const auto found = measures.find(look);
-  return found == measures.end() ? Quantiles{} : found->second;
-}
-
-CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward, const Coefficients* coefficients,
-                                        std::size_t wanted) {
+template <class SampleAt>
+CurvatureStatistics statisticsOf(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                 double outward, const SampleAt& sampleAt, std::size_t wanted) {
   CurvatureStatistics result;
   std::vector<std::uint32_t> active;
   const auto stored = static_cast<float>(grid.storedOfValue(isovalue));
@@ -62,7 +55,7 @@ CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& bl
     const glm::ivec3 high = glm::min(low + blocks.blockCells(), grid.dims() - 1);
     const auto cut = cutOfRandomEdge(grid, isovalue, low, high, trial);
     if (!cut) continue;
-    const FieldSample field = coefficients ? sampleCubic(*coefficients, grid, *cut) : sampleCubic(grid, *cut);
+    const FieldSample field = sampleAt(*cut);
     const PrincipalCurvature k = principalCurvature(worldGradient(grid.geometry(), field.gradient),
                                                     worldHessian(grid.geometry(), field.hessian), outward);
     if (k.normal == glm::dvec3(0.0)) continue;
@@ -78,6 +71,28 @@ CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& bl
     result.measures[look.mode] = quantilesOf(values);
   }
   return result;
+}
+
+}  // namespace
+
+Quantiles CurvatureStatistics::of(scene::LookMode look) const {
+  const auto found = measures.find(look);
+  return found == measures.end() ? Quantiles{} : found->second;
+}
+
+CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                        double outward, const Coefficients* coefficients,
+                                        std::size_t wanted) {
+  const auto sampleAt = [&](glm::dvec3 voxel) {
+    return coefficients ? sampleCubic(*coefficients, grid, voxel) : sampleCubic(grid, voxel);
+  };
+  return statisticsOf(grid, blocks, isovalue, outward, sampleAt, wanted);
+}
+
+CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                        double outward, const ScaledField& scaled, std::size_t wanted) {
+  const auto sampleAt = [&](glm::dvec3 voxel) { return sampleScaled(scaled, grid, voxel); };
+  return statisticsOf(grid, blocks, isovalue, outward, sampleAt, wanted);
 }
 
 }  // namespace isolux::volume

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "scene/looks.h"
-#include "volume/field/coefficients.h"
+#include "volume/field/scaled_field.h"
 #include "volume/grid.h"
 #include "volume/skip/min_max_blocks.h"
 
@@ -31,5 +31,8 @@ struct CurvatureStatistics {
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                         double outward = -1.0, const Coefficients* coefficients = nullptr,
                                         std::size_t wanted = 2000);
+// Curvature of the field at a scale.
+CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                        double outward, const ScaledField& scaled, std::size_t wanted = 2000);
 
 }  // namespace isolux::volume

@@ -37,6 +37,50 @@ TEST(CubicFields, AreMadeOnceAndOnlyWhenASceneAsksForThem) {
   EXPECT_EQ(fields.make(scene::Field::trilinear, progress), nullptr);
 }
 
+TEST(CubicFields, TheLastTwoScalesAreKept) {
+  CubicFields fields(ball());
+  base::Progress progress;
+  const auto field = scene::Field::cubic;
+  const auto first = fields.make(field, 0.5, progress);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->scaleMm, 0.5);
+  EXPECT_EQ(fields.find(field, 0.5), first);
+  EXPECT_EQ(fields.find(scene::Field::cubic_interpolating, 0.5), nullptr);
+  const auto second = fields.make(field, 1.0, progress);
+  EXPECT_EQ(fields.make(field, 0.5, progress), first);  // asked for last now
+  fields.make(field, 2.0, progress);
+  EXPECT_EQ(fields.find(field, 1.0), nullptr);
+  EXPECT_EQ(fields.find(field, 0.5), first);
+  EXPECT_TRUE(fields.find(field, 2.0));
+  EXPECT_EQ(fields.make(field, 0.0, progress), nullptr);
+  EXPECT_EQ(fields.make(scene::Field::trilinear, 1.0, progress), nullptr);
+}
+
+TEST(CubicFields, ScalesOfASceneAreMadeWhereALookReadsThem) {
+  CubicFields fields(ball());
+  base::Progress progress;
+  scene::Scene scene;
+  scene.hit.field = scene::Field::trilinear;
+  scene.derivatives.scale = 1.0;
+  scene.derivatives.normalScale = 0.0;
+  scene.look.mode = scene::LookMode::blinn_phong;
+  EXPECT_TRUE(fields.readyFor(scene));  // no curvature is read
+  scene.look.mode = scene::LookMode::mean_curvature;
+  EXPECT_FALSE(fields.readyFor(scene));
+  fields.makeFor(scene, progress);
+  EXPECT_TRUE(fields.readyFor(scene));
+  EXPECT_TRUE(fields.find(scene::Field::cubic, 1.0));
+  scene.derivatives.normalScale = 0.5;
+  EXPECT_FALSE(fields.readyFor(scene));
+  fields.makeFor(scene, progress);
+  EXPECT_TRUE(fields.find(scene::Field::cubic, 0.5));
+  EXPECT_TRUE(fields.readyFor(scene));
+  scene.derivatives.field = scene::Field::cubic_interpolating;  // only at scales: no other coefficients
+  fields.makeFor(scene, progress);
+  EXPECT_FALSE(fields.find(scene::Field::cubic_interpolating));
+  EXPECT_TRUE(fields.readyFor(scene));
+}
+
 TEST(CubicFields, AStoppedOneIsNotKept) {
   CubicFields fields(ball());
   base::Progress stopped, progress;

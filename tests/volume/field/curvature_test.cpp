@@ -245,6 +245,42 @@ TEST(CurvatureScale, HessianNoiseIsThatOfFieldsOfNoise) {
     }
 }
 
+// Fields of noise at a scale: mean squares over several volumes, because smooth noise has few independent
+// places.
+TEST(CurvatureScale, NoiseAtAScaleIsThatOfFieldsOfNoise) {
+  base::Progress progress;
+  for (const dvec3& spacing : {dvec3(0.8), dvec3(0.8, 0.8, 2.4)})
+    for (const dvec3& blur : kNoiseBlurs)
+      for (const double scale : {0.3, 0.9, 1.5})
+        for (const scene::Field field : {scene::Field::cubic, scene::Field::cubic_interpolating}) {
+          const GridGeometry geometry = GridGeometry::make(glm::ivec3(64), spacing);
+          double gradients = 0.0, hessians = 0.0;
+          constexpr std::uint64_t volumes = 3, points = 6000;
+          for (std::uint64_t seed = 0; seed < volumes; ++seed) {
+            const Grid grid(geometry, test::blurredNoise(geometry.dims, blur, seed));
+            const ScaledField scaled = scaledField(grid, field, scale, progress);
+            for (std::uint64_t i = 0; i < points; ++i) {
+              const dvec3 p = 10.0 + 43.0 * test::randomVector(i, seed);
+              const FieldSample sample = sampleScaled(scaled, grid, p);
+              const dvec3 g = worldGradient(geometry, sample.gradient);
+              gradients += glm::dot(g, g) / 3.0 / (volumes * points);
+              const dvec3 random = test::randomVector(i, seed + 50);
+              const double z = 2.0 * random.x - 1.0, angle = 6.283185307 * random.y;
+              const dvec3 direction(std::sqrt(1.0 - z * z) * std::cos(angle),
+                                    std::sqrt(1.0 - z * z) * std::sin(angle), z);
+              hessians +=
+                  std::pow(glm::dot(direction, worldHessian(geometry, sample.hessian) * direction), 2) /
+                  (volumes * points);
+            }
+          }
+          const CurvatureScale expected = curvatureScale(geometry, field, 1.0, blur, scale);
+          EXPECT_NEAR(expected.gradientNoise, std::sqrt(gradients), 0.03 * std::sqrt(gradients))
+              << scale << ' ' << blur.z << ' ' << spacing.z;
+          EXPECT_NEAR(expected.hessianNoise, std::sqrt(hessians), 0.04 * std::sqrt(hessians))
+              << scale << ' ' << blur.z << ' ' << spacing.z;
+        }
+}
+
 // A flat face under noise has no direction, though it bends everywhere a little.
 TEST(CurvatureConfidence, NoiseOnAFlatFaceIsNoShape) {
   const GridGeometry geometry = test::isotropicGeometry(40);

@@ -49,6 +49,23 @@ TEST(CurvatureStatistics, OfABallAreItsRadius) {
   }
 }
 
+// Noise that bends every voxel's surface leaves the ball's curvature at a scale.
+TEST(CurvatureStatistics, AtAScaleSeeThroughNoise) {
+  const GridGeometry geometry = test::isotropicGeometry(64);
+  const Subject ball("ball", geometry);
+  const Grid noisy = test::withNoise(ball.grid, 0.5 * geometry.spacingMm().x, glm::dvec3(0.0), 3);
+  base::Progress progress;
+  const MinMaxBlocks blocks(noisy, 8, progress);
+  const ScaledField scaled = scaledField(noisy, scene::Field::cubic, 3.0 * geometry.spacingMm().x, progress);
+  const double k = 1.0 / (0.35 * 63.0 * geometry.spacingMm().x);
+  const Quantiles plain = curvatureStatistics(noisy, blocks, 0.0).of(LookMode::mean_curvature),
+                  found = curvatureStatistics(noisy, blocks, 0.0, -1.0, scaled).of(LookMode::mean_curvature);
+  EXPECT_NEAR(found.median, k, 0.05 * k);
+  EXPECT_NEAR(found.low, k, 0.5 * k);
+  EXPECT_NEAR(found.high, k, 0.5 * k);
+  EXPECT_GT(plain.high - plain.low, 5.0 * (found.high - found.low));
+}
+
 TEST(CurvatureStatistics, OfATorusHaveTheQuantilesOfItsClosedForm) {
   const GridGeometry geometry = test::isotropicGeometry(128);
   const Subject torus("torus", geometry);
