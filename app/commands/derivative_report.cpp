@@ -57,8 +57,12 @@ DerivativeFacts derivativeFacts(render::Renderer& renderer, const scene::Derivat
                                 const scene::Scene& drawn, const render::FrameRequest& request,
                                 const render::FrameReport& report, const volume::PreparedVolume& volume) {
   DerivativeFacts facts{asked, drawn, {}, report.curvature, {}};
-  facts.choice =
-      volume.derivativeChoices->find({drawn.isosurface.value.value(), drawn.derivatives.field, asked.noise});
+  const volume::DerivativeChoices& choices = *volume.derivativeChoices;
+  const volume::DerivativeQuestion whole{drawn.isosurface.value.value(), drawn.derivatives.field,
+                                         asked.noise},
+      ofNoise{whole.isovalue, whole.field, drawn.derivatives.noise};  // which was known before
+  facts.choice = choices.find(whole);
+  if (!facts.choice) facts.choice = choices.find(ofNoise);
   const bool readsCurvature = (request.color && scene::needsCurvature(drawn)) ||
                               std::any_of(request.aovs.begin(), request.aovs.end(),
                                           [](render::Aov aov) { return render::readsHessian(aov); });

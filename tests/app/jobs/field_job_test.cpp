@@ -84,7 +84,8 @@ TEST(FieldJob, ChoosesWhatIsAutomatic) {
   const FieldJob job(volume, scene);
   ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
   EXPECT_TRUE(fieldsAreReady(scene, *volume));
-  const auto choice = volume->derivativeChoices->find({0.0, scene.derivatives.field});
+  const auto choice =
+      volume->derivativeChoices->find({.isovalue = 0.0, .field = scene.derivatives.field, .noise = {}});
   ASSERT_TRUE(choice);
   const scene::Derivatives drawn = withReadyFields(scene, *volume).derivatives;
   EXPECT_EQ(drawn.normalScale, choice->normalScaleMm);
