@@ -103,7 +103,8 @@ TEST_F(ReferencePicture, NormalsAreAtTheScaleThatTheSceneNames) {
   scene_.lamps[0].shown = true;
   scene_.lamps[0].kind = scene::LampKind::directional;
   scene_.lamps[0].direction = {0.2, -1.0, 0.3};
-  use(test::prepared(test::withNoise(test::phantomGrid("ball", 40), 0.3, glm::dvec3(0.0), 4)));
+  scene_.gi.bounces = 0;
+  use(test::prepared(test::withNoise(test::phantomGrid("ball", 40), 0.1, glm::dvec3(0.0), 4)));
   const glm::dvec3 toward = glm::normalize(scene_.lamps[0].direction);
   const auto squareError = [&](double normalScale) {
     scene_.derivatives.normalScale = normalScale;
@@ -115,8 +116,8 @@ TEST_F(ReferencePicture, NormalsAreAtTheScaleThatTheSceneNames) {
       for (int x = 0; x < image.size.x; ++x) {
         const auto hit = hits.at({x, y});
         const double cosine = hit ? glm::dot(glm::normalize(hit->voxel - 19.5), toward) : 0.0;
-        if (cosine < 0.5) continue;
         const auto i = static_cast<std::size_t>(y * image.size.x + x);
+        if (cosine < 0.5 || image.irradiance[i].x == 0.0f) continue;  // beside the light, or behind a bump
         sum += std::pow(image.irradiance[i].x / (pi * scene_.lamps[0].intensity) - cosine, 2);
         ++count;
       }
