@@ -137,7 +137,7 @@ void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& pro
 }
 
 void Studio::requireSurface(const scene::Scene& scene, base::Progress& progress) {
-  const TrueSurface truth = truth_.of(scene.hit.field, scene.derivatives.field, progress);
+  const TrueSurface truth = truth_.of(scene.hit.field, scene.derivatives, progress);
   if (std::none_of(truth.hits.begin(), truth.hits.end(), [](const TrueHit& h) { return h.hit; }))
     throw base::Error(base::ErrorKind::usage, "", "isosurface.value",
                       "no pixel of this view shows the surface");
@@ -163,8 +163,8 @@ void Studio::judgeScale(const Alternative& alternative, StudySetting& setting, b
 
 StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, base::Progress& progress) {
   const scene::Scene& scene = alternative.scene;
-  const auto errors = [&](scene::Field hitField, scene::Field shapeField) {
-    const TrueSurface truth = truth_.of(hitField, shapeField, progress);
+  const auto errors = [&](scene::Field hitField, const auto& shape) {
+    const TrueSurface truth = truth_.of(hitField, shape, progress);
     return errorsOf(alternative.images, truth,
                     [&](std::size_t pixel) { return truth_.undecided(hitField, pixel); });
   };
@@ -178,11 +178,11 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
     judgeScale(alternative, setting, progress);
     return setting;
   }
-  setting.errors = errors(scene.hit.field, scene.derivatives.field);
+  setting.errors = errors(scene.hit.field, scene.derivatives);
   constexpr scene::Field best = scene::Field::cubic_interpolating;
   if (knob.field)
     setting.fieldErrors =
-        knob.measure == Measure::hits ? errors(best, scene.derivatives.field) : errors(scene.hit.field, best);
+        knob.measure == Measure::hits ? errors(best, scene.derivatives) : errors(scene.hit.field, best);
   return setting;
 }
 

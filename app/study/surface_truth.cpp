@@ -112,41 +112,71 @@ const SurfaceTruth::Hits& SurfaceTruth::hitsOf(Field field, base::Progress& prog
   return hits;
 }
 
-TrueShape SurfaceTruth::shapeAt(Field field, const glm::dvec3& voxel) const {
+SurfaceTruth::ShapeSource SurfaceTruth::sourceOf(const scene::Derivatives& derivatives,
+                                                 base::Progress& progress) {
+  const Field field = derivatives.field;
+  const double scale = derivatives.scale.value_or(0.0), normalScale = derivatives.normalScale.value_or(0.0);
+  prepare(field, progress);
+  volume::CubicFields& fields = *volume_->cubicFields;
+  return {field, fields.make(field, scale, progress), fields.make(field, normalScale, progress),
+          volume::curvatureScale(volume_->grid().geometry(), field, noise_, noiseBlur_, scale)};
+}
+
+// As the shader: next to missing voxels the cell's own gradient, and no curvature.
+SurfaceTruth::KnownSample SurfaceTruth::sampleAt(Field field, const volume::ScaledField* scaled,
+                                                 const glm::dvec3& voxel) const {
   const volume::Grid& grid = volume_->grid();
-  volume::FieldSample sample = field == Field::trilinear ? volume::sampleTrilinear(grid, voxel)
-                               : field == Field::cubic
-                                   ? volume::sampleCubic(grid, voxel)
-                                   : volume::sampleCubic(*cubic_[indexOf(field)]->coefficients, grid, voxel);
-  const bool known = std::isfinite(sample.value);
-  // As the shader: next to missing voxels the cell's own gradient, and no curvature.
-  if (!known) sample = volume::sampleTrilinear(grid, voxel);
-  const glm::dvec3 gradient = volume::worldGradient(grid.geometry(), sample.gradient);
+  if (scaled) return {volume::sampleScaled(*scaled, grid, voxel)};
+  const volume::FieldSample sample =
+      field == Field::trilinear ? volume::sampleTrilinear(grid, voxel)
+      : field == Field::cubic   ? volume::sampleCubic(grid, voxel)
+                                : volume::sampleCubic(*cubic_[indexOf(field)]->coefficients, grid, voxel);
+  if (std::isfinite(sample.value)) return {sample};
+  return {volume::sampleTrilinear(grid, voxel), false};
+}
+
+TrueShape SurfaceTruth::shapeAt(const ShapeSource& source, const glm::dvec3& voxel) const {
+  const volume::GridGeometry& geometry = volume_->grid().geometry();
+  const auto [sample, known] = sampleAt(source.field, source.curvature.get(), voxel);
+  const glm::dvec3 gradient = volume::worldGradient(geometry, sample.gradient);
   const volume::PrincipalCurvature curvature =
-      volume::principalCurvature(gradient, volume::worldHessian(grid.geometry(), sample.hessian), outward_);
+      volume::principalCurvature(gradient, volume::worldHessian(geometry, sample.hessian), outward_);
   TrueShape shape;
   shape.normal = curvature.normal;
-  shape.hasNormal = curvature.normal != glm::dvec3(0.0);
-  const double noise = volume::curvatureScale(grid.geometry(), field, noise_, noiseBlur_).gradientNoise;
-  shape.hasCurvature = known && shape.hasNormal && glm::length(gradient) >= volume::kClearGradient * noise;
+  if (source.normals != source.curvature) {
+    const volume::FieldSample seen = sampleAt(source.field, source.normals.get(), voxel).sample;
+    shape.normal =
+        volume::principalCurvature(volume::worldGradient(geometry, seen.gradient), glm::dmat3(0.0), outward_)
+            .normal;
+  }
+  shape.hasNormal = shape.normal != glm::dvec3(0.0);
+  shape.hasCurvature = known && curvature.normal != glm::dvec3(0.0) &&
+                       glm::length(gradient) >= volume::kClearGradient * source.noise.gradientNoise;
   shape.kappa1 = curvature.kappa1;
   shape.kappa2 = curvature.kappa2;
   return shape;
 }
 
 TrueSurface SurfaceTruth::of(Field hitField, Field shapeField, base::Progress& progress) {
+  scene::Derivatives derivatives;
+  derivatives.field = shapeField;
+  return of(hitField, derivatives, progress);
+}
+
+TrueSurface SurfaceTruth::of(Field hitField, const scene::Derivatives& derivatives,
+                             base::Progress& progress) {
   const Hits& hits = hitsOf(hitField, progress);
-  prepare(shapeField, progress);
-  Shapes& shapes = shapes_[indexOf(hitField)][indexOf(shapeField)];
+  const ShapeSource source = sourceOf(derivatives, progress);
+  Shapes& shapes = shapes_[{hitField, derivatives.field, derivatives.scale.value_or(0.0),
+                            derivatives.normalScale.value_or(0.0)}];
   if (shapes.empty()) {
     Shapes found(hits.size());
     forEachPixel(found.size(), progress, [&](std::size_t i) {
-      if (hits[i].hit) found[i] = shapeAt(shapeField, hits[i].voxel);
+      if (hits[i].hit) found[i] = shapeAt(source, hits[i].voxel);
     });
     shapes = std::move(found);
   }
-  return {hits, shapes,
-          volume::curvatureScale(volume_->grid().geometry(), shapeField, noise_, noiseBlur_).flatCurvature};
+  return {hits, shapes, source.noise.flatCurvature};
 }
 
 bool SurfaceTruth::undecided(Field hitField, std::size_t pixel) const {

@@ -49,6 +49,8 @@ PrimaryHits::PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, c
     if (extra.shown) add(extra.value.value(), extra.albedo);
 
   cubic_ = volume_->cubicFields->make(field_, progress);
+  normalField_ = volume_->cubicFields->make(resolved.derivatives.field,
+                                            resolved.derivatives.normalScale.value_or(0.0), progress);
 }
 
 glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {

@@ -44,6 +44,9 @@ class PrimaryHits {
   // Where the pixel looks in the environment: an orthographic view sees as much of it as a perspective one.
   glm::vec3 backgroundDirection(glm::ivec2 pixel) const;
   const std::vector<Surface>& surfaces() const { return surfaces_; }
+  // The field that normals are of, where the scene names a scale for them (derivatives.normal_scale); else
+  // null.
+  const volume::ScaledField* normalField() const { return normalField_.get(); }
 
  private:
   glm::dvec2 ndcOf(glm::ivec2 pixel) const;
@@ -58,6 +61,7 @@ class PrimaryHits {
   scene::Field field_;
   std::vector<Surface> surfaces_;
   std::shared_ptr<const volume::CubicField> cubic_;  // of the cubic fields
+  std::shared_ptr<const volume::ScaledField> normalField_;
 };
 
 }  // namespace isolux::gi

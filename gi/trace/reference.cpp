@@ -126,8 +126,7 @@ bool Reference::findHitsOfRow(std::size_t row, const base::Progress& progress, R
     voxels.emplace_back(hit->voxel);
     columns.push_back(column);
   }
-  std::vector<glm::vec3> gradients(voxels.size());
-  tracer_->light().tracer->gradients(voxels, gradients);
+  const std::vector<glm::vec3> gradients = gradientsAt(voxels);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const PrimaryHit& hit = hits[i];
     const std::size_t pixel = row * width + columns[i];
@@ -146,6 +145,19 @@ bool Reference::findHitsOfRow(std::size_t row, const base::Progress& progress, R
     found.pixels[side].push_back(static_cast<std::uint32_t>(pixel));
   }
   return true;
+}
+
+// Stored units per voxel.
+std::vector<glm::vec3> Reference::gradientsAt(const std::vector<glm::vec3>& voxels) const {
+  std::vector<glm::vec3> gradients(voxels.size());
+  const volume::Grid& grid = volume_->grid();
+  if (const volume::ScaledField* const scaled = hits_.normalField())
+    std::transform(voxels.begin(), voxels.end(), gradients.begin(), [&](glm::vec3 voxel) {
+      return glm::vec3(volume::sampleScaled(*scaled, grid, glm::dvec3(voxel)).gradient / grid.slope());
+    });
+  else
+    tracer_->light().tracer->gradients(voxels, gradients);
+  return gradients;
 }
 
 void Reference::addTasks(std::size_t first) {

@@ -81,6 +81,7 @@ class Reference {
     std::array<std::vector<std::uint32_t>, 2> pixels;
   };
   bool findHitsOfRow(std::size_t row, const base::Progress& progress, RowPoints& found);
+  std::vector<glm::vec3> gradientsAt(const std::vector<glm::vec3>& voxels) const;
   void addTasks(std::size_t first);  // of all points from there on
   bool refineTask(Task& task, std::uint32_t samples, std::uint64_t& rays, const std::stop_token& stop);
 

@@ -267,6 +267,8 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
                                               "isosurface4.value",
                                               "hit.near_threshold",
                                               "derivatives.noise",
+                                              "derivatives.scale",
+                                              "derivatives.normal_scale",
                                               "look.texture_scale",
                                               "look.fog_color",
                                               "look.range_low",

@@ -52,7 +52,8 @@ struct Located {
 HWY_INLINE Located locate(glm::ivec3 dims, glm::vec4 point) {
   Located at;
   for (int axis = 0; axis < 3; ++axis) {
-    const float p = std::fmin(std::fmax(point[axis], 0.0f), static_cast<float>(dims[axis] - 1));
+    const float last = static_cast<float>(dims[axis] - 1), above = point[axis] > 0.0f ? point[axis] : 0.0f;
+    const float p = above < last ? above : last;
     at.cell[axis] = std::max(std::min(static_cast<int>(p), dims[axis] - 2), 0);
     at.part[axis] = p - static_cast<float>(at.cell[axis]);
   }

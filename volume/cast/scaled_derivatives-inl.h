@@ -41,6 +41,15 @@ struct Lanes8 {
     for (std::size_t i = 0; i < kParts; ++i) out.part[i] = hn::Sub(part[i], hn::Set(Part(), reference));
     return out;
   }
+  // this + factor v
+  HWY_INLINE Lanes8 plus(float factor, const Lanes8& v) const {
+    Lanes8 out = *this;
+    out.add(factor, v);
+    return out;
+  }
+  HWY_INLINE void store(float* eight) const {
+    for (std::size_t i = 0; i < kParts; ++i) hn::StoreU(part[i], Part(), eight + i * kWidth);
+  }
   HWY_INLINE void add(float weight, const Lanes8& v) {
     for (std::size_t i = 0; i < kParts; ++i)
       part[i] = hn::MulAdd(hn::Set(Part(), weight), v.part[i], part[i]);
@@ -49,6 +58,32 @@ struct Lanes8 {
     V sum = hn::Mul(part[0], v.part[0]);
     for (std::size_t i = 1; i < kParts; ++i) sum = hn::MulAdd(part[i], v.part[i], sum);
     return hn::GetLane(hn::SumOfLanes(Part(), sum));
+  }
+};
+
+// Factors of the quintic weights' polynomials, lowest power first, for eight taps.
+template <int order>
+struct QuinticFactors {
+  float of[6 - order][8];
+  constexpr QuinticFactors() : of{} {
+    for (int power = 0; power < 6 - order; ++power)
+      for (int tap = 0; tap < 8; ++tap) of[power][tap] = static_cast<float>(quinticFactor(order, power, tap));
+  }
+};
+template <int order>
+inline constexpr QuinticFactors<order> kQuinticFactors;
+
+// Weights of eight taps of which six count.
+struct Weights8 {
+  Lanes8 w, d1, d2;
+
+  static HWY_INLINE Weights8 at(float t) { return {polynomial<0>(t), polynomial<1>(t), polynomial<2>(t)}; }
+  template <int order>
+  static HWY_INLINE Lanes8 polynomial(float t) {
+    Lanes8 sum = Lanes8::load(kQuinticFactors<order>.of[5 - order]);
+    for (int power = 4 - order; power >= 0; --power)
+      sum = Lanes8::load(kQuinticFactors<order>.of[power]).plus(t, sum);
+    return sum;
   }
 };
 
@@ -64,81 +99,122 @@ class ScaledDerivativesAt {
   HWY_INLINE PointDerivatives operator()(glm::vec4 point) const;
 
  private:
+  // Six rows of one axis, of which the last may be none, and what they weigh.
+  struct Rows {
+    int first, count;
+    float w[8], d1[8], d2[8];
+  };
   // What the eight coefficients of a row from `first` on weigh.
   struct RowWeights {
     int first;
-    Lanes8 w, d1, d2;
+    Weights8 weights;
   };
-  HWY_INLINE RowWeights rowWeights(const QuinticTaps<float>& taps) const;
-  HWY_INLINE Lanes8 eightOf(const float* row, int first) const;
+  template <bool hessian, class LoadEight>
+  HWY_INLINE PointDerivatives sums(const RowWeights& x, const Rows& y, const Rows& z, int countY, int countZ,
+                                   const LoadEight& loadEight) const;
+  template <bool hessian>
+  HWY_NOINLINE PointDerivatives nearBorder(const Located& p) const;
+  static HWY_INLINE Rows rowsWithin(int cell, float t);
+  static Rows rowsFolded(int cell, float t, int n);
 
   glm::ivec3 dims_;
   const float* coefficients_;
   std::size_t row_, slice_;
 };
 
-// Eight lanes may begin before the taps: so none lies behind the row's end.
-HWY_INLINE ScaledDerivativesAt::RowWeights ScaledDerivativesAt::rowWeights(
-    const QuinticTaps<float>& taps) const {
-  const int first = std::max(std::min(taps.first, dims_.x - 8), 0), before = taps.first - first;
-  float w[8] = {}, d1[8] = {}, d2[8] = {};
-  for (int i = 0; i < kQuinticTaps; ++i) {
-    w[before + i] = taps.weights.w[i];
-    d1[before + i] = taps.weights.d1[i];
-    d2[before + i] = taps.weights.d2[i];
-  }
-  return {first, Lanes8::load(w), Lanes8::load(d1), Lanes8::load(d2)};
+HWY_INLINE ScaledDerivativesAt::Rows ScaledDerivativesAt::rowsWithin(int cell, float t) {
+  Rows rows;
+  rows.first = cell - 2;
+  rows.count = kQuinticTaps;
+  const Weights8 weights = Weights8::at(t);
+  weights.w.store(rows.w);
+  weights.d1.store(rows.d1);
+  weights.d2.store(rows.d2);
+  return rows;
 }
 
-HWY_INLINE Lanes8 ScaledDerivativesAt::eightOf(const float* row, int first) const {
-  if (dims_.x >= 8) return Lanes8::load(row + first);
-  float eight[8] = {};
-  std::copy_n(row, dims_.x, eight);
-  return Lanes8::load(eight);
+ScaledDerivativesAt::Rows ScaledDerivativesAt::rowsFolded(int cell, float t, int n) {
+  const QuinticTaps<float> taps = quinticTaps(cell, t, n);
+  Rows rows{taps.first, std::min(kQuinticTaps, n), {}, {}, {}};
+  std::copy_n(taps.weights.w, kQuinticTaps, rows.w);
+  std::copy_n(taps.weights.d1, kQuinticTaps, rows.d1);
+  std::copy_n(taps.weights.d2, kQuinticTaps, rows.d2);
+  return rows;
+}
+
+// Sums over y and z, along x still apart; then along x.
+template <bool hessian, class LoadEight>
+HWY_INLINE PointDerivatives ScaledDerivativesAt::sums(const RowWeights& x, const Rows& y, const Rows& z,
+                                                      int countY, int countZ,
+                                                      const LoadEight& loadEight) const {
+  const float* const corner = coefficients_ + static_cast<std::size_t>(z.first) * slice_ +
+                              static_cast<std::size_t>(y.first) * row_ + static_cast<std::size_t>(x.first);
+  const float reference = corner[0];
+  // y, z: how often they are derived.
+  Lanes8 sum = Lanes8::zero(), sumY = sum, sumZ = sum, sumYY = sum, sumYZ = sum, sumZZ = sum;
+  for (int k = 0; k < countZ; ++k) {
+    const float* const slice = corner + static_cast<std::size_t>(k) * slice_;
+    Lanes8 s = Lanes8::zero(), sy = s, syy = s;
+    for (int j = 0; j < countY; ++j) {
+      const Lanes8 samples = loadEight(slice + static_cast<std::size_t>(j) * row_).less(reference);
+      s.add(y.w[j], samples);
+      sy.add(y.d1[j], samples);
+      if constexpr (hessian) syy.add(y.d2[j], samples);
+    }
+    sum.add(z.w[k], s);
+    sumY.add(z.w[k], sy);
+    sumZ.add(z.d1[k], s);
+    if constexpr (hessian) {
+      sumYY.add(z.w[k], syy);
+      sumYZ.add(z.d1[k], sy);
+      sumZZ.add(z.d2[k], s);
+    }
+  }
+  const auto& [w, d1, d2] = x.weights;
+  PointDerivatives out{};
+  out.gradient = {d1.dot(sum), w.dot(sumY), w.dot(sumZ)};
+  if constexpr (hessian) {
+    out.diagonal = {d2.dot(sum), w.dot(sumYY), w.dot(sumZZ)};
+    out.mixed = {d1.dot(sumY), d1.dot(sumZ), w.dot(sumYZ)};
+  }
+  out.known = true;
+  return out;
+}
+
+// Where taps lie beyond the border, or eight lanes would end behind it.
+template <bool hessian>
+HWY_NOINLINE PointDerivatives ScaledDerivativesAt::nearBorder(const Located& p) const {
+  const Rows x = rowsFolded(p.cell.x, p.part.x, dims_.x), y = rowsFolded(p.cell.y, p.part.y, dims_.y),
+             z = rowsFolded(p.cell.z, p.part.z, dims_.z);
+  // Eight lanes may begin before the taps: so none lies behind the row's end.
+  const int first = std::max(std::min(x.first, dims_.x - 8), 0), before = x.first - first;
+  float w[8] = {}, d1[8] = {}, d2[8] = {};
+  std::copy_n(x.w, kQuinticTaps, w + before);
+  std::copy_n(x.d1, kQuinticTaps, d1 + before);
+  std::copy_n(x.d2, kQuinticTaps, d2 + before);
+  const RowWeights along{first, {Lanes8::load(w), Lanes8::load(d1), Lanes8::load(d2)}};
+  const auto loadEight = [width = dims_.x](const float* row) {
+    if (width >= 8) return Lanes8::load(row);
+    float eight[8] = {};
+    std::copy_n(row, width, eight);
+    return Lanes8::load(eight);
+  };
+  return sums<hessian>(along, y, z, y.count, z.count, loadEight);
 }
 
 template <bool hessian>
 HWY_INLINE PointDerivatives ScaledDerivativesAt::operator()(glm::vec4 point) const {
   const Located p = locate(dims_, point);
-  const QuinticTaps<float> x = quinticTaps(p.cell.x, p.part.x, dims_.x),
-                           y = quinticTaps(p.cell.y, p.part.y, dims_.y),
-                           z = quinticTaps(p.cell.z, p.part.z, dims_.z);
-  const RowWeights along = rowWeights(x);
-  const auto rowAt = [&](int j, int k) {
-    return coefficients_ + static_cast<std::size_t>(z.first + k) * slice_ +
-           static_cast<std::size_t>(y.first + j) * row_;
-  };
-  const float reference = *(rowAt(0, 0) + x.first);
-  const int countY = std::min(kQuinticTaps, dims_.y), countZ = std::min(kQuinticTaps, dims_.z);
-  // Sums over y and z, along x still apart; y, z: how often they are derived.
-  Lanes8 sum = Lanes8::zero(), sumY = sum, sumZ = sum, sumYY = sum, sumYZ = sum, sumZZ = sum;
-  for (int k = 0; k < countZ; ++k) {
-    Lanes8 s = Lanes8::zero(), sy = s, syy = s;
-    for (int j = 0; j < countY; ++j) {
-      const Lanes8 samples = eightOf(rowAt(j, k), along.first).less(reference);
-      s.add(y.weights.w[j], samples);
-      sy.add(y.weights.d1[j], samples);
-      if constexpr (hessian) syy.add(y.weights.d2[j], samples);
-    }
-    const float w = z.weights.w[k], d = z.weights.d1[k];
-    sum.add(w, s);
-    sumY.add(w, sy);
-    sumZ.add(d, s);
-    if constexpr (hessian) {
-      sumYY.add(w, syy);
-      sumYZ.add(d, sy);
-      sumZZ.add(z.weights.d2[k], s);
-    }
-  }
-  PointDerivatives out{};
-  out.gradient = {along.d1.dot(sum), along.w.dot(sumY), along.w.dot(sumZ)};
-  if constexpr (hessian) {
-    out.diagonal = {along.d2.dot(sum), along.w.dot(sumYY), along.w.dot(sumZZ)};
-    out.mixed = {along.d1.dot(sumY), along.d1.dot(sumZ), along.w.dot(sumYZ)};
-  }
   const glm::ivec3 low = p.cell - 2, high = p.cell + 3 - (dims_ - 1);
-  out.known = true;
-  out.within = low.x >= 0 && low.y >= 0 && low.z >= 0 && high.x <= 0 && high.y <= 0 && high.z <= 0;
+  const bool within = low.x >= 0 && low.y >= 0 && low.z >= 0 && high.x <= 0 && high.y <= 0 && high.z <= 0;
+  PointDerivatives out;
+  if (within && low.x + 8 <= dims_.x)
+    out = sums<hessian>({low.x, Weights8::at(p.part.x)}, rowsWithin(p.cell.y, p.part.y),
+                        rowsWithin(p.cell.z, p.part.z), kQuinticTaps, kQuinticTaps,
+                        [](const float* row) { return Lanes8::load(row); });
+  else
+    out = nearBorder<hessian>(p);
+  out.within = within;
   return out;
 }
 

@@ -11,33 +11,39 @@ namespace isolux::volume {
 
 inline constexpr int kQuinticTaps = 6;
 
+// 120 times the weight of tap i is the sum over p of kQuinticPolynomials[p][i] t^p. Eight taps, as vectors
+// have: the last two are none.
+inline constexpr int kQuinticPolynomials[6][8] = {{1, 26, 66, 26, 1, 0},    {-5, -50, 0, 50, 5, 0},
+                                                  {10, 20, -60, 20, 10, 0}, {-10, 20, 0, -20, 10, 0},
+                                                  {5, -20, 30, -20, 5, 0},  {-1, 5, -10, 10, -5, 1}};
+
+// The factor of t^power in the derivative of this order of tap i's weight.
+constexpr double quinticFactor(int order, int power, int tap) {
+  double factor = kQuinticPolynomials[power + order][tap] / 120.0;
+  for (int k = 1; k <= order; ++k) factor *= power + k;
+  return factor;
+}
+
 template <class Real>
 struct QuinticWeights {
   Real w[kQuinticTaps], d1[kQuinticTaps], d2[kQuinticTaps];
 };
 
+template <int order, class Real>
+[[gnu::always_inline]] constexpr Real quinticWeight(int tap, Real t) {
+  Real sum = Real(quinticFactor(order, 5 - order, tap));
+  for (int power = 4 - order; power >= 0; --power) sum = sum * t + Real(quinticFactor(order, power, tap));
+  return sum;
+}
+
 // Always inlined: the kernels of the processor are compiled for instructions that the rest is not.
 template <class Real>
 [[gnu::always_inline]] constexpr QuinticWeights<Real> quinticWeights(Real t) {
   QuinticWeights<Real> out{};
-  const Real parts[2] = {t, Real(1) - t};
-  for (int side = 0; side < 2; ++side) {  // taps 0, 1, 2; and mirrored 5, 4, 3, whose slopes change sign
-    const Real a = parts[side], b = parts[1 - side], b2 = b * b;
-    const int i = side == 0 ? 0 : 5, step = side == 0 ? 1 : -1;
-    const Real sign = side == 0 ? Real(1) : Real(-1);
-    out.w[i] = b2 * b2 * b * Real(1.0 / 120.0);
-    out.d1[i] = -sign * b2 * b2 * Real(1.0 / 24.0);
-    out.d2[i] = b2 * b * Real(1.0 / 6.0);
-    out.w[i + step] =
-        (Real(26) + a * (Real(-50) + a * (Real(20) + a * (Real(20) + a * (Real(-20) + Real(5) * a))))) *
-        Real(1.0 / 120.0);
-    out.d1[i + step] = sign * (Real(-10) + a * (Real(8) + a * (Real(12) + a * (Real(-16) + Real(5) * a)))) *
-                       Real(1.0 / 24.0);
-    out.d2[i + step] = (Real(2) + a * (Real(6) + a * (Real(-12) + Real(5) * a))) * Real(1.0 / 6.0);
-    const Real a2 = a * a;
-    out.w[i + 2 * step] = (Real(66) + a2 * (Real(-60) + a2 * (Real(30) - Real(10) * a))) * Real(1.0 / 120.0);
-    out.d1[i + 2 * step] = sign * a * (Real(-12) + a2 * (Real(12) - Real(5) * a)) * Real(1.0 / 12.0);
-    out.d2[i + 2 * step] = (Real(-6) + a2 * (Real(18) - Real(10) * a)) * Real(1.0 / 6.0);
+  for (int tap = 0; tap < kQuinticTaps; ++tap) {
+    out.w[tap] = quinticWeight<0>(tap, t);
+    out.d1[tap] = quinticWeight<1>(tap, t);
+    out.d2[tap] = quinticWeight<2>(tap, t);
   }
   return out;
 }

@@ -97,6 +97,38 @@ TEST_F(ReferencePicture, ALampLightsByTheCosine) {
   }
 }
 
+// On a noisy ball the cosine is that of normals at derivatives.normal_scale.
+TEST_F(ReferencePicture, NormalsAreAtTheScaleThatTheSceneNames) {
+  scene_.light.environment.constant = glm::dvec3(0.0);
+  scene_.lamps[0].shown = true;
+  scene_.lamps[0].kind = scene::LampKind::directional;
+  scene_.lamps[0].direction = {0.2, -1.0, 0.3};
+  scene_.gi.bounces = 0;
+  use(test::prepared(test::withNoise(test::phantomGrid("ball", 40), 0.1, glm::dvec3(0.0), 4)));
+  const glm::dvec3 toward = glm::normalize(scene_.lamps[0].direction);
+  const auto squareError = [&](double normalScale) {
+    scene_.derivatives.normalScale = normalScale;
+    const ReferenceImage image = draw(1);
+    const PrimaryHits hits(volume_, scene_, image.size, progress_);
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < image.size.y; ++y)
+      for (int x = 0; x < image.size.x; ++x) {
+        const auto hit = hits.at({x, y});
+        const double cosine = hit ? glm::dot(glm::normalize(hit->voxel - 19.5), toward) : 0.0;
+        const auto i = static_cast<std::size_t>(y * image.size.x + x);
+        if (cosine < 0.5 || image.irradiance[i].x == 0.0f) continue;  // beside the light, or behind a bump
+        sum += std::pow(image.irradiance[i].x / (pi * scene_.lamps[0].intensity) - cosine, 2);
+        ++count;
+      }
+    EXPECT_GT(count, 30);
+    return sum / count;
+  };
+  const double plain = squareError(0.0), scaled = squareError(2.0);
+  EXPECT_LT(std::sqrt(scaled), 0.05);
+  EXPECT_GT(plain, 4.0 * scaled);
+}
+
 TEST_F(ReferencePicture, ThreadsAndRoundsDoNotChangeIt) {
   scene_.lamps[0].shown = true;
   scene_.lamps[0].kind = scene::LampKind::sphere;
