@@ -9,6 +9,7 @@
 #include "render/empty_picture.h"
 #include "render/gl/gl_messages.h"
 #include "render/graph/pass_declarations.h"
+#include "render/passes/curvature_ranges.h"
 #include "render/passes/frame_state.h"
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
@@ -398,6 +399,8 @@ const FrameReport& Renderer::render(const scene::Scene& scene, const FrameReques
   parts.report.gpuBytes = parts.frame.images.bytes() + parts.frame.lighting->bytes();
   if (parts.frame.volume) {
     parts.report.blocksActive = parts.frame.volume->activeBlocks();
+    if (!parts.frame.empty())
+      parts.report.found = foundNumbers(scene, parts.frame.statistics, parts.frame.flatCurvature());
     parts.report.gpuBytes += parts.frame.volume->bytes();
   }
   parts.frame.scene = nullptr;

@@ -94,6 +94,9 @@ struct FrameState {
   // Where the crossing may be seen: rays beyond do not have it.
   const volume::PictureArea& area() const { return images.at(image::surface + layer).drawn; }
 
+  // What is drawn of the surface, in pixels of the picture or tile.
+  std::vector<volume::Rectangle> surfacePixels() const;
+
   // The gradients of whichever pass wrote them: the first image of the Hessians, or their own.
   bool withGradient = false, withHessian = false;  // they are drawn in this frame
   const Texture& gradientImage() const { return image(withHessian ? image::hessian : image::gradient); }
