@@ -36,7 +36,7 @@ struct Wanted {
 };
 
 struct Followed {
-  float length, gained;  // mm; strengths times rays
+  float length, gained;  // mm, less what turned; strengths times rays
   float rays;
   vec2 met;  // where the line begins, rays from the corner; x < 0: nowhere
 };
@@ -48,17 +48,17 @@ Followed follow(sampler2D field, Point p, vec2 at, vec2 along, bool onLine, Want
   Followed f = Followed(0.0, 0.0, 0.0, onLine ? at : vec2(-1.0));
   vec2 size = vec2(textureSize(field, 0));
   float rays = clamp(1.2 * wanted.length / p.footprint, 8.0 * uPixel, uMostRays);
-  float step_ = max(1.0, rays / 48.0), gap = 0.0;
+  float step_ = max(1.0, rays / 48.0), gap = 0.0, steady = 1.0;
   vec3 position = p.position;
   for (float walked = step_; walked <= rays; walked += step_) {
     at += step_ * along;
     if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, size))) {  // it may go on beyond the picture
-      if (f.met.x >= 0.0) f.length += wanted.length;
+      if (f.met.x >= 0.0) f.length += steady * (rays - walked) * p.footprint;
       return f;
     }
     vec4 line = texelFetch(field, ivec2(at), 0);
     float turn = dot(line.xy, along);
-    bool here = line.w >= wanted.weakest && abs(line.z) < step_ + 2.0 && abs(turn) > 0.6;
+    bool here = line.w >= wanted.weakest && abs(line.z) < step_ + 1.0 && abs(turn) > 0.7;
     if (here) {
       vec4 surface = texelFetch(uSurface, ivec2(at), 0);
       vec3 next = uWorldFromVoxel * surface.xyz;
@@ -68,7 +68,8 @@ Followed follow(sampler2D field, Point p, vec2 at, vec2 along, bool onLine, Want
       along = turn > 0.0 ? line.xy : -line.xy;
       if (f.met.x < 0.0) f.met = at;
       position = next;
-      f.length += moved;
+      steady *= turn * turn;  // curves lose little; what noise makes turns soon
+      f.length += steady * moved;
       f.gained += (step_ + gap) * line.w;
       f.rays += step_ + gap;
       gap = 0.0;
