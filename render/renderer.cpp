@@ -429,6 +429,8 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   parts.report.gpuBytes = parts.frame.images.bytes() + parts.frame.lighting->bytes();
   if (parts.frame.volume) {
     parts.report.blocksActive = parts.frame.volume->activeBlocks();
+    if (!parts.frame.empty())
+      parts.report.found = foundNumbers(scene, parts.frame.statistics, parts.frame.flatCurvature());
     parts.report.gpuBytes += parts.frame.volume->bytes();
   }
   parts.frame.scene = nullptr;

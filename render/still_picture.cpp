@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "render/passes/line_passes.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
@@ -22,7 +23,7 @@ constexpr int kTileRays = 2048;
 int marginOf(const scene::Scene& scene, const FrameRequest& request) {
   if (!request.color) return 0;
   double margin = 2.0;
-  if (scene.look.suggestiveContours > 0.0) margin += request.size.y / 90.0;
+  margin += reachOfLines(scene, request.pixelRatio, request.size.y);
   if (scene::showsFlow(scene))
     margin += std::max(0.5 * scene.flow.length, scene.flow.grain) * request.pixelRatio + 2.0;
   return static_cast<int>(std::ceil(margin));

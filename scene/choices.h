@@ -48,6 +48,9 @@ enum class ColorMap {
   purple_green,
   spectral
 };
+enum class LengthUnit { pixels, mm };
+// Where the legend stands; automatic: the corner of the picture that shows least of the surface.
+enum class LegendCorner { automatic, lower_right, lower_left, upper_right, upper_left };
 enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa1 or kappa2
 enum class LightSpace { camera, world };
 enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue

@@ -101,22 +101,25 @@ struct Look {
   std::optional<glm::dvec3> fogColor;  // automatic: the background
   ColorMap colormap = ColorMap::automatic;
   std::optional<double> rangeLow, rangeHigh;  // of the colour map, in the unit of what it shows
-  std::vector<CurvaturePoint> curvaturePoints = defaultCurvaturePoints();
+  // Automatic: scene/curvature_map.h, hue by the kind of shape and saturation by how curved it is.
+  std::optional<std::vector<CurvaturePoint>> curvaturePoints;
   bool legend = true;  // drawn in the picture where colours stand for numbers
+  LegendCorner legendCorner = LegendCorner::automatic;
   double accessibility = 0.0;
   double ridges = 0.0;                   // strength of ridge and valley lines
   std::optional<double> ridgeThreshold;  // 1/mm
+  double ridgeWidth = 2.0;               // in ridgeWidthUnit
+  LengthUnit ridgeWidthUnit = LengthUnit::pixels;
+  std::optional<double> ridgeLength;  // mm; shorter lines are left out
   glm::dvec3 ridgeColor{0.95, 0.93, 0.85};
   glm::dvec3 valleyColor{0.03, 0.02, 0.05};
-  double contours = 0.0;            // strength of the silhouette
+  std::optional<double> contours;   // strength of the silhouette
   double suggestiveContours = 0.0;  // strength
   double contourWidth = 2.0;        // pixels
   glm::dvec3 contourColor{0.0};
   glm::dvec3 backgroundTop{0.10, 0.12, 0.15};
   glm::dvec3 backgroundBottom{0.02, 0.02, 0.03};
   bool operator==(const Look&) const = default;
-
-  static std::vector<CurvaturePoint> defaultCurvaturePoints();
 };
 
 // Streaks along the principal directions of curvature, over any look.

@@ -158,22 +158,31 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>(
       "look.curvature_points", ISOLUX_MEMBER(look.curvaturePoints), {-1, 1}, "",
       "Mode curvature_2d: control points [kappa1, kappa2, r, g, b] of the colour map, kappas in parts of the "
-      "range."));
+      "range; auto is hue by the kind of shape and saturation by how curved it is."));
   add(entry<Scene>("look.legend", ISOLUX_MEMBER(look.legend), noRange, "",
                    "Draws a legend with units where colours stand for numbers."));
+  add(choiceEntry<Scene>("look.legend_corner", ISOLUX_MEMBER(look.legendCorner),
+                         "Where the legend stands; auto is the corner that shows least of the surface."));
   add(entry<Scene>("look.accessibility", ISOLUX_MEMBER(look.accessibility), unitRange, "",
                    "Darkens what is hollow, by curvature, as if dirt had gathered there."));
   add(entry<Scene>("look.ridges", ISOLUX_MEMBER(look.ridges), unitRange, "",
-                   "Strength of ridge and valley lines."));
+                   "Strength of ridge and valley lines: where the surface is most curved, across the line."));
   add(entry<Scene>(
       "look.ridge_threshold", ISOLUX_MEMBER(look.ridgeThreshold), {0, 1e38}, "1/mm",
       "Curvature from which on a ridge or valley is drawn; auto from the surface's own values."));
+  add(entry<Scene>("look.ridge_width", ISOLUX_MEMBER(look.ridgeWidth), {0.01, 100}, "pixels or mm",
+                   "Width of ridge and valley lines, in the unit of look.ridge_width_unit."));
+  add(choiceEntry<Scene>("look.ridge_width_unit", ISOLUX_MEMBER(look.ridgeWidthUnit),
+                         "Whether ridge and valley lines are as wide in the picture or on the surface."));
+  add(entry<Scene>("look.ridge_length", ISOLUX_MEMBER(look.ridgeLength), {0, 1e9}, "mm",
+                   "Ridges and valleys that are shorter are left out; auto is twice the radius of the least "
+                   "curvature that is drawn."));
   add(entry<Scene>("look.ridge_color", ISOLUX_MEMBER(look.ridgeColor), unitRange, "linear RGB",
                    "Colour of ridges."));
   add(entry<Scene>("look.valley_color", ISOLUX_MEMBER(look.valleyColor), unitRange, "linear RGB",
                    "Colour of valleys."));
   add(entry<Scene>("look.contours", ISOLUX_MEMBER(look.contours), unitRange, "",
-                   "Strength of the silhouette lines."));
+                   "Strength of the silhouette lines; auto is 0.5 under tone shading, else none."));
   add(entry<Scene>("look.suggestive_contours", ISOLUX_MEMBER(look.suggestiveContours), unitRange, "",
                    "Strength of suggestive contours: where a silhouette would appear from nearby."));
   add(entry<Scene>("look.contour_width", ISOLUX_MEMBER(look.contourWidth), {0.5, 20}, "pixels",

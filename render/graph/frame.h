@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -121,6 +122,8 @@ struct FrameReport {
   bool surfaceChanged = false;
   std::size_t gpuBytes = 0;           // textures and buffers held by the renderer
   std::optional<EmptyPicture> empty;  // nothing is to be seen, and why
+  // Settings that were automatic and followed the surface, and what they were: paths of scene/settings.h.
+  std::map<std::string, double> found;
   // What the driver called an error in this frame (render/gl/gl_messages.h): the picture may be wrong.
   std::vector<std::string> glErrors;
 };

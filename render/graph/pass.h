@@ -49,6 +49,7 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *gradient = "gradients", *shadingGradient = "shading gradients",
                             *hessian = "Hessians", *curvature = "curvatures", *ranges = "curvature ranges",
                             *shadow = "shadows", *flowField = "flow fields", *flow = "streaks",
+                            *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
                             *light = "stored light", *irradiance = "irradiances", *front = "front colour",
                             *color = "colour", *background = "background", *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded

@@ -1,6 +1,7 @@
 #include "render/legend/legend_overlay.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "base/number_text.h"
 #include "render/legend/legend.h"
@@ -28,27 +29,64 @@ Legend legendOf(const scene::Scene& scene, glm::dvec2 range) {
   return legend;
 }
 
+int marginOf(glm::ivec2 picture) {
+  return std::max(2, picture.y / 50);
+}
+
+glm::ivec2 placeIn(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture) {
+  using enum scene::LegendCorner;
+  const int margin = marginOf(picture);
+  const glm::ivec2 far = picture - legend - margin;
+  return {corner == lower_left || corner == upper_left ? margin : far.x,
+          corner == upper_left || corner == upper_right ? far.y : margin};
+}
+
+std::int64_t pixelsIn(const volume::Rectangle& rectangle) {
+  return std::int64_t{rectangle.size.x} * rectangle.size.y;
+}
+
 }  // namespace
+
+glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture,
+                       const std::vector<volume::Rectangle>& surface) {
+  using enum scene::LegendCorner;
+  if (corner != automatic) return placeIn(corner, legend, picture);
+  const std::int64_t little = pixelsIn({glm::ivec2(0), legend}) / 50;
+  scene::LegendCorner best = lower_right;
+  std::int64_t least = 0;
+  for (const scene::LegendCorner tried : {lower_right, lower_left, upper_right, upper_left}) {
+    const volume::Rectangle covered{placeIn(tried, legend, picture), legend};
+    std::int64_t pixels = 0;
+    for (const volume::Rectangle& part : surface) pixels += pixelsIn(volume::common(part, covered));
+    if (tried != lower_right && pixels + little >= least) continue;
+    best = tried;
+    least = pixels;
+  }
+  return placeIn(best, legend, picture);
+}
 
 MeasureColors measureColors(const scene::Look& look) {
   constexpr int samples = 256, side = 64;
   const scene::LookInfo& info = scene::lookInfo(look.mode);
-  if (info.kind == scene::LookKind::square)
-    return {glm::ivec2(side), scene::curvatureTexels(look.curvaturePoints, side)};
+  if (info.kind == scene::LookKind::square) return {glm::ivec2(side), scene::curvatureTexels(look, side)};
   return {glm::ivec2(samples, 1), scene::colorMapSamples(look.colormap, samples, info.colors)};
 }
 
 void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range) {
   const glm::ivec2 size = frame.request.size;
   const LegendImage image = drawLegend(legendOf(*frame.scene, range), std::min(size.y, 2 * size.x));
-  const int margin = std::max(2, size.y / 50);
+  const int margin = marginOf(size);
   if (image.size.x + 2 * margin > size.x * 7 / 10 || image.size.y + 2 * margin > size.y * 7 / 10) return;
   const Gl& gl = *frame.gl;
   const Texture texture = Texture::make2D(frame.gl, GL_RGBA8, image.size);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TextureSubImage2D(texture.id(), 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_UNSIGNED_BYTE,
                        image.rgba.data());
-  const glm::ivec2 corner = glm::ivec2(size.x - margin - image.size.x, margin) - frame.tileOrigin();
+  const scene::LegendCorner wanted = frame.scene->look.legendCorner;
+  const bool unknown = frame.request.tile.has_value() && wanted == scene::LegendCorner::automatic;
+  const glm::ivec2 corner = legendPlace(unknown ? scene::LegendCorner::lower_right : wanted, image.size, size,
+                                        frame.surfacePixels()) -
+                            frame.tileOrigin();
   const glm::ivec2 drawn = frame.drawnSize();
   if (corner.x >= drawn.x || corner.y >= drawn.y || corner.x + image.size.x <= 0 ||
       corner.y + image.size.y <= 0)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/passes/frame_state.h"
+#include "volume/cast/picture_area.h"
 
 namespace isolux::render {
 
@@ -12,8 +13,14 @@ struct MeasureColors {
 };
 MeasureColors measureColors(const scene::Look& look);
 
-// Blends the legend into the lower right corner of `picture`; nothing where it would cover most of the
-// picture.
+// The lower left pixel of a legend of this size in a picture, row 0 being the lowest: in the corner asked
+// for, or in that which shows least of the surface; where they are alike, or it is little, in the lower right
+// one.
+glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture,
+                       const std::vector<volume::Rectangle>& surface);
+
+// Blends the legend into a corner of `picture`; nothing where it would cover most of the picture. Of a tile
+// it is not known where the rest of the surface lies: what is automatic is the lower right corner.
 void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range);
 
 }  // namespace isolux::render

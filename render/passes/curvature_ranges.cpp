@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 #include "scene/looks.h"
 #include "scene/rules/needs.h"
 
@@ -86,6 +88,16 @@ glm::dvec2 measureRange(const scene::Scene& scene, const CurvatureStatistics& st
   return range;
 }
 
+std::map<std::string, double> foundNumbers(const scene::Scene& scene, const CurvatureStatistics& statistics,
+                                           double flat) {
+  std::map<std::string, double> found;
+  if (!scene::isMeasure(scene.look.mode)) return found;
+  const glm::dvec2 range = measureRange(scene, statistics, flat);
+  if (!scene.look.rangeLow) found["look.range_low"] = range.x;
+  if (!scene.look.rangeHigh) found["look.range_high"] = range.y;
+  return found;
+}
+
 glm::dvec2 ridgeThresholds(const scene::Scene& scene, const CurvatureStatistics& statistics, double flat) {
   if (scene.look.ridgeThreshold) return glm::dvec2(*scene.look.ridgeThreshold);
   // Of the 95 % quantiles: lines on a few per cent of the surface. A surface without valleys has faint ones,
@@ -94,6 +106,11 @@ glm::dvec2 ridgeThresholds(const scene::Scene& scene, const CurvatureStatistics&
   const double ridge = std::max(part * statistics.of(LookMode::kappa1).high, flat);
   const double valley = std::max(-part * statistics.of(LookMode::kappa2).low, flat);
   return {std::max(ridge, faint * valley), std::max(valley, faint * ridge)};
+}
+
+glm::dvec2 ridgeLengths(const scene::Scene& scene, const glm::dvec2& thresholds) {
+  if (scene.look.ridgeLength) return glm::dvec2(*scene.look.ridgeLength);
+  return 2.0 / glm::max(thresholds, 1e-30);
 }
 
 double curvatureScale(const CurvatureStatistics& statistics, double flat) {

@@ -5,6 +5,8 @@
 // `flat` is the curvature below which a surface counts as flat: it stands in where the surface has none.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -26,9 +28,18 @@ volume::CurvatureStatistics outerBounds(const std::vector<volume::CurvatureStati
 glm::dvec2 measureRange(const scene::Scene& scene, const volume::CurvatureStatistics& statistics,
                         double flat);
 
+// The numbers behind settings of the look that are automatic and whose value the picture shows, by their
+// paths: ends of the range.
+std::map<std::string, double> foundNumbers(const scene::Scene& scene,
+                                           const volume::CurvatureStatistics& statistics, double flat);
+
 // From which curvature on ridges (x) and valleys (y) are drawn.
 glm::dvec2 ridgeThresholds(const scene::Scene& scene, const volume::CurvatureStatistics& statistics,
                            double flat);
+
+// From which length on lines of these thresholds are drawn, mm. Automatic: what is no longer than twice the
+// radius of the threshold's curvature is a knob, not a line.
+glm::dvec2 ridgeLengths(const scene::Scene& scene, const glm::dvec2& thresholds);
 
 // A strong curvature of this surface.
 double curvatureScale(const volume::CurvatureStatistics& statistics, double flat);

@@ -148,6 +148,16 @@ void FrameState::drawHits(Target& target, const Program& program, const volume::
   target.drawn = request.stop.stop_requested() ? drawn : of;
 }
 
+std::vector<volume::Rectangle> FrameState::surfacePixels() const {
+  std::vector<volume::Rectangle> parts = images.at(image::color).drawn.rectangles();
+  for (volume::Rectangle& part : parts) {
+    const glm::ivec2 end = (part.low + part.size + (request.supersampling - 1)) / request.supersampling;
+    part.low /= request.supersampling;
+    part.size = end - part.low;
+  }
+  return parts;
+}
+
 bool FrameState::drawsAny(const std::function<void()>& draw) {
   gl->BeginQuery(GL_ANY_SAMPLES_PASSED, anySamples_.id());
   draw();

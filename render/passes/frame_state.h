@@ -95,6 +95,9 @@ struct FrameState {
   // Where the crossing may be seen: rays beyond do not have it.
   const volume::PictureArea& area() const { return images.at(image::surface + layer).drawn; }
 
+  // What is drawn of the surface, in pixels of the picture or tile.
+  std::vector<volume::Rectangle> surfacePixels() const;
+
   // What is drawn in this frame: gradients, of curvature and normals alike or of normals apart; Hessians.
   bool withGradient = false, withShadingGradient = false, withHessian = false;
   // Of whichever pass wrote them: the first image of the Hessians, or their own.

@@ -67,9 +67,7 @@ std::string definesOf(const scene::Scene& scene, const std::vector<LookInput>& i
       flag("MEASURE_SQUARE", kind == scene::LookKind::square) + number("LOOK", look.mode) +
       number("SHADING", scene::shadingOf(scene)) + number("TEXTURE", look.texture) +
       flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
-      flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility) +
-      flag("RIDGES", look.ridges > 0.0) + flag("CONTOURS", look.contours > 0.0) +
-      flag("SUGGESTIVE", look.suggestiveContours > 0.0);
+      flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility);
   for (const LookInput& input : inputs) defines += flag(input.define, *input.define != '\0');
   return defines;
 }
@@ -165,14 +163,6 @@ void ShadePass::setMeasure(FrameState& frame, Program& p) {
   p.set("uRange", glm::vec2(measureRange(*frame.scene, frame.statistics, frame.flatCurvature())));
 }
 
-void ShadePass::setLines(FrameState& frame, Program& p) const {
-  const scene::Look& look = frame.scene->look;
-  p.set("uRidgeThresholds",
-        glm::vec2(ridgeThresholds(*frame.scene, frame.statistics, frame.flatCurvature())));
-  p.set("uContourWidth", static_cast<float>(look.contourWidth * frame.raysPerWidth()));
-  p.set("uCurvatureScale", static_cast<float>(curvatureScale(frame.statistics, frame.flatCurvature())));
-}
-
 void ShadePass::setOverlays(FrameState& frame, Program& p) const {
   const scene::Scene& scene = *frame.scene;
   const scene::Look& look = scene.look;
@@ -197,7 +187,9 @@ void ShadePass::declare(Declaring& d) const {
   }
   d.settings({"camera.", "isosurface.", "isosurface#."},
              {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface#.value"});
-  d.settings({"look."}, {"look.legend", "look.background_top", "look.background_bottom"});
+  d.settings({"look."}, {"look.legend", "look.legend_corner", "look.background_top", "look.background_bottom",
+                         "look.contour_width", "look.ridge_threshold", "look.ridge_width",
+                         "look.ridge_width_unit", "look.ridge_length"});
   d.settings({"flow.strength", "light.space", "light.direction", "light.color", "light.intensity",
               "light.headlight"});
   // Normals are turned to the viewer, and curvatures have their sign when they come.
@@ -205,7 +197,6 @@ void ShadePass::declare(Declaring& d) const {
   if (d.asked.acts("look.inner_tint") && d.asked.scene.look.innerTint != glm::dvec3(1.0))
     d.settings({"isosurface.inside"});
   if (fogIsBackground(d.asked)) d.settings({"look.background_top", "look.background_bottom"});
-  if (d.asked.acts("look.contour_width")) d.input("pixel ratio", d.asked.request.pixelRatio);
   addExposure(d);
 }
 
@@ -221,10 +212,7 @@ Program& ShadePass::prepared(FrameState& frame) {
   setSurfaces(frame, p);
   setLook(*frame.scene, p);
   setLight(frame, p);
-  if (scene::needsCurvature(*frame.scene)) {
-    setMeasure(frame, p);
-    setLines(frame, p);
-  }
+  if (scene::needsCurvature(*frame.scene)) setMeasure(frame, p);
   setOverlays(frame, p);
   return p;
 }

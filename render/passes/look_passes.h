@@ -27,7 +27,6 @@ class ShadePass : public Pass {
   void setSurfaces(FrameState& frame, Program& program) const;
   void setLight(FrameState& frame, Program& program) const;
   void setMeasure(FrameState& frame, Program& program);
-  void setLines(FrameState& frame, Program& program) const;
   void setOverlays(FrameState& frame, Program& program) const;
 
   // The colour map's samples, and what they were made from.

@@ -4,6 +4,7 @@
 #include "render/passes/effect_passes.h"
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/line_passes.h"
 #include "render/passes/look_passes.h"
 #include "render/passes/resolve_passes.h"
 
@@ -35,6 +36,9 @@ PassList makePasses() {
       ShadowPass,      // a second ray to the key light
       FlowFieldPass,   // direction on screen and noise on the surface
       FlowPass,        // streaks along it
+      ExtremaPass,     // how principal curvatures change along their directions
+      LineFieldPass,   // where lines of curvature run
+      LinesPass,       // what is drawn of them
       LightPass,       // uploads of stored light
       IrradiancePass,  // light at the surface points
       ShadePass,       // the look, linear colour, of the first crossing

@@ -44,7 +44,7 @@ void BackgroundPass::run(FrameState& frame) {
 
 void ResolvePass::declare(Declaring& d) const {
   const scene::Scene& scene = d.asked.scene;
-  d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend"});
+  d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend", "look.legend_corner"});
   d.input("linear picture", d.asked.request.linear);
   if (showsEnvironment(d.asked)) {
     d.input("light", d.asked.light.version).settings({"camera."});
@@ -91,14 +91,7 @@ void ResolvePass::drawHits(FrameState& frame, Target& target) const {
   frame.copy(frame.images.at(image::background), target);
   Program& p = prepared(frame, "");
   frame.begin(target, frame.drawnSize());
-  std::vector<volume::Rectangle> pixels = frame.images.at(image::color).drawn.rectangles();
-  const int rays = frame.request.supersampling;
-  for (volume::Rectangle& part : pixels) {
-    const glm::ivec2 end = (part.low + part.size + (rays - 1)) / rays;
-    part.low /= rays;
-    part.size = end - part.low;
-  }
-  frame.drawRectangles(p, pixels);
+  frame.drawRectangles(p, frame.surfacePixels());
 }
 
 }  // namespace isolux::render

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/camera.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::scene {
 
@@ -53,6 +54,7 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   }
   resolveLamps(scene, facts);
   if (!scene.hit.nearThreshold) scene.hit.nearThreshold = facts.typicalStep / scene.hit.rate;
+  if (!scene.look.contours) scene.look.contours = contoursOf(scene);
   if (!scene.look.textureScale)
     scene.look.textureScale = std::max(0.1 * glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
 

@@ -54,6 +54,15 @@ bool mayRefineHits(const Scene& scene) {
          hit.field == Field::trilinear && !usesGi(scene);
 }
 
+double contoursOf(const Scene& scene) {
+  return scene.look.contours.value_or(shadingOf(scene) == Shading::tone ? 0.5 : 0.0);
+}
+
+bool drawsLines(const Scene& scene) {
+  const Look& look = scene.look;
+  return !isPlain(scene) && (look.ridges > 0.0 || contoursOf(scene) > 0.0 || look.suggestiveContours > 0.0);
+}
+
 bool needsGradient(const Scene& scene) {
   return lookInfo(scene.look.mode).readsGradient;
 }
@@ -61,8 +70,8 @@ bool needsGradient(const Scene& scene) {
 bool needsCurvature(const Scene& scene) {
   const Look& look = scene.look;
   if (isPlain(scene)) return false;
-  return lookInfo(look.mode).readsCurvature || look.accessibility > 0.0 || look.ridges > 0.0 ||
-         look.contours > 0.0 || look.suggestiveContours > 0.0 || showsFlow(scene);
+  return lookInfo(look.mode).readsCurvature || look.accessibility > 0.0 || drawsLines(scene) ||
+         showsFlow(scene);
 }
 
 double derivativesScale(const Scene& scene) {

@@ -26,6 +26,10 @@ bool showsShadow(const Scene& scene);
 // Whether streaks along the curvature are drawn.
 bool showsFlow(const Scene& scene);
 bool showsLegend(const Scene& scene);
+// Strength of the silhouette: tone shading is meant to be seen with outlines (Gooch et al. 1998).
+double contoursOf(const Scene& scene);
+// Some line that curvature says where to draw: ridges and valleys, silhouettes, suggestive contours.
+bool drawsLines(const Scene& scene);
 
 // Pictures at rest may take hits of the B-spline through the samples instead of trilinear ones.
 bool mayRefineHits(const Scene& scene);

@@ -47,7 +47,11 @@ bool showsAlbedo(const Scene& s) {
 }
 
 bool drawsContours(const Scene& s) {
-  return s.look.contours > 0.0 || s.look.suggestiveContours > 0.0;
+  return contoursOf(s) > 0.0 || s.look.suggestiveContours > 0.0;
+}
+
+bool drawsRidges(const Scene& s) {
+  return !isPlain(s) && s.look.ridges > 0.0;
 }
 
 bool isMesh(const Scene& s) {
@@ -146,16 +150,17 @@ constexpr Rule rules[] = {
 
     {"look.colormap", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::measure; },
      "this look does not show one number in colour"},
-    {"look.range_low look.range_high look.legend", colorsMeanNumbers,
+    {"look.range_low look.range_high look.legend look.legend_corner", colorsMeanNumbers,
      "colours do not stand for numbers in this look"},
+    {"look.legend_corner", [](const Scene& s) { return s.look.legend; }, "no legend is drawn"},
     {"look.curvature_points", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::square; },
      "the look is not curvature 2D"},
 
     {"look.accessibility", [](const Scene& s) { return s.look.mode != LookMode::accessibility; },
      "the look shows accessibility at full strength"},
-    {"look.ridge_threshold look.ridge_color look.valley_color",
-     [](const Scene& s) { return !isPlain(s) && s.look.ridges > 0.0; },
-     "ridge and valley lines have no strength"},
+    {"look.ridge_threshold look.ridge_width look.ridge_width_unit look.ridge_length look.ridge_color "
+     "look.valley_color",
+     drawsRidges, "ridge and valley lines have no strength"},
     {"look.contour_width look.contour_color", [](const Scene& s) { return !isPlain(s) && drawsContours(s); },
      "contours have no strength"},
 

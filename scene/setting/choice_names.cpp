@@ -94,6 +94,22 @@ std::span<const Named<ColorMap>> choicesOf() {
 }
 
 template <>
+std::span<const Named<LengthUnit>> choicesOf() {
+  static constexpr Named<LengthUnit> names[] = {{LengthUnit::pixels, "pixels"}, {LengthUnit::mm, "mm"}};
+  return names;
+}
+
+template <>
+std::span<const Named<LegendCorner>> choicesOf() {
+  static constexpr Named<LegendCorner> names[] = {{LegendCorner::automatic, "auto"},
+                                                  {LegendCorner::lower_right, "lower_right"},
+                                                  {LegendCorner::lower_left, "lower_left"},
+                                                  {LegendCorner::upper_right, "upper_right"},
+                                                  {LegendCorner::upper_left, "upper_left"}};
+  return names;
+}
+
+template <>
 std::span<const Named<FlowDirection>> choicesOf() {
   static constexpr Named<FlowDirection> names[] = {{FlowDirection::maximum, "maximum"},
                                                    {FlowDirection::minimum, "minimum"}};

@@ -68,9 +68,9 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, innerTint,
                                 cool, warm, texture, textureScale, shadow, fog, fogColor, colormap, low, high,
-                                points, legend, accessibility, ridges, ridgeThreshold, ridgeColor,
-                                valleyColor, contours, suggestive, contourWidth, contourColor, top, bottom] =
-      look;
+                                points, legend, legendCorner, accessibility, ridges, ridgeThreshold,
+                                ridgeWidth, ridgeWidthUnit, ridgeLength, ridgeColor, valleyColor, contours,
+                                suggestive, contourWidth, contourColor, top, bottom] = look;
   [[maybe_unused]] const auto& [strength, flowDirection, length, grain, animate, speed, time] = flow;
   [[maybe_unused]] const auto& [space, direction, color, intensity, headlight, environment] = light;
   [[maybe_unused]] const auto& [file, constant, builtIn, azimuth, elevation, rotation, exposure, moves,
@@ -273,7 +273,10 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
                                               "look.fog_color",
                                               "look.range_low",
                                               "look.range_high",
+                                              "look.curvature_points",
                                               "look.ridge_threshold",
+                                              "look.ridge_length",
+                                              "look.contours",
                                               "camera.eye",
                                               "camera.target",
                                               "camera.up",
@@ -306,7 +309,7 @@ TEST(Settings, AnEmptyListOfPointsIsRefusedAndOneIsTheLeast) {
   EXPECT_THAT(usageMessage([&] { setting("look.curvature_points").set(scene, nlohmann::json::array()); }),
               AllOf(HasSubstr("a list of 0 is not allowed"), HasSubstr("a list of 1 to 64 points")));
   setting("look.curvature_points").set(scene, {{0.0, 0.0, 0.5, 0.5, 0.5}});
-  EXPECT_EQ(scene.look.curvaturePoints.size(), 1u);
+  EXPECT_EQ(scene.look.curvaturePoints->size(), 1u);
 }
 
 TEST(Settings, UnknownPathsGetASuggestion) {

@@ -63,7 +63,9 @@ glm::dvec2 largestGap(const std::vector<CurvaturePoint>& points) {
 
 QImage pictureOf(const std::vector<CurvaturePoint>& points) {
   QImage image(texels, texels, QImage::Format_RGB32);
-  const std::vector<glm::vec3> colours = scene::curvatureTexels(points, texels);
+  scene::Look look;
+  look.curvaturePoints = points;
+  const std::vector<glm::vec3> colours = scene::curvatureTexels(look, texels);
   for (int row = 0; row < texels; ++row)
     for (int column = 0; column < texels; ++column)
       image.setPixel(
@@ -83,7 +85,7 @@ CurvatureMapView::CurvatureMapView(QWidget* parent) : QWidget(parent) {
   setFixedHeight(largestSide + static_cast<int>(top + bottom));
   setMinimumWidth(static_cast<int>(left + right) + largestSide / 2);
   setAccessibleName("Colour map of the principal curvatures");
-  showPoints(scene::Look::defaultCurvaturePoints());
+  showPoints(scene::automaticCurvaturePoints());
 }
 
 QRectF CurvatureMapView::square() const {
@@ -355,7 +357,7 @@ CurvatureMapEditor::CurvatureMapEditor(QWidget* parent)
 void CurvatureMapEditor::showValue(const nlohmann::json& value) {
   scene::Scene scene;
   scene::setting("look.curvature_points").set(scene, value);
-  view_->showPoints(scene.look.curvaturePoints);
+  view_->showPoints(scene.look.curvaturePoints.value_or(scene::automaticCurvaturePoints()));
 }
 
 nlohmann::json CurvatureMapEditor::value() const {

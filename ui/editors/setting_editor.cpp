@@ -53,12 +53,12 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   layout->setSpacing(4);
   layout->addWidget(value_, 1);
   if (setting.mayBeAutomatic) {
-    keepPlaceWhenHidden(value_);
+    if (setting.type != scene::SettingType::points) keepPlaceWhenHidden(value_);  // a whole map is much place
     automatic_ = new QCheckBox("auto", this);
     automatic_->setToolTip("Chosen by itself");
     layout->addWidget(automatic_);
     connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
-      const nlohmann::json seen = setting_.get(resolved_);
+      const nlohmann::json seen = seenValue();
       send(automatic ? nlohmann::json("auto") : seen == "auto" ? value_->value() : seen, false);
     });
   }
@@ -95,7 +95,7 @@ void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& reso
   scene_ = scene;
   resolved_ = resolved;
   explain();
-  const nlohmann::json own = setting_.get(scene), seen = setting_.get(resolved);
+  const nlohmann::json own = setting_.get(scene), seen = seenValue();
   const bool automatic = setting_.mayBeAutomatic && own == "auto";
   reset_->setVisible(own != setting_.defaultValue());
   if (automatic_) {
@@ -108,6 +108,17 @@ void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& reso
   if (seen == shown_ || unknown) return;
   shown_ = seen;
   value_->showValue(seen);
+}
+
+void SettingEditor::setFound(const nlohmann::json& value) {
+  if (value == found_) return;
+  found_ = value;
+  setScene(scene_, resolved_);
+}
+
+nlohmann::json SettingEditor::seenValue() const {
+  const nlohmann::json resolved = setting_.get(resolved_);
+  return resolved == "auto" && !found_.is_null() ? found_ : resolved;
 }
 
 void SettingEditor::explain() {

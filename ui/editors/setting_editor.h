@@ -27,6 +27,8 @@ class SettingEditor : public QWidget {
   const QString& whyInactive() const { return whyInactive_; }
   // Shows the scene's value, or the resolved one where the scene's is automatic.
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  // What the picture found for the setting where it is automatic and nothing else says; null: nothing.
+  void setFound(const nlohmann::json& value);
   void resetToDefault();
 
  Q_SIGNALS:
@@ -37,11 +39,13 @@ class SettingEditor : public QWidget {
 
  private:
   void send(const nlohmann::json& value, bool endsAfterPause);
+  nlohmann::json seenValue() const;  // the scene's, or the resolved one, or what was found; "auto": unknown
   void explain();
 
   const scene::Setting& setting_;
   scene::Scene scene_, resolved_;
   nlohmann::json shown_;
+  nlohmann::json found_;
   QString description_, whyInactive_;
   bool dragging_ = false;
   ValueWidget* value_;

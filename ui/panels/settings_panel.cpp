@@ -227,6 +227,16 @@ void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& reso
   showRows();
 }
 
+void SettingsPanel::setReport(const render::FrameReport& report, const render::FrameRequest&) {
+  for (Group& group : groups_) {
+    for (const Row& row : group.rows) {
+      if (!row.editor->setting().mayBeAutomatic) continue;
+      const auto found = report.found.find(row.editor->setting().path);
+      row.editor->setFound(found == report.found.end() ? nlohmann::json() : nlohmann::json(found->second));
+    }
+  }
+}
+
 void SettingsPanel::showRows() {
   if (dragging_ || settle_.isActive()) return;
   environment_->setVisible(environment_->hasProbe());

@@ -29,6 +29,7 @@ class SettingsPanel : public Panel {
 
   void setVolume(const VolumePointer& volume) override;
   void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
+  void setReport(const render::FrameReport& report, const render::FrameRequest& request) override;
   SettingEditor* editor(const QString& path) const;  // null: not edited here
   bool shows(const QString& path) const;             // the row is there, if its group is open
   QLineEdit* searchLine() const { return search_; }

@@ -299,6 +299,7 @@ scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
     model.deviations.push_back(slope * std::max(std::sqrt(reading.variance + 0.5 * rounding), least));
     counts.push_back(static_cast<double>(reading.count));
   }
+  if (model.values.empty()) return {{grid.minimum()}, {least * slope}, glm::dvec3(0.0)};
   shrink(model.deviations, counts);
   if (model.values.front() > model.values.back()) {
     std::reverse(model.values.begin(), model.values.end());

@@ -1,5 +1,6 @@
 // Streaks: line integral convolution (Cabral & Leedom 1993) of the surface's noise along the direction field, around 0
-// and of unit deviation before it is limited to (-1, 1); 0 where there is no confidence.
+// and of unit deviation before it is limited to (-1, 1); 0 where there is no confidence, or where the field is too
+// incoherent for a streak.
 //
 // The kernel is a Hann window times a ripple that moves with uPhase, their eq. (4): streaks seem to flow, and the
 // picture after one period is the first again. A direction has no sign; the ripple runs both ways at once, weighted by
@@ -18,6 +19,7 @@ float kernel(float s, float phase) { return (0.5 + 0.5 * cos(pi * s)) * (0.5 + 0
 
 struct Sums {
   float value, squares, weight;
+  float steady;  // how far the field goes on in one sense and with confidence, in parts of both ways
 };
 
 void gather(inout Sums sums, float noise, float s, float forward) {
@@ -31,16 +33,29 @@ void gather(inout Sums sums, float noise, float s, float forward) {
 void follow(inout Sums sums, vec4 here, float way, float forward) {
   vec2 at = gl_FragCoord.xy, along = way * here.xy, size = vec2(textureSize(uField, 0));
   int steps = int(uHalfLength / uStep);
+  float part = 0.5 / float(max(steps, 1)), steady = 1.0;
   for (int i = 1; i <= steps; ++i) {
     at += uStep * along;
-    if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, size))) return;
+    // Where the surface ends, a streak does, which says nothing about the field.
+    float rest = part * steady * float(steps - i + 1);
+    if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, size))) {
+      sums.steady += rest;
+      return;
+    }
     vec4 next = texelFetch(uField, ivec2(at), 0);
-    if (next.z < 0.0 || abs(next.z - here.z) > max(uStep, 1.0) * max(here.w, next.w)) return;
+    if (next.z < 0.0 || abs(next.z - here.z) > max(uStep, 1.0) * max(here.w, next.w)) {
+      sums.steady += rest;
+      return;
+    }
     float turn = dot(next.xy, along);
     if (abs(turn) < 0.5) return;
     along = turn > 0.0 ? next.xy : -next.xy;
     here = next;
-    gather(sums, texture(uNoise, at / size).r, way * float(i) * uStep / uHalfLength, forward);
+    vec4 noise = texture(uNoise, at / size);
+    // Squares of small turns are lost on a smooth field; on noise they soon add up.
+    steady *= turn * turn * turn * turn;
+    sums.steady += part * steady * noise.z;
+    gather(sums, noise.r, way * float(i) * uStep / uHalfLength, forward);
   }
 }
 
@@ -50,7 +65,7 @@ void main() {
   vec4 here = texelFetch(uField, pixel, 0);
   vec3 noise = texelFetch(uNoise, pixel, 0).xyz;
   if (here.z < 0.0 || !(noise.z > 0.0) || here.xy == vec2(0.0)) return;
-  Sums sums = Sums(0.0, 0.0, 0.0);
+  Sums sums = Sums(0.0, 0.0, 0.0, 0.0);
   gather(sums, noise.x, 0.0, noise.y);
   follow(sums, here, 1.0, noise.y);
   follow(sums, here, -1.0, noise.y);
@@ -58,5 +73,5 @@ void main() {
   // streaks.
   float deviation = sqrt(sums.squares * max(1.3 * uGrain / uStep, 1.0));
   float value = sums.value / max(deviation, 1e-6);
-  oFlow = noise.z * value / sqrt(1.0 + 0.6 * value * value);
+  oFlow = noise.z * smoothstep(0.15, 0.5, sums.steady) * value / sqrt(1.0 + 0.6 * value * value);
 }

@@ -10,8 +10,8 @@ uniform vec3 uToneCool, uToneWarm;
 vec3 lighted(vec3 base, Point p, float lit) {
   float facing = dot(p.normal, uLight);
   float warmth = 0.5 + 0.5 * (facing > 0.0 ? facing * lit : facing);
-  // Squared: a surface lit from near the eye would show little of the cool side.
-  return mix(mix(uToneCool, base, 0.25), mix(uToneWarm, base, 0.5), warmth * warmth);
+  // Cubed: a surface lit from near the eye would show little of the cool side.
+  return mix(mix(uToneCool, base, 0.1), mix(uToneWarm, base, 0.4), warmth * warmth * warmth);
 }
 #elif SHADING == SHADING_GI
 uniform sampler2D uIrradiance;

@@ -2,7 +2,7 @@
 //
 // LOOK, SHADING, TEXTURE, and the LOOK_..., SHADING_... and TEXTURE_... they are compared with: from the names of the
 // settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound. SHADOW,
-// FLOW, FOG, ACCESSIBILITY, RIDGES, CONTOURS, SUGGESTIVE: what is laid over. docs/looks.md has the formulas and sources.
+// FLOW, FOG, ACCESSIBILITY, LINES: what is laid over. docs/looks.md has the formulas and sources.
 #include "common.glsl"
 #if LOOK == LOOK_DEPTH
 #define NO_GRADIENT
@@ -11,7 +11,6 @@
 #include "background.glsl"
 #ifdef CURVATURE
 #include "measures.glsl"
-#include "lines.glsl"
 #endif
 #include "lighting.glsl"
 #if TEXTURE != TEXTURE_NONE
@@ -35,8 +34,10 @@ uniform float uFlowStrength;
 uniform float uAccessibility;
 uniform float uHollow;  // curvature of the surface's hollows, 1/mm
 #endif
-#ifdef SUGGESTIVE
-uniform float uCurvatureScale;  // of the surface as a whole, 1/mm
+#ifdef LINES
+uniform sampler2D uLines;  // coverage: ridges, valleys, suggestive contours, contours
+uniform float uRidges, uContours, uSuggestiveContours;  // strengths
+uniform vec3 uRidgeColor, uValleyColor, uContourColor;
 #endif
 uniform float uFog;
 uniform vec3 uFogColor;
@@ -83,28 +84,14 @@ vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
 }
 
 // Lines lie over `color`; the result's w is how much of it they cover.
-#ifdef CURVATURE
-vec4 withLines(vec3 color, Point p, vec4 kappa, ivec2 pixel) {
-  float covered = 0.0, line;
-#ifdef RIDGES
-  line = uRidges * valley(kappa);
-  color = mix(color, uValleyColor, line);
-  covered = max(covered, line);
-  line = uRidges * ridge(kappa);
-  color = mix(color, uRidgeColor, line);
-  covered = max(covered, line);
-#endif
-#ifdef SUGGESTIVE
-  line = uSuggestiveContours * kappa.w * suggestiveContour(p, pixel, uCurvatureScale);
-  color = mix(color, uContourColor, line);
-  covered = max(covered, line);
-#endif
-#ifdef CONTOURS
-  line = uContours * kappa.w * silhouette(p, pixel);
-  color = mix(color, uContourColor, line);
-  covered = max(covered, line);
-#endif
-  return vec4(color, covered);
+#ifdef LINES
+vec4 withLines(vec3 color, ivec2 pixel) {
+  vec4 lines = texelFetch(uLines, pixel, 0) * vec4(uRidges, uRidges, uSuggestiveContours, uContours);
+  color = mix(color, uValleyColor, lines.y);
+  color = mix(color, uRidgeColor, lines.x);
+  color = mix(color, uContourColor, lines.z);
+  color = mix(color, uContourColor, lines.w);
+  return vec4(color, max(max(lines.x, lines.y), max(lines.z, lines.w)));
 }
 #endif
 
@@ -126,8 +113,8 @@ vec4 shaded(ivec2 pixel, vec4 surface, vec3 albedo) {
   lit = mix(1.0, texelFetch(uLit, pixel, 0).r, uShadow);
 #endif
   vec4 color = vec4(lighted(baseColor(p, albedo, kappa, pixel), p, lit), 0.0);
-#ifdef CURVATURE
-  color = withLines(color.rgb, p, kappa, pixel);
+#ifdef LINES
+  color = withLines(color.rgb, pixel);
 #endif
 #ifdef FOG
 #ifdef FOG_BACKGROUND

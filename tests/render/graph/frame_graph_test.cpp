@@ -227,6 +227,7 @@ struct LookRow {
 const std::vector<std::string> kShaded = {"gradient", "shade"};
 const std::vector<std::string> kCurved = {"hessian", "curvature", "shade"};
 const std::vector<std::string> kRanged = {"hessian", "curvature", "ranges", "shade"};
+const std::vector<std::string> kLined = {"hessian", "curvature", "line field", "lines", "shade"};
 const std::vector<std::string> kShadowed = {"gradient", "shadow", "shade"};
 const std::vector<std::string> kLit = {"gradient", "irradiance", "shade"};
 const std::vector<std::string> kFlowing = {"hessian", "curvature", "flow field", "flow", "shade"};
@@ -234,7 +235,8 @@ const std::vector<std::string> kFlowing = {"hessian", "curvature", "flow field",
 const std::vector<LookRow> kLooks = {
     {{"look.mode=blinn_phong"}, kShaded},
     {{"look.mode=lambert"}, kShaded},
-    {{"look.mode=tone"}, kShaded},
+    {{"look.mode=tone"}, kLined},  // with outlines
+    {{"look.mode=tone", "look.contours=0"}, kShaded},
     {{"look.mode=kappa1"}, kRanged},
     {{"look.mode=kappa2"}, kRanged},
     {{"look.mode=mean_curvature"}, kRanged},
@@ -258,13 +260,14 @@ const std::vector<LookRow> kLooks = {
     {{"look.texture=marble"}, kShaded},
     {{"look.fog=1"}, kShaded},
     {{"look.accessibility=1"}, kRanged},
-    {{"look.ridges=1"}, kRanged},
-    {{"look.ridges=1", "look.ridge_threshold=0.1"}, kCurved},
-    {{"look.contours=1"}, kCurved},
-    {{"look.suggestive_contours=1"}, kRanged},
+    {{"look.ridges=1"}, {"hessian", "curvature", "ranges", "extrema", "line field", "lines", "shade"}},
+    {{"look.ridges=1", "look.ridge_threshold=0.1"},
+     {"hessian", "curvature", "extrema", "line field", "lines", "shade"}},
+    {{"look.contours=1"}, kLined},
+    {{"look.suggestive_contours=1"}, {"hessian", "curvature", "ranges", "line field", "lines", "shade"}},
     {{"flow.strength=1"}, kFlowing},
     {{"look.shadow=1"}, kShadowed},
-    {{"look.shadow=1", "look.mode=tone"}, kShadowed},
+    {{"look.shadow=1", "look.mode=tone", "look.contours=0"}, kShadowed},
     {{"look.shadow=1", "look.mode=curvedness"}, {"hessian", "curvature", "ranges", "shadow", "shade"}},
     {{"look.shadow=1", "look.mode=shape_index", "look.shading=unlit"}, kCurved},  // nothing is lit
     // Without a key light, or where it brightens nothing, nobody sees its shadow; tone has only its
@@ -274,7 +277,7 @@ const std::vector<LookRow> kLooks = {
     {{"look.shadow=1", "look.ambient=1"}, kShadowed},  // the highlight
     {{"look.shadow=1", "look.ambient=1", "look.specular=0"}, kShaded},
     {{"look.shadow=1", "look.ambient=1", "look.mode=lambert"}, kShaded},
-    {{"look.shadow=1", "light.intensity=0", "look.mode=tone"}, kShadowed},
+    {{"look.shadow=1", "light.intensity=0", "look.mode=tone", "look.contours=0"}, kShadowed},
     // A surface of opacity 0 is not there, and what is behind it is not behind anything.
     {{"isosurface.opacity=0", "isosurface2.shown=1", "isosurface2.value=3", "isosurface2.opacity=1"},
      kShaded},
@@ -336,7 +339,12 @@ const std::vector<ChangeRow> kChanges = {
      {"segments", "cast", "hessian", "curvature", "shade", "resolve"}},  // ranges know no view
     {{"look.mode=kappa1"}, "derivatives.noise=5", {"curvature", "shade", "resolve"}},
     {{"look.mode=curvature_2d"}, "look.colormap=gray", {}},
+    {{"look.mode=kappa1"}, "look.legend_corner=upper_left", {"resolve"}},
     {{"look.ridges=1"}, "look.ridge_color=1,0,0", {"shade", "resolve"}},
+    {{"look.ridges=1"}, "look.ridge_width=4", {"lines", "shade", "resolve"}},
+    {{"look.ridges=1"}, "look.ridge_length=4", {"lines", "shade", "resolve"}},
+    {{"look.ridges=1"}, "look.ridge_threshold=4", {"line field", "lines", "shade", "resolve"}},
+    {{"look.contours=1"}, "look.contour_width=5", {"line field", "lines", "shade", "resolve"}},
     {{"look.shadow=1"}, "light.direction=1,0,0", {"shadow", "shade", "resolve"}},
     {{"look.shadow=1"}, "light.intensity=2", {"shade", "resolve"}},
     {{"look.shadow=1"}, "isosurface.albedo=1,0,0", {"shade", "resolve"}},

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "render/legend/font.h"
+#include "render/legend/legend_overlay.h"
 #include "scene/color_maps.h"
 #include "scene/curvature_map.h"
 
@@ -101,7 +102,7 @@ Legend bar() {
 Legend square() {
   Legend legend = bar();
   legend.quantityVertical = "κ₂";
-  legend.colors = scene::curvatureTexels(scene::Look::defaultCurvaturePoints(), 32);
+  legend.colors = scene::curvatureTexels({}, 32);
   return legend;
 }
 
@@ -170,6 +171,23 @@ TEST(LegendTest, TheBarShowsTheMapsEnds) {
   };
   EXPECT_TRUE(holds(legend.colors.front()));
   EXPECT_TRUE(holds(legend.colors.back()));
+}
+
+TEST(LegendPlace, IsTheCornerAskedForOrTheOneWithLeastSurface) {
+  using enum scene::LegendCorner;
+  const glm::ivec2 legend(100, 60), picture(500, 400);  // a margin of 8
+  EXPECT_EQ(legendPlace(upper_left, legend, picture, {}), glm::ivec2(8, 332));
+  EXPECT_EQ(legendPlace(lower_left, legend, picture, {}), glm::ivec2(8, 8));
+  EXPECT_EQ(legendPlace(upper_right, legend, picture, {}), glm::ivec2(392, 332));
+  EXPECT_EQ(legendPlace(automatic, legend, picture, {}), glm::ivec2(392, 8));
+  // The lower half, its left part empty.
+  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{120, 0}, {380, 200}}}), glm::ivec2(8, 8));
+  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{0, 0}, {500, 200}}}), glm::ivec2(392, 332));
+  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{0, 0}, {500, 200}}, {{300, 200}, {200, 200}}}),
+            glm::ivec2(8, 332));
+  // Everywhere alike, or hardly anything.
+  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{0, 0}, {500, 400}}}), glm::ivec2(392, 8));
+  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{392, 8}, {10, 10}}}), glm::ivec2(392, 8));
 }
 
 }  // namespace

@@ -58,6 +58,18 @@ TEST(CurvatureRangesTest, FixedEndsAreKept) {
   EXPECT_EQ(measureRange(scene, some(), kFlat), glm::dvec2(-0.5, 0.5));
 }
 
+TEST(CurvatureRangesTest, EndsThatAreAutomaticAreTold) {
+  scene::Scene scene;
+  EXPECT_TRUE(foundNumbers(scene, some(), kFlat).empty());
+  scene.look.mode = LookMode::kappa1;
+  const glm::dvec2 range = measureRange(scene, some(), kFlat);
+  EXPECT_EQ(foundNumbers(scene, some(), kFlat),
+            (std::map<std::string, double>{{"look.range_low", range.x}, {"look.range_high", range.y}}));
+  scene.look.rangeLow = -2.0;
+  EXPECT_EQ(foundNumbers(scene, some(), kFlat),
+            (std::map<std::string, double>{{"look.range_high", range.y}}));
+}
+
 TEST(CurvatureRangesTest, RidgesAndValleysHaveThresholdsOfTheirOwn) {
   scene::Scene scene;
   EXPECT_EQ(ridgeThresholds(scene, some(), kFlat), glm::dvec2(0.75 * 0.4, 0.75 * 0.3));
@@ -66,6 +78,9 @@ TEST(CurvatureRangesTest, RidgesAndValleysHaveThresholdsOfTheirOwn) {
   EXPECT_EQ(ridgeThresholds(scene, convex, kFlat), glm::dvec2(0.75 * 0.4, 0.25 * 0.75 * 0.4));
   scene.look.ridgeThreshold = 0.2;
   EXPECT_EQ(ridgeThresholds(scene, some(), kFlat), glm::dvec2(0.2));
+  EXPECT_EQ(ridgeLengths(scene, {0.2, 0.1}), glm::dvec2(10.0, 20.0));
+  scene.look.ridgeLength = 3.0;
+  EXPECT_EQ(ridgeLengths(scene, {0.2, 0.1}), glm::dvec2(3.0));
 }
 
 TEST(CurvatureRangesTest, SeveralSurfacesShareTheOuterBounds) {

@@ -74,8 +74,9 @@ void setOther(const scene::Setting& setting, scene::Scene& scene) {
 // What changes nothing in pictures as small as these, though it does in others.
 bool tooFineToSee(const std::string& pass, const std::string& path) {
   static const std::map<std::string, std::set<std::string>> table = {
-      {"look.legend", {"resolve"}},                        // there is no room for one
-      {"look.suggestive_contours", {"shade", "layers"}}};  // of rays a ninetieth of the height apart
+      {"look.legend", {"resolve"}},  // there is no room for one
+      {"look.legend_corner", {"resolve"}},
+      {"look.suggestive_contours", {"lines", "shade", "layers"}}};  // of rays a ninetieth of the height apart
   const auto at = table.find(path);
   return at != table.end() && at->second.contains(pass);
 }

@@ -123,14 +123,14 @@ TEST_F(LooksGlTest, BlinnPhongIsItsFormula) {
 }
 
 TEST_F(LooksGlTest, ToneGoesFromCoolToWarm) {
-  draw(phantom("ball", 48),
-       with(kWorldLight, {"look.mode=tone", "look.tone_cool=0.1,0.2,0.6", "look.tone_warm=0.9,0.6,0.1"}));
-  const glm::dvec3 cool = glm::mix(glm::dvec3(0.1, 0.2, 0.6), kAlbedo, 0.25);
-  const glm::dvec3 warm = glm::mix(glm::dvec3(0.9, 0.6, 0.1), kAlbedo, 0.5);
+  draw(phantom("ball", 48), with(kWorldLight, {"look.mode=tone", "look.contours=0",
+                                               "look.tone_cool=0.1,0.2,0.6", "look.tone_warm=0.9,0.6,0.1"}));
+  const glm::dvec3 cool = glm::mix(glm::dvec3(0.1, 0.2, 0.6), kAlbedo, 0.1);
+  const glm::dvec3 warm = glm::mix(glm::dvec3(0.9, 0.6, 0.1), kAlbedo, 0.4);
   expectColors(
       [&](const glm::dvec3& n, const glm::dvec3&) {
         const double warmth = 0.5 + 0.5 * glm::dot(n, kToLight);
-        return glm::mix(cool, warm, warmth * warmth);
+        return glm::mix(cool, warm, warmth * warmth * warmth);
       },
       kHalf);
 }
@@ -314,7 +314,7 @@ TEST_F(LooksGlTest, LinesLieOnRidgesAndValleysOnly) {
   const auto volume = waves();
   draw(volume,
        {"isosurface.value=0", "look.mode=lambert", "look.ambient=1", "isosurface.albedo=0.5,0.5,0.5",
-        "look.ridges=1", "look.ridge_color=1,0,0", "look.valley_color=0,0,1"},
+        "look.ridges=1", "look.ridge_width=3", "look.ridge_color=1,0,0", "look.valley_color=0,0,1"},
        0.5);
   std::size_t red = 0, blue = 0, wrong = 0;
   for (std::size_t i = 0; i < pixels(); ++i) {

@@ -73,7 +73,8 @@ std::vector<scene::Scene> scenes() {
       scene.isosurface.value = 1.0;
       scene.flow.time = 0.3;
       if (variant == 1) {
-        scene.look.ridges = scene.look.contours = scene.look.fog = scene.flow.strength = 0.5;
+        scene.look.ridges = scene.look.fog = scene.flow.strength = 0.5;
+        scene.look.contours = 0.5;
         scene.look.shadow = scene.look.accessibility = 0.5;
         scene.look.texture = scene::SolidTexture::wood;
         scene.hit.method = scene::HitMethod::sampled;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/rules/automatic.h"
 #include "scene/settings.h"
 
 namespace isolux::test {
@@ -35,18 +36,36 @@ TEST(Needs, OfEachLook) {
   Names coloured = measures;
   coloured.insert({"accessibility", "flow"});
   EXPECT_EQ(looksWith([](const scene::Scene& s) { return scene::isColored(s.look.mode); }), coloured);
-  EXPECT_EQ(looksWith(scene::needsCurvature), coloured);
+  Names curved = coloured;
+  curved.insert("tone");  // its outlines
+  EXPECT_EQ(looksWith(scene::needsCurvature), curved);
   EXPECT_EQ(looksWith(scene::isPlain), (Names{"normal", "depth"}));
   EXPECT_EQ(looksWith(scene::showsFlow), Names{"flow"});
   EXPECT_EQ(looksWith(scene::usesGi), Names{"gi"});
   EXPECT_EQ(looksWith([](const scene::Scene& s) { return !scene::needsGradient(s); }), Names{"depth"});
 }
 
+TEST(Needs, ToneHasOutlinesUnlessToldOtherwise) {
+  scene::Scene scene;
+  EXPECT_EQ(scene::contoursOf(scene), 0.0);
+  scene.look.mode = scene::LookMode::tone;
+  EXPECT_EQ(scene::contoursOf(scene), 0.5);
+  EXPECT_EQ(scene::resolve(scene, {}).look.contours, 0.5);
+  scene.look.contours = 0.0;
+  EXPECT_EQ(scene::contoursOf(scene), 0.0);
+  scene.look.mode = scene::LookMode::shape_index;
+  scene.look.shading = scene::Shading::tone;
+  scene.look.contours.reset();
+  EXPECT_EQ(scene::contoursOf(scene), 0.5);
+}
+
 TEST(Needs, NothingIsLaidOverARawQuantity) {
   for (const auto mode : {scene::LookMode::normal, scene::LookMode::depth}) {
     scene::Scene scene;
     scene.look.mode = mode;
-    scene.look.ridges = scene.look.contours = scene.look.accessibility = scene.flow.strength = 1.0;
+    scene.look.ridges = scene.look.accessibility = scene.flow.strength = 1.0;
+    scene.look.contours = 1.0;
+    EXPECT_FALSE(scene::drawsLines(scene));
     scene.look.shadow = 1.0;
     EXPECT_FALSE(scene::needsCurvature(scene));
     EXPECT_FALSE(scene::showsFlow(scene));

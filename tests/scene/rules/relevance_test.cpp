@@ -36,12 +36,13 @@ TEST(Relevance, OfEachLook) {
   const std::string lines = "ridges contours suggestive_contours";
   const std::string lambert = "shading ambient ambient_variation ";
   const std::string measure =
-      lambert + "shadow fog colormap range_low range_high legend accessibility " + lines;
+      lambert + "shadow fog colormap range_low range_high legend legend_corner accessibility " + lines;
   const std::map<std::string, std::string> table = {
       {"blinn_phong",
        "ambient ambient_variation specular shininess inner_tint texture shadow fog accessibility " + lines},
       {"lambert", "ambient ambient_variation inner_tint texture shadow fog accessibility " + lines},
-      {"tone", "tone_cool tone_warm inner_tint texture shadow fog accessibility " + lines},
+      {"tone", "tone_cool tone_warm inner_tint texture shadow fog accessibility " + lines +
+                   " contour_width contour_color"},
       {"kappa1", measure},
       {"kappa2", measure},
       {"mean_curvature", measure},
@@ -49,7 +50,8 @@ TEST(Relevance, OfEachLook) {
       {"shape_index", measure},
       {"curvedness", measure},
       {"curvature_2d",
-       lambert + "shadow fog range_low range_high curvature_points legend accessibility " + lines},
+       lambert + "shadow fog range_low range_high curvature_points legend legend_corner accessibility " +
+           lines},
       {"accessibility", lambert + "inner_tint texture shadow fog " + lines},
       {"flow", lambert + "inner_tint texture shadow fog accessibility " + lines},
       {"gi", "inner_tint texture fog accessibility " + lines},
@@ -91,18 +93,21 @@ TEST(Relevance, AShadowNeedsAKeyLightThatBrightens) {
 
 TEST(Relevance, StrengthsBringTheirDetails) {
   scene::Scene scene;
-  for (const char* path : {"look.ridge_threshold", "look.contour_width", "look.fog_color", "flow.length",
+  for (const char* path : {"look.ridge_threshold", "look.ridge_width", "look.ridge_width_unit",
+                           "look.ridge_length", "look.contour_width", "look.fog_color", "flow.length",
                            "look.texture_scale", "derivatives.noise", "isosurface.layers"})
     EXPECT_FALSE(acts(path, scene)) << path;
   scene.look.ridges = scene.look.suggestiveContours = scene.look.fog = scene.flow.strength = 0.1;
   scene.look.texture = scene::SolidTexture::marble;
   scene.isosurface.opacity = 0.5;
-  for (const char* path : {"look.ridge_threshold", "look.contour_width", "look.fog_color", "flow.length",
+  for (const char* path : {"look.ridge_threshold", "look.ridge_width", "look.ridge_width_unit",
+                           "look.ridge_length", "look.contour_width", "look.fog_color", "flow.length",
                            "look.texture_scale", "derivatives.noise", "isosurface.layers"})
     EXPECT_TRUE(acts(path, scene)) << path;
   EXPECT_TRUE(scene::showsFlow(scene));
   scene.look.mode = scene::LookMode::normal;  // nothing is laid over a raw quantity
-  for (const char* path : {"look.ridge_threshold", "look.contour_width", "look.fog_color", "flow.length"})
+  for (const char* path : {"look.ridge_threshold", "look.ridge_width", "look.ridge_width_unit",
+                           "look.ridge_length", "look.contour_width", "look.fog_color", "flow.length"})
     EXPECT_FALSE(acts(path, scene)) << path;
 }
 

@@ -1,6 +1,7 @@
 // The editor of the (kappa1, kappa2) colour map: mouse, keys, and what reaches the scene.
 #include "ui/editors/curvature_map_editor.h"
 
+#include <QCheckBox>
 #include <QTest>
 #include <QToolButton>
 
@@ -16,11 +17,17 @@ namespace isolux::test {
 
 namespace {
 
+// A flat middle, a cap, a ridge, a saddle, a valley and a cup.
+const std::vector<scene::CurvaturePoint> kPoints = {
+    {0.0, 0.0, {0.82, 0.82, 0.80}},  {1.0, 1.0, {0.85, 0.30, 0.12}},  {1.0, 0.0, {0.95, 0.72, 0.25}},
+    {1.0, -1.0, {0.45, 0.72, 0.35}}, {0.0, -1.0, {0.20, 0.50, 0.72}}, {-1.0, -1.0, {0.30, 0.16, 0.52}}};
+
 class CurvatureMapEditorTest : public testing::Test {
  protected:
   void SetUp() override {
     scene::Scene scene;
     scene.look.mode = scene::LookMode::curvature_2d;
+    scene.look.curvaturePoints = kPoints;
     history_.reset(scene);
     panel_.resize(350, 900);
     panel_.show();
@@ -36,7 +43,7 @@ class CurvatureMapEditorTest : public testing::Test {
   void show() { panel_.setScene(history_.scene(), history_.scene()); }
   ui::CurvatureMapEditor* editor() { return panel_.findChild<ui::CurvatureMapEditor*>(); }
   ui::CurvatureMapView* view() { return editor()->view(); }
-  const std::vector<scene::CurvaturePoint>& points() { return history_.scene().look.curvaturePoints; }
+  const std::vector<scene::CurvaturePoint>& points() { return *history_.scene().look.curvaturePoints; }
   QPoint at(glm::dvec2 kappa) { return view()->positionOf(kappa).toPoint(); }
 
   app::History history_;
@@ -96,7 +103,7 @@ TEST_F(CurvatureMapEditorTest, ArrowKeysAndTheColourButtonChangeTheSelectedPoint
   Q_EMIT editor()->colourButton()->chosen({0.1, 0.2, 0.3});
   EXPECT_EQ(points()[3].color, glm::dvec3(0.1, 0.2, 0.3));
   history_.undo();  // keys and colours in a row are one gesture until it pauses
-  EXPECT_EQ(points(), scene::Look::defaultCurvaturePoints());
+  EXPECT_EQ(points(), kPoints);
 }
 
 TEST_F(CurvatureMapEditorTest, APointFromASessionAboveTheDiagonalKeepsItsPlaceWhenOnlyItsColourChanges) {
@@ -106,6 +113,18 @@ TEST_F(CurvatureMapEditorTest, APointFromASessionAboveTheDiagonalKeepsItsPlaceWh
   show();
   Q_EMIT editor()->colourButton()->chosen({1.0, 0.0, 0.0});
   EXPECT_EQ(points()[0], (scene::CurvaturePoint{-0.5, 0.5, {1.0, 0.0, 0.0}}));
+}
+
+TEST_F(CurvatureMapEditorTest, AnOwnMapStartsFromTheAutomaticOne) {
+  scene::Scene scene = history_.scene();
+  scene.look.curvaturePoints.reset();
+  history_.reset(scene);
+  show();
+  ui::SettingEditor* own = panel_.editor("look.curvature_points");
+  ASSERT_FALSE(editor()->isVisibleTo(own));
+  own->findChild<QCheckBox*>()->click();
+  EXPECT_TRUE(editor()->isVisibleTo(own));
+  EXPECT_EQ(points(), kPoints);  // what the editor showed last
 }
 
 }  // namespace isolux::test

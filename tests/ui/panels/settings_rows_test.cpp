@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 
+#include <QCheckBox>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QScrollArea>
@@ -71,8 +72,28 @@ TEST_F(SettingsRowsTest, EveryLookHasTheRowsOfAFreshStartHoweverOftenLooksChange
   for (int i = 0; i < looks; ++i) check(static_cast<int>(random() % static_cast<unsigned>(looks)));
 }
 
+TEST_F(SettingsRowsTest, EndsThatAPictureFoundAreShownBesideAutoAndKeptWhenItGoesOff) {
+  QObject::connect(&panel_, &ui::SettingsPanel::edited, [this](const ui::Edit& edit) { show(edit.scene); });
+  scene_.look.mode = scene::LookMode::kappa1;
+  show(scene_);
+  ui::SettingEditor* editor = panel_.editor("look.range_high");
+  EXPECT_FALSE(editor->valueWidget()->isVisibleTo(editor));
+  render::FrameReport report;
+  report.found["look.range_high"] = 0.375;
+  panel_.setReport(report, {});
+  EXPECT_TRUE(editor->valueWidget()->isVisibleTo(editor));
+  EXPECT_EQ(editor->valueWidget()->value(), 0.375);
+  EXPECT_FALSE(scene_.look.rangeHigh.has_value());
+  editor->findChild<QCheckBox*>()->click();
+  EXPECT_EQ(scene_.look.rangeHigh, 0.375);
+  editor->findChild<QCheckBox*>()->click();
+  panel_.setReport({}, {});
+  EXPECT_FALSE(editor->valueWidget()->isVisibleTo(editor));
+}
+
 TEST_F(SettingsRowsTest, NoRowMovesWhileAValueIsDraggedOrTurned) {
   QObject::connect(&panel_, &ui::SettingsPanel::edited, [this](const ui::Edit& edit) { show(edit.scene); });
+  scene_.look.contours = 0.0;
   show(scene_);
   panel_.setGroupOpen("Lines", true);
   const auto before = rows(panel_);
@@ -81,7 +102,7 @@ TEST_F(SettingsRowsTest, NoRowMovesWhileAValueIsDraggedOrTurned) {
   auto* slider = panel_.editor("look.contours")->findChild<QSlider*>();
   slider->setSliderDown(true);  // pressed
   slider->setValue(slider->maximum() / 2);
-  EXPECT_GT(scene_.look.contours, 0.0);
+  EXPECT_GT(*scene_.look.contours, 0.0);
   EXPECT_EQ(rows(panel_), before);
   slider->setSliderDown(false);
   EXPECT_TRUE(panel_.shows("look.contour_width"));

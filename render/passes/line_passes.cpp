@@ -1,0 +1,165 @@
+#include "render/passes/line_passes.h"
+
+#include <algorithm>
+
+#include "render/passes/curvature_ranges.h"
+#include "scene/rules/needs.h"
+
+namespace isolux::render {
+
+namespace {
+
+constexpr float kUnknown[4] = {3e38f, 3e38f, 0.0f, 0.0f};
+constexpr float kNoLine[4] = {0.0f, 0.0f, 1000.0f, 0.0f};
+// How far a line is followed each way, pixels, and what differences are taken over beside it.
+constexpr double kMostPixels = 48.0, kDifferences = 16.0;
+
+// The images of the line fields, in their order.
+struct LineKind {
+  const char* define;
+  const char* place;    // its place among the images
+  const char* sampler;  // of lines.frag.glsl
+};
+constexpr LineKind kRidgeLines{"RIDGES", "AT_RIDGES", "uRidgeField"},
+    kValleyLines{"RIDGES", "AT_VALLEYS", "uValleyField"},
+    kSuggestiveLines{"SUGGESTIVE", "AT_SUGGESTIVE", "uSuggestiveField"},
+    kContourLines{"CONTOURS", "AT_CONTOURS", "uContourField"};
+
+std::vector<LineKind> kindsOf(const scene::Scene& scene) {
+  std::vector<LineKind> kinds;
+  if (scene.look.ridges > 0.0) kinds = {kRidgeLines, kValleyLines};
+  if (scene.look.suggestiveContours > 0.0) kinds.push_back(kSuggestiveLines);
+  if (scene::contoursOf(scene) > 0.0) kinds.push_back(kContourLines);
+  return kinds;
+}
+
+std::string definesOfLines(const scene::Scene& scene) {
+  std::string defines, last;
+  int place = 0;
+  for (const LineKind& kind : kindsOf(scene)) {
+    if (kind.define != last) defines += "#define " + (last = kind.define) + "\n";
+    defines += "#define " + std::string(kind.place) + " " + std::to_string(place++) + "\n";
+  }
+  return defines;
+}
+
+// Differences of curvature are taken over most of a voxel: what varies faster is the voxels' doing.
+float detailOf(const FrameState& frame) {
+  const glm::dvec3 spacing = frame.volume->grid().geometry().spacingMm();
+  return static_cast<float>(0.75 * std::min({spacing.x, spacing.y, spacing.z}));
+}
+
+void setNeighbours(FrameState& frame, Program& p, int unit) {
+  frame.setView(p);
+  frame.setPoint(p, unit);
+  p.setTexture("uKappa", unit + 3, frame.image(image::curvature, 0));
+  p.setTexture("uDirection", unit + 4, frame.image(image::curvature, 1));
+  p.set("uDetail", detailOf(frame));
+}
+
+glm::dvec2 thresholdsOf(const FrameState& frame) {
+  return ridgeThresholds(*frame.scene, frame.statistics, frame.flatCurvature());
+}
+
+void dependOnPoints(Declaring& d) {
+  d.reads(image::surface).reads(image::gradient).reads(image::curvature).volume().pictureSize();
+  d.settings({"camera.", "isosurface.inside"});
+}
+
+void dependOnRanges(Declaring& d) {
+  if (readsCurvatureRanges(d.asked.scene)) d.reads(image::ranges);
+  d.settings({"look.ridge_threshold"});
+}
+
+}  // namespace
+
+double reachOfLines(const scene::Scene& scene, double pixelRatio, int pictureHeight) {
+  if (!scene::drawsLines(scene)) return 0.0;
+  return (kMostPixels + kDifferences) * pixelRatio + pictureHeight / 90.0;
+}
+
+void ExtremaPass::declare(Declaring& d) const {
+  dependOnPoints(d);
+  d.writes(image::extrema);
+}
+
+void ExtremaPass::run(FrameState& frame) {
+  Target& target = frame.target(image::extrema, {GL_RG32F});
+  if (frame.empty()) {
+    frame.clear(target, {kUnknown});
+    return;
+  }
+  Program& p = frame.program(shader);
+  setNeighbours(frame, p, 0);
+  frame.drawHits(target, p);
+}
+
+void LineFieldPass::declare(Declaring& d) const {
+  dependOnPoints(d);
+  dependOnRanges(d);
+  d.writes(image::lineField);
+  const scene::Look& look = d.asked.scene.look;
+  d.input("kinds of lines", look.ridges > 0.0, look.suggestiveContours > 0.0,
+          scene::contoursOf(d.asked.scene) > 0.0);
+  if (look.ridges > 0.0) d.reads(image::extrema);
+  d.settings({"look.contour_width"}).input("pixel ratio", d.asked.request.pixelRatio);
+}
+
+void LineFieldPass::run(FrameState& frame) {
+  const std::size_t kinds = kindsOf(*frame.scene).size();
+  Target& target = frame.target(image::lineField, std::vector<GLenum>(kinds, GL_RGBA16F));
+  if (frame.empty()) {
+    for (std::size_t i = 0; i < kinds; ++i)
+      frame.gl->ClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, static_cast<GLint>(i), kNoLine);
+    target.drawn = volume::PictureArea(glm::ivec2(target.images[0].size()));
+    return;
+  }
+  Program& p = frame.program(shader, definesOfLines(*frame.scene));
+  setNeighbours(frame, p, 0);
+  if (frame.scene->look.ridges > 0.0) p.setTexture("uExtrema", 5, frame.image(image::extrema));
+  p.set("uRidgeThresholds", glm::vec2(thresholdsOf(frame)));
+  p.set("uContourWidth", static_cast<float>(frame.scene->look.contourWidth * frame.raysPerWidth()));
+  p.set("uCurvatureScale", static_cast<float>(curvatureScale(frame.statistics, frame.flatCurvature())));
+  frame.drawHits(target, p);
+}
+
+void LinesPass::declare(Declaring& d) const {
+  dependOnPoints(d);
+  dependOnRanges(d);
+  d.reads(image::lineField).writes(image::lines);
+  d.settings({"look.contour_width", "look.ridge_width", "look.ridge_width_unit", "look.ridge_length"});
+  d.input("pixel ratio", d.asked.request.pixelRatio);
+}
+
+std::optional<LookInput> LinesPass::forLook(const scene::Scene& scene) const {
+  if (!scene::drawsLines(scene)) return std::nullopt;
+  return LookInput{image::lines, "LINES", {"uLines"}};
+}
+
+void LinesPass::run(FrameState& frame) {
+  Target& target = frame.target(image::lines, {GL_RGBA8});
+  if (frame.empty()) {
+    frame.clear(target, {kZero});
+    return;
+  }
+  const scene::Look& look = frame.scene->look;
+  Program& p = frame.program(shader, definesOfLines(*frame.scene));
+  frame.setView(p);
+  frame.setPoint(p, 0);
+  int unit = 3;
+  for (const LineKind& line : kindsOf(*frame.scene)) {
+    p.setTexture(line.sampler, unit, frame.image(image::lineField, static_cast<std::size_t>(unit - 3)));
+    ++unit;
+  }
+  const double pixel = frame.raysPerWidth();
+  const bool inMm = look.ridgeWidthUnit == scene::LengthUnit::mm;
+  p.set("uPixel", static_cast<float>(pixel));
+  p.set("uMostRays", static_cast<float>(kMostPixels * pixel));
+  p.set("uRidgeRays", static_cast<float>(inMm ? 0.0 : look.ridgeWidth * pixel));
+  p.set("uRidgeMm", static_cast<float>(inMm ? look.ridgeWidth : 0.0));
+  p.set("uRidgeLengths", glm::vec2(ridgeLengths(*frame.scene, thresholdsOf(frame))));
+  p.set("uContourWidth", static_cast<float>(look.contourWidth * pixel));
+  frame.drawHits(target, p);
+}
+
+}  // namespace isolux::render

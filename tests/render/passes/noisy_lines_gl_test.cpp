@@ -1,0 +1,80 @@
+// Ridges and valleys of a noisy head against those of the same head without noise.
+#include <algorithm>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "base/progress.h"
+#include "tests/render/gl_fixture.h"
+#include "volume/phantom/phantom.h"
+
+namespace isolux::test {
+namespace {
+
+struct LinePoints {
+  std::vector<glm::dvec3> ridges, valleys;  // surface points that lines cover by half, mm
+};
+
+// Of the points of `of`, the share that has one of `near` within `reach` mm.
+double shareNear(const std::vector<glm::dvec3>& of, const std::vector<glm::dvec3>& near, double reach) {
+  if (of.empty()) return 1.0;
+  const auto isNear = [&](const glm::dvec3& p) {
+    return std::any_of(near.begin(), near.end(),
+                       [&](const glm::dvec3& q) { return glm::distance(p, q) <= reach; });
+  };
+  return static_cast<double>(std::count_if(of.begin(), of.end(), isNear)) / static_cast<double>(of.size());
+}
+
+class NoisyLinesGlTest : public RenderGlTest {
+ protected:
+  // The skull of a head of `voxels` per axis, with lines in red and blue on black.
+  LinePoints linesOf(int voxels, double noise, const std::vector<std::string>& settings) {
+    base::Progress progress;
+    volume::PhantomRequest phantom;
+    phantom.size = voxels;
+    phantom.noise = noise;
+    const auto volume = prepared(volume::makePhantom(phantom, progress));
+    spacing_ = volume->grid().geometry().spacingMm().x;
+    const scene::Scene scene =
+        assigned({"isosurface.value=300", "look.mode=lambert", "look.ambient=1", "isosurface.albedo=0,0,0",
+                  "look.ridges=1", "look.ridge_color=1,0,0", "look.valley_color=0,0,1",
+                  "camera.eye=120,-620,130", "camera.target=0,0,20", "camera.up=0,0,1", "camera.fov=22"});
+    scene_ = scene::resolve(assigned(settings, scene), volume->facts);
+    renderer_->setVolume(volume);
+    render::FrameRequest request;
+    request.size = {384, 384};
+    request.aovs = {render::Aov::hit, render::Aov::position};
+    renderer_->render(scene_, request);
+    const render::LinearImage color = renderer_->readLinear();
+    const render::AovImage hit = renderer_->readAov(render::Aov::hit);
+    const render::AovImage position = renderer_->readAov(render::Aov::position);
+    LinePoints points;
+    for (std::size_t i = 0; i < hit.values.size(); ++i) {
+      if (hit.values[i] != 1.0f) continue;
+      if (color.rgba[4 * i] >= 0.5f) points.ridges.push_back(at(position, i));
+      if (color.rgba[4 * i + 2] >= 0.5f) points.valleys.push_back(at(position, i));
+    }
+    return points;
+  }
+
+  double spacing_ = 1.0;
+};
+
+}  // namespace
+
+TEST_F(NoisyLinesGlTest, AreThoseOfTheCleanHead) {
+  constexpr int voxels = 128;
+  const LinePoints clean = linesOf(voxels, 0.0, {});
+  ASSERT_GT(clean.ridges.size(), 300u);
+  ASSERT_GT(clean.valleys.size(), 300u);
+  for (const double noise : {5.0, 20.0}) {
+    const LinePoints noisy = linesOf(voxels, noise, {});
+    const double reach = 1.5 * spacing_;
+    std::printf("noise %g HU: ridges precision %.3f recall %.3f, valleys precision %.3f recall %.3f\n", noise,
+                shareNear(noisy.ridges, clean.ridges, reach), shareNear(clean.ridges, noisy.ridges, reach),
+                shareNear(noisy.valleys, clean.valleys, reach),
+                shareNear(clean.valleys, noisy.valleys, reach));
+  }
+}
+
+}  // namespace isolux::test
