@@ -49,9 +49,16 @@ float detailOf(const FrameState& frame) {
   return static_cast<float>(0.75 * std::min({spacing.x, spacing.y, spacing.z}));
 }
 
-void setNeighbours(FrameState& frame, Program& p, int unit) {
+// Points with the gradients that curvature is of, whose tangent planes its directions lie in: not those of
+// shading.
+void setPoints(FrameState& frame, Program& p, int unit) {
   frame.setView(p);
   frame.setPoint(p, unit);
+  p.setTexture("uGradient", unit + 1, frame.gradientImage());
+}
+
+void setNeighbours(FrameState& frame, Program& p, int unit) {
+  setPoints(frame, p, unit);
   p.setTexture("uKappa", unit + 3, frame.image(image::curvature, 0));
   p.setTexture("uDirection", unit + 4, frame.image(image::curvature, 1));
   p.set("uDetail", detailOf(frame));
@@ -144,8 +151,7 @@ void LinesPass::run(FrameState& frame) {
   }
   const scene::Look& look = frame.scene->look;
   Program& p = frame.program(shader, definesOfLines(*frame.scene));
-  frame.setView(p);
-  frame.setPoint(p, 0);
+  setPoints(frame, p, 0);
   int unit = 3;
   for (const LineKind& line : kindsOf(*frame.scene)) {
     p.setTexture(line.sampler, unit, frame.image(image::lineField, static_cast<std::size_t>(unit - 3)));
