@@ -62,8 +62,7 @@ std::shared_ptr<const CubicField> CubicFields::make(scene::Field field, base::Pr
   return slot;
 }
 
-std::shared_ptr<const ScaledField> CubicFields::find(scene::Field field, double scaleMm) const {
-  const std::lock_guard lock(mutex_);
+std::shared_ptr<const ScaledField> CubicFields::scaledFound(scene::Field field, double scaleMm) const {
   const auto found = std::find_if(scaled_.begin(), scaled_.end(), [&](const auto& scaled) {
     return scaled->field == field && scaled->scaleMm == scaleMm;
   });
@@ -72,14 +71,26 @@ std::shared_ptr<const ScaledField> CubicFields::find(scene::Field field, double 
   return scaled_.back();
 }
 
+std::shared_ptr<const ScaledField> CubicFields::find(scene::Field field, double scaleMm) const {
+  const std::lock_guard lock(mutex_);
+  return scaledFound(field, scaleMm);
+}
+
 std::shared_ptr<const ScaledField> CubicFields::make(scene::Field field, double scaleMm,
                                                      base::Progress& progress) {
   if (field == scene::Field::trilinear || !(scaleMm > 0.0)) return nullptr;
-  if (auto there = find(field, scaleMm)) return there;
+  const auto leaveRoom = [&] {
+    if (scaled_.size() == kKeptScales) scaled_.erase(scaled_.begin());
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    if (auto there = scaledFound(field, scaleMm)) return there;
+    leaveRoom();  // first, so that three never take memory at once
+  }
   auto fresh = std::make_shared<const ScaledField>(scaledField(*grid_, field, scaleMm, progress));
-  if (auto there = find(field, scaleMm)) return there;
   const std::lock_guard lock(mutex_);
-  if (scaled_.size() == kKeptScales) scaled_.erase(scaled_.begin());
+  if (auto there = scaledFound(field, scaleMm)) return there;
+  leaveRoom();
   scaled_.push_back(fresh);
   return fresh;
 }

@@ -47,6 +47,8 @@ class CubicFields {
   void makeFor(const scene::Scene& scene, base::Progress& progress);
 
  private:
+  std::shared_ptr<const ScaledField> scaledFound(scene::Field field, double scaleMm) const;  // while locked
+
   std::shared_ptr<const Grid> grid_;
   mutable std::mutex mutex_;  // held for moments
   std::shared_ptr<const CubicField> cubic_, interpolating_;

@@ -22,7 +22,7 @@ struct NoiseGain {
 // the autocorrelation of b's n-th derivative at k, which for B-splines is (-1)^n times the 2n-th derivative
 // of the B-spline of twice the order (Unser 1999). `deviations`: of the field at a scale, voxels
 // (deviationsInVoxels); all 0: the field itself. Correlations between the axes of a sheared grid are left
-// out.
+// out: 3 % less where slices lean by 9 degrees, up to 8 % at 18.
 NoiseGain noiseGain(scene::Field field, const glm::dvec3& blur = glm::dvec3(0.0),
                     const glm::dvec3& deviations = glm::dvec3(0.0));
 
