@@ -300,10 +300,6 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   uploaded_ = Uploaded::nothing;
 }
 
-double GpuVolume::lostCurvature(const scene::Scene& completed) const {
-  return volume_->derivativeChoices->lostCurvature(completed);
-}
-
 glm::dvec3 GpuVolume::noiseBlur() const {
   base::Progress unwatched;
   return volume_->derivativeChoices->noise(unwatched).correlation;
