@@ -147,11 +147,8 @@ struct Belief {
 volume::CurvatureScale confidenceScale(const volume::PreparedVolume& volume,
                                        const volume::DerivativeChoice& choice) {
   base::Progress progress;
-  volume::CurvatureScale scale =
-      volume::curvatureScale(volume.grid().geometry(), scene::Field::cubic, choice.noise,
-                             volume.derivativeChoices->noise(progress).correlation, choice.scaleMm);
-  if (choice.scaleMm > 0.0) scale.lostCurvature = choice.lostCurvature;
-  return scale;
+  return volume::curvatureScale(volume.grid().geometry(), scene::Field::cubic, choice.noise,
+                                volume.derivativeChoices->noise(progress).correlation, choice.scaleMm);
 }
 
 // Scales of the table, voxels. Below 1 / sqrt 3 all are as 0: the spline smooths as much by itself.

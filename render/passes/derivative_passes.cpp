@@ -119,7 +119,6 @@ void CurvaturePass::run(FrameState& frame) {
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));
-  p.set("uLostCurvature", static_cast<float>(frame.volume->lostCurvature(*frame.scene)));
   frame.drawHits(target, p);
 }
 

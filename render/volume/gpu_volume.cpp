@@ -233,10 +233,6 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   surface.activate(std::move(stored));
 }
 
-double GpuVolume::lostCurvature(const scene::Scene& completed) const {
-  return volume_->derivativeChoices->lostCurvature(completed);
-}
-
 glm::dvec3 GpuVolume::noiseBlur() const {
   base::Progress unwatched;
   return volume_->derivativeChoices->noise(unwatched).correlation;

@@ -61,7 +61,6 @@ class GpuVolume {
   double dataUnitsPerTexel() const;  // of uVolume
   double dataUnitsPerTexel(scene::Field field) const;
 
-  double lostCurvature(const scene::Scene& completed) const;  // volume::DerivativeChoices
   glm::dvec3 noiseBlur() const;  // scene::NoiseModel; estimated where nobody has asked for it yet
   // How the surface of `value` (data units) is curved by these derivatives. All 0 where there is none.
   volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward);

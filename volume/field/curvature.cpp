@@ -76,7 +76,7 @@ CurvatureScale curvatureScale(const GridGeometry& geometry, scene::Field field, 
   const double hessian = glm::dot(gain.pure, squares * squares) / 5.0 +
                          glm::dot(4.0 * gain.mixed + 2.0 * gain.covariance, pairs) / 15.0;
   const glm::dvec3 edges = glm::dvec3(glm::max(geometry.dims - 1, glm::ivec3(1))) * geometry.spacingMm();
-  return {noise * std::sqrt(gradient), 0.1 / glm::length(edges), noise * std::sqrt(hessian), 0.0};
+  return {noise * std::sqrt(gradient), 0.1 / glm::length(edges), noise * std::sqrt(hessian)};
 }
 
 double curvatureConfidence(const PrincipalCurvature& curvature, glm::dvec3 worldGradient,
@@ -93,10 +93,10 @@ double curvatureConfidence(const PrincipalCurvature& curvature, glm::dvec3 world
   const double againstNoise = scale.hessianNoise > 0.0 ? smoothstep(kNoisyDifference, kClearDifference,
                                                                     difference * length / scale.hessianNoise)
                                                        : 1.0;
-  const double error = std::hypot(scale.hessianNoise / length, kLostPart * scale.lostCurvature);
-  const double clear = std::max(std::abs(curvature.kappa1), std::abs(curvature.kappa2)) / error;
-  const double fromSize =
-      error > 0.0 ? std::min(1.0, kSureSize / (1.0 + kClearSize * kClearSize / (clear * clear))) : 1.0;
+  const double most = std::max(std::abs(curvature.kappa1), std::abs(curvature.kappa2));
+  const double sure =
+      scale.hessianNoise > 0.0 ? smoothstep(kUnsureSize, kSureSize, most * length / scale.hessianNoise) : 1.0;
+  const double fromSize = 1.0 - kUnsure * (1.0 - sure);
   return fromGradient * fromDifference * againstNoise * fromSize;
 }
 

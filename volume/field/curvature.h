@@ -17,8 +17,8 @@
 //   c_d = smoothstep(0.02, 0.1, (kappa1 - kappa2) / (|kappa1| + |kappa2| + flatCurvature));
 //   c_n = smoothstep(2, 5, (kappa1 - kappa2) |g| / hessianNoise): noise alone bends a flat face this way and
 //   that;
-//   c_s = min(1, 1.02 q^2 / (q^2 + 3.25^2)), q = max(|kappa1|, |kappa2|) / hypot(hessianNoise / |g|,
-//   lostCurvature / 2): of what has 0.9 at least 95 % shall be right within a fifth (docs/accuracy.md);
+//   c_s = 3/4 + smoothstep(3, 16, max(|kappa1|, |kappa2|) |g| / hessianNoise) / 4: above 0.9 noise is less
+//   than a tenth of a curvature, so that 95 % of those are right within a fifth (docs/accuracy.md);
 // flatCurvature = 0.1 / the diagonal of the volume, mm. Exactly 0 at umbilic and flat points and where the
 // gradient vanishes.
 #pragma once
@@ -33,8 +33,8 @@ namespace isolux::volume {
 
 inline constexpr double kNoisyGradient = 3.0, kClearGradient = 6.0;      // deviations of the noise
 inline constexpr double kNoisyDifference = 2.0, kClearDifference = 5.0;  // deviations of a curvature's noise
-inline constexpr double kClearSize = 3.25, kSureSize = 1.02, kLostPart = 0.5;  // of c_s
-inline constexpr double kRoundCurvature = 0.02, kClearCurvature = 0.1;  // relative differences of kappa
+inline constexpr double kUnsureSize = 3.0, kSureSize = 16.0, kUnsure = 0.25;  // of c_s
+inline constexpr double kRoundCurvature = 0.02, kClearCurvature = 0.1;        // relative differences of kappa
 
 struct PrincipalCurvature {
   double kappa1 = 0.0, kappa2 = 0.0;                         // 1/mm
@@ -51,7 +51,6 @@ struct CurvatureScale {
   double gradientNoise = 0.0;  // standard deviation of a component of the world gradient, data units per mm
   double flatCurvature = 0.0;  // 1/mm
   double hessianNoise = 0.0;   // standard deviation of a normal second derivative, data units per mm^2
-  double lostCurvature = 0.0;  // 1/mm, root mean square: shape that is smoothed away (DerivativeChoice)
 };
 // `noise`: standard deviation of a voxel's value, and the blur that its neighbours correlate by
 // (scene::NoiseModel), propagated through the field's derivative weights (mean square over positions) and the

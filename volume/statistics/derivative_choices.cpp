@@ -149,7 +149,6 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
   choice.curvatureNoise[1] = rms(search.measures.curvature[search.curvature.step]);
   choice.normalNoise[0] = rms(search.measures.normal[0]);
   choice.normalNoise[1] = rms(search.measures.normal[search.normal.step]);
-  choice.lostCurvature = std::sqrt(search.curvature.errors.lost[search.curvature.step]);
   choice.curvature = std::sqrt(search.measures.meanSquareCurvature[search.curvature.step]);
   choice.scaleReason = choice.scaleMm > ladder.scaleMm(search.curvature.step)
                            ? "half of the distance between slices"
@@ -176,16 +175,6 @@ std::optional<DerivativeChoice> DerivativeChoices::find(const DerivativeQuestion
   for (const Kept& kept : kept_)
     if (kept.question == question) return kept.choice;
   return std::nullopt;
-}
-
-double DerivativeChoices::lostCurvature(const scene::Scene& completed) const {
-  const scene::Derivatives& derivatives = completed.derivatives;
-  const std::lock_guard lock(mutex_);
-  for (const Kept& kept : kept_)
-    if (kept.question.isovalue == completed.isosurface.value && kept.question.field == derivatives.field &&
-        kept.choice.noise == derivatives.noise && kept.choice.scaleMm == derivatives.scale)
-      return kept.choice.lostCurvature;
-  return 0.0;
 }
 
 DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,

@@ -25,8 +25,7 @@ struct DerivativeChoice {
   // At scale 0 and at the one that was chosen: what noise does to a curvature, 1/mm, and to a normal,
   // radians; root mean squares. 0 without a surface.
   double curvatureNoise[2] = {}, normalNoise[2] = {};
-  double lostCurvature = 0.0;  // the part of it that the scale has smoothed away, 1/mm, root mean square
-  double curvature = 0.0;      // root mean square of the principal curvatures at the chosen scale, 1/mm
+  double curvature = 0.0;  // root mean square of the principal curvatures at the chosen scale, 1/mm
   std::string noiseReason, scaleReason, normalReason;  // a sentence each, without a full stop
 };
 
@@ -53,9 +52,6 @@ class DerivativeChoices {
   // with what has been chosen before (false: nothing has, and nothing is filled in), or by choosing.
   bool completeIfChosen(scene::Scene& scene) const;
   void complete(scene::Scene& scene, base::Progress& progress) const;
-
-  // Of the scene's scale, 1/mm (volume::CurvatureScale); 0 where it is none that was chosen.
-  double lostCurvature(const scene::Scene& completed) const;
 
  private:
   struct Kept {

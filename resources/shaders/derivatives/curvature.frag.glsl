@@ -10,7 +10,6 @@ uniform sampler2D uGradient, uHessianDiagonal, uHessianMixed;
 uniform float uOutward;
 uniform float uGradientNoise;  // standard deviation of a gradient component, data units per mm
 uniform float uFlat;           // curvature below which a surface counts as flat, 1/mm
-uniform float uLostCurvature;  // shape that the scale has smoothed away, 1/mm
 uniform float uHessianNoise;   // standard deviation of a normal second derivative, data units per mm^2
 layout(location = 0) out vec4 oKappa;      // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient alone
 layout(location = 1) out vec4 oDirection;  // of kappa1: unit, world; w: standard deviation of a curvature, 1/mm
@@ -52,8 +51,7 @@ void main() {
   noisy *= mixed.w;  // at the border curvature is that of repeated samples
   float round_ = smoothstep(0.02, 0.1, (kappa1 - kappa2) / (abs(kappa1) + abs(kappa2) + uFlat));
   float clear = curvatureNoise > 0.0 ? smoothstep(2.0, 5.0, (kappa1 - kappa2) / curvatureNoise) : 1.0;
-  float error = min(length(vec2(curvatureNoise, 0.5 * uLostCurvature)), 1e15), size = max(abs(kappa1), abs(kappa2));
-  float sure = error > 0.0 && size < 1e15 * error ? min(1.0, 1.02 / (1.0 + 10.5625 * (error / size) * (error / size))) : 1.0;
+  float sure = curvatureNoise > 0.0 ? smoothstep(3.0, 16.0, max(abs(kappa1), abs(kappa2)) / curvatureNoise) : 1.0;
   bool finite = abs(kappa1) < 1e30 && abs(kappa2) < 1e30;
-  oKappa = finite ? vec4(kappa1, kappa2, noisy * round_ * clear * sure, noisy) : vec4(0.0);
+  oKappa = finite ? vec4(kappa1, kappa2, noisy * round_ * clear * (0.75 + 0.25 * sure), noisy) : vec4(0.0);
 }
