@@ -95,13 +95,10 @@ struct FrameState {
   // Where the crossing may be seen: rays beyond do not have it.
   const volume::PictureArea& area() const { return images.at(image::surface + layer).drawn; }
 
-  // What is drawn in this frame: gradients, of curvature and normals alike or of normals apart; Hessians.
-  bool withGradient = false, withShadingGradient = false, withHessian = false;
-  // Of whichever pass wrote them: the first image of the Hessians, or their own.
-  const Texture& gradientImage() const { return image(withHessian ? image::hessian : image::gradient); }
-  const Texture& shadingGradientImage() const {
-    return withShadingGradient ? image(image::shadingGradient) : gradientImage();
-  }
+  // What is drawn in this frame: gradients, of normals; Hessians, with the gradients beside them; and whether
+  // those are the gradients of normals, too.
+  bool withGradient = false, withHessian = false, gradientShared = false;
+  const Texture& gradientImage() const { return image(gradientShared ? image::hessian : image::gradient); }
   // What second derivatives are of.
   FieldAt curvatureField() const { return {scene->derivatives.field, scene::derivativesScale(*scene)}; }
 

@@ -302,6 +302,8 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
 
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward) {
   if (!hasCells()) return {};
+  if (const volume::ScaledField* const atScale = scaled(of))
+    return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, *atScale);
   return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field));
 }
 
