@@ -38,7 +38,7 @@ void run() {
   }
 }
 
-const Registration registration("scales", "pictures of curvature at a scale and at none", run);
+const Registration registration("scaled_frames", "pictures of curvature at a scale and at none", run);
 
 }  // namespace
 }  // namespace isolux::bench

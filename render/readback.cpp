@@ -41,10 +41,10 @@ Source sourceOf(const FrameState& frame, Aov aov) {
       source.info = frame.image(image::surface, 1).readFloats(2);
       break;
     case Aov::normal:
-      source.gradient = frame.shadingGradientImage().readFloats(4);
+      source.gradient = frame.gradientImage().readFloats(4);
       break;
     case Aov::gradient:
-      source.gradient = frame.gradientImage().readFloats(4);
+      source.gradient = frame.image(frame.withHessian ? image::hessian : image::gradient).readFloats(4);
       break;
     case Aov::hessian:
       source.first = frame.image(image::hessian, 1).readFloats(4);
@@ -58,7 +58,7 @@ Source sourceOf(const FrameState& frame, Aov aov) {
       source.second = frame.image(image::curvature, 1).readFloats(4);
       break;
     case Aov::direction2:
-      source.gradient = frame.gradientImage().readFloats(4);
+      source.gradient = frame.image(image::hessian, 0).readFloats(4);
       source.second = frame.image(image::curvature, 1).readFloats(4);
       break;
     case Aov::irradiance:

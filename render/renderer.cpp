@@ -82,9 +82,11 @@ std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
 std::vector<FieldAt> fieldsReadBy(const scene::Scene& scene, const FrameRequest& request) {
   const scene::Field derived = scene.derivatives.field;
   std::vector<FieldAt> fields = {{scene.hit.field}};
-  const bool images = !request.aovs.empty();
-  if (images || scene::needsGradient(scene)) fields.push_back({derived, scene::normalScale(scene)});
-  if (images || scene::needsCurvature(scene)) fields.push_back({derived, scene::derivativesScale(scene)});
+  if (!readsDerivatives(scene, request)) return fields;
+  fields.push_back({derived, scene::normalScale(scene)});
+  const std::vector<Aov>& aovs = request.aovs;
+  if (readsHessian(scene, request) || std::find(aovs.begin(), aovs.end(), Aov::gradient) != aovs.end())
+    fields.push_back({derived, scene::derivativesScale(scene)});
   return fields;
 }
 
@@ -198,8 +200,7 @@ void Renderer::invalidate() {
 }
 
 const scene::Scene& Renderer::Parts::completed(const scene::Scene& scene, const FrameRequest& request) {
-  const bool reads = !request.aovs.empty() || scene::needsGradient(scene);
-  if (!volume || !reads) return scene;
+  if (!volume || !readsDerivatives(scene, request)) return scene;
   completedScene = scene;
   base::Progress unwatched;
   volume->derivativeChoices->complete(*completedScene, unwatched);
@@ -262,15 +263,15 @@ void Renderer::Parts::plan(const std::vector<PassDeclaration>& declared,
                            const std::vector<PlannedPass>& planned) {
   frame.used.clear();
   held.clear();
-  frame.withGradient = frame.withShadingGradient = frame.withHessian = false;
+  frame.withGradient = frame.withHessian = frame.gradientShared = false;
   for (const PlannedPass& entry : planned) {
     if (entry.state == PassState::skipped) continue;
     frame.used.push_back(passes[entry.index].get());
     for (const std::string& image : declared[entry.index].writes) {
       held.emplace_back(frame.used.back(), image);
       frame.withGradient = frame.withGradient || image == image::gradient;
-      frame.withShadingGradient = frame.withShadingGradient || image == image::shadingGradient;
       frame.withHessian = frame.withHessian || image == image::hessian;
+      if (image == image::gradient) frame.gradientShared = frame.used.back()->name == pass::hessian;
     }
   }
 }
@@ -465,7 +466,7 @@ std::map<std::string, std::uint64_t> Renderer::imageHashes() {
   std::map<std::string, base::Hasher> hashes;
   for (const auto& [pass, image] : parts_->held) {
     // With Hessians, the gradients are the first image of theirs.
-    if (!frame.images.has(image) || (frame.withHessian && image == image::gradient)) continue;
+    if (!frame.images.has(image) || (frame.gradientShared && image == image::gradient)) continue;
     for (const Texture& texture : frame.images.at(image).images)
       for (const float value : texture.readFloats(4)) hashes[std::string(pass->name)].add(value);
   }

@@ -6,7 +6,6 @@
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/files.h"
-#include "app/jobs/field_job.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/version.h"
@@ -43,9 +42,9 @@ scene::Scene bakeScene(const BakeOptions& options) {
   return scene;
 }
 
-void seeView(LightController& controller, const BakeOptions& options, scene::Scene scene,
+void seeView(LightController& controller, const BakeOptions& options, const scene::Scene& scene,
              const std::shared_ptr<const volume::PreparedVolume>& prepared, base::Progress& progress) {
-  completeFields(scene, *prepared, false, progress);
+  prepared->cubicFields->makeFor(scene, progress);
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
   render::Renderer renderer(context->gl());

@@ -63,10 +63,7 @@ DerivativeFacts derivativeFacts(render::Renderer& renderer, const scene::Derivat
       ofNoise{whole.isovalue, whole.field, drawn.derivatives.noise};  // which was known before
   facts.choice = choices.find(whole);
   if (!facts.choice) facts.choice = choices.find(ofNoise);
-  const bool readsCurvature = (request.color && scene::needsCurvature(drawn)) ||
-                              std::any_of(request.aovs.begin(), request.aovs.end(),
-                                          [](render::Aov aov) { return render::readsHessian(aov); });
-  if (readsCurvature) facts.unknownShare = unknownShareOf(renderer, drawn, request);
+  if (render::readsHessian(drawn, request)) facts.unknownShare = unknownShareOf(renderer, drawn, request);
   return facts;
 }
 

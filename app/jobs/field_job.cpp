@@ -34,7 +34,7 @@ double readyScale(const volume::CubicFields& fields, Field field, double wanted,
   return 0.0;
 }
 
-// Replaces scales whose fields are not there.
+// Replaces scales that are not known, or whose fields are not there.
 void takeReadyScales(scene::Scene& scene, const volume::CubicFields& fields, const scene::Derivatives& last) {
   scene::Derivatives& now = scene.derivatives;
   const auto ready = [&](std::optional<double>& scale, const std::optional<double>& before) {
@@ -43,6 +43,9 @@ void takeReadyScales(scene::Scene& scene, const volume::CubicFields& fields, con
   };
   if (scene::needsGradient(scene)) ready(now.normalScale, last.normalScale);
   if (scene::needsCurvature(scene)) ready(now.scale, last.scale);
+  // Nothing is left to be chosen while the picture is drawn.
+  now.scale = now.scale.value_or(0.0);
+  now.normalScale = now.normalScale.value_or(0.0);
 }
 
 }  // namespace

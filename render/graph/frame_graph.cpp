@@ -39,16 +39,19 @@ std::vector<bool> usedPasses(const std::vector<PassDeclaration>& passes,
 }
 
 std::uint64_t FrameGraph::versionOf(const std::string& image) const {
-  const auto found = versions_.find(image);
+  const auto writer = writers_.find(image);
+  if (writer == writers_.end()) return 0;
+  const auto found = versions_.find({image, writer->second});
   return found == versions_.end() ? 0 : found->second;
 }
 
 std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& passes,
-                                          const std::vector<std::string>& wanted) const {
+                                          const std::vector<std::string>& wanted) {
   const std::vector<bool> used = usedPasses(passes, wanted);
   // Forwards: what has changed.
   std::vector<PlannedPass> planned;
   std::set<std::string> renewed, written;
+  writers_.clear();
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const PassDeclaration& pass = passes[i];
     written.insert(pass.writes.begin(), pass.writes.end());
@@ -58,6 +61,7 @@ std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& pa
            pass.notNeeded.empty() ? "nothing reads its " + joined(pass.writes) : pass.notNeeded});
       continue;
     }
+    for (const std::string& image : pass.writes) writers_[image] = pass.name;
     std::vector<std::string> changed;
     const auto last = memory_.find(pass.name);
     if (last == memory_.end()) {
@@ -92,7 +96,7 @@ void FrameGraph::completed(const PassDeclaration& pass) {
   LastRun run{pass.parameters, {}};
   for (const std::string& image : pass.reads) run.inputs.emplace_back(image, versionOf(image));
   memory_[pass.name] = std::move(run);
-  for (const std::string& image : pass.writes) versions_[image] = ++clock_;
+  for (const std::string& image : pass.writes) versions_[{image, pass.name}] = ++clock_;
 }
 
 }  // namespace isolux::render

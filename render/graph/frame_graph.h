@@ -42,9 +42,9 @@ struct PlannedPass {
 class FrameGraph {
  public:
   // The passes of this frame in an order where each image is written before it is read (asserted), and the
-  // images wanted. Pure apart from the memory of earlier frames.
+  // images wanted. Depends on these and on the memory of earlier frames only.
   std::vector<PlannedPass> plan(const std::vector<PassDeclaration>& passes,
-                                const std::vector<std::string>& wanted) const;
+                                const std::vector<std::string>& wanted);
 
   // Tells the graph that a planned pass has run; its outputs are now as new as its inputs.
   void completed(const PassDeclaration& pass);
@@ -63,9 +63,12 @@ class FrameGraph {
     std::vector<Parameter> parameters;
     std::vector<std::pair<std::string, std::uint64_t>> inputs;  // image, version
   };
+  // An image that one of several passes may write is another one with each of them.
+  using Written = std::pair<std::string, std::string>;  // image, pass
   std::uint64_t versionOf(const std::string& image) const;
   std::map<std::string, LastRun> memory_;
-  std::map<std::string, std::uint64_t> versions_;
+  std::map<std::string, std::string> writers_;  // of each image, in the frame that was planned last
+  std::map<Written, std::uint64_t> versions_;
   std::uint64_t clock_ = 0;
 };
 

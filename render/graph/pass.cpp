@@ -102,10 +102,6 @@ Declaring& Declaring::pictureSize() {
                tile.origin.y, tile.size.x, tile.size.y);
 }
 
-Declaring& Declaring::normals() {
-  return reads(shadingGradientOf(asked.scene, asked.request));
-}
-
 Declaring& Declaring::isovalues() {
   const scene::Scene& s = asked.scene;
   std::array<bool, scene::kExtraIsosurfaces> there{};

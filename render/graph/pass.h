@@ -46,18 +46,14 @@ inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refin
 namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *segments = "ray segments",
                             *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
-                            *gradient = "gradients", *shadingGradient = "shading gradients",
-                            *hessian = "Hessians", *curvature = "curvatures", *ranges = "curvature ranges",
-                            *shadow = "shadows", *flowField = "flow fields", *flow = "streaks",
-                            *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
-                            *light = "stored light", *irradiance = "irradiances", *front = "front colour",
-                            *color = "colour", *background = "background", *picture = "picture",
+                            *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
+                            *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
+                            *flow = "streaks", *extrema = "curvature extrema", *lineField = "line fields",
+                            *lines = "lines", *light = "stored light", *irradiance = "irradiances",
+                            *front = "front colour", *color = "colour", *background = "background",
+                            *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }
-
-// The image with the gradients that normals are made of: `gradient`, or, where a picture reads second
-// derivatives at another scale than derivatives.normal_scale, `shadingGradient` beside it.
-const char* shadingGradientOf(const scene::Scene& scene, const FrameRequest& request);
 
 // The volume, as far as passes depend on it. Images that show the same voxels stay good when the GPU's copy
 // of them is made anew; what lives in that copy (active blocks, resident bricks) does not: its passes depend
@@ -150,7 +146,6 @@ class Declaring {
   Declaring& volume();       // the voxels and where they lie
   Declaring& pictureSize();  // rays, and the part of the picture that is drawn
   Declaring& isovalues();    // the surfaces that are there
-  Declaring& normals();      // reads the gradients that they are made of
 };
 
 // An image that the look reads (resources/shaders/look/shade.frag.glsl).

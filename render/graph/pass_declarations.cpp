@@ -49,9 +49,19 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
   return declarePasses(makePasses(), Asked(scene, request, volume, bricks, light));
 }
 
+bool readsDerivatives(Aov aov) {
+  return aov == Aov::normal || aov == Aov::gradient || aov == Aov::irradiance || aov == Aov::scale ||
+         readsHessian(aov);
+}
+
 bool readsHessian(Aov aov) {
   return aov == Aov::hessian || aov == Aov::kappa || aov == Aov::direction1 || aov == Aov::direction2 ||
          aov == Aov::curvature_confidence;
+}
+
+bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request) {
+  return (request.color && scene::needsGradient(scene)) ||
+         std::any_of(request.aovs.begin(), request.aovs.end(), [](Aov aov) { return readsDerivatives(aov); });
 }
 
 bool readsHessian(const scene::Scene& scene, const FrameRequest& request) {
@@ -59,12 +69,8 @@ bool readsHessian(const scene::Scene& scene, const FrameRequest& request) {
          std::any_of(request.aovs.begin(), request.aovs.end(), [](Aov aov) { return readsHessian(aov); });
 }
 
-const char* shadingGradientOf(const scene::Scene& scene, const FrameRequest& request) {
-  const std::vector<Aov>& aovs = request.aovs;
-  const bool atScale =
-      readsHessian(scene, request) || std::find(aovs.begin(), aovs.end(), Aov::gradient) != aovs.end();
-  const bool same = scene::derivativesScale(scene) == scene::normalScale(scene);
-  return atScale && !same ? image::shadingGradient : image::gradient;
+bool sharesGradient(const scene::Scene& scene) {
+  return scene::derivativesScale(scene) == scene::normalScale(scene);
 }
 
 std::vector<std::string> wantedImages(const FrameRequest& request, const scene::Scene& scene) {
@@ -74,9 +80,9 @@ std::vector<std::string> wantedImages(const FrameRequest& request, const scene::
     if (aov == Aov::irradiance)
       wanted.emplace_back(image::irradiance);
     else if (aov == Aov::normal)
-      wanted.emplace_back(shadingGradientOf(scene, request));
-    else if (aov == Aov::gradient)
       wanted.emplace_back(image::gradient);
+    else if (aov == Aov::gradient)
+      wanted.emplace_back(sharesGradient(scene) ? image::gradient : image::hessian);
     else if (aov == Aov::hessian)
       wanted.emplace_back(image::hessian);
     else if (readsHessian(aov)) {

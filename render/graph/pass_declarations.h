@@ -13,9 +13,13 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                                            const LightState& light = {});
 // The images a request reads in the end. An opaque picture has no layers pass: shade writes its colour.
 std::vector<std::string> wantedImages(const FrameRequest& request, const scene::Scene& scene);
-// The deferred image comes from second derivatives.
+// The deferred image comes from derivatives, or tells of them; from second ones.
+bool readsDerivatives(Aov aov);
 bool readsHessian(Aov aov);
 // The picture does, by its look or one of its images.
+bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request);
 bool readsHessian(const scene::Scene& scene, const FrameRequest& request);
+// Curvature and normals are of derivatives at one scale: the hessian pass writes the gradients of both.
+bool sharesGradient(const scene::Scene& scene);
 
 }  // namespace isolux::render

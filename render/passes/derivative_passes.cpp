@@ -18,11 +18,6 @@ bool hessianIsRead(const Asked& asked) {
   return readsHessian(asked.scene, request);
 }
 
-// Normals are made of other gradients than curvature.
-bool shadesApart(const Asked& asked) {
-  return shadingGradientOf(asked.scene, asked.request) != image::gradient;
-}
-
 void clearAll(FrameState& frame, Target& target) {
   if (target.images.size() == 1)
     frame.clear(target, {kZero});
@@ -59,20 +54,18 @@ void drawDerivatives(FrameState& frame, Target& target, const char* shader, doub
 }  // namespace
 
 void GradientPass::declare(Declaring& d) const {
-  const bool apart = shadesApart(d.asked);
-  d.reads(image::surface).volume();
-  d.settings({"derivatives.field", "derivatives.normal_scale"});
+  d.reads(image::surface).volume().settings({"derivatives.field", "derivatives.normal_scale"});
   if (scene::normalScale(d.asked.scene) == 0.0) d.settings({"derivatives.fetch"});
-  d.input("executor at the hits", d.asked.onProcessor.all).input("image of their own", apart);
-  if (!apart && hessianIsRead(d.asked))
+  d.input("executor at the hits", d.asked.onProcessor.all);
+  if (sharesGradient(d.asked.scene) && hessianIsRead(d.asked))
     d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
   else
-    d.writes(shadingGradientOf(d.asked.scene, d.asked.request));
+    d.writes(image::gradient);
 }
 
 void GradientPass::run(FrameState& frame) {
-  const char* const image = shadingGradientOf(*frame.scene, frame.request);
-  drawDerivatives(frame, frame.target(image, {GL_RGBA32F}), shader, scene::normalScale(*frame.scene));
+  drawDerivatives(frame, frame.target(image::gradient, {GL_RGBA32F}), shader,
+                  scene::normalScale(*frame.scene));
 }
 
 void HessianPass::declare(Declaring& d) const {
@@ -80,7 +73,7 @@ void HessianPass::declare(Declaring& d) const {
   d.volume().settings({"derivatives.field", "derivatives.scale"});
   if (scene::derivativesScale(d.asked.scene) == 0.0) d.settings({"derivatives.fetch"});
   d.input("executor at the hits", d.asked.onProcessor.all);
-  if (hessianIsRead(d.asked) || shadesApart(d.asked)) d.writes(image::gradient);
+  if (sharesGradient(d.asked.scene) && hessianIsRead(d.asked)) d.writes(image::gradient);
 }
 
 void HessianPass::run(FrameState& frame) {
@@ -113,9 +106,10 @@ void CurvaturePass::run(FrameState& frame) {
   p.setTexture("uHessianDiagonal", 1, frame.image(image::hessian, 1));
   p.setTexture("uHessianMixed", 2, frame.image(image::hessian, 2));
   p.set("uOutward", static_cast<float>(frame.outward()));
+  const FieldAt field = frame.curvatureField();
   const volume::CurvatureScale scale =
-      volume::curvatureScale(frame.volume->grid().geometry(), frame.scene->derivatives.field,
-                             *frame.scene->derivatives.noise, frame.volume->noiseBlur());
+      volume::curvatureScale(frame.volume->grid().geometry(), field.field, *frame.scene->derivatives.noise,
+                             frame.volume->noiseBlur(), field.scaleMm);
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));

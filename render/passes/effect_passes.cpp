@@ -24,7 +24,7 @@ double phaseOf(const scene::Flow& flow) {
 }  // namespace
 
 void ShadowPass::declare(Declaring& d) const {
-  d.reads(image::surface).normals().reads(image::activeBlocks).writes(image::shadow);
+  d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow);
   d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"});
   const scene::Scene& s = d.asked.scene;
   std::array<bool, scene::kExtraIsosurfaces> opaque{};
@@ -65,7 +65,11 @@ void ShadowPass::run(FrameState& frame) {
 }
 
 void FlowFieldPass::declare(Declaring& d) const {
-  d.reads(image::surface).normals().reads(image::hessian).reads(image::curvature).writes(image::flowField);
+  d.reads(image::surface)
+      .reads(image::gradient)
+      .reads(image::hessian)
+      .reads(image::curvature)
+      .writes(image::flowField);
   d.settings({"camera.", "isosurface.inside", "flow.direction", "flow.grain"}).pictureSize();
   d.input("pixel ratio", d.asked.request.pixelRatio);
 }

@@ -181,7 +181,7 @@ void FrameState::setView(Program& program) const {
 
 void FrameState::setPoint(Program& program, int unit) const {
   program.setTexture("uSurface", unit, image(image::surface, 0));
-  if (withGradient || withShadingGradient) program.setTexture("uGradient", unit + 1, shadingGradientImage());
+  if (withGradient) program.setTexture("uGradient", unit + 1, gradientImage());
   program.setTexture("uInfo", unit + 2, image(image::surface, 1));
   program.set("uRightWorld", glm::vec3(view->rightWorld));
   program.set("uUpWorld", glm::vec3(view->upWorld));

@@ -98,13 +98,10 @@ struct FrameState {
   // What is drawn of the surface, in pixels of the picture or tile.
   std::vector<volume::Rectangle> surfacePixels() const;
 
-  // What is drawn in this frame: gradients, of curvature and normals alike or of normals apart; Hessians.
-  bool withGradient = false, withShadingGradient = false, withHessian = false;
-  // Of whichever pass wrote them: the first image of the Hessians, or their own.
-  const Texture& gradientImage() const { return image(withHessian ? image::hessian : image::gradient); }
-  const Texture& shadingGradientImage() const {
-    return withShadingGradient ? image(image::shadingGradient) : gradientImage();
-  }
+  // What is drawn in this frame: gradients, of normals; Hessians, with the gradients beside them; and whether
+  // those are the gradients of normals, too.
+  bool withGradient = false, withHessian = false, gradientShared = false;
+  const Texture& gradientImage() const { return image(gradientShared ? image::hessian : image::gradient); }
   // What second derivatives are of.
   FieldAt curvatureField() const { return {scene->derivatives.field, scene::derivativesScale(*scene)}; }
 

@@ -54,7 +54,7 @@ float detailOf(const FrameState& frame) {
 void setPoints(FrameState& frame, Program& p, int unit) {
   frame.setView(p);
   frame.setPoint(p, unit);
-  p.setTexture("uGradient", unit + 1, frame.gradientImage());
+  p.setTexture("uGradient", unit + 1, frame.image(image::hessian, 0));
 }
 
 void setNeighbours(FrameState& frame, Program& p, int unit) {
@@ -69,7 +69,7 @@ glm::dvec2 thresholdsOf(const FrameState& frame) {
 }
 
 void dependOnPoints(Declaring& d) {
-  d.reads(image::surface).reads(image::gradient).reads(image::curvature).volume().pictureSize();
+  d.reads(image::surface).reads(image::hessian).reads(image::curvature).volume().pictureSize();
   d.settings({"camera.", "isosurface.inside"});
 }
 

@@ -181,7 +181,7 @@ void ShadePass::declare(Declaring& d) const {
   d.input("surfaces let light through", transparent);
   // Where no ray can hit anything, colours read nothing of the surface.
   if (d.asked.volume.crossed) {
-    if (scene::needsGradient(d.asked.scene)) d.normals();  // FrameState::setPoint() binds them
+    if (scene::needsGradient(d.asked.scene)) d.reads(image::gradient);  // FrameState::setPoint() binds them
     for (const auto& pass : d.passes)
       if (const std::optional<LookInput> input = pass->forLook(d.asked.scene)) d.reads(input->image);
   }

@@ -161,8 +161,7 @@ void shadowOnProcessor(FrameState& frame, Target& target, int opaque) {
                                   .voxelFromWorld = glm::mat3(voxelFromWorld),
                                   .light = frame.towardLight(),
                                   .opaque = opaque};
-  const bool apart = frame.withShadingGradient || !frame.withHessian;  // FrameState::shadingGradientImage()
-  const HostImages::Derivatives& gradients = apart ? images.gradient : images.hessian[0];
+  const HostImages::Derivatives& gradients = frame.gradientShared ? images.hessian[0] : images.gradient;
   casterOf(frame).castShadows(shadow, images.crossings, gradients.texels, images.shadow, frame.request.stop);
   target.drawn.add(images.shadow.area);
   upload(target.images[0], target.drawn, images.shadow.lit);

@@ -240,6 +240,8 @@ glm::dvec3 GpuVolume::noiseBlur() const {
 
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward) {
   if (!hasCells()) return {};
+  if (const volume::ScaledField* const atScale = scaled(of))
+    return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, *atScale);
   return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field));
 }
 

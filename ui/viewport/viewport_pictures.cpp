@@ -238,9 +238,9 @@ void Viewport::showed(const app::DrawnPicture& picture, std::uint64_t view) {
   if (current() && quality_.stage() == app::PictureQuality::Stage::sharp && quality_.mayRefine() && !waits)
     refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
   const bool empty = report.empty && !fieldsPending_;
-  overlay_->setNote(fieldsPending_ && fieldJob_ ? fieldNote(*fieldJob_)
-                    : empty                     ? QString::fromStdString(report.empty->reason)
-                                                : missingNote(report.bricks));
+  overlay_->setNote(fieldsPending_ && fieldJob_ && fieldJob_->isFor(resolved_) ? fieldNote(*fieldJob_)
+                    : empty ? QString::fromStdString(report.empty->reason)
+                            : missingNote(report.bricks));
   offerRemedy(empty ? report.empty : std::nullopt);
   if (bricksPending_ || lightPending_) orderSoon();  // the next picture gets further
   tellSeen(picture, view);
@@ -279,7 +279,7 @@ scene::Scene Viewport::drawable() {
   }
   const bool needsJob = !fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_));
   if (needsJob && !interacting_) fieldJob_ = std::make_unique<app::FieldJob>(volume_, resolved_);
-  if (fieldJob_ && !fieldTimer_.isActive()) fieldTimer_.start();
+  if (fieldJob_ && !fieldJob_->finished() && !fieldTimer_.isActive()) fieldTimer_.start();
   return ready;
 }
 

@@ -189,6 +189,16 @@ TEST_P(EverySettingOfDeferredImagesGlTest, ChangesThePassesThatRun) {
   changeEverySetting({"hit.method=sampled", "hit.refinements=1"});
 }
 
+// Curvature and normals have scales of their own, or the same one, or none.
+class EverySettingAtScalesGlTest : public EverySettingGlTest {};
+
+TEST_P(EverySettingAtScalesGlTest, ChangesThePassesThatRun) {
+  for (const auto& [scale, normalScale] : {std::pair("derivatives.scale=0.5", "derivatives.normal_scale=0.4"),
+                                           std::pair("derivatives.scale=0.5", "derivatives.normal_scale=0.5"),
+                                           std::pair("derivatives.scale=0", "derivatives.normal_scale=0")})
+    changeEverySetting({"look.ridge_threshold=0.02", "derivatives.noise=0.01", scale, normalScale});
+}
+
 class EverySettingWithStoredLightGlTest : public EverySettingGlTest {};
 
 TEST_P(EverySettingWithStoredLightGlTest, ChangesThePassesThatRun) {
@@ -213,6 +223,8 @@ const auto kNameOfLook = [](const auto& look) { return look.param; };
 INSTANTIATE_TEST_SUITE_P(Looks, EverySettingGlTest, ::testing::ValuesIn(scene::setting("look.mode").choices),
                          kNameOfLook);
 INSTANTIATE_TEST_SUITE_P(Looks, EverySettingOfDeferredImagesGlTest, ::testing::Values("lambert", "depth"),
+                         kNameOfLook);
+INSTANTIATE_TEST_SUITE_P(Looks, EverySettingAtScalesGlTest, ::testing::Values("lambert", "kappa1", "flow"),
                          kNameOfLook);
 INSTANTIATE_TEST_SUITE_P(Looks, EverySettingWithStoredLightGlTest, ::testing::Values("gi", "kappa1"),
                          kNameOfLook);
