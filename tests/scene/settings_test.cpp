@@ -82,7 +82,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, pictureExposure, metering] = picture;
-  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 3 + 30 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 3);
+  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 3 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 3);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
