@@ -46,7 +46,7 @@ TEST_F(StillPictureGlTest, ATileIsCutOutOfThePicture) {
   const render::Tile tile{{37, 11}, {150, 61}};
   for (const Settings& settings :
        {Settings{}, Settings{"camera.projection=orthographic", "look.mode=depth"},
-        Settings{"look.mode=curvature_2d", "look.contours=1", "look.ridges=1"},
+        Settings{"look.mode=curvature_2d", "look.legend_corner=lower_right"},
         Settings{"isosurface.opacity=0.4", "look.shadow=1", "look.fog=0.5"}, Settings{"look.mode=gi"},
         Settings{"hit.method=sampled"}, Settings{"memory.layout=bricks"}}) {
     const scene::Scene scene = sceneOf(volume, settings);
@@ -76,7 +76,8 @@ TEST_F(StillPictureGlTest, TilesMakeThePictureOfOneFrame) {
   const auto volume = phantom("torus", 32);
   const glm::ivec2 size{8400, 20};
   for (const Settings& settings :
-       {Settings{}, Settings{"look.mode=flow"}, Settings{"look.suggestive_contours=1"}}) {
+       {Settings{}, Settings{"look.mode=flow"}, Settings{"look.suggestive_contours=1"},
+        Settings{"look.contours=1", "look.ridges=1"}}) {
     const scene::Scene scene = sceneOf(volume, settings);
     const render::FrameRequest request = requestOf(size);
     ASSERT_GT(render::tilesOf(scene, request).size(), 4u);

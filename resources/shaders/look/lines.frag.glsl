@@ -169,7 +169,7 @@ void main() {
   oLines.y = drawn(uValleyField, pixel, p, wanted);
 #endif
 #ifdef SUGGESTIVE
-  oLines.z = drawn(uSuggestiveField, pixel, p, Wanted(uContourWidth, 16.0 * uPixel * p.footprint, 0.45, 0.08, 0.0));
+  oLines.z = drawn(uSuggestiveField, pixel, p, Wanted(uContourWidth, 12.0 * uPixel * p.footprint, 0.25, 0.05, 0.0));
 #endif
 #ifdef CONTOURS
   oLines.w = outline(uContourField, pixel, p);
