@@ -287,7 +287,6 @@ void Renderer::Parts::run(Pass& pass, const std::vector<Pass*>& running) {
 VolumeState Renderer::Parts::volumeState() const {
   VolumeState state{volume ? volume->grid().hash() : 0, copiesMade};
   state.crossed = frame.crossed;
-  if (frame.volume) state.lostCurvature = frame.volume->lostCurvature(*frame.scene);
   return state;
 }
 

@@ -61,10 +61,9 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
 struct VolumeState {
   VolumeState(std::uint64_t hashOfVoxels = 0, std::uint64_t copiesMade = 0)  // NOLINT: a hash is a volume
       : hash(hashOfVoxels), made(copiesMade) {}
-  std::uint64_t hash;          // of the voxels and where they lie; 0: none
-  std::uint64_t made;          // differs between any two GpuVolumes of one renderer
-  bool crossed = true;         // false: no cell holds a value of a surface that is shown
-  double lostCurvature = 0.0;  // volume::DerivativeChoices, of the first isosurface, 1/mm
+  std::uint64_t hash;   // of the voxels and where they lie; 0: none
+  std::uint64_t made;   // differs between any two GpuVolumes of one renderer
+  bool crossed = true;  // false: no cell holds a value of a surface that is shown
 };
 
 // A volume in bricks, as far as passes depend on it.

@@ -88,7 +88,6 @@ std::optional<std::size_t> HessianPass::bytes(const FrameState& frame) const {
 void CurvaturePass::declare(Declaring& d) const {
   d.reads(image::hessian).writes(image::curvature);
   d.settings({"isosurface.inside", "derivatives.noise"});
-  d.input("shape that the scale has lost", d.asked.volume.lostCurvature);
 }
 
 std::optional<LookInput> CurvaturePass::forLook(const scene::Scene& scene) const {
@@ -114,7 +113,6 @@ void CurvaturePass::run(FrameState& frame) {
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));
-  p.set("uLostCurvature", static_cast<float>(frame.volume->lostCurvature(*frame.scene)));
   frame.drawHits(target, p);
 }
 

@@ -61,10 +61,6 @@ class GpuVolume {
   double dataUnitsPerTexel() const;  // of uVolume
   double dataUnitsPerTexel(scene::Field field) const;
 
-  // Shape that the scale of a scene has smoothed away, as far as that was measured (DerivativeChoices).
-  double lostCurvature(const scene::Scene& completed) const {
-    return volume_->derivativeChoices->lostCurvature(completed);
-  }
   glm::dvec3 noiseBlur() const;  // scene::NoiseModel; estimated where nobody has asked for it yet
   // How the surface of `value` (data units) is curved by these derivatives. All 0 where there is none.
   volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward);
