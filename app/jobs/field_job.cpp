@@ -29,6 +29,7 @@ scene::Scene withImages(scene::Scene scene) {
 
 // Of two scales, that which is asked for where its field is there, else the one before where that still is.
 double readyScale(const volume::CubicFields& fields, Field field, double wanted, double before) {
+  if (wanted == 0.0) return 0.0;
   for (const double scale : {wanted, before})
     if (scale > 0.0 && fields.find(field, scale)) return scale;
   return 0.0;
@@ -71,9 +72,11 @@ scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume
     now.noise = now.noise.value_or(last.noise.value_or(0.0));
   if (resolved.hit.field != Field::trilinear && !fields.find(resolved.hit.field))
     resolved.hit.field = Field::trilinear;
+  const scene::Derivatives wanted = now;
   takeReadyScales(resolved, fields, last);
   const bool unscaled = scene::readsUnscaled(resolved) || !scene::needsGradient(resolved);
   if (now.field == Field::cubic_interpolating && unscaled && !fields.find(now.field)) {
+    now = wanted;
     now.field = Field::cubic;
     takeReadyScales(resolved, fields, last);
   }

@@ -68,11 +68,14 @@ TEST(FieldJob, ScalesAreThoseThatAreThere) {
   EXPECT_FALSE(fieldsAreReady(scene, *volume));
   EXPECT_EQ(scales({}), std::pair(0.0, 2.0));
   EXPECT_EQ(scales(before), std::pair(3.0, 2.0));
+  scene.derivatives.scale = 0.0;  // is there always
+  EXPECT_EQ(scales(before), std::pair(0.0, 2.0));
+  scene.derivatives.scale = 4.0;
   scene.derivatives.field = scene::Field::cubic_interpolating;  // of which there is nothing
   EXPECT_EQ(withReadyFields(scene, *volume, before).derivatives.field, scene::Field::cubic);
   EXPECT_EQ(scales(before), std::pair(3.0, 2.0));
-  EXPECT_EQ(scales({}), std::pair(0.0, 0.0));
-  scene.look.mode = scene::LookMode::depth;  // reads none
+  EXPECT_EQ(scales({}), std::pair(0.0, 2.0));  // of the field that is drawn instead
+  scene.look.mode = scene::LookMode::depth;    // reads none
   scene.derivatives.field = scene::Field::cubic;
   EXPECT_TRUE(fieldsAreReady(scene, *volume));
 }
