@@ -53,7 +53,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   layout->setSpacing(4);
   layout->addWidget(value_, 1);
   if (setting.mayBeAutomatic) {
-    if (setting.type != scene::SettingType::points) keepPlaceWhenHidden(value_);  // a whole map is much place
+    keepPlaceWhenHidden(value_);
     automatic_ = new QCheckBox("auto", this);
     automatic_->setToolTip("Chosen by itself");
     layout->addWidget(automatic_);
@@ -103,7 +103,8 @@ void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& reso
     automatic_->setChecked(automatic);
   }
   // Some automatic values are found while the picture is drawn: there is no number to show.
-  const bool unknown = automatic && seen == "auto";
+  // An automatic colour map is shown by points that it could be made of.
+  const bool unknown = automatic && seen == "auto" && setting_.type != scene::SettingType::points;
   value_->setVisible(!unknown);
   if (seen == shown_ || unknown) return;
   shown_ = seen;
