@@ -92,8 +92,8 @@ struct Look {
   double specular = 0.2;
   double shininess = 50.0;
   glm::dvec3 innerTint{1.0};  // times the surface's own colour where its inner side is seen
-  glm::dvec3 toneCool{0.08, 0.12, 0.35};
-  glm::dvec3 toneWarm{0.95, 0.72, 0.38};
+  glm::dvec3 toneCool{0.03, 0.08, 0.42};
+  glm::dvec3 toneWarm{1.0, 0.66, 0.22};
   SolidTexture texture = SolidTexture::none;
   std::optional<double> textureScale;  // mm
   double shadow = 0.0;                 // of the light; 1 leaves only the ambient light

@@ -43,10 +43,12 @@ std::string definesOfLines(const scene::Scene& scene) {
   return defines;
 }
 
-// Differences of curvature are taken over most of a voxel: what varies faster is the voxels' doing.
+// Differences of curvature are taken over most of a voxel, and over the scale that it is taken at: what
+// varies faster is not the surface's doing.
 float detailOf(const FrameState& frame) {
   const glm::dvec3 spacing = frame.volume->grid().geometry().spacingMm();
-  return static_cast<float>(0.75 * std::min({spacing.x, spacing.y, spacing.z}));
+  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  return static_cast<float>(std::max(0.75 * voxel, scene::derivativesScale(*frame.scene)));
 }
 
 // Points with the gradients that curvature is of, whose tangent planes its directions lie in: not those of
