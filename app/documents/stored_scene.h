@@ -51,7 +51,7 @@ scene::Scene sceneFromStored(const nlohmann::json& stored, const std::string& fi
 nlohmann::json lightAsBefore(nlohmann::json stored);
 
 // Of before there were derivatives at a scale, hits of pictures at rest, and outlines that go with tone: none
-// of them.
+// of them, and the colours of tone as they were.
 nlohmann::json derivativesAsBefore(nlohmann::json stored);
 
 // `stored` must be an object with no other keys than the `known` ones; `place` as above.

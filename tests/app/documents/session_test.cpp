@@ -28,6 +28,8 @@ Scene derivedAsBefore() {
   scene.derivatives.scale = scene.derivatives.normalScale = 0.0;
   scene.hit.stillField = scene::StillField::same;
   scene.look.contours = 0.0;
+  scene.look.toneCool = {0.08, 0.12, 0.35};
+  scene.look.toneWarm = {0.95, 0.72, 0.38};
   return scene;
 }
 
