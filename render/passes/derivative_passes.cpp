@@ -86,7 +86,7 @@ std::optional<std::size_t> HessianPass::bytes(const FrameState& frame) const {
 }
 
 void CurvaturePass::declare(Declaring& d) const {
-  d.reads(image::hessian).writes(image::curvature);
+  d.reads(image::surface).reads(image::hessian).writes(image::curvature);
   d.settings({"isosurface.inside", "derivatives.noise"});
 }
 
@@ -101,15 +101,20 @@ void CurvaturePass::run(FrameState& frame) {
     frame.clear(target, {kZero, kZero});
     return;
   }
-  Program& p = frame.program(shader);
+  const FieldAt field = frame.curvatureField();
+  Program& p = frame.program(shader, field.scaleMm > 0.0 ? "#define SCALED\n" : "");
   p.setTexture("uGradient", 0, frame.image(image::hessian, 0));
   p.setTexture("uHessianDiagonal", 1, frame.image(image::hessian, 1));
   p.setTexture("uHessianMixed", 2, frame.image(image::hessian, 2));
   p.set("uOutward", static_cast<float>(frame.outward()));
-  const FieldAt field = frame.curvatureField();
-  const volume::CurvatureScale scale =
-      volume::curvatureScale(frame.volume->grid().geometry(), field.field, *frame.scene->derivatives.noise,
-                             frame.volume->noiseBlur(), field.scaleMm);
+  const volume::GridGeometry& geometry = frame.volume->grid().geometry();
+  if (field.scaleMm > 0.0) {
+    p.setTexture("uSurface", 3, frame.image(image::surface));
+    p.set("uScale", glm::vec3(volume::deviationsInVoxels(geometry, field.scaleMm)));
+    p.set("uDims", geometry.dims);
+  }
+  const volume::CurvatureScale scale = volume::curvatureScale(
+      geometry, field.field, *frame.scene->derivatives.noise, frame.volume->noiseBlur(), field.scaleMm);
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));

@@ -214,7 +214,7 @@ HWY_INLINE PointDerivatives ScaledDerivativesAt::operator()(glm::vec4 point) con
                         [](const float* row) { return Lanes8::load(row); });
   else
     out = nearBorder<hessian>(p);
-  out.within = within;
+  out.within = true;  // coefficients go on beyond the border
   return out;
 }
 

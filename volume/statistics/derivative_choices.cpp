@@ -42,7 +42,7 @@ struct Verdict {
 // What roughness leaves at larger scales is not known as well as what noise leaves: of scales nearly as good
 // as the best the largest.
 Verdict judged(std::span<const ScaleStep> steps, double noiseVariance, bool clean, bool rough) {
-  constexpr double nearly = 1.2;  // of the root mean square error
+  constexpr double nearly = 1.35;  // of the root mean square error
   Verdict verdict{.errors = scaleErrors(steps, noiseVariance)};
   const ScaleErrors& e = verdict.errors;
   const double allowed = (rough ? nearly * nearly : 1.0) * (e.noise[e.best] + e.lost[e.best]);
@@ -114,13 +114,13 @@ std::string normalReason(const DerivativeChoice& choice) {
   return "noise turns normals by " + degrees(noise[1]) + " instead of " + degrees(noise[0]);
 }
 
-// Where voxels are much longer one way, slices show as terraces: no scale below half of that; 0 where voxels
-// are alike, more or less.
+// Where voxels are much longer one way, slices show as terraces: at half of that length they still do, at
+// this part of it they do not. 0 where voxels are alike, more or less.
 double leastScale(const GridGeometry& geometry) {
-  constexpr double alike = 1.5;
+  constexpr double alike = 1.5, part = 0.8;
   const glm::dvec3 spacing = geometry.spacingMm();
   const double most = std::max({spacing.x, spacing.y, spacing.z});
-  return most > alike * std::min({spacing.x, spacing.y, spacing.z}) ? 0.5 * most : 0.0;
+  return most > alike * std::min({spacing.x, spacing.y, spacing.z}) ? part * most : 0.0;
 }
 
 std::string noiseReason(double estimated, double believed) {
@@ -151,7 +151,7 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
   choice.normalNoise[1] = rms(search.measures.normal[search.normal.step]);
   choice.curvature = std::sqrt(search.measures.meanSquareCurvature[search.curvature.step]);
   choice.scaleReason = choice.scaleMm > ladder.scaleMm(search.curvature.step)
-                           ? "half of the distance between slices"
+                           ? "four fifths of the distance between slices, which would show as terraces"
                            : scaleReason(choice);
   choice.normalReason = normalReason(choice);
   return choice;

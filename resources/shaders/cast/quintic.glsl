@@ -48,11 +48,6 @@ QuinticWeights quinticWeights(int cell, float t, int voxels) {
   return q;
 }
 
-// Whether all 216 coefficients around the cell are the volume's own.
-bool quinticWithin(ivec3 cell) {
-  return all(greaterThanEqual(cell, ivec3(2))) && all(lessThan(cell + 3, uDims));
-}
-
 // Gradient and Hessian as splineDerivatives() gives them, from 216 fetches.
 void quinticDerivatives(vec3 p, out vec3 gradient, out vec3 hessianDiagonal, out vec3 hessianMixed) {
   ivec3 cell = cellOf(p), shift = texelShift(cell), first = cell - 2, top = uDims - 1;

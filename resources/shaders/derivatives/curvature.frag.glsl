@@ -6,6 +6,11 @@
 // kappa > 0: A = outward * P^T H P / |g| in the basis (u, v). The confidence is 0 where the gradient drowns in noise,
 // at umbilics and flats, which have no directions (volume/field/curvature.h has its formula and the same arithmetic), and at
 // the border of the volume.
+#ifdef SCALED
+uniform sampler2D uSurface;
+uniform vec3 uScale;  // standard deviation of the Gaussian along each axis, voxels
+uniform ivec3 uDims;
+#endif
 uniform sampler2D uGradient, uHessianDiagonal, uHessianMixed;
 uniform float uOutward;
 uniform float uGradientNoise;  // standard deviation of a gradient component, data units per mm
@@ -13,6 +18,19 @@ uniform float uFlat;           // curvature below which a surface counts as flat
 uniform float uHessianNoise;   // standard deviation of a normal second derivative, data units per mm^2
 layout(location = 0) out vec4 oKappa;      // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient alone
 layout(location = 1) out vec4 oDirection;  // of kappa1: unit, world; w: standard deviation of a curvature, 1/mm
+
+#ifdef SCALED
+// Samples go on beyond the border by point reflection, which leaves more noise there: of the smoothing across a border at
+// distance d the border's own sample takes the part 2 Phi(-d / s), against a variance of 1 / (2 sqrt(pi) s) within.
+// Phi by the logistic function.
+float noiseAtBorder(ivec2 pixel) {
+  vec3 voxel = texelFetch(uSurface, pixel, 0).xyz, scale = max(uScale, vec3(0.2821));  // at least a sample's own variance
+  vec3 distance_ = max(min(voxel, vec3(uDims - 1) - voxel), vec3(0.0)) / scale;
+  vec3 part = 2.0 / (1.0 + exp(1.702 * min(distance_, vec3(20.0))));
+  vec3 variance = 1.0 + 3.5449 * scale * part * part;
+  return sqrt(variance.x * variance.y * variance.z);
+}
+#endif
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -44,7 +62,11 @@ void main() {
   float part = max(abs(e.x), abs(e.y));
   if (part > 0.0 && part < 1e-15) e /= part;  // of a surface that is all but flat: squares would underflow
   float norm = length(e);
-  float curvatureNoise = min(uHessianNoise / scale / relativeLength, 1e30);
+  float hessianNoise = uHessianNoise;
+#ifdef SCALED
+  hessianNoise *= noiseAtBorder(pixel);
+#endif
+  float curvatureNoise = min(hessianNoise / scale / relativeLength, 1e30);
   oDirection = vec4(norm > 0.0 ? (e.x * u + e.y * v) / norm : u, curvatureNoise);
 
   float noisy = uGradientNoise > 0.0 ? smoothstep(3.0, 6.0, scale * relativeLength / uGradientNoise) : 1.0;

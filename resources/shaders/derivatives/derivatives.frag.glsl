@@ -56,10 +56,8 @@ void main() {
   mat3 hessian = mat3(vec3(diagonal.x, mixed.x, mixed.y), vec3(mixed.x, diagonal.y, mixed.z), vec3(mixed.yz, diagonal.z));
   hessian = uInverseTransposed * hessian * transpose(uInverseTransposed) * uDataUnits;
   oHessianDiagonal = vec4(hessian[0][0], hessian[1][1], hessian[2][2], 1.0);
-  float within = 1.0;
-#ifdef SCALED
-  if (!quinticWithin(cellOf(p))) within = 0.0;
-#elif defined(CUBIC)
+  float within = 1.0;  // the coefficients of a scaled field go on beyond the border
+#ifdef CUBIC
   ivec3 first = cellOf(p) - 1;  // of the spline's 4x4x4 samples: those beyond the border only repeat it
   if (any(lessThan(first, ivec3(0))) || any(greaterThan(first + 3, uDims - 1))) within = 0.0;
 #endif
