@@ -59,7 +59,6 @@ struct ExtraIsosurface {
 struct Hit {
   HitMethod method = HitMethod::exact;
   Field field = Field::trilinear;
-  StillField stillField = StillField::automatic;
   double rate = 2.0;                    // r0, samples per voxel along the ray (method sampled)
   double nearFactor = 8.0;              // n: r1 = n r0 near the isovalue
   std::optional<double> nearThreshold;  // delta, data units: nearer than this counts as near
@@ -207,9 +206,10 @@ struct Camera {
 };
 
 struct Picture {
-  int supersampling = 2;                  // rays per pixel and axis of a picture at rest
-  std::optional<double> exposure;         // stops, of pictures lit by global illumination
-  Metering metering = Metering::surface;  // of an automatic exposure: gi/trace/exposure_meter.h
+  int supersampling = 2;                        // rays per pixel and axis of a picture at rest
+  StillField restHits = StillField::automatic;  // of hits at rest, where hit.field is trilinear
+  std::optional<double> exposure;               // stops, of pictures lit by global illumination
+  Metering metering = Metering::surface;        // of an automatic exposure: gi/trace/exposure_meter.h
   bool operator==(const Picture&) const = default;
 };
 

@@ -78,12 +78,6 @@ std::vector<Setting> makeSettings() {
       "and "
       "shrinks what is thin until it is gone; or the B-spline that passes through the samples, which holds "
       "wires, twigs and vessels together where trilinear hits draw beads."));
-  add(choiceEntry<Scene>(
-      "hit.still_field", ISOLUX_MEMBER(hit.stillField),
-      "The reconstruction whose surface pictures at rest show where hit.field is trilinear: the same, or the "
-      "B-spline that passes through the samples; auto takes that where more than a tenth of the visible "
-      "surface "
-      "lies over a tenth of a voxel beside it. Deferred images (--aov) and stored light keep hit.field."));
   add(entry<Scene>("hit.rate", ISOLUX_MEMBER(hit.rate), {0.125, 64}, "samples per voxel",
                    "How densely a ray is sampled; method sampled only."));
   add(entry<Scene>("hit.near_factor", ISOLUX_MEMBER(hit.nearFactor), {1, 64}, "",
@@ -331,6 +325,12 @@ std::vector<Setting> makeSettings() {
 
   add(entry<Scene>("picture.supersampling", ISOLUX_MEMBER(picture.supersampling), {1, 4},
                    "rays per pixel and axis", "Anti-aliasing of a picture at rest."));
+  add(choiceEntry<Scene>(
+      "picture.rest_hits", ISOLUX_MEMBER(picture.restHits),
+      "The reconstruction whose surface pictures at rest show where hit.field is trilinear: the same, or the "
+      "B-spline that passes through the samples; auto takes that where more than a tenth of the visible "
+      "surface "
+      "lies over a tenth of a voxel beside it. Deferred images (--aov) and stored light keep hit.field."));
   add(entry<Scene>("picture.exposure", ISOLUX_MEMBER(picture.exposure), {-40, 40}, "stops",
                    "Brightness of pictures lit by global illumination; auto is by picture.metering."));
   add(choiceEntry<Scene>(

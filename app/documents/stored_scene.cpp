@@ -131,7 +131,7 @@ json derivativesAsBefore(json stored) {
   addMissing(
       stored,
       {{"derivatives", {{"scale", 0.0}, {"normal_scale", 0.0}}},
-       {"hit", {{"still_field", "same"}}},
+       {"picture", {{"rest_hits", "same"}}},
        {"look", {{"contours", 0.0}, {"tone_cool", {0.08, 0.12, 0.35}}, {"tone_warm", {0.95, 0.72, 0.38}}}}});
   return stored;
 }

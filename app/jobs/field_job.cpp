@@ -97,7 +97,7 @@ bool FieldJob::isFor(const scene::Scene& scene) const {
   const bool same = scene_.hit.field == scene.hit.field && scene_.derivatives == scene.derivatives &&
                     scene::needsGradient(scene_) == scene::needsGradient(scene) &&
                     scene::needsCurvature(scene_) == scene::needsCurvature(scene);
-  const bool sameAtRest = scene_.hit.stillField == scene.hit.stillField &&
+  const bool sameAtRest = scene_.picture.restHits == scene.picture.restHits &&
                           scene::mayRefineHits(scene_) == scene::mayRefineHits(scene);
   const bool measures = awaitsChoice(scene) || scene::mayRefineHits(scene);
   return same && sameAtRest && (!measures || scene_.isosurface.value == scene.isosurface.value);

@@ -22,7 +22,7 @@ scene::Scene withSplineHits(scene::Scene scene) {
 // Whether the spline's hits are wanted; nothing: it has not been measured.
 std::optional<bool> wantsSpline(const scene::Scene& resolved, const volume::StillHits& hits) {
   if (!scene::mayRefineHits(resolved)) return false;
-  if (resolved.hit.stillField == StillField::cubic_interpolating) return true;
+  if (resolved.picture.restHits == StillField::cubic_interpolating) return true;
   const std::optional<double> share = hits.find(resolved.isosurface.value.value());
   return share ? std::optional(hits.gains(*share)) : std::nullopt;
 }
@@ -36,7 +36,7 @@ scene::Scene atRest(scene::Scene resolved, const volume::PreparedVolume& volume,
   try {
     volume.cubicFields->make(kSpline, progress);
   } catch (const base::Error& error) {
-    if (error.kind() != base::ErrorKind::memory || resolved.hit.stillField != StillField::automatic) throw;
+    if (error.kind() != base::ErrorKind::memory || resolved.picture.restHits != StillField::automatic) throw;
     hits.giveUp();
     return resolved;
   }

@@ -1,4 +1,4 @@
-// Hits of pictures at rest (hit.still_field): those of the spline through the samples, where the surface
+// Hits of pictures at rest (picture.rest_hits): those of the spline through the samples, where the surface
 // gains from them. Deferred images and pictures lit by stored light keep hit.field.
 #pragma once
 

@@ -57,6 +57,10 @@ scene::Scene turned(const Knob& knob, const std::string& value, scene::Scene sce
                     const scene::VolumeFacts& facts) {
   if (knob.sampled) scene.hit.method = scene::HitMethod::sampled;
   if (knob.measure == Measure::light) scene = litScene(knob, std::move(scene));
+  if (knob.measure == Measure::hits || knob.measure == Measure::shape) {  // fields as they are, not smoothed
+    if (!scene.derivatives.scale) scene.derivatives.scale = 0.0;
+    if (!scene.derivatives.normalScale) scene.derivatives.normalScale = 0.0;
+  }
   if (knob.name == kScale) {
     scene.derivatives.scale.reset();
     if (value != kAutomatic)

@@ -89,7 +89,8 @@ ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
   if (study.knob.measure == Measure::light)
     json["truth"] = {{"samples", study.truthSamples}, {"bounces", study.truthBounces}};
   else if (study.knob.measure == Measure::scale)
-    json.update({{"added_noise", study.addedNoise}, {"truth", study.knowsTruth ? "phantom" : "none"}});
+    json.update(
+        {{"added_noise", study.addedNoise}, {"compared_with", study.knowsTruth ? "phantom" : "itself"}});
   else
     json.update(
         {{"passes", panels[0].passes}, {"method", study.knob.sampled ? "sampled" : "as in the scene"}});

@@ -50,7 +50,7 @@ bool showsLegend(const Scene& scene) {
 
 bool mayRefineHits(const Scene& scene) {
   const Hit& hit = scene.hit;
-  return hit.stillField != StillField::same && hit.method == HitMethod::exact &&
+  return scene.picture.restHits != StillField::same && hit.method == HitMethod::exact &&
          hit.field == Field::trilinear && !usesGi(scene);
 }
 

@@ -113,10 +113,11 @@ constexpr Rule rules[] = {
     {"hit.near_threshold", [](const Scene& s) { return s.hit.nearFactor > 1.0; },
      "the samples near the isovalue are no denser than the others"},
 
-    {"hit.still_field", [](const Scene& s) { return s.hit.method == HitMethod::exact; }, "hits are sampled"},
-    {"hit.still_field", [](const Scene& s) { return s.hit.field == Field::trilinear; },
+    {"picture.rest_hits", [](const Scene& s) { return s.hit.method == HitMethod::exact; },
+     "hits are sampled"},
+    {"picture.rest_hits", [](const Scene& s) { return s.hit.field == Field::trilinear; },
      "hits are those of a spline already"},
-    {"hit.still_field", [](const Scene& s) { return !usesGi(s); },
+    {"picture.rest_hits", [](const Scene& s) { return !usesGi(s); },
      "light is stored on the surface that hit.field shows"},
 
     {"derivatives.", needsGradient, "this look needs no derivatives"},

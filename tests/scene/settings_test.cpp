@@ -64,8 +64,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
                                 opacity, layers] = isosurface;
   [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2] = extraIsosurfaces[0];
-  [[maybe_unused]] const auto& [method, hitField, stillField, rate, nearFactor, nearThreshold, refinements] =
-      hit;
+  [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, innerTint,
                                 cool, warm, texture, textureScale, shadow, fog, fogColor, colormap, low, high,
@@ -82,8 +81,8 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
                                 components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
-  [[maybe_unused]] const auto& [supersampling, pictureExposure, metering] = picture;
-  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 7 + 5 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 3);
+  [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering] = picture;
+  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 5 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 4);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

@@ -108,6 +108,9 @@ class Viewport : public QWidget {
   void orderSoon();
   void order();
   app::PictureOrder orderOf(const render::FrameRequest& request, bool atRest);
+  template <class Done>
+  void wait(const Done& done);
+  void awaitFields();
   std::unique_ptr<app::PictureThread::Still> awaitStill();
   bool wantsHits(const render::FrameRequest& request) const;
   void poll();

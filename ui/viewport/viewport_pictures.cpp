@@ -301,10 +301,7 @@ render::StillPicture Viewport::picture(bool linear) {
   const auto refuse = [](const char* why) { throw base::Error(base::ErrorKind::graphics, "", "", why); };
   if (!hasContext_ || failed_) refuse("there is no picture to save");
   if (stillComes_) refuse("another picture is being saved");
-  if (volume_ && !app::fieldsAreReady(resolved_, *volume_)) {
-    if (fieldJob_ && fieldJob_->finished() && fieldJob_->error()) throw base::Error(*fieldJob_->error());
-    refuse("the volume is still being prepared for this picture; save it in a moment");
-  }
+  awaitFields();
   render::FrameRequest request;
   request.size = pixelSize();
   request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
@@ -323,14 +320,13 @@ render::StillPicture Viewport::picture(bool linear) {
   }
 }
 
-// Null: the program ends.
-std::unique_ptr<app::PictureThread::Still> Viewport::awaitStill() {
-  std::unique_ptr<app::PictureThread::Still> still;
+// Returns when done() holds, or when the program ends.
+template <class Done>
+void Viewport::wait(const Done& done) {
   QEventLoop loop;
   QTimer timer;
   connect(&timer, &QTimer::timeout, &loop, [&] {
-    still = thread_.takeStill();
-    if (still) loop.quit();
+    if (done()) loop.quit();
   });
   timer.start(pollTimer_.interval());
   stillComes_ = true;
@@ -340,6 +336,30 @@ std::unique_ptr<app::PictureThread::Still> Viewport::awaitStill() {
   QGuiApplication::restoreOverrideCursor();
   stillComes_ = false;
   setDrawing(false);
+}
+
+// Throws what ended the job.
+void Viewport::awaitFields() {
+  const auto ready = [this] { return !volume_ || app::fieldsAreReady(resolved_, *volume_); };
+  if (ready()) return;
+  wait([&] {
+    if (ready()) return true;
+    if (!fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_)))
+      fieldJob_ = std::make_unique<app::FieldJob>(volume_, resolved_);
+    return fieldJob_->finished() && fieldJob_->error();
+  });
+  if (ready()) return;
+  if (fieldJob_ && fieldJob_->finished() && fieldJob_->error()) throw base::Error(*fieldJob_->error());
+  throw base::Error(base::ErrorKind::interrupted, "", "", "the picture was not waited for");
+}
+
+// Null: the program ends.
+std::unique_ptr<app::PictureThread::Still> Viewport::awaitStill() {
+  std::unique_ptr<app::PictureThread::Still> still;
+  wait([&] {
+    still = thread_.takeStill();
+    return still != nullptr;
+  });
   return still;
 }
 

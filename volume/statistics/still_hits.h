@@ -1,5 +1,5 @@
 // Whether a surface gains from hits of the spline through the samples, which pictures at rest then take
-// (hit.still_field): measured at points that can be seen, once for each isovalue.
+// (picture.rest_hits): measured at points that can be seen, once for each isovalue.
 //
 // All members may be called from any thread; nobody waits for another's work.
 #pragma once

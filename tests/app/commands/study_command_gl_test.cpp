@@ -57,6 +57,15 @@ void expectLight(const json& setting, const std::string& name) {
   EXPECT_EQ(errors["maximum_pixel"].size(), 2u) << name;
 }
 
+void expectScale(const json& scale, const std::string& name) {
+  EXPECT_GT(scale["points"], 100) << name;
+  EXPECT_EQ(scale["build_seconds"] > 0.0, scale["scale_mm"] > 0.0) << name;
+  for (const char* error : {"curvature_median_relative", "curvature_99_relative", "normal_rms_degrees"})
+    EXPECT_GT(scale[error], 0.0) << name << ' ' << error;
+  EXPECT_GE(scale["unknown_share"], 0.0) << name;
+  EXPECT_LT(scale["unknown_share"], 1.0) << name;
+}
+
 TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
   const fs::path folder = test::temporaryFolder();
   const json result = study(folder,
@@ -68,7 +77,7 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
     EXPECT_TRUE(result.contains(key)) << key;
   EXPECT_EQ(result["complete"], true);
   EXPECT_EQ(result["volume"]["data_hash"].get<std::string>().size(), 16u);
-  ASSERT_EQ(result["knobs"].size(), 20u);
+  ASSERT_EQ(result["knobs"].size(), 21u);
   for (const json& knob : result["knobs"]) {
     if (knob.contains("skipped")) {
       EXPECT_THAT(knob["skipped"].get<std::string>(), HasSubstr("one colour"));
@@ -86,6 +95,10 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
       }
       for (const char* pass : {"cast", "gradient", "hessian"})
         EXPECT_GT(setting["pass_milliseconds"].value(pass, 0.0), 0.0) << name << ' ' << pass;
+      if (setting.contains("scale")) {
+        expectScale(setting["scale"], name);
+        continue;
+      }
       EXPECT_GT(setting["errors"]["surface_pixels"], 1000) << name;
       for (const char* error : {"depth_voxels", "depth_mm", "normal_degrees", "curvature_relative"})
         EXPECT_GT(setting["errors"][error]["pixels"], 100) << name << ' ' << error;

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 Scene derivedAsBefore() {
   Scene scene;
   scene.derivatives.scale = scene.derivatives.normalScale = 0.0;
-  scene.hit.stillField = scene::StillField::same;
+  scene.picture.restHits = scene::StillField::same;
   scene.look.contours = 0.0;
   scene.look.toneCool = {0.08, 0.12, 0.35};
   scene.look.toneWarm = {0.95, 0.72, 0.38};
@@ -98,7 +98,7 @@ TEST(Session, RoundTripsThroughAFile) {
 
 TEST(Session, IsVersionedJson) {
   const json stored = json::parse(sessionText(someScene(), "/data"));
-  EXPECT_EQ(stored["isolux_session"], 4);
+  EXPECT_EQ(stored["isolux_session"], 5);
   EXPECT_TRUE(stored["program"].is_string());
   EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
 }

@@ -52,7 +52,7 @@ TEST(RestScene, AnotherIsovalueIsAnotherSurface) {
 TEST(RestScene, ByNameNothingIsMeasured) {
   base::Progress progress;
   Loaded torus = loaded("phantom:torus:48");
-  torus.scene.hit.stillField = scene::StillField::cubic_interpolating;
+  torus.scene.picture.restHits = scene::StillField::cubic_interpolating;
   EXPECT_FALSE(restIsReady(torus.scene, *torus.volume));
   EXPECT_EQ(atRest(torus.scene, *torus.volume, progress).hit.field, Field::cubic_interpolating);
   EXPECT_TRUE(restIsReady(torus.scene, *torus.volume));
@@ -62,10 +62,10 @@ TEST(RestScene, ByNameNothingIsMeasured) {
 TEST(RestScene, WhereHitsMayNotChangeAllIsReady) {
   base::Progress progress;
   Loaded wires = loaded("phantom:wires:64");
-  wires.scene.hit.stillField = scene::StillField::same;
+  wires.scene.picture.restHits = scene::StillField::same;
   EXPECT_TRUE(restIsReady(wires.scene, *wires.volume));
   EXPECT_TRUE(atRest(wires.scene, *wires.volume, progress) == wires.scene);
-  wires.scene.hit.stillField = scene::StillField::automatic;
+  wires.scene.picture.restHits = scene::StillField::automatic;
   wires.scene.look.mode = scene::LookMode::gi;
   EXPECT_TRUE(restIsReady(wires.scene, *wires.volume));
 }

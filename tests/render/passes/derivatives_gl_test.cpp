@@ -58,6 +58,7 @@ TEST_P(DerivativesGlTest, AgreeWithDoublePrecision) {
         scene::Scene scene;
         scene.derivatives.field = field;
         scene.derivatives.fetch = fetch;
+        scene.derivatives.scale = scene.derivatives.normalScale = 0.0;
         const CurvatureImages seen = curvatureImages(volume, scene);
         const volume::Grid& grid = volume->grid();
         const volume::Coefficients coefficients = volume::interpolatingCoefficients(grid);

@@ -22,7 +22,8 @@ class LinesGlTest : public RenderGlTest {
             const std::vector<std::string>& settings, double mmPerPixel, glm::ivec2 size = {128, 128}) {
     scene::Scene scene =
         assigned({"look.mode=lambert", "look.ambient=1", "isosurface.albedo=0,0,0", "look.ridges=1",
-                  "look.ridge_color=1,0,0", "look.valley_color=0,0,1", "isosurface.value=0"});
+                  "look.ridge_color=1,0,0", "look.valley_color=0,0,1", "isosurface.value=0",
+                  "derivatives.scale=0", "derivatives.normal_scale=0"});
     scene.camera.projection = scene::Projection::orthographic;
     centre_ = 0.5 * (volume->facts.boundsMinMm + volume->facts.boundsMaxMm);
     scene.camera.target = centre_;

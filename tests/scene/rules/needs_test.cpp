@@ -76,7 +76,7 @@ TEST(Needs, NothingIsLaidOverARawQuantity) {
 TEST(Needs, TrilinearExactHitsMayBeRefinedAtRest) {
   scene::Scene scene;
   EXPECT_TRUE(scene::mayRefineHits(scene));
-  for (const auto change : {+[](scene::Scene& s) { s.hit.stillField = scene::StillField::same; },
+  for (const auto change : {+[](scene::Scene& s) { s.picture.restHits = scene::StillField::same; },
                             +[](scene::Scene& s) { s.hit.method = scene::HitMethod::sampled; },
                             +[](scene::Scene& s) { s.hit.field = scene::Field::cubic; },
                             +[](scene::Scene& s) { s.look.mode = scene::LookMode::gi; }}) {
