@@ -164,7 +164,8 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress)
   progress.report(0.3, "building blocks");
   prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
   prepared->cubicFields = std::make_shared<CubicFields>(prepared->volume.grid);
-  prepared->derivativeChoices = std::make_shared<DerivativeChoices>(prepared->volume.grid, prepared->blocks);
+  prepared->derivativeChoices =
+      std::make_shared<DerivativeChoices>(prepared->volume.grid, prepared->blocks, prepared->volume.noise);
   prepared->stillHits = std::make_shared<StillHits>(prepared->volume.grid, prepared->blocks);
   progress.report(0.7, "counting values");
   prepared->histogram = makeHistogram(prepared->grid(), 512, progress);
@@ -193,6 +194,7 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, ba
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "reading");
   CsgResult read = readSource(source, progress);
+  if (source.csg != scene::Csg::none) read.volume.noise.reset();  // known of the first alone
   const double readSeconds = secondsSince(start);
   const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(read.volume), progress);
   prepared->readSeconds = readSeconds;

@@ -44,7 +44,7 @@ class StudyFolder {
       if (writePlot(gnuplot_, study, subject_.volume->volume.name, folder_ / name, progress, reason))
         study.plot = name;
       else
-        note_ = "no plot of " + std::string(study.knob.name) + ": gnuplot failed: " + reason;
+        note_ = "no plot of " + std::string(study.knob.name) + ": " + reason;
     }
     if (!study.skipped.empty()) skipped_ += (skipped_.empty() ? "" : ", ") + std::string(study.knob.name);
     studies_.push_back(std::move(study));

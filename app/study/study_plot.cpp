@@ -65,6 +65,13 @@ void row(std::ostream& out, const Knob& knob, const StudySetting& setting, const
   out << '\n';
 }
 
+// A panel without any point is none.
+bool hasPoints(const KnobStudy& study, const Panel& panel) {
+  return std::any_of(study.settings.begin(), study.settings.end(), [&](const StudySetting& setting) {
+    return std::isfinite(panel.error(setting.errors)) || std::isfinite(panel.error(judged(setting)));
+  });
+}
+
 // gnuplot does not look whether its output could be written.
 bool isWholeSvg(const fs::path& file) {
   constexpr std::size_t longest = std::size_t{64} << 20;
@@ -105,6 +112,11 @@ std::string plotScript(const KnobStudy& study, const std::string& subject, const
 
 bool writePlot(const fs::path& gnuplot, const KnobStudy& study, const std::string& subject,
                const fs::path& picture, base::Progress& progress, std::string& reason) {
+  for (const Panel& panel : panelsOf(study.knob))
+    if (!hasPoints(study, panel)) {
+      reason = std::string("no pixel has a ") + panel.label;
+      return false;
+    }
   PendingFile plot(picture);
   base::OutputFile script(fs::path(picture).replace_extension(".gp"));  // never committed: removed after use
   script.write(plotScript(study, subject, fs::absolute(plot.path()).string()));
@@ -118,6 +130,7 @@ bool writePlot(const fs::path& gnuplot, const KnobStudy& study, const std::strin
   reason = result.exitCode == 0 ? "the plot is not whole (is the disk full?)" : result.output;
   while (!reason.empty() && std::isspace(static_cast<unsigned char>(reason.back()))) reason.pop_back();
   reason = reason.substr(reason.rfind('\n') + 1);
+  if (result.exitCode != 0) reason = "gnuplot failed: " + reason;
   return false;
 }
 

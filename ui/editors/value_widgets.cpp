@@ -77,7 +77,7 @@ class NumberWidget : public ValueWidget {
       slider_ = new CalmWheel<QSlider>(this);
       slider_->setOrientation(Qt::Horizontal);
       slider_->setRange(0, steps);
-      slider_->setMinimumWidth(60);
+      slider_->setMinimumWidth(54);
       layout->addWidget(slider_, 1);
       box_->setFixedWidth(74);
       box_->setSingleStep(base::niceBelow(range / 50.0));

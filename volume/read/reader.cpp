@@ -81,6 +81,7 @@ Volume readPhantom(const std::string& text, const ReadOptions& options, base::Pr
   volume.unit = info.unit;
   if (volume.grid->minimum() < info.isovalue && info.isovalue < volume.grid->maximum())
     volume.isovalue = info.isovalue;
+  if (info.name != "noise") volume.noise = 0.0;
   return volume;
 }
 

@@ -60,6 +60,7 @@ struct Volume {
       scene::WorldAxes::zUp;               // anatomical only where the file states where the patient lies
   int components = 1, timeSteps = 1;       // what the file offers
   std::optional<double> isovalue;          // the one to show first, where the source knows it
+  std::optional<double> noise;             // of a voxel, data units, where the source knows it
   std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"
   std::vector<std::string> warnings;  // one line each: converted, resampled, missing voxels, ignored fields
 };

@@ -160,6 +160,7 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
 }  // namespace
 
 scene::NoiseModel DerivativeChoices::noise(base::Progress& progress) const {
+  if (knownNoise_) return {{0.0}, {*knownNoise_}, glm::dvec3(0.0)};
   {
     const std::lock_guard lock(mutex_);
     if (noise_) return *noise_;
@@ -171,6 +172,11 @@ scene::NoiseModel DerivativeChoices::noise(base::Progress& progress) const {
 }
 
 std::optional<DerivativeChoice> DerivativeChoices::find(const DerivativeQuestion& question) const {
+  if (knownNoise_ == 0.0 && !question.noise) {
+    DerivativeChoice choice;
+    choice.noiseReason = choice.scaleReason = choice.normalReason = "the source has no noise";
+    return choice;
+  }
   const std::lock_guard lock(mutex_);
   for (const Kept& kept : kept_)
     if (kept.question == question) return kept.choice;

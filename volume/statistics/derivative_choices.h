@@ -39,8 +39,10 @@ struct DerivativeQuestion {
 
 class DerivativeChoices {
  public:
-  DerivativeChoices(std::shared_ptr<const Grid> grid, std::shared_ptr<const MinMaxBlocks> blocks)
-      : grid_(std::move(grid)), blocks_(std::move(blocks)) {}
+  // knownNoise: of a voxel, where somebody knows it; of data without any all is said at once: scale 0.
+  DerivativeChoices(std::shared_ptr<const Grid> grid, std::shared_ptr<const MinMaxBlocks> blocks,
+                    std::optional<double> knownNoise = {})
+      : grid_(std::move(grid)), blocks_(std::move(blocks)), knownNoise_(knownNoise) {}
 
   // Of the whole volume. Throws Error{interrupted}, as all that take a Progress.
   scene::NoiseModel noise(base::Progress& progress) const;
@@ -60,6 +62,7 @@ class DerivativeChoices {
   };
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const MinMaxBlocks> blocks_;
+  std::optional<double> knownNoise_;
   mutable std::mutex mutex_;  // held for moments
   mutable std::optional<scene::NoiseModel> noise_;
   mutable std::vector<Kept> kept_;  // the latest last
