@@ -40,21 +40,35 @@ volume::Grid phantomGrid(const std::string& name, glm::ivec3 dims) {
   return phantomGrid(name, unitGeometry(dims));
 }
 
-std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
+namespace {
+
+std::shared_ptr<const volume::PreparedVolume> preparedWith(volume::Grid grid, std::optional<double> noise) {
   base::Progress progress;
   volume::Volume volume;
   volume.grid = std::make_shared<const volume::Grid>(std::move(grid));
   volume.name = "test";
+  volume.noise = noise;
   return volume::prepareVolume(std::move(volume), progress);
 }
 
+// As volume::readVolume() has it of phantoms.
+std::optional<double> noiseOfPhantom(const std::string& name) {
+  return name == "noise" ? std::nullopt : std::optional(0.0);
+}
+
+}  // namespace
+
+std::shared_ptr<const volume::PreparedVolume> prepared(volume::Grid grid) {
+  return preparedWith(std::move(grid), std::nullopt);
+}
+
 std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name, int size) {
-  return prepared(phantomGrid(name, size));
+  return preparedWith(phantomGrid(name, size), noiseOfPhantom(name));
 }
 
 std::shared_ptr<const volume::PreparedVolume> phantom(const std::string& name,
                                                       const volume::GridGeometry& geometry) {
-  return prepared(phantomGrid(name, geometry));
+  return preparedWith(phantomGrid(name, geometry), noiseOfPhantom(name));
 }
 
 std::vector<float> blurredNoise(glm::ivec3 dims, glm::dvec3 blur, std::uint64_t seed) {

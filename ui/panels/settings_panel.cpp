@@ -73,7 +73,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
           this)),
       lights_(new LightChooser(this)),
       environment_(new EnvironmentPreview(this)) {
-  setMinimumWidth(330);
+  setMinimumWidth(334);
   search_->setPlaceholderText("Find a setting");
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName("Find a setting");
