@@ -343,6 +343,7 @@ void LightController::save(const std::filesystem::path& file, base::Progress& pr
     if (parts_->plan.lamps) light.lamps = parts_->plan.lamps->lattice();
     volume = parts_->volume;
   }
+  if (!light.sky && !light.lamps) return;  // stopped before anything was planned
   gi::writeBakeFile(file, volume->grid(), light, progress);
 }
 

@@ -71,8 +71,8 @@ class LightController {
   // Keeps the light it has and stops wanting more, until the scene or the view changes.
   void cancel();
 
-  // The bake as a file (gi/file/bake_file.h). load() takes over light that fits the scene: throws base::Error
-  // naming what differs.
+  // The bake as a file (gi/file/bake_file.h); none is written before anything is planned. load() takes over
+  // light that fits the scene: throws base::Error naming what differs.
   void save(const std::filesystem::path& file, base::Progress& progress) const;
   void load(const std::filesystem::path& file, base::Progress& progress);
 

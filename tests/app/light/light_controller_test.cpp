@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 
@@ -11,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/retire.h"
+#include "gi/file/bake_file.h"
 #include "gi/lattice/lattice_geometry.h"
 #include "gi/trace/exposure_meter.h"
 #include "scene/rules/automatic.h"
@@ -120,6 +122,18 @@ TEST_F(LightControllerTest, ACommandsWholeLatticeIsRefusedBeforeItBegins) {
 }
 
 }  // namespace
+
+TEST_F(LightControllerTest, WhatIsStoppedBeforeItIsPlannedWritesNoFile) {
+  base::Progress progress;
+  const std::filesystem::path file = test::temporaryFolder() / "early.vti";
+  app::LightController fresh{app::LightController::Options{}};
+  fresh.save(file, progress);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  scene.look.mode = scene::LookMode::gi;
+  fresh.setScene(scene, volume);
+  fresh.save(file, progress);  // planned by now or not
+  EXPECT_TRUE(!std::filesystem::exists(file) || gi::looksLikeBakeFile(file));
+}
 
 TEST_F(LightControllerTest, ABallUnderAWhiteSkyIsLitByPi) {
   scene.picture.metering = scene::Metering::lights;
