@@ -9,7 +9,7 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::size_t kPoints = 800, kKept = 64;
+constexpr std::size_t kPointsRead = 800, kKept = 64;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::optional<double> StillHits::find(double isovalue) const {
 double StillHits::measure(double isovalue, base::Progress& progress) const {
   if (const auto share = find(isovalue)) return *share;
   std::vector<glm::dvec3> points;
-  for (const VisiblePoint& point : visiblePoints(*grid_, *blocks_, isovalue, kPoints))
+  for (const VisiblePoint& point : visiblePoints(*grid_, *blocks_, isovalue, kPointsRead))
     points.push_back(point.voxel);
   progress.throwIfStopped();
   const double share = shareBesideSpline(*grid_, points);
