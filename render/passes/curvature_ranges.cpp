@@ -110,7 +110,7 @@ glm::dvec2 ridgeThresholds(const scene::Scene& scene, const CurvatureStatistics&
 
 glm::dvec2 ridgeLengths(const scene::Scene& scene, const glm::dvec2& thresholds) {
   if (scene.look.ridgeLength) return glm::dvec2(*scene.look.ridgeLength);
-  return 2.0 / glm::max(thresholds, 1e-30);
+  return 1.0 / glm::max(thresholds, 1e-30);
 }
 
 double curvatureScale(const CurvatureStatistics& statistics, double flat) {

@@ -37,7 +37,7 @@ std::map<std::string, double> foundNumbers(const scene::Scene& scene,
 glm::dvec2 ridgeThresholds(const scene::Scene& scene, const volume::CurvatureStatistics& statistics,
                            double flat);
 
-// From which length on lines of these thresholds are drawn, mm. Automatic: what is no longer than twice the
+// From which length on lines of these thresholds are drawn, mm. Automatic: what is no longer than the
 // radius of the threshold's curvature is a knob, not a line.
 glm::dvec2 ridgeLengths(const scene::Scene& scene, const glm::dvec2& thresholds);
 

@@ -21,8 +21,8 @@ struct PointDerivatives {
   glm::dmat3 hessian{0.0};   // per mm^2
 };
 
-// points: voxel coordinates. scaleMm: deviation of the Gaussian. Samples beyond the border repeat the
-// border's. On all cores.
+// points: voxel coordinates. scaleMm: deviation of the Gaussian. Samples beyond the border go on by
+// point reflection. On all cores.
 std::vector<PointDerivatives> derivativesAtScale(const Grid& grid, std::span<const glm::dvec3> points,
                                                  double scaleMm);
 

@@ -78,7 +78,7 @@ TEST(CurvatureRangesTest, RidgesAndValleysHaveThresholdsOfTheirOwn) {
   EXPECT_EQ(ridgeThresholds(scene, convex, kFlat), glm::dvec2(0.75 * 0.4, 0.25 * 0.75 * 0.4));
   scene.look.ridgeThreshold = 0.2;
   EXPECT_EQ(ridgeThresholds(scene, some(), kFlat), glm::dvec2(0.2));
-  EXPECT_EQ(ridgeLengths(scene, {0.2, 0.1}), glm::dvec2(10.0, 20.0));
+  EXPECT_EQ(ridgeLengths(scene, {0.2, 0.1}), glm::dvec2(5.0, 10.0));
   scene.look.ridgeLength = 3.0;
   EXPECT_EQ(ridgeLengths(scene, {0.2, 0.1}), glm::dvec2(3.0));
 }
