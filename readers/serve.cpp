@@ -114,6 +114,13 @@ class SharedMemory {
     begin_ = static_cast<std::byte*>(begin);
   }
 
+  ~SharedMemory() {
+    if (begin_ != nullptr) ::munmap(begin_, size_);
+  }
+  SharedMemory(const SharedMemory&) = delete;
+  SharedMemory& operator=(const SharedMemory&) = delete;
+
+  std::span<const std::byte> bytes() const { return {begin_, size_}; }
   void append(std::span<const std::byte> bytes) {
     if (bytes.size() > size_ - at_) endUnheard();  // the program gave less than was asked for
     if (!bytes.empty()) std::memcpy(begin_ + at_, bytes.data(), bytes.size());
@@ -156,6 +163,18 @@ auto watched(Connection& connection, Read&& read) {
   base::throwInput("", "", "this reader does not read such files");
 }
 
+TriangleMesh contoured(Connection& connection, const Abilities& abilities, const Request& request) {
+  const SharedMemory lent(connection);
+  const glm::ivec3 dims = request.contourDims;
+  const std::size_t count =
+      static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
+  if (lent.bytes().size() != count * sizeof(float)) endUnheard();
+  allowDecoding(lent.bytes().size());
+  const std::span samples(reinterpret_cast<const float*>(lent.bytes().data()), count);
+  return watched(connection,
+                 [&](base::Progress& progress) { return abilities.contour(samples, dims, progress); });
+}
+
 void answer(Connection& connection, const Abilities& abilities, const Request& request) {
   switch (request.task) {
     case Task::volume:
@@ -173,6 +192,9 @@ void answer(Connection& connection, const Abilities& abilities, const Request& r
       return handOver(connection, watched(connection, [&](base::Progress& progress) {
                         return abilities.image(request.path, progress);
                       }));
+    case Task::contour:
+      if (!abilities.contour) refuseTask();
+      return handOver(connection, contoured(connection, abilities, request));
     case Task::versions:
       return connection.send(MessageKind::text, abilities.versions());
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "base/progress.h"
@@ -16,6 +17,9 @@ struct Abilities {
   volume::DecodedVolume (*volume)(const std::filesystem::path&, const volume::ReadOptions&,
                                   base::Progress&) = nullptr;
   volume::TriangleMesh (*mesh)(const std::filesystem::path&, base::Progress&) = nullptr;
+  // Of samples (x fastest) where they pass 0; inside is at least 0. Voxel coordinates, seen from outside
+  // counter-clockwise.
+  volume::TriangleMesh (*contour)(std::span<const float> samples, glm::ivec3 dims, base::Progress&) = nullptr;
   volume::DecodedImage (*image)(const std::filesystem::path&, base::Progress&) = nullptr;
   std::string (*versions)() = nullptr;
 };

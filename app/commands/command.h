@@ -35,6 +35,7 @@ Command makeBake(CLI::App& program);
 Command makeReference(CLI::App& program);
 Command makeReplay(CLI::App& program);
 Command makeStudy(CLI::App& program);
+Command makeMesh(CLI::App& program);
 Command makePhantom(CLI::App& program);
 Command makeSettings(CLI::App& program);
 Command makeDoctor(CLI::App& program);

@@ -15,6 +15,7 @@ namespace {
 constexpr const char* vtkReader = "isolux-reader-vtk";
 constexpr const char* dicomReader = "isolux-reader-dicom";
 constexpr const char* imageReader = "isolux-reader-images";
+constexpr const char* surfaceReader = "isolux-reader-surface";
 
 Request requestFor(Task task, const fs::path& path, const ReadOptions& options) {
   Request request;
@@ -63,11 +64,9 @@ Volume readVolumeBy(const fs::path& program, const fs::path& path, const ReadOpt
   return volume;
 }
 
-TriangleMesh readMeshBy(const fs::path& program, const fs::path& path, std::size_t budgetBytes,
-                        base::Progress& progress) {
-  ReadOptions options;
-  options.budgetBytes = budgetBytes;
-  ReaderProcess reader(program, requestFor(Task::mesh, path, options), progress);
+namespace {
+
+TriangleMesh receiveMesh(ReaderProcess& reader, const fs::path& path) {
   const MeshCounts counts = reader.announced(MessageKind::mesh, decodeMesh);
   reader.receive(bulkBytes(counts));
   TriangleMesh mesh;
@@ -78,6 +77,31 @@ TriangleMesh readMeshBy(const fs::path& program, const fs::path& path, std::size
   reader.read(points.size(), std::as_writable_bytes(std::span(mesh.triangles)));
   checkMesh(mesh, path);
   return mesh;
+}
+
+}  // namespace
+
+TriangleMesh readMeshBy(const fs::path& program, const fs::path& path, std::size_t budgetBytes,
+                        base::Progress& progress) {
+  ReadOptions options;
+  options.budgetBytes = budgetBytes;
+  ReaderProcess reader(program, requestFor(Task::mesh, path, options), progress);
+  return receiveMesh(reader, path);
+}
+
+TriangleMesh contour(glm::ivec3 dims, const std::function<void(std::span<float>)>& fill,
+                     std::size_t budgetBytes, base::Progress& progress) {
+  ReadOptions options;
+  options.budgetBytes = budgetBytes;
+  Request request = requestFor(Task::contour, "the surface", options);
+  request.contourDims = dims;
+  const std::uint64_t count = static_cast<std::uint64_t>(dims.x) * static_cast<std::uint64_t>(dims.y) *
+                              static_cast<std::uint64_t>(dims.z);
+  ReaderProcess reader(readerProgram(surfaceReader), request, progress);
+  reader.lend(count * sizeof(float), [&](std::span<std::byte> bytes) {
+    fill({reinterpret_cast<float*>(bytes.data()), static_cast<std::size_t>(count)});
+  });
+  return receiveMesh(reader, "the surface");
 }
 
 DecodedImage readImageBy(const fs::path& program, const fs::path& path, base::Progress& progress) {
@@ -112,7 +136,7 @@ DecodedImage readImage(const fs::path& path, base::Progress& progress) {
 
 std::vector<std::string> readerVersions(base::Progress& progress) {
   std::vector<std::string> lines;
-  for (const char* name : {vtkReader, dicomReader, imageReader}) {
+  for (const char* name : {vtkReader, dicomReader, imageReader, surfaceReader}) {
     try {
       ReaderProcess reader(readerProgram(name), requestFor(Task::versions, name, ReadOptions()), progress);
       lines.push_back(reader.expect(MessageKind::text));

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,11 @@ TriangleMesh readPolyDataMesh(const std::filesystem::path& path, std::size_t bud
 
 // A flat image of one channel (grey) or more, as linear RGB (any format OpenImageIO knows).
 DecodedImage readImage(const std::filesystem::path& path, base::Progress& progress);
+
+// Not a file, but VTK's as well: triangles where samples (x fastest, written by `fill`) pass 0; inside is at
+// least 0. Voxel coordinates, turned all the same way. budgetBytes: of the triangles.
+TriangleMesh contour(glm::ivec3 dims, const std::function<void(std::span<float>)>& fill,
+                     std::size_t budgetBytes, base::Progress& progress);
 
 // "VTK 9.1.0", ...: what each reader reports, or why it cannot be asked. For `isolux doctor`.
 std::vector<std::string> readerVersions(base::Progress& progress);

@@ -25,6 +25,7 @@ std::string encode(const Request& request) {
   wire.put(static_cast<std::int64_t>(request.options.component));
   wire.put(static_cast<std::int64_t>(request.options.timeStep));
   wire.put(static_cast<std::uint64_t>(request.options.budgetBytes));
+  for (int axis = 0; axis < 3; ++axis) wire.put(static_cast<std::int64_t>(request.contourDims[axis]));
   wire.put(static_cast<std::int64_t>(request.parent));
   return wire.bytes();
 }
@@ -32,12 +33,13 @@ std::string encode(const Request& request) {
 Request decodeRequest(std::string_view body) {
   WireReader wire(body);
   Request request;
-  request.task = static_cast<Task>(wire.number(1, 4));
+  request.task = static_cast<Task>(wire.number(1, 5));
   request.path = wire.text();
   request.options.series = wire.text();
   request.options.component = static_cast<int>(static_cast<std::int64_t>(wire.number()));
   request.options.timeStep = static_cast<int>(static_cast<std::int64_t>(wire.number()));
   request.options.budgetBytes = static_cast<std::size_t>(wire.number());
+  for (int axis = 0; axis < 3; ++axis) request.contourDims[axis] = static_cast<int>(wire.number(0, 1u << 24));
   request.parent = static_cast<int>(wire.number());
   wire.end();
   return request;

@@ -21,7 +21,7 @@
 namespace isolux::volume {
 
 inline constexpr std::uint64_t kMessageMark =
-    0x31525855'4c4f5349;  // "ISOLUXR1": the last digit is the version
+    0x32525855'4c4f5349;  // "ISOLUXR2": the last digit is the version
 inline constexpr std::size_t kMessageHeadBytes = 24;
 inline constexpr std::uint64_t kLongestMessage = std::uint64_t{64} << 20;
 
@@ -38,13 +38,15 @@ enum class MessageKind : std::uint64_t {
   done       // reader: the shared memory is filled; its last word
 };
 
-enum class Task : std::uint64_t { volume = 1, mesh, image, versions };
+// contour: of samples that the program puts into the shared memory.
+enum class Task : std::uint64_t { volume = 1, mesh, image, versions, contour };
 
 struct Request {
   Task task = Task::volume;
   std::string path;
-  ReadOptions options;  // series, component, timeStep and budgetBytes only
-  int parent = 0;       // process number of the program: a reader must not outlive it
+  ReadOptions options;        // series, component, timeStep and budgetBytes only
+  glm::ivec3 contourDims{0};  // of a contour's samples: float32, x fastest; the surface is where they are 0
+  int parent = 0;             // process number of the program: a reader must not outlive it
 };
 
 // A volume as a file has it: what finishVolume() takes, and what only some formats know.

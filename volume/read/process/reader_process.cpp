@@ -254,6 +254,18 @@ void ReaderProcess::receive(std::uint64_t bytes) {
     fail(ErrorKind::input, "its reader handed over another size than it announced");
 }
 
+void ReaderProcess::lend(std::uint64_t bytes, const std::function<void(std::span<std::byte>)>& fill) {
+  const auto size = static_cast<std::size_t>(bytes);
+  void* const begin = ::ftruncate(memory_.get(), static_cast<off_t>(bytes)) == 0
+                          ? ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, memory_.get(), 0)
+                          : MAP_FAILED;
+  if (begin == MAP_FAILED)
+    fail(ErrorKind::memory, std::string("there is no shared memory for it: ") + std::strerror(errno));
+  fill({static_cast<std::byte*>(begin), size});
+  ::munmap(begin, size);
+  send(MessageKind::goOn, {});
+}
+
 void ReaderProcess::read(std::uint64_t offset, std::span<std::byte> out) const {
   while (!out.empty()) {
     const ssize_t got = ::pread(memory_.get(), out.data(), out.size(), static_cast<off_t>(offset));

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -65,6 +66,8 @@ class ReaderProcess {
     const std::string body = expect(kind);
     return named([&] { return decode(body); });
   }
+  // Puts so many bytes into the shared memory for the reader, written by `fill`, and tells it so.
+  void lend(std::uint64_t bytes, const std::function<void(std::span<std::byte>)>& fill);
   // Lets the reader fill that many bytes of shared memory, and waits until it has. Error{memory} above the
   // request's budget.
   void receive(std::uint64_t bytes);

@@ -1,0 +1,262 @@
+#include "volume/mesh/surface_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "volume/mesh/mesh_edges.h"
+#include "volume/mesh/surface_foot.h"
+#include "volume/read/process/foreign.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr float kOutside = -1e30f;  // of missing and hidden voxels, and beyond the border
+
+// How far inside a voxel is, with its sign exact.
+float insideOf(const Grid& grid, const SurfaceMeshRequest& request, glm::ivec3 voxel) {
+  const double value = grid.value(voxel.x, voxel.y, voxel.z);
+  if (!std::isfinite(value) || (request.hidden != nullptr && request.hidden->at(voxel))) return kOutside;
+  const double above = value - request.isovalue;
+  const double in = request.inside == scene::Inside::above ? above : -above;
+  if (in == 0.0) return 0.0f;
+  const auto least = static_cast<double>(std::numeric_limits<float>::min());
+  return static_cast<float>(std::copysign(std::clamp(std::abs(in), least, 1e29), in));
+}
+
+void fillSamples(const Grid& grid, const SurfaceMeshRequest& request, int pad, std::span<float> samples) {
+  const glm::ivec3 dims = grid.dims() + 2 * pad;
+  tbb::parallel_for(0, dims.z, [&](int z) {
+    std::size_t at =
+        static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x, ++at) {
+        const glm::ivec3 voxel = glm::ivec3(x, y, z) - pad;
+        const bool within = voxel == glm::clamp(voxel, glm::ivec3(0), grid.dims() - 1);
+        samples[at] = within ? insideOf(grid, request, voxel) : kOutside;
+      }
+  });
+}
+
+bool missingNear(const Grid& grid, const glm::dvec3& middle) {
+  const glm::ivec3 cell =
+      glm::clamp(glm::ivec3(glm::floor(middle)), glm::ivec3(0), glm::max(grid.dims() - 2, 0));
+  for (int i = 0; i < 8; ++i) {
+    const glm::ivec3 corner = glm::min(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2), grid.dims() - 1);
+    if (!std::isfinite(grid.value(corner.x, corner.y, corner.z))) return true;
+  }
+  return false;
+}
+
+// Where f is the isovalue on the edge of the grid that flying edges put `point` on; corners stay.
+glm::dvec3 onEdge(const Grid& grid, double isovalue, const glm::dvec3& point) {
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::ivec3 low(glm::round(point));
+    low[axis] = static_cast<int>(std::floor(point[axis]));
+    glm::ivec3 high = low;
+    ++high[axis];
+    if (glm::distance(point, glm::dvec3(low)) > 1.0 || point[axis] == low[axis] ||
+        high[axis] >= grid.dims()[axis])
+      continue;
+    const double a = grid.value(low.x, low.y, low.z) - isovalue,
+                 b = grid.value(high.x, high.y, high.z) - isovalue;
+    glm::dvec3 exact(low);
+    exact[axis] += a / (a - b);
+    if ((a < 0.0) != (b < 0.0) && std::abs(exact[axis] - point[axis]) < 1e-2) return exact;
+  }
+  return point;
+}
+
+// On which planes of the border a point lies, a bit each.
+int borderOf(const Grid& grid, const glm::dvec3& point) {
+  int bits = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (point[axis] <= 0.0) bits |= 1 << (2 * axis);
+    if (point[axis] >= grid.dims()[axis] - 1) bits |= 2 << (2 * axis);
+  }
+  return bits;
+}
+
+class Maker {
+ public:
+  Maker(const Grid& grid, const SurfaceMeshRequest& request)
+      : grid_(grid), request_(request), foot_(grid, request.field, request.coefficients, request.isovalue) {}
+
+  SurfaceMesh make(base::Progress& progress) {
+    extract(progress);
+    ontoSurface();
+    mergeCorners(progress);
+    do {
+      progress.throwIfStopped();
+      measure();
+    } while (refine());
+    return finished();
+  }
+
+ private:
+  void extract(base::Progress& progress) {
+    const int pad = request_.closed ? 1 : 0;
+    mesh_ = contour(
+        grid_.dims() + 2 * pad, [&](std::span<float> samples) { fillSamples(grid_, request_, pad, samples); },
+        request_.budgetBytes, progress);
+    for (glm::dvec3& point : mesh_.points) point -= static_cast<double>(pad);
+    if (grid_.missingCount() > 0)
+      std::erase_if(mesh_.triangles, [&](const Triangle& t) { return missingNear(grid_, middle(t)); });
+  }
+
+  glm::dvec3 middle(const Triangle& t) const {
+    return (mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2)) / 3.0;
+  }
+
+  void ontoSurface() {
+    const glm::dvec3 last(grid_.dims() - 1);
+    capping_.assign(mesh_.points.size(), 0);
+    std::vector<char> astray(mesh_.points.size(), 0);
+    tbb::parallel_for(std::size_t{0}, mesh_.points.size(), [&](std::size_t i) {
+      glm::dvec3& point = mesh_.points[i];
+      if (point != glm::clamp(point, glm::dvec3(0.0), last)) {
+        point = glm::clamp(point, glm::dvec3(0.0), last);
+        capping_[i] = 1;
+        return;
+      }
+      point = onEdge(grid_, request_.isovalue, point);
+      if (request_.field == scene::Field::trilinear) return;
+      if (const auto moved = foot_.of(point))
+        point = *moved;
+      else
+        astray[i] = 1;
+    });
+    astray_ = static_cast<std::size_t>(std::count(astray.begin(), astray.end(), 1));
+  }
+
+  // Points at the same place become one, triangles without three corners go.
+  void mergeCorners(const base::Progress& progress) { mergeEqualPoints(mesh_, capping_, progress); }
+
+  bool isCap(const Triangle& t) const {
+    int common = ~0;
+    for (int i = 0; i < 3; ++i) common &= borderOf(grid_, mesh_.corner(t, i));
+    return common != 0;
+  }
+
+  // Middles of edges and triangles, where the surface is nearest to them, and how far.
+  void measure() {
+    edges_ = MeshEdges(mesh_.triangles);
+    std::vector<char> ofSurface(edges_.count(), 0), cap(mesh_.triangles.size(), 0);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      cap[t] = isCap(mesh_.triangles[t]) ? 1 : 0;
+      for (int side = 0; side < 3 && !cap[t]; ++side) ofSurface[edges_.of(t, side)] = 1;
+    }
+    feet_.assign(edges_.count(), {});
+    tbb::parallel_for(std::size_t{0}, edges_.count(), [&](std::size_t e) {
+      const auto [a, b] = edges_.ends(e);
+      if (ofSurface[e] && !capping_[a] && !capping_[b])
+        feet_[e] = footOf(0.5 * (mesh_.points[a] + mesh_.points[b]));
+    });
+    middles_.assign(mesh_.triangles.size(), 0.0);
+    tbb::parallel_for(std::size_t{0}, mesh_.triangles.size(), [&](std::size_t t) {
+      if (!cap[t]) middles_[t] = footOf(middle(mesh_.triangles[t])).distanceMm;
+    });
+  }
+
+  struct Foot {
+    glm::dvec3 point{0.0};
+    double distanceMm = 0.0;
+  };
+  Foot footOf(const glm::dvec3& point) const {
+    const auto foot = foot_.of(point);
+    if (!foot) return {};  // counted with the corners
+    return {*foot, glm::length(glm::dmat3(grid_.geometry().worldFromVoxel) * (*foot - point))};
+  }
+
+  // False when every triangle is near enough.
+  bool refine() {
+    if (!(request_.toleranceMm > 0.0) || ++rounds_ > kMostRounds) return false;
+    std::vector<int> split(edges_.count(), -1);
+    const auto splitAt = [&](std::size_t edge) {
+      if (split[edge] >= 0) return;
+      const auto [a, b] = edges_.ends(edge);
+      const bool moved = feet_[edge].distanceMm > 0.0;
+      split[edge] = static_cast<int>(mesh_.points.size());
+      mesh_.points.push_back(moved ? feet_[edge].point : 0.5 * (mesh_.points[a] + mesh_.points[b]));
+      capping_.push_back(capping_[a] && capping_[b] ? 1 : 0);
+    };
+    for (std::size_t e = 0; e < edges_.count(); ++e)
+      if (feet_[e].distanceMm > request_.toleranceMm) splitAt(e);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (middles_[t] > request_.toleranceMm) splitAt(longestEdge(t));
+    if (std::all_of(split.begin(), split.end(), [](int s) { return s < 0; })) return false;
+    mesh_.triangles = splitTriangles(mesh_, edges_, split);
+    return true;
+  }
+
+  std::size_t longestEdge(std::size_t t) const {
+    std::size_t longest = edges_.of(t, 0);
+    double most = -1.0;
+    for (int side = 0; side < 3; ++side) {
+      const auto [a, b] = edges_.ends(edges_.of(t, side));
+      const double length =
+          glm::length(glm::dmat3(grid_.geometry().worldFromVoxel) * (mesh_.points[a] - mesh_.points[b]));
+      if (length > most) most = length, longest = edges_.of(t, side);
+    }
+    return longest;
+  }
+
+  SurfaceMesh finished() {
+    SurfaceMesh result;
+    for (const Foot& foot : feet_)
+      result.largestDistanceMm = std::max(result.largestDistanceMm, foot.distanceMm);
+    for (const double middle : middles_)
+      result.largestDistanceMm = std::max(result.largestDistanceMm, middle);
+    result.astray = astray_;
+    result.openEdges = edges_.open();
+    const glm::dmat4& world = grid_.geometry().worldFromVoxel;
+    orient();
+    for (glm::dvec3& point : mesh_.points) point = glm::dvec3(world * glm::dvec4(point, 1.0));
+    result.mesh = std::move(mesh_);
+    return result;
+  }
+
+  // Flying edges turn all triangles the same way: so that the volume they enclose within the padded grid is
+  // that of the inside, a triangle's normal must look down the gradient of the samples.
+  void orient() {
+    double sum = 0.0;
+    for (const Triangle& t : mesh_.triangles) {
+      if (isCap(t)) continue;
+      const glm::dvec3 normal =
+          glm::cross(mesh_.corner(t, 1) - mesh_.corner(t, 0), mesh_.corner(t, 2) - mesh_.corner(t, 0));
+      sum += glm::dot(normal, foot_.gradient(middle(t)));
+    }
+    const bool inward = (sum > 0.0) == (request_.inside == scene::Inside::above);
+    const bool mirrored = glm::determinant(glm::dmat3(grid_.geometry().worldFromVoxel)) < 0.0;
+    if (inward != mirrored)
+      for (Triangle& t : mesh_.triangles) std::swap(t[1], t[2]);
+  }
+
+  static constexpr int kMostRounds = 8;
+
+  const Grid& grid_;
+  const SurfaceMeshRequest& request_;
+  SurfaceFoot foot_;
+  TriangleMesh mesh_;          // voxel coordinates
+  std::vector<char> capping_;  // of each point: it closes the surface at the border
+  std::size_t astray_ = 0;
+  MeshEdges edges_;
+  std::vector<Foot> feet_;       // of the edges' middles
+  std::vector<double> middles_;  // of the triangles', mm
+  int rounds_ = 0;
+};
+
+}  // namespace
+
+SurfaceMesh surfaceMesh(const Grid& grid, const SurfaceMeshRequest& request, base::Progress& progress) {
+  return Maker(grid, request).make(progress);
+}
+
+}  // namespace isolux::volume
