@@ -118,7 +118,6 @@ Command makeMesh(CLI::App& program) {
   parser->add_flag("--json", options->json, "Say what was written as one JSON object");
   options->scene = addSceneOptions(*parser);
   addThreadsOption(*parser);
-  addMemoryOption(*parser);
   parser->footer(
       "Points lie on the surface of hit.field, mm, in the volume's world. Examples:\n"
       "  isolux mesh ct.nii.gz --isovalue 300 --out skull.stl --closed --tolerance 0.05\n"

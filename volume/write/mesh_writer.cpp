@@ -108,16 +108,20 @@ class VtpLayout {
 
 void putVtp(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, Bytes& out) {
   const std::uint64_t points = mesh.points.size(), triangles = mesh.triangles.size();
-  VtpLayout layout;
+  VtpLayout layout;  // its arrays in their order
   std::string head =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"" +
       std::to_string(points) +
       "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-      std::to_string(triangles) + "\">\n<Points>\n" + layout.array("Float64", "points", 3, 24 * points) +
-      "</Points>\n<Polys>\n" + layout.array("Int32", "connectivity", 1, 12 * triangles) +
-      layout.array("Int64", "offsets", 1, 8 * triangles) + "</Polys>\n<PointData" +
-      (normalsOf(arrays) ? std::string(" Normals=\"") + kNormalsName + "\"" : "") + ">\n";
+      std::to_string(triangles) + "\">\n<Points>\n";
+  head += layout.array("Float64", "points", 3, 24 * points);
+  head += "</Points>\n<Polys>\n";
+  head += layout.array("Int32", "connectivity", 1, 12 * triangles);
+  head += layout.array("Int64", "offsets", 1, 8 * triangles);
+  head += "</Polys>\n<PointData";
+  if (normalsOf(arrays) != nullptr) head += std::string(" Normals=\"") + kNormalsName + "\"";
+  head += ">\n";
   for (const PointArray& a : arrays)
     head += layout.array("Float32", a.name, a.components, 4 * a.values.size());
   head += "</PointData>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
