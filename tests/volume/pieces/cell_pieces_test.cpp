@@ -28,8 +28,9 @@ bool checkAgainstLattice(const CellCorners& f) {
   const auto more = test::floodedCorners(f, n, -margin), fewer = test::floodedCorners(f, n, 0.0);
   const auto found = cellPieces(f);
   for (std::size_t corner = 0; corner < 8; ++corner)  // never fewer joined than the lattice has
-    if (f[corner] >= 0.0)
+    if (f[corner] >= 0.0) {
       EXPECT_EQ(found[corner], found[static_cast<std::size_t>(fewer[corner])]) << "corner " << corner;
+    }
   if (more != fewer) return false;
   for (std::size_t corner = 0; corner < 8; ++corner)
     EXPECT_EQ(found[corner], fewer[corner]) << "corner " << corner;
