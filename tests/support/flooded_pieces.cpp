@@ -13,14 +13,6 @@ namespace {
 
 constexpr std::uint32_t kOutside = 0xffffffffu;
 
-double interpolated(const std::array<double, 8>& f, glm::dvec3 p) {
-  double sum = 0.0;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-    sum += f[corner] * ((corner & 1) ? p.x : 1.0 - p.x) * ((corner & 2) ? p.y : 1.0 - p.y) *
-           ((corner & 4) ? p.z : 1.0 - p.z);
-  return sum;
-}
-
 bool within(glm::ivec3 p, glm::ivec3 dims) {
   return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < dims.x && p.y < dims.y && p.z < dims.z;
 }
@@ -29,33 +21,92 @@ glm::ivec3 cornerOf(int corner) {
   return {corner & 1, corner >> 1 & 1, corner >> 2};
 }
 
+template <class Visit>
+void eachNeighbour(glm::ivec3 p, const Visit& visit) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int step : {-1, 1}) {
+      glm::ivec3 next = p;
+      next[axis] += step;
+      visit(next);
+    }
+}
+
+class CellLattice {
+ public:
+  CellLattice(const std::array<double, 8>& f, int n) : n_(n) {
+    samples_.reserve(index(glm::ivec3(n - 1)) + 1);
+    const auto part = [n](int i) { return static_cast<double>(i) / (n - 1); };
+    for (int z = 0; z < n; ++z)
+      for (int y = 0; y < n; ++y) {
+        const double w = part(z), v = part(y);
+        const auto atEnd = [&](std::size_t x) {
+          return (1.0 - w) * ((1.0 - v) * f[x] + v * f[x + 2]) + w * ((1.0 - v) * f[x + 4] + v * f[x + 6]);
+        };
+        const double begin = atEnd(0), end = atEnd(1);
+        for (int x = 0; x < n; ++x) samples_.push_back((1.0 - part(x)) * begin + part(x) * end);
+      }
+  }
+
+  // The corners that samples >= level join.
+  std::array<int, 8> flood(double level) const {
+    std::vector<int> label(samples_.size(), 8);
+    std::vector<glm::ivec3> stack;
+    std::array<int, 8> result;
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto visit = [&](glm::ivec3 p) {
+        if (!within(p, glm::ivec3(n_)) || label[index(p)] < 8 || samples_[index(p)] < level) return;
+        label[index(p)] = corner;
+        stack.push_back(p);
+      };
+      const glm::ivec3 start = cornerOf(corner) * (n_ - 1);
+      visit(start);
+      while (!stack.empty()) {
+        const glm::ivec3 p = stack.back();
+        stack.pop_back();
+        eachNeighbour(p, visit);
+      }
+      result[static_cast<std::size_t>(corner)] = label[index(start)];
+    }
+    return result;
+  }
+
+ private:
+  std::size_t index(glm::ivec3 p) const { return static_cast<std::size_t>((p.z * n_ + p.y) * n_ + p.x); }
+  int n_;
+  std::vector<double> samples_;
+};
+
 class Flood {
  public:
-  Flood(const volume::Grid& grid, double isovalue, scene::Inside inside, bool inCells)
-      : grid_(grid),
-        level_(static_cast<float>(isovalue)),
-        sign_(inside == scene::Inside::above ? 1.0 : -1.0),
-        inCells_(inCells) {
+  Flood(const volume::Grid& grid, double isovalue, scene::Inside inside)
+      : grid_(grid), isovalue_(isovalue), sign_(inside == scene::Inside::above ? 1.0 : -1.0) {
     result_.label.assign(grid.geometry().voxelCount(), kOutside);
   }
 
-  FloodedPieces run() {
-    const glm::ivec3 n = grid_.dims();
-    for (int z = 0; z < n.z; ++z)
-      for (int y = 0; y < n.y; ++y)
-        for (int x = 0; x < n.x; ++x) {
-          const glm::ivec3 start(x, y, z);
-          if (label(start) != kOutside || !(depth(start) >= 0.0)) continue;
-          result_.voxels.push_back(0);
-          visit(start);
-          spread();
-        }
+  FloodedPieces run(bool inCells) {
+    eachWithin(grid_.dims(), [&](glm::ivec3 start) {
+      if (label(start) != kOutside || !(depth(start) >= 0.0)) return;
+      result_.voxels.push_back(0);
+      visit(start);
+      spread();
+    });
+    if (inCells) {
+      eachWithin(glm::max(grid_.dims() - 1, 1), [&](glm::ivec3 cell) { mergeInCell(cell); });
+      relabel();
+    }
     return std::move(result_);
   }
 
  private:
+  template <class Visit>
+  static void eachWithin(glm::ivec3 n, const Visit& visit) {
+    for (int z = 0; z < n.z; ++z)
+      for (int y = 0; y < n.y; ++y)
+        for (int x = 0; x < n.x; ++x) visit(glm::ivec3(x, y, z));
+  }
+
   std::uint32_t& label(glm::ivec3 p) { return result_.label[grid_.index(p.x, p.y, p.z)]; }
-  double depth(glm::ivec3 p) const { return sign_ * (grid_.value(p.x, p.y, p.z) - level_); }
+  double depth(glm::ivec3 p) const { return sign_ * (grid_.value(p.x, p.y, p.z) - isovalue_); }
 
   void visit(glm::ivec3 p) {
     if (!within(p, grid_.dims()) || label(p) != kOutside || !(depth(p) >= 0.0)) return;
@@ -68,88 +119,88 @@ class Flood {
     while (!stack_.empty()) {
       const glm::ivec3 p = stack_.back();
       stack_.pop_back();
-      for (int axis = 0; axis < 3; ++axis)
-        for (const int step : {-1, 1}) {
-          glm::ivec3 next = p;
-          next[axis] += step;
-          visit(next);
-        }
-      for (int corner = 0; inCells_ && corner < 8; ++corner) spreadInCell(p - cornerOf(corner), corner);
+      eachNeighbour(p, [&](glm::ivec3 next) { visit(next); });
     }
   }
 
   // Along an axis of one voxel cells have that voxel at both ends.
   glm::ivec3 voxelOf(glm::ivec3 cell, int corner) const {
-    glm::ivec3 at = cell + cornerOf(corner);
-    for (int axis = 0; axis < 3; ++axis)
-      if (grid_.dims()[axis] == 1) at[axis] = 0;
-    return at;
+    return glm::min(cell + cornerOf(corner), grid_.dims() - 1);
   }
 
-  void spreadInCell(glm::ivec3 cell, int from) {
-    if (!within(cell, glm::max(grid_.dims() - 1, 1))) return;
+  void mergeInCell(glm::ivec3 cell) {
     std::array<double, 8> values;
-    for (int corner = 0; corner < 8; ++corner) {
-      const double value = depth(voxelOf(cell, corner));
-      if (std::isnan(value)) return;
-      values[static_cast<std::size_t>(corner)] = value;
-    }
-    constexpr int n = 25;
-    double least = 1e300, steepest = 0.0;
+    std::array<std::uint32_t, 8> labels;
     for (std::size_t corner = 0; corner < 8; ++corner) {
-      least = std::min(least, std::abs(values[corner]));
-      for (const std::size_t axis : {1u, 2u, 4u})
-        steepest = std::max(steepest, std::abs(values[corner] - values[corner ^ axis]));
+      values[corner] = depth(voxelOf(cell, static_cast<int>(corner)));
+      labels[corner] = label(voxelOf(cell, static_cast<int>(corner)));
+      if (std::isnan(values[corner])) return;
     }
-    const auto joined = floodedCorners(values, n, 0.0);
-    const double margin = std::min(0.999 * least, 1.5 * steepest / (n - 1));
-    if (joined != floodedCorners(values, n, -margin)) ++result_.undecidedCells;
-    for (int corner = 0; corner < 8; ++corner)
-      if (joined[static_cast<std::size_t>(corner)] < 8 &&
-          joined[static_cast<std::size_t>(corner)] == joined[static_cast<std::size_t>(from)])
-        visit(voxelOf(cell, corner));
+    const auto first =
+        std::find_if(labels.begin(), labels.end(), [](std::uint32_t l) { return l != kOutside; });
+    if (std::all_of(labels.begin(), labels.end(),
+                    [&](std::uint32_t l) { return l == kOutside || l == *first; }))
+      return;
+    const auto [joined, decided] = floodedCorners(values);
+    if (!decided) ++result_.undecidedCells;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+      if (joined[corner] < 8) {
+        const std::uint32_t a = labels[corner], b = labels[static_cast<std::size_t>(joined[corner])];
+        touching_.resize(result_.voxels.size());
+        touching_[a].push_back(b);
+        touching_[b].push_back(a);
+      }
+  }
+
+  // A flood from piece to piece that cells join.
+  void relabel() {
+    touching_.resize(result_.voxels.size());
+    std::vector<std::uint32_t> number(result_.voxels.size(), kOutside), stack;
+    std::vector<std::size_t> voxels;
+    for (std::uint32_t start = 0; start < number.size(); ++start) {
+      if (number[start] != kOutside) continue;
+      voxels.push_back(0);
+      stack.push_back(start);
+      while (!stack.empty()) {
+        const std::uint32_t piece = stack.back();
+        stack.pop_back();
+        if (number[piece] != kOutside) continue;
+        number[piece] = static_cast<std::uint32_t>(voxels.size() - 1);
+        voxels.back() += result_.voxels[piece];
+        stack.insert(stack.end(), touching_[piece].begin(), touching_[piece].end());
+      }
+    }
+    for (std::uint32_t& label : result_.label)
+      if (label != kOutside) label = number[label];
+    result_.voxels = voxels;
   }
 
   const volume::Grid& grid_;
-  double level_, sign_;
-  bool inCells_;
+  double isovalue_, sign_;
   FloodedPieces result_;
   std::vector<glm::ivec3> stack_;
+  std::vector<std::vector<std::uint32_t>> touching_;  // pieces along axes
 };
 
 }  // namespace
 
-std::array<int, 8> floodedCorners(const std::array<double, 8>& values, int n, double level) {
-  const auto index = [n](glm::ivec3 p) { return static_cast<std::size_t>((p.z * n + p.y) * n + p.x); };
-  std::vector<int> label(index(glm::ivec3(n - 1)) + 1, 8);
-  std::vector<glm::ivec3> stack;
-  std::array<int, 8> result;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto visit = [&](glm::ivec3 p) {
-      if (!within(p, glm::ivec3(n)) || label[index(p)] < 8) return;
-      if (interpolated(values, glm::dvec3(p) / double(n - 1)) < level) return;
-      label[index(p)] = corner;
-      stack.push_back(p);
-    };
-    const glm::ivec3 start = cornerOf(corner) * (n - 1);
-    visit(start);
-    while (!stack.empty()) {
-      const glm::ivec3 p = stack.back();
-      stack.pop_back();
-      for (int axis = 0; axis < 3; ++axis)
-        for (const int step : {-1, 1}) {
-          glm::ivec3 next = p;
-          next[axis] += step;
-          visit(next);
-        }
-    }
-    result[static_cast<std::size_t>(corner)] = label[index(start)];
+FloodedCorners floodedCorners(const std::array<double, 8>& values) {
+  double steepest = 0.0, least = 1e300;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    least = std::min(least, std::abs(values[corner]));
+    for (const std::size_t axis : {1u, 2u, 4u})
+      steepest = std::max(steepest, std::abs(values[corner] - values[corner ^ axis]));
   }
-  return result;
+  for (int n = 9;; n = 2 * n - 1) {
+    const CellLattice lattice(values, n);
+    const auto joined = lattice.flood(0.0);
+    const bool decided = lattice.flood(-std::min(0.999 * least, 1.5 * steepest / (n - 1))) == joined;
+    if (decided || n == 65) return {joined, decided};
+  }
 }
 
 FloodedPieces floodedPieces(const volume::Grid& grid, double isovalue, scene::Inside inside, bool inCells) {
-  return Flood(grid, isovalue, inside, inCells).run();
+  return Flood(grid, isovalue, inside).run(inCells);
 }
 
 }  // namespace isolux::test

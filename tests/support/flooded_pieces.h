@@ -1,8 +1,7 @@
 // The pieces of the inside by a flood from voxel to voxel: what fast code is judged by.
 //
 // Neighbours along an axis hang together; so do two corners of a cell that a path of samples on a fine
-// lattice of the cell joins. The lattice decides by values a little above and below: where both say
-// otherwise, the cell counts as undecided.
+// lattice of the cell joins.
 #pragma once
 
 #include <array>
@@ -23,8 +22,15 @@ struct FloodedPieces {
 // `inCells`: also through cells, not along axes alone.
 FloodedPieces floodedPieces(const volume::Grid& grid, double isovalue, scene::Inside inside, bool inCells);
 
-// Which corners of a cell (x fastest) are joined by a lattice of n^3 samples at which the trilinear
-// interpolant is >= level: of each the smallest one; 8 outside.
-std::array<int, 8> floodedCorners(const std::array<double, 8>& values, int n, double level);
+// Which corners of a cell (x fastest) hang together where the trilinear interpolant is >= 0: of each the
+// smallest one; 8 outside. By a flood over a lattice of samples. What it joins is joined, since samples that
+// are neighbours have a straight line between them. A path inside has samples beside it that are at most 3/2
+// of the steepest step lower; so where a flood at that much below 0 joins no more, nothing else is joined.
+// Until then lattices become finer, up to 65^3: `decided` says whether one was fine enough.
+struct FloodedCorners {
+  std::array<int, 8> smallest;
+  bool decided;
+};
+FloodedCorners floodedCorners(const std::array<double, 8>& values);
 
 }  // namespace isolux::test

@@ -13,28 +13,19 @@
 namespace isolux::volume {
 namespace {
 
-// The lattice answers where it says the same of a little more and a little less than the inside: samples on
-// its edges are linear, so what it joins is joined, and a path inside has lattice points beside it that are
-// at most `slope` lower. Returns whether it did.
+// Returns whether the lattice decided.
 bool checkAgainstLattice(const CellCorners& f) {
-  constexpr int n = 33;
-  double least = 1e30, slope = 0.0;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    least = std::min(least, std::abs(f[corner]));
-    for (const std::size_t axis : {1u, 2u, 4u})
-      slope = std::max(slope, std::abs(f[corner] - f[corner ^ axis]));
-  }
-  const double margin = std::min(0.999 * least, slope * 1.5 / (n - 1));
-  const auto more = test::floodedCorners(f, n, -margin), fewer = test::floodedCorners(f, n, 0.0);
+  const test::FloodedCorners truth = test::floodedCorners(f);
   const auto found = cellPieces(f);
-  for (std::size_t corner = 0; corner < 8; ++corner)  // never fewer joined than the lattice has
-    if (f[corner] >= 0.0) {
-      EXPECT_EQ(found[corner], found[static_cast<std::size_t>(fewer[corner])]) << "corner " << corner;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const auto smallest = static_cast<std::size_t>(truth.smallest[corner]);
+    if (truth.decided) {
+      EXPECT_EQ(found[corner], smallest) << "corner " << corner;
+    } else if (smallest < 8) {  // what it joins is joined
+      EXPECT_EQ(found[corner], found[smallest]) << "corner " << corner;
     }
-  if (more != fewer) return false;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-    EXPECT_EQ(found[corner], fewer[corner]) << "corner " << corner;
-  return true;
+  }
+  return truth.decided;
 }
 
 // Magnitudes over two decades push saddles to either side.
@@ -64,19 +55,20 @@ int componentsAlongEdges(unsigned pattern) {
 TEST(CellPieces, EverySignPatternIsConnectedAsDenseSamplesAre) {
   int decided = 0, all = 0, ambiguous = 0;
   for (unsigned pattern = 0; pattern < 256; ++pattern) {
+    const bool apart = componentsAlongEdges(pattern) > 1;
     std::set<int> seen;
-    for (std::uint64_t trial = 0; trial < 40; ++trial, ++all) {
+    for (std::uint64_t trial = 0; trial < (apart ? 25u : 3u); ++trial, ++all) {
       const CellCorners f = cornersOf(pattern, trial);
       decided += checkAgainstLattice(f) ? 1 : 0;
       seen.insert(components(f));
       ASSERT_FALSE(HasFailure()) << "pattern " << pattern << " trial " << trial;
     }
-    if (componentsAlongEdges(pattern) < 2) continue;
+    if (!apart) continue;
     ++ambiguous;
     EXPECT_GT(seen.size(), 1u) << "saddles of pattern " << pattern << " were on one side only";
   }
-  EXPECT_GT(decided, all * 9 / 10);
-  EXPECT_EQ(ambiguous, 128);  // a guess to be measured
+  EXPECT_GT(decided, all * 80 / 100);
+  EXPECT_EQ(ambiguous, 88);  // of the 255 sets of a cube's corners 167 hang together along edges
 }
 
 // The other two axes of the sweep must say the same.
