@@ -80,21 +80,20 @@ class Flood {
  public:
   Flood(const volume::Grid& grid, double isovalue, scene::Inside inside)
       : grid_(grid), isovalue_(isovalue), sign_(inside == scene::Inside::above ? 1.0 : -1.0) {
-    result_.label.assign(grid.geometry().voxelCount(), kOutside);
+    alongAxes_.label.assign(grid.geometry().voxelCount(), kOutside);
   }
 
-  FloodedPieces run(bool inCells) {
+  FloodedBounds run() {
     eachWithin(grid_.dims(), [&](glm::ivec3 start) {
       if (label(start) != kOutside || !(depth(start) >= 0.0)) return;
-      result_.voxels.push_back(0);
+      alongAxes_.voxels.push_back(0);
       visit(start);
       spread();
     });
-    if (inCells) {
-      eachWithin(glm::max(grid_.dims() - 1, 1), [&](glm::ivec3 cell) { mergeInCell(cell); });
-      relabel();
-    }
-    return std::move(result_);
+    joined_.resize(alongAxes_.voxels.size());
+    possible_.resize(alongAxes_.voxels.size());
+    eachWithin(glm::max(grid_.dims() - 1, 1), [&](glm::ivec3 cell) { lookInto(cell); });
+    return {merged(joined_), merged(possible_)};
   }
 
  private:
@@ -105,13 +104,13 @@ class Flood {
         for (int x = 0; x < n.x; ++x) visit(glm::ivec3(x, y, z));
   }
 
-  std::uint32_t& label(glm::ivec3 p) { return result_.label[grid_.index(p.x, p.y, p.z)]; }
+  std::uint32_t& label(glm::ivec3 p) { return alongAxes_.label[grid_.index(p.x, p.y, p.z)]; }
   double depth(glm::ivec3 p) const { return sign_ * (grid_.value(p.x, p.y, p.z) - isovalue_); }
 
   void visit(glm::ivec3 p) {
     if (!within(p, grid_.dims()) || label(p) != kOutside || !(depth(p) >= 0.0)) return;
-    label(p) = static_cast<std::uint32_t>(result_.voxels.size() - 1);
-    ++result_.voxels.back();
+    label(p) = static_cast<std::uint32_t>(alongAxes_.voxels.size() - 1);
+    ++alongAxes_.voxels.back();
     stack_.push_back(p);
   }
 
@@ -128,7 +127,7 @@ class Flood {
     return glm::min(cell + cornerOf(corner), grid_.dims() - 1);
   }
 
-  void mergeInCell(glm::ivec3 cell) {
+  void lookInto(glm::ivec3 cell) {
     std::array<double, 8> values;
     std::array<std::uint32_t, 8> labels;
     for (std::size_t corner = 0; corner < 8; ++corner) {
@@ -141,45 +140,49 @@ class Flood {
     if (std::all_of(labels.begin(), labels.end(),
                     [&](std::uint32_t l) { return l == kOutside || l == *first; }))
       return;
-    const auto [joined, decided] = floodedCorners(values);
-    if (!decided) ++result_.undecidedCells;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-      if (joined[corner] < 8) {
-        const std::uint32_t a = labels[corner], b = labels[static_cast<std::size_t>(joined[corner])];
-        touching_.resize(result_.voxels.size());
-        touching_[a].push_back(b);
-        touching_[b].push_back(a);
-      }
+    const FloodedCorners corners = floodedCorners(values);
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      if (labels[corner] == kOutside) continue;
+      link(joined_, labels[corner], labels[static_cast<std::size_t>(corners.joined[corner])]);
+      link(possible_, labels[corner], labels[static_cast<std::size_t>(corners.possible[corner])]);
+    }
   }
 
-  // A flood from piece to piece that cells join.
-  void relabel() {
-    touching_.resize(result_.voxels.size());
-    std::vector<std::uint32_t> number(result_.voxels.size(), kOutside), stack;
-    std::vector<std::size_t> voxels;
+  // Of each piece along axes those that it touches in a cell.
+  using Links = std::vector<std::vector<std::uint32_t>>;
+  static void link(Links& links, std::uint32_t a, std::uint32_t b) {
+    if (a == b) return;
+    links[a].push_back(b);
+    links[b].push_back(a);
+  }
+
+  // A flood from piece to piece.
+  FloodedPieces merged(const Links& links) const {
+    FloodedPieces result;
+    std::vector<std::uint32_t> number(links.size(), kOutside), stack;
     for (std::uint32_t start = 0; start < number.size(); ++start) {
       if (number[start] != kOutside) continue;
-      voxels.push_back(0);
+      result.voxels.push_back(0);
       stack.push_back(start);
       while (!stack.empty()) {
         const std::uint32_t piece = stack.back();
         stack.pop_back();
         if (number[piece] != kOutside) continue;
-        number[piece] = static_cast<std::uint32_t>(voxels.size() - 1);
-        voxels.back() += result_.voxels[piece];
-        stack.insert(stack.end(), touching_[piece].begin(), touching_[piece].end());
+        number[piece] = static_cast<std::uint32_t>(result.voxels.size() - 1);
+        result.voxels.back() += alongAxes_.voxels[piece];
+        stack.insert(stack.end(), links[piece].begin(), links[piece].end());
       }
     }
-    for (std::uint32_t& label : result_.label)
-      if (label != kOutside) label = number[label];
-    result_.voxels = voxels;
+    for (const std::uint32_t label : alongAxes_.label)
+      result.label.push_back(label == kOutside ? kOutside : number[label]);
+    return result;
   }
 
   const volume::Grid& grid_;
   double isovalue_, sign_;
-  FloodedPieces result_;
+  FloodedPieces alongAxes_;
+  Links joined_, possible_;
   std::vector<glm::ivec3> stack_;
-  std::vector<std::vector<std::uint32_t>> touching_;  // pieces along axes
 };
 
 }  // namespace
@@ -191,16 +194,18 @@ FloodedCorners floodedCorners(const std::array<double, 8>& values) {
     for (const std::size_t axis : {1u, 2u, 4u})
       steepest = std::max(steepest, std::abs(values[corner] - values[corner ^ axis]));
   }
-  for (int n = 9;; n = 2 * n - 1) {
+  FloodedCorners corners;
+  for (int n = 9; n <= 33; n = 2 * n - 1) {
     const CellLattice lattice(values, n);
-    const auto joined = lattice.flood(0.0);
-    const bool decided = lattice.flood(-std::min(0.999 * least, 1.5 * steepest / (n - 1))) == joined;
-    if (decided || n == 65) return {joined, decided};
+    corners.joined = lattice.flood(0.0);
+    corners.possible = lattice.flood(-std::min(0.999 * least, 1.5 * steepest / (n - 1)));
+    if (corners.possible == corners.joined) break;
   }
+  return corners;
 }
 
-FloodedPieces floodedPieces(const volume::Grid& grid, double isovalue, scene::Inside inside, bool inCells) {
-  return Flood(grid, isovalue, inside).run(inCells);
+FloodedBounds floodedPieces(const volume::Grid& grid, double isovalue, scene::Inside inside) {
+  return Flood(grid, isovalue, inside).run();
 }
 
 }  // namespace isolux::test

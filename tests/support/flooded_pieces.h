@@ -14,23 +14,25 @@
 namespace isolux::test {
 
 struct FloodedPieces {
-  std::vector<std::uint32_t> label;  // of each voxel, from 0 in the order of memory; 0xffffffff outside
+  std::vector<std::uint32_t> label;  // of each voxel, from 0; 0xffffffff outside
   std::vector<std::size_t> voxels;   // of each piece
-  std::size_t undecidedCells = 0;
 };
-
-// `inCells`: also through cells, not along axes alone.
-FloodedPieces floodedPieces(const volume::Grid& grid, double isovalue, scene::Inside inside, bool inCells);
 
 // Which corners of a cell (x fastest) hang together where the trilinear interpolant is >= 0: of each the
 // smallest one; 8 outside. By a flood over a lattice of samples. What it joins is joined, since samples that
 // are neighbours have a straight line between them. A path inside has samples beside it that are at most 3/2
-// of the steepest step lower; so where a flood at that much below 0 joins no more, nothing else is joined.
-// Until then lattices become finer, up to 65^3: `decided` says whether one was fine enough.
+// of the steepest step lower; so what a flood at that much below 0 leaves apart is apart. Lattices become
+// finer until both are the same, but no finer than 33^3.
 struct FloodedCorners {
-  std::array<int, 8> smallest;
-  bool decided;
+  std::array<int, 8> joined;    // for certain
+  std::array<int, 8> possible;  // no others are joined
 };
 FloodedCorners floodedCorners(const std::array<double, 8>& values);
+
+// joined <= the pieces of the trilinear interpolant <= possible.
+struct FloodedBounds {
+  FloodedPieces joined, possible;
+};
+FloodedBounds floodedPieces(const volume::Grid& grid, double isovalue, scene::Inside inside);
 
 }  // namespace isolux::test

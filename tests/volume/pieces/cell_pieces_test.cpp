@@ -18,14 +18,13 @@ bool checkAgainstLattice(const CellCorners& f) {
   const test::FloodedCorners truth = test::floodedCorners(f);
   const auto found = cellPieces(f);
   for (std::size_t corner = 0; corner < 8; ++corner) {
-    const auto smallest = static_cast<std::size_t>(truth.smallest[corner]);
-    if (truth.decided) {
-      EXPECT_EQ(found[corner], smallest) << "corner " << corner;
-    } else if (smallest < 8) {  // what it joins is joined
-      EXPECT_EQ(found[corner], found[smallest]) << "corner " << corner;
-    }
+    const auto smallest = static_cast<std::size_t>(truth.joined[corner]);
+    EXPECT_EQ(found[corner] == 8, smallest == 8);
+    if (smallest == 8) continue;
+    EXPECT_EQ(found[corner], found[smallest]) << "corner " << corner;
+    EXPECT_EQ(truth.possible[corner], truth.possible[found[corner]]) << "corner " << corner;
   }
-  return truth.decided;
+  return truth.joined == truth.possible;
 }
 
 // Magnitudes over two decades push saddles to either side.
