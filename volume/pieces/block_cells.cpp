@@ -2,19 +2,23 @@
 
 namespace isolux::volume {
 
+std::array<std::uint64_t, 4> BlockCells::Layer::shifted() const {
+  constexpr std::uint64_t allButLast = 0x7f7f7f7f7f7f7f7fu;
+  const std::uint64_t nextY = bits >> 8 | std::uint64_t{lastY & 255u} << 56;
+  const std::uint64_t lastXNextY = lastX >> 8 | std::uint64_t{lastY >> 8} << 56;
+  return {bits, (bits >> 1 & allButLast) | lastX << 7, nextY, (nextY >> 1 & allButLast) | lastXNextY << 7};
+}
+
 BlockCells::Slice BlockCells::slice(int z) const {
   Slice slice;
+  const auto low = layers_[static_cast<std::size_t>(z)].shifted(),
+             high = layers_[static_cast<std::size_t>(z) + 1].shifted();
   std::uint64_t any = 0, all = ~std::uint64_t{0};
-  for (int corner = 0; corner < 8; ++corner) {
-    std::uint64_t bits = 0;
-    for (int y = 0; y < count_.y; ++y) {
-      const unsigned row =
-          rows_[static_cast<std::size_t>((z + (corner >> 2)) * kCorners + y + (corner >> 1 & 1))];
-      bits |= std::uint64_t{row >> (corner & 1) & 255u} << (8 * y);
-    }
-    slice.corners[static_cast<std::size_t>(corner)] = bits;
-    any |= bits;
-    all &= bits;
+  for (std::size_t i = 0; i < 4; ++i) {
+    slice.corners[i] = low[i];
+    slice.corners[i + 4] = high[i];
+    any |= low[i] | high[i];
+    all &= low[i] & high[i];
   }
   for (int y = 0; y < count_.y; ++y) slice.cells |= std::uint64_t{(1u << count_.x) - 1u} << (8 * y);
   slice.whole = all & slice.cells;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -16,6 +17,7 @@
 
 #include "volume/pieces/block_voxels.h"
 #include "volume/pieces/inside_level.h"
+#include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {
 
@@ -58,7 +60,14 @@ class BlockCells {
 
   glm::ivec3 count_{0};  // of cells, at most 8 per axis
   std::array<float, std::size_t{kCorners} * kCorners * kCorners> depth_;
-  std::array<std::uint16_t, std::size_t{kCorners} * kCorners> rows_;  // a bit for each corner inside
+  // Which corners of a layer z = const are inside: x and y below 8 as in VoxelBits; those at x = 8 (bit 8 y)
+  // and at y = 8 (bit x).
+  struct Layer {
+    std::uint64_t bits = 0, lastX = 0;
+    unsigned lastY = 0;
+    std::array<std::uint64_t, 4> shifted() const;  // of the corners x + 2 y of each cell
+  };
+  std::array<Layer, kCorners> layers_;
 };
 
 template <class T>
@@ -70,7 +79,8 @@ void BlockCells::load(const std::vector<T>& voxels, glm::ivec3 dims, glm::ivec3 
     return;
   }
   const float sign = level.high ? 1.0f : -1.0f;
-  for (int z = 0; z <= count_.z; ++z)
+  for (int z = 0; z <= count_.z; ++z) {
+    Layer& layer = layers_[static_cast<std::size_t>(z)] = {};
     for (int y = 0; y <= count_.y; ++y) {
       const auto inY = static_cast<std::size_t>(std::min(first.y + y, dims.y - 1)),
                  inZ = static_cast<std::size_t>(std::min(first.z + z, dims.z - 1));
@@ -78,12 +88,27 @@ void BlockCells::load(const std::vector<T>& voxels, glm::ivec3 dims, glm::ivec3 
           voxels.data() + (inZ * static_cast<std::size_t>(dims.y) + inY) * static_cast<std::size_t>(dims.x);
       float* const depth = &depth_[at(y, z)];
       unsigned bits = 0;
-      for (int x = 0; x <= count_.x; ++x) {
+      int x = 0;
+      if (count_.x == kPieceBlock) {
+        const FourFloats near = sign * (fourOf(row + first.x) - level.level),
+                         far = sign * (fourOf(row + first.x + 4) - level.level);
+        std::memcpy(depth, &near, sizeof near);
+        std::memcpy(depth + 4, &far, sizeof far);
+        bits = eightBits(near >= 0.0f, far >= 0.0f);
+        x = kPieceBlock;
+      }
+      for (; x <= count_.x; ++x) {
         depth[x] = sign * (static_cast<float>(row[std::min(first.x + x, dims.x - 1)]) - level.level);
         bits |= static_cast<unsigned>(depth[x] >= 0.0f) << x;
       }
-      rows_[static_cast<std::size_t>(z * kCorners + y)] = static_cast<std::uint16_t>(bits);
+      if (y == kPieceBlock) {
+        layer.lastY = bits;
+      } else {
+        layer.bits |= std::uint64_t{bits & 255u} << (8 * y);
+        layer.lastX |= std::uint64_t{bits >> 8} << (8 * y);
+      }
     }
+  }
 }
 
 }  // namespace isolux::volume

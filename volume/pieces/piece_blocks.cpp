@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "volume/parallel_steps.h"
+#include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {
 
@@ -17,15 +18,15 @@ constexpr VoxelBits allVoxels() {
 }
 constexpr VoxelBits kAllVoxels = allVoxels();
 
-template <class T, class Holds>
-unsigned insideBits(const T* row, int count, const Holds& holds) {
+template <class T>
+unsigned insideBits(const T* row, int count, InsideLevel level) {
   unsigned bits = 0;
   if (count == kPieceBlock) {
-    for (int x = 0; x < kPieceBlock; ++x)
-      bits |= static_cast<unsigned>(holds(static_cast<float>(row[x]))) << x;
-  } else {
-    for (int x = 0; x < count; ++x) bits |= static_cast<unsigned>(holds(static_cast<float>(row[x]))) << x;
+    const FourFloats near = fourOf(row), far = fourOf(row + 4);
+    return level.high ? eightBits(near >= level.level, far >= level.level)
+                      : eightBits(near <= level.level, far <= level.level);
   }
+  for (int x = 0; x < count; ++x) bits |= static_cast<unsigned>(level.holds(static_cast<float>(row[x]))) << x;
   return bits;
 }
 
@@ -96,21 +97,15 @@ template <class T>
 VoxelBits PieceBlocks::read(const std::vector<T>& voxels, glm::ivec3 block) const {
   const glm::ivec3 first = block * kPieceBlock, count = glm::min(voxelDims_ - first, kPieceBlock);
   const auto width = static_cast<std::size_t>(voxelDims_.x), height = static_cast<std::size_t>(voxelDims_.y);
-  const auto readWith = [&](const auto& holds) {
-    VoxelBits bits{};
-    for (int z = 0; z < count.z; ++z)
-      for (int y = 0; y < count.y; ++y) {
-        const T* const row =
-            voxels.data() +
-            (static_cast<std::size_t>(first.z + z) * height + static_cast<std::size_t>(first.y + y)) * width +
-            static_cast<std::size_t>(first.x);
-        bits[static_cast<std::size_t>(z)] |= std::uint64_t{insideBits(row, count.x, holds)} << (8 * y);
-      }
-    return bits;
-  };
-  const float level = level_.level;
-  return level_.high ? readWith([level](float stored) { return stored >= level; })
-                     : readWith([level](float stored) { return stored <= level; });
+  VoxelBits bits{};
+  for (int z = 0; z < count.z; ++z)
+    for (int y = 0; y < count.y; ++y) {
+      const std::size_t row =
+          static_cast<std::size_t>(first.z + z) * height + static_cast<std::size_t>(first.y + y);
+      const T* const at = voxels.data() + row * width + static_cast<std::size_t>(first.x);
+      bits[static_cast<std::size_t>(z)] |= std::uint64_t{insideBits(at, count.x, level_)} << (8 * y);
+    }
+  return bits;
 }
 
 std::uint64_t PieceBlocks::fullWord(glm::ivec3 block) const {

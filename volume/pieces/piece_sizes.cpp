@@ -11,6 +11,7 @@
 #include "volume/parallel_steps.h"
 #include "volume/pieces/block_cells.h"
 #include "volume/pieces/cell_pieces.h"
+#include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {
 
@@ -21,7 +22,7 @@ constexpr double kUnit = 4294967296.0;  // 2^32: parts of cells are summed as in
 constexpr std::uint64_t kWholeCell = 1ull << 32;
 
 struct Sums {
-  std::uint64_t volume = 0, error = 0, voxels = 0;  // 2^-32 cells; voxels
+  std::uint64_t volume = 0, voxels = 0;  // 2^-32 cells; voxels
 };
 
 // A row's sums, handed on whenever another piece comes.
@@ -33,8 +34,10 @@ class Tally {
   Tally& operator=(const Tally&) = delete;
 
   Sums& of(std::uint32_t piece) {
-    if (piece != piece_) handOn();
-    piece_ = piece;
+    if (piece != piece_) {
+      handOn();
+      piece_ = piece;
+    }
     return sums_;
   }
 
@@ -46,7 +49,6 @@ class Tally {
       if (amount != 0) std::atomic_ref(to).fetch_add(amount, std::memory_order_relaxed);
     };
     add(sums.volume, sums_.volume);
-    add(sums.error, sums_.error);
     add(sums.voxels, sums_.voxels);
     sums_ = {};
   }
@@ -56,54 +58,46 @@ class Tally {
 };
 
 // The length of the part of [0, 1] where a + (b - a) x >= 0.
-float lengthInside(float a, float b) {
+FourFloats lengthInside(FourFloats a, FourFloats b) {
   constexpr float tiny = 1e-30f;  // against 0 / 0
-  return 1.0f - (std::max(-a, 0.0f) + std::max(-b, 0.0f)) / (std::abs(a) + std::abs(b) + tiny);
+  const FourFloats none = {};
+  const FourFloats outsideA = a < 0.0f ? -a : none, outsideB = b < 0.0f ? -b : none;
+  const FourFloats outside = outsideA + outsideB;
+  return 1.0f - outside / ((a + b) + 2.0f * outside + tiny);  // |a| + |b|
 }
 
-// Values on a face x = const of the cell, at the corners of the columns.
-using ColumnCorners = std::array<float, std::size_t{kColumns + 1} * (kColumns + 1)>;
-ColumnCorners columnCorners(float at00, float at10, float at01, float at11) {
-  ColumnCorners values;
-  for (int z = 0; z <= kColumns; ++z) {
-    const float w = static_cast<float>(z) / kColumns;
-    const float low = at00 + w * (at01 - at00), high = at10 + w * (at11 - at10);
-    for (int y = 0; y <= kColumns; ++y)
-      values[static_cast<std::size_t>(z * (kColumns + 1) + y)] =
-          low + static_cast<float>(y) / kColumns * (high - low);
-  }
-  return values;
-}
-
-// The least and the greatest of a column's corners, of all columns.
-struct ColumnBounds {
-  std::array<float, std::size_t{kColumns} * kColumns> least, most;
-  explicit ColumnBounds(const ColumnCorners& corners) {
-    for (std::size_t z = 0; z < kColumns; ++z)
-      for (std::size_t y = 0; y < kColumns; ++y) {
-        const float* const at = &corners[z * (kColumns + 1) + y];
-        const float a = at[0], b = at[1], c = at[kColumns + 1], d = at[kColumns + 2];
-        least[z * kColumns + y] = std::min(std::min(a, b), std::min(c, d));
-        most[z * kColumns + y] = std::max(std::max(a, b), std::max(c, d));
-      }
-  }
-};
-
-std::uint64_t units(double cells) {
-  return static_cast<std::uint64_t>(cells * kUnit + 0.5);
+std::uint64_t units(float cells) {
+  return static_cast<std::uint64_t>(static_cast<double>(cells) * kUnit + 0.5);
 }
 
 }  // namespace
 
-CellPart partInside(const std::array<float, 8>& d) {
-  const ColumnBounds near(columnCorners(d[0], d[2], d[4], d[6])), far(columnCorners(d[1], d[3], d[5], d[7]));
-  float least = 0.0f, most = 0.0f;
-  for (std::size_t i = 0; i < near.least.size(); ++i) {
-    least += lengthInside(near.least[i], far.least[i]);
-    most += lengthInside(near.most[i], far.most[i]);
+float partInside(const std::array<float, 8>& d) {
+  const FourFloats y = {0.125f, 0.375f, 0.625f, 0.875f};
+  FourFloats sum = {};
+  for (int i = 0; i < kColumns; ++i) {
+    const float z = (static_cast<float>(i) + 0.5f) / kColumns;
+    const auto along = [&](std::size_t x) {  // at the columns' end x
+      const float low = d[x] + z * (d[x + 4] - d[x]), high = d[x + 2] + z * (d[x + 6] - d[x + 2]);
+      return low + y * (high - low);
+    };
+    sum += lengthInside(along(0), along(1));
   }
-  constexpr float each = 0.5f / (kColumns * kColumns), rounding = 1e-5f;
-  return {each * (least + most), each * (most - least) + rounding};
+  return (sum[0] + sum[1] + sum[2] + sum[3]) / (kColumns * kColumns);
+}
+
+std::array<double, 8> cornerShares(const CellCorners& values) {
+  std::array<double, 8> shares{};
+  for (int z = 0; z < kColumns; ++z)
+    for (int y = 0; y < kColumns; ++y) {
+      const glm::dvec3 near(0.0, (y + 0.5) / kColumns, (z + 0.5) / kColumns), far(1.0, near.y, near.z);
+      const double a = trilinear(values, near), b = trilinear(values, far), most = std::max(a, b);
+      if (most < 0.0) continue;
+      const double length = std::min(a, b) >= 0.0 ? 1.0 : most / std::abs(a - b);
+      shares[static_cast<std::size_t>(cornerAbove(values, a >= b ? near : far))] +=
+          length / (kColumns * kColumns);
+    }
+  return shares;
 }
 
 namespace {
@@ -111,7 +105,8 @@ namespace {
 // The sizes of the pieces in a row of blocks.
 class RowSizes {
  public:
-  RowSizes(const Pieces& pieces, std::vector<Sums>& all) : pieces_(pieces), tally_(all) {}
+  RowSizes(const Pieces& pieces, std::vector<Sums>& all)
+      : pieces_(pieces), anyMissing_(pieces.grid().missingCount() > 0), tally_(all) {}
 
   void countVoxels(glm::ivec3 b) {
     const PieceBlocks& blocks = pieces_.blocks();
@@ -177,63 +172,38 @@ class RowSizes {
       for (; whole != 0; whole &= whole - 1) tally_.of(pieceAt(block, whole, z)).volume += kWholeCell;
   }
 
-  void add(std::uint32_t piece, double part, double error) {
-    Sums& sums = tally_.of(piece);
-    sums.volume += units(part);
-    sums.error += units(error);
-  }
+  void add(std::uint32_t piece, float part) { tally_.of(piece).volume += units(part); }
 
   // All inside corners are of one piece: that of the first.
   void addCrossed(glm::ivec3 b, const PieceBlocks::View& block, const BlockCells::Slice& slice,
                   glm::ivec3 cell, const std::array<float, 8>& depths) {
     std::size_t corner = 0;
     while ((slice.corners[corner] >> (cell.x + 8 * cell.y) & 1u) == 0) ++corner;
-    const CellPart part = partInside(depths);
     const auto bits = static_cast<int>(corner);
     const glm::ivec3 at = cell + glm::ivec3(bits & 1, bits >> 1 & 1, bits >> 2);
     const bool within = glm::all(glm::lessThan(at, glm::ivec3(kPieceBlock)));
-    add(within ? pieces_.ofNode(block.nodeOf(at)) : pieceOf(kPieceBlock * b + at), part.part, part.error);
+    add(within ? pieces_.ofNode(block.nodeOf(at)) : pieceOf(kPieceBlock * b + at), partInside(depths));
   }
 
   std::uint32_t pieceOf(glm::ivec3 voxel) const {
     return pieces_.ofVoxel(glm::min(voxel, pieces_.blocks().voxelDims() - 1));
   }
 
-  // A column of the cell is given to the piece that its middle leads to; what that errs by is no more than
-  // the cell's whole part.
   void addAmbiguous(glm::ivec3 cell, const std::array<float, 8>& depths) {
     std::array<std::uint32_t, 8> piece;
-    std::uint32_t first = Pieces::kNone;
-    bool several = false;
+    CellCorners values;
     for (std::size_t corner = 0; corner < 8; ++corner) {
       const auto bits = static_cast<int>(corner);
-      piece[corner] = depths[corner] >= 0.0f ? pieceOf(cell + glm::ivec3(bits & 1, bits >> 1 & 1, bits >> 2))
-                                             : Pieces::kNone;
-      if (piece[corner] == Pieces::kNone) continue;
-      if (first == Pieces::kNone) first = piece[corner];
-      several = several || piece[corner] != first;
+      values[corner] = depths[corner];
+      piece[corner] = pieceOf(cell + glm::ivec3(bits & 1, bits >> 1 & 1, bits >> 2));
     }
-    const CellPart part = partInside(depths);
-    if (!several) return add(first, part.part, part.error);
-    CellCorners values;
-    std::copy(depths.begin(), depths.end(), values.begin());
-    std::array<double, 8> share{};  // of the corners that columns lead to
-    for (int z = 0; z < kColumns; ++z)
-      for (int y = 0; y < kColumns; ++y) {
-        const glm::dvec3 middle(0.0, (y + 0.5) / kColumns, (z + 0.5) / kColumns);
-        const double a = trilinear(values, middle), b = trilinear(values, {1.0, middle.y, middle.z});
-        if (a < 0.0 && b < 0.0) continue;
-        const int corner = cornerAbove(values, {a >= b ? 0.0 : 1.0, middle.y, middle.z});
-        share[static_cast<std::size_t>(corner)] +=
-            static_cast<double>(lengthInside(static_cast<float>(a), static_cast<float>(b))) /
-            (kColumns * kColumns);
-      }
+    const std::array<double, 8> shares = cornerShares(values);
     for (std::size_t corner = 0; corner < 8; ++corner)
-      if (piece[corner] != Pieces::kNone)
-        add(piece[corner], share[corner], static_cast<double>(part.part + part.error));
+      if (shares[corner] > 0.0) add(piece[corner], static_cast<float>(shares[corner]));
   }
 
   const Pieces& pieces_;
+  bool anyMissing_;
   Tally tally_;
 };
 
@@ -266,8 +236,7 @@ std::vector<Piece> pieceSizes(const Pieces& pieces, std::size_t count, base::Pro
   const double cellMm3 = std::abs(glm::determinant(glm::dmat3(pieces.grid().geometry().worldFromVoxel)));
   std::vector<Piece> result(count);
   for (std::size_t i = 0; i < count; ++i)
-    result[i] = {static_cast<double>(sums[i].volume) / kUnit * cellMm3,
-                 static_cast<double>(sums[i].error) / kUnit * cellMm3, sums[i].voxels};
+    result[i] = {static_cast<double>(sums[i].volume) / kUnit * cellMm3, sums[i].voxels};
   return result;
 }
 

@@ -25,8 +25,7 @@ namespace isolux::volume {
 class ConcurrentSets;
 
 struct Piece {
-  double volumeMm3 = 0.0;
-  double errorMm3 = 0.0;   // a bound: the trilinear piece's volume is within this of volumeMm3
+  double volumeMm3 = 0.0;  // an estimate (piece_sizes.h); piece_measures.h has it with its error
   std::size_t voxels = 0;  // inside
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/volumes.h"
+#include "volume/pieces/piece_seeds.h"
 #include "volume/pieces/piece_sets.h"
 
 namespace isolux::volume {
@@ -86,6 +87,19 @@ TEST_F(ShownPieces, PointsNameThePiecesThatHoldThem) {
   EXPECT_EQ(shownBalls({0, 0.0, {}, {kCentres[1], kCentres[2]}}), (Shown{false, true, true}));
   EXPECT_EQ(shownBalls({0, 0.0, {kCentres[1]}, {kCentres[1], kCentres[2]}}), (Shown{false, false, true}));
   EXPECT_EQ(shownBalls({0, 0.0, {}, {glm::dvec3(1.0)}}), (Shown{false, false, false}));
+}
+
+TEST_F(ShownPieces, SeedsAreTheDeepestVoxelsAndNameTheirPieces) {
+  base::Progress progress;
+  const auto pieces = sets.at(0.0, scene::Inside::above, progress);
+  const auto seeds = pieceSeeds(*pieces, progress);
+  ASSERT_EQ(seeds.size(), 3u);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(seeds[i], voxelOf(kCentres[i]));
+    EXPECT_EQ(seedAbove(*grid, pieces->level(), voxelOf(kCentres[i] + 0.5 * kRadii[i])), seeds[i]);
+    const glm::dvec3 point = worldOf(grid->geometry(), seeds[i]);
+    EXPECT_EQ(pieces->ofPoint(glm::dvec3(grid->geometry().voxelFromWorld() * glm::dvec4(point, 1.0))), i);
+  }
 }
 
 TEST_F(ShownPieces, AreKeptUntilOthersAreAskedFor) {
