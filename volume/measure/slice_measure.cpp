@@ -21,15 +21,16 @@ double insideLength(double at0, double at1) {
 SliceArcs arcsOf(const SliceCorners& c) {
   struct Point {
     double x, y;
+    SliceEdge edge;
   };
   const auto changes = [&](std::size_t a, std::size_t b) { return (c[a] >= 0.0) != (c[b] >= 0.0); };
-  const auto bottom = [&] { return Point{crossing(c[0], c[1]), 0.0}; };
-  const auto right = [&] { return Point{1.0, crossing(c[1], c[3])}; };
-  const auto top = [&] { return Point{crossing(c[2], c[3]), 1.0}; };
-  const auto left = [&] { return Point{0.0, crossing(c[0], c[2])}; };
+  const auto bottom = [&] { return Point{crossing(c[0], c[1]), 0.0, SliceEdge::bottom}; };
+  const auto right = [&] { return Point{1.0, crossing(c[1], c[3]), SliceEdge::right}; };
+  const auto top = [&] { return Point{crossing(c[2], c[3]), 1.0, SliceEdge::top}; };
+  const auto left = [&] { return Point{0.0, crossing(c[0], c[2]), SliceEdge::left}; };
   SliceArcs arcs;
   const auto add = [&](Point a, Point b) {
-    arcs.arc[static_cast<std::size_t>(arcs.count++)] = {a.x, a.y, b.x, b.y};
+    arcs.arc[static_cast<std::size_t>(arcs.count++)] = {a.x, a.y, b.x, b.y, a.edge, b.edge};
   };
   const bool atBottom = changes(0, 1), atRight = changes(1, 3), atTop = changes(2, 3), atLeft = changes(0, 2);
   if (atBottom && atRight && atTop && atLeft) {

@@ -21,9 +21,12 @@ struct SliceField {
   double s0, sx, sy, sxy;
 };
 
+enum class SliceEdge { bottom, right, top, left };  // y = 0, x = 1, y = 1, x = 0
+
 // A piece of the isocurve, from one edge of the square to another.
 struct SliceArc {
   double x0, y0, x1, y1;
+  SliceEdge from, to;
 };
 
 struct SliceArcs {
