@@ -84,7 +84,7 @@ int nearestPointOf(const SurfaceGraph& graph, glm::dvec3 world) {
 
 // To the leading order a way on the object's surface differs by the integral of (normal curvature along it)
 // times (distance of the surfaces), and by half the square of the slopes by which facets rise and fall.
-void addErrors(const SurfaceOf& surface, Geodesic& result) {
+void addErrors(const SurfaceOf& surface, double voxelMm, Geodesic& result) {
   const Path& path = result.path;
   double bent = 0.0, rough = 0.0, variance = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -93,7 +93,8 @@ void addErrors(const SurfaceOf& surface, Geodesic& result) {
     const auto point = surfacePoint(surface, 0.5 * (path[i] + path[i - 1]));
     if (!point || !(length > 0.0)) continue;
     const glm::dvec3 along = way / length;
-    const double bend = glm::dot(along, point->shape * along), slope = glm::dot(along, point->normal);
+    const double bend = std::clamp(glm::dot(along, point->shape * along), -1.0 / voxelMm, 1.0 / voxelMm),
+                 slope = glm::dot(along, point->normal);
     bent += bend * point->samplingMm * length;
     rough += 0.5 * slope * slope * length;
     // Noise of neighbouring voxels is taken as alike over a voxel.
@@ -139,7 +140,7 @@ std::optional<Geodesic> geodesic(const SurfaceOf& surface, const SurfaceGraph& g
   result.path = std::move(path);
   result.lengthMm.value = length;
   result.parts.quadrature = std::abs(length - coarser);
-  addErrors(surface, result);
+  addErrors(surface, voxel, result);
   return result;
 }
 

@@ -15,6 +15,7 @@ namespace isolux::volume {
 namespace {
 
 constexpr double kPointSafety = 2.0, kPointSigmas = 2.0;
+constexpr double kRounding = 1e-6;  // of a voxel: float voxels, and the search for a root
 constexpr int kMostSteps = 20;
 constexpr float kNearVoxels = 3.0f;
 
@@ -84,8 +85,14 @@ std::optional<SurfacePoint> surfacePoint(const SurfaceOf& surface, glm::dvec3 on
     const double x = point.voxel[axis] - std::floor(point.voxel[axis]);
     lacks -= 0.5 * x * (1.0 - x) * spline.hessian[axis][axis];
   }
-  point.samplingMm = sign * lacks / steepness;
-  point.noiseMm = surface.noise.at(surface.isovalue) / steepness;
+  // Where the gradient nearly vanishes the leading order says nothing: no more than a voxel.
+  const double voxelMm = std::cbrt(std::abs(glm::determinant(glm::dmat3(geometry.worldFromVoxel))));
+  point.samplingMm = std::clamp(sign * lacks / steepness, -voxelMm, voxelMm);
+  double most = 0.0;
+  for (int axis = 0; axis < 3; ++axis) most += std::abs(spline.hessian[axis][axis]) / 8.0;
+  point.rippleMm = std::min(most / steepness, voxelMm);
+  point.roundingMm = kRounding * voxelMm;
+  point.noiseMm = std::min(surface.noise.at(surface.isovalue) / steepness, voxelMm);
   return point;
 }
 
@@ -114,7 +121,7 @@ std::optional<SurfacePoint> nearestPoint(const SurfaceOf& surface, glm::dvec3 wo
 }
 
 double offsetError(const SurfacePoint& point) {
-  return kPointSafety * std::abs(point.samplingMm) + kPointSigmas * point.noiseMm;
+  return kPointSafety * std::abs(point.samplingMm) + kPointSigmas * point.noiseMm + point.roundingMm;
 }
 
 }  // namespace isolux::volume

@@ -21,7 +21,9 @@ struct SurfacePoint {
   glm::dvec3 facet{0.0};   // the same of the trilinear field
   glm::dmat3 shape{0.0};  // outward * Hessian of the spline / |its gradient|, 1/mm: t^T shape t bends along t
   double samplingMm = 0.0;  // where the object's surface lies along the normal, to the leading order
-  double noiseMm = 0.0;     // standard deviation of that by noise
+  double roundingMm = 0.0;
+  double rippleMm = 0.0;  // the most that it may be about here
+  double noiseMm = 0.0;   // standard deviation of that by noise
 };
 
 // Which surface, and what is known of the voxels.
