@@ -1,4 +1,5 @@
 // isolux probe PATH: what a volume says at points, and where rays first hit its isosurface.
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -125,14 +126,21 @@ void addColumns(const ordered_json& json, std::string& names, std::string& value
   }
 }
 
+// Rows without a hit have fewer columns than the others.
 void printTable(const ordered_json& rows) {
-  bool first = true;
+  std::string header;
+  std::vector<std::string> lines;
   for (const ordered_json& row : rows) {
-    std::string names, values;
-    addColumns(row, names, values);
-    if (first) std::cout << names << '\n';
-    first = false;
-    std::cout << values << '\n';
+    std::string names;
+    addColumns(row, names, lines.emplace_back());
+    if (names.size() > header.size()) header = names;
+  }
+  if (lines.empty()) return;
+  const auto columns = std::count(header.begin(), header.end(), ',');
+  std::cout << header << '\n';
+  for (const std::string& line : lines) {
+    const auto missing = columns - std::count(line.begin(), line.end(), ',');
+    std::cout << line << std::string(static_cast<std::size_t>(missing), ',') << '\n';
   }
 }
 

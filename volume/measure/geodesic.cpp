@@ -19,7 +19,7 @@ constexpr double kCoarsestVoxels = 2.0, kFinestVoxels = 0.25;  // between points
 constexpr double kOverRelaxation = 1.6;
 constexpr double kTight = 1e-7;  // of the length that a round of sweeps must still gain
 constexpr int kMostSweeps = 4000, kSweepsInRound = 20;
-constexpr double kGeodesicSafety = 3.0;
+constexpr double kGeodesicSafety = 5.0;  // over edges the estimate is a quarter of the error
 
 double lengthOf(const Path& path) {
   double length = 0.0;

@@ -28,12 +28,14 @@ struct Tolerance {
 
 constexpr double kMostDoubt = 0.3;
 
-// The spline's normal is off by the change of h^2 f'' / 6 along the surface, ripples being h^2 f'' / 8.
-Tolerance toleranceAt(const SurfacePoint& point) {
+// The spline's normal is off by the change of h^2 f'' / 6 along the surface, ripples being h^2 f'' / 8. Where
+// the surface bends as much across the thickest slices, ripples are larger than here.
+Tolerance toleranceAt(const SurfacePoint& point, double thickestMm) {
   double squares = 0.0;
   for (int i = 0; i < 3; ++i) squares += glm::dot(point.shape[i], point.shape[i]);
-  return {point.rippleMm + 2.0 * point.noiseMm,
-          std::min(kMostDoubt, 8.0 / 6.0 * point.rippleMm * std::sqrt(squares))};
+  const double bend = std::min(std::sqrt(squares), 1.0 / thickestMm);
+  const double ripple = std::max(point.rippleMm, bend * thickestMm * thickestMm / 8.0);
+  return {ripple + 2.0 * point.noiseMm, std::min(kMostDoubt, 8.0 / 6.0 * ripple * bend)};
 }
 
 // The ball through p with its centre against the normal that q lies on.
@@ -114,7 +116,9 @@ Touch smallestTouch(const SurfaceGraph& graph, const SurfacePoint& point, const 
 std::optional<InscribedBall> inscribedBall(const SurfaceOf& surface, const SurfaceGraph& graph,
                                            const SurfacePoint& point) {
   const double voxel = voxelMm(surface.grid);
-  Tolerance tolerance = toleranceAt(point);
+  const glm::dvec3 spacing = surface.grid.geometry().spacingMm();
+  const double thickest = std::max({spacing.x, spacing.y, spacing.z});
+  Tolerance tolerance = toleranceAt(point, thickest);
   Ball found;
   std::optional<SurfacePoint> touched;
   for (int pass = 0; pass < kTolerancePasses;
@@ -123,7 +127,7 @@ std::optional<InscribedBall> inscribedBall(const SurfaceOf& surface, const Surfa
     touched = surfacePoint(surface, touch.at);
     found = touch.ball;
     if (!(found.radius < std::numeric_limits<double>::infinity()) || !touched) return std::nullopt;
-    const Tolerance there = toleranceAt(*touched);
+    const Tolerance there = toleranceAt(*touched, thickest);
     if (there.mm <= tolerance.mm && there.angle <= tolerance.angle) break;
     tolerance = {std::max(there.mm, tolerance.mm), std::max(there.angle, tolerance.angle)};
   }

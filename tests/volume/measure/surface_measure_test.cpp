@@ -126,12 +126,12 @@ TEST(SurfaceMeasureTest, InsideAndOutsideFillTheVolume) {
               above.areaParts.quadrature + below.areaParts.quadrature);
 }
 
-// A hundred noisy copies: the spread of their volumes is what is stated.
+// Noisy copies: the spread of their volumes is what is stated.
 TEST(SurfaceMeasureTest, NoiseOfTheVolumeIsItsSpread) {
-  const volume::Grid ball = phantomGrid("ball", 32);
+  const volume::Grid ball = phantomGrid("ball", 24);
   scene::NoiseModel noise{{0.0}, {0.3}, glm::dvec3(0.0)};
   double sum = 0.0, squares = 0.0, stated = 0.0;
-  constexpr int copies = 100;
+  constexpr int copies = 60;
   for (int i = 0; i < copies; ++i) {
     const volume::Grid noisy = withNoise(ball, 0.3, glm::dvec3(0.0), static_cast<std::uint64_t>(i + 1));
     const SurfaceMeasure surface = measured(noisy, {.noise = noise});
