@@ -86,6 +86,23 @@ TEST(SurfaceMeasureTest, AreaAgreesWithLinesAtRandom) {
   }
 }
 
+// The same object in slices of 5 mm: the two differ by no more than both state.
+TEST(SurfaceMeasureTest, ThickSlicesKeepWhatTheyState) {
+  for (const auto& [name, isovalue] :
+       {std::pair("ball", 0.0), std::pair("torus", 0.0), std::pair("head", 300.0)}) {
+    const auto geometryOf = [](double slice) {
+      return volume::GridGeometry::make({101, 101, static_cast<int>(200.0 / slice) + 1}, {2.0, 2.0, slice},
+                                        glm::dvec3(-100.0));
+    };
+    const SurfaceMeasure fine = measured(phantomGrid(name, geometryOf(1.0)), {.isovalue = isovalue}),
+                         thick = measured(phantomGrid(name, geometryOf(5.0)), {.isovalue = isovalue});
+    EXPECT_NEAR(fine.volumeMm3.value, thick.volumeMm3.value, fine.volumeMm3.error + thick.volumeMm3.error)
+        << name;
+    EXPECT_NEAR(fine.areaMm2.value, thick.areaMm2.value, fine.areaMm2.error + thick.areaMm2.error) << name;
+    EXPECT_GT(thick.volumeMm3.error, fine.volumeMm3.error) << name;
+  }
+}
+
 TEST(SurfaceMeasureTest, BoxesAddUp) {
   const volume::GridGeometry geometry = thickObliqueSlices(64);
   for (const volume::GridGeometry& grid : {isotropicGeometry(48), geometry}) {
