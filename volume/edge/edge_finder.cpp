@@ -68,8 +68,8 @@ EdgeSearch<double> edgeSearch(const Grid& grid, scene::Field field, double scale
   const double least = std::max(kLeastEdgeNoise * (grid.maximum() - grid.minimum()), kRounding * largest);
   const double noise = std::max(question.noise, least) / stored;
   const NoiseGain gain = noiseGain(spline, question.noiseBlur, deviationsInVoxels(geometry, scaleMm));
-  search.noise =
-      glm::transpose(search.voxelFromWorld) * diagonal(noise * noise * gain.gradient) * search.voxelFromWorld;
+  if (noise > 0.0) search.unit = 1.0 / noise;
+  search.noise = glm::transpose(search.voxelFromWorld) * diagonal(gain.gradient) * search.voxelFromWorld;
   search.outward = grid.slope() < 0.0 ? -question.outward : question.outward;
   search.searchMm = question.searchMm;
   search.contrast = question.contrast;
@@ -83,6 +83,7 @@ EdgeSearch<float> inFloats(const EdgeSearch<double>& search) {
           glm::mat3(search.voxelFromWorld),
           glm::mat3(search.smoothing),
           glm::mat3(search.noise),
+          static_cast<float>(search.unit),
           static_cast<float>(search.outward),
           static_cast<float>(search.searchMm),
           static_cast<float>(search.contrast),
@@ -90,9 +91,8 @@ EdgeSearch<float> inFloats(const EdgeSearch<double>& search) {
 }
 
 EdgeFinder::EdgeFinder(const Grid& grid, const EdgeField& field, const EdgeQuestion& question)
-    : grid_(grid),
-      field_(field),
-      search_(edgeSearch(grid, field.field, field.scaled ? field.scaled->scaleMm : 0.0, question)) {}
+    : EdgeFinder(grid, field,
+                 edgeSearch(grid, field.field, field.scaled ? field.scaled->scaleMm : 0.0, question)) {}
 
 Edge EdgeFinder::at(const glm::dvec3& voxel) const {
   const double slope = grid_.slope();
@@ -101,7 +101,8 @@ Edge EdgeFinder::at(const glm::dvec3& voxel) const {
     const FieldSample field = field_.scaled         ? sampleScaled(*field_.scaled, grid_, p)
                               : field_.coefficients ? sampleCubic(*field_.coefficients, grid_, p)
                                                     : sampleCubic(grid_, p);
-    return EdgeSample<double>{field.gradient / slope, field.hessian / slope, !std::isnan(field.value)};
+    const double unit = search_.unit / slope;
+    return EdgeSample<double>{field.gradient * unit, field.hessian * unit, !std::isnan(field.value)};
   };
   const FoundEdge<double> found = findEdge(search_, sample, voxel);
   return {found.found ? std::optional(found.offsetMm) : std::nullopt, found.strength};

@@ -53,6 +53,8 @@ class EdgeFinder {
  public:
   // Keeps references to all but the question.
   EdgeFinder(const Grid& grid, const EdgeField& field, const EdgeQuestion& question);
+  EdgeFinder(const Grid& grid, const EdgeField& field, const EdgeSearch<double>& search)
+      : grid_(grid), field_(field), search_(search) {}
   Edge at(const glm::dvec3& voxel) const;
 
  private:

@@ -33,14 +33,15 @@ struct EdgeSearch {
   Vec low{0}, high{0};    // where the field is the volume's own, voxels: walks end there
   Mat voxelFromWorld{1};  // A^-1
   Mat smoothing{0};       // covariance of the field's smoothing, mm^2
-  Mat noise{0};           // covariance of the world gradient's noise, (stored units per mm)^2
+  Mat noise{0};           // covariance of the noise of the samples' world gradient, 1/mm^2
+  Real unit = 1;          // samples are stored values times this: of noise, about 1
   Real outward = -1;      // of gradients of stored values
   Real searchMm = 0;      // each way
   Real contrast = 0;      // standard deviations of the noise of |g|
   Real leastStepMm = 0;   // steps are no shorter
 };
 
-// Stored units per voxel and per voxel squared.
+// In units of EdgeSearch, per voxel and per voxel squared.
 template <class Real>
 struct EdgeSample {
   glm::vec<3, Real> gradient{0};
