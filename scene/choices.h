@@ -30,6 +30,7 @@ enum class LookMode {
   curvedness,
   curvature_2d,
   accessibility,
+  edge_offset,
   flow,
   gi,
   normal,

@@ -44,6 +44,9 @@ struct Isosurface {
   std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
   double opacity = 1.0;
   int layers = 8;  // crossings composited behind one another where surfaces are transparent
+  // The same surface at its isovalue plus and minus this many deviations of the noise, transparent; 0: none.
+  double ghost = 0.0;
+  double ghostOpacity = 0.3;
   bool operator==(const Isosurface&) const = default;
 };
 
@@ -54,6 +57,16 @@ struct ExtraIsosurface {
   glm::dvec3 albedo{0.5};
   double opacity = 0.5;
   bool operator==(const ExtraIsosurface&) const = default;
+};
+
+// Which connected pieces of each isosurface's inside are shown (volume/pieces). A point that names a piece
+// lies in it, mm.
+struct Pieces {
+  int keep = 0;                    // the largest; 0: all
+  double smallest = 0.0;           // mm^3
+  std::vector<glm::dvec3> hidden;  // these are not shown
+  std::vector<glm::dvec3> only;    // where there are any, only these are shown
+  bool operator==(const Pieces&) const = default;
 };
 
 struct Hit {
@@ -74,6 +87,30 @@ struct Derivatives {
   std::optional<double> scale;        // for what reads second derivatives
   std::optional<double> normalScale;  // for the gradient that shading sees
   bool operator==(const Derivatives&) const = default;
+};
+
+// Where the object ends beside its isosurface: the nearest maximum of |gradient| along the normal
+// (volume/edge).
+struct Edge {
+  std::optional<double> search;  // mm, each way
+  double contrast = 5.0;         // deviations of the noise of |gradient|; what is below is no edge
+  bool operator==(const Edge&) const = default;
+};
+
+// A second volume that colours the surface of the first, looked up in world space.
+struct ColorVolume {
+  std::string volume;  // as Source::path; empty: none
+  std::string raw;     // as Source::raw
+  int component = 0, timeStep = 0;
+  Field field = Field::trilinear;
+  ColorMap map = ColorMap::automatic;
+  std::optional<double> low, high;  // data units of that volume: the ends of the map
+  double below = 0.0;               // mm: the largest value within this distance below the surface
+  double strength = 1.0;            // how much of the surface's own colour is covered
+  bool fade = false;          // strength rises from 0 at the lower end of the map to its value at the upper
+  double isolines = 0.0;      // data units from line to line; 0: none
+  double isolineWidth = 1.5;  // pixels
+  bool operator==(const ColorVolume&) const = default;
 };
 
 // A control point of the (kappa1, kappa2) colour map, in parts of the range: -1 .. 1.
@@ -223,8 +260,11 @@ struct Scene {
   std::array<ExtraIsosurface, kExtraIsosurfaces> extraIsosurfaces{{{false, {}, {0.25, 0.45, 0.75}, 0.5},
                                                                    {false, {}, {0.30, 0.62, 0.35}, 0.5},
                                                                    {false, {}, {0.75, 0.28, 0.22}, 0.5}}};
+  Pieces pieces;
   Hit hit;
   Derivatives derivatives;
+  Edge edge;
+  ColorVolume color;
   Look look;
   Flow flow;
   Light light;

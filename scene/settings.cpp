@@ -56,6 +56,12 @@ std::vector<Setting> makeSettings() {
                    "How much of what lies behind the surface it hides; 1 hides all."));
   add(entry<Scene>("isosurface.layers", ISOLUX_MEMBER(isosurface.layers), {1, 64}, "",
                    "How many crossings along a ray are composited at most, where surfaces are transparent."));
+  add(entry<Scene>("isosurface.ghost", ISOLUX_MEMBER(isosurface.ghost), {0, 100},
+                   "standard deviations of the noise",
+                   "Draws the first surface twice more, transparent, at its isovalue plus and minus this "
+                   "many times the noise: how far noise may move it; 0 draws none."));
+  add(entry<Scene>("isosurface.ghost_opacity", ISOLUX_MEMBER(isosurface.ghostOpacity), unitRange, "",
+                   "How much of what lies behind them those two surfaces hide."));
   for (std::size_t i = 0; i < kExtraIsosurfaces; ++i) {
     const std::string group = "isosurface" + std::to_string(i + 2) + '.';
     add(entry<Scene>(group + "shown", ISOLUX_ITEM(extraIsosurfaces, i, shown), noRange, "",
@@ -67,6 +73,16 @@ std::vector<Setting> makeSettings() {
     add(entry<Scene>(group + "opacity", ISOLUX_ITEM(extraIsosurfaces, i, opacity), unitRange, "",
                      "How much of what lies behind that surface it hides; 1 hides all."));
   }
+
+  add(entry<Scene>(
+      "pieces.keep", ISOLUX_MEMBER(pieces.keep), {0, 1000000}, "",
+      "How many connected pieces of each isosurface are shown, the largest first; 0 shows all."));
+  add(entry<Scene>("pieces.smallest", ISOLUX_MEMBER(pieces.smallest), {0, 1e18}, "mm³",
+                   "Pieces that enclose less than this are not shown."));
+  add(entry<Scene>("pieces.hidden", ISOLUX_MEMBER(pieces.hidden), positionRange, "mm",
+                   "World points; pieces that hold one of them are not shown."));
+  add(entry<Scene>("pieces.only", ISOLUX_MEMBER(pieces.only), positionRange, "mm",
+                   "World points; where there are any, only pieces that hold one of them are shown."));
 
   add(choiceEntry<Scene>(
       "hit.method", ISOLUX_MEMBER(hit.method),
@@ -109,6 +125,42 @@ std::vector<Setting> makeSettings() {
                    "the noise."));
   add(entry<Scene>("derivatives.normal_scale", ISOLUX_MEMBER(derivatives.normalScale), {0, 1e6}, "mm",
                    "The same for the normals of shading and contours."));
+
+  add(entry<Scene>("edge.search", ISOLUX_MEMBER(edge.search), {0, 1e6}, "mm",
+                   "How far along the normal, each way, the edge of the object is looked for; auto takes "
+                   "what the spacing and the scale ask for."));
+  add(entry<Scene>("edge.contrast", ISOLUX_MEMBER(edge.contrast), {0, 1000}, "standard deviations",
+                   "How far the gradient at an edge must stand out of what noise makes of gradients; weaker "
+                   "ones are no edges."));
+
+  add(entry<Scene>(
+      "color.volume", ISOLUX_MEMBER(color.volume), noRange, "",
+      "A second volume that colours the surface by its values there, as source.path; empty takes none."));
+  add(entry<Scene>("color.raw", ISOLUX_MEMBER(color.raw), noRange, "", "How to read it, as source.raw."));
+  add(entry<Scene>("color.component", ISOLUX_MEMBER(color.component), {-1, 65535}, "",
+                   "Which of its components, as source.component."));
+  add(entry<Scene>("color.time_step", ISOLUX_MEMBER(color.timeStep), {0, 1e6}, "",
+                   "Which of its time steps, as source.time_step."));
+  add(choiceEntry<Scene>("color.field", ISOLUX_MEMBER(color.field),
+                         "The reconstruction its values are taken from."));
+  add(choiceEntry<Scene>("color.map", ISOLUX_MEMBER(color.map),
+                         "The colour map over its values; auto is inferno."));
+  add(entry<Scene>("color.low", ISOLUX_MEMBER(color.low), {-1e38, 1e38}, "its data units",
+                   "The value at the lower end of the map; auto is found from what the surface shows."));
+  add(entry<Scene>("color.high", ISOLUX_MEMBER(color.high), {-1e38, 1e38}, "its data units",
+                   "The value at the upper end of the map; auto is found from what the surface shows."));
+  add(entry<Scene>(
+      "color.below", ISOLUX_MEMBER(color.below), {0, 1e6}, "mm",
+      "Shows the largest value within this distance below the surface; 0 shows that of the surface itself."));
+  add(entry<Scene>("color.strength", ISOLUX_MEMBER(color.strength), unitRange, "",
+                   "How much of the surface's own colour is covered."));
+  add(entry<Scene>(
+      "color.fade", ISOLUX_MEMBER(color.fade), noRange, "",
+      "Lets the strength rise from nothing at the lower end of the map to its value at the upper end."));
+  add(entry<Scene>("color.isolines", ISOLUX_MEMBER(color.isolines), {0, 1e38}, "its data units",
+                   "Lines of equal values this far apart; 0 draws none."));
+  add(entry<Scene>("color.isoline_width", ISOLUX_MEMBER(color.isolineWidth), {0.5, 20}, "pixels",
+                   "Their width."));
 
   add(choiceEntry<Scene>(
       "look.mode", ISOLUX_MEMBER(look.mode),

@@ -35,6 +35,8 @@ std::string typeName(const SettingInfo& setting) {
       return "true or false";
     case SettingType::points:
       return "list of points";
+    case SettingType::positions:
+      return "list of x,y,z";
     case SettingType::pair:
       return "two numbers";
     case SettingType::quaternion:

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/number_text.h"
 
 namespace isolux::scene {
 
@@ -34,6 +35,20 @@ json numberOrWord(std::string_view word) {
   return number ? json(*number) : json(std::string(word));
 }
 
+// "a,b,c" as a list of so many numbers; empty when it is none.
+std::optional<json> numbersOf(std::string_view words, std::size_t count) {
+  json list = json::array();
+  std::size_t begin = 0;
+  while (begin <= words.size() && list.size() <= count) {
+    const std::size_t comma = std::min(words.find(',', begin), words.size());
+    const std::optional<double> number = numberOf(words.substr(begin, comma - begin));
+    if (!number) return std::nullopt;
+    list.push_back(*number);
+    begin = comma + 1;
+  }
+  return list.size() == count ? std::optional(list) : std::nullopt;
+}
+
 // What the words of an assignment mean for this setting; a word that makes no sense stays a word, which
 // Setting::set then refuses with the reason.
 json valueOfWords(const SettingInfo& target, std::string_view text) {
@@ -42,6 +57,11 @@ json valueOfWords(const SettingInfo& target, std::string_view text) {
   if (target.type == SettingType::choice || (target.mayBeAutomatic && word == "auto"))
     return std::string(word);
   if (target.type == SettingType::points) {
+    json list = json::parse(word, nullptr, false);
+    return list.is_discarded() ? json(std::string(word)) : list;
+  }
+  if (target.type == SettingType::positions) {
+    if (!word.starts_with('[')) return positionsOf(word);
     json list = json::parse(word, nullptr, false);
     return list.is_discarded() ? json(std::string(word)) : list;
   }
@@ -56,19 +76,33 @@ json valueOfWords(const SettingInfo& target, std::string_view text) {
     return yes ? 1.0 : 0.0;
   const std::size_t components = componentsOf(target.type);
   if (components == 0) return numberOrWord(word);
-  json list = json::array();
-  std::size_t begin = 0;
-  while (begin <= word.size() && list.size() <= components) {
-    const std::size_t comma = std::min(word.find(',', begin), word.size());
-    const std::optional<double> number = numberOf(word.substr(begin, comma - begin));
-    if (!number) return std::string(word);
-    list.push_back(*number);
-    begin = comma + 1;
-  }
-  return list.size() == components ? list : json(std::string(word));
+  return numbersOf(word, components).value_or(json(std::string(word)));
 }
 
 }  // namespace
+
+std::string textOfPositions(const nlohmann::json& positions) {
+  std::string text;
+  for (const json& position : positions) {
+    if (!text.empty()) text += "; ";
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      text += (axis ? "," : "") + base::shortestText(position[axis].get<double>());
+  }
+  return text;
+}
+
+nlohmann::json positionsOf(std::string_view text) {
+  json list = json::array();
+  std::string_view rest = trimmed(text);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(';'), rest.size());
+    const std::optional<json> position = numbersOf(rest.substr(0, end), 3);
+    if (!position) return std::string(text);
+    list.push_back(*position);
+    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
+  }
+  return list;
+}
 
 std::string_view pathOf(std::string_view assignment) {
   return trimmed(assignment.substr(0, std::min(assignment.find('='), assignment.size())));

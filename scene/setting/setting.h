@@ -10,8 +10,8 @@
 namespace isolux::scene {
 
 // pair, vector, quaternion: two, three, four numbers; points: a list of CurvaturePoint, each [kappa1, kappa2,
-// r, g, b]
-enum class SettingType { number, integer, text, choice, pair, vector, quaternion, toggle, points };
+// r, g, b]; positions: a list of any length of world points [x, y, z]
+enum class SettingType { number, integer, text, choice, pair, vector, quaternion, toggle, points, positions };
 // Numbers in a pair, vector or quaternion; 0 for other types.
 std::size_t componentsOf(SettingType type);
 

@@ -37,6 +37,11 @@ struct TypeOf<std::vector<CurvaturePoint>> {
   static constexpr bool automatic = false;
 };
 template <>
+struct TypeOf<std::vector<glm::dvec3>> {
+  static constexpr SettingType type = SettingType::positions;
+  static constexpr bool automatic = false;
+};
+template <>
 struct TypeOf<std::string> {
   static constexpr SettingType type = SettingType::text;
   static constexpr bool automatic = false;

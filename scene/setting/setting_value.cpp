@@ -10,6 +10,8 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t kMostPositions = 4096;
+
 // Shortest text that reads back as the same number, without a trailing ".0".
 std::string numberText(double value) {
   std::string text = json(value).dump();
@@ -55,6 +57,10 @@ std::string allowedText(const SettingInfo& setting) {
       break;
     case SettingType::points:
       text = "a list of 1 to 64 points [kappa1, kappa2, r, g, b], kappas from -1 to 1, colours from 0 to 1";
+      break;
+    case SettingType::positions:
+      text = "a list of at most " + std::to_string(kMostPositions) +
+             " points x,y,z; x,y,z, each number from " + rangeText(setting);
       break;
     case SettingType::choice: {
       text = "one of ";
@@ -128,6 +134,22 @@ nlohmann::json jsonOf(const std::vector<CurvaturePoint>& points) {
   json list = json::array();
   for (const CurvaturePoint& p : points)
     list.push_back({p.kappa1, p.kappa2, p.color.x, p.color.y, p.color.z});
+  return list;
+}
+
+void assignChecked(const SettingInfo& setting, std::vector<glm::dvec3>& member, const json& value) {
+  if (!value.is_array() || value.size() > kMostPositions) refuseValue(setting, value);
+  std::vector<glm::dvec3> positions(value.size());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (!value[i].is_array() || value[i].size() != 3) refuseValue(setting, value);
+    assignChecked(setting, positions[i], value[i]);
+  }
+  member = std::move(positions);
+}
+
+json jsonOf(const std::vector<glm::dvec3>& positions) {
+  json list = json::array();
+  for (const glm::dvec3& position : positions) list.push_back(jsonOf(position));
   return list;
 }
 

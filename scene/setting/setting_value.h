@@ -28,6 +28,7 @@ void assignChecked(const SettingInfo& setting, bool& member, const nlohmann::jso
 void assignChecked(const SettingInfo& setting, std::string& member, const nlohmann::json& value);
 void assignChecked(const SettingInfo& setting, std::vector<CurvaturePoint>& member,
                    const nlohmann::json& value);
+void assignChecked(const SettingInfo& setting, std::vector<glm::dvec3>& member, const nlohmann::json& value);
 
 template <int N>
 void assignChecked(const SettingInfo& setting, glm::vec<N, double>& member, const nlohmann::json& value) {
@@ -61,6 +62,7 @@ inline nlohmann::json jsonOf(const std::string& value) {
   return value;
 }
 nlohmann::json jsonOf(const std::vector<CurvaturePoint>& points);
+nlohmann::json jsonOf(const std::vector<glm::dvec3>& positions);
 
 template <int N>
 nlohmann::json jsonOf(const glm::vec<N, double>& value) {

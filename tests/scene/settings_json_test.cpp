@@ -61,6 +61,9 @@ Scene randomScene(std::mt19937_64& random) {
       case SettingType::toggle:
         s.set(scene, random() % 2 == 0);
         break;
+      case SettingType::positions:
+        s.set(scene, json::array({{number(), number(), number()}, {number(), number(), number()}}));
+        break;
       case SettingType::points:
         s.set(scene, json::array({{number(), number(), 0.25, 0.5, 1.0}, {-1, 1, 0, 0, std::abs(number())}}));
         break;

@@ -1,4 +1,5 @@
 #include "scene/settings.h"
+#include "scene/setting/assignment.h"
 
 #include <limits>
 #include <set>
@@ -48,6 +49,8 @@ json otherValue(const Setting& s) {
       return {s.minimum, third, s.maximum, third};
     case SettingType::toggle:
       return !s.defaultValue().get<bool>();
+    case SettingType::positions:
+      return json::array({{1.0, -2.5, 3.0}});
     case SettingType::points:
       return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}});
   }
@@ -57,15 +60,20 @@ json otherValue(const Setting& s) {
 TEST(Settings, CoversEveryMemberOfScene) {
   // A new member of a struct does not compile here until it is counted; then the list must grow with it.
   const Scene scene;
-  const auto& [source, isosurface, extraIsosurfaces, hit, derivatives, look, flow, light, lamps, gi, camera,
-               picture] = scene;
+  const auto& [source, isosurface, extraIsosurfaces, pieces, hit, derivatives, edge, colorVolume, look, flow,
+               light, lamps, gi, camera, picture] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, meshVoxels, csg, csgPath, csgValue] =
       source;
   [[maybe_unused]] const auto& [value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
-                                opacity, layers] = isosurface;
+                                opacity, layers, ghost, ghostOpacity] = isosurface;
   [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2] = extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
+  [[maybe_unused]] const auto& [keep, smallest, hidden, only] = pieces;
+  [[maybe_unused]] const auto& [search, contrast] = edge;
+  [[maybe_unused]] const auto& [colorPath, colorRaw, colorComponent, colorTimeStep, colorField, colorMap,
+                                colorLow, colorHigh, below, colorStrength, fade, isolines, isolineWidth] =
+      colorVolume;
   [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, innerTint,
                                 cool, warm, texture, textureScale, shadow, fog, fogColor, colormap, low, high,
                                 points, legend, legendCorner, accessibility, ridges, ridgeThreshold,
@@ -82,7 +90,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering] = picture;
-  EXPECT_EQ(settings().size(), 9u + 9 + 3 * 4 + 6 + 5 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 4);
+  EXPECT_EQ(settings().size(), 9u + 11 + 3 * 4 + 4 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 4);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
@@ -266,6 +274,9 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
                                               "isosurface3.value",
                                               "isosurface4.value",
                                               "hit.near_threshold",
+                                              "edge.search",
+                                              "color.low",
+                                              "color.high",
                                               "derivatives.noise",
                                               "derivatives.scale",
                                               "derivatives.normal_scale",
@@ -310,6 +321,24 @@ TEST(Settings, AnEmptyListOfPointsIsRefusedAndOneIsTheLeast) {
               AllOf(HasSubstr("a list of 0 is not allowed"), HasSubstr("a list of 1 to 64 points")));
   setting("look.curvature_points").set(scene, {{0.0, 0.0, 0.5, 0.5, 0.5}});
   EXPECT_EQ(scene.look.curvaturePoints->size(), 1u);
+}
+
+TEST(Settings, PositionsAreTypedAsTheyAreRead) {
+  const Setting& hidden = setting("pieces.hidden");
+  Scene scene;
+  hidden.set(scene, valueOf(hidden, "pieces.hidden= 1,2.5,-3e-7 ; 4,5,6;"));
+  EXPECT_EQ(scene.pieces.hidden, (std::vector{glm::dvec3(1.0, 2.5, -3e-7), glm::dvec3(4.0, 5.0, 6.0)}));
+  EXPECT_EQ(positionsOf(textOfPositions(hidden.get(scene))), hidden.get(scene));
+  hidden.set(scene, valueOf(hidden, "pieces.hidden=[[7,8,9]]"));
+  EXPECT_EQ(scene.pieces.hidden, std::vector{glm::dvec3(7.0, 8.0, 9.0)});
+  for (const char* wrong : {"1,2", "1,2,3,4", "1,2,x", "1,2,3;4", "[1,2,3]", "[[1,2]]", "1,2,1e30"}) {
+    EXPECT_THAT(
+        usageMessage([&] { hidden.set(scene, valueOf(hidden, std::string("pieces.hidden=") + wrong)); }),
+        HasSubstr("points x,y,z; x,y,z"))
+        << wrong;
+  }
+  hidden.set(scene, valueOf(hidden, "pieces.hidden="));
+  EXPECT_TRUE(scene.pieces.hidden.empty());
 }
 
 TEST(Settings, UnknownPathsGetASuggestion) {

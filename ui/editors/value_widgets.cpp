@@ -13,6 +13,7 @@
 #include <QWheelEvent>
 
 #include "base/numbers.h"
+#include "scene/setting/assignment.h"
 #include "ui/editors/color_button.h"
 #include "ui/editors/curvature_map_editor.h"
 #include "ui/editors/file_widget.h"
@@ -170,6 +171,35 @@ class TextWidget : public ValueWidget {
   QLineEdit* line_;
 };
 
+// World points as "x,y,z; x,y,z"; a text that is no such list is not taken.
+class PositionsWidget : public ValueWidget {
+ public:
+  explicit PositionsWidget(QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
+    rowLayout(this)->addWidget(line_, 1);
+    line_->setPlaceholderText("x,y,z; x,y,z");
+    line_->setClearButtonEnabled(true);
+    setFocusProxy(line_);
+    connect(line_, &QLineEdit::editingFinished, this, [this] {
+      if (!line_->isModified()) return;
+      line_->setModified(false);
+      if (const json typed = scene::positionsOf(line_->text().toStdString()); typed.is_array())
+        Q_EMIT changed(false);
+      else
+        showValue(shown_);
+    });
+  }
+  void showValue(const json& value) override {
+    shown_ = value;
+    line_->setText(QString::fromStdString(scene::textOfPositions(value)));
+    line_->setCursorPosition(0);
+  }
+  json value() const override { return scene::positionsOf(line_->text().toStdString()); }
+
+ private:
+  QLineEdit* line_;
+  json shown_ = json::array();
+};
+
 class ToggleWidget : public ValueWidget {
  public:
   ToggleWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), box_(new QCheckBox(this)) {
@@ -284,6 +314,8 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
       return new ChoiceWidget(setting, parent);
     case SettingType::toggle:
       return new ToggleWidget(setting, parent);
+    case SettingType::positions:
+      return new PositionsWidget(parent);
     case SettingType::points:
       return new CurvatureMapEditor(parent);
     case SettingType::quaternion:
