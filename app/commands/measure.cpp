@@ -1,21 +1,20 @@
 // isolux measure PATH: area and volume of the isosurface, distances, angles, circles and thicknesses, each
 // with its error.
-#include <cmath>
 #include <iostream>
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
 #include "app/commands/command.h"
+#include "app/commands/measure_points.h"
 #include "app/commands/measure_report.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/number_rows.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/rules/automatic.h"
-#include "volume/measure/geodesic.h"
-#include "volume/measure/points.h"
+#include "volume/measure/piece_measure.h"
 #include "volume/measure/surface_measure.h"
-#include "volume/measure/thickness.h"
+#include "volume/pieces/shown_pieces.h"
 #include "volume/read/length_doubt.h"
 
 namespace isolux::app {
@@ -25,113 +24,14 @@ namespace {
 using base::Error;
 using base::ErrorKind;
 using nlohmann::ordered_json;
-using volume::Measured;
 using volume::PreparedVolume;
-using volume::SurfaceGraph;
 using volume::SurfaceOf;
-using volume::SurfacePoint;
-using volume::UncertainPoint;
 
 struct MeasureOptions {
   std::string path, box;
   std::vector<std::string> distances, angles, circles, thicknesses;
   bool json = false, closed = false, anyway = false;
 };
-
-// The volume, the isosurface, and the way-finding graph once somebody asks for it.
-struct MeasuredSurface {
-  std::string file;
-  const PreparedVolume& prepared;
-  SurfaceOf surface;
-  std::optional<SurfaceGraph> graph = std::nullopt;
-
-  const SurfaceGraph& graphOnce(base::Progress& progress) {
-    if (!graph) graph = surfaceGraph(prepared.grid(), *prepared.blocks, surface.isovalue, progress);
-    return *graph;
-  }
-};
-
-std::string pointText(glm::dvec3 p) {
-  return base::shortText(p.x) + "," + base::shortText(p.y) + "," + base::shortText(p.z);
-}
-
-// A position is one of the surface where that passes within half a voxel's diagonal; then it may be wrong by
-// what the surface is.
-UncertainPoint uncertain(const SurfaceOf& surface, glm::dvec3 world) {
-  const auto near = nearestPoint(surface, world);
-  const double reach = 0.5 * glm::length(surface.grid.geometry().spacingMm());
-  if (!near || glm::length(near->world - world) > reach) return {world, 0.0};
-  return {world, offsetError(*near)};
-}
-
-SurfacePoint pointOfSurface(const MeasuredSurface& measured, glm::dvec3 world, const std::string& option) {
-  if (auto near = nearestPoint(measured.surface, world)) return *near;
-  base::throwInput(measured.file, option,
-                   "no isosurface of " + base::shortText(measured.surface.isovalue) +
-                       " within three voxels of " + pointText(world));
-}
-
-ordered_json distanceJson(MeasuredSurface& measured, const std::string& text, base::Progress& progress) {
-  const auto points = parsePoints(text, "--distance", 2, 2);
-  const SurfaceOf& surface = measured.surface;
-  const Measured straight = straightDistance(uncertain(surface, points[0]), uncertain(surface, points[1]));
-  ordered_json json{{"from_mm", vectorOf(points[0])},
-                    {"to_mm", vectorOf(points[1])},
-                    {"straight_mm", measuredJson(straight)}};
-  const auto from = nearestPoint(surface, points[0]), to = nearestPoint(surface, points[1]);
-  json["along_surface_mm"] = nullptr;
-  if (!from || !to) {
-    json["along_surface_reason"] = "no isosurface within three voxels of " + pointText(points[from ? 1 : 0]);
-    return json;
-  }
-  const auto way = geodesic(surface, measured.graphOnce(progress), from->world, to->world, progress);
-  if (!way) {
-    json["along_surface_reason"] = "no way along the surface leads from one to the other";
-    return json;
-  }
-  json["along_surface_mm"] = measuredJson(way->lengthMm, way->parts);
-  json["along_surface_from_mm"] = vectorOf(from->world);
-  json["along_surface_to_mm"] = vectorOf(to->world);
-  ordered_json& path = json["path_mm"] = ordered_json::array();
-  for (const glm::dvec3& point : way->path) path.push_back(vectorOf(point));
-  return json;
-}
-
-ordered_json angleJson(const MeasuredSurface& measured, const std::string& text) {
-  const auto points = parsePoints(text, "--angle", 3, 4);
-  std::vector<UncertainPoint> at;
-  for (const glm::dvec3& point : points) at.push_back(uncertain(measured.surface, point));
-  const auto angle =
-      at.size() == 3 ? angleDegrees(at[0], at[1], at[2]) : dihedralDegrees(at[0], at[1], at[2], at[3]);
-  if (!angle) throw Error(ErrorKind::usage, "", "--angle", "has points on a line or in one place: " + text);
-  return {{"points_mm", vectorsOf(points)}, {"degrees", measuredJson(*angle)}};
-}
-
-ordered_json circleJson(const MeasuredSurface& measured, const std::string& text) {
-  const auto points = parsePoints(text, "--circle", 3, 3);
-  const auto circle =
-      circleThrough(uncertain(measured.surface, points[0]), uncertain(measured.surface, points[1]),
-                    uncertain(measured.surface, points[2]));
-  if (!circle) throw Error(ErrorKind::usage, "", "--circle", "has its points on a line: " + text);
-  return {{"points_mm", vectorsOf(points)},
-          {"radius_mm", measuredJson(circle->radiusMm)},
-          {"centre_mm", vectorOf(circle->centre)},
-          {"normal", vectorOf(circle->normal)}};
-}
-
-ordered_json thicknessJson(MeasuredSurface& measured, const std::string& text, base::Progress& progress) {
-  const glm::dvec3 world = parsePoints(text, "--thickness", 1, 1)[0];
-  const SurfacePoint point = pointOfSurface(measured, world, "--thickness");
-  ordered_json json{{"point_mm", vectorOf(point.world)}, {"normal", vectorOf(point.normal)}};
-  const auto ray = thicknessByRay(measured.surface, *measured.prepared.blocks, point);
-  const auto ball = inscribedBall(measured.surface, measured.graphOnce(progress), point);
-  json["ray_mm"] = ray ? measuredJson(ray->mm) : ordered_json();
-  json["exit_mm"] = ray ? vectorOf(ray->exit) : ordered_json();
-  json["ball_mm"] = ball ? measuredJson(ball->diameterMm) : ordered_json();
-  json["centre_mm"] = ball ? vectorOf(ball->centre) : ordered_json();
-  json["touches_mm"] = ball ? vectorOf(ball->touches) : ordered_json();
-  return json;
-}
 
 std::optional<volume::WorldBox> boxOf(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -181,6 +81,38 @@ scene::NoiseModel noiseOf(const PreparedVolume& prepared, const scene::Scene& sc
   return noise;
 }
 
+struct SizedSurface {
+  volume::SurfaceMeasure whole;
+  ordered_json pieces = ordered_json::array();  // those that are shown, not within a box
+};
+
+SizedSurface sizedSurface(const MeasureOptions& options, const scene::Scene& scene,
+                          const MeasuredSurface& measured, base::Progress& progress) {
+  const PreparedVolume& prepared = measured.prepared;
+  const SurfaceOf& of = measured.surface;
+  const volume::SurfaceQuestion question{of.isovalue, of.inside, boxOf(options.box), of.noise, {}};
+  SizedSurface sized;
+  if (question.box) {
+    sized.whole = measureSurface(prepared.grid(), *prepared.blocks, question, progress);
+    return sized;
+  }
+  const auto pieces = prepared.pieces->at(of.isovalue, of.inside, progress);
+  std::vector<bool> shown;
+  if (volume::hidesPieces(scene.pieces)) shown = volume::shownPieces(*pieces, scene.pieces);
+  const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
+  sized.whole = measures.whole;
+  for (std::size_t id = 0; id < measures.pieces.size(); ++id) {
+    if (!shown.empty() && !shown[id]) continue;
+    const volume::PieceMeasure& piece = measures.pieces[id];
+    sized.pieces.push_back({{"id", id},
+                            {"volume_mm3", measuredJson(piece.surface.volumeMm3)},
+                            {"area_mm2", measuredJson(piece.surface.areaMm2)},
+                            {"bounds_mm", vectorsOf({piece.bounds.lowMm, piece.bounds.highMm})},
+                            {"open", piece.surface.open()}});
+  }
+  return sized;
+}
+
 // The isosurface of the scene as a whole or in the box, then what was asked about points.
 ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, const PreparedVolume& prepared,
                      base::Progress& progress) {
@@ -193,9 +125,8 @@ ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, c
       scene.source.path,
       prepared,
       {prepared.grid(), isovalue, scene.isosurface.inside, noiseOf(prepared, scene, progress)}};
-  const volume::SurfaceMeasure surface = measureSurface(
-      prepared.grid(), *prepared.blocks,
-      {isovalue, scene.isosurface.inside, boxOf(options.box), measured.surface.noise, {}}, progress);
+  const SizedSurface sized = sizedSurface(options, scene, measured, progress);
+  const volume::SurfaceMeasure& surface = sized.whole;
   refuseWhatIsNoSurface(options, measured, surface);
   ordered_json json{{"isovalue", isovalue},
                     {"unit", prepared.volume.unit},
@@ -203,6 +134,7 @@ ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, c
                     {"noise", measured.surface.noise.at(isovalue)}};
   if (doubt) json["doubt"] = *doubt;
   json.update(surfaceJson(surface));
+  if (options.box.empty()) json["pieces"] = sized.pieces;
   for (const std::string& text : options.distances)
     json["distances"].push_back(distanceJson(measured, text, progress));
   for (const std::string& text : options.angles) json["angles"].push_back(angleJson(measured, text));

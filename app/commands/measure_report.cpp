@@ -1,5 +1,6 @@
 #include "app/commands/measure_report.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -46,6 +47,17 @@ void printDistances(const ordered_json& distances, std::ostream& out) {
   }
 }
 
+constexpr std::size_t kListedPieces = 10;
+
+void printPieces(const ordered_json& pieces, std::ostream& out) {
+  printRow(out, "pieces", std::to_string(pieces.size()));
+  for (std::size_t i = 0; i < std::min(pieces.size(), kListedPieces); ++i)
+    printRow(
+        out, "  " + std::to_string(pieces[i]["id"].get<std::size_t>()),
+        measuredText(pieces[i]["volume_mm3"], "mm^3") + ", " + measuredText(pieces[i]["area_mm2"], "mm^2"));
+  if (pieces.size() > kListedPieces) printRow(out, "  ...", "--json lists all");
+}
+
 }  // namespace
 
 ordered_json vectorOf(glm::dvec3 v) {
@@ -80,6 +92,7 @@ void printMeasures(const ordered_json& json, std::ostream& out) {
   printRow(out, "volume",
            measuredText(json["volume_mm3"], "mm^3") + (json["open"].get<bool>() ? ", open" : ""));
   printRow(out, "", base::shortText(json["volume_per_value_mm3"].get<double>()) + " mm^3 less per " + one);
+  if (json.contains("pieces")) printPieces(json["pieces"], out);
   if (json.contains("distances")) printDistances(json["distances"], out);
   if (json.contains("angles"))
     for (const ordered_json& angle : json["angles"])

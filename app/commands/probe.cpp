@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/rules/automatic.h"
+#include "volume/edge/surface_edges.h"
 #include "volume/hit/exact_hit.h"
 #include "volume/measure/point_probe.h"
 #include "volume/measure/surface_point.h"
@@ -26,8 +27,14 @@ struct ProbeOptions {
   bool json = false;
 };
 
+struct Probes {
+  const volume::PointProbe& points;
+  const volume::EdgeFinder& edges;
+};
+
 // What is unknown is null.
-void addPoint(ordered_json& json, glm::dvec3 world, const std::optional<volume::ProbedPoint>& point) {
+void addPoint(ordered_json& json, const Probes& probes, glm::dvec3 world,
+              const std::optional<volume::ProbedPoint>& point) {
   json["position_mm"] = vectorOf(world);
   json["voxel"] = point ? vectorOf(point->voxel) : ordered_json();
   json["value"] = point ? ordered_json(point->value) : ordered_json();
@@ -38,13 +45,14 @@ void addPoint(ordered_json& json, glm::dvec3 world, const std::optional<volume::
       shaped ? ordered_json::array({point->curvature.kappa1, point->curvature.kappa2}) : ordered_json();
   json["confidence"] = point ? ordered_json(point->confidence) : ordered_json();
   json["scale_mm"] = point ? ordered_json(point->scaleMm) : ordered_json();
-  json["edge_offset_mm"] = nullptr;
-  json["edge_strength"] = nullptr;
+  const volume::Edge edge = shaped ? probes.edges.at(point->voxel) : volume::Edge{};
+  json["edge_offset_mm"] = edge.offsetMm ? ordered_json(*edge.offsetMm) : ordered_json();
+  json["edge_strength"] = shaped ? ordered_json(edge.strength) : ordered_json();
 }
 
 // The first hit with the trilinear isosurface, and how far along the ray it may be wrong.
 ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::SurfaceOf& surface,
-                     const volume::PointProbe& probe, glm::dvec3 origin, glm::dvec3 direction) {
+                     const Probes& probes, glm::dvec3 origin, glm::dvec3 direction) {
   const glm::dmat4 voxelFromWorld = prepared.grid().geometry().voxelFromWorld();
   const auto hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue,
                                     glm::dvec3(voxelFromWorld * glm::dvec4(origin, 1.0)),
@@ -52,7 +60,7 @@ ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::Surfa
   if (!hit) return nullptr;
   const glm::dvec3 world = origin + direction * hit->t;
   ordered_json json;
-  addPoint(json, world, probe.at(world));
+  addPoint(json, probes, world, probes.points.at(world));
   json["t_mm"] = hit->t;
   json["entering"] = hit->entering == (surface.inside == scene::Inside::above);
   const auto point = volume::surfacePoint(surface, world);
@@ -72,13 +80,15 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
   const auto points = options.points.empty() ? std::vector<NumberRow>{} : readNumberRows(options.points, 3);
   const auto rays = options.rays.empty() ? std::vector<NumberRow>{} : readNumberRows(options.rays, 6);
   const volume::PointProbe probe(prepared, scene, progress);
+  const volume::SurfaceEdges edges(prepared, scene, progress);
+  const Probes probes{probe, edges.finder()};
   Probed result;
   std::size_t outside = 0, missed = 0, firstOutside = 0, firstMissed = 0;
   for (const NumberRow& row : points) {
     const glm::dvec3 world(row.numbers[0], row.numbers[1], row.numbers[2]);
     const auto point = probe.at(world);
     if (!point && outside++ == 0) firstOutside = row.line;
-    addPoint(result.points.emplace_back(ordered_json::object()), world, point);
+    addPoint(result.points.emplace_back(ordered_json::object()), probes, world, point);
   }
   const double isovalue = scene.isosurface.value.value_or(0.0);
   const volume::SurfaceOf surface{prepared->grid(),
@@ -90,7 +100,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
     const glm::dvec3 direction(row.numbers[3], row.numbers[4], row.numbers[5]);
     if (!(glm::length(direction) > 0.0))
       base::throwInput(options.rays, "line " + std::to_string(row.line), "a ray needs a direction");
-    ordered_json hit = hitJson(*prepared, surface, probe, origin, glm::normalize(direction));
+    ordered_json hit = hitJson(*prepared, surface, probes, origin, glm::normalize(direction));
     if (hit.is_null() && missed++ == 0) firstMissed = row.line;
     result.rays.push_back(
         {{"origin_mm", vectorOf(origin)}, {"direction", vectorOf(direction)}, {"hit", hit}});
