@@ -63,7 +63,7 @@ void declare(Program& program) {
       "130 interrupted.\n\n"
       "Example:\n  isolux ct.nii.gz --isovalue 300");
   for (const auto make : {makeInfo, makeRender, makeBake, makeReference, makeReplay, makeStudy, makePhantom,
-                          makeSettings, makeDoctor})
+                          makeSettings, makeDoctor, makeProbe, makeMeasure})
     program.commands.push_back(make(parser));
   addMemoryOption(parser);
   for (const Command& command : program.commands) addMemoryOption(*command.parser);
