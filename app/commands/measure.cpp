@@ -7,6 +7,7 @@
 #include "app/commands/command.h"
 #include "app/commands/measure_points.h"
 #include "app/commands/measure_report.h"
+#include "app/commands/piece_report.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/number_rows.h"
 #include "base/error.h"
@@ -71,16 +72,6 @@ ordered_json surfaceJson(const volume::SurfaceMeasure& surface) {
   return json;
 }
 
-scene::NoiseModel noiseOf(const PreparedVolume& prepared, const scene::Scene& scene,
-                          base::Progress& progress) {
-  scene::NoiseModel noise = prepared.derivativeChoices->noise(progress);
-  if (scene.derivatives.noise) {
-    noise.values = {0.0};
-    noise.deviations = {*scene.derivatives.noise};
-  }
-  return noise;
-}
-
 struct SizedSurface {
   volume::SurfaceMeasure whole;
   ordered_json pieces = ordered_json::array();  // those that are shown, not within a box
@@ -103,12 +94,7 @@ SizedSurface sizedSurface(const MeasureOptions& options, const scene::Scene& sce
   sized.whole = measures.whole;
   for (std::size_t id = 0; id < measures.pieces.size(); ++id) {
     if (!shown.empty() && !shown[id]) continue;
-    const volume::PieceMeasure& piece = measures.pieces[id];
-    sized.pieces.push_back({{"id", id},
-                            {"volume_mm3", measuredJson(piece.surface.volumeMm3)},
-                            {"area_mm2", measuredJson(piece.surface.areaMm2)},
-                            {"bounds_mm", vectorsOf({piece.bounds.lowMm, piece.bounds.highMm})},
-                            {"open", piece.surface.open()}});
+    sized.pieces.push_back(pieceJson(id, measures.pieces[id]));
   }
   return sized;
 }
