@@ -82,6 +82,17 @@ TEST(Pieces, OfNoiseAreThoseOfAFlood) {
       check(noiseGrid<std::int16_t>({18, 17, 9}, 5, 0.0, 100.0), isovalue, inside);
 }
 
+// Blocks that are inside as a whole, and an outside with a hole.
+TEST(Pieces, OfLargeBallsAreThoseOfAFlood) {
+  const Grid ball = test::phantomGrid("ball", 64);
+  EXPECT_EQ(check(ball, 0.0, Inside::above), 0u);
+  EXPECT_EQ(check(ball, 0.0, Inside::below), 0u);
+  const Pieces pieces = piecesOf(std::make_shared<const Grid>(ball), 0.0);
+  const double radius = 0.35 * 63.0;
+  EXPECT_NEAR(pieces.list().at(0).volumeMm3 / (4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3)), 1.0,
+              2e-3);
+}
+
 TEST(Pieces, ANegativeSlopeExchangesTheSides) {
   check(noiseGrid<std::int16_t>({17, 9, 11}, 7, 0.0, 100.0, -1.0), -40.0, Inside::above);
   check(noiseGrid<std::int16_t>({17, 9, 11}, 7, 0.0, 100.0, -1.0), -70.0, Inside::below);
@@ -133,8 +144,7 @@ TEST(Pieces, IsovaluesAtVoxelsAndBeyondThem) {
   EXPECT_NEAR(all.list()[0].volumeMm3, 19.0 * 17.0 * 16.0, 1e-6);
 }
 
-// The volume of what the interpolant holds, by dense samples of it.
-TEST(Pieces, VolumesAreWithinTheirBounds) {
+TEST(Pieces, VolumesAreThoseOfBalls) {
   const Grid grid = test::gridOfWorld(GridGeometry::make(glm::ivec3(30), {0.7, 1.1, 1.6}), [](glm::dvec3 p) {
     return std::max(7.0 - glm::length(p - glm::dvec3(9.0, 9.5, 12.0)),
                     4.5 - glm::length(p - glm::dvec3(14.0, 24.0, 36.0)));
