@@ -8,4 +8,7 @@ namespace isolux::render {
 // (field.glsl). A number, not NaN: GLSL compilers may assume that NaN does not occur.
 inline constexpr float missingTexel = 1e30f;
 
+// Stands for no offset to an edge, in an image of offsets in mm (edge.frag.glsl, measures.glsl).
+inline constexpr float kNoEdge = 1e30f;
+
 }  // namespace isolux::render

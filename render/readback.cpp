@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/constants.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::render {
@@ -60,6 +61,10 @@ Source sourceOf(const FrameState& frame, Aov aov) {
     case Aov::direction2:
       source.gradient = frame.image(image::hessian, 0).readFloats(4);
       source.second = frame.image(image::curvature, 1).readFloats(4);
+      break;
+    case Aov::edge_offset:
+    case Aov::edge_strength:
+      source.info = frame.image(image::edge).readFloats(2);
       break;
     case Aov::irradiance:
       source.first = frame.image(image::irradiance).readFloats(4);
@@ -173,6 +178,12 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
         break;
       case Aov::scale:
         out[0] = static_cast<float>(drawn.scaleMm);
+        break;
+      case Aov::edge_offset:
+        if (source.info[2 * i] < kNoEdge) out[0] = source.info[2 * i];
+        break;
+      case Aov::edge_strength:
+        out[0] = source.info[2 * i + 1];
         break;
       case Aov::irradiance:
         if (drawn.lit) put(vectorAt(source.first, i));

@@ -87,6 +87,7 @@ std::vector<FieldAt> fieldsReadBy(const scene::Scene& scene, const FrameRequest&
   const std::vector<Aov>& aovs = request.aovs;
   if (readsHessian(scene, request) || std::find(aovs.begin(), aovs.end(), Aov::gradient) != aovs.end())
     fields.push_back({derived, scene::derivativesScale(scene)});
+  if (readsEdge(scene, request)) fields.push_back(edgeFieldOf(scene));
   return fields;
 }
 

@@ -102,6 +102,14 @@ constexpr LookInfo lookTable[] = {
      .meaning = "a light surface whose hollows are dark, as if dirt had gathered there",
      .kind = LookKind::colored,
      .readsCurvature = true},
+    {.mode = LookMode::edge_offset,
+     .name = "edge_offset",
+     .meaning = "how far outside the surface the edge of the object lies: negative is within; grey has none",
+     .kind = LookKind::measure,
+     .readsEdge = true,
+     .colors = LookColors::diverging,
+     .dimension = -1,
+     .quantity = "edge offset"},
     {.mode = LookMode::flow,
      .name = "flow",
      .meaning = "streaks along the directions of curvature",
@@ -137,7 +145,16 @@ const LookInfo& lookInfo(LookMode mode) {
 }
 
 std::string_view unitOf(const LookInfo& look) {
-  return look.dimension == 2 ? "1/mm²" : look.dimension == 1 ? "1/mm" : "";
+  switch (look.dimension) {
+    case 2:
+      return "1/mm²";
+    case 1:
+      return "1/mm";
+    case -1:
+      return "mm";
+    default:
+      return "";
+  }
 }
 
 }  // namespace isolux::scene

@@ -36,13 +36,14 @@ struct LookInfo {
   LookKind kind;
   bool readsGradient = true;
   bool readsCurvature = false;
+  bool readsEdge = false;            // where the object's edge is (volume/edge)
   Shading shading = Shading::unlit;  // of kind shading
 
   // Of kinds measure and square:
   LookColors colors = LookColors::sequential;
   LookRange range = LookRange::symmetric;
-  int dimension = 0;                                      // of the measure: 1/mm to this power
-  double (*measure)(double, double) = nullptr;            // of kappa1 >= kappa2, 1/mm; null for a square
+  int dimension = 0;                                      // of the measure: 1/mm to this power; mm: -1
+  double (*measure)(double, double) = nullptr;            // of kappa1 >= kappa2, 1/mm; null for others
   std::string_view quantity = {}, quantityVertical = {};  // on the legend
 };
 
@@ -50,7 +51,7 @@ struct LookInfo {
 std::span<const LookInfo> looks();
 const LookInfo& lookInfo(LookMode mode);
 
-// On the legend: "1/mm", "1/mm²" or nothing.
+// On the legend: "1/mm", "1/mm²", "mm" or nothing.
 std::string_view unitOf(const LookInfo& look);
 
 }  // namespace isolux::scene

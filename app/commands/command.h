@@ -39,6 +39,8 @@ Command makeMesh(CLI::App& program);
 Command makePhantom(CLI::App& program);
 Command makeSettings(CLI::App& program);
 Command makeDoctor(CLI::App& program);
+Command makeProbe(CLI::App& program);
+Command makeMeasure(CLI::App& program);
 
 // --set, --session and the short forms; assignments stand in the order of the command line.
 struct SceneOptions {

@@ -4,9 +4,11 @@
 
 #include "app/commands/command.h"
 #include "app/commands/derivative_report.h"
+#include "app/commands/piece_report.h"
 #include "app/commands/progress_bar.h"
 #include "base/number_text.h"
 #include "base/printable.h"
+#include "scene/rules/automatic.h"
 
 namespace isolux::app {
 
@@ -17,7 +19,7 @@ using volume::PreparedVolume;
 
 struct InfoOptions {
   std::string path;
-  bool json = false;
+  bool json = false, pieces = false;
 };
 
 ordered_json vectorJson(glm::dvec3 v) {
@@ -200,6 +202,13 @@ Measured measuredWithProgressBar(const PreparedVolume& prepared, scene::Field fi
   return {choices.noise(progress), choices.choose({prepared.facts.suggestedIsovalue, field}, progress)};
 }
 
+ordered_json piecesWithProgressBar(const PreparedVolume& prepared, const scene::Scene& scene,
+                                   base::Progress& progress) {
+  progress.report(0.0, "finding pieces");
+  const ProgressBar bar(progress);
+  return piecesJson(prepared, scene::resolve(scene, prepared.facts), progress);
+}
+
 }  // namespace
 
 Command makeInfo(CLI::App& program) {
@@ -209,6 +218,9 @@ Command makeInfo(CLI::App& program) {
   parser->add_option("PATH", options->path,
                      "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
   parser->add_flag("--json", options->json, "Print one JSON object instead of text (docs/commands.md)");
+  parser->add_flag(
+      "--pieces", options->pieces,
+      "The connected pieces of the isosurface's inside, the largest first: volume, area, bounds");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux info head.nii.gz --json");
@@ -217,10 +229,16 @@ Command makeInfo(CLI::App& program) {
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             const auto prepared = loadWithProgressBar(scene.source, progress);
             const Measured measured = measuredWithProgressBar(*prepared, scene.derivatives.field, progress);
-            if (options->json)
-              std::cout << jsonText(infoJson(*prepared, measured));
-            else
+            ordered_json pieces;
+            if (options->pieces) pieces = piecesWithProgressBar(*prepared, scene, progress);
+            if (options->json) {
+              ordered_json json = infoJson(*prepared, measured);
+              if (options->pieces) json["pieces"] = pieces;
+              std::cout << jsonText(json);
+            } else {
               printText(*prepared, measured, std::cout);
+              if (options->pieces) printPieceTable(pieces, *prepared, std::cout);
+            }
           }};
 }
 

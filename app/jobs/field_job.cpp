@@ -43,7 +43,7 @@ void takeReadyScales(scene::Scene& scene, const volume::CubicFields& fields, con
     scale = readyScale(fields, now.field, scale.value_or(known), known);
   };
   if (scene::needsGradient(scene)) ready(now.normalScale, last.normalScale);
-  if (scene::needsCurvature(scene)) ready(now.scale, last.scale);
+  if (scene::needsSecondDerivatives(scene)) ready(now.scale, last.scale);
   // Nothing is left to be chosen while the picture is drawn.
   now.scale = now.scale.value_or(0.0);
   now.normalScale = now.normalScale.value_or(0.0);
@@ -96,7 +96,7 @@ FieldJob::~FieldJob() {
 bool FieldJob::isFor(const scene::Scene& scene) const {
   const bool same = scene_.hit.field == scene.hit.field && scene_.derivatives == scene.derivatives &&
                     scene::needsGradient(scene_) == scene::needsGradient(scene) &&
-                    scene::needsCurvature(scene_) == scene::needsCurvature(scene);
+                    scene::needsSecondDerivatives(scene_) == scene::needsSecondDerivatives(scene);
   const bool sameAtRest = scene_.picture.restHits == scene.picture.restHits &&
                           scene::mayRefineHits(scene_) == scene::mayRefineHits(scene);
   const bool measures = awaitsChoice(scene) || scene::mayRefineHits(scene);

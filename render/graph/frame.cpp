@@ -37,6 +37,8 @@ const std::vector<AovInfo>& aovs() {
       {Aov::direction2, "direction2", "unit vector, world", {"x", "y", "z"}},
       {Aov::curvature_confidence, "curvature_confidence", "0 to 1", {""}},
       {Aov::scale, "scale", "mm, of the curvature", {""}},
+      {Aov::edge_offset, "edge_offset", "mm along the outward normal", {""}},
+      {Aov::edge_strength, "edge_strength", "standard deviations of the gradient's noise", {""}},
       {Aov::irradiance, "irradiance", "radiance times sr, no exposure of the picture", {"r", "g", "b"}},
       {Aov::hit, "hit", "1 or 0", {""}},
   };

@@ -30,6 +30,8 @@ enum class Aov {
   direction2,
   curvature_confidence,
   scale,
+  edge_offset,
+  edge_strength,
   irradiance,
   hit
 };

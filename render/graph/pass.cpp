@@ -38,7 +38,8 @@ Asked::Asked(const scene::Scene& ofScene, const FrameRequest& ofRequest, const V
       onProcessor(ofProcessor) {
   if (request.aovs.empty()) return;
   ofImages_ = scene;
-  ofImages_->look.mode = scene::LookMode::kappa1;
+  ofImages_->look.mode = scene::LookMode::edge_offset;
+  ofImages_->look.accessibility = 1.0;  // curvature beside it
   ofImages_->look.shading = scene::Shading::gi;
 }
 

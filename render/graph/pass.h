@@ -47,11 +47,11 @@ namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *segments = "ray segments",
                             *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
                             *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
-                            *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
-                            *flow = "streaks", *extrema = "curvature extrema", *lineField = "line fields",
-                            *lines = "lines", *light = "stored light", *irradiance = "irradiances",
-                            *front = "front colour", *color = "colour", *background = "background",
-                            *picture = "picture",
+                            *edge = "edges", *ranges = "curvature ranges", *shadow = "shadows",
+                            *flowField = "flow fields", *flow = "streaks", *extrema = "curvature extrema",
+                            *lineField = "line fields", *lines = "lines", *light = "stored light",
+                            *irradiance = "irradiances", *front = "front colour", *color = "colour",
+                            *background = "background", *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }
 

@@ -51,12 +51,16 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
 
 bool readsDerivatives(Aov aov) {
   return aov == Aov::normal || aov == Aov::gradient || aov == Aov::irradiance || aov == Aov::scale ||
-         readsHessian(aov);
+         readsHessian(aov) || readsEdge(aov);
 }
 
 bool readsHessian(Aov aov) {
   return aov == Aov::hessian || aov == Aov::kappa || aov == Aov::direction1 || aov == Aov::direction2 ||
          aov == Aov::curvature_confidence;
+}
+
+bool readsEdge(Aov aov) {
+  return aov == Aov::edge_offset || aov == Aov::edge_strength;
 }
 
 bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request) {
@@ -67,6 +71,11 @@ bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request) {
 bool readsHessian(const scene::Scene& scene, const FrameRequest& request) {
   return (request.color && scene::needsCurvature(scene)) ||
          std::any_of(request.aovs.begin(), request.aovs.end(), [](Aov aov) { return readsHessian(aov); });
+}
+
+bool readsEdge(const scene::Scene& scene, const FrameRequest& request) {
+  return (request.color && scene::needsEdge(scene)) ||
+         std::any_of(request.aovs.begin(), request.aovs.end(), [](Aov aov) { return readsEdge(aov); });
 }
 
 bool sharesGradient(const scene::Scene& scene) {
@@ -88,6 +97,8 @@ std::vector<std::string> wantedImages(const FrameRequest& request, const scene::
     else if (readsHessian(aov)) {
       wanted.emplace_back(image::curvature);
       if (aov == Aov::direction2) wanted.emplace_back(image::hessian);
+    } else if (readsEdge(aov)) {
+      wanted.emplace_back(image::edge);
     } else {
       wanted.emplace_back(image::surface);
     }

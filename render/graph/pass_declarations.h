@@ -16,9 +16,11 @@ std::vector<std::string> wantedImages(const FrameRequest& request, const scene::
 // The deferred image comes from derivatives, or tells of them; from second ones.
 bool readsDerivatives(Aov aov);
 bool readsHessian(Aov aov);
+bool readsEdge(Aov aov);
 // The picture does, by its look or one of its images.
 bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request);
 bool readsHessian(const scene::Scene& scene, const FrameRequest& request);
+bool readsEdge(const scene::Scene& scene, const FrameRequest& request);
 // Curvature and normals are of derivatives at one scale: the hessian pass writes the gradients of both.
 bool sharesGradient(const scene::Scene& scene);
 

@@ -37,7 +37,8 @@ glm::dvec2 automaticRange(const LookInfo& look, const CurvatureStatistics& s, do
   const auto symmetric = [](double most) { return glm::dvec2(-most, most); };
   if (look.kind == LookKind::square)
     return symmetric(std::max({magnitude(s.of(LookMode::kappa1)), magnitude(s.of(LookMode::kappa2)), flat}));
-  const double least = look.dimension == 2 ? flat * flat : flat;
+  // Of lengths: a part in 10^4 of the volume's diagonal.
+  const double least = look.dimension == 2 ? flat * flat : look.dimension < 0 ? 1e-5 / flat : flat;
   switch (look.range) {
     case LookRange::symmetric:
       return symmetric(std::max(magnitude(s.of(look.mode)), least));

@@ -4,8 +4,10 @@
 
 #include <glm/matrix.hpp>
 
+#include "render/constants.h"
 #include "render/graph/pass_declarations.h"
 #include "scene/rules/needs.h"
+#include "volume/edge/surface_edges.h"
 #include "volume/field/curvature.h"
 
 namespace isolux::render {
@@ -118,6 +120,50 @@ void CurvaturePass::run(FrameState& frame) {
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));
+  frame.drawHits(target, p);
+}
+
+void EdgePass::declare(Declaring& d) const {
+  d.reads(image::surface).writes(image::edge).volume();
+  d.settings({"derivatives.field", "derivatives.scale", "derivatives.noise", "isosurface.inside", "edge."});
+  d.input("executor at the hits", d.asked.onProcessor.all);
+}
+
+std::optional<LookInput> EdgePass::forLook(const scene::Scene& scene) const {
+  if (!scene::needsEdge(scene)) return std::nullopt;
+  return LookInput{image::edge, "EDGE", {"uEdge"}};
+}
+
+void EdgePass::run(FrameState& frame) {
+  Target& target = frame.target(image::edge, {GL_RG32F});
+  if (frame.empty()) {
+    const float none[4] = {kNoEdge, 0.0f, 0.0f, 0.0f};
+    frame.clear(target, {none});
+    return;
+  }
+  const FieldAt field = frame.edgeField();
+  const volume::EdgeSearch<double> search = frame.edgeSearch();
+  if (frame.onProcessor.all) {
+    edgesOnProcessor(frame, target, field, volume::inFloats(search));
+    return;
+  }
+  const volume::Grid& grid = frame.volume->grid();
+  std::string defines = field.scaleMm > 0.0 ? "#define SCALED\n" : "";
+  if (grid.missingCount() > 0) defines += "#define GAPS\n";
+  Program& p = frame.program(shader, defines);
+  frame.setView(p);
+  frame.volume->bind(p, field);
+  p.setTexture("uSurface", 2, frame.image(image::surface));
+  p.set("uLow", glm::vec3(search.low));
+  p.set("uHigh", glm::vec3(search.high));
+  p.set("uVoxelFromWorld", glm::mat3(search.voxelFromWorld));
+  p.set("uSmoothing", glm::mat3(search.smoothing));
+  p.set("uNoise", glm::mat3(search.noise));
+  p.set("uUnit", static_cast<float>(search.unit * frame.volume->dataUnitsPerTexel() / grid.slope()));
+  p.set("uOutward", static_cast<float>(search.outward));
+  p.set("uSearch", static_cast<float>(search.searchMm));
+  p.set("uContrast", static_cast<float>(search.contrast));
+  p.set("uLeastStep", static_cast<float>(search.leastStepMm));
   frame.drawHits(target, p);
 }
 

@@ -34,4 +34,15 @@ class CurvaturePass : public Pass {
   void run(FrameState& frame) override;
 };
 
+// How far the edge of the object lies from the surface point along the outward normal, and how far the
+// gradient there stands out of noise.
+class EdgePass : public Pass {
+ public:
+  EdgePass() : Pass("edge", "edge.frag.glsl", {.castsRays = true, .ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
+  void run(FrameState& frame) override;
+  bool isOn(const OnProcessor& on) const override { return on.all; }
+};
+
 }  // namespace isolux::render

@@ -7,6 +7,7 @@
 
 #include "render/passes/light_passes.h"
 #include "scene/albedo.h"
+#include "volume/edge/surface_edges.h"
 #include "volume/field/curvature.h"
 
 namespace isolux::render {
@@ -213,6 +214,18 @@ void FrameState::setIsovalues(Program& program, scene::Field field) const {
   }
   program.set("uIsovalues", isovalues);
   program.set("uIsovalueShifts", shifts);
+}
+
+FieldAt edgeFieldOf(const scene::Scene& scene) {
+  const scene::Field field = scene.derivatives.field;
+  return {field == scene::Field::trilinear ? scene::Field::cubic : field, scene::derivativesScale(scene)};
+}
+
+volume::EdgeSearch<double> FrameState::edgeSearch() const {
+  const volume::Grid& grid = volume->grid();
+  const FieldAt field = edgeField();
+  return volume::edgeSearch(grid, field.field, field.scaleMm,
+                            volume::edgeQuestion(*scene, grid.geometry(), volume->noiseBlur()));
 }
 
 }  // namespace isolux::render

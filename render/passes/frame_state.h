@@ -19,6 +19,7 @@
 #include "render/volume/ray_starts.h"
 #include "scene/rules/needs.h"
 #include "scene/scene.h"
+#include "volume/edge/edge_walk.h"
 #include "volume/statistics/curvature_statistics.h"
 
 namespace isolux::render {
@@ -33,6 +34,9 @@ struct Surface {
 };
 // The first and those further ones that are shown, without those of opacity 0: none to four.
 std::vector<Surface> surfacesOf(const scene::Scene& scene);
+
+// What the edge of the object is looked for in: the trilinear field has no second derivatives.
+FieldAt edgeFieldOf(const scene::Scene& scene);
 
 class FrameLight;
 
@@ -104,6 +108,8 @@ struct FrameState {
   const Texture& gradientImage() const { return image(gradientShared ? image::hessian : image::gradient); }
   // What second derivatives are of.
   FieldAt curvatureField() const { return {scene->derivatives.field, scene::derivativesScale(*scene)}; }
+  FieldAt edgeField() const { return edgeFieldOf(*scene); }
+  volume::EdgeSearch<double> edgeSearch() const;
 
   // A pass over the picture: its program (made once for each set of defines; BRICKS is one where the volume
   // is in bricks), its target, and a triangle over all of it, or over rectangles.

@@ -112,6 +112,7 @@ void RangesPass::declare(Declaring& d) const {
   // The curvature of the samples' spline, or of the one through them.
   d.input("derivatives.field", d.asked.scene.derivatives.field == scene::Field::cubic_interpolating);
   d.settings({"derivatives.scale"});
+  if (scene::needsEdge(d.asked.scene)) d.settings({"derivatives.noise", "edge."});
 }
 
 std::optional<LookInput> RangesPass::forLook(const scene::Scene& scene) const {
@@ -125,6 +126,10 @@ void RangesPass::run(FrameState& frame) {
     for (const Surface& surface : frame.surfaces)
       all.push_back(
           frame.volume->curvatureStatistics(frame.curvatureField(), surface.value, frame.outward()));
+  if (frame.volume && scene::needsEdge(*frame.scene))
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i].measures[scene::LookMode::edge_offset] =
+          frame.volume->edgeOffsets(frame.edgeField(), frame.edgeSearch(), frame.surfaces[i].value);
   frame.statistics = outerBounds(all);
 }
 
@@ -212,7 +217,7 @@ Program& ShadePass::prepared(FrameState& frame) {
   setSurfaces(frame, p);
   setLook(*frame.scene, p);
   setLight(frame, p);
-  if (scene::needsCurvature(*frame.scene)) setMeasure(frame, p);
+  if (scene::needsCurvature(*frame.scene) || scene::needsEdge(*frame.scene)) setMeasure(frame, p);
   setOverlays(frame, p);
   return p;
 }

@@ -32,6 +32,7 @@ PassList makePasses() {
       GradientPass,    // world gradient at the surface point
       HessianPass,     // the same with the world Hessian
       CurvaturePass,   // principal curvatures, first direction, confidence
+      EdgePass,        // how far the edge of the object lies from it
       RangesPass,      // the surface's curvature as a whole
       ShadowPass,      // a second ray to the key light
       FlowFieldPass,   // direction on screen and noise on the surface

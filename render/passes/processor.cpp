@@ -4,6 +4,7 @@
 #include <span>
 #include <type_traits>
 
+#include "render/constants.h"
 #include "render/passes/frame_state.h"
 #include "scene/rules/needs.h"
 #include "volume/cast/surface_caster.h"
@@ -147,6 +148,24 @@ void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field) 
     upload(target.images[i], target.drawn, own[i].texels);
     own[i].area = stopped ? changed : area;
   }
+  if (!stopped) target.drawn = area;
+}
+
+void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,
+                      const volume::EdgeSearch<float>& search) {
+  HostImages& images = frame.host.at(frame.layer);
+  const volume::PictureArea& area = images.crossings.area;
+  volume::PictureArea changed = area;
+  images.edges.resize(images.crossings.points.size(), {kNoEdge, 0.0f});
+  if (images.edgesArea.size() == area.size()) changed.add(images.edgesArea);
+  const GpuVolume& volume = *frame.volume;
+  volume::surfaceEdges(volume.grid(), volume.scaled(field), volume.coefficients(field.field), search,
+                       images.crossings.points, changed, images.edges, kNoEdge,
+                       volume::TracerTarget::automatic, frame.request.stop);
+  const bool stopped = frame.request.stop.stop_requested();
+  target.drawn.add(area);
+  upload(target.images[0], target.drawn, images.edges);
+  images.edgesArea = stopped ? changed : area;
   if (!stopped) target.drawn = area;
 }
 

@@ -19,6 +19,7 @@
 #include "scene/machine.h"
 #include "scene/scene.h"
 #include "volume/cast/surface_caster.h"
+#include "volume/edge/edge_walk.h"
 
 namespace isolux::render {
 
@@ -43,6 +44,9 @@ struct HostImages {
   Derivatives gradient;    // of normals, where no Hessian comes with it
   Derivatives hessian[3];  // gradient; diagonal and mixed
   volume::ShadowImage shadow;
+  // Offsets and strengths of edges; beyond the area none and 0.
+  std::vector<glm::vec2> edges;
+  volume::PictureArea edgesArea;
 };
 
 // Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them.
@@ -50,6 +54,10 @@ void castOnProcessor(FrameState& frame);
 // Derivatives at the points of frame.layer, uploaded to the images of `target`: gradient; with three,
 // diagonal and mixed of the Hessian too.
 void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field);
+
+// Where the edge of the object is at those points.
+void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,
+                      const volume::EdgeSearch<float>& search);
 
 // Whether the key light reaches those points. opaque: a bit for each surface that stops it.
 void shadowOnProcessor(FrameState& frame, Target& target, int opaque);

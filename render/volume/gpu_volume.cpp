@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "volume/edge/surface_edges.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::render {
@@ -243,6 +244,15 @@ volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, do
   if (const volume::ScaledField* const atScale = scaled(of))
     return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, *atScale);
   return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field));
+}
+
+volume::Quantiles GpuVolume::edgeOffsets(const FieldAt& of, const volume::EdgeSearch<double>& search,
+                                         double value) const {
+  if (!hasCells()) return {};
+  const volume::EdgeFinder finder(grid(), {of.field, coefficients(of.field), scaled(of)}, search);
+  const volume::EdgeStatistics edges =
+      volume::edgeStatistics(finder, volume::visiblePoints(grid(), *volume_->blocks, value));
+  return {edges.low.value_or(0.0), edges.median.value_or(0.0), edges.high.value_or(0.0)};
 }
 
 std::size_t GpuVolume::bytes() const {

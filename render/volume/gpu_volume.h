@@ -14,6 +14,7 @@
 #include "render/volume/volume_texture.h"
 #include "scene/machine.h"
 #include "scene/scene.h"
+#include "volume/edge/edge_walk.h"
 #include "volume/field/scaled_field.h"
 #include "volume/prepared_volume.h"
 #include "volume/skip/box_bounds.h"
@@ -64,6 +65,10 @@ class GpuVolume {
   glm::dvec3 noiseBlur() const;  // scene::NoiseModel; estimated where nobody has asked for it yet
   // How the surface of `value` (data units) is curved by these derivatives. All 0 where there is none.
   volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward);
+
+  // How far edges lie from the surface of `value`: offsets of points that can be seen, mm.
+  volume::Quantiles edgeOffsets(const FieldAt& of, const volume::EdgeSearch<double>& search,
+                                double value) const;
 
   // False: no cell of this field can hold a surface of one of `values` (data units).
   bool mayCross(scene::Field field, const std::vector<double>& values) const;

@@ -74,6 +74,14 @@ bool needsCurvature(const Scene& scene) {
          showsFlow(scene);
 }
 
+bool needsEdge(const Scene& scene) {
+  return lookInfo(scene.look.mode).readsEdge;
+}
+
+bool needsSecondDerivatives(const Scene& scene) {
+  return needsCurvature(scene) || needsEdge(scene);
+}
+
 double derivativesScale(const Scene& scene) {
   return scene.derivatives.field == Field::trilinear ? 0.0 : scene.derivatives.scale.value_or(0.0);
 }

@@ -36,6 +36,9 @@ bool mayRefineHits(const Scene& scene);
 
 bool needsGradient(const Scene& scene);
 bool needsCurvature(const Scene& scene);
+bool needsEdge(const Scene& scene);  // how far the object's edge lies from the surface
+// Derivatives at derivatives.scale, and the noise they are judged by.
+bool needsSecondDerivatives(const Scene& scene);
 
 // Scales, mm, of the derivatives that curvature comes from and of those that normals are made of
 // (derivatives.scale, derivatives.normal_scale). 0: none, by the setting, because the field has none, or

@@ -11,6 +11,7 @@
 
 #include "volume/cast/cell_bits_on_demand.h"
 #include "volume/cast/surface_caster.h"
+#include "volume/edge/edge_walk.h"
 
 namespace isolux::volume::casting {
 
@@ -67,6 +68,20 @@ struct DerivativesTarget {
   glm::vec4 *gradient, *diagonal, *mixed;
 };
 
+struct EdgeView {
+  DerivativesView field;  // its spline, or the field at a scale
+  EdgeSearch<float> search;
+  bool gaps = false;  // some voxel is missing
+};
+
+// Offset (mm; `none` where there is no edge) and strength at each point.
+struct EdgeTarget {
+  const glm::vec4* points;
+  std::size_t count;
+  glm::vec2* edges;
+  float none;
+};
+
 struct CastKernels {
   const char* name;
   void (*cast)(const CastView& view, const PictureRays& rays, const StartDepths& depths,
@@ -75,6 +90,7 @@ struct CastKernels {
                      const CastTarget& target);
   void (*shadows)(const CastView& view, const ShadowRays& shadow, const ShadowTarget& target);
   void (*derivatives)(const DerivativesView& view, const DerivativesTarget& target);
+  void (*edges)(const EdgeView& view, const EdgeTarget& target);
 };
 
 // Those of `target`; automatic: the widest of this machine. Null where they are not compiled or the machine

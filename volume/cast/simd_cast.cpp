@@ -10,6 +10,7 @@
 
 #include "volume/cast/crossing_finders-inl.h"
 #include "volume/cast/derivatives_at-inl.h"
+#include "volume/cast/edges-inl.h"
 #include "volume/cast/scaled_derivatives-inl.h"
 #include "volume/cast/shadows-inl.h"
 
@@ -218,6 +219,10 @@ void derivatives(const DerivativesView& view, const casting::DerivativesTarget& 
       view.samples);
 }
 
+void edges(const casting::EdgeView& view, const casting::EdgeTarget& target) {
+  std::visit([&](const auto* samples) { edgesOf(view, samples, target); }, view.field.samples);
+}
+
 #endif
 }  // namespace HWY_NAMESPACE
 }  // namespace isolux::volume::tracing
@@ -230,11 +235,15 @@ namespace isolux::volume::casting {
 const CastKernels* castKernels(TracerTarget target) {
   const std::int64_t supported = hwy::SupportedTargets();
   const auto wanted = [&](TracerTarget one) { return target == one || target == TracerTarget::automatic; };
-#define ISOLUX_KERNELS(space, highway, one, name)                                                \
-  if ((supported & (highway)) && wanted(one)) {                                                  \
-    static constexpr CastKernels kernels{name, tracing::space::cast, tracing::space::castBehind, \
-                                         tracing::space::shadows, tracing::space::derivatives};  \
-    return &kernels;                                                                             \
+#define ISOLUX_KERNELS(space, highway, one, name)                     \
+  if ((supported & (highway)) && wanted(one)) {                       \
+    static constexpr CastKernels kernels{name,                        \
+                                         tracing::space::cast,        \
+                                         tracing::space::castBehind,  \
+                                         tracing::space::shadows,     \
+                                         tracing::space::derivatives, \
+                                         tracing::space::edges};      \
+    return &kernels;                                                  \
   }
 #if HWY_TARGETS & HWY_AVX3
   ISOLUX_KERNELS(N_AVX3, HWY_AVX3, TracerTarget::avx512, "AVX-512")

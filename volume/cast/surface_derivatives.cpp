@@ -23,27 +23,33 @@ casting::DerivativesView viewOf(const Grid& grid) {
   return view;
 }
 
+// deriveRow(first point of a row's part, points) for all of the area.
+template <class DeriveRow>
+void deriveRows(const PictureArea& area, const std::stop_token& stop, const DeriveRow& deriveRow) {
+  const auto width = static_cast<std::size_t>(area.size().x);
+  const std::vector<Rectangle> parts = area.rectangles();
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    constexpr int grain = 8;  // rows
+    tbb::parallel_for(
+        tbb::blocked_range<int>(parts[i].low.y, parts[i].low.y + parts[i].size.y, grain),
+        [&](const auto& rows) {
+          for (int row = rows.begin(); row < rows.end() && !stop.stop_requested(); ++row)
+            deriveRow(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(parts[i].low.x),
+                      static_cast<std::size_t>(parts[i].size.x));
+        });
+  });
+}
+
 void derive(const casting::DerivativesView& view, std::span<const glm::vec4> points, const PictureArea& area,
             const DerivativeImages& images, TracerTarget wanted, const std::stop_token& stop) {
   const casting::CastKernels* const kernels = casting::castKernels(wanted);
   assert(kernels && images.gradient.size() == points.size());
   assert(points.size() == static_cast<std::size_t>(area.size().x) * static_cast<std::size_t>(area.size().y));
   assert(images.diagonal.size() == images.mixed.size());
-  const auto width = static_cast<std::size_t>(area.size().x);
-  const auto deriveRow = [&](const Rectangle& part, int row) {
-    const std::size_t first = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(part.low.x);
+  deriveRows(area, stop, [&](std::size_t first, std::size_t count) {
     const auto of = [&](std::span<glm::vec4> image) { return image.empty() ? nullptr : &image[first]; };
-    kernels->derivatives(view, {&points[first], static_cast<std::size_t>(part.size.x), of(images.gradient),
-                                of(images.diagonal), of(images.mixed)});
-  };
-  const std::vector<Rectangle> parts = area.rectangles();
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-    constexpr int grain = 8;  // rows
-    tbb::parallel_for(tbb::blocked_range<int>(parts[i].low.y, parts[i].low.y + parts[i].size.y, grain),
-                      [&](const auto& rows) {
-                        for (int row = rows.begin(); row < rows.end() && !stop.stop_requested(); ++row)
-                          deriveRow(parts[i], row);
-                      });
+    kernels->derivatives(view,
+                         {&points[first], count, of(images.gradient), of(images.diagonal), of(images.mixed)});
   });
 }
 
@@ -64,6 +70,19 @@ void surfaceDerivatives(const Grid& grid, const ScaledField& scaled, std::span<c
   casting::DerivativesView view = viewOf(grid);
   view.scaled = scaled.coefficients.values.data();
   derive(view, points, area, images, wanted, stop);
+}
+
+void surfaceEdges(const Grid& grid, const ScaledField* scaled, const Coefficients* coefficients,
+                  const EdgeSearch<float>& search, std::span<const glm::vec4> points, const PictureArea& area,
+                  std::span<glm::vec2> edges, float none, TracerTarget wanted, const std::stop_token& stop) {
+  const casting::CastKernels* const kernels = casting::castKernels(wanted);
+  assert(kernels && edges.size() == points.size());
+  casting::EdgeView view{viewOf(grid), search, grid.missingCount() > 0};
+  if (scaled) view.field.scaled = scaled->coefficients.values.data();
+  if (coefficients) view.field.spline = coefficients->values.data();
+  deriveRows(area, stop, [&](std::size_t first, std::size_t count) {
+    kernels->edges(view, {&points[first], count, &edges[first], none});
+  });
 }
 
 }  // namespace isolux::volume

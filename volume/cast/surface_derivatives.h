@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include "volume/cast/picture_area.h"
+#include "volume/edge/edge_walk.h"
 #include "volume/field/scaled_field.h"
 #include "volume/grid.h"
 #include "volume/tracer/isosurface_tracer.h"
@@ -40,5 +41,13 @@ void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients
 void surfaceDerivatives(const Grid& grid, const ScaledField& scaled, std::span<const glm::vec4> points,
                         const PictureArea& area, const DerivativeImages& images,
                         TracerTarget wanted = TracerTarget::automatic, const std::stop_token& stop = {});
+
+// Where the edge of the object is (volume/edge/edge_walk.h): offset, mm, and strength at each point, `none`
+// and 0 where there is neither; of the field at a scale, or, null, of the spline of `coefficients`, or of the
+// samples.
+void surfaceEdges(const Grid& grid, const ScaledField* scaled, const Coefficients* coefficients,
+                  const EdgeSearch<float>& search, std::span<const glm::vec4> points, const PictureArea& area,
+                  std::span<glm::vec2> edges, float none, TracerTarget wanted = TracerTarget::automatic,
+                  const std::stop_token& stop = {});
 
 }  // namespace isolux::volume

@@ -26,7 +26,7 @@ constexpr std::size_t kKeptScales = 2;
 // The scales that derivatives of the scene are read at, mm; 0 is none.
 std::vector<double> scalesOf(const scene::Scene& scene) {
   std::vector<double> scales;
-  if (scene::needsCurvature(scene)) scales.push_back(scene.derivatives.scale.value_or(0.0));
+  if (scene::needsSecondDerivatives(scene)) scales.push_back(scene.derivatives.scale.value_or(0.0));
   if (scene::needsGradient(scene)) scales.push_back(scene.derivatives.normalScale.value_or(0.0));
   return scales;
 }

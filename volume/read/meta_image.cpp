@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
+#include "volume/read/length_doubt.h"
 
 namespace isolux::volume {
 
@@ -135,7 +136,7 @@ void readGeometry(const Fields& fields, std::size_t axes, const std::string& fil
     const auto values = fields.reals(*spacingField, axes);
     for (std::size_t a = 0; a < spatial; ++a) spacing[static_cast<int>(a)] = values[a];
   } else {
-    header.warnings.push_back("ElementSpacing is missing; 1 mm assumed");
+    header.warnings.push_back("ElementSpacing is missing; " + std::string(kSpacingAssumed));
   }
   if (const Field* field = fields.find({"offset", "position", "origin"})) {
     const auto values = fields.reals(*field, axes);

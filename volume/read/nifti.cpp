@@ -12,6 +12,7 @@
 #include "volume/read/input/payload.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
+#include "volume/read/length_doubt.h"
 
 namespace isolux::volume {
 
@@ -253,7 +254,8 @@ void readGeometry(const Fields& fields, ImageHeader& header) {
       sizes[axis] = size;
     else if (fields.sformCode <= 0)
       header.warnings.push_back("pixdim[" + std::to_string(axis + 1) + "] is " +
-                                base::shortText(fields.pixdim[axis + 1]) + "; 1 mm assumed");
+                                base::shortText(fields.pixdim[axis + 1]) + "; " +
+                                std::string(kSpacingAssumed));
   }
   // x and y change sign from RAS to LPS; the fourth row stays.
   const auto lps = [mm](const glm::dmat4& ras) {

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
+#include "volume/read/length_doubt.h"
 
 namespace isolux::volume {
 
@@ -343,7 +344,7 @@ void Header::readGeometry(ImageHeader& header) const {
     }
   }
   if (known < static_cast<int>(spatial_.size()))
-    header.warnings.push_back("the spacing is missing; 1 mm assumed");
+    header.warnings.push_back("the spacing is missing; " + std::string(kSpacingAssumed));
   if (spatial_.size() == 2 && axes_[spatial_[0]].direction) {  // one slice: any thickness along its normal
     const glm::dvec3 a = directions[0], b = directions[1];
     directions[2] = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

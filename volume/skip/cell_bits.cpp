@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+
+#include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {
 
@@ -25,27 +26,10 @@ struct Sides {
   Sides operator|(Sides other) const { return {below | other.below, above | other.above}; }
 };
 
-// Vectors of the compiler: what is compared is -1 in all bits where it is true.
-using Floats = float __attribute__((vector_size(16)));
-using Flags = std::int32_t __attribute__((vector_size(16)));
-
-unsigned anyLane(Flags flags) {
-  std::uint64_t halves[2];
-  std::memcpy(halves, &flags, sizeof halves);
-  const std::uint64_t both = halves[0] | halves[1];
-  return static_cast<unsigned>(both | both >> 32);
-}
-
 template <class T>
 Sides sidesOf(const T* row, Band band) {
-  const auto four = [&](int x) {
-    return Floats{static_cast<float>(row[x]), static_cast<float>(row[x + 1]), static_cast<float>(row[x + 2]),
-                  static_cast<float>(row[x + 3])};
-  };
-  const Floats near = four(0), far = four(4);
-  const Flags nearBits = {1, 2, 4, 8}, farBits = {16, 32, 64, 128};
-  Sides sides{anyLane(((near <= band.high) & nearBits) | ((far <= band.high) & farBits)),
-              anyLane(((near >= band.low) & nearBits) | ((far >= band.low) & farBits))};
+  const FourFloats near = fourOf(row), far = fourOf(row + 4);
+  Sides sides{eightBits(near <= band.high, far <= band.high), eightBits(near >= band.low, far >= band.low)};
   const auto last = static_cast<float>(row[kCells]);
   sides.below |= static_cast<unsigned>(last <= band.high) << kCells;
   sides.above |= static_cast<unsigned>(last >= band.low) << kCells;

@@ -32,7 +32,16 @@ vec3 mapped2d(vec2 t) {
 
 float curvednessOf(vec2 kappa) { return sqrt(0.5) * length(kappa); }
 
-#ifdef MEASURE_SQUARE
+#ifdef EDGE
+uniform sampler2D uEdge;  // offset of the edge, mm; its strength
+
+const float noEdge = 1e30;  // render/constants.h holds the same number
+
+vec3 edgeColor(ivec2 pixel) {
+  float offset = texelFetch(uEdge, pixel, 0).r;
+  return offset < noEdge ? mapped(inRange(offset)) : unknownColor;
+}
+#elif defined(MEASURE_SQUARE)
 vec3 measureColor(vec4 kappa, float noise) {
   return mix(unknownColor, mapped2d(vec2(inRange(kappa.x), inRange(kappa.y))), kappa.w);
 }

@@ -1,7 +1,8 @@
 // The look, in linear colour: base colour x light, lines over it, fog over all.
 //
 // LOOK, SHADING, TEXTURE, and the LOOK_..., SHADING_... and TEXTURE_... they are compared with: from the names of the
-// settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound. SHADOW,
+// settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound; EDGE: offsets of
+// edges, which colours stand for. SHADOW,
 // FLOW, FOG, ACCESSIBILITY, LINES: what is laid over. docs/looks.md has the formulas and sources.
 #include "common.glsl"
 #if LOOK == LOOK_DEPTH
@@ -9,7 +10,7 @@
 #endif
 #include "surface.glsl"
 #include "background.glsl"
-#ifdef CURVATURE
+#if defined(CURVATURE) || defined(EDGE)
 #include "measures.glsl"
 #endif
 #include "lighting.glsl"
@@ -62,7 +63,9 @@ float hollowness(vec4 kappa, float side) {
 
 vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
   vec3 base = albedo;
-#if defined(MEASURE) || defined(MEASURE_SQUARE)
+#ifdef EDGE
+  base = edgeColor(pixel);
+#elif defined(MEASURE) || defined(MEASURE_SQUARE)
   base = measureColor(kappa, texelFetch(uDirection, pixel, 0).w);
 #else
 #if LOOK == LOOK_ACCESSIBILITY

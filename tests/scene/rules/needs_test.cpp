@@ -30,15 +30,17 @@ using Names = std::set<std::string>;
 
 TEST(Needs, OfEachLook) {
   const Names measures = {"kappa1",      "kappa2",     "mean_curvature", "gaussian_curvature",
-                          "shape_index", "curvedness", "curvature_2d"};
+                          "shape_index", "curvedness", "curvature_2d",   "edge_offset"};
   EXPECT_EQ(looksWith([](const scene::Scene& s) { return scene::isMeasure(s.look.mode); }), measures);
   EXPECT_EQ(looksWith(scene::showsLegend), measures);
   Names coloured = measures;
   coloured.insert({"accessibility", "flow"});
   EXPECT_EQ(looksWith([](const scene::Scene& s) { return scene::isColored(s.look.mode); }), coloured);
   Names curved = coloured;
+  curved.erase("edge_offset");
   curved.insert("tone");  // its outlines
   EXPECT_EQ(looksWith(scene::needsCurvature), curved);
+  EXPECT_EQ(looksWith(scene::needsEdge), Names{"edge_offset"});
   EXPECT_EQ(looksWith(scene::isPlain), (Names{"normal", "depth"}));
   EXPECT_EQ(looksWith(scene::showsFlow), Names{"flow"});
   EXPECT_EQ(looksWith(scene::usesGi), Names{"gi"});

@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "base/quantiles.h"
 #include "volume/read/input/image_header.h"
+#include "volume/read/length_doubt.h"
 
 namespace isolux::volume {
 
@@ -156,9 +157,9 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
       stack.resampled.push_back({source, std::clamp(fraction, 0.0, 1.0)});
     }
     stack.warnings.push_back("slice distances are uneven (" + fourDigits(*least) + " to " +
-                             fourDigits(*most) + " mm): resampled linearly from " + std::to_string(count) +
-                             " onto " + std::to_string(slices) + " slices every " + fourDigits(distance) +
-                             " mm");
+                             fourDigits(*most) + " mm): " + std::string(kSlicesResampled) + " from " +
+                             std::to_string(count) + " onto " + std::to_string(slices) + " slices every " +
+                             fourDigits(distance) + " mm");
     if (const std::string gapsText = wideGapsText(gaps, median); !gapsText.empty())
       stack.warnings.push_back(gapsText);
   } else if (uneven > silentUnevenness * median) {

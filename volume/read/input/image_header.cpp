@@ -1,4 +1,5 @@
 #include "volume/read/input/image_header.h"
+#include "volume/read/length_doubt.h"
 
 #include <cmath>
 
@@ -62,7 +63,8 @@ glm::dmat4 checkedGeometry(glm::dmat3 directions, glm::dvec3 spacingMm, glm::dve
     double& spacing = spacingMm[axis];
     const std::string name(1, "xyz"[axis]);
     if (!std::isfinite(spacing) || spacing == 0.0) {
-      warnings.push_back("spacing along " + name + " is " + base::shortText(spacing) + "; 1 mm assumed");
+      warnings.push_back("spacing along " + name + " is " + base::shortText(spacing) + "; " +
+                         std::string(kSpacingAssumed));
       spacing = 1.0;
     } else if (std::abs(spacing) < 1e-9 || std::abs(spacing) > 1e9) {
       throwInput(file, "spacing",

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
+#include "volume/read/length_doubt.h"
 
 namespace isolux::volume {
 
@@ -200,7 +201,7 @@ ImageHeader Parser::parse() {
   readStructure();
 
   glm::dvec3 origin = origin_;
-  if (!hasSpacing_) header_.warnings.push_back("SPACING is missing; 1 mm assumed");
+  if (!hasSpacing_) header_.warnings.push_back("SPACING is missing; " + std::string(kSpacingAssumed));
   header_.worldFromVoxel = checkedGeometry(glm::dmat3(1.0), spacing_, origin, file_, header_.warnings);
   if (cells_) {  // a value per cell: the samples are the centres of the cells
     header_.warnings.push_back(

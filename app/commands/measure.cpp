@@ -1,0 +1,196 @@
+// isolux measure PATH: area and volume of the isosurface, distances, angles, circles and thicknesses, each
+// with its error.
+#include <iostream>
+
+#include <glm/common.hpp>
+
+#include "app/commands/command.h"
+#include "app/commands/measure_points.h"
+#include "app/commands/measure_report.h"
+#include "app/commands/piece_report.h"
+#include "app/commands/progress_bar.h"
+#include "app/files/number_rows.h"
+#include "base/error.h"
+#include "base/number_text.h"
+#include "scene/rules/automatic.h"
+#include "volume/measure/piece_measure.h"
+#include "volume/measure/surface_measure.h"
+#include "volume/pieces/shown_pieces.h"
+#include "volume/read/length_doubt.h"
+
+namespace isolux::app {
+
+namespace {
+
+using base::Error;
+using base::ErrorKind;
+using nlohmann::ordered_json;
+using volume::PreparedVolume;
+using volume::SurfaceOf;
+
+struct MeasureOptions {
+  std::string path, box;
+  std::vector<std::string> distances, angles, circles, thicknesses;
+  bool json = false, closed = false, anyway = false;
+};
+
+std::optional<volume::WorldBox> boxOf(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto corners = parsePoints(text, "--box", 2, 2);
+  const volume::WorldBox box{glm::min(corners[0], corners[1]), glm::max(corners[0], corners[1])};
+  const glm::dvec3 size = box.highMm - box.lowMm;
+  if (!(size.x > 0.0 && size.y > 0.0 && size.z > 0.0))
+    throw Error(ErrorKind::usage, "", "--box", "is empty: " + text);
+  return box;
+}
+
+std::string openReason(const volume::SurfaceMeasure& surface) {
+  if (surface.meetsBorder) return "the inside goes on beyond the volume's border";
+  return "the inside goes on where voxels are missing";
+}
+
+void refuseWhatIsNoSurface(const MeasureOptions& options, const MeasuredSurface& measured,
+                           const volume::SurfaceMeasure& surface) {
+  const std::string at = "isovalue " + base::shortText(measured.surface.isovalue);
+  if (surface.cells == 0 && options.box.empty())
+    base::throwInput(measured.file, at,
+                     "there is no surface; values reach from " +
+                         base::shortText(measured.prepared.grid().minimum()) + " to " +
+                         base::shortText(measured.prepared.grid().maximum()));
+  if (options.closed && surface.open())
+    base::throwInput(measured.file, at, "the surface is open: " + openReason(surface));
+}
+
+ordered_json surfaceJson(const volume::SurfaceMeasure& surface) {
+  ordered_json json;
+  json["area_mm2"] = measuredJson(surface.areaMm2, surface.areaParts);
+  json["volume_mm3"] = measuredJson(surface.volumeMm3, surface.volumeParts);
+  json["volume_per_value_mm3"] = surface.volumePerValue;
+  json["cells"] = surface.cells;
+  json["open"] = surface.open();
+  if (surface.open()) json["open_reason"] = openReason(surface);
+  return json;
+}
+
+struct SizedSurface {
+  volume::SurfaceMeasure whole;
+  ordered_json pieces = ordered_json::array();  // those that are shown, not within a box
+};
+
+SizedSurface sizedSurface(const MeasureOptions& options, const scene::Scene& scene,
+                          const MeasuredSurface& measured, base::Progress& progress) {
+  const PreparedVolume& prepared = measured.prepared;
+  const SurfaceOf& of = measured.surface;
+  const volume::SurfaceQuestion question{of.isovalue, of.inside, boxOf(options.box), of.noise, {}};
+  SizedSurface sized;
+  if (question.box) {
+    sized.whole = measureSurface(prepared.grid(), *prepared.blocks, question, progress);
+    return sized;
+  }
+  const auto pieces = prepared.pieces->at(of.isovalue, of.inside, progress);
+  std::vector<bool> shown;
+  if (volume::hidesPieces(scene.pieces)) shown = volume::shownPieces(*pieces, scene.pieces);
+  const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
+  sized.whole = measures.whole;
+  for (std::size_t id = 0; id < measures.pieces.size(); ++id) {
+    if (!shown.empty() && !shown[id]) continue;
+    sized.pieces.push_back(pieceJson(id, measures.pieces[id]));
+  }
+  return sized;
+}
+
+// The isosurface of the scene as a whole or in the box, then what was asked about points.
+ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, const PreparedVolume& prepared,
+                     base::Progress& progress) {
+  const double isovalue = scene.isosurface.value.value_or(prepared.facts.suggestedIsovalue);
+  const auto doubt = volume::lengthDoubt(prepared.volume.warnings);
+  if (doubt && !options.anyway)
+    base::throwInput(scene.source.path, "",
+                     "lengths are doubtful: " + *doubt + "; --anyway measures all the same");
+  MeasuredSurface measured{
+      scene.source.path,
+      prepared,
+      {prepared.grid(), isovalue, scene.isosurface.inside, noiseOf(prepared, scene, progress)}};
+  const SizedSurface sized = sizedSurface(options, scene, measured, progress);
+  const volume::SurfaceMeasure& surface = sized.whole;
+  refuseWhatIsNoSurface(options, measured, surface);
+  ordered_json json{{"isovalue", isovalue},
+                    {"unit", prepared.volume.unit},
+                    {"inside", scene.isosurface.inside == scene::Inside::above ? "above" : "below"},
+                    {"noise", measured.surface.noise.at(isovalue)}};
+  if (doubt) json["doubt"] = *doubt;
+  json.update(surfaceJson(surface));
+  if (options.box.empty()) json["pieces"] = sized.pieces;
+  for (const std::string& text : options.distances)
+    json["distances"].push_back(distanceJson(measured, text, progress));
+  for (const std::string& text : options.angles) json["angles"].push_back(angleJson(measured, text));
+  for (const std::string& text : options.circles) json["circles"].push_back(circleJson(measured, text));
+  for (const std::string& text : options.thicknesses)
+    json["thicknesses"].push_back(thicknessJson(measured, text, progress));
+  return json;
+}
+
+void checkPoints(const MeasureOptions& options) {  // before the volume is read
+  for (const std::string& text : options.distances) parsePoints(text, "--distance", 2, 2);
+  for (const std::string& text : options.angles) parsePoints(text, "--angle", 3, 4);
+  for (const std::string& text : options.circles) parsePoints(text, "--circle", 3, 3);
+  for (const std::string& text : options.thicknesses) parsePoints(text, "--thickness", 1, 1);
+  boxOf(options.box);
+}
+
+void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
+  parser.add_option("PATH", options.path, "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
+  parser.add_flag("--json", options.json, "Print one JSON object instead of text (docs/commands.md)");
+  parser.add_option("--box", options.box, "Only within this box of the world, two corners in mm")
+      ->type_name("\"x,y,z x,y,z\"");
+  const auto points = [&parser](const char* name, std::vector<std::string>& into, const char* type,
+                                const char* help) {
+    parser.add_option(name, into, help)->type_name(type)->expected(1)->take_all();
+  };
+  points("--distance", options.distances, "\"P Q\"",
+         "Between two points, straight and along the surface; may be repeated");
+  points("--angle", options.angles, "\"A B C [D]\"",
+         "At B, or between the planes ABC and BCD; may be repeated");
+  points("--circle", options.circles, "\"A B C\"", "Through three points; may be repeated");
+  points(
+      "--thickness", options.thicknesses, "P",
+      "At a point of the surface: along the inward normal, and of the largest ball inside; may be repeated");
+  parser.add_flag("--closed", options.closed,
+                  "Refuse an open surface instead of measuring what the data hold");
+  parser.add_flag("--anyway", options.anyway,
+                  "Measure where spacing was assumed or slices were resampled, too");
+}
+
+}  // namespace
+
+Command makeMeasure(CLI::App& program) {
+  CLI::App* const parser = program.add_subcommand(
+      "measure", "Measure the isosurface: area, volume, distances, angles, thickness, with errors");
+  auto options = std::make_shared<MeasureOptions>();
+  addMeasureOptions(*parser, *options);
+  const auto sceneOptions = addSceneOptions(*parser);
+  addThreadsOption(*parser);
+  parser->footer(
+      "Points are x,y,z in world mm.\n\nExample:\n  isolux measure head.nii.gz --isovalue 300 --distance "
+      "\"0,-90,20 0,90,20\"");
+  return {parser, [options, sceneOptions](base::Progress& progress) {
+            requireSource(options->path, *sceneOptions);
+            checkPoints(*options);
+            const scene::Scene scene = sceneOf(options->path, *sceneOptions);
+            const auto prepared = loadWithProgressBar(scene.source, progress);
+            ordered_json json;
+            {
+              const ProgressBar bar(progress);
+              json = measure(*options, scene::resolve(scene, prepared->facts), *prepared, progress);
+            }
+            if (options->json)
+              std::cout << jsonText(json);
+            else
+              printMeasures(json, std::cout);
+            if (json["open"].get<bool>())
+              printNote("the surface is open: " + json["open_reason"].get<std::string>());
+            printWarnings(prepared->volume);
+          }};
+}
+
+}  // namespace isolux::app

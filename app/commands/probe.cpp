@@ -1,0 +1,197 @@
+// isolux probe PATH: what a volume says at points, and where rays first hit its isosurface.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include <glm/geometric.hpp>
+
+#include "app/commands/command.h"
+#include "app/commands/measure_report.h"
+#include "app/files/number_rows.h"
+#include "base/error.h"
+#include "base/number_text.h"
+#include "scene/rules/automatic.h"
+#include "volume/edge/surface_edges.h"
+#include "volume/hit/exact_hit.h"
+#include "volume/measure/point_probe.h"
+#include "volume/measure/surface_point.h"
+
+namespace isolux::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct ProbeOptions {
+  std::string path, points, rays;
+  bool json = false;
+};
+
+struct Probes {
+  const volume::PointProbe& points;
+  const volume::EdgeFinder& edges;
+};
+
+// What is unknown is null.
+void addPoint(ordered_json& json, const Probes& probes, glm::dvec3 world,
+              const std::optional<volume::ProbedPoint>& point) {
+  json["position_mm"] = vectorOf(world);
+  json["voxel"] = point ? vectorOf(point->voxel) : ordered_json();
+  json["value"] = point ? ordered_json(point->value) : ordered_json();
+  json["gradient"] = point ? vectorOf(point->gradient) : ordered_json();
+  const bool shaped = point && point->curvature.normal != glm::dvec3(0.0);
+  json["normal"] = shaped ? vectorOf(point->curvature.normal) : ordered_json();
+  json["kappa"] =
+      shaped ? ordered_json::array({point->curvature.kappa1, point->curvature.kappa2}) : ordered_json();
+  json["confidence"] = point ? ordered_json(point->confidence) : ordered_json();
+  json["scale_mm"] = point ? ordered_json(point->scaleMm) : ordered_json();
+  const volume::Edge edge = shaped ? probes.edges.at(point->voxel) : volume::Edge{};
+  json["edge_offset_mm"] = edge.offsetMm ? ordered_json(*edge.offsetMm) : ordered_json();
+  json["edge_strength"] = shaped ? ordered_json(edge.strength) : ordered_json();
+}
+
+// The first hit with the trilinear isosurface, and how far along the ray it may be wrong.
+ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::SurfaceOf& surface,
+                     const Probes& probes, glm::dvec3 origin, glm::dvec3 direction) {
+  const glm::dmat4 voxelFromWorld = prepared.grid().geometry().voxelFromWorld();
+  const auto hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue,
+                                    glm::dvec3(voxelFromWorld * glm::dvec4(origin, 1.0)),
+                                    glm::dvec3(voxelFromWorld * glm::dvec4(direction, 0.0)));
+  if (!hit) return nullptr;
+  const glm::dvec3 world = origin + direction * hit->t;
+  ordered_json json;
+  addPoint(json, probes, world, probes.points.at(world));
+  json["t_mm"] = hit->t;
+  json["entering"] = hit->entering == (surface.inside == scene::Inside::above);
+  const auto point = volume::surfacePoint(surface, world);
+  const double cosine = point ? std::abs(glm::dot(point->normal, direction)) : 0.0;
+  json["t_error_mm"] =
+      point && cosine > 0.0 ? ordered_json(volume::offsetError(*point) / cosine) : ordered_json();
+  json["offset_error_mm"] = point ? ordered_json(volume::offsetError(*point)) : ordered_json();
+  return json;
+}
+
+struct Probed {
+  ordered_json points = ordered_json::array(), rays = ordered_json::array();
+};
+
+Probed probed(const ProbeOptions& options, const scene::Scene& scene,
+              const std::shared_ptr<const volume::PreparedVolume>& prepared, base::Progress& progress) {
+  const auto points = options.points.empty() ? std::vector<NumberRow>{} : readNumberRows(options.points, 3);
+  const auto rays = options.rays.empty() ? std::vector<NumberRow>{} : readNumberRows(options.rays, 6);
+  const volume::PointProbe probe(prepared, scene, progress);
+  const volume::SurfaceEdges edges(prepared, scene, progress);
+  const Probes probes{probe, edges.finder()};
+  Probed result;
+  std::size_t outside = 0, missed = 0, firstOutside = 0, firstMissed = 0;
+  for (const NumberRow& row : points) {
+    const glm::dvec3 world(row.numbers[0], row.numbers[1], row.numbers[2]);
+    const auto point = probe.at(world);
+    if (!point && outside++ == 0) firstOutside = row.line;
+    addPoint(result.points.emplace_back(ordered_json::object()), probes, world, point);
+  }
+  const double isovalue = scene.isosurface.value.value_or(0.0);
+  const volume::SurfaceOf surface{prepared->grid(),
+                                  isovalue,
+                                  scene.isosurface.inside,
+                                  {{isovalue}, {scene.derivatives.noise.value_or(0.0)}, glm::dvec3(0.0)}};
+  for (const NumberRow& row : rays) {
+    const glm::dvec3 origin(row.numbers[0], row.numbers[1], row.numbers[2]);
+    const glm::dvec3 direction(row.numbers[3], row.numbers[4], row.numbers[5]);
+    if (!(glm::length(direction) > 0.0))
+      base::throwInput(options.rays, "line " + std::to_string(row.line), "a ray needs a direction");
+    ordered_json hit = hitJson(*prepared, surface, probes, origin, glm::normalize(direction));
+    if (hit.is_null() && missed++ == 0) firstMissed = row.line;
+    result.rays.push_back(
+        {{"origin_mm", vectorOf(origin)}, {"direction", vectorOf(direction)}, {"hit", hit}});
+  }
+  if (outside > 0)
+    printNote(std::to_string(outside) + " of " + std::to_string(points.size()) +
+              " points lie outside the volume or beside missing voxels, the first in line " +
+              std::to_string(firstOutside));
+  if (missed > 0)
+    printNote(std::to_string(missed) + " of " + std::to_string(rays.size()) +
+              " rays hit nothing, the first in line " + std::to_string(firstMissed));
+  return result;
+}
+
+// Numbers of an object that is flat but for short arrays, in columns.
+void addColumns(const ordered_json& json, std::string& names, std::string& values) {
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) {
+      addColumns(value, names, values);
+      continue;
+    }
+    const std::size_t width = value.is_array()                                         ? value.size()
+                              : key == "kappa"                                         ? 2
+                              : key == "voxel" || key == "gradient" || key == "normal" ? 3
+                                                                                       : 1;
+    for (std::size_t i = 0; i < width; ++i) {
+      names += (names.empty() ? "" : ",") + key + (width > 1 ? "_" + std::to_string(i + 1) : "");
+      const ordered_json& one = value.is_array() ? value[i] : value;
+      values += (values.empty() ? "" : ",");
+      if (one.is_number()) values += base::shortestText(one.get<double>());
+      if (one.is_boolean()) values += one.get<bool>() ? "1" : "0";
+    }
+  }
+}
+
+// Rows without a hit have fewer columns than the others.
+void printTable(const ordered_json& rows) {
+  std::string header;
+  std::vector<std::string> lines;
+  for (const ordered_json& row : rows) {
+    std::string names;
+    addColumns(row, names, lines.emplace_back());
+    if (names.size() > header.size()) header = names;
+  }
+  if (lines.empty()) return;
+  const auto columns = std::count(header.begin(), header.end(), ',');
+  std::cout << header << '\n';
+  for (const std::string& line : lines) {
+    const auto missing = columns - std::count(line.begin(), line.end(), ',');
+    std::cout << line << std::string(static_cast<std::size_t>(missing), ',') << '\n';
+  }
+}
+
+}  // namespace
+
+Command makeProbe(CLI::App& program) {
+  CLI::App* const parser = program.add_subcommand(
+      "probe", "Say what a volume holds at points of the world, and where rays hit its isosurface");
+  auto options = std::make_shared<ProbeOptions>();
+  parser->add_option("PATH", options->path,
+                     "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
+  parser->add_option("--points", options->points, "Rows of x,y,z: positions in world mm")
+      ->type_name("FILE.csv");
+  parser
+      ->add_option("--rays", options->rays,
+                   "Rows of x,y,z,dx,dy,dz: origin in world mm and direction; gives the first hit")
+      ->type_name("FILE.csv");
+  parser->add_flag("--json", options->json, "Print JSON instead of a table (docs/commands.md)");
+  const auto sceneOptions = addSceneOptions(*parser);
+  addThreadsOption(*parser);
+  parser->footer("Example:\n  isolux probe head.nii.gz --points points.csv --json");
+  return {parser, [options, sceneOptions](base::Progress& progress) {
+            requireSource(options->path, *sceneOptions);
+            if (options->points.empty() && options->rays.empty())
+              throw base::Error(base::ErrorKind::usage, "", "--points", "or --rays is required");
+            scene::Scene scene = sceneOf(options->path, *sceneOptions);
+            const auto prepared = loadWithProgressBar(scene.source, progress);
+            scene = scene::resolve(scene, prepared->facts);
+            prepared->derivativeChoices->complete(scene, progress);
+            const Probed result = probed(*options, scene, prepared, progress);
+            const bool both = !options->points.empty() && !options->rays.empty();
+            if (options->json)
+              std::cout << jsonText(both ? ordered_json{{"points", result.points}, {"rays", result.rays}}
+                                    : options->rays.empty() ? result.points
+                                                            : result.rays);
+            else {
+              printTable(result.points);
+              printTable(result.rays);
+            }
+            printWarnings(prepared->volume);
+          }};
+}
+
+}  // namespace isolux::app
