@@ -1,0 +1,54 @@
+#include "volume/pieces/piece_sets.h"
+
+#include <algorithm>
+
+#include "volume/pieces/shown_pieces.h"
+
+namespace isolux::volume {
+
+namespace {
+
+template <class T>
+void keep(std::vector<T>& kept, T value, std::size_t most) {
+  if (kept.size() >= most) kept.erase(kept.begin());
+  kept.push_back(std::move(value));
+}
+
+}  // namespace
+
+std::shared_ptr<const Pieces> PieceSets::find(double isovalue, scene::Inside inside) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = std::find_if(pieces_.begin(), pieces_.end(), [&](const auto& pieces) {
+    return pieces->isovalue() == isovalue && pieces->inside() == inside;
+  });
+  if (found == pieces_.end()) return nullptr;
+  std::rotate(found, found + 1, pieces_.end());
+  return pieces_.back();
+}
+
+std::shared_ptr<const Pieces> PieceSets::at(double isovalue, scene::Inside inside,
+                                            base::Progress& progress) const {
+  if (auto found = find(isovalue, inside)) return found;
+  auto pieces = std::make_shared<const Pieces>(grid_, *blocks_, isovalue, inside, progress);
+  const std::lock_guard lock(mutex_);
+  keep(pieces_, std::shared_ptr<const Pieces>(pieces), kMostKept);
+  return pieces;
+}
+
+std::shared_ptr<const HiddenVoxels> PieceSets::hidden(const scene::Pieces& choice, double isovalue,
+                                                      scene::Inside inside, base::Progress& progress) const {
+  if (!hidesPieces(choice)) return nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const Hidden& kept : hidden_)
+      if (kept.choice == choice && kept.isovalue == isovalue && kept.inside == inside) return kept.voxels;
+  }
+  const auto pieces = at(isovalue, inside, progress);
+  auto voxels = std::make_shared<const HiddenVoxels>(hiddenVoxels(*pieces, shownPieces(*pieces, choice)));
+  if (!voxels->any()) voxels = nullptr;
+  const std::lock_guard lock(mutex_);
+  keep(hidden_, {choice, isovalue, inside, voxels}, kMostKept);
+  return voxels;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,50 @@
+// The pieces of a volume at the isovalues that somebody asked for last, and the voxels that a choice of
+// pieces hides there: made when first asked, kept for a while.
+//
+// All members may be called from any thread; nobody waits for another's work.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "base/progress.h"
+#include "scene/scene.h"
+#include "volume/pieces/hidden_voxels.h"
+#include "volume/pieces/pieces.h"
+#include "volume/skip/min_max_blocks.h"
+
+namespace isolux::volume {
+
+class PieceSets {
+ public:
+  PieceSets(std::shared_ptr<const Grid> grid, std::shared_ptr<const MinMaxBlocks> blocks)
+      : grid_(std::move(grid)), blocks_(std::move(blocks)) {}
+
+  // Null where nobody has asked for them, or long ago.
+  std::shared_ptr<const Pieces> find(double isovalue, scene::Inside inside) const;
+  // Throws Error: interrupted, memory.
+  std::shared_ptr<const Pieces> at(double isovalue, scene::Inside inside, base::Progress& progress) const;
+
+  // What a scene's choice of pieces hides of one of its isosurfaces; null where the choice hides nothing of
+  // it. Throws as at() does.
+  std::shared_ptr<const HiddenVoxels> hidden(const scene::Pieces& choice, double isovalue,
+                                             scene::Inside inside, base::Progress& progress) const;
+
+ private:
+  // Four isosurfaces, before and after a change.
+  static constexpr std::size_t kMostKept = 8;
+  struct Hidden {
+    scene::Pieces choice;
+    double isovalue;
+    scene::Inside inside;
+    std::shared_ptr<const HiddenVoxels> voxels;  // null: nothing is hidden
+  };
+  std::shared_ptr<const Grid> grid_;
+  std::shared_ptr<const MinMaxBlocks> blocks_;
+  mutable std::mutex mutex_;                                   // held for moments
+  mutable std::vector<std::shared_ptr<const Pieces>> pieces_;  // the latest last
+  mutable std::vector<Hidden> hidden_;
+};
+
+}  // namespace isolux::volume

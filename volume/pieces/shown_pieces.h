@@ -1,0 +1,23 @@
+// Which pieces of an isosurface are shown, and the voxels of those that are not.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scene/scene.h"
+#include "volume/pieces/hidden_voxels.h"
+#include "volume/pieces/pieces.h"
+
+namespace isolux::volume {
+
+// Whether the choice can hide anything: where not, nobody need know the pieces.
+bool hidesPieces(const scene::Pieces& choice);
+
+// Of each piece whether it is shown. All conditions hold at once; pieces.keep counts among all pieces, not
+// among those that the others leave. A point outside of all pieces names none.
+std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice);
+
+// The voxels of pieces that are not shown. Multithreaded.
+HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown);
+
+}  // namespace isolux::volume
