@@ -69,12 +69,16 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   }
   loadEnvironment(resolved.light.environment);
   const scene::GiChoice choice = scene::giChoiceOf(resolved);
-  if (choice.wanted &&
-      (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside)) {
-    tracer_ =
-        std::make_shared<volume::IsosurfaceTracer>(volume->volume.grid, resolved.isosurface.inside, progress);
-    tracerOf_ = volume.get();
-    tracerInside_ = resolved.isosurface.inside;
+  if (choice.wanted) {
+    const std::uint64_t hidden = volume::keyOf(volume::hiddenOf(resolved, *volume->pieces, progress));
+    if (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside ||
+        tracerHidden_ != hidden) {
+      const auto before = std::move(tracer_);  // its tables are shared
+      tracer_ = gi::tracerOf(resolved, volume, progress);
+      tracerOf_ = volume.get();
+      tracerInside_ = resolved.isosurface.inside;
+      tracerHidden_ = hidden;
+    }
   }
   lightScene_ = gi::makeLightScene(resolved, volume, choice.wanted ? tracer_ : nullptr, environment_);
   considerMetering(progress);

@@ -123,8 +123,8 @@ void RangesPass::run(FrameState& frame) {
   std::vector<volume::CurvatureStatistics> all;
   if (frame.volume)
     for (const Surface& surface : frame.surfaces)
-      all.push_back(
-          frame.volume->curvatureStatistics(frame.curvatureField(), surface.value, frame.outward()));
+      all.push_back(frame.volume->curvatureStatistics(frame.curvatureField(), surface.value, frame.outward(),
+                                                      volume::hiddenAt(frame.hidden, surface.value)));
   frame.statistics = outerBounds(all);
 }
 

@@ -34,20 +34,6 @@ const ShownWay::Part* ShownWay::firstOther(bool inside) const {
   return nullptr;
 }
 
-int ShownCell::ascend(const glm::dvec3& local) const {
-  glm::dvec3 at = local;
-  int corner = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    at[axis] = 0.0;
-    const double low = trilinear(depths_, at);
-    at[axis] = 1.0;
-    const bool toHigh = trilinear(depths_, at) > low;
-    at[axis] = toHigh ? 1.0 : 0.0;
-    if (toHigh) corner |= 1 << axis;
-  }
-  return corner;
-}
-
 // Every stretch on one side holds an end or an extremum: what is seen at those is all that is seen.
 ShownWay ShownCell::along(const glm::dvec3& from, const glm::dvec3& to) const {
   const BernsteinCubic cubic = BernsteinCubic::along(depths_, from, to);
@@ -115,9 +101,9 @@ bool ShownCells::hiddenAt(const glm::dvec3& voxel) const {
 
 bool ShownCells::hiddenNear(glm::ivec3 cell, const glm::dvec3& local) const {
   const ShownCell own = cellAt(cell);
-  const int corner = own.ascend(local);
+  const int corner = cornerAbove(own.depths(), local);
   glm::ivec3 nearest = cornerOf(cell, corner);
-  if (own.depth(corner) >= 0.0) return voxelHidden(nearest);
+  if (own.depths()[static_cast<std::size_t>(corner)] >= 0.0) return voxelHidden(nearest);
   double least = std::numeric_limits<double>::infinity();
   const glm::ivec3 low = glm::max(cell - 1, glm::ivec3(0)), high = glm::min(cell + 2, grid_.dims() - 1);
   for (int z = low.z; z <= high.z; ++z)

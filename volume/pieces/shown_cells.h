@@ -2,10 +2,9 @@
 // of no hidden piece.
 //
 // In cells whose inside corners are all hidden there is no surface. In those that have both kinds, a stretch
-// of a ray that lies inside belongs to the piece of the corner that the ascent leads to: per axis in turn to
-// that end of the cell where the field lies deeper inside, along which the trilinear field is linear, so that
-// the way never leaves the inside. Cubic fields have no pieces of their own: there the same ascent among the
-// cell's samples decides, and where it ends outside, the nearest inside sample of the 4^3 around the cell.
+// of a ray that lies inside belongs to the piece of the corner above it (cornerAbove()). Cubic fields have no
+// pieces of their own: there the same ascent among the cell's samples decides, and where it ends outside, the
+// nearest inside sample of the 4^3 around the cell.
 //
 // Double precision and one ray at a time, for every executor on the processor: few cells have hidden corners
 // and may be crossed.
@@ -21,6 +20,7 @@
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
 #include "volume/hit/bernstein_cubic.h"
+#include "volume/pieces/cell_pieces.h"
 #include "volume/pieces/hidden_voxels.h"
 #include "volume/pieces/inside_level.h"
 
@@ -53,10 +53,9 @@ class ShownCell {
  public:
   ShownCell(const CellCorners& depths, unsigned hidden) : depths_(depths), hidden_(hidden) {}
 
-  double depth(int corner) const { return depths_[static_cast<std::size_t>(corner)]; }
-  int ascend(const glm::dvec3& local) const;  // the corner
+  const CellCorners& depths() const { return depths_; }
   // Of the piece at `local`, which lies inside.
-  bool hiddenAt(const glm::dvec3& local) const { return (hidden_ >> ascend(local) & 1) != 0; }
+  bool hiddenAt(const glm::dvec3& local) const { return (hidden_ >> cornerAbove(depths_, local) & 1) != 0; }
   // Of the trilinear field between `from` and `to`, both in [0, 1]^3.
   ShownWay along(const glm::dvec3& from, const glm::dvec3& to) const;
 
