@@ -102,6 +102,10 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
         "light is traced at about a third of the speed: the volume has more voxels than the SIMD tracer "
         "reaches "
         "(about 1600 x 1600 x 1600)");
+  if (choice.wanted && !choice.onShown && !tracer_->hidden().empty())
+    plan_.warnings.emplace_back(
+        "stored light is that of all pieces: only light of one isosurface (gi.texels=shown) leaves out "
+        "hidden ones");
   for (const auto& bake : plan_.bakes())
     if (const int wanted = threads(); bake->counters().threads < wanted)
       plan_.warnings.push_back("the system gives " + std::to_string(bake->counters().threads) + " of the " +
