@@ -80,7 +80,7 @@ std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridG
   return lights;
 }
 
-std::shared_ptr<const volume::IsosurfaceTracer> tracerOf(
+std::shared_ptr<const volume::IsosurfaceTracer> lightTracerOf(
     const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
     base::Progress& progress) {
   auto tracer =

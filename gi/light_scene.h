@@ -56,7 +56,7 @@ struct LightScene {
 };
 
 // Of the scene's side and without its hidden pieces. Throws Error: interrupted; memory.
-std::shared_ptr<const volume::IsosurfaceTracer> tracerOf(
+std::shared_ptr<const volume::IsosurfaceTracer> lightTracerOf(
     const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
     base::Progress& progress);
 // `environment` is what scene.light.environment names, loaded (loadEnvironment()); it stays shared.

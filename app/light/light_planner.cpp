@@ -74,7 +74,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
     if (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside ||
         tracerHidden_ != hidden) {
       const auto before = std::move(tracer_);  // its tables are shared
-      tracer_ = gi::tracerOf(resolved, volume, progress);
+      tracer_ = gi::lightTracerOf(resolved, volume, progress);
       tracerOf_ = volume.get();
       tracerInside_ = resolved.isosurface.inside;
       tracerHidden_ = hidden;

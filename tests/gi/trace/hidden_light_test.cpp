@@ -14,7 +14,7 @@ std::shared_ptr<const LightScene> lightOf(const std::shared_ptr<const volume::Pr
                                           const scene::Scene& scene, int bounces) {
   base::Progress progress;
   LightScene light = test::lightSceneOf(volume);
-  light.tracer = tracerOf(scene, volume, progress);
+  light.tracer = lightTracerOf(scene, volume, progress);
   light.choice.onShown = true;
   light.bounces = bounces;
   test::setUnitSky(light);
