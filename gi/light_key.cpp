@@ -115,6 +115,14 @@ ordered_json lampJson(const LampLight& lamp) {
   return json;
 }
 
+// Of what the rays of this light pass; 0: all pieces are shown.
+std::uint64_t hiddenKey(const scene::Scene& resolved, const LightScene& light) {
+  if (!light.choice.onShown || !light.tracer) return 0;
+  const std::vector<volume::HiddenOfSurface> hidden = light.tracer->hidden();
+  const volume::HiddenPieces own = volume::hiddenAt(hidden, *resolved.isosurface.value);
+  return own.voxels ? own.voxels->key() : 0;
+}
+
 }  // namespace
 
 std::string lightKey(const scene::Scene& resolved, const LightScene& light, LightPart part) {
@@ -129,6 +137,8 @@ std::string lightKey(const scene::Scene& resolved, const LightScene& light, Ligh
   json["inside"] = light.inside == scene::Inside::above ? "above" : "below";
   json["lattice_scale"] = resolved.gi.latticeScale;
   if (light.choice.onShown) json["isovalue"] = resolved.isosurface.value.value();
+  if (const std::uint64_t hidden = hiddenKey(resolved, light); hidden != 0)
+    json["hidden"] = base::hexText(hidden);
   json["sequence"] = nameOf(light.sequence);
   json["bounces"] = light.bounces;
   if (light.bounces > 0) {

@@ -80,6 +80,15 @@ std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridG
   return lights;
 }
 
+std::shared_ptr<const volume::IsosurfaceTracer> lightTracerOf(
+    const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
+    base::Progress& progress) {
+  auto tracer =
+      std::make_shared<volume::IsosurfaceTracer>(volume->volume.grid, resolved.isosurface.inside, progress);
+  tracer->hide(volume::hiddenOf(resolved, *volume->pieces, progress), progress);
+  return tracer;
+}
+
 std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                                                  const std::shared_ptr<const volume::PreparedVolume>& volume,
                                                  std::shared_ptr<const volume::IsosurfaceTracer> tracer,
@@ -108,8 +117,7 @@ std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
 std::shared_ptr<const LightScene> innerSideOf(const LightScene& light, base::Progress& progress) {
   auto inner = std::make_shared<LightScene>(light);
   inner->inside = scene::otherSide(light.inside);
-  inner->tracer =
-      std::make_shared<const volume::IsosurfaceTracer>(light.volume->volume.grid, inner->inside, progress);
+  inner->tracer = light.tracer->otherSide(progress);
   return inner;
 }
 

@@ -55,6 +55,10 @@ struct LightScene {
   std::function<void(std::span<const volume::TraceRay> rays, bool any)> traced = {};
 };
 
+// Of the scene's side and without its hidden pieces. Throws Error: interrupted; memory.
+std::shared_ptr<const volume::IsosurfaceTracer> lightTracerOf(
+    const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
+    base::Progress& progress);
 // `environment` is what scene.light.environment names, loaded (loadEnvironment()); it stays shared.
 std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                                                  const std::shared_ptr<const volume::PreparedVolume>& volume,

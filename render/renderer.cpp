@@ -217,6 +217,9 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   frame.scene = &scene;
   frame.request = request;
   frame.surfaces = surfacesOf(scene);
+  base::Progress unwatched;
+  frame.hidden.clear();
+  if (volume) frame.hidden = volume::hiddenOf(scene, *volume->pieces, unwatched);
   if (volume && !frame.volume) {
     frame.volume.emplace(frame.gl, volume);
     ++copiesMade;
@@ -288,6 +291,7 @@ void Renderer::Parts::run(Pass& pass, const std::vector<Pass*>& running) {
 VolumeState Renderer::Parts::volumeState() const {
   VolumeState state{volume ? volume->grid().hash() : 0, copiesMade};
   state.crossed = frame.crossed;
+  state.hidden = volume::keyOf(frame.hidden);
   return state;
 }
 

@@ -101,8 +101,7 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
     progress.report(0.0, "preparing");
     const ProgressBar bar(progress);
     const auto environment = gi::loadEnvironment(scene.light.environment);
-    const auto tracer = std::make_shared<const volume::IsosurfaceTracer>(prepared->volume.grid,
-                                                                         scene.isosurface.inside, progress);
+    const auto tracer = gi::lightTracerOf(scene, prepared, progress);
     gi::Reference picture(prepared, tracer, environment, scene, reference, progress);
     litPixels = picture.litPixels();
     std::optional<Clock::time_point> written;

@@ -21,14 +21,15 @@ std::vector<double> isovaluesOf(const scene::Scene& scene) {
 }
 
 std::optional<volume::RayHit> hitOf(const volume::PreparedVolume& volume, scene::Field field, double isovalue,
-                                    const volume::Ray& ray) {
+                                    const volume::Ray& ray, const volume::HiddenPieces& hidden) {
   const volume::Grid& grid = volume.grid();
   const auto cubic = volume.cubicFields->find(field);
   if (!cubic)
-    return volume::firstHit(grid, *volume.blocks, isovalue, ray.origin, ray.direction, ray.tMinimum);
+    return volume::firstHit(grid, *volume.blocks, isovalue, ray.origin, ray.direction, ray.tMinimum,
+                            ray.tMaximum, hidden);
   return cubic->coefficients
-             ? volume::firstHitCubic(*cubic->coefficients, grid, cubic->blocks, isovalue, ray).hit
-             : volume::firstHitCubic(grid, cubic->blocks, isovalue, ray).hit;
+             ? volume::firstHitCubic(*cubic->coefficients, grid, cubic->blocks, isovalue, ray, hidden).hit
+             : volume::firstHitCubic(grid, cubic->blocks, isovalue, ray, hidden).hit;
 }
 
 }  // namespace
@@ -46,9 +47,10 @@ std::optional<Pick> pickSurface(const volume::PreparedVolume& volume, const scen
   const volume::Grid& grid = volume.grid();
   const double startMm = render::ViewUniforms(resolved.camera, aspect, grid.geometry()).rayStartMm;
   const volume::Ray ray = viewRay(grid.geometry(), scene::frameOf(resolved.camera), ndc, aspect, startMm);
+  const auto hidden = volume::knownHidden(resolved, *volume.pieces);
   std::optional<volume::RayHit> nearest;
   for (const double isovalue : isovaluesOf(resolved)) {
-    const auto hit = hitOf(volume, resolved.hit.field, isovalue, ray);
+    const auto hit = hitOf(volume, resolved.hit.field, isovalue, ray, volume::hiddenAt(hidden, isovalue));
     if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
   }
   if (!nearest) return std::nullopt;

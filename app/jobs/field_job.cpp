@@ -5,6 +5,7 @@
 
 #include "app/jobs/rest_scene.h"
 #include "scene/rules/needs.h"
+#include "volume/pieces/hidden_pieces.h"
 
 namespace isolux::app {
 
@@ -56,12 +57,14 @@ void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume
   if (awaitsChoice(images ? withImages(resolved) : resolved))
     volume.derivativeChoices->complete(resolved, progress);
   volume.cubicFields->makeFor(images ? withImages(resolved) : resolved, progress);
+  volume::hiddenOf(resolved, *volume.pieces, progress);
 }
 
 bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume) {
   scene::Scene scene = resolved;
   if (awaitsChoice(scene) && !volume.derivativeChoices->completeIfChosen(scene)) return false;
-  return volume.cubicFields->readyFor(scene) && restIsReady(scene, volume);
+  return volume.cubicFields->readyFor(scene) && restIsReady(scene, volume) &&
+         volume::hiddenIsReady(scene, *volume.pieces);
 }
 
 scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume& volume,
@@ -70,6 +73,7 @@ scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume
   scene::Derivatives& now = resolved.derivatives;
   if (awaitsChoice(resolved) && !volume.derivativeChoices->completeIfChosen(resolved))
     now.noise = now.noise.value_or(last.noise.value_or(0.0));
+  if (!volume::hiddenIsReady(resolved, *volume.pieces)) resolved.pieces = {};
   if (resolved.hit.field != Field::trilinear && !fields.find(resolved.hit.field))
     resolved.hit.field = Field::trilinear;
   const scene::Derivatives wanted = now;
@@ -99,8 +103,9 @@ bool FieldJob::isFor(const scene::Scene& scene) const {
                     scene::needsSecondDerivatives(scene_) == scene::needsSecondDerivatives(scene);
   const bool sameAtRest = scene_.picture.restHits == scene.picture.restHits &&
                           scene::mayRefineHits(scene_) == scene::mayRefineHits(scene);
+  const bool samePieces = scene_.pieces == scene.pieces;
   const bool measures = awaitsChoice(scene) || scene::mayRefineHits(scene);
-  return same && sameAtRest && (!measures || scene_.isosurface.value == scene.isosurface.value);
+  return same && sameAtRest && samePieces && (!measures || scene_.isosurface.value == scene.isosurface.value);
 }
 
 void FieldJob::run() {

@@ -1,6 +1,7 @@
 // What a scene's pictures need of a volume beside its voxels, and what of it is automatic: fields
-// (volume/field/cubic_fields.h) and scales of derivatives (volume/statistics/derivative_choices.h). Made on a
-// background thread, which the owner polls; meanwhile pictures are drawn with what is there.
+// (volume/field/cubic_fields.h), scales of derivatives (volume/statistics/derivative_choices.h) and what is
+// hidden of its pieces (volume/pieces). Made on a background thread, which the owner polls; meanwhile
+// pictures are drawn with what is there.
 #pragma once
 
 #include <atomic>
@@ -24,8 +25,8 @@ void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume
 bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume);
 
 // The scene with what can be drawn now. What is not made yet is replaced: hits by those of the trilinear
-// field, derivatives by those of the B-spline of the samples, scales by those of `last`, else by none.
-// `last`: of the last picture of the volume that had all it asked for.
+// field, derivatives by those of the B-spline of the samples, scales by those of `last`, else by none; pieces
+// are shown. `last`: of the last picture of the volume that had all it asked for.
 scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume& volume,
                              const scene::Derivatives& last = {});
 

@@ -92,8 +92,7 @@ void ReferenceJob::run(Work& work) {
 void ReferenceJob::trace(Work& work) {
   work.progress.report(0.0, "preparing");
   const auto environment = gi::loadEnvironment(work.resolved.light.environment);
-  const auto tracer = std::make_shared<const volume::IsosurfaceTracer>(
-      work.volume->volume.grid, work.resolved.isosurface.inside, work.progress);
+  const auto tracer = gi::lightTracerOf(work.resolved, work.volume, work.progress);
   gi::Reference picture(work.volume, tracer, environment, work.resolved, {work.size, work.threads},
                         work.progress);
   double done = 0.0;

@@ -69,12 +69,16 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   }
   loadEnvironment(resolved.light.environment);
   const scene::GiChoice choice = scene::giChoiceOf(resolved);
-  if (choice.wanted &&
-      (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside)) {
-    tracer_ =
-        std::make_shared<volume::IsosurfaceTracer>(volume->volume.grid, resolved.isosurface.inside, progress);
-    tracerOf_ = volume.get();
-    tracerInside_ = resolved.isosurface.inside;
+  if (choice.wanted) {
+    const std::uint64_t hidden = volume::keyOf(volume::hiddenOf(resolved, *volume->pieces, progress));
+    if (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside ||
+        tracerHidden_ != hidden) {
+      const auto before = std::move(tracer_);  // its tables are shared
+      tracer_ = gi::lightTracerOf(resolved, volume, progress);
+      tracerOf_ = volume.get();
+      tracerInside_ = resolved.isosurface.inside;
+      tracerHidden_ = hidden;
+    }
   }
   lightScene_ = gi::makeLightScene(resolved, volume, choice.wanted ? tracer_ : nullptr, environment_);
   considerMetering(progress);
@@ -98,6 +102,10 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
         "light is traced at about a third of the speed: the volume has more voxels than the SIMD tracer "
         "reaches "
         "(about 1600 x 1600 x 1600)");
+  if (choice.wanted && !choice.onShown && !tracer_->hidden().empty())
+    plan_.warnings.emplace_back(
+        "stored light is that of all pieces: only light of one isosurface (gi.texels=shown) leaves out "
+        "hidden ones");
   for (const auto& bake : plan_.bakes())
     if (const int wanted = threads(); bake->counters().threads < wanted)
       plan_.warnings.push_back("the system gives " + std::to_string(bake->counters().threads) + " of the " +

@@ -125,6 +125,7 @@ class LightPlanner {
   std::shared_ptr<const volume::IsosurfaceTracer> tracer_;
   const volume::PreparedVolume* tracerOf_ = nullptr;
   scene::Inside tracerInside_ = scene::Inside::above;
+  std::uint64_t tracerHidden_ = 0;  // volume::keyOf()
 
   std::shared_ptr<const gi::LightScene> lightScene_;
   std::optional<gi::SurfaceBrightness> brightness_;

@@ -63,9 +63,7 @@ const LightTruth& LightStudio::truthOf(const scene::Scene& lit, int bounces, bas
   if (const auto found = truths_.find(bounces); found != truths_.end()) return found->second;
   const scene::Scene scene = still(lit, bounces);
   if (!environment_) environment_ = gi::loadEnvironment(scene.light.environment);
-  if (!tracer_)
-    tracer_ =
-        std::make_shared<volume::IsosurfaceTracer>(volume_->volume.grid, scene.isosurface.inside, progress);
+  if (!tracer_) tracer_ = gi::lightTracerOf(scene, volume_, progress);
   const auto light = gi::makeLightScene(scene, volume_, tracer_, environment_);
   const double exposure = std::exp2(scene.light.environment.exposure);
   const glm::dvec3 skyScale = light->choice.unitSky ? exposure * environment_->mean() : glm::dvec3(exposure);

@@ -27,11 +27,29 @@ float fieldAt(const volume::Grid& grid, glm::vec3 voxel) {
   return static_cast<float>(value);
 }
 
+// Texels that are lit each on its own isosurface know no pieces.
+std::shared_ptr<const LightScene> lightOf(std::shared_ptr<const LightScene> light,
+                                          const LatticeGeometry& geometry) {
+  if (geometry.isovalue || !light->tracer || light->tracer->hidden().empty()) return light;
+  auto whole = std::make_shared<LightScene>(*light);
+  whole->tracer = light->tracer->withAllPieces();
+  return whole;
+}
+
+// Of the isosurface whose texels are lit.
+volume::HiddenPieces hiddenOf(const LightScene& light, const LatticeGeometry& geometry,
+                              const std::vector<volume::HiddenOfSurface>& surfaces) {
+  for (const volume::HiddenOfSurface& surface : surfaces)
+    if (static_cast<float>(light.volume->grid().storedOfValue(surface.isovalue)) == *geometry.isovalue)
+      return {surface.voxels.get(), surface.inside};
+  return {};
+}
+
 }  // namespace
 
 LatticeEstimator::LatticeEstimator(std::shared_ptr<const LightScene> light, const LatticeGeometry& geometry,
                                    LightPart part)
-    : tracer_(std::move(light)), geometry_(geometry), part_(part) {}
+    : tracer_(lightOf(std::move(light), geometry)), geometry_(geometry), part_(part) {}
 
 LightContent LatticeEstimator::content() const {
   const LightScene& light = tracer_.light();
@@ -45,10 +63,12 @@ void LatticeEstimator::points(std::span<const glm::ivec3> texels, std::span<Texe
   const volume::Grid& grid = tracer_.light().volume->grid();
   std::vector<glm::vec3> voxels(texels.size()), gradients(texels.size());
   std::vector<bool> has(texels.size());
+  const std::vector<volume::HiddenOfSurface> surfaces = tracer_.light().tracer->hidden();
   for (std::size_t i = 0; i < texels.size(); ++i) {
     std::optional<glm::vec3> place = geometry_.voxelOf(texels[i]);
     if (geometry_.isovalue)
-      place = volume::nearestSurfacePoint(grid, *place, geometry_.reach(), *geometry_.isovalue);
+      place = volume::nearestSurfacePoint(grid, *place, geometry_.reach(), *geometry_.isovalue,
+                                          hiddenOf(tracer_.light(), geometry_, surfaces));
     if (place) voxels[i] = *place;
     has[i] = place && !std::isnan(fieldAt(grid, *place));
   }

@@ -48,6 +48,7 @@ PrimaryHits::PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, c
   for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
     if (extra.shown) add(extra.value.value(), extra.albedo);
 
+  hidden_ = volume::hiddenOf(resolved, *volume_->pieces, progress);
   cubic_ = volume_->cubicFields->make(field_, progress);
   normalField_ = volume_->cubicFields->make(resolved.derivatives.field,
                                             resolved.derivatives.normalScale.value_or(0.0), progress);
@@ -59,10 +60,13 @@ glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {
 
 std::optional<volume::RayHit> PrimaryHits::cast(double isovalue, const volume::Ray& ray) const {
   const volume::Grid& grid = volume_->grid();
+  const volume::HiddenPieces hidden = volume::hiddenAt(hidden_, isovalue);
   if (!cubic_)
-    return volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum);
-  if (field_ == scene::Field::cubic) return volume::firstHitCubic(grid, cubic_->blocks, isovalue, ray).hit;
-  return volume::firstHitCubic(*cubic_->coefficients, grid, cubic_->blocks, isovalue, ray).hit;
+    return volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum,
+                            ray.tMaximum, hidden);
+  if (field_ == scene::Field::cubic)
+    return volume::firstHitCubic(grid, cubic_->blocks, isovalue, ray, hidden).hit;
+  return volume::firstHitCubic(*cubic_->coefficients, grid, cubic_->blocks, isovalue, ray, hidden).hit;
 }
 
 std::optional<PrimaryHit> PrimaryHits::at(glm::ivec2 pixel) const {

@@ -60,6 +60,7 @@ class PrimaryHits {
   bool insideAbove_;
   scene::Field field_;
   std::vector<Surface> surfaces_;
+  std::vector<volume::HiddenOfSurface> hidden_;
   std::shared_ptr<const volume::CubicField> cubic_;  // of the cubic fields
   std::shared_ptr<const volume::ScaledField> normalField_;
 };

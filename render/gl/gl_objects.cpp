@@ -48,6 +48,7 @@ std::size_t texelBytes(GLenum internalFormat) {
     case GL_R16F:
       return 2;
     case GL_R32F:
+    case GL_R32UI:
     case GL_RGBA8:
       return 4;
     case GL_RG32F:
@@ -58,6 +59,7 @@ std::size_t texelBytes(GLenum internalFormat) {
     case GL_RGB32F:
       return 12;
     case GL_RGBA32F:
+    case GL_RGBA32UI:
       return 16;
     default:
       throw std::logic_error("texelBytes: unknown internal format");

@@ -61,9 +61,10 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
 struct VolumeState {
   VolumeState(std::uint64_t hashOfVoxels = 0, std::uint64_t copiesMade = 0)  // NOLINT: a hash is a volume
       : hash(hashOfVoxels), made(copiesMade) {}
-  std::uint64_t hash;   // of the voxels and where they lie; 0: none
-  std::uint64_t made;   // differs between any two GpuVolumes of one renderer
-  bool crossed = true;  // false: no cell holds a value of a surface that is shown
+  std::uint64_t hash;        // of the voxels and where they lie; 0: none
+  std::uint64_t made;        // differs between any two GpuVolumes of one renderer
+  bool crossed = true;       // false: no cell holds a value of a surface that is shown
+  std::uint64_t hidden = 0;  // volume::keyOf() of pieces that are not shown; 0: all are
 };
 
 // A volume in bricks, as far as passes depend on it.
@@ -145,7 +146,7 @@ class Declaring {
   // Inputs of several passes.
   Declaring& volume();       // the voxels and where they lie
   Declaring& pictureSize();  // rays, and the part of the picture that is drawn
-  Declaring& isovalues();    // the surfaces that are there
+  Declaring& isovalues();    // the surfaces that are there, and what of them is hidden
 };
 
 // An image that the look reads (resources/shaders/look/shade.frag.glsl).

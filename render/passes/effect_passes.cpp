@@ -51,11 +51,7 @@ void ShadowPass::run(FrameState& frame) {
     shadowOnProcessor(frame, target, opaque);
     return;
   }
-  const scene::Hit& hit = frame.scene->hit;
-  std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
-  if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
-  if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
-  Program& p = frame.program(shader, defines);
+  Program& p = frame.program(shader, traceDefines(frame));
   setTrace(frame, p);
   frame.setPoint(p, 4);
   p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));

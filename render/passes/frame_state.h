@@ -49,6 +49,7 @@ struct FrameState {
   FrameRequest request;
   std::optional<ViewUniforms> view;
   std::vector<Surface> surfaces;
+  std::vector<volume::HiddenOfSurface> hidden;    // of them; none where all pieces are shown
   std::optional<GpuVolume> volume;                // none: nothing is loaded
   std::shared_ptr<const gi::PictureLight> light;  // null: nobody has said what it is
   bool readsLight = false;                        // something in this frame reads light of the surface points

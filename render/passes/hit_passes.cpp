@@ -45,7 +45,7 @@ void BlocksPass::run(FrameState& frame) {
   if (!frame.volume) return;
   std::vector<double> values;
   for (const Surface& surface : frame.surfaces) values.push_back(surface.value);
-  frame.volume->activate(frame.scene->hit.field, values);
+  frame.volume->activate(frame.scene->hit.field, values, frame.hidden);
 }
 
 std::optional<std::size_t> BlocksPass::bytes(const FrameState& frame) const {
@@ -112,9 +112,7 @@ void CastPass::declare(Declaring& d) const {
 
 Program& CastPass::program(FrameState& frame, Rays rays) const {
   const scene::Hit& hit = frame.scene->hit;
-  std::string defines = "#define TILES\n#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
-  if (isExact(frame)) defines += "#define EXACT\n";
-  if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
+  std::string defines = "#define TILES\n" + traceDefines(frame);
   if (rays == Rays::behind) defines += "#define BEHIND\n";
   if (rays != Rays::behind && asksValueError(frame.request)) defines += "#define VALUE_ERROR\n";
   if (rays == Rays::again) defines += "#define AGAIN\n";
@@ -206,12 +204,35 @@ bool anyHit(FrameState& frame) {
   return any;
 }
 
+std::string traceDefines(const FrameState& frame) {
+  const scene::Hit& hit = frame.scene->hit;
+  std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
+  if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
+  if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
+  if (!frame.hidden.empty()) defines += "#define HIDDEN\n";
+  return defines;
+}
+
+namespace {
+
+void setHidden(FrameState& frame, Program& p) {
+  frame.volume->bindHidden(p, 14);
+  if (frame.scene->hit.field == scene::Field::trilinear) return;
+  glm::vec4 isovalues(0.0f);
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
+    isovalues[static_cast<int>(i)] = static_cast<float>(frame.volume->texelOf(frame.surfaces[i].value));
+  p.set("uSampleIsovalues", isovalues);
+}
+
+}  // namespace
+
 void setTrace(FrameState& frame, Program& p) {
   const scene::Field field = frame.scene->hit.field;
   frame.setView(p);
   frame.volume->bind(p, {field});
   frame.setIsovalues(p, field);
   frame.volume->bindMasks(p, frame.scene->hit, 3);
+  if (!frame.hidden.empty()) setHidden(frame, p);
   p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
 }
 

@@ -58,8 +58,9 @@ class RefinePass : public Pass {
 
 bool anyHit(FrameState& frame);  // of the surface points that are there
 
-// Sets what trace.glsl and trace_cubic.glsl read: view, volume, isovalues, block masks. Texture units 0,
-// 1, 3.
+// What the shaders that cast rays are compiled with; and what trace.glsl and trace_cubic.glsl read: view,
+// volume, isovalues, block masks, what is hidden. Texture units 0, 1, 3, 14.
+std::string traceDefines(const FrameState& frame);
 void setTrace(FrameState& frame, Program& program);
 
 }  // namespace isolux::render

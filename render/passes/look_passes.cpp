@@ -124,8 +124,8 @@ void RangesPass::run(FrameState& frame) {
   std::vector<volume::CurvatureStatistics> all;
   if (frame.volume)
     for (const Surface& surface : frame.surfaces)
-      all.push_back(
-          frame.volume->curvatureStatistics(frame.curvatureField(), surface.value, frame.outward()));
+      all.push_back(frame.volume->curvatureStatistics(frame.curvatureField(), surface.value, frame.outward(),
+                                                      volume::hiddenAt(frame.hidden, surface.value)));
   if (frame.volume && scene::needsEdge(*frame.scene))
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i].measures[scene::LookMode::edge_offset] =

@@ -77,8 +77,13 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
     isovalues.push_back(frame.volume->grid().storedOfValue(surface.value));
   const scene::Field field = frame.scene->hit.field;
   const GpuVolume& volume = *frame.volume;
-  return {
-      {volume.grid(), field, volume.coefficients(field)}, isovalues, volume.blocks().dims(), volume.masks()};
+  std::vector<const volume::HiddenVoxels*> hidden;
+  if (!frame.hidden.empty())
+    for (const Surface& surface : frame.surfaces)
+      hidden.push_back(volume::hiddenAt(frame.hidden, surface.value).voxels);
+  const volume::CastField of{volume.grid(), field, volume.coefficients(field), hidden,
+                             frame.scene->isosurface.inside};
+  return {of, isovalues, volume.blocks().dims(), volume.masks()};
 }
 
 void cast(FrameState& frame, volume::CrossingImage& out) {

@@ -222,7 +222,8 @@ SurfaceBlocks& GpuVolume::blocksOf(scene::Field field) {
   return *surfaces_.back();
 }
 
-void GpuVolume::activate(scene::Field field, const std::vector<double>& values) {
+void GpuVolume::activate(scene::Field field, const std::vector<double>& values,
+                         const std::vector<volume::HiddenOfSurface>& hidden) {
   SurfaceBlocks& surface = blocksOf(field);
   if (!hasCells()) return;
   std::vector<float> stored;
@@ -231,7 +232,14 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values) 
   const double offset = field == scene::Field::cubic_interpolating ? cubic(field).coefficients->offset : 0.0;
   for (const double value : values)
     stored.push_back(static_cast<float>(grid().storedOfValue(value) - offset));
-  surface.activate(std::move(stored));
+  std::vector<volume::PartlyShown> shown;
+  if (!hidden.empty())
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const volume::HiddenPieces own = volume::hiddenAt(hidden, values[k]);
+      shown.push_back(
+          {stored[k], own.voxels, volume::InsideLevel::of(grid(), values[k], hidden.front().inside)});
+    }
+  surface.activate(std::move(stored), {std::move(shown), hidden});
 }
 
 glm::dvec3 GpuVolume::noiseBlur() const {
@@ -239,11 +247,14 @@ glm::dvec3 GpuVolume::noiseBlur() const {
   return volume_->derivativeChoices->noise(unwatched).correlation;
 }
 
-volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward) {
+volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward,
+                                                           const volume::HiddenPieces& hidden) {
   if (!hasCells()) return {};
   if (const volume::ScaledField* const atScale = scaled(of))
-    return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, *atScale);
-  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field));
+    return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, *atScale,
+                                       volume::kCurvaturePoints, hidden);
+  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field),
+                                     volume::kCurvaturePoints, hidden);
 }
 
 volume::Quantiles GpuVolume::edgeOffsets(const FieldAt& of, const volume::EdgeSearch<double>& search,

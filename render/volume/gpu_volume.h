@@ -64,7 +64,8 @@ class GpuVolume {
 
   glm::dvec3 noiseBlur() const;  // scene::NoiseModel; estimated where nobody has asked for it yet
   // How the surface of `value` (data units) is curved by these derivatives. All 0 where there is none.
-  volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward);
+  volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward,
+                                                  const volume::HiddenPieces& hidden);
 
   // How far edges lie from the surface of `value`: offsets of points that can be seen, mm.
   volume::Quantiles edgeOffsets(const FieldAt& of, const volume::EdgeSearch<double>& search,
@@ -74,7 +75,9 @@ class GpuVolume {
   bool mayCross(scene::Field field, const std::vector<double>& values) const;
   // Makes the blocks active that the surfaces of `values` (data units) of this field can cross, in time
   // proportional to what changes; uploads the masks of their boxes.
-  void activate(scene::Field field, const std::vector<double>& values);
+  // What of them is hidden is not in the masks.
+  void activate(scene::Field field, const std::vector<double>& values,
+                const std::vector<volume::HiddenOfSurface>& hidden);
   std::size_t activeBlocks() const { return surfaces_.empty() ? 0 : surface().active().activeCount(); }
   const volume::MinMaxBlocks& blocks() const { return surface().blocks(); }
   // Of each block, the boxes that can hold a surface (volume::BoxBounds); none where blocks are not of 8^3
@@ -93,6 +96,9 @@ class GpuVolume {
   void bindMasks(Program& program, const scene::Hit& hit, int unit) {
     surface().bindMasks(program, hit, unit);
   }
+
+  // What of the active surfaces is hidden, where something is: on texture unit `unit`.
+  void bindHidden(Program& program, int unit) { surface().bindHidden(program, unit); }
 
   // Of which boxes can hold a surface, on the processor and, once shaders have asked for them, as a texture.
   std::size_t blockBytes() const { return surfaces_.empty() ? 0 : surface().bytes(); }

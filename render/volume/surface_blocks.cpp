@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <tbb/parallel_for.h>
+
 #include "render/volume/brick_cache.h"
 #include "volume/skip/cell_bits.h"
 
@@ -17,8 +19,12 @@ SurfaceBlocks::SurfaceBlocks(GlPtr gl, std::shared_ptr<const volume::PreparedVol
       active_(std::move(blocks)),
       boxes_(std::move(boxes)) {}
 
-void SurfaceBlocks::activate(std::vector<float> storedIsovalues) {
-  if (storedIsovalues == storedIsovalues_ && !masks_.empty()) return;
+void SurfaceBlocks::activate(std::vector<float> storedIsovalues, Hidden hidden) {
+  const std::uint64_t key = volume::keyOf(hidden.voxels);
+  if (storedIsovalues == storedIsovalues_ && key == hiddenKey_ && !masks_.empty()) return;
+  hidden_ = std::move(hidden);
+  hiddenKey_ = key;
+  hiddenTexture_ = Texture();
   active_.update(storedIsovalues);
   bricks_.reset();
   storedIsovalues_ = std::move(storedIsovalues);
@@ -47,7 +53,11 @@ std::size_t SurfaceBlocks::activeBricks() const {
 void SurfaceBlocks::updateMasks() {
   const std::vector<std::uint8_t>& flags = active_.flags();
   if (active_.blocks().blockCells() == volume::BoxBounds::kBlockCells) {
-    boxes_->masks(storedIsovalues_, flags, masks_);
+    if (hidden_.surfaces.empty())
+      boxes_->masks(storedIsovalues_, flags, masks_);
+    else
+      volume::shownBoxes(volume_->grid(), *boxes_, hidden_.surfaces, field_ != scene::Field::trilinear, flags,
+                         masks_);
   } else {  // of another size (benchmarks): every box of an active one
     masks_.resize(flags.size());
     std::transform(flags.begin(), flags.end(), masks_.begin(),
@@ -66,7 +76,11 @@ void SurfaceBlocks::upload(bool cells) {
   const glm::ivec3 dims = (cells ? 2 : 1) * active_.blocks().dims();
   if (texture_.size() != dims) texture_ = Texture::make3D(gl_, GL_RG32UI, dims, false);
   std::vector<std::uint64_t> bits;
-  if (cells) volume::cellBits(volume_->grid(), active_.blocks().dims(), masks_, storedIsovalues_, bits);
+  const glm::ivec3 blockDims = active_.blocks().dims();
+  if (cells && hidden_.surfaces.empty())
+    volume::cellBits(volume_->grid(), blockDims, masks_, storedIsovalues_, bits);
+  else if (cells)
+    volume::shownCellBits(volume_->grid(), blockDims, masks_, hidden_.surfaces, bits);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_->TextureSubImage3D(texture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RG_INTEGER, GL_UNSIGNED_INT,
                          (cells ? bits : masks_).data());
@@ -85,6 +99,50 @@ void SurfaceBlocks::bindMasks(Program& program, const scene::Hit& hit, int unit)
   program.setTexture("uMasks", unit, texture_);
   const bool ofCells = uploaded_ == Uploaded::cells || blocks().blockCells() == 4;
   program.set("uMaskShift", ofCells ? 0 : 1);
+}
+
+// A texel holds 4x4x2 voxels, bit x + 4 y + 16 z, in a channel for each surface.
+void SurfaceBlocks::uploadHidden() {
+  const glm::ivec3 voxels = volume_->grid().dims(),
+                   dims = (voxels + glm::ivec3(3, 3, 1)) / glm::ivec3(4, 4, 2);
+  const std::size_t channels = hidden_.surfaces.size() <= 2 ? hidden_.surfaces.size() : 4;
+  const auto row = static_cast<std::size_t>(dims.x) * channels;
+  std::vector<std::uint32_t> texels(row * static_cast<std::size_t>(dims.y) *
+                                    static_cast<std::size_t>(dims.z));
+  for (std::size_t k = 0; k < hidden_.surfaces.size(); ++k) {
+    const volume::HiddenVoxels* const hidden = hidden_.surfaces[k].hidden;
+    if (!hidden) continue;
+    tbb::parallel_for(0, dims.z, [&](int slice) {
+      for (int z = 2 * slice; z < std::min(2 * slice + 2, voxels.z); ++z)
+        for (int y = 0; y < voxels.y; ++y) {
+          std::uint32_t* const to =
+              &texels[(static_cast<std::size_t>(slice) * static_cast<std::size_t>(dims.y) +
+                       static_cast<std::size_t>(y / 4)) *
+                      row];
+          const auto words = static_cast<std::size_t>(hidden->wordsPerRow());
+          const std::uint64_t* const from =
+              &hidden->words()[words * (static_cast<std::size_t>(y) +
+                                        static_cast<std::size_t>(voxels.y) * static_cast<std::size_t>(z))];
+          for (std::size_t x = 0; x < static_cast<std::size_t>(dims.x); ++x) {
+            const auto four = static_cast<std::uint32_t>(from[x / 16] >> (4 * (x % 16)) & 15u);
+            to[x * channels + k] |= four << (4 * (y & 3) + 16 * (z & 1));
+          }
+        }
+    });
+  }
+  const GLenum formats[] = {GL_R32UI, GL_RG32UI, GL_RGBA32UI, GL_RGBA32UI};
+  const GLenum layouts[] = {GL_RED_INTEGER, GL_RG_INTEGER, GL_RGBA_INTEGER, GL_RGBA_INTEGER};
+  hiddenTexture_ = Texture::make3D(gl_, formats[channels - 1], dims, false);
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_->TextureSubImage3D(hiddenTexture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, layouts[channels - 1],
+                         GL_UNSIGNED_INT, texels.data());
+}
+
+void SurfaceBlocks::bindHidden(Program& program, int unit) {
+  if (hiddenTexture_.size() == glm::ivec3(0)) uploadHidden();
+  program.setTexture("uHidden", unit, hiddenTexture_);
+  const volume::InsideLevel level = hidden_.surfaces.front().level;
+  program.set("uInsideHigh", level.high ? 1 : 0);
 }
 
 }  // namespace isolux::render

@@ -9,6 +9,8 @@
 
 #include "render/gl/gl_objects.h"
 #include "scene/scene.h"
+#include "volume/pieces/hidden_pieces.h"
+#include "volume/pieces/shown_boxes.h"
 #include "volume/prepared_volume.h"
 #include "volume/skip/active_blocks.h"
 
@@ -22,8 +24,13 @@ class SurfaceBlocks {
                 std::shared_ptr<const volume::BoxBounds> boxes);
 
   scene::Field field() const { return field_; }
+  // What of the surfaces is hidden; empty where all is shown.
+  struct Hidden {
+    std::vector<volume::PartlyShown> surfaces;
+    std::vector<volume::HiddenOfSurface> voxels;  // of some of them
+  };
   // For surfaces of these values, as blocks hold them: in time proportional to what changes.
-  void activate(std::vector<float> storedIsovalues);
+  void activate(std::vector<float> storedIsovalues, Hidden hidden);
 
   const volume::ActiveBlocks& active() const { return active_; }
   const volume::MinMaxBlocks& blocks() const { return active_.blocks(); }
@@ -34,11 +41,15 @@ class SurfaceBlocks {
   void prepareMasks(const scene::Hit& hit);
   void bindMasks(Program& program, const scene::Hit& hit, int unit);
 
-  std::size_t textureBytes() const { return texture_.bytes(); }
-  std::size_t bytes() const { return masks_.size() * sizeof(std::uint64_t) + texture_.bytes(); }
+  // GpuVolume::bindHidden().
+  void bindHidden(Program& program, int unit);
+
+  std::size_t textureBytes() const { return texture_.bytes() + hiddenTexture_.bytes(); }
+  std::size_t bytes() const { return masks_.size() * sizeof(std::uint64_t) + textureBytes(); }
 
  private:
   void updateMasks();
+  void uploadHidden();
   bool mayHaveCells(const scene::Hit& hit) const;
   void upload(bool cells);
 
@@ -51,6 +62,9 @@ class SurfaceBlocks {
   std::vector<float> storedIsovalues_;         // of the masks
   mutable std::optional<std::size_t> bricks_;  // counted when asked for
   Texture texture_;                            // RG32UI
+  Hidden hidden_;
+  std::uint64_t hiddenKey_ = 0;
+  Texture hiddenTexture_;  // hidden.glsl; none while nobody has asked for it
   enum class Uploaded { nothing, boxes, cells };
   Uploaded uploaded_ = Uploaded::nothing;  // of these surfaces
 };

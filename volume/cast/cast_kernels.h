@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <variant>
 
 #include <glm/mat3x3.hpp>
@@ -12,6 +13,7 @@
 #include "volume/cast/cell_bits_on_demand.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/edge/edge_walk.h"
+#include "volume/pieces/shown_cells.h"
 
 namespace isolux::volume::casting {
 
@@ -32,7 +34,21 @@ struct CastView {
   int surfaces = 1;                      // 1 to 4
   float isovalue = 0.0f;                 // the first, less the offset, stored units
   float shifts[4] = {};                  // each isovalue minus the first, scaled
+  // Of each surface, where pieces of any are hidden.
+  std::span<const ShownCells> shown;
+  bool insideIsAbove = true;  // of pieces: stored values above the isovalue
 };
+
+// The nearest crossing that is seen on a ray's way through a cell: a bit of the surface (0: none) and s.
+// inside: the sides at the beginning.
+struct SeenCrossing {
+  int inside = 0, changed = 0;
+  double s = 2.0;
+};
+// fresh: the sides at the beginning are not known yet. first: the ray has just crossed surfaces there, so
+// that which side it begins on is a matter of rounding.
+SeenCrossing seenCrossing(const CastView& view, glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to,
+                          int inside, bool fresh, bool first);
 
 // A part of a picture, pixels [begin, end); images whose rows are `stride` pixels apart. lit: 255, or 0 in
 // shadow, where the surface faces away, and where there is none.

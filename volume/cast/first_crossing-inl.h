@@ -12,8 +12,11 @@
 #define ISOLUX_VOLUME_CAST_FIRST_CROSSING_INL_H
 #endif
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+
+#include <glm/common.hpp>
 
 #include "volume/cast/ray_lanes-inl.h"
 
@@ -70,6 +73,13 @@ class CrossingFinder {
     return b.startingAt(hn::IfThenElse(first, side, start));
   }
   HWY_INLINE VI changesIn(const Curve& b, VI inside, MF here, MF first, MF& doubted) const;
+  // What a lane's stretch through a cell comes to.
+  struct Stretches {
+    VF tIn, tOut;
+    VI inside, changed;
+  };
+  HWY_NOINLINE void leaveOutHidden(const RayLanes& ray, const CellLanes& cell, MF here, MF fresh, MF first,
+                                   Stretches& stretches) const;
   HWY_INLINE Crossings solve(const Met& met, MF found, VI inside) const;
 
   const CastView& view_;
@@ -122,6 +132,54 @@ HWY_INLINE VI CrossingFinder<Cells>::changesIn(const Curve& b, VI inside, MF her
     changed = hn::Or(changed, hn::IfThenElseZero(hn::RebindMask(I(), crossed), hn::Set(I(), 1 << k)));
   }
   return changed;
+}
+
+// Lanes in cells of which something is hidden, one by one: their sides, and the nearest crossing that is
+// seen, which is where the stretch begins and ends then.
+template <class Cells>
+HWY_NOINLINE void CrossingFinder<Cells>::leaveOutHidden(const RayLanes& ray, const CellLanes& cell, MF here,
+                                                        MF fresh, MF first, Stretches& stretches) const {
+  const F f;
+  const I i;
+  alignas(64) std::int32_t cells[3][kLanes], inside[kLanes], changed[kLanes];
+  alignas(64) float tIn[kLanes], tOut[kLanes], origin[3][kLanes], direction[3][kLanes];
+  const VI* const places[3] = {&cell.x, &cell.y, &cell.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    hn::Store(*places[axis], i, cells[axis]);
+    hn::Store(ray.origin[axis], f, origin[axis]);
+    hn::Store(ray.direction[axis], f, direction[axis]);
+  }
+  hn::Store(stretches.tIn, f, tIn);
+  hn::Store(stretches.tOut, f, tOut);
+  hn::Store(stretches.inside, i, inside);
+  hn::Store(stretches.changed, i, changed);
+  const std::uint32_t freshLanes = bitsOf(hn::RebindMask(i, fresh)),
+                      firstLanes = bitsOf(hn::RebindMask(i, first));
+  bool any = false;
+  for (std::uint32_t bits = bitsOf(hn::RebindMask(i, here)); bits != 0; bits &= bits - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+    const glm::ivec3 at(cells[0][lane], cells[1][lane], cells[2][lane]);
+    if (std::none_of(view_.shown.begin(), view_.shown.end(),
+                     [&](const ShownCells& shown) { return shown.hides(at); }))
+      continue;
+    any = true;
+    const auto local = [&](float t) {
+      glm::dvec3 p;
+      for (int axis = 0; axis < 3; ++axis)
+        p[axis] = static_cast<double>(origin[axis][lane]) +
+                  static_cast<double>(t) * static_cast<double>(direction[axis][lane]) - at[axis];
+      return glm::clamp(p, 0.0, 1.0);
+    };
+    const casting::SeenCrossing seen =
+        casting::seenCrossing(view_, at, local(tIn[lane]), local(tOut[lane]), inside[lane],
+                              (freshLanes >> lane & 1) != 0, (firstLanes >> lane & 1) != 0);
+    inside[lane] = seen.inside;
+    changed[lane] = seen.changed;
+    if (seen.changed != 0)
+      tIn[lane] = tOut[lane] = tIn[lane] + static_cast<float>(seen.s) * (tOut[lane] - tIn[lane]);
+  }
+  if (!any) return;
+  stretches = {hn::Load(f, tIn), hn::Load(f, tOut), hn::Load(i, inside), hn::Load(i, changed)};
 }
 
 template <class Cells>
@@ -213,15 +271,25 @@ Crossings CrossingFinder<Cells>::find(const RayLanes& ray, VF t, VF tEnd, MF ali
       MF here = hn::RebindMask(f, waits);
       const MF gap = hn::And(here, cells_.along(ray, cell, t, tOut, waits, samples, b));
       here = hn::AndNot(gap, here);
-      inside = hn::IfThenElse(hn::RebindMask(i, hn::AndNot(known, here)), sidesOf(b.start()), inside);
+      const MF fresh = hn::AndNot(known, here);
+      inside = hn::IfThenElse(hn::RebindMask(i, fresh), sidesOf(b.start()), inside);
       known = hn::Or(hn::AndNot(gap, known), here);
-      const VI changed = changesIn(b, inside, here, first, doubted);
+      VI changed = changesIn(b, inside, here, first, doubted);
+      VF tBegin = t, tEnds = tOut;
+      if (!view_.shown.empty()) {
+        Stretches stretches{t, tOut, inside, changed};
+        leaveOutHidden(ray, cell, here, fresh, first, stretches);
+        tBegin = stretches.tIn;
+        tEnds = stretches.tOut;
+        inside = stretches.inside;
+        changed = stretches.changed;
+      }
       const MI crossedInts = hn::Ne(changed, hn::Zero(i));
       if (!hn::AllFalse(i, crossedInts)) {
         const MF crossed = hn::RebindMask(f, crossedInts);
         met.b = Curve::select(crossed, b, met.b);
-        met.tIn = hn::IfThenElse(crossed, t, met.tIn);
-        met.tOut = hn::IfThenElse(crossed, tOut, met.tOut);
+        met.tIn = hn::IfThenElse(crossed, tBegin, met.tIn);
+        met.tOut = hn::IfThenElse(crossed, tEnds, met.tOut);
         met.inside = hn::IfThenElse(crossedInts, inside, met.inside);
         met.changed = hn::IfThenElse(crossedInts, changed, met.changed);
         met.first = hn::Or(met.first, hn::And(crossed, first));

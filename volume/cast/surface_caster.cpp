@@ -42,6 +42,30 @@ void takeCoefficients(const Coefficients& coefficients, const Grid& grid, castin
 
 }  // namespace
 
+namespace casting {
+
+SeenCrossing seenCrossing(const CastView& view, glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to,
+                          int inside, bool fresh, bool first) {
+  SeenCrossing seen{.inside = inside};
+  for (std::size_t k = 0; k < view.shown.size(); ++k) {
+    const ShownWay way = view.shown[k].along(cell, from, to);
+    std::span<const ShownWay::Part> parts = way.parts();
+    const int bit = 1 << k;
+    if (fresh)
+      seen.inside = parts.front().inside == view.insideIsAbove ? seen.inside | bit : seen.inside & ~bit;
+    if (first) parts = parts.subspan(1);
+    const bool own = ((seen.inside & bit) != 0) == view.insideIsAbove;
+    const auto other = std::find_if(parts.begin(), parts.end(),
+                                    [&](const ShownWay::Part& part) { return part.inside != own; });
+    if (other == parts.end() || other->begin >= seen.s) continue;
+    seen.s = other->begin;
+    seen.changed = bit;
+  }
+  return seen;
+}
+
+}  // namespace casting
+
 SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> storedIsovalues,
                              glm::ivec3 blocks, std::span<const std::uint64_t> masks, TracerTarget wanted)
     : masks_(masks), view_(std::make_unique<casting::CastView>()), kernels_(casting::castKernels(wanted)) {
@@ -71,6 +95,13 @@ SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> sto
   view.isovalue = static_cast<float>(storedIsovalues[0] - origin);
   for (std::size_t k = 0; k < storedIsovalues.size(); ++k)
     view.shifts[k] = static_cast<float>(storedIsovalues[k] - storedIsovalues[0]) * view.scale;
+  if (std::any_of(field.hidden.begin(), field.hidden.end(), [](const auto* hidden) { return hidden; })) {
+    for (std::size_t k = 0; k < storedIsovalues.size(); ++k)
+      shown_.emplace_back(grid, field.hidden[k], grid.valueOfStored(storedIsovalues[k]), field.inside,
+                          field.field, field.coefficients);
+    view.shown = shown_;
+    view.insideIsAbove = (field.inside == scene::Inside::above) == (grid.slope() > 0.0);
+  }
 }
 
 SurfaceCaster::~SurfaceCaster() = default;

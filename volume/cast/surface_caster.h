@@ -28,6 +28,9 @@
 
 namespace isolux::volume {
 
+class HiddenVoxels;
+class ShownCells;
+
 namespace casting {
 class CellBitsOnDemand;
 struct CastKernels;
@@ -40,6 +43,9 @@ struct CastField {
   const Grid& grid;
   scene::Field field = scene::Field::trilinear;
   const Coefficients* coefficients = nullptr;
+  // Of each isovalue what is hidden, null where nothing is; or empty. `inside`: of pieces.
+  std::span<const HiddenVoxels* const> hidden = {};
+  scene::Inside inside = scene::Inside::above;
 };
 
 // A part of what is cast, pixels [begin, end), `begin` a multiple of 4, and the pixel (0, 0) of the images it
@@ -116,6 +122,7 @@ class SurfaceCaster {
                          const Cast& cast);
   std::span<const std::uint64_t> masks_;
   std::unique_ptr<casting::CellBitsOnDemand> cells_;  // of cubic fields
+  std::vector<ShownCells> shown_;
   std::unique_ptr<casting::CastView> view_;
   const casting::CastKernels* kernels_;
 };

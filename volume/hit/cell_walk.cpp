@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "volume/pieces/shown_cells.h"
+
 namespace isolux::volume {
 
 namespace {
@@ -118,7 +120,9 @@ std::optional<CellWalk::Stretch> CellWalk::stretch() const {
   return stretch;
 }
 
-std::optional<Side> sideOfBlock(const MinMaxBlocks& blocks, std::size_t block, const Grid& grid,
+namespace {
+
+std::optional<Side> sideOfField(const MinMaxBlocks& blocks, std::size_t block, const Grid& grid,
                                 double isovalue) {
   const double a = static_cast<double>(blocks.minimum(block)), b = static_cast<double>(blocks.maximum(block));
   if (a > b) return Side::unknown;
@@ -129,6 +133,30 @@ std::optional<Side> sideOfBlock(const MinMaxBlocks& blocks, std::size_t block, c
   if (low > isovalue || (low == isovalue && high == isovalue && !gaps))
     return gaps ? Side::unknown : Side::inside;
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Side> sideOfBlock(const MinMaxBlocks& blocks, glm::ivec3 block, const Grid& grid,
+                                double isovalue, const ShownCells* shown) {
+  const std::optional<Side> side = sideOfField(blocks, blocks.index(block), grid, isovalue);
+  // A block that is not crossed and lies inside is of one piece.
+  if (!shown || !side || *side == Side::unknown || !shown->voxelHidden(block * blocks.blockCells()))
+    return side;
+  return *side == Side::inside ? Side::outside : Side::inside;
+}
+
+std::optional<double> firstShownChange(const ShownCells& shown, glm::ivec3 cell,
+                                       const CellWalk::Stretch& stretch, Side& side) {
+  const ShownWay way = shown.along(cell, stretch.from, stretch.to);
+  const auto sideOf = [&](bool inside) {
+    return inside == (shown.inside() == scene::Inside::above) ? Side::inside : Side::outside;
+  };
+  if (side == Side::unknown) side = sideOf(way.parts().front().inside);
+  const ShownWay::Part* const other = way.firstOther(side == sideOf(true));
+  if (!other) return std::nullopt;
+  side = sideOf(other->inside);
+  return other->begin;
 }
 
 }  // namespace isolux::volume

@@ -16,6 +16,8 @@
 
 namespace isolux::volume {
 
+class ShownCells;
+
 struct Ray {
   glm::dvec3 origin{0.0}, direction{0.0};  // direction need not be unit
   double tMinimum = 0.0, tMaximum = std::numeric_limits<double>::infinity();
@@ -71,22 +73,24 @@ class CellWalk {
 };
 
 // The side of a block that cannot be crossed, empty where its cells must be looked at. Where voxels are
-// missing the ray may have come through a gap, so that nothing is known about the side before.
-std::optional<Side> sideOfBlock(const MinMaxBlocks& blocks, std::size_t block, const Grid& grid,
-                                double isovalue);
+// missing the ray may have come through a gap, so that nothing is known about the side before. `shown`: null
+// where no piece is hidden; the side is that which is seen.
+std::optional<Side> sideOfBlock(const MinMaxBlocks& blocks, glm::ivec3 block, const Grid& grid,
+                                double isovalue, const ShownCells* shown);
 
 // Calls crossCell(walk, side) -> optional<Hit> for the ray's cells, front to back, until one answers; `side`
 // is that of the ray's way before the cell, and crossCell sets that behind it. Cells of blocks that cannot be
-// crossed are passed over. Invalid rays and isovalues, and grids without cells, meet nothing.
+// crossed are passed over. Invalid rays and isovalues, and grids without cells, meet nothing. `shown`: as of
+// sideOfBlock().
 template <class Hit, class CrossCell>
 std::optional<Hit> firstCrossing(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                 const Ray& ray, const CrossCell& crossCell) {
+                                 const Ray& ray, const ShownCells* shown, const CrossCell& crossCell) {
   if (blocks.count() == 0 || std::isnan(isovalue) || !ray.valid()) return std::nullopt;
   CellWalk walk(grid.dims(), ray);
   Side side = Side::unknown;
   for (bool more = walk.inside(); more;) {
     const glm::ivec3 block = walk.cell() / blocks.blockCells();
-    if (const auto skipped = sideOfBlock(blocks, blocks.index(block), grid, isovalue)) {
+    if (const auto skipped = sideOfBlock(blocks, block, grid, isovalue, shown)) {
       side = *skipped;
       const glm::ivec3 low = block * blocks.blockCells();
       more = walk.leave(low, glm::min(low + blocks.blockCells(), grid.dims() - 1));
@@ -97,6 +101,11 @@ std::optional<Hit> firstCrossing(const Grid& grid, const MinMaxBlocks& blocks, d
   }
   return std::nullopt;
 }
+
+// What crossing a cell does in which pieces are hidden: where on the stretch another side than `side` is seen
+// first, and sets `side` behind; an unknown side becomes that at the beginning.
+std::optional<double> firstShownChange(const ShownCells& shown, glm::ivec3 cell,
+                                       const CellWalk::Stretch& stretch, Side& side);
 
 // The root of f between `low` and `high`, where f is monotone or at least changes its sign once, from
 // `lowIsNegative` to its opposite: regula falsi in the Illinois form, with a bisection whenever it does not

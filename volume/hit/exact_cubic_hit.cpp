@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/field/cubic_weights.h"
+#include "volume/pieces/shown_cells.h"
 
 namespace isolux::volume {
 
@@ -87,28 +88,38 @@ struct Signs {
   }
 };
 
-// The first change of side along one cell's stretch.
-class FirstChange {
+// The changes of side along one cell's stretch, front to back.
+class Changes {
  public:
   // `rounding`: what the coefficients may be off by.
-  FirstChange(Side& side, double rounding) : side_(side), rounding_(rounding) {}
+  Changes(Side& side, double rounding) : side_(side), rounding_(rounding) {}
 
-  // The part [begin, begin + length] of the stretch; s, if there is a change of side in it.
-  std::optional<double> find(const Bernstein9& b, double begin, double length) {
+  // The part [begin, begin + length] of the stretch: calls found(s) for each change of side until one answers
+  // that it is enough; whether one did.
+  template <class Found>
+  bool find(const Bernstein9& b, double begin, double length, const Found& found) {
     const Signs signs(b, rounding_);
     if (signs.hidden && !uncertain) uncertain = begin;
-    if (signs.first == Side::unknown) return std::nullopt;
-    if (side_ != Side::unknown && side_ != signs.first) {
-      side_ = signs.first;
-      return begin;
-    }
+    if (signs.first == Side::unknown) return false;
+    const bool changesHere = side_ != Side::unknown && side_ != signs.first;
     side_ = signs.first;
-    if (signs.changes == 0) return std::nullopt;
-    if (signs.changes == 1 || length < kShortest) return crossing(b, signs, begin, length);
+    if (changesHere && found(begin)) return true;
+    if (signs.changes == 0) return false;
+    if (signs.changes == 1 || length < kShortest) {
+      const std::optional<double> s = crossing(b, signs, begin, length);
+      return s && found(*s);
+    }
     Bernstein9 front, back;
     halve(b, front, back);
-    if (const auto s = find(front, begin, 0.5 * length)) return s;
-    return find(back, begin + 0.5 * length, 0.5 * length);
+    return find(front, begin, 0.5 * length, found) || find(back, begin + 0.5 * length, 0.5 * length, found);
+  }
+  std::optional<double> first(const Bernstein9& b) {
+    std::optional<double> s;
+    find(b, 0.0, 1.0, [&](double at) {
+      s = at;
+      return true;
+    });
+    return s;
   }
 
   std::optional<double> uncertain;  // the first place where rounding hides what happens
@@ -153,6 +164,8 @@ struct CellCoefficients {
         }
   }
 
+  double rounding() const { return 16.0 * std::numeric_limits<double>::epsilon() * largest; }
+
   double valueAt(glm::dvec3 local) const {
     const CubicWeights x = cubicWeights(local.x), y = cubicWeights(local.y), z = cubicWeights(local.z);
     double sum = 0.0;
@@ -160,6 +173,18 @@ struct CellCoefficients {
     return sum;
   }
 };
+
+SideChanges changesIn(const CellCoefficients& cell, glm::dvec3 from, glm::dvec3 to) {
+  SideChanges result;
+  const Bernstein9 b = alongStretch(cell.c, from, to);
+  result.first = Signs(b, cell.rounding()).first;
+  Side side = result.first;
+  Changes(side, cell.rounding()).find(b, 0.0, 1.0, [&](double s) {
+    result.s[result.count++] = s;
+    return result.count == result.s.size();
+  });
+  return result;
+}
 
 bool hasMissingCorner(const Grid& grid, glm::ivec3 cell) {
   for (int i = 0; i < 8; ++i)
@@ -171,7 +196,8 @@ bool hasMissingCorner(const Grid& grid, glm::ivec3 cell) {
 // missing.
 template <class T, class HoldsSurface>
 CubicHit firstHitOf(const std::vector<T>& stored, const Grid& grid, const MinMaxBlocks& blocks,
-                    double isovalue, const Ray& ray, const HoldsSurface& holdsSurface) {
+                    double isovalue, const Ray& ray, const ShownCells* shown,
+                    const HoldsSurface& holdsSurface) {
   CubicHit result;
   const auto crossCell = [&](const CellWalk& walk, Side& side) -> std::optional<RayHit> {
     const CellCoefficients cell(stored, grid, isovalue, walk.cell());
@@ -180,14 +206,17 @@ CubicHit firstHitOf(const std::vector<T>& stored, const Grid& grid, const MinMax
       return std::nullopt;
     }
     const bool uniform = !(cell.anyBelow && cell.anyAbove);
+    const bool hides = shown && shown->hides(walk.cell());
     const Side whole = cell.anyAbove ? Side::inside : Side::outside;
-    if (uniform && side == whole) return std::nullopt;  // most cells: the ray stays on its side
+    if (uniform && side == whole && !hides) return std::nullopt;  // most cells: the ray stays on its side
     const auto stretch = walk.stretch();
     if (!stretch) return std::nullopt;
     std::optional<double> s;
-    if (!uniform) {
-      FirstChange change(side, 16.0 * std::numeric_limits<double>::epsilon() * cell.largest);
-      s = change.find(alongStretch(cell.c, stretch->from, stretch->to), 0.0, 1.0);
+    if (hides) {
+      s = firstShownChange(*shown, walk.cell(), *stretch, side);
+    } else if (!uniform) {
+      Changes change(side, cell.rounding());
+      s = change.first(alongStretch(cell.c, stretch->from, stretch->to));
       if (change.uncertain && result.certain) {
         result.certain = false;
         result.tUncertain = stretch->t(*change.uncertain);
@@ -205,7 +234,7 @@ CubicHit firstHitOf(const std::vector<T>& stored, const Grid& grid, const MinMax
     hit.entering = side == Side::inside;
     return hit;
   };
-  result.hit = firstCrossing<RayHit>(grid, blocks, isovalue, ray, crossCell);
+  result.hit = firstCrossing<RayHit>(grid, blocks, isovalue, ray, shown, crossCell);
   // A crossing at the end of a stretch looks doubtful there, and is not where the next stretch shows it.
   constexpr double samePlaceVoxels = 1e-6;
   if (!result.certain && result.hit &&
@@ -231,20 +260,43 @@ Bernstein9 alongStretch(const std::array<double, 64>& coefficients, glm::dvec3 f
   return b;
 }
 
-CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray) {
+CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
+                       const HiddenPieces& hidden) {
+  std::optional<ShownCells> shown;
+  if (hidden.voxels) shown.emplace(grid, hidden.voxels, isovalue, hidden.inside, scene::Field::cubic);
   return std::visit(
       [&](const auto& voxels) {
-        return firstHitOf(voxels, grid, blocks, isovalue, ray, [](glm::ivec3) { return true; });
+        return firstHitOf(voxels, grid, blocks, isovalue, ray, shown ? &*shown : nullptr,
+                          [](glm::ivec3) { return true; });
       },
       grid.voxels());
 }
 
 CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
-                       double isovalue, const Ray& ray) {
+                       double isovalue, const Ray& ray, const HiddenPieces& hidden) {
   const bool gaps = grid.missingCount() > 0;
+  std::optional<ShownCells> shown;
+  if (hidden.voxels)
+    shown.emplace(grid, hidden.voxels, isovalue, hidden.inside, scene::Field::cubic_interpolating,
+                  &coefficients);
   // Values and blocks lack the offset: so does what they are compared with.
   return firstHitOf(coefficients.values, grid, blocks, isovalue - grid.slope() * coefficients.offset, ray,
+                    shown ? &*shown : nullptr,
                     [&](glm::ivec3 cell) { return !gaps || !hasMissingCorner(grid, cell); });
+}
+
+SideChanges sideChangesOfCell(const Grid& grid, double isovalue, glm::ivec3 cell, glm::dvec3 from,
+                              glm::dvec3 to) {
+  return std::visit(
+      [&](const auto& voxels) { return changesIn(CellCoefficients(voxels, grid, isovalue, cell), from, to); },
+      grid.voxels());
+}
+
+SideChanges sideChangesOfCell(const Coefficients& coefficients, const Grid& grid, double isovalue,
+                              glm::ivec3 cell, glm::dvec3 from, glm::dvec3 to) {
+  return changesIn(
+      CellCoefficients(coefficients.values, grid, isovalue - grid.slope() * coefficients.offset, cell), from,
+      to);
 }
 
 }  // namespace isolux::volume

@@ -35,16 +35,29 @@ struct CubicHit {
   double tUncertain = 0.0;  // of the first such place, where not certain
 };
 
-// As firstHit() in all that is not said here: units, sides, tMinimum, tMaximum. `blocks`:
+// As firstHit() in all that is not said here: units, sides, tMinimum, tMaximum, hidden. `blocks`:
 // MinMaxBlocks::ofCubic() of the same field.
-CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray);
+CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
+                       const HiddenPieces& hidden = {});
 // `coefficients`: interpolatingCoefficients(grid).
 CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
-                       double isovalue, const Ray& ray);
+                       double isovalue, const Ray& ray, const HiddenPieces& hidden = {});
 
 // The polynomial of degree 9 along the straight line from `from` to `to`, both in [0,1]^3 of a cell, of the
 // spline with these coefficients (x fastest, the cell's own corners at 1 and 2 of each axis), Bernstein form.
 using Bernstein9 = std::array<double, 10>;
 Bernstein9 alongStretch(const std::array<double, 64>& coefficients, glm::dvec3 from, glm::dvec3 to);
+
+// All changes of side along a cell's stretch, s in [0, 1] ascending, and the side that it begins on (unknown
+// where rounding hides it). isovalue: data units; the cell has no missing coefficient.
+struct SideChanges {
+  Side first = Side::unknown;
+  std::size_t count = 0;
+  std::array<double, 9> s{};
+};
+SideChanges sideChangesOfCell(const Grid& grid, double isovalue, glm::ivec3 cell, glm::dvec3 from,
+                              glm::dvec3 to);
+SideChanges sideChangesOfCell(const Coefficients& coefficients, const Grid& grid, double isovalue,
+                              glm::ivec3 cell, glm::dvec3 from, glm::dvec3 to);
 
 }  // namespace isolux::volume

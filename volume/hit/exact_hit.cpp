@@ -5,6 +5,7 @@
 
 #include "volume/hit/bernstein_cubic.h"
 #include "volume/hit/cell_walk.h"
+#include "volume/pieces/shown_cells.h"
 
 namespace isolux::volume {
 
@@ -41,7 +42,7 @@ bool firstChange(const BernsteinCubic& cubic, Side& side, double& s) {
 // One cell on the ray's way: the first change of side in it.
 template <class T>
 std::optional<RayHit> crossCell(const Grid& grid, const std::vector<T>& voxels, double isovalue,
-                                const CellWalk& walk, Side& side) {
+                                const CellWalk& walk, const ShownCells* shown, Side& side) {
   const glm::ivec3 cell = walk.cell();
   CellCorners corner;
   bool anyBelow = false, anyAbove = false, missing = false;
@@ -58,12 +59,17 @@ std::optional<RayHit> crossCell(const Grid& grid, const std::vector<T>& voxels, 
     return std::nullopt;
   }
   const bool uniform = !(anyBelow && anyAbove);
+  const bool hides = shown && shown->hides(cell);
   const Side whole = anyAbove ? Side::inside : Side::outside;
-  if (uniform && side == whole) return std::nullopt;  // most cells: the ray stays on its side
+  if (uniform && side == whole && !hides) return std::nullopt;  // most cells: the ray stays on its side
   const auto stretch = walk.stretch();
   if (!stretch) return std::nullopt;
   double s = 0.0;
-  if (!uniform) {
+  if (hides) {
+    const std::optional<double> change = firstShownChange(*shown, cell, *stretch, side);
+    if (!change) return std::nullopt;
+    s = *change;
+  } else if (!uniform) {
     const BernsteinCubic cubic = BernsteinCubic::along(corner, stretch->from, stretch->to);
     if (!firstChange(cubic, side, s)) return std::nullopt;
   } else {
@@ -83,12 +89,17 @@ std::optional<RayHit> crossCell(const Grid& grid, const std::vector<T>& voxels, 
 }  // namespace
 
 std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                               glm::dvec3 origin, glm::dvec3 direction, double tMinimum, double tMaximum) {
+                               glm::dvec3 origin, glm::dvec3 direction, double tMinimum, double tMaximum,
+                               const HiddenPieces& hidden) {
+  std::optional<ShownCells> cells;
+  if (hidden.voxels) cells.emplace(grid, hidden.voxels, isovalue, hidden.inside);
+  const ShownCells* const shown = cells ? &*cells : nullptr;
   return std::visit(
       [&](const auto& voxels) {
-        return firstCrossing<RayHit>(
-            grid, blocks, isovalue, Ray{origin, direction, tMinimum, tMaximum},
-            [&](const CellWalk& walk, Side& side) { return crossCell(grid, voxels, isovalue, walk, side); });
+        return firstCrossing<RayHit>(grid, blocks, isovalue, Ray{origin, direction, tMinimum, tMaximum},
+                                     shown, [&](const CellWalk& walk, Side& side) {
+                                       return crossCell(grid, voxels, isovalue, walk, shown, side);
+                                     });
       },
       grid.voxels());
 }

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/grid.h"
+#include "volume/pieces/hidden_pieces.h"
 #include "volume/skip/min_max_blocks.h"
 
 namespace isolux::volume {
@@ -25,9 +26,11 @@ struct RayHit {
 // origin and direction in voxel space (direction need not be unit, not zero); first crossing with t in
 // [tMinimum, tMaximum]. A crossing is a change of (f >= isovalue); touching without crossing is no hit.
 // A ray that starts on the surface does not hit it there. Not finite or zero rays hit nothing. Where a ray
-// runs in a plane between two cells, one of them decides (only missing voxels make that matter).
+// runs in a plane between two cells, one of them decides (only missing voxels make that matter). `hidden`: of
+// this isovalue; (f >= isovalue) is then what is seen.
 std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                glm::dvec3 origin, glm::dvec3 direction, double tMinimum = 0.0,
-                               double tMaximum = std::numeric_limits<double>::infinity());
+                               double tMaximum = std::numeric_limits<double>::infinity(),
+                               const HiddenPieces& hidden = {});
 
 }  // namespace isolux::volume

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/field/reconstruct.h"
+#include "volume/pieces/shown_cells.h"
 
 namespace isolux::volume {
 
@@ -21,7 +22,7 @@ float distanceSquared(glm::vec3 a, glm::vec3 b) {
 
 // Where the surface crosses an edge of the cells that reach touches, nearest to `voxel`.
 std::optional<glm::vec3> nearestEdgeCrossing(const Grid& grid, glm::vec3 voxel, glm::vec3 reach,
-                                             float isovalue) {
+                                             float isovalue, const HiddenVoxels* hidden) {
   const glm::ivec3 last = grid.dims() - 1;
   const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(voxel - reach)), glm::ivec3(0), last);
   const glm::ivec3 high = glm::clamp(glm::ivec3(glm::ceil(voxel + reach)), glm::ivec3(0), last);
@@ -38,7 +39,7 @@ std::optional<glm::vec3> nearestEdgeCrossing(const Grid& grid, glm::vec3 voxel, 
           ++next[axis];
           const float there = static_cast<float>(grid.stored(next.x, next.y, next.z)) - isovalue;
           const bool crossed = (here >= 0.0f && there < 0.0f) || (here < 0.0f && there >= 0.0f);
-          if (!crossed) continue;
+          if (!crossed || (hidden && (hidden->at(at) || hidden->at(next)))) continue;
           glm::vec3 point(at);
           point[axis] += here / (here - there);
           const float squared = distanceSquared(point, voxel);
@@ -68,10 +69,11 @@ std::optional<glm::vec3> ontoSurface(const Grid& grid, glm::dvec3 point, double 
 }  // namespace
 
 std::optional<glm::vec3> nearestSurfacePoint(const Grid& grid, glm::vec3 voxel, glm::vec3 reach,
-                                             float isovalue) {
-  const std::optional<glm::vec3> start = nearestEdgeCrossing(grid, voxel, reach, isovalue);
+                                             float isovalue, const HiddenPieces& hidden) {
+  const std::optional<glm::vec3> start = nearestEdgeCrossing(grid, voxel, reach, isovalue, hidden.voxels);
   if (!start) return std::nullopt;
   const double value = grid.valueOfStored(static_cast<double>(isovalue));
+  const ShownCells shown(grid, hidden.voxels, value, hidden.inside);
   const glm::dvec3 from(voxel);
   glm::vec3 nearest = *start;
   for (int i = 0; i < kSlides; ++i) {
@@ -81,6 +83,7 @@ std::optional<glm::vec3> nearestSurfacePoint(const Grid& grid, glm::vec3 voxel, 
     // The foot of the perpendicular on the tangent plane.
     const glm::dvec3 foot = from + gradient * (glm::dot(at - from, gradient) / squared);
     const std::optional<glm::vec3> closer = ontoSurface(grid, foot, value);
+    if (hidden.voxels && closer && shown.hiddenAt(*closer)) break;
     if (!closer || distanceSquared(*closer, voxel) >= distanceSquared(nearest, voxel)) break;
     nearest = *closer;
   }

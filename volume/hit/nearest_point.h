@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/grid.h"
+#include "volume/pieces/hidden_pieces.h"
 
 namespace isolux::volume {
 
@@ -13,8 +14,8 @@ namespace isolux::volume {
 // along each axis. Starts where the surface crosses an edge of these cells nearest to `voxel` (exact: the
 // field is linear there) and slides along the surface while that brings it closer; distances are those of
 // voxel coordinates. Nothing where no edge is crossed, so that no surface comes within reach. Missing voxels
-// have no edges.
+// have no edges. `hidden`: of this isovalue; pieces that have no points.
 std::optional<glm::vec3> nearestSurfacePoint(const Grid& grid, glm::vec3 voxel, glm::vec3 reach,
-                                             float isovalue);
+                                             float isovalue, const HiddenPieces& hidden = {});
 
 }  // namespace isolux::volume

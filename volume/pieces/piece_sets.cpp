@@ -16,6 +16,11 @@ void keep(std::vector<T>& kept, T value, std::size_t most) {
 
 }  // namespace
 
+bool PieceSets::any() const {
+  const std::lock_guard lock(mutex_);
+  return !pieces_.empty();
+}
+
 std::shared_ptr<const Pieces> PieceSets::find(double isovalue, scene::Inside inside) const {
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(pieces_.begin(), pieces_.end(), [&](const auto& pieces) {
@@ -35,14 +40,19 @@ std::shared_ptr<const Pieces> PieceSets::at(double isovalue, scene::Inside insid
   return pieces;
 }
 
+std::optional<std::shared_ptr<const HiddenVoxels>> PieceSets::findHidden(const scene::Pieces& choice,
+                                                                         double isovalue,
+                                                                         scene::Inside inside) const {
+  if (!hidesPieces(choice)) return nullptr;
+  const std::lock_guard lock(mutex_);
+  for (const Hidden& kept : hidden_)
+    if (kept.choice == choice && kept.isovalue == isovalue && kept.inside == inside) return kept.voxels;
+  return std::nullopt;
+}
+
 std::shared_ptr<const HiddenVoxels> PieceSets::hidden(const scene::Pieces& choice, double isovalue,
                                                       scene::Inside inside, base::Progress& progress) const {
-  if (!hidesPieces(choice)) return nullptr;
-  {
-    const std::lock_guard lock(mutex_);
-    for (const Hidden& kept : hidden_)
-      if (kept.choice == choice && kept.isovalue == isovalue && kept.inside == inside) return kept.voxels;
-  }
+  if (const auto found = findHidden(choice, isovalue, inside)) return *found;
   const auto pieces = at(isovalue, inside, progress);
   auto voxels = std::make_shared<const HiddenVoxels>(hiddenVoxels(*pieces, shownPieces(*pieces, choice)));
   if (!voxels->any()) voxels = nullptr;

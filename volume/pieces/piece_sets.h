@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "base/progress.h"
@@ -21,6 +22,7 @@ class PieceSets {
   PieceSets(std::shared_ptr<const Grid> grid, std::shared_ptr<const MinMaxBlocks> blocks)
       : grid_(std::move(grid)), blocks_(std::move(blocks)) {}
 
+  bool any() const;  // somebody has asked for pieces before
   // Null where nobody has asked for them, or long ago.
   std::shared_ptr<const Pieces> find(double isovalue, scene::Inside inside) const;
   // Throws Error: interrupted, memory.
@@ -30,6 +32,9 @@ class PieceSets {
   // it. Throws as at() does.
   std::shared_ptr<const HiddenVoxels> hidden(const scene::Pieces& choice, double isovalue,
                                              scene::Inside inside, base::Progress& progress) const;
+  // The same where it is known already; nothing where it is not.
+  std::optional<std::shared_ptr<const HiddenVoxels>> findHidden(const scene::Pieces& choice, double isovalue,
+                                                                scene::Inside inside) const;
 
  private:
   // Four isosurfaces, before and after a change.

@@ -1,6 +1,7 @@
 #include "volume/skip/cell_ranges.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -142,6 +143,19 @@ std::vector<std::uint8_t> binsOf(const Grid& grid, const ValueBins& bins, base::
   return result;
 }
 
+void replaceHidden(const HiddenVoxels& hidden, std::uint8_t bin, std::vector<std::uint8_t>& bins) {
+  const glm::ivec3 dims = hidden.dims();
+  const auto width = static_cast<std::size_t>(dims.x), words = static_cast<std::size_t>(hidden.wordsPerRow());
+  const auto rows = static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows), [&](const auto& range) {
+    for (std::size_t row = range.begin(); row != range.end(); ++row)
+      for (std::size_t word = 0; word < words; ++word)
+        for (std::uint64_t bits = hidden.words()[row * words + word]; bits != 0; bits &= bits - 1)
+          bins[row * width + word * HiddenVoxels::kVoxelsPerWord +
+               static_cast<std::size_t>(std::countr_zero(bits))] = bin;
+  });
+}
+
 // The last two bytes of every word: the range of its block of 4^3 words.
 void fillLargeBlocks(std::uint8_t* words, glm::ivec3 dims, base::Progress& progress) {
   const auto word = [=](int x, int y, int z) {
@@ -213,7 +227,9 @@ std::size_t CellRanges::bytesOf(glm::ivec3 dims) {
   return blocks == 0 ? 0 : 4 * blocks + 128 * blocks + 2;
 }
 
-CellRanges::CellRanges(const Grid& grid, base::Progress& progress) : bins_(grid) {
+CellRanges::CellRanges(const Grid& grid, base::Progress& progress, const HiddenVoxels* hidden,
+                       bool insideHigh)
+    : bins_(grid) {
   const glm::ivec3 dims = grid.dims();
   blockDims_ = blocksOf(dims);
   cellBytes_ = 4 * productOf(blockDims_);
@@ -221,7 +237,8 @@ CellRanges::CellRanges(const Grid& grid, base::Progress& progress) : bins_(grid)
   table_.reserve(bytesOf(dims));
   preferHugePages(table_.data(), table_.capacity(), progress);  // before anything touches them
   resizeStoppably(table_, bytesOf(dims), progress);
-  const std::vector<std::uint8_t> bins = binsOf(grid, bins_, progress);
+  std::vector<std::uint8_t> bins = binsOf(grid, bins_, progress);
+  if (hidden) replaceHidden(*hidden, insideHigh ? 0 : kMissing - 1, bins);
   tbb::parallel_for(
       tbb::blocked_range<int>(0, blockDims_.y * blockDims_.z), [&](const tbb::blocked_range<int>& range) {
         if (progress.stopRequested()) return;

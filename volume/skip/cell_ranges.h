@@ -9,6 +9,8 @@
 // the block, then of the 16^3 block around it. Behind cellBytes() follow, block after block, two bytes per
 // cell (smallest, largest bin), x fastest within the block. A range that holds a missing voxel is [0, 255];
 // cells beyond the last one hold [255, 0] and are in no other range.
+//
+// Where pieces are hidden, for one isovalue: their voxels count as far outside.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +20,7 @@
 
 #include "base/progress.h"
 #include "volume/grid.h"
+#include "volume/pieces/hidden_voxels.h"
 
 namespace isolux::volume {
 
@@ -39,8 +42,10 @@ class ValueBins {
 
 class CellRanges {
  public:
-  // Multithreaded. Throws Error{interrupted}. Grids without cells have an empty table.
-  CellRanges(const Grid& grid, base::Progress& progress);
+  // Multithreaded. Throws Error{interrupted}. Grids without cells have an empty table. hidden: null where all
+  // is shown; insideHigh: of its pieces, stored values from the isovalue up.
+  CellRanges(const Grid& grid, base::Progress& progress, const HiddenVoxels* hidden = nullptr,
+             bool insideHigh = true);
 
   static std::size_t bytesOf(glm::ivec3 dims);  // of the table for so many voxels
 

@@ -18,10 +18,11 @@ Quantiles quantilesOf(std::vector<double>& values) {
 
 template <class SampleAt>
 CurvatureStatistics statisticsOf(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                 double outward, const SampleAt& sampleAt, std::size_t wanted) {
+                                 double outward, const SampleAt& sampleAt, std::size_t wanted,
+                                 const HiddenPieces& hidden) {
   CurvatureStatistics result;
   std::vector<glm::dvec2> kappas;
-  for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, wanted)) {
+  for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, wanted, hidden)) {
     const FieldSample field = sampleAt(point.voxel);
     const PrincipalCurvature k = principalCurvature(worldGradient(grid.geometry(), field.gradient),
                                                     worldHessian(grid.geometry(), field.hessian), outward);
@@ -47,18 +48,19 @@ Quantiles CurvatureStatistics::of(scene::LookMode look) const {
 }
 
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward, const Coefficients* coefficients,
-                                        std::size_t wanted) {
+                                        double outward, const Coefficients* coefficients, std::size_t wanted,
+                                        const HiddenPieces& hidden) {
   const auto sampleAt = [&](glm::dvec3 voxel) {
     return coefficients ? sampleCubic(*coefficients, grid, voxel) : sampleCubic(grid, voxel);
   };
-  return statisticsOf(grid, blocks, isovalue, outward, sampleAt, wanted);
+  return statisticsOf(grid, blocks, isovalue, outward, sampleAt, wanted, hidden);
 }
 
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward, const ScaledField& scaled, std::size_t wanted) {
+                                        double outward, const ScaledField& scaled, std::size_t wanted,
+                                        const HiddenPieces& hidden) {
   const auto sampleAt = [&](glm::dvec3 voxel) { return sampleScaled(scaled, grid, voxel); };
-  return statisticsOf(grid, blocks, isovalue, outward, sampleAt, wanted);
+  return statisticsOf(grid, blocks, isovalue, outward, sampleAt, wanted, hidden);
 }
 
 }  // namespace isolux::volume

@@ -6,9 +6,12 @@
 #include "scene/looks.h"
 #include "volume/field/scaled_field.h"
 #include "volume/grid.h"
+#include "volume/pieces/hidden_pieces.h"
 #include "volume/skip/min_max_blocks.h"
 
 namespace isolux::volume {
+
+inline constexpr std::size_t kCurvaturePoints = 2000;
 
 // Robust bounds of a quantity over the surface: the 5 %, 50 % and 95 % quantiles.
 struct Quantiles {
@@ -23,15 +26,18 @@ struct CurvatureStatistics {
   Quantiles of(scene::LookMode look) const;
 };
 
-// Over about `wanted` points that can be seen (visible_points.h): folds that nobody looks into bend more, and
-// would make ranges several times too wide. `blocks` are those of the samples. Curvature is that of the
-// B-spline of the samples, or of the `coefficients` where given; `outward` as in volume/field/curvature.h.
-// Some milliseconds.
+// Over about `wanted` points that can be seen (visible_points.h) of what is not `hidden`: folds that nobody
+// looks into bend more, and would make ranges several times too wide. `blocks` are those of the samples.
+// Curvature is that of the B-spline of the samples, or of the `coefficients` where given; `outward` as in
+// volume/field/curvature.h. Some milliseconds.
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                         double outward = -1.0, const Coefficients* coefficients = nullptr,
-                                        std::size_t wanted = 2000);
+                                        std::size_t wanted = kCurvaturePoints,
+                                        const HiddenPieces& hidden = {});
 // Curvature of the field at a scale.
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward, const ScaledField& scaled, std::size_t wanted = 2000);
+                                        double outward, const ScaledField& scaled,
+                                        std::size_t wanted = kCurvaturePoints,
+                                        const HiddenPieces& hidden = {});
 
 }  // namespace isolux::volume

@@ -93,7 +93,7 @@ VoxelBox boxOfSurface(const Grid& grid, const MinMaxBlocks& blocks, double isova
 }  // namespace
 
 std::vector<VisiblePoint> visiblePoints(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        std::size_t wanted) {
+                                        std::size_t wanted, const HiddenPieces& hidden) {
   std::vector<VisiblePoint> points;
   const VoxelBox box = boxOfSurface(grid, blocks, isovalue);
   if (!(box.low.x <= box.high.x) || !std::isfinite(isovalue)) return points;
@@ -106,7 +106,8 @@ std::vector<VisiblePoint> visiblePoints(const Grid& grid, const MinMaxBlocks& bl
   for (std::size_t first = 0; first < mostBatches * batch && points.size() < wanted; first += batch) {
     tbb::parallel_for(std::size_t{0}, batch, [&](std::size_t i) {
       const Ray ray = beams[i % kDirections].ray(spreadPoint((first + i) / kDirections));
-      hits[i] = firstHit(grid, blocks, isovalue, ray.origin, ray.direction);
+      hits[i] =
+          firstHit(grid, blocks, isovalue, ray.origin, ray.direction, ray.tMinimum, ray.tMaximum, hidden);
     });
     for (std::size_t i = 0; i < batch && points.size() < wanted; ++i)
       if (hits[i]) points.push_back({hits[i]->voxel, beams[i % kDirections].direction()});

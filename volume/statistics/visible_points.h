@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/grid.h"
+#include "volume/pieces/hidden_pieces.h"
 #include "volume/skip/min_max_blocks.h"
 
 namespace isolux::volume {
@@ -19,9 +20,9 @@ struct VisiblePoint {
 };
 
 // First hits of parallel rays from ten fixed directions, spread evenly over the picture of each: about
-// `wanted`, fewer where the surface is small in its box, none without a surface. The same on every machine.
-// On all cores, some milliseconds.
+// `wanted`, of what is not `hidden`, fewer where the surface is small in its box, none without a surface. The
+// same on every machine. On all cores, some milliseconds.
 std::vector<VisiblePoint> visiblePoints(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        std::size_t wanted = 2000);
+                                        std::size_t wanted = 2000, const HiddenPieces& hidden = {});
 
 }  // namespace isolux::volume

@@ -7,7 +7,10 @@
 #define ISOLUX_VOLUME_ISOSURFACE_TRACER_CELLS_INL_H
 #endif
 
+#include <bit>
 #include <type_traits>
+
+#include <glm/common.hpp>
 
 #include "volume/tracer/corners-inl.h"
 #include "volume/tracer/kernels.h"
@@ -136,6 +139,44 @@ HWY_INLINE MF findBrackets(Group& g, const Cubic& f, MF here, VF tIn, VF tOut, V
   return found;
 }
 
+// Lanes in cells of which something is hidden, one by one. before: those that came from outside.
+HWY_NOINLINE void passHidden(const View& view, Group& g, MF here, VF tOut, MF before, MF& entered,
+                             MF& outside) {
+  const F f;
+  const I i;
+  alignas(64) std::int32_t cells[3][kLanes], entries[kLanes], outsides[kLanes];
+  alignas(64) float tIns[kLanes], tOuts[kLanes];
+  hn::Store(g.cx, i, cells[0]);
+  hn::Store(g.cy, i, cells[1]);
+  hn::Store(g.cz, i, cells[2]);
+  hn::Store(g.t, f, tIns);
+  hn::Store(tOut, f, tOuts);
+  hn::Store(hn::VecFromMask(i, hn::RebindMask(i, entered)), i, entries);
+  hn::Store(hn::VecFromMask(i, hn::RebindMask(i, outside)), i, outsides);
+  const std::uint32_t cameFromOutside = bitsOf(hn::RebindMask(i, before));
+  for (std::uint32_t bits = bitsOf(hn::RebindMask(i, here)); bits != 0; bits &= bits - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+    const glm::ivec3 cell(cells[0][lane], cells[1][lane], cells[2][lane]);
+    if (!view.shown->hides(cell)) continue;
+    const auto local = [&](float t) {
+      glm::dvec3 p;
+      for (int axis = 0; axis < 3; ++axis)
+        p[axis] = static_cast<double>(g.origin[axis][lane]) +
+                  static_cast<double>(t) * static_cast<double>(g.direction[axis][lane]) - cell[axis];
+      return glm::clamp(p, 0.0, 1.0);
+    };
+    bool isOutside = (cameFromOutside >> lane & 1) != 0;
+    const double s = entryIntoShown(view, cell, local(tIns[lane]), local(tOuts[lane]), isOutside);
+    entries[lane] = s >= 0.0 ? -1 : 0;
+    outsides[lane] = isOutside ? -1 : 0;
+    if (s >= 0.0)
+      g.found.tIn[lane] = g.found.tOut[lane] =
+          tIns[lane] + static_cast<float>(s) * (tOuts[lane] - tIns[lane]);
+  }
+  entered = hn::RebindMask(f, hn::Ne(hn::Load(i, entries), hn::Zero(i)));
+  outside = hn::RebindMask(f, hn::Ne(hn::Load(i, outsides), hn::Zero(i)));
+}
+
 // Entries in the cells of lanes `here`; updates `outside`.
 template <class T, bool any>
 HWY_INLINE MF testCells(const View& view, const T* voxels, Group& g, MF here, VF tOut, MF& outside) {
@@ -143,6 +184,7 @@ HWY_INLINE MF testCells(const View& view, const T* voxels, Group& g, MF here, VF
   const F d;
   const VF zero = hn::Zero(d);
   MF known = here;
+  const MF before = outside;
   const Cubic f = cubicOf(view, voxels, g, tOut, known);
   const MF gap = hn::AndNot(known, here);
   here = hn::And(here, known);
@@ -168,6 +210,7 @@ HWY_INLINE MF testCells(const View& view, const T* voxels, Group& g, MF here, VF
   const MF endsOutside =
       hn::Or(hn::Lt(f.b3, zero), hn::And(hn::Eq(f.b3, zero), hn::Or(hn::Lt(atLow, zero), beginsOutside)));
   outside = hn::Or(hn::And(here, endsOutside), hn::AndNot(hn::Or(here, gap), outside));
+  if (view.shown) passHidden(view, g, here, tOut, before, entered, outside);
   return entered;
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "volume/tracer/hidden_table.h"
 #include "volume/tracer/kernels.h"
 #include "volume/tracer/trace_tables.h"
 
@@ -58,6 +59,7 @@ const Kernels* kernelsOf(TracerTarget target) {
 IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside,
                                    base::Progress& progress, TracerTarget target, TracerReach reach)
     : grid_(std::move(grid)),
+      inside_(inside),
       tables_(tracing::TraceTables::of(grid_, progress)),
       view_(std::make_unique<tracing::View>()),
       kernels_(tracing::kernelsOf(target)) {
@@ -91,7 +93,88 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
       grid_->voxels());
 }
 
+struct IsosurfaceTracer::HidingView {
+  std::shared_ptr<const tracing::HiddenTable> table;
+  tracing::View view;
+};
+
 IsosurfaceTracer::~IsosurfaceTracer() = default;
+
+void IsosurfaceTracer::hide(std::span<const HiddenOfSurface> surfaces, base::Progress& progress) {
+  std::vector<std::shared_ptr<const tracing::HiddenTable>> tables;
+  if (view_->traceable())
+    for (const HiddenOfSurface& surface : surfaces)
+      if (surface.voxels)
+        tables.push_back(std::make_shared<const tracing::HiddenTable>(grid_, surface, progress));
+  takeHidden(std::move(tables));
+}
+
+void IsosurfaceTracer::takeHidden(std::vector<std::shared_ptr<const tracing::HiddenTable>> tables) {
+  hiding_.clear();
+  for (std::shared_ptr<const tracing::HiddenTable>& table : tables) {
+    tracing::View view = *view_;
+    view.ranges = &table->ranges();
+    view.table = view.ranges->table();
+    view.shown = &table->shown();
+    view.insideIsOfPieces = inside_ == table->surface().inside;
+    hiding_.push_back({std::move(table), view});
+  }
+}
+
+std::vector<HiddenOfSurface> IsosurfaceTracer::hidden() const {
+  std::vector<HiddenOfSurface> surfaces;
+  for (const HidingView& hiding : hiding_) surfaces.push_back(hiding.table->surface());
+  return surfaces;
+}
+
+std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::otherSide(base::Progress& progress) const {
+  auto other = std::make_shared<IsosurfaceTracer>(grid_, scene::otherSide(inside_), progress);
+  std::vector<std::shared_ptr<const tracing::HiddenTable>> tables;
+  for (const HidingView& hiding : hiding_) tables.push_back(hiding.table);
+  other->takeHidden(std::move(tables));
+  return other;
+}
+
+std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::withAllPieces() const {
+  base::Progress progress;  // the tables are there
+  return std::make_shared<const IsosurfaceTracer>(grid_, inside_, progress);
+}
+
+const tracing::View& IsosurfaceTracer::viewOf(float isovalue) const {
+  for (const HidingView& hiding : hiding_)
+    if (hiding.table->isovalue() == isovalue) return hiding.view;
+  return *view_;
+}
+
+// Calls trace(view, rays, results) with the rays of each view.
+template <class Result, class Trace>
+void IsosurfaceTracer::forViews(std::span<const TraceRay> rays, std::span<Result> results,
+                                const Trace& trace) const {
+  if (rays.empty()) return;
+  const tracing::View& first = viewOf(rays.front().isovalue);
+  const auto ofFirst = [&](const TraceRay& ray) { return &viewOf(ray.isovalue) == &first; };
+  if (hiding_.empty() || std::all_of(rays.begin(), rays.end(), ofFirst)) {
+    trace(first, rays, results);
+    return;
+  }
+  std::vector<const tracing::View*> views{view_.get()};
+  for (const HidingView& hiding : hiding_) views.push_back(&hiding.view);
+  std::vector<TraceRay> own;
+  std::vector<std::size_t> places;
+  std::vector<Result> ownResults;
+  for (const tracing::View* const view : views) {
+    own.clear();
+    places.clear();
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      if (&viewOf(rays[i].isovalue) == view) {
+        own.push_back(rays[i]);
+        places.push_back(i);
+      }
+    ownResults.resize(own.size());
+    trace(*view, std::span<const TraceRay>(own), std::span<Result>(ownResults));
+    for (std::size_t i = 0; i < places.size(); ++i) results[places[i]] = ownResults[i];
+  }
+}
 
 std::vector<TracerTarget> IsosurfaceTracer::availableTargets() {
   std::vector<TracerTarget> list{TracerTarget::scalar};
@@ -104,7 +187,9 @@ std::vector<TracerTarget> IsosurfaceTracer::availableTargets() {
 void IsosurfaceTracer::firstEntries(std::span<const TraceRay> rays, std::span<float> t) const {
   assert(rays.size() == t.size());
   if (view_->traceable())
-    kernels_->firstEntries(*view_, rays.data(), rays.size(), t.data());
+    forViews(rays, t, [&](const tracing::View& view, std::span<const TraceRay> of, std::span<float> result) {
+      kernels_->firstEntries(view, of.data(), of.size(), result.data());
+    });
   else
     std::fill(t.begin(), t.end(), std::numeric_limits<float>::infinity());
 }
@@ -112,7 +197,10 @@ void IsosurfaceTracer::firstEntries(std::span<const TraceRay> rays, std::span<fl
 void IsosurfaceTracer::anyEntries(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const {
   assert(rays.size() == hit.size());
   if (view_->traceable())
-    kernels_->anyEntries(*view_, rays.data(), rays.size(), hit.data());
+    forViews(rays, hit,
+             [&](const tracing::View& view, std::span<const TraceRay> of, std::span<std::uint8_t> result) {
+               kernels_->anyEntries(view, of.data(), of.size(), result.data());
+             });
   else
     std::fill(hit.begin(), hit.end(), std::uint8_t{0});
 }
@@ -123,7 +211,9 @@ void IsosurfaceTracer::gradients(std::span<const glm::vec3> voxels, std::span<gl
 }
 
 std::size_t IsosurfaceTracer::bytes() const {
-  return tables_->bytes();
+  std::size_t bytes = tables_->bytes();
+  for (const HidingView& hiding : hiding_) bytes += hiding.table->ranges().bytes();
+  return bytes;
 }
 
 const char* IsosurfaceTracer::target() const {

@@ -19,10 +19,12 @@
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/grid.h"
+#include "volume/pieces/hidden_pieces.h"
 
 namespace isolux::volume {
 
 namespace tracing {
+class HiddenTable;
 struct Kernels;
 class TraceTables;
 struct View;
@@ -56,6 +58,15 @@ class IsosurfaceTracer {
   IsosurfaceTracer(const IsosurfaceTracer&) = delete;
   IsosurfaceTracer& operator=(const IsosurfaceTracer&) = delete;
 
+  // What rays of these isovalues pass from now on; before anything is traced, once. Two bytes a voxel for
+  // each isovalue with anything hidden. Throws as the constructor.
+  void hide(std::span<const HiddenOfSurface> surfaces, base::Progress& progress);
+  std::vector<HiddenOfSurface> hidden() const;
+  // Of the other side, with the same tables and pieces; and of this side with all pieces shown. Throws as the
+  // constructor.
+  std::shared_ptr<const IsosurfaceTracer> otherSide(base::Progress& progress) const;
+  std::shared_ptr<const IsosurfaceTracer> withAllPieces() const;
+
   // Those compiled in that this machine can run; scalar is always the first.
   static std::vector<TracerTarget> availableTargets();
 
@@ -75,9 +86,19 @@ class IsosurfaceTracer {
   bool beyondSimd() const { return beyondSimd_; }  // scalar only because of TracerReach
 
  private:
+  // Of rays of one isovalue, or of all others.
+  struct HidingView;
+
+  void takeHidden(std::vector<std::shared_ptr<const tracing::HiddenTable>> tables);
+  const tracing::View& viewOf(float isovalue) const;
+  template <class Result, class Trace>
+  void forViews(std::span<const TraceRay> rays, std::span<Result> results, const Trace& trace) const;
+
   std::shared_ptr<const Grid> grid_;
+  scene::Inside inside_;
   std::shared_ptr<const tracing::TraceTables> tables_;
   std::unique_ptr<tracing::View> view_;
+  std::vector<HidingView> hiding_;
   const tracing::Kernels* kernels_;
   bool beyondSimd_ = false;
 };

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "volume/pieces/shown_cells.h"
 #include "volume/skip/cell_ranges.h"
 #include "volume/tracer/isosurface_tracer.h"
 
@@ -30,8 +31,25 @@ struct View {
   const std::uint16_t* unsigned16 = nullptr;
   const float* float32 = nullptr;
 
+  // Where pieces are hidden, and whether the inside of rays is the inside of pieces, or the other side.
+  const ShownCells* shown = nullptr;
+  bool insideIsOfPieces = true;
+
   bool traceable() const { return table != nullptr; }
 };
+
+// What is seen of a cell in which something is hidden: where on its stretch, s in [0, 1], a ray first enters
+// the inside; below 0: nowhere. `outside`: the ray is known to be outside; becomes that at the end.
+inline double entryIntoShown(const View& view, glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to,
+                             bool& outside) {
+  const ShownWay way = view.shown->along(cell, from, to);
+  for (const ShownWay::Part& part : way.parts()) {
+    const bool inside = part.inside == view.insideIsOfPieces;
+    if (outside && inside) return part.begin;
+    outside = !inside;
+  }
+  return -1.0;
+}
 
 struct Kernels {
   TracerTarget target;

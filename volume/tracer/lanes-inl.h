@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include <hwy/highway.h>
@@ -30,6 +31,14 @@ using MI = hn::Mask<I>;
 constexpr std::size_t kLanes = hn::MaxLanes(F());
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+HWY_INLINE std::uint32_t bitsOf(MI mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(I(), mask, bytes);
+  std::uint32_t bits;
+  std::memcpy(&bits, bytes, sizeof bits);
+  return bits & static_cast<std::uint32_t>((std::uint64_t{1} << kLanes) - 1);
+}
 
 // A first entry that is known but for its place: in s in [low, high], outside at low, inside at high.
 struct Found {

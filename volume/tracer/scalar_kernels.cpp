@@ -128,6 +128,9 @@ float Tracer<T>::entryInCell(const PreparedRay& ray, const int cell[3], float tI
     p[axis] = std::clamp(from + tIn * ray.direction[axis], 0.0f, 1.0f);
     q[axis] = std::clamp(from + tOut * ray.direction[axis], 0.0f, 1.0f);
   }
+  const glm::ivec3 place(cell[0], cell[1], cell[2]);
+  if (view_.shown && view_.shown->hides(place))
+    return static_cast<float>(entryIntoShown(view_, place, {p[0], p[1], p[2]}, {q[0], q[1], q[2]}, outside));
   // Bernstein coefficients are the polar form of the trilinear function at the stretch's two ends.
   const float p00 = mixed(c000, c100, p[0]), p10 = mixed(c010, c110, p[0]);
   const float p01 = mixed(c001, c101, p[0]), p11 = mixed(c011, c111, p[0]);

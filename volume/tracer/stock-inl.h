@@ -20,14 +20,6 @@ namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 
-HWY_INLINE std::uint32_t bitsOf(MI mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(I(), mask, bytes);
-  std::uint32_t bits;
-  std::memcpy(&bits, bytes, sizeof bits);
-  return bits & static_cast<std::uint32_t>((std::uint64_t{1} << kLanes) - 1);
-}
-
 // How many of the lower bits are set, in byte i of bit i, for all bytes.
 constexpr std::array<std::uint64_t, 256> kRanks = [] {
   std::array<std::uint64_t, 256> ranks{};

@@ -68,12 +68,27 @@ bool whole(Path path, float from, float to) {
   return true;
 }
 
+// What is seen of surface k at p, where the field less its isovalue is f.
+#ifdef HIDDEN
+float seen(float f, int k, vec3 p) {
+  if ((f >= 0.0) != uInsideHigh) return f;
+  ivec3 cell = cellOf(p);
+  vec4 low, high;
+  cellCorners(cell, low, high);
+  HiddenCell hidden = hiddenCell(cell, low, high, clamp(p - vec3(cell), 0.0, 1.0), vec3(0.0));
+  return shownSide(f, k, 0.0, hidden) == uInsideHigh ? f : uInsideHigh ? -abs(f) - 1e-30 : abs(f);
+}
+#else
+float seen(float f, int k, vec3 p) { return f; }
+#endif
+
 vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
   Path path = pathOf(origin, direction);
   clipToDomain(path, t, tEnd);
   if (t > tEnd) return nothing;
   Place place = placeAt(origin + t * direction);
-  float step = uStep / length(direction), tBefore = t, before = 0.0;
+  float step = uStep / length(direction), tBefore = t;
+  vec4 before = vec4(0.0);
   bool known = false;
   for (int i = 0; i < uMaxSteps; ++i) {
     int shift = emptyShift(place);
@@ -94,8 +109,10 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
     } else {
       float least = never;
       int surface = 0;
+      vec4 at = vec4(0.0);
       for (int k = 0; k < SURFACES; ++k) {
-        float now = value - uIsovalueShifts[k], then = before - uIsovalueShifts[k];
+        float now = seen(value - uIsovalueShifts[k], k, origin + t * direction), then = before[k];
+        at[k] = now;
         distance = min(distance, abs(now));
         if (!known || (now >= 0.0) == (then >= 0.0)) continue;
         float s = then / (then - now);
@@ -105,10 +122,10 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
         }
       }
       bool refused = least < never && uGaps && !whole(path, tBefore, t);
-      if (least < never && !refused) return vec4(tBefore, t, float(surface + (value >= uIsovalueShifts[surface] ? 4 << surface : 0)), 0.0);
+      if (least < never && !refused) return vec4(tBefore, t, float(surface + (at[surface] >= 0.0 ? 4 << surface : 0)), 0.0);
       known = true;
+      before = at;
     }
-    before = value;
     tBefore = t;
     if (t >= tEnd) return nothing;
     t = min(t + (distance < uNearThreshold ? step / uNearFactor : step), tEnd);

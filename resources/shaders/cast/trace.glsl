@@ -2,6 +2,8 @@
 // each the cubic along the ray is split at its extrema, so the first change of side is found whatever its shape.
 // What cannot hold one is left in one step, by masks of boxes of 2x2x2 cells, or of single cells (GpuVolume::bindMasks).
 //
+// HIDDEN: some pieces are hidden; what is seen is inside and not hidden (hidden.glsl).
+//
 // SURFACES isovalues (1 to 4) are followed at once. Needs field.glsl. Positions are voxel coordinates, t is in mm.
 
 #ifndef SURFACES
@@ -103,11 +105,8 @@ float cubic(vec4 b, float s) {
   return mix(r.x, r.y, s);
 }
 
-// First sub-interval of [0, 1] between extrema over which the side (f >= 0) is no longer `inside`.
-bool firstChange(vec4 b, bool inside, out vec2 bracket) {
-  bvec4 sides = greaterThanEqual(b, vec4(0.0));
-  bracket = vec2(0.0);
-  if (all(equal(sides, bvec4(inside)))) return false;  // convex hull: no crossing in this cell
+// Ascending, in [0, 1]; 1 where there is none.
+vec2 extremaOf(vec4 b) {
   // The derivative's Bernstein coefficients, as c2 s^2 + 2 c1 s + c0.
   float d0 = b.y - b.x, d1 = b.z - b.y, d2 = b.w - b.z;
   float c2 = d0 - 2.0 * d1 + d2, c1 = d1 - d0, c0 = d0;
@@ -120,6 +119,15 @@ bool firstChange(vec4 b, bool inside, out vec2 bracket) {
     roots = vec2(min(roots.x, roots.y), max(roots.x, roots.y));
     extrema = clamp(roots, 0.0, 1.0);
   }
+  return extrema;
+}
+
+// First sub-interval of [0, 1] between extrema over which the side (f >= 0) is no longer `inside`.
+bool firstChange(vec4 b, bool inside, out vec2 bracket) {
+  bvec4 sides = greaterThanEqual(b, vec4(0.0));
+  bracket = vec2(0.0);
+  if (all(equal(sides, bvec4(inside)))) return false;  // convex hull: no crossing in this cell
+  vec2 extrema = extremaOf(b);
   float stops[4] = float[4](0.0, extrema.x, extrema.y, 1.0);
   float before = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -133,6 +141,10 @@ bool firstChange(vec4 b, bool inside, out vec2 bracket) {
   }
   return false;
 }
+
+#ifdef HIDDEN
+#include "hidden.glsl"
+#endif
 
 // The root of the cubic in [bracket.x, bracket.y], over which it is monotone: regula falsi, Illinois variant.
 float rootIn(vec4 b, vec2 bracket) {
@@ -185,13 +197,21 @@ vec4 ofSurface(vec4 b, int k, int inside, bool first) {
 }
 
 // The nearest crossing of the surfaces in `changed` (a bit each) in the cell between t.x and t.y.
+#ifdef HIDDEN
+void solve(vec4 b, int changed, int inside, bool first, vec2 t, HiddenCell hidden, inout Crossing crossing) {
+#else
 void solve(vec4 b, int changed, int inside, bool first, vec2 t, inout Crossing crossing) {
+#endif
   float least = 2.0;
   for (int k = 0; k < SURFACES; ++k) {
     if ((changed >> k & 1) == 0) continue;
     vec4 own = ofSurface(b, k, inside, first);
     vec2 bracket;
+#ifdef HIDDEN
+    firstShownChange(own, k, (inside >> k & 1) != 0, hidden, bracket);
+#else
     firstChange(own, (inside >> k & 1) != 0, bracket);
+#endif
     float s = rootIn(own, bracket);
     if (s >= least) continue;
     least = s;
@@ -216,6 +236,9 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
   vec4 b;
   float tOut;
   bool alive = true;
+#ifdef HIDDEN
+  HiddenCell hidden;
+#endif
   while (alive) {
     bvec3 axis;
     int shift = emptyShift(place);
@@ -240,11 +263,20 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
     vec3 from = clamp(origin + t * direction - vec3(place.cell), 0.0, 1.0);
     vec3 to = clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0);
     b = bernstein(low - uIsovalues.x, high - uIsovalues.x, from, to);
+#ifdef HIDDEN
+    hidden = hiddenCell(place.cell, low, high, from, to);
+    if (whole && !known) inside = shownSides(b.x, hidden);
+#else
     if (whole && !known) inside = sidesOf(b.x);
+#endif
     known = whole;
     for (int k = 0; k < SURFACES; ++k) {
       vec2 bracket;
+#ifdef HIDDEN
+      changed |= int(whole && firstShownChange(ofSurface(b, k, inside, first), k, (inside >> k & 1) != 0, hidden, bracket)) << k;
+#else
       changed |= int(whole && firstChange(ofSurface(b, k, inside, first), (inside >> k & 1) != 0, bracket)) << k;
+#endif
     }
     if (changed != 0) break;
     first = false;
@@ -252,6 +284,10 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
     alive = tOut < tEnd && !outsideCells(place.cell) && --steps > 0;
     t = tOut;
   }
+#ifdef HIDDEN
+  if (changed != 0) solve(b, changed, inside, first, vec2(t, tOut), hidden, crossing);
+#else
   if (changed != 0) solve(b, changed, inside, first, vec2(t, tOut), crossing);
+#endif
   return crossing;
 }

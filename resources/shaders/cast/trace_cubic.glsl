@@ -138,6 +138,26 @@ bool firstRoot9(float b[10], bool inside, bool first, out float s, inout bool ce
   return false;
 }
 
+#ifdef HIDDEN
+uniform vec4 uSampleIsovalues;  // texels of uVolume
+
+// Of the spline at p, which lies inside: the piece that the ascent among the cell's samples leads to, and beside all
+// inside samples those around that are hidden.
+bool splineHidden(ivec3 cell, vec3 p, int k) {
+  vec4 low, high;
+  cellCorners(cell, low, high);
+  int corner = ascend(low, high, clamp(p - vec3(cell), 0.0, 1.0));
+  ivec3 at = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+  float texel = at.z == 0 ? low[corner & 3] : high[corner & 3];
+  if ((texel >= uSampleIsovalues[k]) == uInsideHigh) return hiddenBit(min(cell + at, uDims - 1), k) != 0u;
+  for (int i = 0; i < 64; ++i) {
+    ivec3 voxel = clamp(cell + ivec3(i & 3, i >> 2 & 3, i >> 4) - 1, ivec3(0), uDims - 1);
+    if (hiddenBit(voxel, k) != 0u) return true;
+  }
+  return false;
+}
+#endif
+
 Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carried, int inside) {
   Crossing crossing = Crossing(false, 0.0, 0, inside);
   Path path = pathOf(origin, direction);
@@ -165,6 +185,10 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
         bernstein9(rows, clamp(origin + t * direction - vec3(place.cell), 0.0, 1.0),
                    clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0), b);
         if (!known) inside = sidesOf(b[0]);
+#ifdef HIDDEN
+        for (int k = 0; k < SURFACES && !known; ++k)
+          if (((inside >> k & 1) != 0) == uInsideHigh && splineHidden(place.cell, origin + t * direction, k)) inside ^= 1 << k;
+#endif
         known = true;
         float nearest = 2.0;
         for (int k = 0; k < SURFACES; ++k) {
@@ -172,6 +196,10 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
           for (int m = 0; m < 10; ++m) own[m] = b[m] - uIsovalueShifts[k];
           float s;
           if (!firstRoot9(own, (inside >> k & 1) != 0, first, s, certain) || s >= nearest) continue;
+#ifdef HIDDEN
+          // What lies behind a hidden piece in its cell is found at the next one's entry.
+          if (splineHidden(place.cell, origin + mix(t, tOut, s) * direction, k)) continue;
+#endif
           nearest = s;
           crossing.surface = k;
         }

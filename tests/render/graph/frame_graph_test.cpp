@@ -32,7 +32,7 @@ class FrameGraphTest : public ::testing::Test {
   }
   // The passes that run when `scene` follows what was drawn before.
   std::vector<std::string> ran(const scene::Scene& scene, const FrameRequest& request,
-                               std::uint64_t volume = 1, const OnProcessor& onProcessor = {}) {
+                               const VolumeState& volume = 1, const OnProcessor& onProcessor = {}) {
     const auto passes = declarePasses(makePasses(), Asked(scene, request, volume, {}, {}, onProcessor));
     return namesOf(passes, frame(passes, wantedImages(request, scene)), PassState::ran);
   }
@@ -160,6 +160,22 @@ TEST_F(FrameGraphTest, EachChangeRunsExactlyThePassesBehindIt) {
   EXPECT_THAT(ran(scene, request), ElementsAre("refine", "gradient", "shade", "resolve"));
   EXPECT_THAT(ran(scene, request, 2),
               ElementsAre("blocks", "segments", "cast", "refine", "gradient", "shade", "resolve"));
+}
+
+// Pieces that are hidden or shown again cost what another isovalue does: what rays meet is another surface.
+TEST_F(FrameGraphTest, HiddenPiecesRunThePassesOfAnotherSurface) {
+  FrameRequest request;
+  scene::Scene scene;
+  scene.look.shadow = 1.0;
+  VolumeState volume(1);
+  ran(scene, request, volume);
+  EXPECT_THAT(ran(scene, request, volume), ElementsAre());
+  volume.hidden = 7;
+  EXPECT_THAT(ran(scene, request, volume),
+              ElementsAre("blocks", "segments", "cast", "gradient", "shadow", "shade", "resolve"));
+  EXPECT_THAT(ran(scene, request, volume), ElementsAre());
+  scene.pieces.keep = 3;  // which happen to be the same
+  EXPECT_THAT(ran(scene, request, volume), ElementsAre());
 }
 
 // Which passes each request needs from nothing.

@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "volume/hit/exact_hit.h"
+#include "volume/pieces/shown_boxes.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/skip/min_max_blocks.h"
 
@@ -21,8 +22,13 @@ std::vector<TracerTarget> targets() {
   return list;
 }
 
-Prepared::Prepared(Grid made, std::vector<double> values, scene::Field of)
-    : isovalues(std::move(values)), grid_(std::make_shared<Grid>(std::move(made))), field_(of) {
+Prepared::Prepared(Grid made, std::vector<double> values, scene::Field of,
+                   std::vector<const HiddenVoxels*> hidden, scene::Inside inside)
+    : isovalues(std::move(values)),
+      grid_(std::make_shared<Grid>(std::move(made))),
+      field_(of),
+      hidden_(std::move(hidden)),
+      inside_(inside) {
   cubic_ = CubicFields(grid_).make(of, progress_);
   if (!cubic_) blocks_ = std::make_unique<MinMaxBlocks>(*grid_, 8, progress_);
   const double offset = cubic_ && cubic_->coefficients ? cubic_->coefficients->offset : 0.0;
@@ -36,26 +42,41 @@ Prepared::Prepared(Grid made, std::vector<double> values, scene::Field of)
     flags.resize(own.size());
     for (std::size_t i = 0; i < own.size(); ++i) flags[i] |= own[i];
   }
-  if (cubic_)
-    cubic_->boxes.masks(stored, flags, masks_);
-  else
-    BoxBounds(*grid_, progress_).masks(stored, flags, masks_);
+  const BoxBounds ofVoxels(*grid_, progress_);
+  const BoxBounds& boxes = cubic_ ? cubic_->boxes : ofVoxels;
+  if (hidden_.empty()) {
+    boxes.masks(stored, flags, masks_);
+    return;
+  }
+  std::vector<PartlyShown> surfaces;
+  for (std::size_t k = 0; k < stored.size(); ++k)
+    surfaces.push_back({stored[k], hidden_[k], InsideLevel::of(*grid_, isovalues[k], inside_)});
+  shownBoxes(*grid_, boxes, surfaces, cubic_ != nullptr, flags, masks_);
+}
+
+HiddenPieces Prepared::hiddenOf(double isovalue) const {
+  if (hidden_.empty()) return {};
+  const auto at = std::find(isovalues.begin(), isovalues.end(), isovalue) - isovalues.begin();
+  return {hidden_[static_cast<std::size_t>(at)], inside_};
 }
 
 SurfaceCaster Prepared::caster(TracerTarget target) const {
   std::vector<double> stored;
   for (const double value : isovalues) stored.push_back(grid_->storedOfValue(value));
   const Coefficients* const coefficients = cubic_ && cubic_->coefficients ? &*cubic_->coefficients : nullptr;
-  return {{*grid_, field_, coefficients}, stored, blocks().dims(), masks_, target};
+  return {{*grid_, field_, coefficients, hidden_, inside_}, stored, blocks().dims(), masks_, target};
 }
 
 CubicHit Prepared::firstHit(double isovalue, const Ray& ray) const {
+  const HiddenPieces hidden = hiddenOf(isovalue);
   if (!cubic_) {
-    const auto hit = volume::firstHit(*grid_, blocks(), isovalue, ray.origin, ray.direction, ray.tMinimum);
+    const auto hit = volume::firstHit(*grid_, blocks(), isovalue, ray.origin, ray.direction, ray.tMinimum,
+                                      ray.tMaximum, hidden);
     return {hit, true, 0.0};
   }
-  if (cubic_->coefficients) return firstHitCubic(*cubic_->coefficients, *grid_, blocks(), isovalue, ray);
-  return firstHitCubic(*grid_, blocks(), isovalue, ray);
+  if (cubic_->coefficients)
+    return firstHitCubic(*cubic_->coefficients, *grid_, blocks(), isovalue, ray, hidden);
+  return firstHitCubic(*grid_, blocks(), isovalue, ray, hidden);
 }
 
 PictureRays view(int k, glm::ivec3 dims) {

@@ -22,7 +22,9 @@ std::vector<volume::TracerTarget> targets();  // of this machine
 // What a caster needs of a grid and one of its fields.
 class Prepared {
  public:
-  Prepared(volume::Grid made, std::vector<double> values, scene::Field of = scene::Field::trilinear);
+  // hidden: of each value, null where all is shown; or empty.
+  Prepared(volume::Grid made, std::vector<double> values, scene::Field of = scene::Field::trilinear,
+           std::vector<const volume::HiddenVoxels*> hidden = {}, scene::Inside inside = scene::Inside::above);
 
   const volume::Grid& grid() const { return *grid_; }
   const volume::MinMaxBlocks& blocks() const { return cubic_ ? cubic_->blocks : *blocks_; }
@@ -33,12 +35,16 @@ class Prepared {
   const std::vector<double> isovalues;
 
  private:
+  volume::HiddenPieces hiddenOf(double isovalue) const;
+
   base::Progress progress_;
   std::shared_ptr<const volume::Grid> grid_;
   scene::Field field_;
   std::shared_ptr<const volume::CubicField> cubic_;  // or, trilinear:
   std::unique_ptr<volume::MinMaxBlocks> blocks_;
   std::vector<std::uint64_t> masks_;
+  std::vector<const volume::HiddenVoxels*> hidden_;
+  scene::Inside inside_;
 };
 
 // View `k` of the middle of a volume of voxels of 1 mm: outside, close by and inside, and both projections.

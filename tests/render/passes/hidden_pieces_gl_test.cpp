@@ -1,0 +1,89 @@
+// Pieces that are not shown: pictures are those of a volume without them.
+#include "tests/render/gl_fixture.h"
+#include "tests/support/hidden_balls.h"
+
+namespace isolux::test {
+namespace {
+
+constexpr glm::ivec2 kSize{96, 80};
+
+class HiddenPiecesGlTest : public ExecutorsGlTest {
+ protected:
+  static scene::Scene hiding(const std::vector<PieceBall>& balls, scene::Scene scene) {
+    for (const PieceBall& ball : balls)
+      if (!ball.shown) scene.pieces.hidden.push_back(ball.middle);
+    return scene;
+  }
+  static scene::Scene view(int k) {
+    scene::Scene scene;
+    scene.isosurface.value = 0.0;
+    const double azimuth = 2.4 * k, height = -0.8 + 0.4 * k;
+    scene.camera.target = glm::dvec3(23.5);
+    scene.camera.up = {0.0, 0.0, 1.0};
+    scene.camera.eye = *scene.camera.target + 90.0 * glm::dvec3(std::cos(azimuth), std::sin(azimuth), height);
+    return scene;
+  }
+  render::ColorImage colors(const std::shared_ptr<const volume::PreparedVolume>& volume,
+                            const scene::Scene& scene) {
+    renderer_->setVolume(volume);
+    render::FrameRequest request;
+    request.size = kSize;
+    renderer_->render(scene::resolve(scene, volume->facts), request);
+    return renderer_->readColor();
+  }
+};
+ISOLUX_ON_BOTH_EXECUTORS(HiddenPiecesGlTest);
+
+TEST_P(HiddenPiecesGlTest, PicturesAreThoseOfAVolumeWithoutTheHiddenBalls) {
+  const std::vector<PieceBall> balls = pieceBalls();
+  const auto all = prepared(gridOfBalls(balls, true)), shown = prepared(gridOfBalls(balls, false));
+  for (const char* setting : {"hit.field=trilinear", "look.shadow=1", "isosurface.opacity=0.5",
+                              "hit.field=cubic", "hit.method=sampled"})
+    for (int k = 0; k < 5; ++k) {
+      const scene::Scene scene = assigned({"look.mode=lambert", setting}, view(k));
+      const Images expected = images(shown, scene, kSize);
+      const render::ColorImage expectedColors = colors(shown, scene);
+      const Images seen = images(all, hiding(balls, scene), kSize);
+      EXPECT_EQ(seen.hit.values, expected.hit.values) << setting << ' ' << k;
+      for (std::size_t i = 0; i < seen.hit.values.size(); ++i)
+        if (expected.hit.values[i] == 1.0f && seen.hit.values[i] == 1.0f)
+          ASSERT_EQ(at(seen.voxel, i), at(expected.voxel, i)) << setting << ' ' << k;
+      EXPECT_EQ(colors(all, hiding(balls, scene)).rgba, expectedColors.rgba) << setting << ' ' << k;
+      // From the second picture on shaders step over single cells.
+      EXPECT_EQ(colors(all, hiding(balls, scene)).rgba, expectedColors.rgba) << setting << ' ' << k;
+    }
+}
+
+// Where pieces are shown again, the passes that they are seen in run, and no others.
+TEST_P(HiddenPiecesGlTest, ShowingThemAgainIsSeen) {
+  const std::vector<PieceBall> balls = pieceBalls();
+  const auto all = prepared(gridOfBalls(balls, true));
+  const scene::Scene scene = view(1);
+  const auto whole = colors(all, scene).rgba, part = colors(all, hiding(balls, scene)).rgba;
+  EXPECT_NE(whole, part);
+  EXPECT_EQ(colors(all, scene).rgba, whole);
+}
+
+// In cells of two pieces too: what is seen is of the shown one.
+TEST_P(HiddenPiecesGlTest, InCellsOfTwoPiecesTheShownOneIsSeen) {
+  const auto volume = prepared(SplitCells::grid());
+  int hits = 0;
+  for (int k = 0; k < 5; ++k) {
+    scene::Scene scene = view(k);
+    scene.camera.target = {15.5, 15.5, 11.5};
+    scene.camera.eye = *scene.camera.target + 0.6 * (*scene.camera.eye - glm::dvec3(23.5));
+    scene.pieces.hidden = {{2.0, 2.0, 10.0}};
+    const Images seen = images(volume, scene, kSize);
+    int wrong = 0;
+    for (std::size_t i = 0; i < seen.hit.values.size(); ++i) {
+      if (seen.hit.values[i] != 1.0f) continue;
+      ++hits;
+      wrong += !SplitCells::shows(at(seen.voxel, i) + glm::dvec3(1e-3, 1e-3, 0.0));
+    }
+    EXPECT_EQ(wrong, 0) << k;
+  }
+  EXPECT_GT(hits, 2000);
+}
+
+}  // namespace
+}  // namespace isolux::test

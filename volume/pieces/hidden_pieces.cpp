@@ -1,0 +1,61 @@
+#include "volume/pieces/hidden_pieces.h"
+
+#include "base/hash.h"
+#include "volume/pieces/piece_sets.h"
+#include "volume/pieces/shown_pieces.h"
+
+namespace isolux::volume {
+
+namespace {
+
+std::vector<double> isovaluesThere(const scene::Scene& resolved) {
+  std::vector<double> values{resolved.isosurface.value.value()};
+  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
+    if (extra.shown) values.push_back(extra.value.value());
+  return values;
+}
+
+}  // namespace
+
+std::vector<HiddenOfSurface> hiddenOf(const scene::Scene& resolved, const PieceSets& pieces,
+                                      base::Progress& progress) {
+  std::vector<HiddenOfSurface> result;
+  if (!hidesPieces(resolved.pieces)) return result;
+  const scene::Inside inside = resolved.isosurface.inside;
+  for (const double isovalue : isovaluesThere(resolved))
+    if (auto voxels = pieces.hidden(resolved.pieces, isovalue, inside, progress))
+      result.push_back({isovalue, std::move(voxels), inside});
+  return result;
+}
+
+std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const PieceSets& pieces) {
+  std::vector<HiddenOfSurface> result;
+  const scene::Inside inside = resolved.isosurface.inside;
+  for (const double isovalue : isovaluesThere(resolved))
+    if (const auto voxels = pieces.findHidden(resolved.pieces, isovalue, inside); voxels && *voxels)
+      result.push_back({isovalue, *voxels, inside});
+  return result;
+}
+
+bool hiddenIsReady(const scene::Scene& resolved, const PieceSets& pieces) {
+  return !hidesPieces(resolved.pieces) || pieces.any();
+}
+
+HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, double isovalue) {
+  for (const HiddenOfSurface& surface : surfaces)
+    if (surface.isovalue == isovalue) return {surface.voxels.get(), surface.inside};
+  return {};
+}
+
+std::uint64_t keyOf(std::span<const HiddenOfSurface> surfaces) {
+  if (surfaces.empty()) return 0;
+  base::Hasher hash;
+  for (const HiddenOfSurface& surface : surfaces) {
+    hash.add(surface.isovalue);
+    hash.add(surface.inside);
+    hash.add(surface.voxels->key());
+  }
+  return hash;
+}
+
+}  // namespace isolux::volume
