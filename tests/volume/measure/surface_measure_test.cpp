@@ -152,9 +152,12 @@ TEST(SurfaceMeasureTest, VolumeAgreesWithDenseSamples) {
           inside += volume::sampleTrilinear(grid, at).value >= isovalue;
         }
     const glm::dvec3 spacing = grid.geometry().spacingMm();
-    const double counted =
-        static_cast<double>(inside) * spacing.x * spacing.y * spacing.z / std::pow(samples, 3);
-    EXPECT_NEAR(surface.volumeMm3.value, counted, 5e-4 * counted) << name;
+    const double cell = spacing.x * spacing.y * spacing.z;
+    const double counted = static_cast<double>(inside) * cell / std::pow(samples, 3);
+    // Walls along the axes, the worst, leave a cell's count off by 1/8 / sqrt(12) of it, by chance.
+    const double chance = std::sqrt(static_cast<double>(surface.cells) / 12.0) / samples * cell;
+    EXPECT_NEAR(surface.volumeMm3.value, counted, 3.0 * chance) << name;
+    EXPECT_LT(chance, 2e-3 * counted) << name;
   }
 }
 
