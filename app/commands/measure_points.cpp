@@ -51,7 +51,8 @@ const volume::SurfaceGraph& MeasuredSurface::graphOnce(base::Progress& progress)
 ordered_json distanceJson(MeasuredSurface& measured, const std::string& text, base::Progress& progress) {
   const auto points = parsePoints(text, "--distance", 2, 2);
   const SurfaceOf& surface = measured.surface;
-  const volume::Measured straight = straightDistance(uncertain(surface, points[0]), uncertain(surface, points[1]));
+  const volume::Measured straight =
+      straightDistance(uncertain(surface, points[0]), uncertain(surface, points[1]));
   ordered_json json{{"from_mm", vectorOf(points[0])},
                     {"to_mm", vectorOf(points[1])},
                     {"straight_mm", measuredJson(straight)}};

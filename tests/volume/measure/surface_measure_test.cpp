@@ -11,6 +11,7 @@
 #include "tests/support/line_area.h"
 #include "tests/support/volumes.h"
 #include "tests/volume/measure/shapes.h"
+#include "volume/field/reconstruct.h"
 
 namespace isolux::test {
 namespace {
@@ -132,6 +133,31 @@ TEST(SurfaceMeasureTest, BoxesAddUp) {
     }
     EXPECT_NEAR(volume, whole.volumeMm3.value, volumeCut + 1e-9 * volume);
     EXPECT_NEAR(area, whole.areaMm2.value, areaCut + whole.areaParts.quadrature + 1e-9 * area);
+  }
+}
+
+// Counting samples inside, 512 in each cell.
+TEST(SurfaceMeasureTest, VolumeAgreesWithDenseSamples) {
+  for (const char* name : {"noise", "head"}) {
+    const volume::Grid grid = phantomGrid(name, 24);
+    const double isovalue = std::string(name) == "head" ? 300.0 : 0.1;
+    const SurfaceMeasure surface = measured(grid, {.isovalue = isovalue});
+    constexpr int samples = 8;
+    std::size_t inside = 0;
+    const glm::ivec3 counts = (grid.dims() - 1) * samples;
+    for (int z = 0; z < counts.z; ++z)
+      for (int y = 0; y < counts.y; ++y)
+        for (int x = 0; x < counts.x; ++x) {
+          const glm::dvec3 at = (glm::dvec3(x, y, z) + 0.5) / static_cast<double>(samples);
+          inside += volume::sampleTrilinear(grid, at).value >= isovalue;
+        }
+    const glm::dvec3 spacing = grid.geometry().spacingMm();
+    const double cell = spacing.x * spacing.y * spacing.z;
+    const double counted = static_cast<double>(inside) * cell / std::pow(samples, 3);
+    // Walls along the axes, the worst, leave a cell's count off by 1/8 / sqrt(12) of it, by chance.
+    const double chance = std::sqrt(static_cast<double>(surface.cells) / 12.0) / samples * cell;
+    EXPECT_NEAR(surface.volumeMm3.value, counted, 3.0 * chance) << name;
+    EXPECT_LT(chance, 2e-3 * counted) << name;
   }
 }
 
