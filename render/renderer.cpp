@@ -14,6 +14,7 @@
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/pass_list.h"
+#include "render/passes/second_volume_pass.h"
 #include "render/readback.h"
 #include "render/volume/brick_rounds.h"
 #include "scene/rules/needs.h"
@@ -230,6 +231,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
     if (frame.volume->bricks()) frame.onProcessor = {};
   }
   frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
+  frame.second = volume && readsSecond(scene, request) ? volume->secondVolumes->find(scene.color) : nullptr;
   frame.readsLight =
       (request.color && scene::usesGi(scene)) ||
       std::find(request.aovs.begin(), request.aovs.end(), Aov::irradiance) != request.aovs.end();
@@ -287,6 +289,7 @@ void Renderer::Parts::run(Pass& pass, const std::vector<Pass*>& running) {
 
 VolumeState Renderer::Parts::volumeState() const {
   VolumeState state{volume ? volume->grid().hash() : 0, copiesMade};
+  state.second = frame.second ? frame.second->grid().hash() : 0;
   state.crossed = frame.crossed;
   return state;
 }
@@ -433,6 +436,8 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
     parts.report.blocksActive = parts.frame.volume->activeBlocks();
     if (!parts.frame.empty())
       parts.report.found = foundNumbers(scene, parts.frame.statistics, parts.frame.flatCurvature());
+    if (!parts.frame.empty() && parts.frame.second && request.color)
+      addSecondRange(parts.frame, parts.report.found);
     parts.report.gpuBytes += parts.frame.volume->bytes();
   }
   parts.frame.scene = nullptr;

@@ -4,6 +4,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/derivative_report.h"
+#include "app/commands/edge_report.h"
 #include "app/commands/progress_bar.h"
 #include "base/number_text.h"
 #include "base/printable.h"
@@ -18,6 +19,7 @@ using volume::PreparedVolume;
 struct InfoOptions {
   std::string path;
   bool json = false;
+  bool edge = false;
 };
 
 ordered_json vectorJson(glm::dvec3 v) {
@@ -200,6 +202,13 @@ Measured measuredWithProgressBar(const PreparedVolume& prepared, scene::Field fi
   return {choices.noise(progress), choices.choose({prepared.facts.suggestedIsovalue, field}, progress)};
 }
 
+EdgeReport edgesWithProgressBar(const scene::Scene& scene, std::shared_ptr<const PreparedVolume> prepared,
+                                base::Progress& progress) {
+  progress.report(0.0, "looking for edges");
+  const ProgressBar bar(progress);
+  return measureEdges(scene, std::move(prepared), progress);
+}
+
 }  // namespace
 
 Command makeInfo(CLI::App& program) {
@@ -209,6 +218,8 @@ Command makeInfo(CLI::App& program) {
   parser->add_option("PATH", options->path,
                      "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
   parser->add_flag("--json", options->json, "Print one JSON object instead of text (docs/commands.md)");
+  parser->add_flag("--edge", options->edge,
+                   "Say how far the isosurface lies from the edge of its object, and how clear that is");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux info head.nii.gz --json");
@@ -217,10 +228,16 @@ Command makeInfo(CLI::App& program) {
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             const auto prepared = loadWithProgressBar(scene.source, progress);
             const Measured measured = measuredWithProgressBar(*prepared, scene.derivatives.field, progress);
-            if (options->json)
-              std::cout << jsonText(infoJson(*prepared, measured));
-            else
-              printText(*prepared, measured, std::cout);
+            std::optional<EdgeReport> edges;
+            if (options->edge) edges = edgesWithProgressBar(scene, prepared, progress);
+            if (options->json) {
+              ordered_json json = infoJson(*prepared, measured);
+              if (edges) json["edge"] = edgeJson(*edges);
+              std::cout << jsonText(json);
+              return;
+            }
+            printText(*prepared, measured, std::cout);
+            if (edges) std::cout << "edge          " << base::printable(edgeText(*edges)) << '\n';
           }};
 }
 

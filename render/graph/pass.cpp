@@ -96,6 +96,11 @@ Declaring& Declaring::volume() {
   return input("volume", asked.volume.hash);
 }
 
+Declaring& Declaring::second() {
+  const scene::ColorVolume& color = asked.scene.color;
+  return input("second volume", asked.volume.second, color.field, color.below);
+}
+
 Declaring& Declaring::pictureSize() {
   const FrameRequest& request = asked.request;
   const Tile tile = request.tile.value_or(Tile{});

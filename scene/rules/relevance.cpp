@@ -60,6 +60,10 @@ bool isMesh(const Scene& s) {
   return path.ends_with(".stl") || path.ends_with(".obj") || path.ends_with(".ply") || path.ends_with(".vtp");
 }
 
+bool hasSecondVolume(const Scene& s) {
+  return !s.color.volume.empty();
+}
+
 struct Rule {
   std::string_view paths;  // patterns of covers(), with spaces between
   bool (*acts)(const Scene&);
@@ -152,8 +156,19 @@ constexpr Rule rules[] = {
 
     {"look.colormap", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::measure; },
      "this look does not show one number in colour"},
-    {"look.range_low look.range_high look.legend look.legend_corner", colorsMeanNumbers,
+    {"look.range_low look.range_high", colorsMeanNumbers, "colours do not stand for numbers in this look"},
+    {"look.legend look.legend_corner",
+     [](const Scene& s) { return colorsMeanNumbers(s) || showsSecondVolume(s); },
      "colours do not stand for numbers in this look"},
+    {"color.", showsAlbedo, "this look does not show the surface's own colour"},
+    {"color.raw color.component color.time_step color.field color.map color.low color.high color.below "
+     "color.strength color.fade color.isolines color.isoline_width",
+     hasSecondVolume, "there is no second volume"},
+    {"color.field color.low color.high color.below", showsSecondVolume,
+     "nothing is shown of the second volume"},
+    {"color.map color.fade", [](const Scene& s) { return s.color.strength > 0.0; },
+     "the second volume's colours have no strength"},
+    {"color.isoline_width", [](const Scene& s) { return s.color.isolines > 0.0; }, "no isolines are drawn"},
     {"look.legend_corner", [](const Scene& s) { return s.look.legend; }, "no legend is drawn"},
     {"look.curvature_points", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::square; },
      "the look is not curvature 2D"},
