@@ -17,6 +17,7 @@
 #include "render/passes/second_volume_pass.h"
 #include "render/readback.h"
 #include "render/volume/brick_rounds.h"
+#include "scene/rules/ghosts.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
@@ -202,10 +203,16 @@ void Renderer::invalidate() {
 }
 
 const scene::Scene& Renderer::Parts::completed(const scene::Scene& scene, const FrameRequest& request) {
-  if (!volume || !readsDerivatives(scene, request)) return scene;
+  const bool ghosts = scene.isosurface.ghost > 0.0;
+  const bool unread = volume && !scene.color.volume.empty() && !volume->secondVolumes->find(scene.color);
+  const bool derived = readsDerivatives(scene, request);
+  if (!volume || !(ghosts || unread || derived)) return scene;
   completedScene = scene;
+  if (unread) completedScene->color.volume.clear();  // the surface without it
+  if (!ghosts && !derived) return *completedScene;
   base::Progress unwatched;
   volume->derivativeChoices->complete(*completedScene, unwatched);
+  scene::addGhosts(*completedScene);
   return *completedScene;
 }
 

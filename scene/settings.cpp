@@ -144,7 +144,7 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry<Scene>("color.field", ISOLUX_MEMBER(color.field),
                          "The reconstruction its values are taken from."));
   add(choiceEntry<Scene>("color.map", ISOLUX_MEMBER(color.map),
-                         "The colour map over its values; auto is inferno."));
+                         "The colour map over its values; auto is viridis."));
   add(entry<Scene>("color.low", ISOLUX_MEMBER(color.low), {-1e38, 1e38}, "its data units",
                    "The value at the lower end of the map; auto is found from what the surface shows."));
   add(entry<Scene>("color.high", ISOLUX_MEMBER(color.high), {-1e38, 1e38}, "its data units",

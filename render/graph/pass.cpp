@@ -4,6 +4,7 @@
 #include <cassert>
 #include <functional>
 
+#include "render/graph/pass_declarations.h"
 #include "scene/rules/relevance.h"
 
 namespace isolux::render {
@@ -98,6 +99,7 @@ Declaring& Declaring::volume() {
 
 Declaring& Declaring::second() {
   const scene::ColorVolume& color = asked.scene.color;
+  if (!readsSecond(asked.scene, asked.request)) return input("second volume", 0);
   return input("second volume", asked.volume.second, color.field, color.below);
 }
 

@@ -114,6 +114,7 @@ void RangesPass::declare(Declaring& d) const {
   d.input("derivatives.field", d.asked.scene.derivatives.field == scene::Field::cubic_interpolating);
   d.settings({"derivatives.scale"});
   if (scene::needsEdge(d.asked.scene)) d.settings({"derivatives.noise", "edge."});
+  d.input("range of the second volume", readsSecondRange(d.asked.scene));
   if (readsSecondRange(d.asked.scene)) d.second();
 }
 
@@ -211,10 +212,12 @@ void ShadePass::declare(Declaring& d) const {
       if (const std::optional<LookInput> input = pass->forLook(d.asked.scene)) d.reads(input->image);
   }
   d.settings({"camera.", "isosurface.", "isosurface#."},
-             {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface#.value"});
+             {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface.ghost",
+              "isosurface.ghost_opacity", "isosurface#.value"});
   d.settings({"look."}, {"look.legend", "look.legend_corner", "look.background_top", "look.background_bottom",
                          "look.contour_width", "look.ridge_threshold", "look.ridge_width",
                          "look.ridge_width_unit", "look.ridge_length"});
+  d.input("the second volume is shown", scene::showsSecondVolume(d.asked.scene));
   if (scene::showsSecondVolume(d.asked.scene))
     d.settings({"color.map", "color.low", "color.high", "color.strength", "color.fade", "color.isolines",
                 "color.isoline_width"});

@@ -64,6 +64,7 @@ void ResolvePass::declare(Declaring& d) const {
   }
   if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
     d.reads(image::ranges);
+  d.input("legend of the second volume", scene::showsLegend(scene) && scene::showsSecondVolume(scene));
   if (scene::showsLegend(scene) && scene::showsSecondVolume(scene)) {
     d.second().settings({"color.map", "color.low", "color.high"});
     if (d.asked.volume.crossed && readsSecondRange(scene)) d.reads(image::ranges);

@@ -110,7 +110,10 @@ constexpr Rule rules[] = {
     {"isosurface.albedo isosurface#.albedo",
      [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; },
      "the albedo comes from a colour map"},
-    {"isosurface.layers", isTransparent, "every isosurface is opaque"},
+    {"isosurface.layers", [](const Scene& s) { return isTransparent(s) || s.isosurface.ghost > 0.0; },
+     "every isosurface is opaque"},
+    {"isosurface.ghost_opacity", [](const Scene& s) { return s.isosurface.ghost > 0.0; },
+     "there are no ghosts"},
 
     {"hit.rate hit.near_factor hit.near_threshold hit.refinements",
      [](const Scene& s) { return s.hit.method == HitMethod::sampled; }, "hits are exact"},

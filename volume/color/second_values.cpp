@@ -72,10 +72,15 @@ std::optional<SecondValue> SecondValues::largestBelow(const glm::dvec3& worldMm,
     }
     before = here;
   }
-  if (!largest || !hasBefore || !hasAfter) return largest;
-  const double bend = first - 2.0 * largest->value + after;
-  if (!(bend < 0.0)) return largest;
-  const std::optional<SecondValue> top = valueAt(largestAt + 0.5 * step * (first - after) / bend);
+  if (!largest) return largest;
+  // The top lies toward the neighbour that the value rises to.
+  const double rise = glm::dot(largest->gradient, inward), toward = rise > 0.0 ? 1.0 : -1.0;
+  if (!(rise > 0.0 ? hasAfter : hasBefore)) return largest;
+  const double slope = std::abs(rise) * step;
+  const double bend = largest->value + slope - (rise > 0.0 ? after : first);  // of value + slope t - bend t^2
+  if (!(bend > 0.0)) return largest;
+  const std::optional<SecondValue> top =
+      valueAt(largestAt + toward * step * std::min(0.5 * slope / bend, 1.0));
   return top && top->value > largest->value ? top : largest;
 }
 

@@ -25,8 +25,9 @@ class SecondValues {
   // None outside of the voxels' box and where a voxel that the value is made of is missing.
   std::optional<SecondValue> at(const glm::dvec3& worldMm) const;
   // The largest on the way of `mm` along the unit vector `inward`, of what there is: the largest of samples
-  // half a voxel apart, moved to the top of the parabola through it and its neighbours if that is larger. Its
-  // gradient is that at that place: along a surface the largest value changes by it.
+  // half a voxel apart, moved to the top of the parabola with its slope through the neighbour that it rises
+  // to, if that is larger. Its gradient is that at that place: along a surface the largest value changes by
+  // it.
   std::optional<SecondValue> largestBelow(const glm::dvec3& worldMm, const glm::dvec3& inward,
                                           double mm) const;
 

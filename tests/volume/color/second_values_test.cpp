@@ -87,7 +87,7 @@ TEST(SecondValues, AreThoseOfAnIndependentLookupInAnyGeometry) {
     }
     const SecondValues through(secondOf(grid, scene::Field::cubic_interpolating),
                                scene::Field::cubic_interpolating);
-    for (const glm::ivec3 at : {glm::ivec3(3, 4, 5), glm::ivec3(0, 16, 8)})
+    for (const glm::ivec3& at : {glm::ivec3(3, 4, 5), glm::ivec3(0, 16, 8)})
       EXPECT_NEAR(through.at(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(at, 1.0)))->value,
                   grid.value(at.x, at.y, at.z), 1e-4);
   }
@@ -131,8 +131,8 @@ TEST(SecondValues, TheLargestBelowIsThatOfDenseSamples) {
       if (const auto here = values.at(world + s / 4000.0 * 4.0 * inward)) most = std::max(most, here->value);
     const auto found = values.largestBelow(world, inward, 4.0);
     ASSERT_TRUE(found);
-    EXPECT_LE(found->value, most + 1e-6);
-    EXPECT_GE(found->value, most - 0.1);  // of a range of 160
+    EXPECT_LE(found->value, most + 1e-3);  // which is sampled, too
+    EXPECT_GE(found->value, most - 0.2);   // of a range of 160
   }
   const auto outside = values.largestBelow(geometry.originMm() - 1000.0, {1, 0, 0}, 5.0);
   EXPECT_FALSE(outside);
