@@ -129,7 +129,7 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("edge.search", ISOLUX_MEMBER(edge.search), {0, 1e6}, "mm",
                    "How far along the normal, each way, the edge of the object is looked for; auto takes "
                    "what the spacing and the scale ask for."));
-  add(entry<Scene>("edge.contrast", ISOLUX_MEMBER(edge.contrast), {0, 1000}, "standard deviations",
+  add(entry<Scene>("edge.contrast", ISOLUX_MEMBER(edge.contrast), {0, 1e6}, "standard deviations",
                    "How far the gradient at an edge must stand out of what noise makes of gradients; weaker "
                    "ones are no edges."));
 

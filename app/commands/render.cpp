@@ -216,9 +216,8 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   for (const std::string& warning : light.state().warnings) printNote(warning);
   printWarnings(prepared->volume);
   if (const int missing = scene::ghostsWithoutRoom(scene))
-    printNote(std::to_string(missing) +
-              " of the two ghosts of isosurface.ghost is not drawn: further isosurfaces "
-              "take their place");
+    printNote("isosurface.ghost: " + std::to_string(missing) +
+              " of the two ghosts is missing, because further isosurfaces are shown");
   if (drawn.picture.report.empty)
     std::fprintf(stderr, "isolux: note: the picture is empty: %s\n",
                  drawn.picture.report.empty->reason.c_str());

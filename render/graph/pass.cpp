@@ -4,7 +4,6 @@
 #include <cassert>
 #include <functional>
 
-#include "render/graph/pass_declarations.h"
 #include "scene/rules/relevance.h"
 
 namespace isolux::render {
@@ -99,7 +98,7 @@ Declaring& Declaring::volume() {
 
 Declaring& Declaring::second() {
   const scene::ColorVolume& color = asked.scene.color;
-  if (!readsSecond(asked.scene, asked.request)) return input("second volume", 0);
+  if (asked.volume.second == 0) return input("second volume", 0);
   return input("second volume", asked.volume.second, color.field, color.below);
 }
 

@@ -73,7 +73,8 @@ std::vector<glm::vec4> texelsOf(const FrameState& frame, const SecondAtPoints& s
 
 void SecondVolumePass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::second).second();
-  if (d.asked.scene.color.below > 0.0) d.reads(image::gradient).settings({"isosurface.inside"});
+  if (d.asked.volume.second != 0 && d.asked.scene.color.below > 0.0)
+    d.reads(image::gradient).settings({"isosurface.inside"});
 }
 
 std::optional<LookInput> SecondVolumePass::forLook(const scene::Scene& scene) const {

@@ -11,7 +11,9 @@ void addGhosts(Scene& scene) {
   int made = 0;
   for (ExtraIsosurface& extra : scene.extraIsosurfaces) {
     if (extra.shown || made == 2) continue;
-    extra = {true, *scene.isosurface.value + offset, scene.isosurface.albedo, scene.isosurface.ghostOpacity};
+    extra.shown = true;
+    extra.value = *scene.isosurface.value + offset;
+    extra.opacity = scene.isosurface.ghostOpacity;
     offset = -apart;
     ++made;
   }

@@ -6,7 +6,8 @@
 
 namespace isolux::scene {
 
-// Further isosurfaces that are not shown become the ghosts, in their order: first that above the isovalue.
+// Further isosurfaces that are not shown become the ghosts, in their order and colours: first that above the
+// isovalue.
 // With one of them free there is that ghost alone, with none there is none; nor is there without noise.
 // isosurface.value and derivatives.noise are known.
 void addGhosts(Scene& scene);
