@@ -115,6 +115,7 @@ Declaring& Declaring::isovalues() {
   for (std::size_t i = 0; i < there.size(); ++i)
     there[i] = s.extraIsosurfaces[i].shown && s.extraIsosurfaces[i].opacity > 0.0;
   settings({"isosurface.value", "isosurface#.value"});
+  input("ghosts", s.isosurface.ghost * s.derivatives.noise.value_or(1.0));
   return input("which isosurfaces are there", s.isosurface.opacity > 0.0, there, asked.volume.crossed);
 }
 
