@@ -11,4 +11,7 @@ inline constexpr float missingTexel = 1e30f;
 // Stands for no offset to an edge, in an image of offsets in mm (edge.frag.glsl, measures.glsl).
 inline constexpr float kNoEdge = 1e30f;
 
+// Stands for no value of the second volume (second_volume.glsl).
+inline constexpr float kNoValue = 3e38f;
+
 }  // namespace isolux::render

@@ -66,6 +66,9 @@ Source sourceOf(const FrameState& frame, Aov aov) {
     case Aov::edge_strength:
       source.info = frame.image(image::edge).readFloats(2);
       break;
+    case Aov::color_value:
+      source.first = frame.image(image::second).readFloats(4);
+      break;
     case Aov::irradiance:
       source.first = frame.image(image::irradiance).readFloats(4);
       break;
@@ -184,6 +187,9 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
         break;
       case Aov::edge_strength:
         out[0] = source.info[2 * i + 1];
+        break;
+      case Aov::color_value:
+        if (source.first[4 * i] < kNoValue) out[0] = source.first[4 * i];
         break;
       case Aov::irradiance:
         if (drawn.lit) put(vectorAt(source.first, i));

@@ -14,8 +14,10 @@
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/pass_list.h"
+#include "render/passes/second_volume_pass.h"
 #include "render/readback.h"
 #include "render/volume/brick_rounds.h"
+#include "scene/rules/ghosts.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
@@ -201,10 +203,16 @@ void Renderer::invalidate() {
 }
 
 const scene::Scene& Renderer::Parts::completed(const scene::Scene& scene, const FrameRequest& request) {
-  if (!volume || !readsDerivatives(scene, request)) return scene;
+  const bool ghosts = scene.isosurface.ghost > 0.0;
+  const bool unread = volume && !scene.color.volume.empty() && !volume->secondVolumes->find(scene.color);
+  const bool derived = readsDerivatives(scene, request);
+  if (!volume || !(ghosts || unread || derived)) return scene;
   completedScene = scene;
+  if (unread) completedScene->color.volume.clear();  // the surface without it
+  if (!ghosts && !derived) return *completedScene;
   base::Progress unwatched;
   volume->derivativeChoices->complete(*completedScene, unwatched);
+  scene::addGhosts(*completedScene);
   return *completedScene;
 }
 
@@ -233,6 +241,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
     if (frame.volume->bricks()) frame.onProcessor = {};
   }
   frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
+  frame.second = volume && readsSecond(scene, request) ? volume->secondVolumes->find(scene.color) : nullptr;
   frame.readsLight =
       (request.color && scene::usesGi(scene)) ||
       std::find(request.aovs.begin(), request.aovs.end(), Aov::irradiance) != request.aovs.end();
@@ -290,6 +299,7 @@ void Renderer::Parts::run(Pass& pass, const std::vector<Pass*>& running) {
 
 VolumeState Renderer::Parts::volumeState() const {
   VolumeState state{volume ? volume->grid().hash() : 0, copiesMade};
+  state.second = frame.second ? frame.second->grid().hash() : 0;
   state.crossed = frame.crossed;
   state.hidden = volume::keyOf(frame.hidden);
   return state;
@@ -437,6 +447,8 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
     parts.report.blocksActive = parts.frame.volume->activeBlocks();
     if (!parts.frame.empty())
       parts.report.found = foundNumbers(scene, parts.frame.statistics, parts.frame.flatCurvature());
+    if (!parts.frame.empty() && parts.frame.second && request.color)
+      addSecondRange(parts.frame, parts.report.found);
     parts.report.gpuBytes += parts.frame.volume->bytes();
   }
   parts.frame.scene = nullptr;

@@ -129,7 +129,7 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("edge.search", ISOLUX_MEMBER(edge.search), {0, 1e6}, "mm",
                    "How far along the normal, each way, the edge of the object is looked for; auto takes "
                    "what the spacing and the scale ask for."));
-  add(entry<Scene>("edge.contrast", ISOLUX_MEMBER(edge.contrast), {0, 1000}, "standard deviations",
+  add(entry<Scene>("edge.contrast", ISOLUX_MEMBER(edge.contrast), {0, 1e6}, "standard deviations",
                    "How far the gradient at an edge must stand out of what noise makes of gradients; weaker "
                    "ones are no edges."));
 
@@ -144,7 +144,7 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry<Scene>("color.field", ISOLUX_MEMBER(color.field),
                          "The reconstruction its values are taken from."));
   add(choiceEntry<Scene>("color.map", ISOLUX_MEMBER(color.map),
-                         "The colour map over its values; auto is inferno."));
+                         "The colour map over its values; auto is viridis."));
   add(entry<Scene>("color.low", ISOLUX_MEMBER(color.low), {-1e38, 1e38}, "its data units",
                    "The value at the lower end of the map; auto is found from what the surface shows."));
   add(entry<Scene>("color.high", ISOLUX_MEMBER(color.high), {-1e38, 1e38}, "its data units",

@@ -168,6 +168,7 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress)
       std::make_shared<DerivativeChoices>(prepared->volume.grid, prepared->blocks, prepared->volume.noise);
   prepared->stillHits = std::make_shared<StillHits>(prepared->volume.grid, prepared->blocks);
   prepared->pieces = std::make_shared<PieceSets>(prepared->volume.grid, prepared->blocks);
+  prepared->secondVolumes = std::make_shared<SecondVolumes>(prepared->volume.grid);
   progress.report(0.7, "counting values");
   prepared->histogram = makeHistogram(prepared->grid(), 512, progress);
   noteImplausible(prepared->volume, prepared->histogram);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "scene/rules/automatic.h"
+#include "volume/color/second_volume.h"
 #include "volume/field/cubic_fields.h"
 #include "volume/pieces/piece_sets.h"
 #include "volume/read/reader.h"
@@ -26,6 +27,7 @@ struct PreparedVolume {
   std::shared_ptr<DerivativeChoices> derivativeChoices;  // so are they
   std::shared_ptr<const StillHits> stillHits;            // and these
   std::shared_ptr<const PieceSets> pieces;               // and these
+  std::shared_ptr<SecondVolumes> secondVolumes;          // that colour its surface
   Histogram histogram;
   scene::VolumeFacts facts;
   double readSeconds = 0.0, prepareSeconds = 0.0;

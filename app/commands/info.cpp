@@ -4,6 +4,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/derivative_report.h"
+#include "app/commands/edge_report.h"
 #include "app/commands/piece_report.h"
 #include "app/commands/progress_bar.h"
 #include "base/number_text.h"
@@ -19,7 +20,7 @@ using volume::PreparedVolume;
 
 struct InfoOptions {
   std::string path;
-  bool json = false, pieces = false;
+  bool json = false, pieces = false, edge = false;
 };
 
 ordered_json vectorJson(glm::dvec3 v) {
@@ -209,6 +210,13 @@ ordered_json piecesWithProgressBar(const PreparedVolume& prepared, const scene::
   return piecesJson(prepared, scene::resolve(scene, prepared.facts), progress);
 }
 
+EdgeReport edgesWithProgressBar(const scene::Scene& scene, std::shared_ptr<const PreparedVolume> prepared,
+                                base::Progress& progress) {
+  progress.report(0.0, "looking for edges");
+  const ProgressBar bar(progress);
+  return measureEdges(scene, std::move(prepared), progress);
+}
+
 }  // namespace
 
 Command makeInfo(CLI::App& program) {
@@ -221,6 +229,8 @@ Command makeInfo(CLI::App& program) {
   parser->add_flag(
       "--pieces", options->pieces,
       "The connected pieces of the isosurface's inside, the largest first: volume, area, bounds");
+  parser->add_flag("--edge", options->edge,
+                   "Say how far the isosurface lies from the edge of its object, and how clear that is");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux info head.nii.gz --json");
@@ -231,14 +241,18 @@ Command makeInfo(CLI::App& program) {
             const Measured measured = measuredWithProgressBar(*prepared, scene.derivatives.field, progress);
             ordered_json pieces;
             if (options->pieces) pieces = piecesWithProgressBar(*prepared, scene, progress);
+            std::optional<EdgeReport> edges;
+            if (options->edge) edges = edgesWithProgressBar(scene, prepared, progress);
             if (options->json) {
               ordered_json json = infoJson(*prepared, measured);
               if (options->pieces) json["pieces"] = pieces;
+              if (edges) json["edge"] = edgeJson(*edges);
               std::cout << jsonText(json);
-            } else {
-              printText(*prepared, measured, std::cout);
-              if (options->pieces) printPieceTable(pieces, *prepared, std::cout);
+              return;
             }
+            printText(*prepared, measured, std::cout);
+            if (edges) std::cout << "edge          " << base::printable(edgeText(*edges)) << '\n';
+            if (options->pieces) printPieceTable(pieces, *prepared, std::cout);
           }};
 }
 

@@ -23,6 +23,7 @@
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
+#include "scene/rules/ghosts.h"
 #include "volume/cast/surface_caster.h"
 
 namespace isolux::app {
@@ -214,6 +215,9 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   }
   for (const std::string& warning : light.state().warnings) printNote(warning);
   printWarnings(prepared->volume);
+  if (const int missing = scene::ghostsWithoutRoom(scene))
+    printNote("isosurface.ghost: " + std::to_string(missing) +
+              " of the two ghosts is missing, because further isosurfaces are shown");
   if (drawn.picture.report.empty)
     std::fprintf(stderr, "isolux: note: the picture is empty: %s\n",
                  drawn.picture.report.empty->reason.c_str());

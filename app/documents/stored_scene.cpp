@@ -13,8 +13,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 3> pathSettings{"source.path", "source.csg_path",
-                                                       "light.environment.file"};
+constexpr std::array<std::string_view, 4> pathSettings{"source.path", "source.csg_path",
+                                                       "light.environment.file", "color.volume"};
 
 bool namesFile(const std::string& path) {
   return !path.empty() && !path.starts_with("phantom:");
@@ -95,7 +95,7 @@ SharedScene sharedScene(const scene::Scene& scene, const fs::path& folder) {
 }
 
 void applyPlaces(scene::Scene& scene, const json& places, const std::string& file) {
-  checkKeys(places, {pathSettings[0], pathSettings[1], pathSettings[2]}, file, "places");
+  checkKeys(places, {pathSettings[0], pathSettings[1], pathSettings[2], pathSettings[3]}, file, "places");
   for (const auto& [path, token] : places.items()) {
     if (!token.is_string()) base::throwInput(file, "places, " + path, "must be a text");
     const scene::Setting& setting = scene::setting(path);

@@ -34,6 +34,7 @@ void OutputGuard::readsVolume(const std::string& path, const std::string& role) 
 void OutputGuard::reads(const scene::Scene& scene) {
   readsVolume(scene.source.path, "the volume");
   if (scene.source.csg != scene::Csg::none) readsVolume(scene.source.csgPath, "the second volume");
+  readsVolume(scene.color.volume, "the volume that colours the surface");
   reads(scene.light.environment.file, "the light probe");
 }
 

@@ -17,6 +17,12 @@ bool isComplete(const scene::Derivatives& derivatives) {
   return derivatives.noise && derivatives.scale && derivatives.normalScale;
 }
 
+// What is read of it, and made.
+bool sameSecondVolume(const scene::ColorVolume& a, const scene::ColorVolume& b) {
+  return a.volume == b.volume && a.raw == b.raw && a.component == b.component && a.timeStep == b.timeStep &&
+         a.field == b.field;
+}
+
 // The look reads derivatives of which something is to be chosen.
 bool awaitsChoice(const scene::Scene& scene) {
   return scene::needsGradient(scene) && !isComplete(scene.derivatives);
@@ -58,12 +64,14 @@ void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume
     volume.derivativeChoices->complete(resolved, progress);
   volume.cubicFields->makeFor(images ? withImages(resolved) : resolved, progress);
   volume::hiddenOf(resolved, *volume.pieces, progress);
+  if (images || scene::showsSecondVolume(resolved)) volume.secondVolumes->make(resolved.color, progress);
 }
 
 bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume) {
   scene::Scene scene = resolved;
   if (awaitsChoice(scene) && !volume.derivativeChoices->completeIfChosen(scene)) return false;
-  return volume.cubicFields->readyFor(scene) && restIsReady(scene, volume) &&
+  const bool colored = !scene::showsSecondVolume(scene) || volume.secondVolumes->find(scene.color);
+  return colored && volume.cubicFields->readyFor(scene) && restIsReady(scene, volume) &&
          volume::hiddenIsReady(scene, *volume.pieces);
 }
 
@@ -101,11 +109,14 @@ bool FieldJob::isFor(const scene::Scene& scene) const {
   const bool same = scene_.hit.field == scene.hit.field && scene_.derivatives == scene.derivatives &&
                     scene::needsGradient(scene_) == scene::needsGradient(scene) &&
                     scene::needsSecondDerivatives(scene_) == scene::needsSecondDerivatives(scene);
+  const bool sameColor = scene::showsSecondVolume(scene_) == scene::showsSecondVolume(scene) &&
+                         (!scene::showsSecondVolume(scene) || sameSecondVolume(scene_.color, scene.color));
   const bool sameAtRest = scene_.picture.restHits == scene.picture.restHits &&
                           scene::mayRefineHits(scene_) == scene::mayRefineHits(scene);
   const bool samePieces = scene_.pieces == scene.pieces;
   const bool measures = awaitsChoice(scene) || scene::mayRefineHits(scene);
-  return same && sameAtRest && samePieces && (!measures || scene_.isosurface.value == scene.isosurface.value);
+  return same && sameColor && sameAtRest && samePieces &&
+         (!measures || scene_.isosurface.value == scene.isosurface.value);
 }
 
 void FieldJob::run() {

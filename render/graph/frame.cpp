@@ -39,6 +39,7 @@ const std::vector<AovInfo>& aovs() {
       {Aov::scale, "scale", "mm, of the curvature", {""}},
       {Aov::edge_offset, "edge_offset", "mm along the outward normal", {""}},
       {Aov::edge_strength, "edge_strength", "standard deviations of the gradient's noise", {""}},
+      {Aov::color_value, "color_value", "data units of color.volume", {""}},
       {Aov::irradiance, "irradiance", "radiance times sr, no exposure of the picture", {"r", "g", "b"}},
       {Aov::hit, "hit", "1 or 0", {""}},
   };

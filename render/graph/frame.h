@@ -32,6 +32,7 @@ enum class Aov {
   scale,
   edge_offset,
   edge_strength,
+  color_value,
   irradiance,
   hit
 };

@@ -96,6 +96,12 @@ Declaring& Declaring::volume() {
   return input("volume", asked.volume.hash);
 }
 
+Declaring& Declaring::second() {
+  const scene::ColorVolume& color = asked.scene.color;
+  if (asked.volume.second == 0) return input("second volume", 0);
+  return input("second volume", asked.volume.second, color.field, color.below);
+}
+
 Declaring& Declaring::pictureSize() {
   const FrameRequest& request = asked.request;
   const Tile tile = request.tile.value_or(Tile{});
@@ -110,6 +116,7 @@ Declaring& Declaring::isovalues() {
     there[i] = s.extraIsosurfaces[i].shown && s.extraIsosurfaces[i].opacity > 0.0;
   settings({"isosurface.value", "isosurface#.value"});
   input("hidden pieces", asked.volume.hidden);
+  input("ghosts", s.isosurface.ghost * s.derivatives.noise.value_or(1.0));
   return input("which isosurfaces are there", s.isosurface.opacity > 0.0, there, asked.volume.crossed);
 }
 

@@ -47,11 +47,12 @@ namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *segments = "ray segments",
                             *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
                             *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
-                            *edge = "edges", *ranges = "curvature ranges", *shadow = "shadows",
-                            *flowField = "flow fields", *flow = "streaks", *extrema = "curvature extrema",
-                            *lineField = "line fields", *lines = "lines", *light = "stored light",
-                            *irradiance = "irradiances", *front = "front colour", *color = "colour",
-                            *background = "background", *picture = "picture",
+                            *edge = "edges", *second = "values of the second volume",
+                            *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
+                            *flow = "streaks", *extrema = "curvature extrema", *lineField = "line fields",
+                            *lines = "lines", *light = "stored light", *irradiance = "irradiances",
+                            *front = "front colour", *color = "colour", *background = "background",
+                            *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }
 
@@ -63,6 +64,7 @@ struct VolumeState {
       : hash(hashOfVoxels), made(copiesMade) {}
   std::uint64_t hash;        // of the voxels and where they lie; 0: none
   std::uint64_t made;        // differs between any two GpuVolumes of one renderer
+  std::uint64_t second = 0;  // hash of the volume that colours the surface; 0: none
   bool crossed = true;       // false: no cell holds a value of a surface that is shown
   std::uint64_t hidden = 0;  // volume::keyOf() of pieces that are not shown; 0: all are
 };
@@ -147,6 +149,7 @@ class Declaring {
   Declaring& volume();       // the voxels and where they lie
   Declaring& pictureSize();  // rays, and the part of the picture that is drawn
   Declaring& isovalues();    // the surfaces that are there, and what of them is hidden
+  Declaring& second();       // the volume that colours the surface, and what of it is looked up
 };
 
 // An image that the look reads (resources/shaders/look/shade.frag.glsl).

@@ -51,7 +51,7 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
 
 bool readsDerivatives(Aov aov) {
   return aov == Aov::normal || aov == Aov::gradient || aov == Aov::irradiance || aov == Aov::scale ||
-         readsHessian(aov) || readsEdge(aov);
+         readsHessian(aov) || readsEdge(aov) || aov == Aov::color_value;
 }
 
 bool readsHessian(Aov aov) {
@@ -78,6 +78,11 @@ bool readsEdge(const scene::Scene& scene, const FrameRequest& request) {
          std::any_of(request.aovs.begin(), request.aovs.end(), [](Aov aov) { return readsEdge(aov); });
 }
 
+bool readsSecond(const scene::Scene& scene, const FrameRequest& request) {
+  return (request.color && scene::showsSecondVolume(scene)) ||
+         std::find(request.aovs.begin(), request.aovs.end(), Aov::color_value) != request.aovs.end();
+}
+
 bool sharesGradient(const scene::Scene& scene) {
   return scene::derivativesScale(scene) == scene::normalScale(scene);
 }
@@ -99,6 +104,8 @@ std::vector<std::string> wantedImages(const FrameRequest& request, const scene::
       if (aov == Aov::direction2) wanted.emplace_back(image::hessian);
     } else if (readsEdge(aov)) {
       wanted.emplace_back(image::edge);
+    } else if (aov == Aov::color_value) {
+      wanted.emplace_back(image::second);
     } else {
       wanted.emplace_back(image::surface);
     }

@@ -17,6 +17,8 @@ std::vector<std::string> wantedImages(const FrameRequest& request, const scene::
 bool readsDerivatives(Aov aov);
 bool readsHessian(Aov aov);
 bool readsEdge(Aov aov);
+// Some value of the second volume is shown.
+bool readsSecond(const scene::Scene& scene, const FrameRequest& request);
 // The picture does, by its look or one of its images.
 bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request);
 bool readsHessian(const scene::Scene& scene, const FrameRequest& request);

@@ -12,9 +12,7 @@
 
 namespace isolux::render {
 
-namespace {
-
-Legend legendOf(const scene::Scene& scene, glm::dvec2 range) {
+Legend measureLegend(const scene::Scene& scene, glm::dvec2 range) {
   const scene::Look& look = scene.look;
   const scene::LookInfo& info = scene::lookInfo(look.mode);
   Legend legend;
@@ -23,11 +21,14 @@ Legend legendOf(const scene::Scene& scene, glm::dvec2 range) {
   legend.unit = scene::unitOf(info);
   legend.low = range.x;
   legend.high = range.y;
+  if (info.readsEdge) legend.note = "grey: no edge found";
   const double scale = scene::derivativesScale(scene);
-  if (scale > 0.0) legend.note = "scale " + base::shortText(scale, 2) + " mm";
+  if (scale > 0.0 && !info.readsEdge) legend.note = "scale " + base::shortText(scale, 2) + " mm";
   legend.colors = measureColors(look).texels;
   return legend;
 }
+
+namespace {
 
 int marginOf(glm::ivec2 picture) {
   return std::max(2, picture.y / 50);
@@ -72,9 +73,9 @@ MeasureColors measureColors(const scene::Look& look) {
   return {glm::ivec2(samples, 1), scene::colorMapSamples(look.colormap, samples, info.colors)};
 }
 
-void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range) {
+void drawLegendOver(FrameState& frame, const Target& picture, const Legend& legend) {
   const glm::ivec2 size = frame.request.size;
-  const LegendImage image = drawLegend(legendOf(*frame.scene, range), std::min(size.y, 2 * size.x));
+  const LegendImage image = drawLegend(legend, std::min(size.y, 2 * size.x));
   const int margin = marginOf(size);
   if (image.size.x + 2 * margin > size.x * 7 / 10 || image.size.y + 2 * margin > size.y * 7 / 10) return;
   const Gl& gl = *frame.gl;

@@ -1,6 +1,7 @@
 // Puts the legend of a scene into its finished picture.
 #pragma once
 
+#include "render/legend/legend.h"
 #include "render/passes/frame_state.h"
 #include "volume/cast/picture_area.h"
 
@@ -13,6 +14,9 @@ struct MeasureColors {
 };
 MeasureColors measureColors(const scene::Look& look);
 
+// Of the look's measure over this range.
+Legend measureLegend(const scene::Scene& scene, glm::dvec2 range);
+
 // The lower left pixel of a legend of this size in a picture, row 0 being the lowest: in the corner asked
 // for, or in that which shows least of the surface; where they are alike, or it is little, in the lower right
 // one.
@@ -21,6 +25,6 @@ glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2
 
 // Blends the legend into a corner of `picture`; nothing where it would cover most of the picture. Of a tile
 // it is not known where the rest of the surface lies: what is automatic is the lower right corner.
-void drawLegendOver(FrameState& frame, const Target& picture, glm::dvec2 range);
+void drawLegendOver(FrameState& frame, const Target& picture, const Legend& legend);
 
 }  // namespace isolux::render

@@ -19,6 +19,7 @@
 #include "render/volume/ray_starts.h"
 #include "scene/rules/needs.h"
 #include "scene/scene.h"
+#include "volume/color/second_volume.h"
 #include "volume/edge/edge_walk.h"
 #include "volume/statistics/curvature_statistics.h"
 
@@ -49,12 +50,14 @@ struct FrameState {
   FrameRequest request;
   std::optional<ViewUniforms> view;
   std::vector<Surface> surfaces;
-  std::vector<volume::HiddenOfSurface> hidden;    // of them; none where all pieces are shown
-  std::optional<GpuVolume> volume;                // none: nothing is loaded
-  std::shared_ptr<const gi::PictureLight> light;  // null: nobody has said what it is
-  bool readsLight = false;                        // something in this frame reads light of the surface points
-  std::unique_ptr<FrameLight> lighting;           // what passes and the renderer know of it, on the GPU
-  volume::CurvatureStatistics statistics;         // of the ranges pass
+  std::vector<volume::HiddenOfSurface> hidden;         // of them; none where all pieces are shown
+  std::optional<GpuVolume> volume;                     // none: nothing is loaded
+  std::shared_ptr<const volume::SecondVolume> second;  // that colours the surface; null: none
+  glm::dvec2 secondRange{0.0, 1.0};                    // of its values where automatic: of the ranges pass
+  std::shared_ptr<const gi::PictureLight> light;       // null: nobody has said what it is
+  bool readsLight = false;                 // something in this frame reads light of the surface points
+  std::unique_ptr<FrameLight> lighting;    // what passes and the renderer know of it, on the GPU
+  volume::CurvatureStatistics statistics;  // of the ranges pass
   ImagePool images;
   OnProcessor onProcessor;                 // instead of shaders
   std::map<std::string, HostImages> host;  // of the crossings that the processor found, by their layer

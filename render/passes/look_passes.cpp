@@ -7,6 +7,7 @@
 #include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/second_volume_pass.h"
 #include "render/readback.h"
 #include "scene/looks.h"
 #include "scene/rules/needs.h"
@@ -113,10 +114,12 @@ void RangesPass::declare(Declaring& d) const {
   d.input("derivatives.field", d.asked.scene.derivatives.field == scene::Field::cubic_interpolating);
   d.settings({"derivatives.scale"});
   if (scene::needsEdge(d.asked.scene)) d.settings({"derivatives.noise", "edge."});
+  d.input("range of the second volume", readsSecondRange(d.asked.scene));
+  if (readsSecondRange(d.asked.scene)) d.second();
 }
 
 std::optional<LookInput> RangesPass::forLook(const scene::Scene& scene) const {
-  if (!readsCurvatureRanges(scene)) return std::nullopt;
+  if (!readsCurvatureRanges(scene) && !readsSecondRange(scene)) return std::nullopt;
   return LookInput{image::ranges};  // FrameState::statistics
 }
 
@@ -131,6 +134,7 @@ void RangesPass::run(FrameState& frame) {
       all[i].measures[scene::LookMode::edge_offset] =
           frame.volume->edgeOffsets(frame.edgeField(), frame.edgeSearch(), frame.surfaces[i].value);
   frame.statistics = outerBounds(all);
+  if (frame.volume && readsSecondRange(*frame.scene)) frame.secondRange = automaticSecondRange(frame);
 }
 
 void ShadePass::setSurfaces(FrameState& frame, Program& p) const {
@@ -168,6 +172,23 @@ void ShadePass::setMeasure(FrameState& frame, Program& p) {
   p.set("uRange", glm::vec2(measureRange(*frame.scene, frame.statistics, frame.flatCurvature())));
 }
 
+void ShadePass::setSecond(FrameState& frame, Program& p, int unit) {
+  const scene::ColorVolume& color = frame.scene->color;
+  if (!secondColors_ || secondColorsOf_ != color.map) {
+    secondColors_ = Texture::make2D(frame.gl, GL_RGB32F, {kSecondColors, 1});
+    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    frame.gl->TextureSubImage2D(secondColors_.id(), 0, 0, 0, kSecondColors, 1, GL_RGB, GL_FLOAT,
+                                secondColors(*frame.scene).data());
+    secondColorsOf_ = color.map;
+  }
+  p.setTexture("uSecondColors", unit, secondColors_);
+  p.set("uSecondRange", glm::vec2(secondRange(frame)));
+  p.set("uSecondStrength", static_cast<float>(color.strength));
+  p.set("uSecondFades", color.fade ? 1 : 0);
+  p.set("uIsolines", static_cast<float>(color.isolines));
+  p.set("uIsolineWidth", static_cast<float>(color.isolineWidth * frame.raysPerWidth()));
+}
+
 void ShadePass::setOverlays(FrameState& frame, Program& p) const {
   const scene::Scene& scene = *frame.scene;
   const scene::Look& look = scene.look;
@@ -191,10 +212,15 @@ void ShadePass::declare(Declaring& d) const {
       if (const std::optional<LookInput> input = pass->forLook(d.asked.scene)) d.reads(input->image);
   }
   d.settings({"camera.", "isosurface.", "isosurface#."},
-             {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface#.value"});
+             {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface.ghost",
+              "isosurface.ghost_opacity", "isosurface#.value"});
   d.settings({"look."}, {"look.legend", "look.legend_corner", "look.background_top", "look.background_bottom",
                          "look.contour_width", "look.ridge_threshold", "look.ridge_width",
                          "look.ridge_width_unit", "look.ridge_length"});
+  d.input("the second volume is shown", scene::showsSecondVolume(d.asked.scene));
+  if (scene::showsSecondVolume(d.asked.scene))
+    d.settings({"color.map", "color.low", "color.high", "color.strength", "color.fade", "color.isolines",
+                "color.isoline_width"});
   d.settings({"flow.strength", "light.space", "light.direction", "light.color", "light.intensity",
               "light.headlight"});
   // Normals are turned to the viewer, and curvatures have their sign when they come.
@@ -214,6 +240,7 @@ Program& ShadePass::prepared(FrameState& frame) {
   for (const LookInput& input : inputs)
     for (std::size_t i = 0; i < input.samplers.size(); ++i)
       p.setTexture(input.samplers[i], unit++, frame.image(input.image, i));
+  if (scene::showsSecondVolume(*frame.scene)) setSecond(frame, p, unit);
   setSurfaces(frame, p);
   setLook(*frame.scene, p);
   setLight(frame, p);

@@ -20,18 +20,24 @@ class ShadePass : public Pass {
   ShadePass() : Pass("shade", "shade.frag.glsl", {.ofCrossing = true}) {}
   void declare(Declaring& d) const override;
   void run(FrameState& frame) override;
-  void forget() override { colors_ = Texture(); }
+  void forget() override {
+    colors_ = Texture();
+    secondColors_ = Texture();
+  }
 
  private:
   Program& prepared(FrameState& frame);  // its program, with all that it reads
   void setSurfaces(FrameState& frame, Program& program) const;
   void setLight(FrameState& frame, Program& program) const;
   void setMeasure(FrameState& frame, Program& program);
+  void setSecond(FrameState& frame, Program& program, int unit);
   void setOverlays(FrameState& frame, Program& program) const;
 
   // The colour map's samples, and what they were made from.
   Texture colors_;
   scene::Look colorsOf_;
+  Texture secondColors_;  // of the second volume
+  scene::ColorMap secondColorsOf_ = scene::ColorMap::automatic;
 };
 
 // Crossings behind transparent surfaces, one after another until nothing is seen any more: for each, all

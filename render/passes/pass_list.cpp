@@ -7,6 +7,7 @@
 #include "render/passes/line_passes.h"
 #include "render/passes/look_passes.h"
 #include "render/passes/resolve_passes.h"
+#include "render/passes/second_volume_pass.h"
 
 namespace isolux::render {
 
@@ -33,6 +34,7 @@ PassList makePasses() {
       HessianPass,     // the same with the world Hessian
       CurvaturePass,   // principal curvatures, first direction, confidence
       EdgePass,        // how far the edge of the object lies from it
+      SecondVolumePass,  // values of the volume that colours the surface
       RangesPass,      // the surface's curvature as a whole
       ShadowPass,      // a second ray to the key light
       FlowFieldPass,   // direction on screen and noise on the surface

@@ -3,6 +3,7 @@
 #include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/second_volume_pass.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
@@ -25,6 +26,15 @@ void setBehind(const FrameState& frame, Program& p) {
   p.set("uPictureSize", frame.request.size);
   p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));
   p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
+}
+
+void drawLegendOf(FrameState& frame, const Target& picture) {
+  const scene::Scene& scene = *frame.scene;
+  if (scene::isMeasure(scene.look.mode))
+    drawLegendOver(frame, picture,
+                   measureLegend(scene, measureRange(scene, frame.statistics, frame.flatCurvature())));
+  else if (frame.second)
+    drawLegendOver(frame, picture, secondLegend(frame));
 }
 
 }  // namespace
@@ -54,6 +64,11 @@ void ResolvePass::declare(Declaring& d) const {
   }
   if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
     d.reads(image::ranges);
+  d.input("legend of the second volume", scene::showsLegend(scene) && scene::showsSecondVolume(scene));
+  if (scene::showsLegend(scene) && scene::showsSecondVolume(scene)) {
+    d.second().settings({"color.map", "color.low", "color.high"});
+    if (d.asked.volume.crossed && readsSecondRange(scene)) d.reads(image::ranges);
+  }
 }
 
 void ResolvePass::run(FrameState& frame) {
@@ -62,8 +77,7 @@ void ResolvePass::run(FrameState& frame) {
     drawAll(frame, target, "");
   else
     drawHits(frame, target);
-  if (!frame.empty() && scene::showsLegend(*frame.scene))
-    drawLegendOver(frame, target, measureRange(*frame.scene, frame.statistics, frame.flatCurvature()));
+  if (!frame.empty() && scene::showsLegend(*frame.scene)) drawLegendOf(frame, target);
   if (frame.request.linear)
     drawAll(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
             "#define LINEAR\n");

@@ -257,12 +257,16 @@ volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, do
                                      volume::kCurvaturePoints, hidden);
 }
 
+std::vector<volume::VisiblePoint> GpuVolume::visiblePoints(double value) const {
+  if (!hasCells()) return {};
+  return volume::visiblePoints(grid(), *volume_->blocks, value);
+}
+
 volume::Quantiles GpuVolume::edgeOffsets(const FieldAt& of, const volume::EdgeSearch<double>& search,
                                          double value) const {
   if (!hasCells()) return {};
   const volume::EdgeFinder finder(grid(), {of.field, coefficients(of.field), scaled(of)}, search);
-  const volume::EdgeStatistics edges =
-      volume::edgeStatistics(finder, volume::visiblePoints(grid(), *volume_->blocks, value));
+  const volume::EdgeStatistics edges = volume::edgeStatistics(finder, visiblePoints(value));
   return {edges.low.value_or(0.0), edges.median.value_or(0.0), edges.high.value_or(0.0)};
 }
 

@@ -19,6 +19,7 @@
 #include "volume/prepared_volume.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/statistics/curvature_statistics.h"
+#include "volume/statistics/visible_points.h"
 
 namespace isolux::render {
 
@@ -67,6 +68,7 @@ class GpuVolume {
   volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward,
                                                   const volume::HiddenPieces& hidden);
 
+  std::vector<volume::VisiblePoint> visiblePoints(double value) const;  // of that surface
   // How far edges lie from the surface of `value`: offsets of points that can be seen, mm.
   volume::Quantiles edgeOffsets(const FieldAt& of, const volume::EdgeSearch<double>& search,
                                 double value) const;

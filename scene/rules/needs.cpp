@@ -44,8 +44,14 @@ bool showsFlow(const Scene& scene) {
   return scene.look.mode == LookMode::flow || (!isPlain(scene) && scene.flow.strength > 0.0);
 }
 
+bool showsSecondVolume(const Scene& scene) {
+  const ColorVolume& color = scene.color;
+  return !color.volume.empty() && (color.strength > 0.0 || color.isolines > 0.0) && !isPlain(scene) &&
+         !isMeasure(scene.look.mode);
+}
+
 bool showsLegend(const Scene& scene) {
-  return scene.look.legend && isMeasure(scene.look.mode);
+  return scene.look.legend && (isMeasure(scene.look.mode) || showsSecondVolume(scene));
 }
 
 bool mayRefineHits(const Scene& scene) {

@@ -25,6 +25,8 @@ bool keyLightActs(const Scene& scene);
 bool showsShadow(const Scene& scene);
 // Whether streaks along the curvature are drawn.
 bool showsFlow(const Scene& scene);
+// Whether a second volume colours the surface.
+bool showsSecondVolume(const Scene& scene);
 bool showsLegend(const Scene& scene);
 // Strength of the silhouette: tone shading is meant to be seen with outlines (Gooch et al. 1998).
 double contoursOf(const Scene& scene);

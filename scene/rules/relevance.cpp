@@ -60,6 +60,10 @@ bool isMesh(const Scene& s) {
   return path.ends_with(".stl") || path.ends_with(".obj") || path.ends_with(".ply") || path.ends_with(".vtp");
 }
 
+bool hasSecondVolume(const Scene& s) {
+  return !s.color.volume.empty();
+}
+
 struct Rule {
   std::string_view paths;  // patterns of covers(), with spaces between
   bool (*acts)(const Scene&);
@@ -106,7 +110,10 @@ constexpr Rule rules[] = {
     {"isosurface.albedo isosurface#.albedo",
      [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; },
      "the albedo comes from a colour map"},
-    {"isosurface.layers", isTransparent, "every isosurface is opaque"},
+    {"isosurface.layers", [](const Scene& s) { return isTransparent(s) || s.isosurface.ghost > 0.0; },
+     "every isosurface is opaque"},
+    {"isosurface.ghost_opacity", [](const Scene& s) { return s.isosurface.ghost > 0.0; },
+     "there are no ghosts"},
 
     {"hit.rate hit.near_factor hit.near_threshold hit.refinements",
      [](const Scene& s) { return s.hit.method == HitMethod::sampled; }, "hits are exact"},
@@ -152,8 +159,19 @@ constexpr Rule rules[] = {
 
     {"look.colormap", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::measure; },
      "this look does not show one number in colour"},
-    {"look.range_low look.range_high look.legend look.legend_corner", colorsMeanNumbers,
+    {"look.range_low look.range_high", colorsMeanNumbers, "colours do not stand for numbers in this look"},
+    {"look.legend look.legend_corner",
+     [](const Scene& s) { return colorsMeanNumbers(s) || showsSecondVolume(s); },
      "colours do not stand for numbers in this look"},
+    {"color.", showsAlbedo, "this look does not show the surface's own colour"},
+    {"color.raw color.component color.time_step color.field color.map color.low color.high color.below "
+     "color.strength color.fade color.isolines color.isoline_width",
+     hasSecondVolume, "there is no second volume"},
+    {"color.field color.low color.high color.below", showsSecondVolume,
+     "nothing is shown of the second volume"},
+    {"color.map color.fade", [](const Scene& s) { return s.color.strength > 0.0; },
+     "the second volume's colours have no strength"},
+    {"color.isoline_width", [](const Scene& s) { return s.color.isolines > 0.0; }, "no isolines are drawn"},
     {"look.legend_corner", [](const Scene& s) { return s.look.legend; }, "no legend is drawn"},
     {"look.curvature_points", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::square; },
      "the look is not curvature 2D"},

@@ -13,11 +13,7 @@ float inRange(float value) {
   return width == 0.0 ? 0.5 : clamp((value - uRange.x) / width, 0.0, 1.0);
 }
 
-vec3 mapped(float t) {
-  float x = t * float(textureSize(uColorMap, 0).x - 1);
-  int i = int(min(floor(x), float(textureSize(uColorMap, 0).x - 2)));
-  return mix(texelFetch(uColorMap, ivec2(i, 0), 0).rgb, texelFetch(uColorMap, ivec2(i + 1, 0), 0).rgb, x - float(i));
-}
+vec3 mapped(float t) { return fromRow(uColorMap, t); }
 
 // Bilinear in floats, between the centres of texels.
 vec3 mapped2d(vec2 t) {

@@ -2,7 +2,7 @@
 //
 // LOOK, SHADING, TEXTURE, and the LOOK_..., SHADING_... and TEXTURE_... they are compared with: from the names of the
 // settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound; EDGE: offsets of
-// edges, which colours stand for. SHADOW,
+// edges, which colours stand for. SECOND: values of a second volume. SHADOW,
 // FLOW, FOG, ACCESSIBILITY, LINES: what is laid over. docs/looks.md has the formulas and sources.
 #include "common.glsl"
 #if LOOK == LOOK_DEPTH
@@ -10,6 +10,12 @@
 #endif
 #include "surface.glsl"
 #include "background.glsl"
+#if defined(CURVATURE) || defined(EDGE) || defined(SECOND)
+#include "color_row.glsl"
+#endif
+#ifdef SECOND
+#include "second_volume.glsl"
+#endif
 #if defined(CURVATURE) || defined(EDGE)
 #include "measures.glsl"
 #endif
@@ -74,6 +80,9 @@ vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
 #if TEXTURE != TEXTURE_NONE
   base = textured(base, p.position / uTextureScale,
                   p.footprint / (uTextureScale * max(-dot(p.normal, p.ray), 0.2)));
+#endif
+#ifdef SECOND
+  base = withSecond(base, p, pixel);
 #endif
   if (p.side < 0.0) base *= uInnerTint;
 #endif

@@ -261,6 +261,12 @@ const std::vector<LookRow> kLooks = {
     {{"look.mode=curvedness"}, kRanged},
     {{"look.mode=curvature_2d"}, kRanged},
     {{"look.mode=accessibility"}, kRanged},
+    {{"look.mode=edge_offset"}, {"gradient", "edge", "ranges", "shade"}},
+    {{"look.mode=edge_offset", "look.range_low=-1", "look.range_high=1"}, {"gradient", "edge", "shade"}},
+    {{"color.volume=phantom:ball"}, {"gradient", "second volume", "ranges", "shade"}},
+    {{"color.volume=phantom:ball", "color.low=0", "color.high=1"}, {"gradient", "second volume", "shade"}},
+    {{"color.volume=phantom:ball", "look.mode=shape_index"}, kCurved},  // of colours of its own
+    {{"color.volume=phantom:ball", "color.strength=0"}, kShaded},
     {{"look.mode=flow"}, kFlowing},
     {{"look.mode=gi"}, kLit},
     {{"look.mode=shape_index", "look.shading=gi"}, {"hessian", "curvature", "irradiance", "shade"}},

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <regex>
 #include <set>
+#include <string>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +21,18 @@ TEST(ConstantsTest, MissingTexelIsTheSameInGlsl) {
   std::smatch match;
   ASSERT_TRUE(std::regex_search(source, match, std::regex("const float missingTexel = ([^;]+);")));
   EXPECT_EQ(std::stof(match[1]), missingTexel);
+}
+
+TEST(ConstantsTest, WhatStandsForNothingIsTheSameInGlsl) {
+  for (const auto& [file, name, number] : {std::tuple{"edge.frag.glsl", "noEdge", kNoEdge},
+                                           {"measures.glsl", "noEdge", kNoEdge},
+                                           {"second_volume.glsl", "noValue", kNoValue}}) {
+    const std::string source = shaderSource(file);
+    std::smatch match;
+    ASSERT_TRUE(
+        std::regex_search(source, match, std::regex("const float " + std::string(name) + " = ([^;,]+)")));
+    EXPECT_EQ(std::stof(match[1]), number) << file;
+  }
 }
 
 // The look's shader compares with names that are made of the settings' choices: one that no choice has would

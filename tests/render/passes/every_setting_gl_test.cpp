@@ -24,7 +24,7 @@ const std::map<std::string, const char*> kValues = {
     {"look.ridge_length", "150"},  // mm: more than some lines of a head have
 
     {"isosurface.value", "0.3"},  {"isosurface2.value", "0.6"}, {"isosurface3.value", "-0.6"},
-    {"hit.near_threshold", "0"},  {"look.colormap", "inferno"},
+    {"edge.contrast", "1e6"},     {"hit.near_threshold", "0"},  {"look.colormap", "inferno"},
 };
 
 // Another valid value of the setting, far enough from that of the scene to be seen.
@@ -59,6 +59,8 @@ json otherValue(const scene::Setting& s, const scene::Scene& scene) {
       return !now.get<bool>();
     case scene::SettingType::points:
       return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}, {-0.5, -0.5, 1.0, 0.5, 0.0}});
+    case scene::SettingType::positions:
+      return json::array({{1.0, -2.5, 3.0}});
     case scene::SettingType::text:
       break;
   }

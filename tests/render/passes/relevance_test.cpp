@@ -38,6 +38,8 @@ json otherValue(const scene::Setting& s, const scene::Scene& scene) {
       return !now.get<bool>();
     case scene::SettingType::points:
       return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}});
+    case scene::SettingType::positions:
+      return json::array({{1.0, -2.5, 3.0}});
     case scene::SettingType::text:
       break;
   }

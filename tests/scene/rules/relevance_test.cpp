@@ -49,6 +49,7 @@ TEST(Relevance, OfEachLook) {
       {"gaussian_curvature", measure},
       {"shape_index", measure},
       {"curvedness", measure},
+      {"edge_offset", measure},
       {"curvature_2d",
        lambert + "shadow fog range_low range_high curvature_points legend legend_corner accessibility " +
            lines},
@@ -65,6 +66,32 @@ TEST(Relevance, OfEachLook) {
     mode.set(scene, name);
     EXPECT_EQ(activeLook(scene), expected) << name;
   }
+}
+
+TEST(Relevance, EdgesAndASecondVolumeWhereTheyAreShown) {
+  scene::Scene scene;
+  EXPECT_FALSE(acts("edge.search", scene));
+  EXPECT_TRUE(acts("color.volume", scene));
+  EXPECT_FALSE(acts("color.map", scene));
+  EXPECT_FALSE(acts("look.legend", scene));
+  scene.color.volume = "phantom:ball";
+  EXPECT_TRUE(acts("color.map", scene));
+  EXPECT_TRUE(acts("look.legend", scene));
+  EXPECT_FALSE(acts("color.isoline_width", scene));
+  scene.color.strength = 0.0;
+  EXPECT_FALSE(acts("color.map", scene));
+  EXPECT_FALSE(acts("look.legend", scene));
+  scene.color.isolines = 2.0;
+  EXPECT_TRUE(acts("color.isoline_width", scene));
+  EXPECT_TRUE(acts("color.below", scene));
+  scene.look.mode = scene::LookMode::edge_offset;
+  EXPECT_FALSE(acts("color.volume", scene));
+  EXPECT_TRUE(acts("edge.search", scene));
+  EXPECT_TRUE(acts("derivatives.noise", scene));
+  EXPECT_FALSE(acts("isosurface.ghost_opacity", scene));
+  scene.isosurface.ghost = 1.0;
+  EXPECT_TRUE(acts("isosurface.ghost_opacity", scene));
+  EXPECT_TRUE(acts("isosurface.layers", scene));
 }
 
 TEST(Relevance, LightNeedsALitLook) {

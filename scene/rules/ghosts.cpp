@@ -1,0 +1,29 @@
+#include "scene/rules/ghosts.h"
+
+#include <algorithm>
+
+namespace isolux::scene {
+
+void addGhosts(Scene& scene) {
+  const double apart = scene.isosurface.ghost * scene.derivatives.noise.value_or(0.0);
+  if (!(apart > 0.0) || !scene.isosurface.value) return;
+  double offset = apart;
+  int made = 0;
+  for (ExtraIsosurface& extra : scene.extraIsosurfaces) {
+    if (extra.shown || made == 2) continue;
+    extra.shown = true;
+    extra.value = *scene.isosurface.value + offset;
+    extra.opacity = scene.isosurface.ghostOpacity;
+    offset = -apart;
+    ++made;
+  }
+}
+
+int ghostsWithoutRoom(const Scene& scene) {
+  if (!(scene.isosurface.ghost > 0.0)) return 0;
+  const auto isFree = [](const ExtraIsosurface& extra) { return !extra.shown; };
+  const auto free = std::count_if(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(), isFree);
+  return std::max(0, 2 - static_cast<int>(free));
+}
+
+}  // namespace isolux::scene

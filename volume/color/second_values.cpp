@@ -1,0 +1,94 @@
+#include "volume/color/second_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "base/quantiles.h"
+#include "volume/field/reconstruct.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr double kStepVoxels = 0.5;
+constexpr int kMostStepsBelow = 2000;
+constexpr double kSlack = 1e-6;  // voxels: a point on the border that rounding has put outside
+
+FieldSample sampled(const SecondVolume& volume, scene::Field field, const glm::dvec3& voxel) {
+  switch (field) {
+    case scene::Field::cubic:
+      return sampleCubic(volume.grid(), voxel);
+    case scene::Field::cubic_interpolating:
+      return sampleCubic(*volume.coefficients, volume.grid(), voxel);
+    case scene::Field::trilinear:
+      break;
+  }
+  return sampleTrilinear(volume.grid(), voxel);
+}
+
+}  // namespace
+
+SecondValues::SecondValues(std::shared_ptr<const SecondVolume> volume, scene::Field field)
+    : volume_(std::move(volume)),
+      field_(field),
+      voxelFromWorld_(volume_->grid().geometry().voxelFromWorld()),
+      last_(volume_->grid().dims() - 1) {}
+
+std::optional<SecondValue> SecondValues::at(const glm::dvec3& worldMm) const {
+  const glm::dvec3 voxel(voxelFromWorld_ * glm::dvec4(worldMm, 1.0));
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(voxel[axis] >= -kSlack && voxel[axis] <= last_[axis] + kSlack)) return std::nullopt;
+  const FieldSample sample = sampled(*volume_, field_, voxel);
+  if (std::isnan(sample.value)) return std::nullopt;
+  return SecondValue{sample.value, glm::transpose(glm::dmat3(voxelFromWorld_)) * sample.gradient};
+}
+
+std::optional<SecondValue> SecondValues::largestBelow(const glm::dvec3& worldMm, const glm::dvec3& inward,
+                                                      double mm) const {
+  const glm::dvec3 along = glm::dmat3(voxelFromWorld_) * inward;
+  const double voxels = mm * std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
+  const int steps = std::clamp(static_cast<int>(std::ceil(voxels / kStepVoxels)), 1, kMostStepsBelow);
+  const double step = mm / steps;
+  const auto valueAt = [&](double s) { return at(worldMm + s * inward); };
+  std::optional<SecondValue> before, largest;
+  double first = 0.0, largestAt = 0.0;  // value before the largest one
+  bool hasBefore = false, hasAfter = false;
+  double after = 0.0;
+  for (int i = 0; i <= steps; ++i) {
+    const std::optional<SecondValue> here = valueAt(i * step);
+    if (here && (!largest || here->value > largest->value)) {
+      largest = here;
+      largestAt = i * step;
+      hasBefore = before.has_value();
+      first = hasBefore ? before->value : 0.0;
+      hasAfter = false;
+    } else if (here && largest && largestAt == (i - 1) * step) {
+      hasAfter = true;
+      after = here->value;
+    }
+    before = here;
+  }
+  if (!largest) return largest;
+  // The top lies toward the neighbour that the value rises to.
+  const double rise = glm::dot(largest->gradient, inward), toward = rise > 0.0 ? 1.0 : -1.0;
+  if (!(rise > 0.0 ? hasAfter : hasBefore)) return largest;
+  const double slope = std::abs(rise) * step;
+  const double bend = largest->value + slope - (rise > 0.0 ? after : first);  // of value + slope t - bend t^2
+  if (!(bend > 0.0)) return largest;
+  const std::optional<SecondValue> top =
+      valueAt(largestAt + toward * step * std::min(0.5 * slope / bend, 1.0));
+  return top && top->value > largest->value ? top : largest;
+}
+
+std::optional<Quantiles> rangeOf(std::span<const double> values) {
+  if (values.empty()) return std::nullopt;
+  std::vector<double> sorted(values.begin(), values.end());
+  return Quantiles{base::lowerQuantile(sorted, 0.02), base::lowerQuantile(sorted, 0.5),
+                   base::lowerQuantile(sorted, 0.98)};
+}
+
+}  // namespace isolux::volume
