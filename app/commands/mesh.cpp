@@ -9,6 +9,7 @@
 #include "scene/rules/automatic.h"
 #include "volume/mesh/surface_arrays.h"
 #include "volume/mesh/surface_mesh.h"
+#include "volume/pieces/hidden_pieces.h"
 
 namespace isolux::app {
 
@@ -31,6 +32,8 @@ volume::SurfaceMesh extracted(const MeshOptions& options, const scene::Scene& sc
   request.field = scene.hit.field;
   const auto cubic = prepared.cubicFields->make(request.field, progress);
   if (cubic && cubic->coefficients) request.coefficients = &*cubic->coefficients;
+  const auto hidden = volume::hiddenOf(scene, *prepared.pieces, progress);
+  request.hidden = volume::hiddenAt(hidden, request.isovalue).voxels;
   request.closed = options.closed;
   request.toleranceMm = options.tolerance;
   request.budgetBytes = base::allowedMemory() / 4;
@@ -83,6 +86,8 @@ void runMesh(const MeshOptions& options, base::Progress& progress) {
     if (curvature || out.extension() == ".ply") {
       prepared->derivativeChoices->complete(scene, progress);
       arrays = volume::surfaceArrays(*prepared, scene, found.mesh.points, curvature, progress);
+      if (curvature && !scene.color.volume.empty())
+        arrays.push_back(volume::secondValueArray(*prepared, scene, found.mesh.points, progress));
     }
   }
   volume::writeMesh(found.mesh, arrays, out);
@@ -106,9 +111,10 @@ Command makeMesh(CLI::App& program) {
       "PATH", options->path,
       "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
   parser
-      ->add_option(
-          "--out", options->out,
-          "A new .stl, .ply (with normals), .obj, or .vtp (with normals, kappa1, kappa2 and confidence)")
+      ->add_option("--out", options->out,
+                   "A new .stl, .ply (with normals), .obj, or .vtp (with normals, kappa1, kappa2, "
+                   "confidence, and color_value "
+                   "where there is a color.volume)")
       ->required();
   parser
       ->add_option("--tolerance", options->tolerance,
@@ -119,7 +125,9 @@ Command makeMesh(CLI::App& program) {
   options->scene = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer(
-      "Points lie on the surface of hit.field, mm, in the volume's world. Examples:\n"
+      "Points lie on the surface of hit.field, mm, in the volume's world; pieces that `pieces.` hides are "
+      "left out. "
+      "Examples:\n"
       "  isolux mesh ct.nii.gz --isovalue 300 --out skull.stl --closed --tolerance 0.05\n"
       "  isolux mesh ct.nii.gz --isovalue 300 --out skull.vtp --json");
   return {parser, [options](base::Progress& progress) { runMesh(*options, progress); }};

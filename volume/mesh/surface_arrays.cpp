@@ -1,11 +1,14 @@
 #include "volume/mesh/surface_arrays.h"
 
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "volume/color/second_values.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
 
@@ -82,6 +85,27 @@ std::vector<PointArray> surfaceArrays(const PreparedVolume& volume, const scene:
   });
   progress.throwIfStopped();
   return arrays;
+}
+
+PointArray secondValueArray(const PreparedVolume& volume, const scene::Scene& resolved,
+                            std::span<const glm::dvec3> points, base::Progress& progress) {
+  const SecondValues values(volume.secondVolumes->make(resolved.color, progress), resolved.color.field);
+  PointArray array{"color_value", 1, std::vector<float>(points.size(), kNone)};
+  const std::vector<PointArray> normals = resolved.color.below > 0.0
+                                              ? surfaceArrays(volume, resolved, points, false, progress)
+                                              : std::vector<PointArray>();
+  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+    std::optional<SecondValue> found;
+    if (normals.empty()) {
+      found = values.at(points[i]);
+    } else {
+      const float* const n = &normals[0].values[3 * i];
+      const glm::dvec3 outward(n[0], n[1], n[2]);
+      if (std::isfinite(outward.x)) found = values.largestBelow(points[i], -outward, resolved.color.below);
+    }
+    if (found) array.values[i] = static_cast<float>(found->value);
+  });
+  return array;
 }
 
 }  // namespace isolux::volume

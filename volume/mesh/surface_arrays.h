@@ -19,4 +19,9 @@ std::vector<PointArray> surfaceArrays(const PreparedVolume& volume, const scene:
                                       std::span<const glm::dvec3> points, bool curvature,
                                       base::Progress& progress);
 
+// color_value: what color.volume has there, or below (color.below), its data units; NaN outside of it. Reads
+// that volume where nobody has. Throws Error{input, memory, interrupted}.
+PointArray secondValueArray(const PreparedVolume& volume, const scene::Scene& resolved,
+                            std::span<const glm::dvec3> points, base::Progress& progress);
+
 }  // namespace isolux::volume
