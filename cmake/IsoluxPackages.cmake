@@ -15,9 +15,9 @@ pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
 pkg_check_modules(libhwy REQUIRED IMPORTED_TARGET libhwy)
 # OpenImageIO's CMake package wants OpenCV's headers; its pkg-config file does not.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
-set(vtk_modules CommonCore CommonDataModel CommonExecutionModel IOImage IOXML)  # IOImage: vtk-dicom's
+set(vtk_modules CommonCore CommonDataModel CommonExecutionModel FiltersCore IOImage IOXML)  # IOImage: vtk-dicom's
 if(ISOLUX_BENCH)  # what Isolux is compared with
-  list(APPEND vtk_modules FiltersCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
+  list(APPEND vtk_modules RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_modules})
 find_package(DICOM REQUIRED)  # vtk-dicom

@@ -25,13 +25,14 @@ expect("^isolux [0-9.]+\n$")
 run(${isolux} phantom ball --size 16 --out ball.vti)
 run(${isolux} info ball.vti)  # by a reader
 expect("16")
+run(${isolux} mesh ball.vti --out ball.stl)  # by another
 run(${isolux} render phantom:ball:16 --size 64x48 --out ball.png)
 file(READ ${PREFIX}/ball.png mark LIMIT 8 HEX)
 if(NOT mark STREQUAL "89504e470d0a1a0a")
   message(FATAL_ERROR "ball.png is no PNG")
 endif()
 
-foreach(reader vtk dicom images)
+foreach(reader vtk dicom images surface)
   if(NOT EXISTS ${PREFIX}/libexec/isolux/isolux-reader-${reader})
     message(FATAL_ERROR "isolux-reader-${reader} is not installed")
   endif()
