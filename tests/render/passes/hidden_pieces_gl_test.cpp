@@ -46,8 +46,9 @@ TEST_P(HiddenPiecesGlTest, PicturesAreThoseOfAVolumeWithoutTheHiddenBalls) {
       const Images seen = images(all, hiding(balls, scene), kSize);
       EXPECT_EQ(seen.hit.values, expected.hit.values) << setting << ' ' << k;
       for (std::size_t i = 0; i < seen.hit.values.size(); ++i)
-        if (expected.hit.values[i] == 1.0f && seen.hit.values[i] == 1.0f)
+        if (expected.hit.values[i] == 1.0f && seen.hit.values[i] == 1.0f) {
           ASSERT_EQ(at(seen.voxel, i), at(expected.voxel, i)) << setting << ' ' << k;
+        }
       EXPECT_EQ(colors(all, hiding(balls, scene)).rgba, expectedColors.rgba) << setting << ' ' << k;
       // From the second picture on shaders step over single cells.
       EXPECT_EQ(colors(all, hiding(balls, scene)).rgba, expectedColors.rgba) << setting << ' ' << k;
