@@ -147,6 +147,10 @@ void EdgePass::run(FrameState& frame) {
     edgesOnProcessor(frame, target, field, volume::inFloats(search));
     return;
   }
+  if (frame.volume->bricks() != nullptr) {
+    edgesAtReadPoints(frame, target, field, volume::inFloats(search));
+    return;
+  }
   const volume::Grid& grid = frame.volume->grid();
   std::string defines = field.scaleMm > 0.0 ? "#define SCALED\n" : "";
   if (grid.missingCount() > 0) defines += "#define GAPS\n";

@@ -38,7 +38,7 @@ class CurvaturePass : public Pass {
 // gradient there stands out of noise.
 class EdgePass : public Pass {
  public:
-  EdgePass() : Pass("edge", "edge.frag.glsl", {.castsRays = true, .ofCrossing = true}) {}
+  EdgePass() : Pass("edge", "edge.frag.glsl", {.ofCrossing = true}) {}
   void declare(Declaring& d) const override;
   std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;

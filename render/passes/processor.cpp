@@ -98,6 +98,14 @@ void cast(FrameState& frame, volume::CrossingImage& out) {
   caster.castBehind(rays, {before, covered}, out, frame.request.stop);
 }
 
+void findEdges(const FrameState& frame, const FieldAt& field, const volume::EdgeSearch<float>& search,
+               const std::vector<glm::vec4>& points, const volume::PictureArea& area,
+               std::vector<glm::vec2>& edges) {
+  const GpuVolume& volume = *frame.volume;
+  volume::surfaceEdges(volume.grid(), volume.scaled(field), volume.coefficients(field.field), search, points,
+                       area, edges, kNoEdge, volume::TracerTarget::automatic, frame.request.stop);
+}
+
 }  // namespace
 
 HostImages::HostImages(glm::ivec2 size)
@@ -163,15 +171,27 @@ void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,
   volume::PictureArea changed = area;
   images.edges.resize(images.crossings.points.size(), {kNoEdge, 0.0f});
   if (images.edgesArea.size() == area.size()) changed.add(images.edgesArea);
-  const GpuVolume& volume = *frame.volume;
-  volume::surfaceEdges(volume.grid(), volume.scaled(field), volume.coefficients(field.field), search,
-                       images.crossings.points, changed, images.edges, kNoEdge,
-                       volume::TracerTarget::automatic, frame.request.stop);
+  findEdges(frame, field, search, images.crossings.points, changed, images.edges);
   const bool stopped = frame.request.stop.stop_requested();
   target.drawn.add(area);
   upload(target.images[0], target.drawn, images.edges);
   images.edgesArea = stopped ? changed : area;
   if (!stopped) target.drawn = area;
+}
+
+void edgesAtReadPoints(FrameState& frame, Target& target, const FieldAt& field,
+                       const volume::EdgeSearch<float>& search) {
+  const glm::ivec2 size = frame.raySize();
+  const std::vector<float> read = frame.image(image::surface).readFloats(4, {glm::ivec2(0), size});
+  std::vector<glm::vec4> points(read.size() / 4);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = {read[4 * i], read[4 * i + 1], read[4 * i + 2], read[4 * i + 3]};
+  std::vector<glm::vec2> edges(points.size(), {kNoEdge, 0.0f});
+  findEdges(frame, field, search, points, frame.area(), edges);
+  volume::PictureArea all = frame.area();
+  all.add(target.drawn);
+  upload(target.images[0], all, edges);
+  target.drawn = frame.area();
 }
 
 void shadowOnProcessor(FrameState& frame, Target& target, int opaque) {

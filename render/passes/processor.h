@@ -58,6 +58,10 @@ void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field);
 // Where the edge of the object is at those points.
 void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,
                       const volume::EdgeSearch<float>& search);
+// The same at the points that shaders have found, read back: the way to an edge leads through bricks that
+// need not be there.
+void edgesAtReadPoints(FrameState& frame, Target& target, const FieldAt& field,
+                       const volume::EdgeSearch<float>& search);
 
 // Whether the key light reaches those points. opaque: a bit for each surface that stops it.
 void shadowOnProcessor(FrameState& frame, Target& target, int opaque);

@@ -1,7 +1,6 @@
 // The nearest maximum of |grad f| along the normal of the surface point: volume/edge/edge_walk.h has the definitions, and
 // the same walk. SCALED: of the field at a scale; else of the tri-cubic B-spline of uField, by single fetches. GAPS: some
 // voxels are missing.
-#define CASTS_RAYS
 #define HESSIAN
 #include "common.glsl"
 #include "field.glsl"
@@ -152,10 +151,4 @@ void main() {
     }
     if (!before[0].known && !before[1].known) break;
   }
-#ifdef BRICKS
-  if (brickMissed) {
-    oEdge = vec2(noEdge, 0.0);
-    atomicAdd(waitingRays, 1u);
-  }
-#endif
 }

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,8 +21,9 @@ using testing::HasSubstr;
 constexpr double kRadius = 0.35 * 31.0;  // of phantom:ball:32, mm, about the world's origin
 
 std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream content;
+  content << std::ifstream(file, std::ios::binary).rdbuf();
+  return content.str();
 }
 
 // The Float32 array of this name of a .vtp as Isolux writes them.
@@ -42,8 +43,9 @@ std::vector<float> arrayOf(const std::string& vtp, const std::string& name) {
 class MeshCommand : public testing::Test {
  protected:
   RunResult run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "mesh");
-    return callIsolux(arguments, folder_);
+    std::vector<std::string> all{"mesh"};
+    for (std::string& argument : arguments) all.push_back(std::move(argument));
+    return callIsolux(all, folder_);
   }
   std::filesystem::path folder_ = temporaryFolder();
 };

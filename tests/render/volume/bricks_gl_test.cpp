@@ -82,6 +82,7 @@ class BricksGlTest : public RenderGlTest {
         for (const float v : image.values) count += v == 1.0f ? 1 : 0;
     return count;
   }
+  static bool isOfEdge(Aov aov) { return aov == Aov::edge_offset || aov == Aov::edge_strength; }
   // Curvature images only where curvature is: on flat or round surfaces they are made of rounding.
   static void expectEqual(const Drawn& whole, const Drawn& bricks, const std::string& what,
                           bool curvature = true) {
@@ -91,6 +92,7 @@ class BricksGlTest : public RenderGlTest {
     EXPECT_EQ(colorDifference(whole.color, bricks.color), 0) << what;
     for (std::size_t i = 0; i < whole.images.size(); ++i) {
       if (!curvature && render::readsHessian(whole.images[i].aov)) continue;
+      if (isOfEdge(whole.images[i].aov)) continue;  // in bricks the processor looks for them
       EXPECT_EQ(unequal(whole.images[i], bricks.images[i]), 0u)
           << what << ", " << render::aovs()[static_cast<std::size_t>(whole.images[i].aov)].name;
     }
@@ -261,6 +263,31 @@ TEST_F(BricksGlTest, ShadowsAreTheSame) {
   expectEqual(whole, bricks, "shadow");
   scene.look.shadow = 0.0;
   EXPECT_GT(colorDifference(whole.color, draw(volume, scene, MemoryLayout::whole).color), 20);
+}
+
+// The way to an edge may lead through bricks that no ray came to, so the processor goes it.
+TEST_F(BricksGlTest, EdgesAreThoseOfTheProcessor) {
+  const auto volume = phantom("head", 96);
+  scene::Scene scene;
+  scene.look.mode = scene::LookMode::edge_offset;
+  scene.isosurface.value = -300.0;
+  scene.derivatives.scale = 3.0;
+  const Drawn whole = draw(volume, scene, MemoryLayout::whole, 2048, {96, 72}, scene::Executor::cpu);
+  const Drawn bricks = draw(volume, scene, MemoryLayout::bricks, 6);
+  ASSERT_TRUE(bricks.report.bricks.inUse);
+  EXPECT_EQ(bricks.report.bricks.missing, 0.0);
+  for (std::size_t i = 0; i < whole.images.size(); ++i) {
+    if (!isOfEdge(whole.images[i].aov)) continue;
+    const std::vector<float>&a = whole.images[i].values, &b = bricks.images[i].values;
+    std::size_t known = 0, far = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      if (!std::isfinite(a[k])) continue;
+      ++known;
+      far += std::fabs(a[k] - b[k]) <= 1e-3f * std::max(std::fabs(a[k]), 1.0f) ? 0 : 1;
+    }
+    EXPECT_GT(known, 200u);
+    EXPECT_LE(far, known / 50) << render::aovs()[static_cast<std::size_t>(whole.images[i].aov)].name;
+  }
 }
 
 TEST_F(BricksGlTest, AQuarterOfTheBytesIsEnoughForTheWholePicture) {
