@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
+#include <span>
 
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
@@ -156,23 +157,32 @@ class Maker {
     feet_.assign(edges_.count(), {});
     tbb::parallel_for(std::size_t{0}, edges_.count(), [&](std::size_t e) {
       const auto [a, b] = edges_.ends(e);
+      const glm::dvec3 corners[] = {mesh_.points[a], mesh_.points[b]};
       if (ofSurface[e] && !capping_[a] && !capping_[b])
-        feet_[e] = footOf(0.5 * (mesh_.points[a] + mesh_.points[b]));
+        feet_[e] = footOf(0.5 * (corners[0] + corners[1]), corners);
     });
-    middles_.assign(mesh_.triangles.size(), 0.0);
-    tbb::parallel_for(std::size_t{0}, mesh_.triangles.size(), [&](std::size_t t) {
-      if (!cap[t]) middles_[t] = footOf(middle(mesh_.triangles[t])).distanceMm;
+    middles_.assign(mesh_.triangles.size(), {});
+    tbb::parallel_for(std::size_t{0}, mesh_.triangles.size(), [&](std::size_t i) {
+      const Triangle& t = mesh_.triangles[i];
+      const glm::dvec3 corners[] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+      if (!cap[i]) middles_[i] = footOf(middle(t), corners);
     });
   }
 
   struct Foot {
-    glm::dvec3 point{0.0};
-    double distanceMm = 0.0;
+    std::optional<glm::dvec3> point;  // nothing: the surface is not found as near as the corners are
+    double distanceMm = 0.0;          // then that of the nearest corner
   };
-  Foot footOf(const glm::dvec3& point) const {
+  Foot footOf(const glm::dvec3& point, std::span<const glm::dvec3> corners) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& corner : corners) nearest = std::min(nearest, lengthMm(corner - point));
     const auto foot = foot_.of(point);
-    if (!foot) return {};  // counted with the corners
-    return {*foot, glm::length(glm::dmat3(grid_.geometry().worldFromVoxel) * (*foot - point))};
+    const double distance = foot ? lengthMm(*foot - point) : nearest;
+    if (!foot || distance >= nearest) return {std::nullopt, nearest};
+    return {foot, distance};
+  }
+  double lengthMm(const glm::dvec3& voxels) const {
+    return glm::length(glm::dmat3(grid_.geometry().worldFromVoxel) * voxels);
   }
 
   // False when every triangle is near enough.
@@ -180,30 +190,32 @@ class Maker {
     if (!(request_.toleranceMm > 0.0) || ++rounds_ > kMostRounds) return false;
     std::vector<int> split(edges_.count(), -1);
     const auto splitAt = [&](std::size_t edge) {
-      if (split[edge] >= 0) return;
+      // Without a foot nearby it would lead to another part of the surface.
+      if (split[edge] >= 0 || !feet_[edge].point) return;
       const auto [a, b] = edges_.ends(edge);
-      const bool moved = feet_[edge].distanceMm > 0.0;
       split[edge] = static_cast<int>(mesh_.points.size());
-      mesh_.points.push_back(moved ? feet_[edge].point : 0.5 * (mesh_.points[a] + mesh_.points[b]));
+      mesh_.points.push_back(*feet_[edge].point);
       capping_.push_back(capping_[a] && capping_[b] ? 1 : 0);
     };
     for (std::size_t e = 0; e < edges_.count(); ++e)
       if (feet_[e].distanceMm > request_.toleranceMm) splitAt(e);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (middles_[t] > request_.toleranceMm) splitAt(longestEdge(t));
+      if (middles_[t].distanceMm > request_.toleranceMm)
+        if (const auto edge = longestEdge(t)) splitAt(*edge);
     if (std::all_of(split.begin(), split.end(), [](int s) { return s < 0; })) return false;
     mesh_.triangles = splitTriangles(mesh_, edges_, split);
     return true;
   }
 
-  std::size_t longestEdge(std::size_t t) const {
-    std::size_t longest = edges_.of(t, 0);
-    double most = -1.0;
+  // Of those that can be split.
+  std::optional<std::size_t> longestEdge(std::size_t t) const {
+    std::optional<std::size_t> longest;
+    double most = 0.0;
     for (int side = 0; side < 3; ++side) {
-      const auto [a, b] = edges_.ends(edges_.of(t, side));
-      const double length =
-          glm::length(glm::dmat3(grid_.geometry().worldFromVoxel) * (mesh_.points[a] - mesh_.points[b]));
-      if (length > most) most = length, longest = edges_.of(t, side);
+      const std::size_t edge = edges_.of(t, side);
+      const auto [a, b] = edges_.ends(edge);
+      const double length = lengthMm(mesh_.points[a] - mesh_.points[b]);
+      if (feet_[edge].point && length > most) most = length, longest = edge;
     }
     return longest;
   }
@@ -212,8 +224,8 @@ class Maker {
     SurfaceMesh result;
     for (const Foot& foot : feet_)
       result.largestDistanceMm = std::max(result.largestDistanceMm, foot.distanceMm);
-    for (const double middle : middles_)
-      result.largestDistanceMm = std::max(result.largestDistanceMm, middle);
+    for (const Foot& foot : middles_)
+      result.largestDistanceMm = std::max(result.largestDistanceMm, foot.distanceMm);
     result.astray = astray_;
     result.openEdges = edges_.open();
     const glm::dmat4& world = grid_.geometry().worldFromVoxel;
@@ -248,8 +260,7 @@ class Maker {
   std::vector<char> capping_;  // of each point: it closes the surface at the border
   std::size_t astray_ = 0;
   MeshEdges edges_;
-  std::vector<Foot> feet_;       // of the edges' middles
-  std::vector<double> middles_;  // of the triangles', mm
+  std::vector<Foot> feet_, middles_;  // of the edges' and of the triangles' middles
   int rounds_ = 0;
 };
 

@@ -29,7 +29,8 @@ struct SurfaceMeshRequest {
 struct SurfaceMesh {
   TriangleMesh mesh;  // world, mm; seen from outside counter-clockwise
   // The largest distance between the surface and a point of the mesh, mm, of those that were looked at: the
-  // middles of edges and triangles. Points that close the surface at the border are not on it.
+  // middles of edges and triangles; where no surface is found straight above or below one, that of its
+  // nearest corner. Points that close the surface at the border are not on it.
   double largestDistanceMm = 0.0;
   // Corners that lie beside the surface, because none is found near them (thin parts of cubic fields).
   std::size_t astray = 0;
