@@ -73,7 +73,7 @@ namespace {
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20;  // part of the definition of the hash
 
 // What is known of some consecutive voxels.
-struct Piece {
+struct HashedPart {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   std::size_t missing = 0;
   std::uint64_t hash = 0;
@@ -81,8 +81,8 @@ struct Piece {
 
 // Makes +-Inf NaN on the way.
 template <class T>
-Piece scanPiece(std::span<T> voxels) {
-  Piece piece;
+HashedPart scanPiece(std::span<T> voxels) {
+  HashedPart piece;
   T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
   for (T& v : voxels) {
     if constexpr (std::is_same_v<T, float>) {
@@ -104,9 +104,9 @@ Piece scanPiece(std::span<T> voxels) {
 }
 
 template <class T>
-std::vector<Piece> scanPieces(std::vector<T>& voxels, base::Progress& progress) {
+std::vector<HashedPart> scanPieces(std::vector<T>& voxels, base::Progress& progress) {
   constexpr std::size_t length = kPieceBytes / sizeof(T);
-  std::vector<Piece> pieces((voxels.size() + length - 1) / length);
+  std::vector<HashedPart> pieces((voxels.size() + length - 1) / length);
   parallelSteps(pieces.size(), progress, {0.0, 1.0, "scanning voxels"}, [&](std::size_t i) {
     const std::size_t first = i * length;
     pieces[i] = scanPiece(std::span<T>(voxels).subspan(first, std::min(length, voxels.size() - first)));
@@ -123,7 +123,7 @@ Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double
            base::Progress& progress)
     : geometry_(geometry), voxels_(std::move(voxels)), slope_(slope), intercept_(intercept) {
   assert(std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept));
-  const std::vector<Piece> pieces = std::visit(
+  const std::vector<HashedPart> pieces = std::visit(
       [&](auto& array) {
         assert(array.size() == geometry_.voxelCount());
         return scanPieces(array, progress);
@@ -136,7 +136,7 @@ Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double
   const double numbers[] = {slope_, intercept_, static_cast<double>(voxels_.index())};
   hash.addWords(numbers, sizeof numbers);
   held_ = base::machineMemory().count(bytes());
-  for (const Piece& piece : pieces) {
+  for (const HashedPart& piece : pieces) {
     low = std::min(low, piece.least);
     high = std::max(high, piece.most);
     missing_ += piece.missing;
