@@ -1,6 +1,7 @@
 #include "gi/bake/light_bake.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <future>
@@ -111,8 +112,9 @@ struct Record {
 TEST(LightBake, ServesWishesThenRoundsThenTheOrderGiven) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   Record record;
+  std::atomic<bool> wished{false};  // a call may begin before the bake is paused, when nobody has wished yet
   estimator->before = [&](std::span<const glm::ivec3> texels, SampleRange range, std::stop_token) {
-    record(texels, range);
+    if (wished) record(texels, range);
     return true;
   };
   const auto lattice = makeLattice(*estimator);
@@ -132,6 +134,7 @@ TEST(LightBake, ServesWishesThenRoundsThenTheOrderGiven) {
                 [&](const auto& a, const auto& b) { return order[a.block] < order[b.block]; });
       bake.want(static_cast<Wish>(wish), wanted);
     }
+    wished = true;
     bake.setPaused(false);
     ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   }
