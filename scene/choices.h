@@ -69,6 +69,11 @@ enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, wei
 enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
 enum class Metering { surface, lights };     // what an automatic exposure looks at
 enum class Projection { perspective, orthographic };
+enum class ClipCap { none, inside, whole };  // cut faces: open, the values inside the surface, all values
+enum class SlabMode { mean, maximum, minimum };
+enum class Convention { radiological, neurological };  // patient's right on the left of the picture, or right
+// What a mark says of its points: scene/scene.h.
+enum class MarkKind { point, distance, path, angle, circle, thickness, piece };
 enum class MemoryLayout { automatic, whole, bricks };
 
 }  // namespace isolux::scene

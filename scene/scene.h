@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +44,8 @@ struct Isosurface {
   ColorMap albedoMap = ColorMap::viridis;
   std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
   double opacity = 1.0;
-  int layers = 8;  // crossings composited behind one another where surfaces are transparent
+  int layers = 8;       // crossings composited behind one another where surfaces are transparent
+  bool clipped = true;  // by Clip
   // The same surface at its isovalue plus and minus this many deviations of the noise, transparent; 0: none.
   double ghost = 0.0;
   double ghostOpacity = 0.3;
@@ -56,6 +58,7 @@ struct ExtraIsosurface {
   std::optional<double> value;  // data units
   glm::dvec3 albedo{0.5};
   double opacity = 0.5;
+  bool clipped = true;
   bool operator==(const ExtraIsosurface&) const = default;
 };
 
@@ -67,6 +70,47 @@ struct Pieces {
   std::vector<glm::dvec3> hidden;  // these are not shown
   std::vector<glm::dvec3> only;    // where there are any, only these are shown
   bool operator==(const Pieces&) const = default;
+};
+
+// A plane that cuts: what lies on the side its normal points to is not there.
+struct ClipPlane {
+  glm::dvec3 point{0.0};             // mm
+  glm::dvec3 normal{0.0, 0.0, 1.0};  // any length but 0
+  bool operator==(const ClipPlane&) const = default;
+};
+
+// What is cut away of isosurfaces: all that lies beyond one of the planes or outside the box (volume/clip).
+struct Clip {
+  std::vector<ClipPlane> planes;               // at most kClipPlanes
+  std::vector<glm::dvec3> box;                 // none, or two opposite corners, mm, before it is turned
+  glm::dvec4 boxRotation{1.0, 0.0, 0.0, 0.0};  // quaternion (w, x, y, z) about its centre; any length
+  ClipCap cap = ClipCap::inside;
+  bool operator==(const Clip&) const = default;
+};
+
+// How voxels are shown in slices and on cut faces, and where the three slices meet.
+struct Slice {
+  std::optional<double> level, width;  // data units: the middle of the grey values, and how far they reach
+  ColorMap map = ColorMap::automatic;  // automatic: gray
+  Field field = Field::trilinear;
+  double slab = 0.0;  // mm, half before and half behind the plane
+  SlabMode slabMode = SlabMode::mean;
+  Convention convention = Convention::radiological;
+  double contourWidth = 1.5;           // pixels; 0: no isocontours
+  double noiseBand = 0.0;              // isovalue plus and minus this many deviations of the noise; 0: none
+  std::optional<glm::dvec3> position;  // mm
+  bool operator==(const Slice&) const = default;
+};
+
+// What a user has marked and measured; points in world mm, as they were clicked. How many points each kind
+// has and what it says: app/marks.
+struct Mark {
+  MarkKind kind = MarkKind::point;
+  std::string name;
+  std::vector<glm::dvec3> points;
+  glm::dvec3 color{1.0, 0.55, 0.05};
+  bool shown = true;
+  bool operator==(const Mark&) const = default;
 };
 
 struct Hit {
@@ -252,6 +296,7 @@ struct Picture {
 
 constexpr int kExtraIsosurfaces = 3;
 constexpr int kLamps = 3;
+constexpr std::size_t kClipPlanes = 6;
 
 struct Scene {
   Source source;
@@ -261,6 +306,9 @@ struct Scene {
                                                                    {false, {}, {0.30, 0.62, 0.35}, 0.5},
                                                                    {false, {}, {0.75, 0.28, 0.22}, 0.5}}};
   Pieces pieces;
+  Clip clip;
+  Slice slice;
+  std::vector<Mark> marks;
   Hit hit;
   Derivatives derivatives;
   Edge edge;

@@ -62,6 +62,8 @@ std::vector<Setting> makeSettings() {
                    "many times the noise: how far noise may move it; 0 draws none."));
   add(entry<Scene>("isosurface.ghost_opacity", ISOLUX_MEMBER(isosurface.ghostOpacity), unitRange, "",
                    "How much of what lies behind them those two surfaces hide."));
+  add(entry<Scene>("isosurface.clipped", ISOLUX_MEMBER(isosurface.clipped), noRange, "",
+                   "Whether planes and box of clip. cut the first surface, too."));
   for (std::size_t i = 0; i < kExtraIsosurfaces; ++i) {
     const std::string group = "isosurface" + std::to_string(i + 2) + '.';
     add(entry<Scene>(group + "shown", ISOLUX_ITEM(extraIsosurfaces, i, shown), noRange, "",
@@ -72,6 +74,8 @@ std::vector<Setting> makeSettings() {
                      "The diffuse reflectance of that surface."));
     add(entry<Scene>(group + "opacity", ISOLUX_ITEM(extraIsosurfaces, i, opacity), unitRange, "",
                      "How much of what lies behind that surface it hides; 1 hides all."));
+    add(entry<Scene>(group + "clipped", ISOLUX_ITEM(extraIsosurfaces, i, clipped), noRange, "",
+                     "Whether planes and box of clip. cut that surface, too."));
   }
 
   add(entry<Scene>(
@@ -83,6 +87,54 @@ std::vector<Setting> makeSettings() {
                    "World points; pieces that hold one of them are not shown."));
   add(entry<Scene>("pieces.only", ISOLUX_MEMBER(pieces.only), positionRange, "mm",
                    "World points; where there are any, only pieces that hold one of them are shown."));
+
+  add(entry<Scene>(
+      "clip.planes", ISOLUX_MEMBER(clip.planes), positionRange, "mm",
+      "Up to six planes \"px,py,pz nx,ny,nz; ...\", a point and a normal each: what lies on the side "
+      "that the normal points to is cut away."));
+  add(onlyWhere<Scene>(
+      entry<Scene>(
+          "clip.box", ISOLUX_MEMBER(clip.box), positionRange, "mm",
+          "Two opposite corners \"x,y,z; x,y,z\" of a box outside which everything is cut away; none cuts "
+          "nothing."),
+      ISOLUX_MEMBER(clip.box),
+      [](const std::vector<glm::dvec3>& box) { return box.empty() || box.size() == 2; },
+      "a box has two corners"));
+  add(rotationEntry<Scene>("clip.box_rotation", ISOLUX_MEMBER(clip.boxRotation),
+                           "How the box is turned about its centre."));
+  add(choiceEntry<Scene>(
+      "clip.cap", ISOLUX_MEMBER(clip.cap),
+      "What cut faces show: nothing, the voxels' values where the inside was cut, or the values "
+      "of the whole face."));
+
+  add(entry<Scene>(
+      "slice.level", ISOLUX_MEMBER(slice.level), {-1e38, 1e38}, "data units",
+      "The value shown as middle grey in slices and on cut faces; auto is found from the volume."));
+  add(entry<Scene>("slice.width", ISOLUX_MEMBER(slice.width), {0, 1e38}, "data units",
+                   "How far values reach from black to white there; auto is found from the volume."));
+  add(choiceEntry<Scene>("slice.map", ISOLUX_MEMBER(slice.map), "Their colour map; auto is gray."));
+  add(choiceEntry<Scene>("slice.field", ISOLUX_MEMBER(slice.field),
+                         "The reconstruction that slices and cut faces show between the voxels."));
+  add(entry<Scene>(
+      "slice.slab", ISOLUX_MEMBER(slice.slab), {0, 1e6}, "mm",
+      "How thick slices are, half before and half behind their plane; 0 shows the plane itself."));
+  add(choiceEntry<Scene>("slice.slab_mode", ISOLUX_MEMBER(slice.slabMode),
+                         "What a thick slice shows of the values along its normal."));
+  add(choiceEntry<Scene>(
+      "slice.convention", ISOLUX_MEMBER(slice.convention),
+      "Whether the patient's right is on the left of axial and coronal slices (radiological), or "
+      "on the right."));
+  add(entry<Scene>("slice.contour_width", ISOLUX_MEMBER(slice.contourWidth), {0, 20}, "pixels",
+                   "The width of the isosurfaces' curves in slices; 0 draws none."));
+  add(entry<Scene>(
+      "slice.noise_band", ISOLUX_MEMBER(slice.noiseBand), {0, 100}, "standard deviations of the noise",
+      "Fills where the first surface's curve would lie at its isovalue plus and minus this many times "
+      "the noise; 0 fills nothing."));
+  add(entry<Scene>("slice.position", ISOLUX_MEMBER(slice.position), positionRange, "mm",
+                   "Where the three slices meet; auto is the centre of the volume."));
+
+  add(entry<Scene>("marks.list", ISOLUX_MEMBER(marks), positionRange, "mm",
+                   "What is marked and measured: a list of {kind, name, points, color, shown}."));
 
   add(choiceEntry<Scene>(
       "hit.method", ISOLUX_MEMBER(hit.method),

@@ -37,6 +37,10 @@ std::string typeName(const SettingInfo& setting) {
       return "list of points";
     case SettingType::positions:
       return "list of x,y,z";
+    case SettingType::planes:
+      return "list of planes";
+    case SettingType::marks:
+      return "list of marks";
     case SettingType::pair:
       return "two numbers";
     case SettingType::quaternion:
@@ -70,6 +74,8 @@ std::string allowedText(const SettingInfo& setting) {
     for (const std::string& choice : setting.choices) text += (text.empty() ? "" : ", ") + choice;
   } else if (setting.type == SettingType::points) {
     text = "[[kappa1,kappa2,r,g,b],...], kappas from -1 to 1, colours from 0 to 1";
+  } else if (setting.type == SettingType::marks) {
+    text = "[{\"kind\": ..., \"name\": ..., \"points\": [[x,y,z],...]},...]";
   } else if (setting.type != SettingType::text && setting.type != SettingType::toggle) {
     text = limitText(setting.minimum) + " to " + limitText(setting.maximum);
   }

@@ -49,6 +49,24 @@ std::optional<json> numbersOf(std::string_view words, std::size_t count) {
   return list.size() == count ? std::optional(list) : std::nullopt;
 }
 
+// "px,py,pz nx,ny,nz; ..." as a list of six numbers each; a text that is no such list stays a text.
+json planesOf(std::string_view text) {
+  json list = json::array();
+  std::string_view rest = trimmed(text);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(';'), rest.size());
+    const std::string_view plane = trimmed(rest.substr(0, end));
+    const std::size_t space = std::min(plane.find(' '), plane.size());
+    std::optional<json> numbers = numbersOf(plane.substr(0, space), 3);
+    const std::optional<json> normal = numbersOf(plane.substr(space), 3);
+    if (!numbers || !normal) return std::string(text);
+    for (const json& number : *normal) numbers->push_back(number);
+    list.push_back(*numbers);
+    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
+  }
+  return list;
+}
+
 // What the words of an assignment mean for this setting; a word that makes no sense stays a word, which
 // Setting::set then refuses with the reason.
 json valueOfWords(const SettingInfo& target, std::string_view text) {
@@ -56,7 +74,9 @@ json valueOfWords(const SettingInfo& target, std::string_view text) {
   const std::string_view word = trimmed(text);
   if (target.type == SettingType::choice || (target.mayBeAutomatic && word == "auto"))
     return std::string(word);
-  if (target.type == SettingType::points) {
+  if (target.type == SettingType::planes && !word.starts_with('[')) return planesOf(word);
+  if (target.type == SettingType::points || target.type == SettingType::marks ||
+      target.type == SettingType::planes) {
     json list = json::parse(word, nullptr, false);
     return list.is_discarded() ? json(std::string(word)) : list;
   }

@@ -138,6 +138,32 @@ std::span<const Named<BuiltInLight>> choicesOf() {
 }
 
 template <>
+std::span<const Named<ClipCap>> choicesOf() {
+  static constexpr Named<ClipCap> names[] = {
+      {ClipCap::none, "none"}, {ClipCap::inside, "inside"}, {ClipCap::whole, "whole"}};
+  return names;
+}
+template <>
+std::span<const Named<SlabMode>> choicesOf() {
+  static constexpr Named<SlabMode> names[] = {
+      {SlabMode::mean, "mean"}, {SlabMode::maximum, "maximum"}, {SlabMode::minimum, "minimum"}};
+  return names;
+}
+template <>
+std::span<const Named<Convention>> choicesOf() {
+  static constexpr Named<Convention> names[] = {{Convention::radiological, "radiological"},
+                                                {Convention::neurological, "neurological"}};
+  return names;
+}
+template <>
+std::span<const Named<MarkKind>> choicesOf() {
+  static constexpr Named<MarkKind> names[] = {
+      {MarkKind::point, "point"}, {MarkKind::distance, "distance"}, {MarkKind::path, "path"},
+      {MarkKind::angle, "angle"}, {MarkKind::circle, "circle"},     {MarkKind::thickness, "thickness"},
+      {MarkKind::piece, "piece"}};
+  return names;
+}
+template <>
 std::span<const Named<Metering>> choicesOf() {
   static constexpr Named<Metering> names[] = {{Metering::surface, "surface"}, {Metering::lights, "lights"}};
   return names;

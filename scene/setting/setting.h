@@ -10,8 +10,22 @@
 namespace isolux::scene {
 
 // pair, vector, quaternion: two, three, four numbers; points: a list of CurvaturePoint, each [kappa1, kappa2,
-// r, g, b]; positions: a list of any length of world points [x, y, z]
-enum class SettingType { number, integer, text, choice, pair, vector, quaternion, toggle, points, positions };
+// r, g, b]; positions: a list of any length of world points [x, y, z]; planes: a list of ClipPlane, each [px,
+// py, pz, nx, ny, nz]; marks: a list of Mark, each an object
+enum class SettingType {
+  number,
+  integer,
+  text,
+  choice,
+  pair,
+  vector,
+  quaternion,
+  toggle,
+  points,
+  positions,
+  planes,
+  marks
+};
 // Numbers in a pair, vector or quaternion; 0 for other types.
 std::size_t componentsOf(SettingType type);
 

@@ -42,6 +42,16 @@ struct TypeOf<std::vector<glm::dvec3>> {
   static constexpr bool automatic = false;
 };
 template <>
+struct TypeOf<std::vector<ClipPlane>> {
+  static constexpr SettingType type = SettingType::planes;
+  static constexpr bool automatic = false;
+};
+template <>
+struct TypeOf<std::vector<Mark>> {
+  static constexpr SettingType type = SettingType::marks;
+  static constexpr bool automatic = false;
+};
+template <>
 struct TypeOf<std::string> {
   static constexpr SettingType type = SettingType::text;
   static constexpr bool automatic = false;

@@ -1,8 +1,12 @@
 #include "scene/setting/setting_value.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "base/error.h"
+#include "scene/setting/choice_names.h"
 
 namespace isolux::scene {
 
@@ -11,6 +15,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kMostPositions = 4096;
+constexpr std::size_t kMostMarks = 1024;
 
 // Shortest text that reads back as the same number, without a trailing ".0".
 std::string numberText(double value) {
@@ -61,6 +66,14 @@ std::string allowedText(const SettingInfo& setting) {
     case SettingType::positions:
       text = "a list of at most " + std::to_string(kMostPositions) +
              " points x,y,z; x,y,z, each number from " + rangeText(setting);
+      break;
+    case SettingType::planes:
+      text = "a list of at most " + std::to_string(kClipPlanes) +
+             " planes px,py,pz nx,ny,nz; ..., each number from " + rangeText(setting) + ", normals not zero";
+      break;
+    case SettingType::marks:
+      text = "a list of at most " + std::to_string(kMostMarks) +
+             " marks {\"kind\": ..., \"name\": ..., \"points\": [[x, y, z], ...]}";
       break;
     case SettingType::choice: {
       text = "one of ";
@@ -150,6 +163,78 @@ void assignChecked(const SettingInfo& setting, std::vector<glm::dvec3>& member, 
 json jsonOf(const std::vector<glm::dvec3>& positions) {
   json list = json::array();
   for (const glm::dvec3& position : positions) list.push_back(jsonOf(position));
+  return list;
+}
+
+void assignChecked(const SettingInfo& setting, std::vector<ClipPlane>& member, const json& value) {
+  if (!value.is_array() || value.size() > kClipPlanes) refuseValue(setting, value);
+  std::vector<ClipPlane> planes;
+  for (const json& entry : value) {
+    if (!entry.is_array() || entry.size() != 6) refuseValue(setting, value);
+    double numbers[6];
+    for (std::size_t i = 0; i < 6; ++i) numbers[i] = checkedNumber(setting, entry[i], value);
+    planes.push_back({{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}});
+    if (glm::length(planes.back().normal) < 1e-6) refuseValue(setting, value);
+  }
+  member = std::move(planes);
+}
+
+json jsonOf(const std::vector<ClipPlane>& planes) {
+  json list = json::array();
+  for (const ClipPlane& plane : planes)
+    list.push_back(
+        {plane.point.x, plane.point.y, plane.point.z, plane.normal.x, plane.normal.y, plane.normal.z});
+  return list;
+}
+
+void assignChecked(const SettingInfo& setting, std::vector<Mark>& member, const json& value) {
+  if (!value.is_array() || value.size() > kMostMarks) refuseValue(setting, value);
+  SettingInfo positions = setting, color = setting;
+  color.minimum = 0.0, color.maximum = 1.0;
+  std::vector<Mark> marks;
+  for (const json& entry : value) {
+    if (!entry.is_object()) refuseValue(setting, value);
+    Mark mark;
+    for (const auto& [key, part] : entry.items()) {
+      if (key == "kind") {
+        const auto all = choicesOf<MarkKind>();
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const auto& named) { return part == named.name; });
+        if (found == all.end())
+          refuse(setting.path,
+                 "a mark's kind is none of point, distance, path, angle, circle, "
+                 "thickness, piece");
+        mark.kind = found->value;
+      } else if (key == "name") {
+        assignChecked(setting, mark.name, part);
+      } else if (key == "points") {
+        assignChecked(positions, mark.points, part);
+      } else if (key == "color") {
+        assignChecked(color, mark.color, part);
+      } else if (key == "shown") {
+        assignChecked(setting, mark.shown, part);
+      } else {
+        refuse(setting.path, "a mark has kind, name, points, color and shown, but no " + shown(json(key)));
+      }
+    }
+    if (mark.points.empty()) refuse(setting.path, "a mark has no points");
+    marks.push_back(std::move(mark));
+  }
+  member = std::move(marks);
+}
+
+json jsonOf(const std::vector<Mark>& marks) {
+  json list = json::array();
+  for (const Mark& mark : marks) {
+    const auto all = choicesOf<MarkKind>();
+    const auto kind =
+        std::find_if(all.begin(), all.end(), [&](const auto& named) { return named.value == mark.kind; });
+    list.push_back({{"kind", kind->name},
+                    {"name", mark.name},
+                    {"points", jsonOf(mark.points)},
+                    {"color", jsonOf(mark.color)},
+                    {"shown", mark.shown}});
+  }
   return list;
 }
 

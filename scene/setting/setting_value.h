@@ -29,6 +29,8 @@ void assignChecked(const SettingInfo& setting, std::string& member, const nlohma
 void assignChecked(const SettingInfo& setting, std::vector<CurvaturePoint>& member,
                    const nlohmann::json& value);
 void assignChecked(const SettingInfo& setting, std::vector<glm::dvec3>& member, const nlohmann::json& value);
+void assignChecked(const SettingInfo& setting, std::vector<ClipPlane>& member, const nlohmann::json& value);
+void assignChecked(const SettingInfo& setting, std::vector<Mark>& member, const nlohmann::json& value);
 
 template <int N>
 void assignChecked(const SettingInfo& setting, glm::vec<N, double>& member, const nlohmann::json& value) {
@@ -63,6 +65,8 @@ inline nlohmann::json jsonOf(const std::string& value) {
 }
 nlohmann::json jsonOf(const std::vector<CurvaturePoint>& points);
 nlohmann::json jsonOf(const std::vector<glm::dvec3>& positions);
+nlohmann::json jsonOf(const std::vector<ClipPlane>& planes);
+nlohmann::json jsonOf(const std::vector<Mark>& marks);
 
 template <int N>
 nlohmann::json jsonOf(const glm::vec<N, double>& value) {

@@ -64,6 +64,16 @@ Scene randomScene(std::mt19937_64& random) {
       case SettingType::positions:
         s.set(scene, json::array({{number(), number(), number()}, {number(), number(), number()}}));
         break;
+      case SettingType::planes:
+        s.set(scene, json::array({{number(), number(), number(), 1.0, number(), number()}}));
+        break;
+      case SettingType::marks:
+        s.set(scene, json::array({{{"kind", "angle"},
+                                   {"name", "b"},
+                                   {"points", {{number(), number(), number()}}},
+                                   {"color", {0.25, 0.5, 1.0}},
+                                   {"shown", true}}}));
+        break;
       case SettingType::points:
         s.set(scene, json::array({{number(), number(), 0.25, 0.5, 1.0}, {-1, 1, 0, 0, std::abs(number())}}));
         break;

@@ -51,6 +51,14 @@ json otherValue(const Setting& s) {
       return !s.defaultValue().get<bool>();
     case SettingType::positions:
       return json::array({{1.0, -2.5, 3.0}});
+    case SettingType::planes:
+      return json::array({{1.0, -2.5, 3.0, 0.0, 0.6, -0.8}});
+    case SettingType::marks:
+      return json::array({{{"kind", "distance"},
+                           {"name", "a"},
+                           {"points", {{1.0, -2.5, 3.0}, {4.0, 5.0, 6.0}}},
+                           {"color", {0.25, 0.5, 1.0}},
+                           {"shown", false}}});
     case SettingType::points:
       return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}});
   }
@@ -60,16 +68,19 @@ json otherValue(const Setting& s) {
 TEST(Settings, CoversEveryMemberOfScene) {
   // A new member of a struct does not compile here until it is counted; then the list must grow with it.
   const Scene scene;
-  const auto& [source, isosurface, extraIsosurfaces, pieces, hit, derivatives, edge, colorVolume, look, flow,
-               light, lamps, gi, camera, picture] = scene;
+  const auto& [source, isosurface, extraIsosurfaces, pieces, clip, slice, marks, hit, derivatives, edge,
+               colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, meshVoxels, csg, csgPath, csgValue] =
       source;
   [[maybe_unused]] const auto& [value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
-                                opacity, layers, ghost, ghostOpacity] = isosurface;
-  [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2] = extraIsosurfaces[0];
+                                opacity, layers, clipped, ghost, ghostOpacity] = isosurface;
+  [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2, clipped2] = extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [keep, smallest, hidden, only] = pieces;
+  [[maybe_unused]] const auto& [planes, box, boxRotation, cap] = clip;
+  [[maybe_unused]] const auto& [level, width, sliceMap, sliceField, slab, slabMode, convention, sliceContours,
+                                noiseBand, slicePosition] = slice;
   [[maybe_unused]] const auto& [search, contrast] = edge;
   [[maybe_unused]] const auto& [colorPath, colorRaw, colorComponent, colorTimeStep, colorField, colorMap,
                                 colorLow, colorHigh, below, colorStrength, fade, isolines, isolineWidth] =
@@ -90,7 +101,8 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering] = picture;
-  EXPECT_EQ(settings().size(), 9u + 11 + 3 * 4 + 4 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 4);
+  EXPECT_EQ(settings().size(),
+            9u + 12 + 3 * 5 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 4);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
@@ -232,7 +244,8 @@ TEST(Settings, TypesAreStrict) {
     };
     for (const json& value : wrong)
       if (value.size() != componentsOf(s.type) || !value.is_array() ||
-          (value.empty() && s.type != SettingType::positions))
+          (value.empty() && s.type != SettingType::positions && s.type != SettingType::planes &&
+           s.type != SettingType::marks))
         expectRefused(value, "allowed is");
     if (s.type != SettingType::toggle) expectRefused(true, "true is not allowed");
     const bool takesWords = s.type == SettingType::text || s.type == SettingType::choice;

@@ -316,6 +316,9 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
       return new ToggleWidget(setting, parent);
     case SettingType::positions:
       return new PositionsWidget(parent);
+    case SettingType::planes:
+    case SettingType::marks:
+      return new PositionsWidget(parent);
     case SettingType::points:
       return new CurvatureMapEditor(parent);
     case SettingType::quaternion:
