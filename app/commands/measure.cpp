@@ -1,14 +1,18 @@
 // isolux measure PATH: area and volume of the isosurface, distances, angles, circles and thicknesses, each
 // with its error.
+#include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include <glm/common.hpp>
 
 #include "app/commands/command.h"
+#include "app/commands/curvature_report.h"
 #include "app/commands/measure_points.h"
 #include "app/commands/measure_report.h"
 #include "app/commands/piece_report.h"
 #include "app/commands/progress_bar.h"
+#include "app/files/files.h"
 #include "app/files/number_rows.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -32,6 +36,11 @@ struct MeasureOptions {
   std::string path, box;
   std::vector<std::string> distances, angles, circles, thicknesses;
   bool json = false, closed = false, anyway = false;
+  bool curvature = false;
+  std::string histograms, plot;  // files of its distribution; either asks for it, too
+  std::optional<std::size_t> piece;
+
+  bool wantsCurvature() const { return curvature || !histograms.empty() || !plot.empty(); }
 };
 
 std::optional<volume::WorldBox> boxOf(const std::string& text) {
@@ -77,19 +86,33 @@ struct SizedSurface {
   ordered_json pieces = ordered_json::array();  // those that are shown, not within a box
 };
 
+// Whether a piece that is shown has a corner of the cell.
+bool holdsShown(const volume::Pieces& pieces, const std::vector<bool>& shown, glm::ivec3 cell) {
+  for (int i = 0; i < 8; ++i) {
+    const std::uint32_t id = pieces.ofVoxel(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2));
+    if (id < shown.size() && shown[id]) return true;
+  }
+  return false;
+}
+
 SizedSurface sizedSurface(const MeasureOptions& options, const scene::Scene& scene,
                           const MeasuredSurface& measured, base::Progress& progress) {
   const PreparedVolume& prepared = measured.prepared;
   const SurfaceOf& of = measured.surface;
-  const volume::SurfaceQuestion question{of.isovalue, of.inside, boxOf(options.box), of.noise, {}};
+  volume::SurfaceQuestion question{of.isovalue, of.inside, boxOf(options.box), of.noise, {}};
   SizedSurface sized;
-  if (question.box) {
+  if (question.box && !volume::hidesPieces(scene.pieces)) {
     sized.whole = measureSurface(prepared.grid(), *prepared.blocks, question, progress);
     return sized;
   }
   const auto pieces = prepared.pieces->at(of.isovalue, of.inside, progress);
   std::vector<bool> shown;
   if (volume::hidesPieces(scene.pieces)) shown = volume::shownPieces(*pieces, scene.pieces);
+  if (question.box) {
+    question.keeps = [&](glm::ivec3 cell) { return holdsShown(*pieces, shown, cell); };
+    sized.whole = measureSurface(prepared.grid(), *prepared.blocks, question, progress);
+    return sized;
+  }
   const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
   sized.whole = measures.whole;
   for (std::size_t id = 0; id < measures.pieces.size(); ++id) {
@@ -97,6 +120,35 @@ SizedSurface sizedSurface(const MeasureOptions& options, const scene::Scene& sce
     sized.pieces.push_back(pieceJson(id, measures.pieces[id]));
   }
   return sized;
+}
+
+// What of the surface counts, its curvature, and the files that were asked for of it.
+ordered_json curvatureOf(const MeasureOptions& options, scene::Scene scene, const PreparedVolume& prepared,
+                         base::Progress& progress) {
+  prepared.derivativeChoices->complete(scene, progress);
+  const auto pieces = prepared.pieces->at(scene.isosurface.value.value(), scene.isosurface.inside, progress);
+  volume::CurvaturePart part{{}, boxOf(options.box)};
+  std::string title = prepared.volume.name + " at " + base::shortText(scene.isosurface.value.value()) +
+                      (prepared.volume.unit.empty() ? "" : " " + prepared.volume.unit);
+  if (options.piece) {
+    const std::size_t id = *options.piece, count = pieces->list().size();
+    if (id >= count)
+      throw Error(ErrorKind::usage, "", "--piece",
+                  "there is no piece " + std::to_string(id) + ": the surface has " + std::to_string(count));
+    part.shown.assign(count, false);
+    part.shown[id] = true;
+    title += ", piece " + std::to_string(id);
+  } else if (volume::hidesPieces(scene.pieces)) {
+    part.shown = volume::shownPieces(*pieces, scene.pieces);
+  }
+  const volume::CurvatureDistribution curvature =
+      curvatureDistribution(prepared, scene, *pieces, part, progress);
+  if (!options.histograms.empty()) writeTextFile(options.histograms, curvatureTable(curvature));
+  if (!options.plot.empty())
+    plotCurvature(curvature,
+                  "Curvature of " + title + ", scale " + base::shortText(curvature.scaleMm, 3) + " mm",
+                  options.plot, progress);
+  return curvatureJson(curvature);
 }
 
 // The isosurface of the scene as a whole or in the box, then what was asked about points.
@@ -121,6 +173,7 @@ ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, c
   if (doubt) json["doubt"] = *doubt;
   json.update(surfaceJson(surface));
   if (options.box.empty()) json["pieces"] = sized.pieces;
+  if (options.wantsCurvature()) json["curvature"] = curvatureOf(options, scene, prepared, progress);
   for (const std::string& text : options.distances)
     json["distances"].push_back(distanceJson(measured, text, progress));
   for (const std::string& text : options.angles) json["angles"].push_back(angleJson(measured, text));
@@ -136,6 +189,22 @@ void checkPoints(const MeasureOptions& options) {  // before the volume is read
   for (const std::string& text : options.circles) parsePoints(text, "--circle", 3, 3);
   for (const std::string& text : options.thicknesses) parsePoints(text, "--thickness", 1, 1);
   boxOf(options.box);
+}
+
+void checkCurvatureFiles(const MeasureOptions& options, const SceneOptions& sceneOptions,
+                         const scene::Scene& scene) {
+  const auto mustEnd = [](const std::string& file, const char* option, const char* ending) {
+    if (!file.empty() && std::filesystem::path(file).extension() != ending)
+      throw Error(ErrorKind::usage, file, option, std::string("the name must end in ") + ending);
+  };
+  mustEnd(options.histograms, "--histograms", ".csv");
+  mustEnd(options.plot, "--plot", ".svg");
+  if (options.piece && !options.wantsCurvature())
+    throw Error(ErrorKind::usage, "", "--piece", "is of --curvature, which is not asked for");
+  if (!options.plot.empty()) requireGnuplot(options.plot);
+  OutputGuard guard = outputGuard(options.path, sceneOptions, scene);
+  checkOutput(guard, options.histograms, "--histograms");
+  checkOutput(guard, options.plot, "--plot");
 }
 
 void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
@@ -155,6 +224,14 @@ void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
   points(
       "--thickness", options.thicknesses, "P",
       "At a point of the surface: along the inward normal, and of the largest ball inside; may be repeated");
+  parser.add_flag("--curvature", options.curvature,
+                  "How the surface is curved: what parts of its area have which curvature");
+  parser.add_option("--histograms", options.histograms, "That as a table: a new .csv")->type_name("FILE");
+  parser.add_option("--plot", options.plot, "That as a plot: a new .svg; needs gnuplot")->type_name("FILE");
+  parser
+      .add_option("--piece", options.piece,
+                  "Of this piece only (its id, 0: the largest), not of all that are shown")
+      ->type_name("ID");
   parser.add_flag("--closed", options.closed,
                   "Refuse an open surface instead of measuring what the data hold");
   parser.add_flag("--anyway", options.anyway,
@@ -177,6 +254,7 @@ Command makeMeasure(CLI::App& program) {
             requireSource(options->path, *sceneOptions);
             checkPoints(*options);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
+            checkCurvatureFiles(*options, *sceneOptions, scene);
             const auto prepared = loadWithProgressBar(scene.source, progress);
             ordered_json json;
             {

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/commands/curvature_report.h"
 #include "base/number_text.h"
 #include "base/printable.h"
 
@@ -93,6 +94,7 @@ void printMeasures(const ordered_json& json, std::ostream& out) {
            measuredText(json["volume_mm3"], "mm^3") + (json["open"].get<bool>() ? ", open" : ""));
   printRow(out, "", base::shortText(json["volume_per_value_mm3"].get<double>()) + " mm^3 less per " + one);
   if (json.contains("pieces")) printPieces(json["pieces"], out);
+  if (json.contains("curvature")) printCurvature(json["curvature"], out);
   if (json.contains("distances")) printDistances(json["distances"], out);
   if (json.contains("angles"))
     for (const ordered_json& angle : json["angles"])

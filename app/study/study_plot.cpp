@@ -3,26 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <system_error>
 
-#include "app/files/files.h"
-#include "app/process/external_program.h"
-#include "app/study/study_plot_script.h"
+#include "app/process/gnuplot.h"
+#include "app/process/study_plot_script.h"
 
 namespace isolux::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 
 constexpr std::string_view kTruth = "cubic_interpolating";
-
-// A word of gnuplot: within single quotes only the quote itself is special.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
-  return out + "'";
-}
 
 std::string costLabel(const Knob& knob, const Panel& panel) {
   switch (knob.cost) {
@@ -72,14 +61,6 @@ bool hasPoints(const KnobStudy& study, const Panel& panel) {
   });
 }
 
-// gnuplot does not look whether its output could be written.
-bool isWholeSvg(const fs::path& file) {
-  constexpr std::size_t longest = std::size_t{64} << 20;
-  const std::string text = readTextFile(file, longest);
-  const std::size_t end = text.find_last_not_of(" \n\r\t");
-  return end != std::string::npos && std::string_view(text).substr(0, end + 1).ends_with("</svg>");
-}
-
 }  // namespace
 
 std::string plotScript(const KnobStudy& study, const std::string& subject, const std::string& picture) {
@@ -97,41 +78,30 @@ std::string plotScript(const KnobStudy& study, const std::string& subject, const
     fields = fields || setting.fieldErrors.has_value();
   }
   std::ostringstream out;
-  out << "picture = " << quoted(picture)
-      << "\ntitle = " << quoted(std::string(knob.setting) + " of " + subject)
-      << "\nseries = " << quoted(knob.field ? "against the same field" : knob.label)
+  out << "picture = " << gnuplotText(picture)
+      << "\ntitle = " << gnuplotText(std::string(knob.setting) + " of " + subject)
+      << "\nseries = " << gnuplotText(knob.field ? "against the same field" : knob.label)
       << "\njoined = " << (knob.sampled || knob.ordered) << "\nbars = " << (knob.measure == Measure::light)
       << "\ncomparison = " << comparison << "\nfields = " << fields << "\narray xlabels[2] = ["
-      << quoted(costLabel(knob, panels[0])) << ", " << quoted(costLabel(knob, panels[1]))
-      << "]\narray ylabels[2] = [" << quoted(panels[0].label) << ", " << quoted(panels[1].label)
+      << gnuplotText(costLabel(knob, panels[0])) << ", " << gnuplotText(costLabel(knob, panels[1]))
+      << "]\narray ylabels[2] = [" << gnuplotText(panels[0].label) << ", " << gnuplotText(panels[1].label)
       << "]\narray zeros[2] = [" << zeros[0] << ", " << zeros[1] << "]\n$data << END_OF_DATA\n";
   out << own.str() << "\n\n" << other.str();
   out << "END_OF_DATA\n" << studyPlotScript;
   return out.str();
 }
 
-bool writePlot(const fs::path& gnuplot, const KnobStudy& study, const std::string& subject,
-               const fs::path& picture, base::Progress& progress, std::string& reason) {
+bool writePlot(const std::filesystem::path& gnuplot, const KnobStudy& study, const std::string& subject,
+               const std::filesystem::path& picture, base::Progress& progress, std::string& reason) {
   for (const Panel& panel : panelsOf(study.knob))
     if (!hasPoints(study, panel)) {
       reason = std::string("no pixel has a ") + panel.label;
       return false;
     }
-  PendingFile plot(picture);
-  base::OutputFile script(fs::path(picture).replace_extension(".gp"));  // never committed: removed after use
-  script.write(plotScript(study, subject, fs::absolute(plot.path()).string()));
-  script.finish();
-  const ProgramResult result =
-      runProgram(gnuplot, {fs::absolute(script.path()).string()}, picture.parent_path(), progress);
-  if (result.exitCode == 0 && isWholeSvg(plot.path())) {
-    plot.commit();
-    return true;
-  }
-  reason = result.exitCode == 0 ? "the plot is not whole (is the disk full?)" : result.output;
-  while (!reason.empty() && std::isspace(static_cast<unsigned char>(reason.back()))) reason.pop_back();
-  reason = reason.substr(reason.rfind('\n') + 1);
-  if (result.exitCode != 0) reason = "gnuplot failed: " + reason;
-  return false;
+  const auto failure = drawPlot(
+      gnuplot, picture, [&](const std::string& to) { return plotScript(study, subject, to); }, progress);
+  reason = failure.value_or("");
+  return !failure;
 }
 
 }  // namespace isolux::app

@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/field/curvature.h"
-#include "volume/field/reconstruct.h"
+#include "volume/field/shape_field.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::volume {
@@ -34,13 +34,9 @@ class PointProbe {
   std::optional<ProbedPoint> at(glm::dvec3 world) const;
 
  private:
-  FieldSample sample(scene::Field field, glm::dvec3 voxel) const;
-
   std::shared_ptr<const PreparedVolume> volume_;
-  scene::Field hitField_, shapeField_;
-  double outward_, scaleMm_;
-  std::shared_ptr<const CubicField> interpolating_;
-  std::shared_ptr<const ScaledField> scaled_;
+  ShapeField values_, shape_;  // of hit.field, and of what derivatives are of
+  double outward_;
   CurvatureScale curvatureScale_;
 };
 

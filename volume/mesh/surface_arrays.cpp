@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 
 #include <tbb/parallel_for.h>
@@ -10,43 +9,13 @@
 
 #include "volume/color/second_values.h"
 #include "volume/field/curvature.h"
-#include "volume/field/reconstruct.h"
+#include "volume/field/shape_field.h"
 
 namespace isolux::volume {
 
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
-// Derivatives of the field that a scene names, at one scale, per mm.
-class WorldDerivatives {
- public:
-  WorldDerivatives(const PreparedVolume& volume, scene::Field field, double scaleMm, base::Progress& progress)
-      : grid_(volume.grid()),
-        field_(field),
-        scaled_(volume.cubicFields->make(field, scaleMm, progress)),
-        cubic_(scaled_ ? nullptr : volume.cubicFields->make(field, progress)) {}
-
-  FieldSample at(const glm::dvec3& voxel) const {
-    FieldSample s = sample(voxel);
-    s.gradient = worldGradient(grid_.geometry(), s.gradient);
-    s.hessian = worldHessian(grid_.geometry(), s.hessian);
-    return s;
-  }
-
- private:
-  FieldSample sample(const glm::dvec3& voxel) const {
-    if (scaled_) return sampleScaled(*scaled_, grid_, voxel);
-    if (field_ == scene::Field::trilinear) return sampleTrilinear(grid_, voxel);
-    return cubic_->coefficients ? sampleCubic(*cubic_->coefficients, grid_, voxel)
-                                : sampleCubic(grid_, voxel);
-  }
-
-  const Grid& grid_;
-  scene::Field field_;
-  std::shared_ptr<const ScaledField> scaled_;
-  std::shared_ptr<const CubicField> cubic_;
-};
 
 }  // namespace
 
@@ -57,8 +26,9 @@ std::vector<PointArray> surfaceArrays(const PreparedVolume& volume, const scene:
   const GridGeometry& geometry = volume.grid().geometry();
   const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
   const double outward = resolved.isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
-  const WorldDerivatives forNormals(volume, d.field, d.normalScale.value_or(0.0), progress);
-  const WorldDerivatives forCurvature(volume, d.field, d.scale.value_or(0.0), progress);
+  const ShapeField forNormals(volume.grid(), *volume.cubicFields, d.field, d.normalScale.value_or(0.0),
+                              progress);
+  const ShapeField forCurvature(volume.grid(), *volume.cubicFields, d.field, d.scale.value_or(0.0), progress);
   const CurvatureScale scale =
       curvatureScale(geometry, d.field, d.noise.value_or(0.0),
                      curvature ? volume.derivativeChoices->noise(progress).correlation : glm::dvec3(0.0),
@@ -70,13 +40,13 @@ std::vector<PointArray> surfaceArrays(const PreparedVolume& volume, const scene:
   tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
     if (progress.stopRequested()) return;
     const glm::dvec3 voxel(voxelFromWorld * glm::dvec4(points[i], 1.0));
-    const glm::dvec3 gradient = forNormals.at(voxel).gradient;
+    const glm::dvec3 gradient = forNormals.atVoxel(voxel).gradient;
     if (const double length = glm::length(gradient); length > 0.0)
       for (int axis = 0; axis < 3; ++axis)
         arrays[0].values[3 * i + static_cast<std::size_t>(axis)] =
             static_cast<float>(outward * gradient[axis] / length);
     if (!curvature) return;
-    const FieldSample s = forCurvature.at(voxel);
+    const FieldSample s = forCurvature.atVoxel(voxel);
     const PrincipalCurvature k = principalCurvature(s.gradient, s.hessian, outward);
     if (k.normal == glm::dvec3(0.0)) return;
     arrays[1].values[i] = static_cast<float>(k.kappa1);

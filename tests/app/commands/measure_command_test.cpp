@@ -42,6 +42,39 @@ void expectWithinError(const json& measured, double truth) {
   EXPECT_LE(std::abs(measured["value"].get<double>() - truth), measured["error"].get<double>()) << measured;
 }
 
+TEST(MeasureCommand, TheCurvatureOfAPieceIsToldTabledAndPlotted) {
+  const fs::path folder = temporaryFolder();
+  const json ball = jsonOf({"measure", "phantom:ball:64", "--json", "--histograms", "ball.csv", "--plot",
+                            "ball.svg", "--piece", "0", "--set", "derivatives.noise=0"},
+                           folder)["curvature"];
+  const double radius = kBallRadius, pi = std::numbers::pi;
+  EXPECT_NEAR(ball["gaussian_curvature_integral"].get<double>(), 4.0 * pi, 0.1);
+  EXPECT_NEAR(ball["measures"]["kappa1"]["quantiles"]["median"].get<double>() * radius, 1.0, 0.01);
+  EXPECT_EQ(ball["clear_area_mm2"], ball["area_mm2"]);
+  std::ifstream table(folder / "ball.csv");
+  std::string line;
+  ASSERT_TRUE(std::getline(table, line));
+  EXPECT_EQ(line, "measure,unit,low,high,area_mm2,clear_area_mm2");
+  double area = 0.0;
+  while (std::getline(table, line)) {
+    std::vector<std::string> words;
+    std::istringstream stream(line);
+    for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
+    ASSERT_GE(words.size(), 5u) << line;
+    if (words[0] == "kappa2") area += std::stod(words[4]);
+  }
+  EXPECT_NEAR(area, ball["area_mm2"].get<double>(), 1e-6 * area);
+  EXPECT_GT(fs::file_size(folder / "ball.svg"), 4000u);
+  EXPECT_FALSE(fs::exists(folder / "ball.gp"));
+}
+
+TEST(MeasureCommand, AsksForWhatIsThereOfCurvature) {
+  expectRefused(2, {"measure", "phantom:ball:16", "--curvature", "--piece", "1"}, "there is no piece 1");
+  expectRefused(2, {"measure", "phantom:ball:16", "--piece", "0"}, "--curvature");
+  expectRefused(2, {"measure", "phantom:ball:16", "--histograms", "a.txt"}, ".csv");
+  expectRefused(2, {"measure", "phantom:ball:16", "--plot", "a.png"}, ".svg");
+}
+
 TEST(MeasureCommand, ABallIsMeasured) {
   const double r = kBallRadius, pi = std::numbers::pi;
   const json ball = jsonOf({"measure", "phantom:ball:64", "--json", "--distance", "-22,0,0 0,22,0", "--angle",

@@ -1,0 +1,217 @@
+#include "volume/measure/curvature_distribution.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "base/memory_budget.h"
+#include "scene/looks.h"
+#include "volume/field/curvature.h"
+#include "volume/field/shape_field.h"
+#include "volume/measure/surface_patches.h"
+#include "volume/parallel_steps.h"
+
+namespace isolux::volume {
+
+namespace {
+
+using scene::LookMode;
+
+constexpr LookMode kMeasures[] = {LookMode::kappa1,         LookMode::kappa2,
+                                  LookMode::mean_curvature, LookMode::gaussian_curvature,
+                                  LookMode::shape_index,    LookMode::curvedness};
+constexpr double kClearDeviations = 3.0;
+constexpr double kTails = 0.025;  // of the area that counts, at each end, is beyond the bins
+constexpr double kBins = 60.0;  // about so many
+
+struct CurvedArea {
+  double areaMm2 = 0.0, kappa1 = 0.0, kappa2 = 0.0,
+         noise = 0.0;  // noise: standard deviation of a normal curvature
+  bool known = false;
+  bool clear() const { return std::max(std::abs(kappa1), std::abs(kappa2)) > kClearDeviations * noise; }
+};
+
+// Curvature at the patches that count.
+class AreaCurver {
+ public:
+  AreaCurver(const PreparedVolume& volume, const scene::Scene& resolved, const CurvaturePart& part,
+             base::Progress& progress)
+      : geometry_(volume.grid().geometry()),
+        part_(part),
+        outward_(resolved.isosurface.inside == scene::Inside::above ? -1.0 : 1.0),
+        shape_(volume.grid(), *volume.cubicFields, resolved.derivatives.field,
+               resolved.derivatives.scale.value_or(0.0), progress),
+        scale_(curvatureScale(geometry_, resolved.derivatives.field, resolved.derivatives.noise.value_or(0.0),
+                              volume.derivativeChoices->noise(progress).correlation, shape_.scaleMm())) {}
+
+  double scaleMm() const { return shape_.scaleMm(); }
+  bool counts(const SurfacePatch& patch) const {
+    if (!part_.shown.empty() && !(patch.piece < part_.shown.size() && part_.shown[patch.piece])) return false;
+    if (!part_.box) return true;
+    const glm::dvec3 world(geometry_.worldFromVoxel * glm::dvec4(patch.voxel, 1.0));
+    return glm::all(glm::lessThanEqual(part_.box->lowMm, world)) &&
+           glm::all(glm::lessThanEqual(world, part_.box->highMm));
+  }
+  CurvedArea at(const SurfacePatch& patch) const {
+    const FieldSample sample = shape_.atVoxel(patch.voxel);
+    const PrincipalCurvature curvature = principalCurvature(sample.gradient, sample.hessian, outward_);
+    CurvedArea area{patch.areaMm2, curvature.kappa1, curvature.kappa2, 0.0,
+                    curvature.normal != glm::dvec3(0.0)};
+    if (area.known) area.noise = scale_.hessianNoise / glm::length(sample.gradient);
+    return area;
+  }
+
+ private:
+  const GridGeometry& geometry_;
+  const CurvaturePart& part_;
+  double outward_;
+  ShapeField shape_;
+  CurvatureScale scale_;
+};
+
+std::vector<CurvedArea> curvedAreas(const AreaCurver& curver, const PreparedVolume& volume,
+                                    const Pieces& pieces, base::MemoryBudget::Held& held,
+                                    base::Progress& progress) {
+  const MinMaxBlocks& blocks = *volume.blocks;
+  const auto rowsY = static_cast<std::size_t>(blocks.dims().y);
+  std::vector<std::vector<CurvedArea>> rows(rowsY * static_cast<std::size_t>(blocks.dims().z));
+  std::vector<base::MemoryBudget::Held> ofRows(rows.size());
+  parallelSteps(rows.size(), progress, {0.0, 1.0, "measuring curvature"}, [&](std::size_t row) {
+    std::vector<SurfacePatch> patches;
+    PatchFinder(pieces, blocks)
+        .appendRow(static_cast<int>(row % rowsY), static_cast<int>(row / rowsY), patches);
+    std::erase_if(patches, [&](const SurfacePatch& patch) { return !curver.counts(patch); });
+    // Once for the row, once for all together.
+    ofRows[row] =
+        base::machineMemory().reserve(2 * patches.size() * sizeof(CurvedArea), "the curvature of a surface",
+                                      "a part of it (--box) needs less");
+    rows[row].reserve(patches.size());
+    for (const SurfacePatch& patch : patches) {
+      if (progress.stopRequested()) return;
+      rows[row].push_back(curver.at(patch));
+    }
+  });
+  std::vector<CurvedArea> areas;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    areas.insert(areas.end(), rows[row].begin(), rows[row].end());
+    held.add(std::move(ofRows[row]));
+  }
+  return areas;
+}
+
+struct WeightedValue {
+  double value, areaMm2;
+  bool clear;
+};
+
+// The value below which this part of the area lies.
+double weightedQuantile(const std::vector<WeightedValue>& sorted, double areaMm2, double part) {
+  double sum = 0.0;
+  for (const WeightedValue& entry : sorted)
+    if ((sum += entry.areaMm2) >= part * areaMm2) return entry.value;
+  return sorted.back().value;
+}
+
+// 1, 2 or 5 times a power of ten, the next above.
+double roundStep(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * power >= least) return digit * power;
+  return 10.0 * power;
+}
+
+void fillBins(CurvatureHistogram& histogram, const std::vector<WeightedValue>& sorted, double from,
+              double to) {
+  if (!(to > from)) {  // all the same, as far as numbers tell
+    const double half = from != 0.0 ? 0.01 * std::abs(from) : 0.01;
+    from -= half, to += half;
+  }
+  histogram.step = roundStep((to - from) / kBins);
+  const double first = std::floor(from / histogram.step), last = std::ceil(to / histogram.step);
+  histogram.low = first * histogram.step;
+  const auto bins = static_cast<std::size_t>(std::max(1.0, last - first));
+  histogram.areasMm2.assign(bins, 0.0);
+  histogram.clearMm2.assign(bins, 0.0);
+  for (const WeightedValue& entry : sorted) {
+    const double place = (entry.value - histogram.low) / histogram.step;
+    if (place < 0.0) {
+      histogram.belowMm2 += entry.areaMm2;
+    } else if (entry.value > histogram.low + static_cast<double>(bins) * histogram.step) {
+      histogram.aboveMm2 += entry.areaMm2;
+    } else {
+      const std::size_t bin = std::min(static_cast<std::size_t>(place), bins - 1);
+      histogram.areasMm2[bin] += entry.areaMm2;
+      if (entry.clear) histogram.clearMm2[bin] += entry.areaMm2;
+    }
+  }
+}
+
+CurvatureHistogram histogramOf(LookMode measure, const std::vector<CurvedArea>& areas) {
+  const scene::LookInfo& look = scene::lookInfo(measure);
+  const bool ofShape = measure == LookMode::shape_index;
+  CurvatureHistogram histogram{.measure = measure};
+  std::vector<WeightedValue> values;
+  for (const CurvedArea& area : areas)
+    if (area.known && (!ofShape || area.clear()))
+      values.push_back({look.measure(area.kappa1, area.kappa2), area.areaMm2, area.clear()});
+  if (values.empty()) return histogram;
+  double sum = 0.0;
+  for (const WeightedValue& entry : values) {
+    histogram.areaMm2 += entry.areaMm2;
+    sum += entry.areaMm2 * entry.value;
+  }
+  histogram.mean = sum / histogram.areaMm2;
+  double squares = 0.0;
+  for (const WeightedValue& entry : values)
+    squares += entry.areaMm2 * (entry.value - histogram.mean) * (entry.value - histogram.mean);
+  histogram.deviation = std::sqrt(squares / histogram.areaMm2);
+  std::sort(values.begin(), values.end(),
+            [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
+  const auto quantile = [&](double part) { return weightedQuantile(values, histogram.areaMm2, part); };
+  histogram.low5 = quantile(0.05);
+  histogram.low25 = quantile(0.25);
+  histogram.median = quantile(0.5);
+  histogram.high75 = quantile(0.75);
+  histogram.high95 = quantile(0.95);
+  const bool unit = look.range == scene::LookRange::unit;
+  fillBins(histogram, values, unit ? -1.0 : quantile(kTails), unit ? 1.0 : quantile(1.0 - kTails));
+  return histogram;
+}
+
+}  // namespace
+
+CurvatureDistribution curvatureDistribution(const PreparedVolume& volume, const scene::Scene& resolved,
+                                            const Pieces& pieces, const CurvaturePart& part,
+                                            base::Progress& progress) {
+  CurvatureDistribution out;
+  if (volume.blocks->count() == 0) return out;
+  const AreaCurver curver(volume, resolved, part, progress);
+  out.scaleMm = curver.scaleMm();
+  base::MemoryBudget::Held held;
+  const std::vector<CurvedArea> areas = curvedAreas(curver, volume, pieces, held, progress);
+  double noise2 = 0.0;
+  for (const CurvedArea& area : areas) {
+    if (!area.known) {
+      out.unknownMm2 += area.areaMm2;
+      continue;
+    }
+    out.areaMm2 += area.areaMm2;
+    if (area.clear()) out.clearMm2 += area.areaMm2;
+    noise2 += area.areaMm2 * area.noise * area.noise;
+    out.meanIntegralMm += area.areaMm2 * 0.5 * (area.kappa1 + area.kappa2);
+    out.gaussianIntegral += area.areaMm2 * area.kappa1 * area.kappa2;
+  }
+  if (out.areaMm2 > 0.0) out.noise = std::sqrt(noise2 / out.areaMm2);
+  for (const LookMode measure : kMeasures) {
+    progress.throwIfStopped();
+    out.measures.push_back(histogramOf(measure, areas));
+  }
+  return out;
+}
+
+}  // namespace isolux::volume
