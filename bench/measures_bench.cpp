@@ -1,6 +1,7 @@
 // Measures of an isosurface: area and volume against those of VTK's mesh, ways along it, thickness.
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -10,6 +11,7 @@
 #include "volume/measure/geodesic.h"
 #include "volume/measure/surface_measure.h"
 #include "volume/measure/thickness.h"
+#include "volume/phantom/phantom.h"
 
 namespace isolux::bench {
 namespace {
@@ -26,25 +28,30 @@ std::pair<glm::dvec3, glm::dvec3> farPoints(const volume::SurfaceGraph& graph, g
   return {a, farthest(a)};
 }
 
-struct MeshSize {
-  double areaMm2 = 0.0, volumeMm3 = 0.0;
-};
-
-// Of the mesh of VTK's flying edges; the volume by the divergence theorem, right for closed surfaces.
-MeshSize meshSize(const volume::Grid& grid, double isovalue) {
-  const Triangles mesh = trianglesOf(grid, isovalue);
-  const glm::dmat4& world = grid.geometry().worldFromVoxel;
-  const auto corner = [&](std::size_t i) {
-    return glm::dvec3(world * glm::dvec4(glm::dvec3(mesh.points[mesh.corners[i]]), 1.0));
-  };
-  MeshSize size;
-  for (std::size_t i = 0; i + 2 < mesh.corners.size(); i += 3) {
-    const glm::dvec3 a = corner(i), b = corner(i + 1), c = corner(i + 2);
-    size.areaMm2 += 0.5 * glm::length(glm::cross(b - a, c - a));
-    size.volumeMm3 += glm::dot(a, glm::cross(b, c)) / 6.0;
+// Distances to a ball and a torus, whose sizes are known, against VTK's mass properties of the mesh.
+void compareSolids(int size) {
+  constexpr double pi = std::numbers::pi;
+  const double edge = size - 1;  // mm: phantoms have voxels of 1 mm
+  const double ball = 0.35 * edge, ring = 0.27 * edge, tube = 0.12 * edge;
+  const struct {
+    const char* phantom;
+    double areaMm2, volumeMm3;
+  } solids[] = {{"ball", 4.0 * pi * ball * ball, 4.0 / 3.0 * pi * ball * ball * ball},
+                {"torus", 4.0 * pi * pi * ring * tube, 2.0 * pi * pi * ring * tube * tube}};
+  for (const auto& solid : solids) {
+    base::Progress progress;
+    const volume::Grid grid = volume::makePhantom({.name = solid.phantom, .size = size, .geometry = {}}, progress);
+    const volume::MinMaxBlocks blocks(grid, 8, progress);
+    const auto ours = volume::measureSurface(grid, blocks, {.isovalue = 0.0}, progress);
+    const MeshSize mesh = massOf(grid, 0.0);
+    const auto percent = [](double value, double truth) { return 100.0 * (value / truth - 1.0); };
+    std::printf(
+        " %s %d: area %+.4f %% (states %.4f), VTK %+.4f %%; volume %+.4f %% (states %.4f), VTK %+.4f %%\n",
+        solid.phantom, size, percent(ours.areaMm2.value, solid.areaMm2),
+        100.0 * ours.areaMm2.error / solid.areaMm2, percent(mesh.areaMm2, solid.areaMm2),
+        percent(ours.volumeMm3.value, solid.volumeMm3), 100.0 * ours.volumeMm3.error / solid.volumeMm3,
+        percent(mesh.volumeMm3, solid.volumeMm3));
   }
-  size.volumeMm3 = std::abs(size.volumeMm3);
-  return size;
 }
 
 void measureSubject(const Subject& subject) {
@@ -60,16 +67,16 @@ void measureSubject(const Subject& subject) {
   std::printf(" %s: %zu cells, area %.0f +- %.0f mm^2, volume %.0f +- %.0f mm^3\n", subject.name.c_str(),
               surface.cells, surface.areaMm2.value, surface.areaMm2.error, surface.volumeMm3.value,
               surface.volumeMm3.error);
-  const MeshSize mesh = meshSize(grid, subject.isovalue);
+  const MeshSize mesh = massOf(grid, subject.isovalue);
   std::printf(" flying edges: area %+.3f %%", 100.0 * (mesh.areaMm2 / surface.areaMm2.value - 1.0));
   if (!surface.open())
     std::printf(", volume %+.3f %%", 100.0 * (mesh.volumeMm3 / surface.volumeMm3.value - 1.0));
   std::printf(surface.open() ? "; the surface is open\n" : "\n");
   printComparison(
-      {"area and volume", "flying edges and sums over its triangles", "the net of the surface",
+      {"area and volume", "flying edges and VTK's mass properties", "the net of the surface",
        "a way along it", "the largest ball at a point"},
       medians({[&] { volume::measureSurface(grid, blocks, {.isovalue = subject.isovalue}, progress); },
-               [&] { meshSize(grid, subject.isovalue); },
+               [&] { massOf(grid, subject.isovalue); },
                [&] { volume::surfaceGraph(grid, blocks, subject.isovalue, progress); },
                [&] { volume::geodesic(of, graph, a, b, progress); },
                [&] {
@@ -79,6 +86,7 @@ void measureSubject(const Subject& subject) {
 }
 
 void run() {
+  for (const int size : {64, 128, 256}) compareSolids(size);
   for (const Subject& subject : subjects()) measureSubject(subject);
 }
 

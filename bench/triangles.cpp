@@ -7,13 +7,18 @@
 #include <vtkFlyingEdges3D.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
+#include <vtkMassProperties.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 namespace isolux::bench {
 
-Triangles trianglesOf(const volume::Grid& grid, double isovalue) {
+namespace {
+
+vtkSmartPointer<vtkPolyData> meshOf(const volume::Grid& grid, double isovalue) {
   vtkNew<vtkFloatArray> values;
   values->SetNumberOfValues(static_cast<vtkIdType>(grid.geometry().voxelCount()));
   std::visit([&](const auto& voxels) { std::copy(voxels.begin(), voxels.end(), values->GetPointer(0)); },
@@ -27,7 +32,27 @@ Triangles trianglesOf(const volume::Grid& grid, double isovalue) {
   edges->ComputeNormalsOff();
   edges->ComputeScalarsOff();
   edges->Update();
-  vtkPolyData* mesh = edges->GetOutput();
+  return edges->GetOutput();
+}
+
+}  // namespace
+
+MeshSize massOf(const volume::Grid& grid, double isovalue) {
+  const vtkSmartPointer<vtkPolyData> mesh = meshOf(grid, isovalue);
+  vtkPoints* const points = mesh->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+    double p[3];
+    points->GetPoint(i, p);
+    const glm::dvec4 world = grid.geometry().worldFromVoxel * glm::dvec4(p[0], p[1], p[2], 1.0);
+    points->SetPoint(i, world.x, world.y, world.z);
+  }
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(mesh);
+  return {mass->GetSurfaceArea(), mass->GetVolume()};
+}
+
+Triangles trianglesOf(const volume::Grid& grid, double isovalue) {
+  const vtkSmartPointer<vtkPolyData> mesh = meshOf(grid, isovalue);
   Triangles result;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i) {
     double p[3];

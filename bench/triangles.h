@@ -15,6 +15,12 @@ struct Triangles {
   std::vector<std::uint32_t> corners;  // three per triangle
 };
 
+struct MeshSize {
+  double areaMm2 = 0.0, volumeMm3 = 0.0;
+};
+// Of that mesh, by VTK's mass properties; the volume is right for closed surfaces.
+MeshSize massOf(const volume::Grid& grid, double isovalue);
+
 Triangles trianglesOf(const volume::Grid& grid, double isovalue);
 
 }  // namespace isolux::bench
