@@ -31,6 +31,7 @@ PointedPiece::PointedPiece(QObject* parent) : QObject(parent) {
 
 void PointedPiece::point(const VolumePointer& volume, const scene::Scene& resolved,
                          const std::optional<app::Pick>& pick) {
+  if (volume_ != volume) job_.reset();
   volume_ = volume;
   scene_ = resolved;
   pick_ = pick;

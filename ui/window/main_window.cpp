@@ -124,6 +124,7 @@ void MainWindow::makePanels() {
 
 void MainWindow::connectDocument() {
   connect(document_, &Document::volumeChanged, this, [this](const VolumePointer& volume) {
+    pointedPiece_->point(volume, {}, std::nullopt);
     isovalue_->setVolume(volume);
     light_->setVolume(volume);
     viewport_->setVolume(volume);
