@@ -69,6 +69,9 @@ Source sourceOf(const FrameState& frame, Aov aov) {
     case Aov::color_value:
       source.first = frame.image(image::second).readFloats(4);
       break;
+    case Aov::piece:
+      source.info = frame.image(image::piece).readFloats(1);
+      break;
     case Aov::irradiance:
       source.first = frame.image(image::irradiance).readFloats(4);
       break;
@@ -190,6 +193,9 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
         break;
       case Aov::color_value:
         if (source.first[4 * i] < kNoValue) out[0] = source.first[4 * i];
+        break;
+      case Aov::piece:
+        if (source.info[i] >= 0.0f) out[0] = source.info[i];
         break;
       case Aov::irradiance:
         if (drawn.lit) put(vectorAt(source.first, i));

@@ -242,6 +242,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   }
   frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
   frame.second = volume && readsSecond(scene, request) ? volume->secondVolumes->find(scene.color) : nullptr;
+  frame.pieces = volume ? volume->pieces : nullptr;
   frame.readsLight =
       (request.color && scene::usesGi(scene)) ||
       std::find(request.aovs.begin(), request.aovs.end(), Aov::irradiance) != request.aovs.end();

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "render/passes/view_uniforms.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
@@ -49,13 +51,25 @@ std::optional<Pick> pickSurface(const volume::PreparedVolume& volume, const scen
   const volume::Ray ray = viewRay(grid.geometry(), scene::frameOf(resolved.camera), ndc, aspect, startMm);
   const auto hidden = volume::knownHidden(resolved, *volume.pieces);
   std::optional<volume::RayHit> nearest;
+  double isovalueHit = 0.0;
   for (const double isovalue : isovaluesOf(resolved)) {
     const auto hit = hitOf(volume, resolved.hit.field, isovalue, ray, volume::hiddenAt(hidden, isovalue));
-    if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
+    if (!hit || (nearest && hit->t >= nearest->t)) continue;
+    nearest = hit;
+    isovalueHit = isovalue;
   }
   if (!nearest) return std::nullopt;
   return Pick{glm::dvec3(grid.geometry().worldFromVoxel * glm::dvec4(nearest->voxel, 1.0)), nearest->voxel,
-              volume::sampleTrilinear(grid, nearest->voxel).value};
+              volume::sampleTrilinear(grid, nearest->voxel).value, isovalueHit};
+}
+
+scene::Camera centredOn(const scene::Camera& resolved, const glm::dvec3& pointMm) {
+  const scene::CameraFrame frame = scene::frameOf(resolved);
+  scene::Camera camera = resolved;
+  const glm::dvec3 shift = pointMm - camera.target.value_or(pointMm);
+  camera.eye = frame.eye + shift - glm::dot(shift, frame.back) * frame.back;
+  camera.target = pointMm;
+  return camera;
 }
 
 }  // namespace isolux::app

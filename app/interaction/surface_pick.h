@@ -16,7 +16,8 @@ namespace isolux::app {
 
 struct Pick {
   glm::dvec3 worldMm{0.0}, voxel{0.0};
-  double value = 0.0;  // data units
+  double value = 0.0;     // of the trilinear field there, data units
+  double isovalue = 0.0;  // of the isosurface that was hit
 };
 
 // The camera's ray through `ndc`, each in [-1, 1], x to the right, y up; voxel coordinates, in units of mm
@@ -28,5 +29,9 @@ volume::Ray viewRay(const volume::GridGeometry& geometry, const scene::CameraFra
 // scene::resolve of this volume.
 std::optional<Pick> pickSurface(const volume::PreparedVolume& volume, const scene::Scene& resolved,
                                 glm::dvec2 ndc, double aspect);
+
+// The camera moved so that the point lies in the picture's centre: the view direction and the eye's depth
+// stay.
+scene::Camera centredOn(const scene::Camera& resolved, const glm::dvec3& pointMm);
 
 }  // namespace isolux::app

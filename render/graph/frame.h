@@ -33,6 +33,7 @@ enum class Aov {
   edge_offset,
   edge_strength,
   color_value,
+  piece,
   irradiance,
   hit
 };

@@ -47,7 +47,7 @@ namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *segments = "ray segments",
                             *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
                             *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
-                            *edge = "edges", *second = "values of the second volume",
+                            *edge = "edges", *second = "values of the second volume", *piece = "pieces",
                             *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
                             *flow = "streaks", *extrema = "curvature extrema", *lineField = "line fields",
                             *lines = "lines", *light = "stored light", *irradiance = "irradiances",

@@ -106,6 +106,8 @@ std::vector<std::string> wantedImages(const FrameRequest& request, const scene::
       wanted.emplace_back(image::edge);
     } else if (aov == Aov::color_value) {
       wanted.emplace_back(image::second);
+    } else if (aov == Aov::piece) {
+      wanted.emplace_back(image::piece);
     } else {
       wanted.emplace_back(image::surface);
     }

@@ -21,6 +21,7 @@
 #include "scene/scene.h"
 #include "volume/color/second_volume.h"
 #include "volume/edge/edge_walk.h"
+#include "volume/pieces/piece_sets.h"
 #include "volume/statistics/curvature_statistics.h"
 
 namespace isolux::render {
@@ -53,6 +54,7 @@ struct FrameState {
   std::vector<volume::HiddenOfSurface> hidden;         // of them; none where all pieces are shown
   std::optional<GpuVolume> volume;                     // none: nothing is loaded
   std::shared_ptr<const volume::SecondVolume> second;  // that colours the surface; null: none
+  std::shared_ptr<const volume::PieceSets> pieces;     // of the volume
   glm::dvec2 secondRange{0.0, 1.0};                    // of its values where automatic: of the ranges pass
   std::shared_ptr<const gi::PictureLight> light;       // null: nobody has said what it is
   bool readsLight = false;                 // something in this frame reads light of the surface points

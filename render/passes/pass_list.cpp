@@ -6,6 +6,7 @@
 #include "render/passes/light_passes.h"
 #include "render/passes/line_passes.h"
 #include "render/passes/look_passes.h"
+#include "render/passes/piece_pass.h"
 #include "render/passes/resolve_passes.h"
 #include "render/passes/second_volume_pass.h"
 
@@ -35,6 +36,7 @@ PassList makePasses() {
       CurvaturePass,   // principal curvatures, first direction, confidence
       EdgePass,        // how far the edge of the object lies from it
       SecondVolumePass,  // values of the volume that colours the surface
+      PiecePass,       // which connected piece each surface point is of
       RangesPass,      // the surface's curvature as a whole
       ShadowPass,      // a second ray to the key light
       FlowFieldPass,   // direction on screen and noise on the surface

@@ -64,6 +64,16 @@ bool hasSecondVolume(const Scene& s) {
   return !s.color.volume.empty();
 }
 
+bool choosesPieces(const Scene& s) {
+  return !(s.pieces == Pieces{});
+}
+
+bool showsSurface(const Scene& s) {
+  return s.isosurface.opacity > 0.0 ||
+         std::any_of(s.extraIsosurfaces.begin(), s.extraIsosurfaces.end(),
+                     [](const ExtraIsosurface& extra) { return extra.shown && extra.opacity > 0.0; });
+}
+
 struct Rule {
   std::string_view paths;  // patterns of covers(), with spaces between
   bool (*acts)(const Scene&);
@@ -101,7 +111,8 @@ constexpr Rule rules[] = {
     {"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},
     {"source.csg_path source.csg_value", isCombined, "no second volume is combined with the first"},
 
-    {"isosurface.inside", needsGradient, "depth is the same from either side"},
+    {"isosurface.inside", [](const Scene& s) { return needsGradient(s) || choosesPieces(s); },
+     "depth is the same from either side"},
     {"isosurface.albedo_map isosurface.albedo_low isosurface.albedo_high", hasAlbedoMap,
      "isosurfaces have the reflectances given"},
     {"isosurface.albedo isosurface.albedo_source isosurface.albedo_map isosurface.albedo_low "
@@ -114,6 +125,8 @@ constexpr Rule rules[] = {
      "every isosurface is opaque"},
     {"isosurface.ghost_opacity", [](const Scene& s) { return s.isosurface.ghost > 0.0; },
      "there are no ghosts"},
+
+    {"pieces.", showsSurface, "no isosurface is shown"},
 
     {"hit.rate hit.near_factor hit.near_threshold hit.refinements",
      [](const Scene& s) { return s.hit.method == HitMethod::sampled; }, "hits are exact"},

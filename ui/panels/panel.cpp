@@ -1,6 +1,7 @@
 #include "ui/panels/panel.h"
 
 #include "ui/panels/passes_panel.h"
+#include "ui/panels/pieces_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/panels/volume_panel.h"
 
@@ -15,6 +16,7 @@ Panel* makePanel(QWidget* parent) {
 
 constexpr PanelInfo panelTable[] = {{"Settings", makePanel<SettingsPanel>},
                                     {"Volume", makePanel<VolumePanel>},
+                                    {"Pieces", makePanel<PiecesPanel>},
                                     {"Passes", makePanel<PassesPanel>}};
 
 }  // namespace

@@ -1,8 +1,8 @@
 // The picture: orders pictures of the scene and shows them, turns the mouse into edited cameras.
 //
 // Left drag rotates, middle or Shift+left pans, right drag or wheel zooms, Ctrl+left rolls, a double click
-// puts the picked surface point into the centre. Under global illumination Shift+right turns the environment,
-// and lamps have handles.
+// puts the picked surface point into the centre, a right click asks for a menu. Under global illumination
+// Shift+right turns the environment, and lamps have handles.
 //
 // Pictures are drawn by a thread (app/jobs/picture_thread.h) that has a GL context of its own and comes back
 // with pixels; this widget needs no OpenGL and waits for nothing. While a view changes, each change orders a
@@ -78,6 +78,8 @@ class Viewport : public QWidget {
   void edited(const isolux::ui::Edit& edit);
   void gestureEnded();
   void pointed(const std::optional<isolux::app::Pick>& pick);
+  // A right click, or the menu key: of the surface there.
+  void menuAsked(const QPoint& onScreen, const std::optional<isolux::app::Pick>& pick);
   void drawn(double milliseconds, bool complete);
   // A picture is on screen that shows a change of this long ago (the first, where it shows several).
   void answered(double milliseconds);
@@ -101,6 +103,7 @@ class Viewport : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   enum class Drag { none, orbit, pan, zoom, roll, environment, lamp };

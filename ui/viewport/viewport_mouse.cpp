@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <QContextMenuEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -109,6 +110,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Viewport::dragTo(QPointF position) {
+  constexpr double clickPixels = 3.0;  // a click that moves no farther is none of a zoom
+  const bool mayBeClick = drag_ == Drag::zoom && !dragMoved_;
+  if (mayBeClick && (position - pressed_).manhattanLength() < clickPixels) return;
   const double unit = std::max(1, height());
   const QPointF step = (position - last_) / unit;
   if (step.isNull() || !volume_) return;
@@ -150,7 +154,18 @@ void Viewport::dragTo(QPointF position) {
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  if (drag_ != Drag::none && event->button() == dragButton_) endDrag(event->position());
+  if (drag_ == Drag::none || event->button() != dragButton_) return;
+  const bool clicked = drag_ == Drag::zoom && !dragMoved_;
+  endDrag(event->position());
+  if (clicked) Q_EMIT menuAsked(event->globalPosition().toPoint(), pickAt(event->position()));
+}
+
+// The mouse asks by the button's release: its press may begin a drag.
+void Viewport::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() != QContextMenuEvent::Keyboard) return;
+  const QPoint at =
+      rect().contains(pointed_.toPoint()) && !pointed_.isNull() ? pointed_.toPoint() : rect().center();
+  Q_EMIT menuAsked(mapToGlobal(at), pickAt(at));
 }
 
 void Viewport::endDrag(QPointF position) {
@@ -165,13 +180,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !volume_) return;
   const auto pick = pickAt(event->position());
   if (!pick) return;
-  // The point moves to the centre, the view direction and the eye's depth stay.
-  const scene::CameraFrame frame = scene::frameOf(resolved_.camera);
-  scene::Camera camera = resolved_.camera;
-  const glm::dvec3 shift = pick->worldMm - camera.target.value_or(pick->worldMm);
-  camera.eye = frame.eye + shift - glm::dot(shift, frame.back) * frame.back;
-  camera.target = pick->worldMm;
-  sendCamera(camera, "Centre on point", "", false);
+  sendCamera(app::centredOn(resolved_.camera, pick->worldMm), "Centre on point", "", false);
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {

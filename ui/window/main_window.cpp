@@ -27,6 +27,7 @@
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/light_status.h"
 #include "ui/panels/panel.h"
+#include "ui/viewport/pointed_piece.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/load_card.h"
 #include "ui/window/message_bar.h"
@@ -53,6 +54,7 @@ MainWindow::MainWindow(QWidget* parent)
       message_(new MessageBar(viewport_)),
       loadCard_(new LoadCard(viewport_)),
       lightStatus_(new LightStatus(this)),
+      pointedPiece_(new PointedPiece(this)),
       pointedLabel_(new QLabel(this)),
       recordingLabel_(new QLabel(this)),
       frameLabel_(new QLabel(this)) {
@@ -122,6 +124,7 @@ void MainWindow::makePanels() {
 
 void MainWindow::connectDocument() {
   connect(document_, &Document::volumeChanged, this, [this](const VolumePointer& volume) {
+    pointedPiece_->point(volume, {}, std::nullopt);
     isovalue_->setVolume(volume);
     light_->setVolume(volume);
     viewport_->setVolume(volume);
@@ -164,6 +167,8 @@ void MainWindow::connectDocument() {
   connect(viewport_, &Viewport::edited, this, &MainWindow::applyEdit);
   connect(viewport_, &Viewport::gestureEnded, this, &MainWindow::endGesture);
   connect(viewport_, &Viewport::pointed, this, &MainWindow::showPointed);
+  connect(viewport_, &Viewport::menuAsked, this, &MainWindow::showSurfaceMenu);
+  connect(pointedPiece_, &PointedPiece::changed, this, &MainWindow::showPointedText);
   connect(viewport_, &Viewport::drawn, this, [this](double milliseconds, bool complete) {
     frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : " (draft)"));
     if (awaitsFirstPicture_) {
@@ -282,11 +287,14 @@ void MainWindow::showState() {
 }
 
 void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
-  if (!pick || !document_->volume()) {
+  const VolumePointer& loaded = document_->volume();
+  pointedPiece_->point(loaded, document_->resolvedScene(), loaded ? pick : std::nullopt);
+  if (!pick || !loaded) {
+    pointedText_.clear();
     pointedLabel_->clear();
     return;
   }
-  const volume::Volume& volume = document_->volume()->volume;
+  const volume::Volume& volume = loaded->volume;
   // The way a radiologist says them: "L 12.3"; "X −12.3" where no side is known.
   const auto place = [&](int axis) {
     const double mm = pick->worldMm[axis];
@@ -296,12 +304,19 @@ void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
     return QString("%1 %2%3").arg(letter, !sides && mm < 0.0 ? "−" : "").arg(std::abs(mm), 0, 'f', 1);
   };
   const QString unit = QString::fromStdString(volume.unit);
-  pointedLabel_->setText(QString("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
-                             .arg(place(0), place(1), place(2))
-                             .arg(pick->voxel.x, 0, 'f', 1)
-                             .arg(pick->voxel.y, 0, 'f', 1)
-                             .arg(pick->voxel.z, 0, 'f', 1)
-                             .arg(valueText(pick->value, unit)));
+  pointedText_ = QString("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
+                     .arg(place(0), place(1), place(2))
+                     .arg(pick->voxel.x, 0, 'f', 1)
+                     .arg(pick->voxel.y, 0, 'f', 1)
+                     .arg(pick->voxel.z, 0, 'f', 1)
+                     .arg(valueText(pick->value, unit));
+  showPointedText();
+}
+
+void MainWindow::showPointedText() {
+  if (pointedText_.isEmpty()) return;
+  const QString piece = pointedPiece_->text();
+  pointedLabel_->setText(piece.isEmpty() ? pointedText_ : pointedText_ + "      " + piece);
 }
 
 void MainWindow::showPanel(const QString& title) {

@@ -28,6 +28,7 @@ class LightStatus;
 class LoadCard;
 class MessageBar;
 class Panel;
+class PointedPiece;
 class Viewport;
 
 // Of a window that was never opened before: 1280x800, or what the screen has room for. Pixels of the screen's
@@ -94,6 +95,10 @@ class MainWindow : public QMainWindow {
   void showScene(const scene::Scene& scene, const scene::Scene& resolved);
   void showState();  // title, undo names, recording: what stateChanged() announces
   void showPointed(const std::optional<app::Pick>& pick);
+  void showPointedText();
+  // What can be done with the piece under a place of the picture.
+  void showSurfaceMenu(const QPoint& onScreen, const std::optional<app::Pick>& pick);
+  void choosePieces(const QString& name, const scene::Pieces& choice);
   void showRecent();
 
   void chooseFile();
@@ -141,6 +146,8 @@ class MainWindow : public QMainWindow {
   QShortcut* leaveFullScreen_ = nullptr;  // Esc
   QByteArray layoutBefore_;               // full screen: which panels were open
   std::vector<QAction*> views_;
+  PointedPiece* pointedPiece_;
+  QString pointedText_;  // without the piece
   QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
   bool awaitsFirstPicture_ = false;
   bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time

@@ -57,6 +57,7 @@ void MainWindow::showHelp() {
     <tr><td><b>Left drag</b></td><td>rotate</td></tr>
     <tr><td><b>Middle drag</b>, <b>Shift+left drag</b></td><td>pan</td></tr>
     <tr><td><b>Right drag</b>, <b>wheel</b></td><td>zoom</td></tr>
+    <tr><td><b>Right click</b>, <b>menu key</b></td><td>hide or keep the piece of the surface under the pointer</td></tr>
     <tr><td><b>Ctrl+left drag</b></td><td>roll</td></tr>
     <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
     <tr><td><b>Shift+right drag</b></td><td>turn the light probe (global illumination)</td></tr>

@@ -83,9 +83,40 @@ class VoxelRuns {
   int components_ = 0;
 };
 
+// Whether all set bits hang together: a flood from the first one, along x, y and z in turn.
+bool hangTogether(const VoxelBits& bits) {
+  constexpr std::uint64_t notFirstX = 0xfefefefefefefefeu, notLastX = 0x7f7f7f7f7f7f7f7fu;
+  std::size_t first = 0;
+  while (first < 8 && bits[first] == 0) ++first;
+  if (first == 8) return false;
+  VoxelBits reached{};
+  reached[first] = bits[first] & (~bits[first] + 1);
+  const auto grow = [&](std::size_t z) {  // whether anything is new
+    std::uint64_t now = reached[z];
+    if (z > 0) now |= reached[z - 1];
+    if (z < 7) now |= reached[z + 1];
+    now &= bits[z];
+    for (std::uint64_t before = ~now; before != now;) {
+      before = now;
+      now = (now | (now << 1 & notFirstX) | (now >> 1 & notLastX)) & bits[z];
+      now = (now | now << 8 | now >> 8) & bits[z];
+    }
+    const bool more = now != reached[z];
+    reached[z] = now;
+    return more;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t z = 0; z < 8; ++z) more |= grow(z);
+    for (std::size_t z = 8; z-- > 0;) more |= grow(z);
+  }
+  return reached == bits;
+}
+
 }  // namespace
 
 int labelVoxels(const VoxelBits& bits, VoxelLabels& labels) {
+  if (hangTogether(bits)) return 1;
   VoxelRuns runs(bits);
   if (runs.components() > 1) runs.label(labels);
   return runs.components();

@@ -1,5 +1,6 @@
 #include "volume/pieces/join_blocks.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <variant>
@@ -72,29 +73,40 @@ void joinInCell(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, 
 
 }  // namespace
 
-void joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, ConcurrentSets& sets,
-                base::Progress& progress) {
+NodeVolumes joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, ConcurrentSets& sets,
+                       base::Progress& progress) {
   const glm::ivec3 dims = blocks.dims();
+  const bool hasVolume = std::min({grid.dims().x, grid.dims().y, grid.dims().z}) > 1;
+  NodeVolumes volumes(blocks.nodes());
   const auto joinRow = [&](const auto& voxels, std::size_t row) {
     BlockCells cells;
+    CellVolumes enclosed(blocks, grid.missingCount() > 0, volumes);
     glm::ivec3 b(0, static_cast<int>(row) % dims.y, static_cast<int>(row) / dims.y);
     for (; b.x < dims.x; ++b.x) {
       joinToNext(blocks, b, sets);
-      if (!blocks.crossed(blocks.index(b))) continue;
+      if (!blocks.crossed(blocks.index(b))) {
+        enclosed.addUncrossed(b);
+        continue;
+      }
       cells.load(voxels, grid.dims(), b, level);
-      for (int z = 0; z < cells.count().z; ++z)
-        for (std::uint64_t left = cells.slice(z).ambiguous(); left != 0; left &= left - 1) {
+      for (int z = 0; z < cells.count().z; ++z) {
+        const BlockCells::Slice slice = cells.slice(z);
+        const std::uint64_t ambiguous = slice.ambiguous();
+        for (std::uint64_t left = ambiguous; left != 0; left &= left - 1) {
           const int bit = std::countr_zero(left);
           joinInCell(grid, blocks, level, kPieceBlock * b + glm::ivec3(bit % 8, bit / 8, z), sets);
         }
+        if (hasVolume) enclosed.addSlice(b, cells, slice, z, ambiguous);
+      }
     }
   };
   std::visit(
       [&](const auto& voxels) {
         parallelSteps(static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z), progress,
-                      {0.3, 0.6, "finding pieces"}, [&](std::size_t row) { joinRow(voxels, row); });
+                      {0.3, 0.9, "finding pieces"}, [&](std::size_t row) { joinRow(voxels, row); });
       },
       grid.voxels());
+  return volumes;
 }
 
 }  // namespace isolux::volume

@@ -20,9 +20,9 @@ Pieces::Pieces(std::shared_ptr<const Grid> grid, const MinMaxBlocks& blocks, dou
       level_(InsideLevel::of(*grid_, isovalue, inside)),
       blocks_(std::make_unique<const PieceBlocks>(*grid_, blocks, level_, progress)) {
   ConcurrentSets sets(blocks_->nodes());
-  joinBlocks(*grid_, *blocks_, level_, sets, progress);
+  const NodeVolumes volumes = joinBlocks(*grid_, *blocks_, level_, sets, progress);
   const std::size_t count = numberRoots(sets);
-  list_ = pieceSizes(*this, count, progress);
+  list_ = pieceSizes(*this, count, volumes, progress);
   sortBySize();
 }
 

@@ -10,6 +10,7 @@
 
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_cubic_hit.h"
+#include "volume/pieces/surface_voxel.h"
 
 namespace isolux::volume {
 
@@ -100,23 +101,8 @@ bool ShownCells::hiddenAt(const glm::dvec3& voxel) const {
 }
 
 bool ShownCells::hiddenNear(glm::ivec3 cell, const glm::dvec3& local) const {
-  const ShownCell own = cellAt(cell);
-  const int corner = cornerAbove(own.depths(), local);
-  glm::ivec3 nearest = cornerOf(cell, corner);
-  if (own.depths()[static_cast<std::size_t>(corner)] >= 0.0) return voxelHidden(nearest);
-  double least = std::numeric_limits<double>::infinity();
-  const glm::ivec3 low = glm::max(cell - 1, glm::ivec3(0)), high = glm::min(cell + 2, grid_.dims() - 1);
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x) {
-        const glm::ivec3 at(x, y, z);
-        const glm::dvec3 apart = glm::dvec3(at - cell) - local;
-        const double squared = glm::dot(apart, apart);
-        if (squared >= least || !(level_.depth(grid_.stored(x, y, z)) >= 0.0)) continue;
-        least = squared;
-        nearest = at;
-      }
-  return std::isfinite(least) && voxelHidden(nearest);
+  const std::optional<glm::ivec3> inside = surfaceVoxel(grid_, level_, cell, local);
+  return inside && voxelHidden(*inside);
 }
 
 // Between its changes of side a stretch is of one piece, which its middle tells.

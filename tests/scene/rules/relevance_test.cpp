@@ -155,4 +155,22 @@ TEST(Relevance, HitsIsosurfacesAndSources) {
   EXPECT_TRUE(acts("source.mesh_voxels", scene));
 }
 
+TEST(Relevance, PiecesNeedASurface) {
+  scene::Scene scene;
+  EXPECT_TRUE(acts("pieces.keep", scene));
+  scene.isosurface.opacity = 0.0;
+  for (const char* path : {"pieces.keep", "pieces.smallest", "pieces.hidden", "pieces.only"})
+    EXPECT_FALSE(acts(path, scene)) << path;
+  scene.extraIsosurfaces[0].shown = true;
+  EXPECT_TRUE(acts("pieces.keep", scene));
+  scene.extraIsosurfaces[0].opacity = 0.0;
+  EXPECT_FALSE(acts("pieces.keep", scene));
+  // Which side is inside says whose pieces are chosen, whatever the look.
+  scene = {};
+  scene.look.mode = scene::LookMode::depth;
+  EXPECT_FALSE(acts("isosurface.inside", scene));
+  scene.pieces.keep = 1;
+  EXPECT_TRUE(acts("isosurface.inside", scene));
+}
+
 }  // namespace isolux::test

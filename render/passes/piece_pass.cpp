@@ -1,0 +1,67 @@
+#include "render/passes/piece_pass.h"
+
+#include <stop_token>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "volume/pieces/surface_voxel.h"
+
+namespace isolux::render {
+
+namespace {
+
+constexpr float kNoPiece = -1.0f;
+
+using PiecesOfSurfaces = std::vector<std::shared_ptr<const volume::Pieces>>;
+
+PiecesOfSurfaces piecesOf(const FrameState& frame) {
+  base::Progress progress;
+  const std::stop_callback stop(frame.request.stop, [&progress] { progress.requestStop(); });
+  PiecesOfSurfaces pieces;
+  for (const Surface& surface : frame.surfaces)
+    pieces.push_back(frame.pieces->at(surface.value, frame.scene->isosurface.inside, progress));
+  return pieces;
+}
+
+// Of a rectangle of the picture, row by row.
+std::vector<float> idsOf(const FrameState& frame, const PiecesOfSurfaces& pieces,
+                         const volume::Rectangle& part) {
+  const std::vector<float> points = frame.image(image::surface, 0).readFloats(4, part);
+  const std::vector<float> infos = frame.image(image::surface, 1).readFloats(2, part);
+  std::vector<float> ids(points.size() / 4, kNoPiece);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ids.size(), 1024), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const float* const p = &points[4 * i];
+      if (!(p[3] >= 0.0f)) continue;
+      const std::size_t surface = static_cast<std::size_t>(infos[2 * i + 1]) & 3u;  // cast.frag.glsl packs it
+      if (surface >= pieces.size()) continue;
+      const std::uint32_t id = volume::pieceOfSurface(*pieces[surface], {p[0], p[1], p[2]});
+      if (id != volume::Pieces::kNone) ids[i] = static_cast<float>(id);
+    }
+  });
+  return ids;
+}
+
+}  // namespace
+
+void PiecePass::declare(Declaring& d) const {
+  d.reads(image::surface).writes(image::piece).volume().isovalues().settings({"isosurface.inside"});
+}
+
+void PiecePass::run(FrameState& frame) {
+  Target& target = frame.target(image::piece, {GL_R32F});
+  const float none[4] = {kNoPiece, 0.0f, 0.0f, 0.0f};
+  frame.clear(target, {none});
+  if (frame.empty() || !frame.pieces) return;
+  const PiecesOfSurfaces pieces = piecesOf(frame);
+  const Gl& gl = *frame.gl;
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (const volume::Rectangle& part : frame.area().rectangles()) {
+    const std::vector<float> ids = idsOf(frame, pieces, part);
+    gl.TextureSubImage2D(target.images[0].id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, GL_RED,
+                         GL_FLOAT, ids.data());
+  }
+}
+
+}  // namespace isolux::render

@@ -1,0 +1,358 @@
+#include "ui/panels/pieces_panel.h"
+
+#include <algorithm>
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "app/interaction/piece_choice.h"
+#include "ui/editors/number_text.h"
+#include "ui/editors/setting_editor.h"
+#include "ui/viewport/pointed_piece.h"
+#include "ui/window/style.h"
+#include "volume/pieces/shown_pieces.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int isovalueRestMilliseconds = 200, jobPollMilliseconds = 50;
+constexpr std::size_t mostRows = 200;
+enum PieceColumn { idColumn, volumeColumn, boxColumn, pieceColumns };
+
+QString boxText(const volume::WorldBox& box) {
+  const glm::dvec3 size = box.highMm - box.lowMm;
+  const auto text = [](double mm) { return numberText(mm, 3); };
+  return QString("%1 × %2 × %3").arg(text(size.x), text(size.y), text(size.z));
+}
+
+QString withErrorText(const volume::Measured& measured, const QString& unit) {
+  return QString("%1 ± %2 %3").arg(numberText(measured.value, 6), numberText(measured.error, 2), unit);
+}
+
+}  // namespace
+
+PiecesPanel::PiecesPanel(QWidget* parent)
+    : Panel(parent),
+      heading_(new QLabel(this)),
+      more_(new QLabel(this)),
+      list_(new QTreeWidget(this)),
+      controls_(makeButtons()),
+      keep_(new SettingEditor(scene::setting("pieces.keep"), this)),
+      smallest_(new SettingEditor(scene::setting("pieces.smallest"), this)) {
+  heading_->setWordWrap(true);
+  more_->setWordWrap(true);
+  more_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  makeList();
+  auto* form = new QFormLayout;
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->addRow("Keep the largest", keep_);
+  form->addRow("Not below", smallest_);
+  for (SettingEditor* editor : {keep_, smallest_}) {
+    connect(editor, &SettingEditor::edited, this, &PiecesPanel::edited);
+    connect(editor, &SettingEditor::failed, this, &PiecesPanel::failed);
+  }
+  auto* all = qobject_cast<QVBoxLayout*>(controls_->layout());
+  all->addLayout(form);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 10, 12, 12);
+  layout->setSpacing(8);
+  layout->addWidget(heading_);
+  layout->addWidget(list_, 1);
+  layout->addWidget(more_);
+  layout->addWidget(controls_);
+  layout->addStretch(0);
+
+  restTimer_.setSingleShot(true);
+  restTimer_.setInterval(isovalueRestMilliseconds);
+  connect(&restTimer_, &QTimer::timeout, this, &PiecesPanel::find);
+  pollTimer_.setInterval(jobPollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &PiecesPanel::poll);
+  showFound();
+}
+
+void PiecesPanel::makeList() {
+  list_->setColumnCount(pieceColumns);
+  list_->setHeaderLabels({"Piece", "Volume, mm³", "Box, mm"});
+  for (const PieceColumn column : {volumeColumn, boxColumn})
+    list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setAccessibleName("Pieces of the isosurface, the largest first");
+  QHeaderView* header = list_->header();
+  header->setStretchLastSection(false);
+  header->setSectionsClickable(false);
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(volumeColumn, QHeaderView::Stretch);
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, &PiecesPanel::enableButtons);
+  connect(list_, &QTreeWidget::itemChanged, this, &PiecesPanel::toggle);
+  connect(list_, &QTreeWidget::itemDoubleClicked, this, &PiecesPanel::centreSelected);
+}
+
+QPushButton* PiecesPanel::addButton(const QString& text, const QString& tip, void (PiecesPanel::*clicked)()) {
+  auto* button = new QPushButton(text);
+  button->setAutoDefault(false);
+  button->setToolTip(tip);
+  connect(button, &QPushButton::clicked, this, clicked);
+  return button;
+}
+
+QWidget* PiecesPanel::makeButtons() {
+  auto* box = new QWidget(this);
+  hide_ = addButton("Hide", "Hide the pieces that are marked in the list", &PiecesPanel::hideSelected);
+  only_ = addButton("Show only", "Hide all but the marked ones", &PiecesPanel::isolateSelected);
+  centre_ = addButton("Centre", "Move the marked piece to the middle of the picture (double click)",
+                      &PiecesPanel::centreSelected);
+  all_ = addButton("Show all", "Show every piece again", &PiecesPanel::showAll);
+  auto* grid = new QGridLayout;
+  grid->addWidget(hide_, 0, 0);
+  grid->addWidget(only_, 0, 1);
+  grid->addWidget(centre_, 1, 0);
+  grid->addWidget(all_, 1, 1);
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addLayout(grid);
+  return box;
+}
+
+// ---- What is found
+// -------------------------------------------------------------------------------------------
+
+void PiecesPanel::setVolume(const VolumePointer& volume) {
+  volume_ = volume;
+  job_.reset();
+  found_ = {};
+  foundOf_.reset();
+  showFound();
+}
+
+void PiecesPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  const bool otherChoice = !(scene.pieces == scene_.pieces);
+  scene_ = scene;
+  resolved_ = resolved;
+  keep_->setScene(scene, resolved);
+  smallest_->setScene(scene, resolved);
+  if (otherChoice) showRows();
+  findSoon();
+}
+
+void PiecesPanel::showEvent(QShowEvent* event) {
+  Panel::showEvent(event);
+  find();
+}
+
+void PiecesPanel::hideEvent(QHideEvent* event) {
+  Panel::hideEvent(event);
+  restTimer_.stop();
+  pollTimer_.stop();
+  job_.reset();
+}
+
+bool PiecesPanel::current() const {
+  return found_.pieces && foundOf_ == volume_ && resolved_.isosurface.value == found_.pieces->isovalue() &&
+         resolved_.isosurface.inside == found_.pieces->inside();
+}
+
+bool PiecesPanel::measured() const {
+  return current() && found_.measures.size() == found_.pieces->list().size();
+}
+
+// While the isovalue is dragged nothing is begun.
+void PiecesPanel::findSoon() {
+  if (!isVisible() || !volume_ || !resolved_.isosurface.value || measured()) return;
+  const bool begun =
+      job_ && job_->isFor(volume_.get(), *resolved_.isosurface.value, resolved_.isosurface.inside);
+  if (!begun) restTimer_.start();
+}
+
+void PiecesPanel::find() {
+  if (!isVisible() || !volume_ || !resolved_.isosurface.value || measured()) return;
+  const double isovalue = *resolved_.isosurface.value;
+  if (job_ && job_->isFor(volume_.get(), isovalue, resolved_.isosurface.inside)) return;
+  job_ = std::make_unique<app::PieceJob>(volume_, resolved_, isovalue, current());
+  pollTimer_.start();
+  showState();
+}
+
+void PiecesPanel::poll() {
+  if (!job_) return pollTimer_.stop();
+  if (!job_->finished()) return showState();
+  const auto job = std::move(job_);
+  pollTimer_.stop();
+  if (job->error()) {
+    heading_->setText(QString::fromStdString(job->error()->what()));
+    return;
+  }
+  found_ = job->found();
+  foundOf_ = volume_;
+  showFound();
+  find();  // estimates are there: now the measures, or another isovalue
+}
+
+// ---- What is shown
+// -------------------------------------------------------------------------------------------
+
+void PiecesPanel::showFound() {
+  showRows();
+  const bool any = volume_ && found_.pieces && !found_.pieces->list().empty();
+  list_->setVisible(any);
+  controls_->setVisible(volume_ != nullptr);
+  showState();
+}
+
+void PiecesPanel::showRows() {
+  const std::vector<std::size_t> marked = selected();
+  const QSignalBlocker block(list_);
+  list_->clear();
+  more_->hide();
+  if (!found_.pieces) return;
+  const std::vector<bool> shown = volume::shownPieces(*found_.pieces, scene_.pieces);
+  const std::size_t rows = std::min(shown.size(), mostRows);
+  for (std::size_t id = 0; id < rows; ++id) {
+    auto* item = new QTreeWidgetItem(list_);
+    fillRow(item, id, shown[id]);
+    item->setSelected(std::find(marked.begin(), marked.end(), id) != marked.end());
+  }
+  if (rows < shown.size()) more_->setText(QString("… and %1 smaller ones").arg(shown.size() - rows));
+  more_->setVisible(rows < shown.size());
+  showState();
+  enableButtons();
+}
+
+void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) const {
+  item->setText(idColumn, QString::number(id));
+  item->setCheckState(idColumn, shown ? Qt::Checked : Qt::Unchecked);
+  for (const PieceColumn column : {volumeColumn, boxColumn})
+    item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  for (int column = 0; column < pieceColumns; ++column)
+    item->setForeground(column, shown ? colours::text : colours::disabledText);
+  const volume::Piece& piece = found_.pieces->list()[id];
+  if (id >= found_.measures.size()) {
+    item->setText(volumeColumn, "about " + numberText(piece.volumeMm3, 3));
+    return;
+  }
+  const volume::PieceMeasure& measure = found_.measures[id];
+  const volume::Measured& volume = measure.surface.volumeMm3;
+  item->setText(volumeColumn,
+                QString("%1 ± %2").arg(numberText(volume.value, 6), numberText(volume.error, 2)));
+  item->setText(boxColumn, boxText(measure.bounds));
+  QString tip = "Volume " + withErrorText(volume, "mm³") + "\nArea " +
+                withErrorText(measure.surface.areaMm2, "mm²") + QString("\n%1 voxels").arg(piece.voxels);
+  if (measure.surface.open()) tip += "\nGoes on beyond the data: both are of what lies within";
+  if (!shown) tip += "\nHidden";
+  for (int column = 0; column < pieceColumns; ++column) item->setToolTip(column, tip);
+}
+
+QString PiecesPanel::state() const {
+  return heading_->text();
+}
+
+void PiecesPanel::showState() {
+  if (!volume_) {
+    heading_->setText("The connected pieces of the isosurface are listed here: open a volume.");
+    return;
+  }
+  if (job_ && !current()) {
+    heading_->setText(QString("Finding pieces … %1 %").arg(qRound(100.0 * job_->progress().fraction())));
+    return;
+  }
+  if (!found_.pieces) {
+    heading_->setText("");
+    return;
+  }
+  const auto unit = QString::fromStdString(volume_->volume.unit);
+  const QString where = valueText(found_.pieces->isovalue(), unit);
+  const std::size_t count = found_.pieces->list().size();
+  if (count == 0) {
+    heading_->setText("No voxel is inside at " + where + ": move the isovalue.");
+    return;
+  }
+  const std::vector<bool> shown = volume::shownPieces(*found_.pieces, scene_.pieces);
+  const auto hidden = std::count(shown.begin(), shown.end(), false);
+  QString text = count == 1 ? "One piece at " + where : QString("%1 pieces at %2").arg(count).arg(where);
+  if (hidden > 0) text += QString(", %1 hidden").arg(hidden);
+  const bool several = std::any_of(resolved_.extraIsosurfaces.begin(), resolved_.extraIsosurfaces.end(),
+                                   [](const auto& extra) { return extra.shown; });
+  if (several) text += " (of the first isosurface)";
+  if (job_) text += " – measuring …";
+  heading_->setText(text);
+}
+
+// ---- What is done with them
+// ----------------------------------------------------------------------------------
+
+std::vector<std::size_t> PiecesPanel::selected() const {
+  std::vector<std::size_t> ids;
+  for (const QTreeWidgetItem* item : list_->selectedItems())
+    ids.push_back(static_cast<std::size_t>(list_->indexOfTopLevelItem(item)));
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+void PiecesPanel::enableButtons() {
+  const std::size_t count = measured() ? selected().size() : 0;
+  hide_->setEnabled(count > 0);
+  only_->setEnabled(count > 0);
+  centre_->setEnabled(count == 1);
+  all_->setEnabled(volume::hidesPieces(scene_.pieces));
+}
+
+glm::dvec3 PiecesPanel::seedOf(std::size_t id) const {
+  return found_.seedsMm[id];
+}
+
+QString PiecesPanel::nameOf(const char* what, const std::vector<std::size_t>& ids) const {
+  return ids.size() == 1 ? QString("%1 piece %2").arg(what).arg(ids.front())
+                         : QString("%1 %2 pieces").arg(what).arg(ids.size());
+}
+
+void PiecesPanel::choose(const QString& name, const scene::Pieces& choice) {
+  Edit edit{scene_, name, {}, false};
+  edit.scene.pieces = choice;
+  Q_EMIT edited(edit);
+}
+
+void PiecesPanel::toggle(QTreeWidgetItem* item, int column) {
+  if (column != idColumn) return;
+  const auto id = static_cast<std::size_t>(list_->indexOfTopLevelItem(item));
+  if (!measured()) return showRows();  // as it was
+  if (item->checkState(idColumn) == Qt::Unchecked)
+    choose(nameOf("Hide", {id}), app::withHidden(scene_.pieces, {seedOf(id)}));
+  else
+    choose(nameOf("Show", {id}),
+           app::withShown(scene_.pieces, *found_.pieces, static_cast<std::uint32_t>(id), seedOf(id)));
+}
+
+void PiecesPanel::hideSelected() {
+  std::vector<glm::dvec3> seeds;
+  for (const std::size_t id : selected()) seeds.push_back(seedOf(id));
+  if (!seeds.empty()) choose(nameOf("Hide", selected()), app::withHidden(scene_.pieces, seeds));
+}
+
+void PiecesPanel::isolateSelected() {
+  std::vector<glm::dvec3> seeds;
+  for (const std::size_t id : selected()) seeds.push_back(seedOf(id));
+  if (!seeds.empty()) choose(nameOf("Show only", selected()), app::onlyThese(seeds));
+}
+
+void PiecesPanel::centreSelected() {
+  if (!measured() || selected().size() != 1) return;
+  const volume::WorldBox& box = found_.measures[selected().front()].bounds;
+  Edit edit{scene_, "Centre on piece", {}, false};
+  edit.scene.camera = app::centredOn(resolved_.camera, 0.5 * (box.lowMm + box.highMm));
+  Q_EMIT edited(edit);
+}
+
+void PiecesPanel::showAll() {
+  choose("Show all pieces", {});
+}
+
+}  // namespace isolux::ui

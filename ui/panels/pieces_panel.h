@@ -1,0 +1,75 @@
+// The connected pieces of the first isosurface: a list with volumes, to hide, isolate and find them.
+//
+// They are found and measured on a background thread, and only while the panel is seen: first the list with
+// estimates, then volumes with their errors and boxes. A check mark is whether a piece is shown.
+#pragma once
+
+#include <memory>
+
+#include <QTimer>
+
+#include "app/jobs/piece_job.h"
+#include "ui/panels/panel.h"
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace isolux::ui {
+
+class SettingEditor;
+
+class PiecesPanel : public Panel {
+  Q_OBJECT
+ public:
+  explicit PiecesPanel(QWidget* parent = nullptr);
+
+  void setVolume(const VolumePointer& volume) override;
+  void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
+  QTreeWidget* list() const { return list_; }
+  QString state() const;  // what stands above the list
+  bool measured() const;  // the list is of the scene on show, with errors and boxes
+  bool working() const { return job_ != nullptr; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void makeList();
+  QWidget* makeButtons();
+  QPushButton* addButton(const QString& text, const QString& tip, void (PiecesPanel::*clicked)());
+  bool current() const;  // found_ is of the scene's isosurface
+  void findSoon();
+  void find();
+  void poll();
+  void showFound();
+  void showRows();
+  void fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) const;
+  void showState();
+  void enableButtons();
+  std::vector<std::size_t> selected() const;  // ids
+  glm::dvec3 seedOf(std::size_t id) const;
+  QString nameOf(const char* what, const std::vector<std::size_t>& ids) const;
+  void choose(const QString& name, const scene::Pieces& choice);
+  void toggle(QTreeWidgetItem* item, int column);
+  void hideSelected();
+  void isolateSelected();
+  void centreSelected();
+  void showAll();
+
+  VolumePointer volume_, foundOf_;
+  scene::Scene scene_, resolved_;
+  app::PieceJob::Found found_;
+  std::unique_ptr<app::PieceJob> job_;
+  QTimer restTimer_, pollTimer_;
+
+  QLabel *heading_, *more_;
+  QTreeWidget* list_;
+  QPushButton *hide_, *only_, *centre_, *all_;  // of controls_
+  QWidget* controls_;
+  SettingEditor *keep_, *smallest_;
+};
+
+}  // namespace isolux::ui

@@ -1,0 +1,73 @@
+#include "ui/viewport/pointed_piece.h"
+
+#include <cmath>
+
+#include <QLocale>
+
+#include "ui/editors/number_text.h"
+#include "volume/pieces/surface_voxel.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr int pointerRestMilliseconds = 250, piecePollMilliseconds = 50;
+}  // namespace
+
+QString volumeText(double mm3) {
+  constexpr double wholeFrom = 1000.0;
+  if (mm3 < wholeFrom || mm3 >= 1e15) return valueText(mm3, "mm³", 3);
+  QString digits = QString::number(std::llround(mm3));
+  for (qsizetype at = digits.size() - 3; at > 0; at -= 3) digits.insert(at, QChar(0x202F));  // narrow space
+  return digits + " mm³";
+}
+
+PointedPiece::PointedPiece(QObject* parent) : QObject(parent) {
+  restTimer_.setSingleShot(true);
+  restTimer_.setInterval(pointerRestMilliseconds);
+  connect(&restTimer_, &QTimer::timeout, this, &PointedPiece::find);
+  pollTimer_.setInterval(piecePollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &PointedPiece::poll);
+}
+
+void PointedPiece::point(const VolumePointer& volume, const scene::Scene& resolved,
+                         const std::optional<app::Pick>& pick) {
+  if (volume_ != volume) job_.reset();
+  volume_ = volume;
+  scene_ = resolved;
+  pick_ = pick;
+  restTimer_.stop();
+  const bool known = !pick_ || volume_->pieces->find(pick_->isovalue, scene_.isosurface.inside);
+  if (!known) restTimer_.start();
+}
+
+QString PointedPiece::text() const {
+  if (!pick_ || !volume_) return {};
+  const auto pieces = volume_->pieces->find(pick_->isovalue, scene_.isosurface.inside);
+  if (!pieces) return {};
+  const std::uint32_t id = volume::pieceOfSurface(*pieces, pick_->voxel);
+  if (id == volume::Pieces::kNone) return {};
+  const volume::Piece& piece = pieces->list()[id];
+  const QString whose = id == 0 ? "the largest of %1" : "of %1";
+  return QString("piece %1 (%2): %3")
+      .arg(QString::number(id), whose.arg(pieces->list().size()),
+           pieces->hasVolume() ? volumeText(piece.volumeMm3) : QString("%1 voxels").arg(piece.voxels));
+}
+
+void PointedPiece::find() {
+  if (!pick_ || !volume_) return;
+  if (job_ && job_->isFor(volume_.get(), pick_->isovalue, scene_.isosurface.inside)) return;
+  job_ = std::make_unique<app::PieceJob>(volume_, scene_, pick_->isovalue, false);
+  pollTimer_.start();
+}
+
+// An error is kept: what is too large for this isovalue is not tried with every movement of the pointer.
+void PointedPiece::poll() {
+  if (job_ && !job_->finished()) return;
+  pollTimer_.stop();
+  if (job_ && !job_->error()) {
+    job_.reset();
+    Q_EMIT changed();
+  }
+}
+
+}  // namespace isolux::ui
