@@ -177,6 +177,7 @@ Command makeMeasure(CLI::App& program) {
             requireSource(options->path, *sceneOptions);
             checkPoints(*options);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
+            refuseCuts(scene, "isolux measure");
             const auto prepared = loadWithProgressBar(scene.source, progress);
             ordered_json json;
             {
