@@ -139,6 +139,7 @@ std::string lightKey(const scene::Scene& resolved, const LightScene& light, Ligh
   if (light.choice.onShown) json["isovalue"] = resolved.isosurface.value.value();
   if (const std::uint64_t hidden = hiddenKey(resolved, light); hidden != 0)
     json["hidden"] = base::hexText(hidden);
+  if (light.tracer && light.tracer->cut().cuts()) json["cut"] = base::hexText(light.tracer->cut().key());
   json["sequence"] = nameOf(light.sequence);
   json["bounces"] = light.bounces;
   if (light.bounces > 0) {

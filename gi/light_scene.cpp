@@ -86,6 +86,7 @@ std::shared_ptr<const volume::IsosurfaceTracer> lightTracerOf(
   auto tracer =
       std::make_shared<volume::IsosurfaceTracer>(volume->volume.grid, resolved.isosurface.inside, progress);
   tracer->hide(volume::hiddenOf(resolved, *volume->pieces, progress), progress);
+  tracer->cut(volume::SurfaceCut(resolved, volume->grid().geometry()));
   return tracer;
 }
 

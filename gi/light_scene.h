@@ -55,7 +55,7 @@ struct LightScene {
   std::function<void(std::span<const volume::TraceRay> rays, bool any)> traced = {};
 };
 
-// Of the scene's side and without its hidden pieces. Throws Error: interrupted; memory.
+// Of the scene's side, without its hidden pieces and what is cut away. Throws Error: interrupted; memory.
 std::shared_ptr<const volume::IsosurfaceTracer> lightTracerOf(
     const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
     base::Progress& progress);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/constants.h"
+#include "render/passes/cut_faces_pass.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::render {
@@ -96,9 +97,10 @@ glm::dvec3 normalAt(const Source& source, const DrawnFrame& drawn, std::size_t p
   return length > 0.0 ? g * (drawn.outward / length) : glm::dvec3(0.0);
 }
 
-LinearImage topRowFirst(const Texture& texture) {
+LinearImage topRowFirst(const Texture& texture, const FrameState* faces = nullptr) {
   const glm::ivec2 size(texture.size());
   LinearImage image{size, texture.readFloats(4)};
+  if (faces) addCutFaces(*faces, image.rgba);
   const auto row = static_cast<std::ptrdiff_t>(size.x) * 4;
   for (std::ptrdiff_t y = 0; y < size.y / 2; ++y)
     std::swap_ranges(image.rgba.begin() + y * row, image.rgba.begin() + (y + 1) * row,
@@ -109,7 +111,7 @@ LinearImage topRowFirst(const Texture& texture) {
 }  // namespace
 
 LinearImage readLinear(const FrameState& frame) {
-  return topRowFirst(frame.images.at(image::color).images[0]);
+  return topRowFirst(frame.images.at(image::color).images[0], &frame);
 }
 
 LinearImage readLinearPicture(const FrameState& frame) {

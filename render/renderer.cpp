@@ -10,6 +10,7 @@
 #include "render/gl/gl_messages.h"
 #include "render/graph/pass_declarations.h"
 #include "render/passes/curvature_ranges.h"
+#include "render/passes/cut_faces_pass.h"
 #include "render/passes/frame_state.h"
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
@@ -228,6 +229,14 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   base::Progress unwatched;
   frame.hidden.clear();
   if (volume) frame.hidden = volume::hiddenOf(scene, *volume->pieces, unwatched);
+  frame.prepared = volume.get();
+  frame.cut = volume ? volume::SurfaceCut(scene, volume->grid().geometry()) : volume::SurfaceCut();
+  frame.cutFaceColors.reset();
+  if (volume && scene::showsCutFaces(scene)) {
+    frame.cutFaceColors = std::make_unique<CutFaceColors>(cutFaceColors(scene, *volume));
+    for (const scene::Field field : {scene.hit.field, scene.slice.field})
+      if (field == scene::Field::cubic_interpolating) volume->cubicFields->make(field, unwatched);
+  }
   if (volume && !frame.volume) {
     frame.volume.emplace(frame.gl, volume);
     ++copiesMade;
@@ -368,6 +377,7 @@ void Renderer::Parts::leave(bool stopped) {
   }
   if (!stopped || inRounds) graph.invalidate();
   frame.scene = nullptr;
+  frame.prepared = nullptr;
   frame.layer.clear();
   frame.onlyWaiting = frame.keepHits = false;
   frame.gl->BindVertexArray(0);
@@ -417,7 +427,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
       if (now.state != PassState::skipped) entry.bytes = parts.bytesOf(pass, declared[now.index]);
       parts.report.passes.push_back(std::move(entry));
     }
-    if (parts.hitsChanged) parts.hit = anyHit(parts.frame);
+    if (parts.hitsChanged) parts.hit = anyHit(parts.frame) || parts.frame.seesCutFaces();
     gl.Finish();
     clock.write(parts.report.passes);
   } catch (const base::Error& error) {
@@ -434,7 +444,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   if (parts.frame.readsLight) parts.frame.lighting->report(parts.report.light);
   if (parts.volume && parts.waitingRays == 0)
     parts.report.empty = whyEmpty(scene, *parts.volume, static_cast<double>(request.size.x) / request.size.y,
-                                  !parts.frame.empty(), parts.hit);
+                                  !parts.frame.empty() || parts.frame.seesCutFaces(), parts.hit);
   if (parts.frame.withHessian && request.color && scene::needsCurvature(scene)) {
     const volume::CurvatureStatistics& surface = parts.frame.statistics;
     const double flat = parts.frame.flatCurvature();
@@ -453,6 +463,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
     parts.report.gpuBytes += parts.frame.volume->bytes();
   }
   parts.frame.scene = nullptr;
+  parts.frame.prepared = nullptr;
   const std::vector<std::string>& errors = glErrors();
   if (errors.size() > errorsBefore)
     parts.report.glErrors.assign(errors.begin() + static_cast<std::ptrdiff_t>(errorsBefore), errors.end());

@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "base/printable.h"
+#include "scene/rules/needs.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -167,6 +168,13 @@ std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
 void requireSource(const std::string& path, const SceneOptions& options) {
   if (path.empty() && options.session.empty())
     throw Error(ErrorKind::usage, "", "PATH", "is required, or --session FILE");
+}
+
+void refuseCuts(const scene::Scene& scene, const char* command) {
+  if (scene.isosurface.clipped && scene::cutsSurfaces(scene))
+    throw Error(
+        ErrorKind::usage, "", scene.clip.planes.empty() ? "clip.box" : "clip.planes",
+        std::string(command) + " knows no cuts; --set isosurface.clipped=false takes the whole isosurface");
 }
 
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {

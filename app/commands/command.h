@@ -58,6 +58,8 @@ std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser);
 
 // Throws Error{usage} where neither PATH nor a session says what to open.
 void requireSource(const std::string& path, const SceneOptions& options);
+// Throws Error{usage} where the scene cuts its first isosurface, of which `command` knows the whole only.
+void refuseCuts(const scene::Scene& scene, const char* command);
 // The session (or the default scene), then PATH (a volume, a session, or a picture with one; "": none), then
 // the assignments.
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options);

@@ -255,6 +255,7 @@ Command makeMeasure(CLI::App& program) {
             checkPoints(*options);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             checkCurvatureFiles(*options, *sceneOptions, scene);
+            refuseCuts(scene, "isolux measure");
             const auto prepared = loadWithProgressBar(scene.source, progress);
             ordered_json json;
             {

@@ -68,6 +68,7 @@ void runMesh(const MeshOptions& options, base::Progress& progress) {
                       "the name of a mesh must end in .stl, .ply, .obj or .vtp");
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
+  refuseCuts(scene, "isolux mesh");
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);
   checkOutput(guard, options.out, "--out");
   const auto prepared = loadWithProgressBar(scene.source, progress);

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/rules/automatic.h"
+#include "volume/clip/surface_cut.h"
 #include "volume/edge/surface_edges.h"
 #include "volume/hit/exact_hit.h"
 #include "volume/measure/point_probe.h"
@@ -50,13 +51,17 @@ void addPoint(ordered_json& json, const Probes& probes, glm::dvec3 world,
   json["edge_strength"] = shaped ? ordered_json(edge.strength) : ordered_json();
 }
 
-// The first hit with the trilinear isosurface, and how far along the ray it may be wrong.
+// The first hit with what `cut` leaves of the trilinear isosurface, and how far along the ray it may be
+// wrong.
 ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::SurfaceOf& surface,
-                     const Probes& probes, glm::dvec3 origin, glm::dvec3 direction) {
+                     const Probes& probes, const volume::SurfaceCut& cut, glm::dvec3 origin,
+                     glm::dvec3 direction) {
   const glm::dmat4 voxelFromWorld = prepared.grid().geometry().voxelFromWorld();
-  const auto hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue,
-                                    glm::dvec3(voxelFromWorld * glm::dvec4(origin, 1.0)),
-                                    glm::dvec3(voxelFromWorld * glm::dvec4(direction, 0.0)));
+  const glm::dvec3 from(voxelFromWorld * glm::dvec4(origin, 1.0)),
+      along(voxelFromWorld * glm::dvec4(direction, 0.0));
+  const volume::ClipRegion::Stretch kept = cut.stretchOf(surface.isovalue, from, along);
+  const auto hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue, from, along,
+                                    std::max(0.0, kept.begin), kept.end);
   if (!hit) return nullptr;
   const glm::dvec3 world = origin + direction * hit->t;
   ordered_json json;
@@ -95,12 +100,14 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
                                   isovalue,
                                   scene.isosurface.inside,
                                   {{isovalue}, {scene.derivatives.noise.value_or(0.0)}, glm::dvec3(0.0)}};
+  const volume::SurfaceCut cut =
+      rays.empty() ? volume::SurfaceCut() : volume::SurfaceCut(scene, prepared->grid().geometry());
   for (const NumberRow& row : rays) {
     const glm::dvec3 origin(row.numbers[0], row.numbers[1], row.numbers[2]);
     const glm::dvec3 direction(row.numbers[3], row.numbers[4], row.numbers[5]);
     if (!(glm::length(direction) > 0.0))
       base::throwInput(options.rays, "line " + std::to_string(row.line), "a ray needs a direction");
-    ordered_json hit = hitJson(*prepared, surface, probes, origin, glm::normalize(direction));
+    ordered_json hit = hitJson(*prepared, surface, probes, cut, origin, glm::normalize(direction));
     if (hit.is_null() && missed++ == 0) firstMissed = row.line;
     result.rays.push_back(
         {{"origin_mm", vectorOf(origin)}, {"direction", vectorOf(direction)}, {"hit", hit}});

@@ -69,6 +69,7 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
   const std::vector<Knob> chosen = parseKnobs(options.knobs);
   const glm::ivec2 size = parseSize(options.size);
   const scene::Scene scene = sceneOf(options.path, *options.scene);
+  refuseCuts(scene, "isolux study");
   checkOutputs(options.out, chosen, outputGuard(options.path, *options.scene, scene));
   const auto prepared = loadWithProgressBar(scene.source, progress);
   const auto context = render::OffscreenContext::create(*options.context);

@@ -1,10 +1,13 @@
 #include "app/interaction/surface_pick.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "render/passes/view_uniforms.h"
+#include "scene/rules/needs.h"
+#include "volume/clip/cut_faces.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
 #include "volume/hit/exact_hit.h"
@@ -23,8 +26,13 @@ std::vector<double> isovaluesOf(const scene::Scene& scene) {
 }
 
 std::optional<volume::RayHit> hitOf(const volume::PreparedVolume& volume, scene::Field field, double isovalue,
-                                    const volume::Ray& ray, const volume::HiddenPieces& hidden) {
+                                    volume::Ray ray, const volume::HiddenPieces& hidden,
+                                    const volume::SurfaceCut& cut) {
   const volume::Grid& grid = volume.grid();
+  const volume::ClipRegion::Stretch kept = cut.stretchOf(isovalue, ray.origin, ray.direction);
+  ray.tMinimum = std::max(ray.tMinimum, kept.begin);
+  ray.tMaximum = std::min(ray.tMaximum, kept.end);
+  if (!(ray.tMinimum <= ray.tMaximum)) return std::nullopt;
   const auto cubic = volume.cubicFields->find(field);
   if (!cubic)
     return volume::firstHit(grid, *volume.blocks, isovalue, ray.origin, ray.direction, ray.tMinimum,
@@ -48,12 +56,17 @@ std::optional<Pick> pickSurface(const volume::PreparedVolume& volume, const scen
                                 glm::dvec2 ndc, double aspect) {
   const volume::Grid& grid = volume.grid();
   const double startMm = render::ViewUniforms(resolved.camera, aspect, grid.geometry()).rayStartMm;
-  const volume::Ray ray = viewRay(grid.geometry(), scene::frameOf(resolved.camera), ndc, aspect, startMm);
+  volume::Ray ray = viewRay(grid.geometry(), scene::frameOf(resolved.camera), ndc, aspect, startMm);
   const auto hidden = volume::knownHidden(resolved, *volume.pieces);
+  const volume::SurfaceCut cut(resolved, grid.geometry());
+  if (scene::showsCutFaces(resolved))
+    if (const auto face = volume::CutFaces(grid, *volume.cubicFields, resolved, hidden).at(ray))
+      ray.tMaximum = face->t;
   std::optional<volume::RayHit> nearest;
   double isovalueHit = 0.0;
   for (const double isovalue : isovaluesOf(resolved)) {
-    const auto hit = hitOf(volume, resolved.hit.field, isovalue, ray, volume::hiddenAt(hidden, isovalue));
+    const auto hit =
+        hitOf(volume, resolved.hit.field, isovalue, ray, volume::hiddenAt(hidden, isovalue), cut);
     if (!hit || (nearest && hit->t >= nearest->t)) continue;
     nearest = hit;
     isovalueHit = isovalue;

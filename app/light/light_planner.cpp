@@ -71,13 +71,15 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   const scene::GiChoice choice = scene::giChoiceOf(resolved);
   if (choice.wanted) {
     const std::uint64_t hidden = volume::keyOf(volume::hiddenOf(resolved, *volume->pieces, progress));
+    const std::uint64_t cut = volume::SurfaceCut(resolved, volume->grid().geometry()).key();
     if (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside ||
-        tracerHidden_ != hidden) {
+        tracerHidden_ != hidden || tracerCut_ != cut) {
       const auto before = std::move(tracer_);  // its tables are shared
       tracer_ = gi::lightTracerOf(resolved, volume, progress);
       tracerOf_ = volume.get();
       tracerInside_ = resolved.isosurface.inside;
       tracerHidden_ = hidden;
+      tracerCut_ = cut;
     }
   }
   lightScene_ = gi::makeLightScene(resolved, volume, choice.wanted ? tracer_ : nullptr, environment_);

@@ -126,6 +126,7 @@ class LightPlanner {
   const volume::PreparedVolume* tracerOf_ = nullptr;
   scene::Inside tracerInside_ = scene::Inside::above;
   std::uint64_t tracerHidden_ = 0;  // volume::keyOf()
+  std::uint64_t tracerCut_ = 0;     // volume::SurfaceCut::key()
 
   std::shared_ptr<const gi::LightScene> lightScene_;
   std::optional<gi::SurfaceBrightness> brightness_;

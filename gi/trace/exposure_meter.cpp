@@ -78,6 +78,7 @@ scene::Scene meteredScene(const scene::Scene& resolved) {
   scene.isosurface = resolved.isosurface;
   scene.extraIsosurfaces = resolved.extraIsosurfaces;
   scene.pieces = resolved.pieces;
+  scene.clip = resolved.clip;
   scene.look.mode = showsReflectance(resolved) ? scene::LookMode::gi : scene::LookMode::mean_curvature;
   scene.look.shading = scene::Shading::gi;
   scene.light.environment = resolved.light.environment;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/albedo.h"
+#include "scene/rules/needs.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
 
@@ -50,6 +51,11 @@ PrimaryHits::PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, c
 
   hidden_ = volume::hiddenOf(resolved, *volume_->pieces, progress);
   cubic_ = volume_->cubicFields->make(field_, progress);
+  cut_ = volume::SurfaceCut(resolved, volume_->grid().geometry());
+  if (scene::showsCutFaces(resolved)) {
+    volume_->cubicFields->make(resolved.slice.field, progress);
+    faces_.emplace(volume_->grid(), *volume_->cubicFields, resolved, hidden_);
+  }
   normalField_ = volume_->cubicFields->make(resolved.derivatives.field,
                                             resolved.derivatives.normalScale.value_or(0.0), progress);
 }
@@ -58,8 +64,12 @@ glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {
   return {(pixel.x + 0.5) / size_.x * 2.0 - 1.0, 1.0 - (pixel.y + 0.5) / size_.y * 2.0};
 }
 
-std::optional<volume::RayHit> PrimaryHits::cast(double isovalue, const volume::Ray& ray) const {
+std::optional<volume::RayHit> PrimaryHits::cast(double isovalue, volume::Ray ray) const {
   const volume::Grid& grid = volume_->grid();
+  const volume::ClipRegion::Stretch kept = cut_.stretchOf(isovalue, ray.origin, ray.direction);
+  ray.tMinimum = std::max(ray.tMinimum, kept.begin);
+  ray.tMaximum = std::min(ray.tMaximum, kept.end);
+  if (!(ray.tMinimum <= ray.tMaximum)) return std::nullopt;
   const volume::HiddenPieces hidden = volume::hiddenAt(hidden_, isovalue);
   if (!cubic_)
     return volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum,
@@ -77,6 +87,8 @@ std::optional<PrimaryHit> PrimaryHits::at(glm::ivec2 pixel) const {
   ray.tMinimum = rayStartMm_;
   std::optional<PrimaryHit> nearest;
   double t = std::numeric_limits<double>::infinity();
+  if (faces_)
+    if (const std::optional<volume::CutFace> face = faces_->at(ray)) t = ray.tMaximum = face->t;
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const std::optional<volume::RayHit> hit = cast(surfaces_[i].isovalue, ray);
     if (!hit || !(hit->t < t)) continue;

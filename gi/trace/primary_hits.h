@@ -1,8 +1,9 @@
 // What the pixels of a picture see: the exact first hit of each pixel's middle with all shown isosurfaces.
 //
-// Rays, camera and pixels are those of the renderer. Double precision, every cell's first root
-// (volume/hit/exact_hit.h, volume/hit/exact_cubic_hit.h) on the field hit.field, whatever hit.method says.
-// Positions are voxel coordinates. Const members are safe from many threads.
+// Cut faces (volume/clip/cut_faces.h) hide what lies behind them and are no hits. Rays, camera and pixels are
+// those of the renderer. Double precision, every cell's first root (volume/hit/exact_hit.h,
+// volume/hit/exact_cubic_hit.h) on the field hit.field, whatever hit.method says. Positions are voxel
+// coordinates. Const members are safe from many threads.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 
 #include "base/progress.h"
 #include "scene/camera.h"
+#include "volume/clip/cut_faces.h"
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_hit.h"
 #include "volume/prepared_volume.h"
@@ -50,7 +52,7 @@ class PrimaryHits {
 
  private:
   glm::dvec2 ndcOf(glm::ivec2 pixel) const;
-  std::optional<volume::RayHit> cast(double isovalue, const volume::Ray& ray) const;
+  std::optional<volume::RayHit> cast(double isovalue, volume::Ray ray) const;
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
   glm::ivec2 size_;
@@ -61,6 +63,8 @@ class PrimaryHits {
   scene::Field field_;
   std::vector<Surface> surfaces_;
   std::vector<volume::HiddenOfSurface> hidden_;
+  volume::SurfaceCut cut_;
+  std::optional<volume::CutFaces> faces_;            // where any are shown
   std::shared_ptr<const volume::CubicField> cubic_;  // of the cubic fields
   std::shared_ptr<const volume::ScaledField> normalField_;
 };

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <functional>
 
+#include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
 
 namespace isolux::render {
@@ -118,6 +119,16 @@ Declaring& Declaring::isovalues() {
   input("hidden pieces", asked.volume.hidden);
   input("ghosts", s.isosurface.ghost * s.derivatives.noise.value_or(1.0));
   return input("which isosurfaces are there", s.isosurface.opacity > 0.0, there, asked.volume.crossed);
+}
+
+Declaring& Declaring::cuts() {
+  const scene::Scene& s = asked.scene;
+  if (!scene::cutsSurfaces(s)) return input("cuts", 0);
+  std::array<bool, scene::kExtraIsosurfaces> clipped{};
+  for (std::size_t i = 0; i < clipped.size(); ++i)
+    clipped[i] = s.extraIsosurfaces[i].shown && s.extraIsosurfaces[i].clipped;
+  settings({"clip.planes", "clip.box", "clip.box_rotation"});
+  return input("cuts", 1, s.isosurface.clipped, clipped);
 }
 
 }  // namespace isolux::render

@@ -50,9 +50,9 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *edge = "edges", *second = "values of the second volume", *piece = "pieces",
                             *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
                             *flow = "streaks", *extrema = "curvature extrema", *lineField = "line fields",
-                            *lines = "lines", *light = "stored light", *irradiance = "irradiances",
-                            *front = "front colour", *color = "colour", *background = "background",
-                            *picture = "picture",
+                            *lines = "lines", *light = "stored light", *cutFaces = "cut faces",
+                            *irradiance = "irradiances", *front = "front colour", *color = "colour",
+                            *background = "background", *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }
 
@@ -149,6 +149,7 @@ class Declaring {
   Declaring& volume();       // the voxels and where they lie
   Declaring& pictureSize();  // rays, and the part of the picture that is drawn
   Declaring& isovalues();    // the surfaces that are there, and what of them is hidden
+  Declaring& cuts();         // what is cut away of them
   Declaring& second();       // the volume that colours the surface, and what of it is looked up
 };
 

@@ -25,7 +25,7 @@ double phaseOf(const scene::Flow& flow) {
 
 void ShadowPass::declare(Declaring& d) const {
   d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow);
-  d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"});
+  d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"}).cuts();
   const scene::Scene& s = d.asked.scene;
   std::array<bool, scene::kExtraIsosurfaces> opaque{};
   for (std::size_t i = 0; i < opaque.size(); ++i) opaque[i] = s.extraIsosurfaces[i].opacity >= 1.0;

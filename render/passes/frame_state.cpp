@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/passes/cut_faces_pass.h"
 #include "render/passes/light_passes.h"
 #include "scene/albedo.h"
 #include "volume/edge/surface_edges.h"
@@ -28,10 +29,10 @@ int nextBand(int rows, double milliseconds) {
 }  // namespace
 
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
-  std::vector<Surface> surfaces = {
-      {scene.isosurface.value.value(), scene.isosurface.albedo, scene.isosurface.opacity}};
+  std::vector<Surface> surfaces = {{scene.isosurface.value.value(), scene.isosurface.albedo,
+                                    scene.isosurface.opacity, scene.isosurface.clipped}};
   for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) surfaces.push_back({extra.value.value(), extra.albedo, extra.opacity});
+    if (extra.shown) surfaces.push_back({extra.value.value(), extra.albedo, extra.opacity, extra.clipped});
   if (scene.isosurface.albedoSource == scene::AlbedoSource::map) {
     const scene::AlbedoOfIsovalue albedo(scene);
     for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);
@@ -149,8 +150,16 @@ void FrameState::drawHits(Target& target, const Program& program, const volume::
   target.drawn = request.stop.stop_requested() ? drawn : of;
 }
 
+int FrameState::clippedBits() const {
+  int bits = 0;
+  for (std::size_t k = 0; k < surfaces.size(); ++k) bits |= static_cast<int>(surfaces[k].clipped) << k;
+  return bits;
+}
+
 std::vector<volume::Rectangle> FrameState::surfacePixels() const {
-  std::vector<volume::Rectangle> parts = images.at(image::color).drawn.rectangles();
+  volume::PictureArea drawn = images.at(image::color).drawn;
+  if (cutFaceColors) drawn.add(images.at(image::cutFaces).drawn);
+  std::vector<volume::Rectangle> parts = drawn.rectangles();
   for (volume::Rectangle& part : parts) {
     const glm::ivec2 end = (part.low + part.size + (request.supersampling - 1)) / request.supersampling;
     part.low /= request.supersampling;

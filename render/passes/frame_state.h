@@ -19,10 +19,12 @@
 #include "render/volume/ray_starts.h"
 #include "scene/rules/needs.h"
 #include "scene/scene.h"
+#include "volume/clip/cut_faces.h"
 #include "volume/color/second_volume.h"
 #include "volume/edge/edge_walk.h"
 #include "volume/pieces/piece_sets.h"
 #include "volume/statistics/curvature_statistics.h"
+#include "volume/statistics/grey_window.h"
 
 namespace isolux::render {
 
@@ -33,6 +35,7 @@ struct Surface {
   double value;  // data units
   glm::dvec3 albedo;
   double opacity;
+  bool clipped = true;  // by scene::Clip
 };
 // The first and those further ones that are shown, without those of opacity 0: none to four.
 std::vector<Surface> surfacesOf(const scene::Scene& scene);
@@ -41,6 +44,16 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene);
 FieldAt edgeFieldOf(const scene::Scene& scene);
 
 class FrameLight;
+struct CutFaceColors;
+
+// The cut faces that rays meet (render/passes/cut_faces_pass.h), bottom row first.
+struct CutFaceImage {
+  explicit CutFaceImage(glm::ivec2 size);
+  base::MemoryBudget::Held held;
+  volume::PictureArea area;
+  std::vector<float> ends;        // t, mm; +inf: none
+  std::vector<glm::vec2> texels;  // t (-1: none) and value
+};
 
 struct FrameState {
   explicit FrameState(GlPtr pointer);
@@ -52,6 +65,11 @@ struct FrameState {
   std::optional<ViewUniforms> view;
   std::vector<Surface> surfaces;
   std::vector<volume::HiddenOfSurface> hidden;         // of them; none where all pieces are shown
+  volume::SurfaceCut cut;                              // of them
+  std::optional<CutFaceImage> cutFaces;                // of the cut faces pass
+  std::unique_ptr<CutFaceColors> cutFaceColors;        // null: no cut face is shown
+  Texture cutColors;                                   // of them
+  const volume::PreparedVolume* prepared = nullptr;    // during render() only; null: nothing is loaded
   std::optional<GpuVolume> volume;                     // none: nothing is loaded
   std::shared_ptr<const volume::SecondVolume> second;  // that colours the surface; null: none
   std::shared_ptr<const volume::PieceSets> pieces;     // of the volume
@@ -105,7 +123,10 @@ struct FrameState {
   // Where the crossing may be seen: rays beyond do not have it.
   const volume::PictureArea& area() const { return images.at(image::surface + layer).drawn; }
 
-  // What is drawn of the surface, in pixels of the picture or tile.
+  bool seesCutFaces() const { return cutFaceColors && cutFaces && !cutFaces->area.empty(); }
+  // A bit for each surface that is cut.
+  int clippedBits() const;
+  // What is drawn of the surface and of cut faces, in pixels of the picture or tile.
   std::vector<volume::Rectangle> surfacePixels() const;
 
   // What is drawn in this frame: gradients, of normals; Hessians, with the gradients beside them; and whether

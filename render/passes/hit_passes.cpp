@@ -101,7 +101,8 @@ std::optional<std::size_t> BricksPass::bytes(const FrameState& frame) const {
 void CastPass::declare(Declaring& d) const {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
   d.reads(image::activeBlocks).writes(exact ? image::surface : image::bracket);
-  d.volume().isovalues().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
+  d.volume().isovalues().cuts().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
+  if (scene::showsCutFaces(d.asked.scene)) d.reads(image::cutFaces);
   d.input("executor", d.asked.onProcessor.casts);
   if (d.asked.onProcessor.casts) return;
   d.reads(image::segments);
@@ -116,9 +117,11 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
   if (rays == Rays::behind) defines += "#define BEHIND\n";
   if (rays != Rays::behind && asksValueError(frame.request)) defines += "#define VALUE_ERROR\n";
   if (rays == Rays::again) defines += "#define AGAIN\n";
+  if (frame.cutFaceColors) defines += "#define CUT_FACES\n";
   Program& p = frame.program(shader, defines);
   setTrace(frame, p);
   frame.starts->bind(p, 2);
+  if (frame.cutFaceColors) p.setTexture("uCutFaces", 7, frame.images.at(image::cutFaces).images[0]);
   if (!isExact(frame)) {
     p.set("uStep", static_cast<float>(1.0 / hit.rate));
     p.set("uNearFactor", static_cast<float>(hit.nearFactor));
@@ -210,6 +213,7 @@ std::string traceDefines(const FrameState& frame) {
   if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
   if (!frame.hidden.empty()) defines += "#define HIDDEN\n";
+  if (frame.cut.cuts()) defines += "#define CLIP " + std::to_string(frame.cut.region().faces().size()) + "\n";
   return defines;
 }
 
@@ -224,6 +228,13 @@ void setHidden(FrameState& frame, Program& p) {
   p.set("uSampleIsovalues", isovalues);
 }
 
+void setCut(const FrameState& frame, Program& p) {
+  const auto faces = frame.cut.region().faces();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    p.set(("uClip[" + std::to_string(i) + "]").c_str(), glm::vec4(faces[i]));
+  p.set("uClipped", frame.clippedBits());
+}
+
 }  // namespace
 
 void setTrace(FrameState& frame, Program& p) {
@@ -233,6 +244,7 @@ void setTrace(FrameState& frame, Program& p) {
   frame.setIsovalues(p, field);
   frame.volume->bindMasks(p, frame.scene->hit, 3);
   if (!frame.hidden.empty()) setHidden(frame, p);
+  if (frame.cut.cuts()) setCut(frame, p);
   p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
 }
 

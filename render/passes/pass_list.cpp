@@ -1,5 +1,6 @@
 #include "render/passes/pass_list.h"
 
+#include "render/passes/cut_faces_pass.h"
 #include "render/passes/derivative_passes.h"
 #include "render/passes/effect_passes.h"
 #include "render/passes/hit_passes.h"
@@ -29,6 +30,7 @@ PassList makePasses() {
       BlocksPass,      // active blocks of the isovalues, and the faces around them
       SegmentsPass,    // where each ray enters them
       BricksPass,      // uploads of what the rays of the frame before asked for
+      CutFacesPass,    // where rays meet what cuts lay open
       CastPass,        // the first crossing on each ray
       RefinePass,      // the surface point of a sampled hit
       GradientPass,    // world gradient at the surface point

@@ -81,8 +81,13 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
   if (!frame.hidden.empty())
     for (const Surface& surface : frame.surfaces)
       hidden.push_back(volume::hiddenAt(frame.hidden, surface.value).voxels);
-  const volume::CastField of{volume.grid(), field, volume.coefficients(field), hidden,
-                             frame.scene->isosurface.inside};
+  volume::CastField of{volume.grid(), field, volume.coefficients(field), hidden,
+                       frame.scene->isosurface.inside};
+  if (frame.cut.cuts()) {
+    of.region = &frame.cut.region();
+    of.clipped = frame.clippedBits();
+  }
+  if (frame.cutFaceColors) of.rayEnds = frame.cutFaces->ends;
   return {of, isovalues, volume.blocks().dims(), volume.masks()};
 }
 

@@ -2,6 +2,7 @@
 
 #include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
+#include "render/passes/cut_faces_pass.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/second_volume_pass.h"
 #include "scene/rules/needs.h"
@@ -56,6 +57,10 @@ void ResolvePass::declare(Declaring& d) const {
   const scene::Scene& scene = d.asked.scene;
   d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend", "look.legend_corner"});
   d.input("linear picture", d.asked.request.linear);
+  if (scene::showsCutFaces(scene)) {
+    d.reads(image::cutFaces).settings({"slice.level", "slice.width", "slice.map"});
+    d.volume();  // what is automatic of them
+  }
   if (showsEnvironment(d.asked)) {
     d.input("light", d.asked.light.version).settings({"camera."});
     addExposure(d);
@@ -87,7 +92,10 @@ void ResolvePass::run(FrameState& frame) {
 
 Program& ResolvePass::prepared(FrameState& frame, const std::string& defines) const {
   const bool environment = environmentIsSeen(frame);
-  Program& p = frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : ""));
+  const bool faces = frame.cutFaceColors != nullptr;
+  Program& p = frame.program(
+      shader, defines + (environment ? "#define ENVIRONMENT\n" : "") + (faces ? "#define CUT_FACES\n" : ""));
+  if (faces) setCutFaces(frame, p, 2);
   if (environment) frame.lighting->setBackground(frame, p, 1);
   p.setTexture("uColor", 0, frame.image(image::color));
   setBehind(frame, p);

@@ -1,5 +1,7 @@
 #include "scene/rules/needs.h"
 
+#include <algorithm>
+
 #include "scene/looks.h"
 
 namespace isolux::scene {
@@ -104,6 +106,17 @@ bool readsUnscaled(const Scene& scene) {
 bool fetchesFast(const Scene& scene) {
   return scene.derivatives.fetch == Fetch::fast && scene.derivatives.field != Field::trilinear &&
          readsUnscaled(scene);
+}
+
+bool cutsSurfaces(const Scene& scene) {
+  if (scene.clip.planes.empty() && scene.clip.box.empty()) return false;
+  const auto isCut = [](const ExtraIsosurface& extra) { return extra.shown && extra.clipped; };
+  return scene.isosurface.clipped ||
+         std::any_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(), isCut);
+}
+
+bool showsCutFaces(const Scene& scene) {
+  return scene.clip.cap != ClipCap::none && cutsSurfaces(scene);
 }
 
 bool isTransparent(const Scene& scene) {

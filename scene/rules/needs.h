@@ -51,6 +51,10 @@ double normalScale(const Scene& scene);
 bool readsUnscaled(const Scene& scene);
 bool fetchesFast(const Scene& scene);
 
+// A plane or the box cuts an isosurface that is shown; and the faces that it lays open show values.
+bool cutsSurfaces(const Scene& scene);
+bool showsCutFaces(const Scene& scene);
+
 // Some surface lets through what lies behind it. One of opacity 0 is not there.
 bool isTransparent(const Scene& scene);
 

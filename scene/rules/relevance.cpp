@@ -111,7 +111,8 @@ constexpr Rule rules[] = {
     {"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},
     {"source.csg_path source.csg_value", isCombined, "no second volume is combined with the first"},
 
-    {"isosurface.inside", [](const Scene& s) { return needsGradient(s) || choosesPieces(s); },
+    {"isosurface.inside",
+     [](const Scene& s) { return needsGradient(s) || choosesPieces(s) || showsCutFaces(s); },
      "depth is the same from either side"},
     {"isosurface.albedo_map isosurface.albedo_low isosurface.albedo_high", hasAlbedoMap,
      "isosurfaces have the reflectances given"},
@@ -127,6 +128,9 @@ constexpr Rule rules[] = {
      "there are no ghosts"},
 
     {"pieces.", showsSurface, "no isosurface is shown"},
+    {"isosurface.clipped isosurface#.clipped clip.cap",
+     [](const Scene& s) { return !s.clip.planes.empty() || !s.clip.box.empty(); }, "nothing is cut away"},
+    {"clip.box_rotation", [](const Scene& s) { return !s.clip.box.empty(); }, "no box cuts anything"},
 
     {"hit.rate hit.near_factor hit.near_threshold hit.refinements",
      [](const Scene& s) { return s.hit.method == HitMethod::sampled; }, "hits are exact"},
@@ -233,7 +237,7 @@ constexpr Rule rules[] = {
 };
 
 constexpr ItemRule itemRules[] = {
-    {"isosurface#.value isosurface#.albedo isosurface#.opacity",
+    {"isosurface#.value isosurface#.albedo isosurface#.opacity isosurface#.clipped",
      [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].shown; },
      "that isosurface is not shown"},
     {"lamp#.kind lamp#.position lamp#.direction lamp#.radius lamp#.angle lamp#.color lamp#.intensity",

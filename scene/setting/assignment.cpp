@@ -49,24 +49,6 @@ std::optional<json> numbersOf(std::string_view words, std::size_t count) {
   return list.size() == count ? std::optional(list) : std::nullopt;
 }
 
-// "px,py,pz nx,ny,nz; ..." as a list of six numbers each; a text that is no such list stays a text.
-json planesOf(std::string_view text) {
-  json list = json::array();
-  std::string_view rest = trimmed(text);
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(';'), rest.size());
-    const std::string_view plane = trimmed(rest.substr(0, end));
-    const std::size_t space = std::min(plane.find(' '), plane.size());
-    std::optional<json> numbers = numbersOf(plane.substr(0, space), 3);
-    const std::optional<json> normal = numbersOf(plane.substr(space), 3);
-    if (!numbers || !normal) return std::string(text);
-    for (const json& number : *normal) numbers->push_back(number);
-    list.push_back(*numbers);
-    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
-  }
-  return list;
-}
-
 // What the words of an assignment mean for this setting; a word that makes no sense stays a word, which
 // Setting::set then refuses with the reason.
 json valueOfWords(const SettingInfo& target, std::string_view text) {
@@ -109,6 +91,34 @@ std::string textOfPositions(const nlohmann::json& positions) {
       text += (axis ? "," : "") + base::shortestText(position[axis].get<double>());
   }
   return text;
+}
+
+std::string textOfPlanes(const nlohmann::json& planes) {
+  std::string text;
+  for (const json& plane : planes)
+    for (std::size_t i = 0; i < 6; ++i)
+      text += (i == 0   ? (text.empty() ? "" : "; ")
+               : i == 3 ? " "
+                        : ",") +
+              base::shortestText(plane[i].get<double>());
+  return text;
+}
+
+nlohmann::json planesOf(std::string_view text) {
+  json list = json::array();
+  std::string_view rest = trimmed(text);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(';'), rest.size());
+    const std::string_view plane = trimmed(rest.substr(0, end));
+    const std::size_t space = std::min(plane.find(' '), plane.size());
+    std::optional<json> numbers = numbersOf(plane.substr(0, space), 3);
+    const std::optional<json> normal = numbersOf(plane.substr(space), 3);
+    if (!numbers || !normal) return std::string(text);
+    for (const json& number : *normal) numbers->push_back(number);
+    list.push_back(*numbers);
+    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
+  }
+  return list;
 }
 
 nlohmann::json positionsOf(std::string_view text) {

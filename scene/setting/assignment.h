@@ -15,5 +15,8 @@ nlohmann::json valueOf(const SettingInfo& target, std::string_view assignment);
 // one.
 std::string textOfPositions(const nlohmann::json& positions);
 nlohmann::json positionsOf(std::string_view text);
+// The same of planes, "px,py,pz nx,ny,nz; ...".
+std::string textOfPlanes(const nlohmann::json& planes);
+nlohmann::json planesOf(std::string_view text);
 
 }  // namespace isolux::scene

@@ -171,18 +171,27 @@ class TextWidget : public ValueWidget {
   QLineEdit* line_;
 };
 
-// World points as "x,y,z; x,y,z"; a text that is no such list is not taken.
-class PositionsWidget : public ValueWidget {
+// A list as text: world points, planes. A text that is no such list is not taken.
+struct ListText {
+  const char* example;
+  std::string (*textOf)(const json& list);
+  json (*listOf)(std::string_view text);
+};
+constexpr ListText positionsText{"x,y,z; x,y,z", scene::textOfPositions, scene::positionsOf};
+constexpr ListText planesText{"px,py,pz nx,ny,nz; ...", scene::textOfPlanes, scene::planesOf};
+
+class ListWidget : public ValueWidget {
  public:
-  explicit PositionsWidget(QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
+  ListWidget(const ListText& text, QWidget* parent)
+      : ValueWidget(parent), text_(text), line_(new QLineEdit(this)) {
     rowLayout(this)->addWidget(line_, 1);
-    line_->setPlaceholderText("x,y,z; x,y,z");
+    line_->setPlaceholderText(text.example);
     line_->setClearButtonEnabled(true);
     setFocusProxy(line_);
     connect(line_, &QLineEdit::editingFinished, this, [this] {
       if (!line_->isModified()) return;
       line_->setModified(false);
-      if (const json typed = scene::positionsOf(line_->text().toStdString()); typed.is_array())
+      if (value().is_array())
         Q_EMIT changed(false);
       else
         showValue(shown_);
@@ -190,12 +199,13 @@ class PositionsWidget : public ValueWidget {
   }
   void showValue(const json& value) override {
     shown_ = value;
-    line_->setText(QString::fromStdString(scene::textOfPositions(value)));
+    line_->setText(QString::fromStdString(text_.textOf(value)));
     line_->setCursorPosition(0);
   }
-  json value() const override { return scene::positionsOf(line_->text().toStdString()); }
+  json value() const override { return text_.listOf(line_->text().toStdString()); }
 
  private:
+  const ListText& text_;
   QLineEdit* line_;
   json shown_ = json::array();
 };
@@ -315,10 +325,10 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
     case SettingType::toggle:
       return new ToggleWidget(setting, parent);
     case SettingType::positions:
-      return new PositionsWidget(parent);
-    case SettingType::planes:
     case SettingType::marks:
-      return new PositionsWidget(parent);
+      return new ListWidget(positionsText, parent);
+    case SettingType::planes:
+      return new ListWidget(planesText, parent);
     case SettingType::points:
       return new CurvatureMapEditor(parent);
     case SettingType::quaternion:

@@ -2,6 +2,7 @@
 // this folder.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include "volume/cast/cell_bits_on_demand.h"
 #include "volume/cast/surface_caster.h"
+#include "volume/clip/clip_region.h"
 #include "volume/edge/edge_walk.h"
 #include "volume/pieces/shown_cells.h"
 
@@ -37,6 +39,11 @@ struct CastView {
   // Of each surface, where pieces of any are hidden.
   std::span<const ShownCells> shown;
   bool insideIsAbove = true;  // of pieces: stored values above the isovalue
+  // CastField::region: kept is where dot(face, (p, 1)) <= 0; clipped and rayEnds as there.
+  std::array<glm::vec4, ClipRegion::kMostFaces> faces{};
+  std::size_t faceCount = 0;
+  int clipped = 0;
+  const float* rayEnds = nullptr;
 };
 
 // The nearest crossing that is seen on a ray's way through a cell: a bit of the surface (0: none) and s.

@@ -14,7 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/cast/cast_kernels.h"
-#include "volume/cast/crossing_finders-inl.h"
+#include "volume/cast/kept_crossings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
@@ -78,13 +78,6 @@ struct ShadowPacket {
   }
 };
 
-HWY_INLINE MF isOpaque(const CastView& view, int opaque, VI surface) {
-  MI any = hn::Ne(surface, surface);
-  for (int k = 0; k < view.surfaces; ++k)
-    if ((opaque >> k & 1) != 0) any = hn::Or(any, hn::Eq(surface, hn::Set(I(), k)));
-  return hn::RebindMask(F(), any);
-}
-
 // Lanes that meet an opaque surface before tEnd, and where; `inside` becomes the sides behind the transparent
 // ones that were passed.
 template <class Cells>
@@ -95,9 +88,9 @@ HWY_INLINE MF meets(const CastView& view, const CrossingFinder<Cells>& finder, c
   MF met = hn::Lt(hn::Zero(f), hn::Zero(f));
   t = hn::Zero(f);
   for (int i = 0; i < most && !hn::AllFalse(f, alive); ++i) {
-    const Crossings crossing = finder.find(ray, t, tEnd, alive, alive, inside);
+    const Crossings crossing = findKept(view, finder, ray, t, tEnd, alive, alive, inside);
     t = hn::IfThenElse(crossing.found, crossing.t, t);
-    const MF stops = hn::And(crossing.found, isOpaque(view, opaque, crossing.surface));
+    const MF stops = hn::And(crossing.found, isOneOf(view, opaque, crossing.surface));
     met = hn::Or(met, stops);
     alive = hn::AndNot(stops, crossing.found);
     inside = hn::IfThenElse(hn::RebindMask(I(), alive), crossing.inside, inside);

@@ -11,6 +11,7 @@
 #include "volume/cast/crossing_finders-inl.h"
 #include "volume/cast/derivatives_at-inl.h"
 #include "volume/cast/edges-inl.h"
+#include "volume/cast/kept_crossings-inl.h"
 #include "volume/cast/scaled_derivatives-inl.h"
 #include "volume/cast/shadows-inl.h"
 
@@ -101,6 +102,35 @@ HWY_INLINE void storeCrossings(const CrossingFinder<Cells>& finder, const Packet
         hn::IfThenElseZero(sure, error), hn::IfThenElseZero(crossing.found, known));
 }
 
+// Where the rays of a packet end (CastField::rayEnds).
+inline VF endsAt(const CastView& view, const CastTarget& target, glm::ivec2 pixel) {
+  alignas(64) float ends[kLanes];
+  for (int lane = 0; lane < static_cast<int>(kLanes); ++lane) {
+    const glm::ivec2 at = glm::min(pixel + glm::ivec2(lane % kTile, lane / kTile),
+                                   target.end - 1);  // those beyond are not stored
+    ends[lane] =
+        view.rayEnds[static_cast<std::size_t>(at.y) * target.stride + static_cast<std::size_t>(at.x)];
+  }
+  return hn::Load(F(), ends);
+}
+
+// Behind `begin` on the packet's rays, as far as cuts and the rays' own ends let them.
+template <class Cells>
+HWY_INLINE Crossings firstOfPacket(const CastView& view, const CrossingFinder<Cells>& finder,
+                                   const RayLanes& ray, VF begin, VF end, MF alive, MF carried, VI inside,
+                                   const CastTarget& target, glm::ivec2 pixel) {
+  if (!view.rayEnds) return findKept(view, finder, ray, begin, end, alive, carried, inside);
+  const VF ends = endsAt(view, target, pixel);
+  // Surfaces that are all cut lie behind the faces that rays end at.
+  const int all = (1 << view.surfaces) - 1;
+  if ((view.clipped & all) == all) alive = hn::And(alive, hn::Ge(ends, hn::Set(F(), kInfinity)));
+  alive = hn::And(alive, hn::Lt(begin, ends));
+  Crossings crossing =
+      findKept(view, finder, ray, begin, hn::Min(end, ends), alive, hn::And(carried, alive), inside);
+  crossing.found = hn::And(crossing.found, hn::Lt(crossing.t, ends));
+  return crossing;
+}
+
 template <class Cells>
 HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<Cells>& finder, const PictureRays& rays,
                            StartDepths::Depths depths, const CastTarget& target, glm::ivec2 pixel) {
@@ -112,8 +142,10 @@ HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<Cells>& fi
   const VF end = hn::MulAdd(hn::Set(f, depths.last), packet.slant, slack);
   const MF none = hn::Lt(zero, zero);
   const RayLanes ray = rayLanes(view, packet.origin, packet.direction);
-  storeCrossings(finder, packet, finder.find(ray, begin, end, hn::Not(none), none, hn::Zero(I())), target,
-                 pixel);
+  storeCrossings(
+      finder, packet,
+      firstOfPacket(view, finder, ray, begin, end, hn::Not(none), none, hn::Zero(I()), target, pixel), target,
+      pixel);
 }
 
 // The crossings before of a packet; t is negative where there is none, or where the pixel is covered.
@@ -152,7 +184,9 @@ HWY_INLINE void castPacketBehind(const CastView& view, const CrossingFinder<Cell
   const Packet packet = packetAt(rays, pixel);
   const RayLanes ray = rayLanes(view, packet.origin, packet.direction);
   const VF begin = hn::MulAdd(hn::Set(f, 1e-4f), packet.voxel, from.t), end = hn::Set(f, kInfinity);
-  storeCrossings(finder, packet, finder.find(ray, begin, end, alive, alive, from.inside), target, pixel);
+  storeCrossings(finder, packet,
+                 firstOfPacket(view, finder, ray, begin, end, alive, alive, from.inside, target, pixel),
+                 target, pixel);
 }
 
 // Calls cast(finder, pixel) for each packet of the target.

@@ -102,6 +102,10 @@ SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> sto
     view.shown = shown_;
     view.insideIsAbove = (field.inside == scene::Inside::above) == (grid.slope() > 0.0);
   }
+  if (field.region)
+    for (const glm::dvec4& face : field.region->faces()) view.faces[view.faceCount++] = glm::vec4(face);
+  view.clipped = field.clipped;
+  view.rayEnds = field.rayEnds.empty() ? nullptr : field.rayEnds.data();
 }
 
 SurfaceCaster::~SurfaceCaster() = default;

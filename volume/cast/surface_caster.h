@@ -28,6 +28,7 @@
 
 namespace isolux::volume {
 
+class ClipRegion;
 class HiddenVoxels;
 class ShownCells;
 
@@ -46,6 +47,12 @@ struct CastField {
   // Of each isovalue what is hidden, null where nothing is; or empty. `inside`: of pieces.
   std::span<const HiddenVoxels* const> hidden = {};
   scene::Inside inside = scene::Inside::above;
+  // What is kept of the surfaces that are cut (voxel coordinates; null: nothing is cut), a bit for each of
+  // them, and where rays end for other reasons (cut faces): t of each pixel of what is cast, +inf where they
+  // do not, or empty. Shadows heed the first two.
+  const ClipRegion* region = nullptr;
+  int clipped = 0;
+  std::span<const float> rayEnds = {};
 };
 
 // A part of what is cast, pixels [begin, end), `begin` a multiple of 4, and the pixel (0, 0) of the images it

@@ -36,6 +36,8 @@ template <class Visit, class VisitScaled>
 void forEachNeeded(const scene::Scene& scene, const Visit& visit, const VisitScaled& visitScaled) {
   const scene::Field derived = scene.derivatives.field;
   if (scene.hit.field != scene::Field::trilinear) visit(scene.hit.field);
+  if (scene::showsCutFaces(scene) && scene.slice.field == scene::Field::cubic_interpolating)
+    visit(scene.slice.field);
   if (derived == scene::Field::trilinear) return;
   const std::vector<double> scales = scalesOf(scene);
   const bool atNone = scales.empty() || std::find(scales.begin(), scales.end(), 0.0) != scales.end();

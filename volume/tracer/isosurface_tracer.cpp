@@ -132,12 +132,15 @@ std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::otherSide(base::Progre
   std::vector<std::shared_ptr<const tracing::HiddenTable>> tables;
   for (const HidingView& hiding : hiding_) tables.push_back(hiding.table);
   other->takeHidden(std::move(tables));
+  other->cut(cut_);
   return other;
 }
 
 std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::withAllPieces() const {
   base::Progress progress;  // the tables are there
-  return std::make_shared<const IsosurfaceTracer>(grid_, inside_, progress);
+  auto whole = std::make_shared<IsosurfaceTracer>(grid_, inside_, progress);
+  whole->cut(cut_);
+  return whole;
 }
 
 const tracing::View& IsosurfaceTracer::viewOf(float isovalue) const {
@@ -184,25 +187,67 @@ std::vector<TracerTarget> IsosurfaceTracer::availableTargets() {
   return list;
 }
 
+void IsosurfaceTracer::keep(std::span<const TraceRay> rays, std::vector<TraceRay>& kept,
+                            std::vector<float>& begins) const {
+  kept.assign(rays.begin(), rays.end());
+  begins.assign(rays.size(), 0.0f);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    TraceRay& ray = kept[i];
+    const glm::dvec3 origin(ray.origin), direction(ray.direction);
+    const ClipRegion::Stretch within =
+        cut_.stretchOf(grid_->valueOfStored(static_cast<double>(ray.isovalue)), origin, direction);
+    const double begin = std::max(within.begin, 0.0),
+                 end = std::min(within.end, static_cast<double>(ray.tMaximum));
+    if (!(begin < end)) {
+      ray.tMaximum = -1.0f;  // nothing is met
+      continue;
+    }
+    if (begin > 0.0) ray.origin = glm::vec3(origin + begin * direction);
+    ray.tMaximum = static_cast<float>(end - begin);
+    begins[i] = static_cast<float>(begin);
+  }
+}
+
+void IsosurfaceTracer::entriesOf(std::span<const TraceRay> rays, std::span<float> t) const {
+  forViews(rays, t, [&](const tracing::View& view, std::span<const TraceRay> of, std::span<float> result) {
+    kernels_->firstEntries(view, of.data(), of.size(), result.data());
+  });
+}
+
+void IsosurfaceTracer::anyOf(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const {
+  forViews(rays, hit,
+           [&](const tracing::View& view, std::span<const TraceRay> of, std::span<std::uint8_t> result) {
+             kernels_->anyEntries(view, of.data(), of.size(), result.data());
+           });
+}
+
 void IsosurfaceTracer::firstEntries(std::span<const TraceRay> rays, std::span<float> t) const {
   assert(rays.size() == t.size());
-  if (view_->traceable())
-    forViews(rays, t, [&](const tracing::View& view, std::span<const TraceRay> of, std::span<float> result) {
-      kernels_->firstEntries(view, of.data(), of.size(), result.data());
-    });
-  else
+  if (!view_->traceable()) {
     std::fill(t.begin(), t.end(), std::numeric_limits<float>::infinity());
+  } else if (!cut_.cuts()) {
+    entriesOf(rays, t);
+  } else {
+    std::vector<TraceRay> kept;
+    std::vector<float> begins;
+    keep(rays, kept, begins);
+    entriesOf(kept, t);
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] += begins[i];
+  }
 }
 
 void IsosurfaceTracer::anyEntries(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const {
   assert(rays.size() == hit.size());
-  if (view_->traceable())
-    forViews(rays, hit,
-             [&](const tracing::View& view, std::span<const TraceRay> of, std::span<std::uint8_t> result) {
-               kernels_->anyEntries(view, of.data(), of.size(), result.data());
-             });
-  else
+  if (!view_->traceable()) {
     std::fill(hit.begin(), hit.end(), std::uint8_t{0});
+  } else if (!cut_.cuts()) {
+    anyOf(rays, hit);
+  } else {
+    std::vector<TraceRay> kept;
+    std::vector<float> begins;
+    keep(rays, kept, begins);
+    anyOf(kept, hit);
+  }
 }
 
 void IsosurfaceTracer::gradients(std::span<const glm::vec3> voxels, std::span<glm::vec3> gradients) const {

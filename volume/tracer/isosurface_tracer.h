@@ -18,6 +18,7 @@
 
 #include "base/progress.h"
 #include "scene/scene.h"
+#include "volume/clip/surface_cut.h"
 #include "volume/grid.h"
 #include "volume/pieces/hidden_pieces.h"
 
@@ -62,8 +63,11 @@ class IsosurfaceTracer {
   // each isovalue with anything hidden. Throws as the constructor.
   void hide(std::span<const HiddenOfSurface> surfaces, base::Progress& progress);
   std::vector<HiddenOfSurface> hidden() const;
-  // Of the other side, with the same tables and pieces; and of this side with all pieces shown. Throws as the
-  // constructor.
+  // What is cut away of the isosurfaces from now on: rays meet only what is kept. Before anything is traced.
+  void cut(const SurfaceCut& cut) { cut_ = cut; }
+  const SurfaceCut& cut() const { return cut_; }
+  // Of the other side, with the same tables, pieces and cuts; and of this side with all pieces shown. Throws
+  // as the constructor.
   std::shared_ptr<const IsosurfaceTracer> otherSide(base::Progress& progress) const;
   std::shared_ptr<const IsosurfaceTracer> withAllPieces() const;
 
@@ -91,6 +95,10 @@ class IsosurfaceTracer {
 
   void takeHidden(std::vector<std::shared_ptr<const tracing::HiddenTable>> tables);
   const tracing::View& viewOf(float isovalue) const;
+  // The same rays within what is kept of their isosurfaces, and where they begin then.
+  void keep(std::span<const TraceRay> rays, std::vector<TraceRay>& kept, std::vector<float>& begins) const;
+  void entriesOf(std::span<const TraceRay> rays, std::span<float> t) const;
+  void anyOf(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const;
   template <class Result, class Trace>
   void forViews(std::span<const TraceRay> rays, std::span<Result> results, const Trace& trace) const;
 
@@ -99,6 +107,7 @@ class IsosurfaceTracer {
   std::shared_ptr<const tracing::TraceTables> tables_;
   std::unique_ptr<tracing::View> view_;
   std::vector<HidingView> hiding_;
+  SurfaceCut cut_;
   const tracing::Kernels* kernels_;
   bool beyondSimd_ = false;
 };

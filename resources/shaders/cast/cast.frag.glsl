@@ -7,6 +7,8 @@
 // of it. BEHIND: the next crossing behind the one in uSurface. CUBIC: of the B-spline of uField. Pixels that are not
 // drawn (TILES of fullscreen.vert.glsl) have no crossing.
 //
+// CLIP: surfaces are cut (clip.glsl). CUT_FACES: rays end at the faces that are shown.
+//
 // BRICKS: a ray that comes to a brick that is not resident ends there and waits: 128 in what is known, 1 in the last
 // channel of a bracket. AGAIN: only the rays that waited.
 #define CASTS_RAYS
@@ -18,7 +20,11 @@
 #include "spline.glsl"
 #include "trace_cubic.glsl"
 #endif
+#include "clip.glsl"
 
+#ifdef CUT_FACES
+uniform sampler2D uCutFaces;  // t of the cut face that the ray ends at, mm; -1: none
+#endif
 #ifdef AGAIN
 uniform sampler2D uBefore;  // what this pass wrote before: what is known, or the bracket
 #endif
@@ -82,7 +88,8 @@ float seen(float f, int k, vec3 p) {
 float seen(float f, int k, vec3 p) { return f; }
 #endif
 
-vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
+// Of `surfaces`, a bit each.
+vec4 march(vec3 origin, vec3 direction, float t, float tEnd, int surfaces) {
   Path path = pathOf(origin, direction);
   clipToDomain(path, t, tEnd);
   if (t > tEnd) return nothing;
@@ -114,7 +121,7 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
         float now = seen(value - uIsovalueShifts[k], k, origin + t * direction), then = before[k];
         at[k] = now;
         distance = min(distance, abs(now));
-        if (!known || (now >= 0.0) == (then >= 0.0)) continue;
+        if (!known || (now >= 0.0) == (then >= 0.0) || (surfaces >> k & 1) == 0) continue;
         float s = then / (then - now);
         if (s < least) {
           least = s;
@@ -132,6 +139,28 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd) {
     place.cell = cellOf(origin + t * direction);
   }
   return nothing;
+}
+#endif
+
+#ifndef EXACT
+// As far as cuts leave the surfaces: before, within and behind the kept region. Samples at its ends are common.
+vec4 marchKept(vec3 origin, vec3 direction, float t, float tEnd) {
+#ifdef CLIP
+  vec2 kept = keptOf(origin, direction);
+  if (kept.x > kept.y) kept = vec2(never);
+  vec3 ends = vec3(min(kept.x, tEnd), min(kept.y, tEnd), tEnd);
+  for (int part = 0; part < 3; ++part) {
+    int surfaces = part == 1 ? allSurfaces : allSurfaces & ~uClipped;
+    if (surfaces != 0 && t < ends[part]) {
+      vec4 bracket = march(origin, direction, t, ends[part], surfaces);
+      if (bracket.x <= bracket.y) return bracket;
+    }
+    t = max(t, ends[part]);
+  }
+  return nothing;
+#else
+  return march(origin, direction, t, tEnd, (1 << SURFACES) - 1);
+#endif
 }
 #endif
 
@@ -170,12 +199,17 @@ bool castRay() {
 #endif
   if (t > tEnd) return false;
 #endif
+#ifdef CUT_FACES
+  float face = texelFetch(uCutFaces, pixel, 0).r;
+  // Surfaces that are all cut lie behind it.
+  if (face >= 0.0 && (uClipped == allSurfaces || t >= face)) return writesNothing;
+  if (face >= 0.0) tEnd = min(tEnd, face);
+#endif
 
 #ifdef EXACT
-#ifdef CUBIC
-  Crossing crossing = traceCubic(origin, direction, t, tEnd, carried, inside);
-#else
-  Crossing crossing = trace(origin, direction, t, tEnd, carried, inside);
+  Crossing crossing = traceKept(origin, direction, t, tEnd, carried, inside);
+#ifdef CUT_FACES
+  crossing.found = crossing.found && (face < 0.0 || crossing.t < face);
 #endif
   if (crossing.found) {
     vec3 p = origin + crossing.t * direction;
@@ -201,7 +235,7 @@ bool castRay() {
 #endif
   return crossing.found || writesNothing;
 #else
-  oBracket = march(origin, direction, t, tEnd);
+  oBracket = marchKept(origin, direction, t, tEnd);
 #ifdef BRICKS
   if (oBracket.x <= oBracket.y) enterBricks(origin + oBracket.x * direction, origin + oBracket.y * direction);
   if (brickMissed) {

@@ -5,7 +5,7 @@
 // make the surface shadow itself). It first follows the normal for a part of a voxel: the shading normal is
 // smoother than the cells' own faces, and where light grazes these would cast shadows on one another. That first way
 // is traced too; it ends halfway to what it meets, so that no light leaks through a narrow gap. CUBIC, SURFACES,
-// EXACT: as in cast.frag.glsl.
+// EXACT, CLIP: as in cast.frag.glsl.
 #define CASTS_RAYS
 #include "common.glsl"
 #include "field.glsl"
@@ -14,6 +14,7 @@
 #include "spline.glsl"
 #include "trace_cubic.glsl"
 #endif
+#include "clip.glsl"
 #include "surface.glsl"
 
 uniform mat3 uVoxelFromWorld;
@@ -21,20 +22,12 @@ uniform vec3 uLight;     // unit, world, toward the light
 uniform int uOpaqueBits;  // surfaces that stop light
 layout(location = 0) out float oLit;
 
-Crossing next(vec3 origin, vec3 direction, float t, float tEnd, bool carried, int inside) {
-#ifdef CUBIC
-  return traceCubic(origin, direction, t, tEnd, carried, inside);
-#else
-  return trace(origin, direction, t, tEnd, carried, inside);
-#endif
-}
-
 // The first opaque surface; `inside` becomes the sides at the end of the way where there is none.
 bool meets(vec3 origin, vec3 direction, float tEnd, bool carried, inout int inside, out float t) {
   t = 0.0;
   const int most = 32;  // transparent surfaces passed through
   for (int i = 0; i < most; ++i) {
-    Crossing crossing = next(origin, direction, t, tEnd, carried, inside);
+    Crossing crossing = traceKept(origin, direction, t, tEnd, carried, inside);
     if (!crossing.found) return false;
     t = crossing.t;
     if ((uOpaqueBits >> crossing.surface & 1) != 0) return true;

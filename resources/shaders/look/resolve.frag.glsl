@@ -1,8 +1,19 @@
 // The background behind what is shaded; supersamples averaged in linear light. LINEAR: as that is; otherwise each at
-// most 1, encoded as sRGB, with a dither of one step against banding. NOTHING_ELSE: the background alone.
+// most 1, encoded as sRGB, with a dither of one step against banding. NOTHING_ELSE: the background alone. CUT_FACES:
+// faces that cuts lay open are before it.
 #include "background.glsl"
 #ifdef ENVIRONMENT
 #include "environment.glsl"
+#endif
+#ifdef CUT_FACES
+#include "color_row.glsl"
+uniform sampler2D uCutFaces;   // t (-1: none) and value of the cut face behind all that is shaded
+uniform sampler2D uCutColors;  // black to white
+uniform vec2 uCutWindow;       // level and width
+vec3 faceColor(float value) {
+  float grey = uCutWindow.y > 0.0 ? (value - uCutWindow.x) / uCutWindow.y + 0.5 : float(value >= uCutWindow.x);
+  return fromRow(uCutColors, clamp(grey, 0.0, 1.0));
+}
 #endif
 #ifndef NOTHING_ELSE
 uniform sampler2D uColor;  // premultiplied
@@ -37,11 +48,17 @@ void main() {
 #else
       vec4 color = texelFetch(uColor, ray, 0);
 #endif
+#ifdef CUT_FACES
+      vec2 face = texelFetch(uCutFaces, ray, 0).rg;
+#endif
       ray += uTileOrigin * uSupersampling;
 #ifdef ENVIRONMENT
       vec3 behind = environmentAt((vec2(ray) + 0.5) / vec2(rays));
 #else
       vec3 behind = backgroundAt((float(ray.y) + 0.5) / float(rays.y));
+#endif
+#ifdef CUT_FACES
+      if (face.x >= 0.0) behind = faceColor(face.y);
 #endif
       vec3 seen = color.rgb + (1.0 - color.a) * behind;
 #ifdef LINEAR

@@ -60,15 +60,26 @@ HiddenPieces Prepared::hiddenOf(double isovalue) const {
   return {hidden_[static_cast<std::size_t>(at)], inside_};
 }
 
-SurfaceCaster Prepared::caster(TracerTarget target) const {
+SurfaceCaster Prepared::caster(TracerTarget target, std::span<const float> rayEnds) const {
   std::vector<double> stored;
   for (const double value : isovalues) stored.push_back(grid_->storedOfValue(value));
   const Coefficients* const coefficients = cubic_ && cubic_->coefficients ? &*cubic_->coefficients : nullptr;
-  return {{*grid_, field_, coefficients, hidden_, inside_}, stored, blocks().dims(), masks_, target};
+  CastField of{*grid_, field_, coefficients, hidden_, inside_};
+  if (region_.cuts()) of.region = &region_, of.clipped = clipped_;
+  of.rayEnds = rayEnds;
+  return {of, stored, blocks().dims(), masks_, target};
 }
 
-CubicHit Prepared::firstHit(double isovalue, const Ray& ray) const {
+CubicHit Prepared::firstHit(double isovalue, const Ray& whole) const {
   const HiddenPieces hidden = hiddenOf(isovalue);
+  Ray ray = whole;
+  const auto k = std::find(isovalues.begin(), isovalues.end(), isovalue) - isovalues.begin();
+  if ((clipped_ >> k & 1) != 0) {
+    const ClipRegion::Stretch kept = region_.stretchOf(ray.origin, ray.direction);
+    ray.tMinimum = std::max(ray.tMinimum, kept.begin);
+    ray.tMaximum = std::min(ray.tMaximum, kept.end);
+    if (!(ray.tMinimum <= ray.tMaximum)) return {};
+  }
   if (!cubic_) {
     const auto hit = volume::firstHit(*grid_, blocks(), isovalue, ray.origin, ray.direction, ray.tMinimum,
                                       ray.tMaximum, hidden);

@@ -9,6 +9,7 @@
 
 #include "scene/scene.h"
 #include "volume/cast/surface_caster.h"
+#include "volume/clip/clip_region.h"
 #include "volume/field/cubic_fields.h"
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_cubic_hit.h"
@@ -26,9 +27,12 @@ class Prepared {
   Prepared(volume::Grid made, std::vector<double> values, scene::Field of = scene::Field::trilinear,
            std::vector<const volume::HiddenVoxels*> hidden = {}, scene::Inside inside = scene::Inside::above);
 
+  // From now on surfaces k of which `clipped` has the bit k are seen in the region only (voxel coordinates).
+  void cut(const volume::ClipRegion& region, int clipped) { region_ = region, clipped_ = clipped; }
+
   const volume::Grid& grid() const { return *grid_; }
   const volume::MinMaxBlocks& blocks() const { return cubic_ ? cubic_->blocks : *blocks_; }
-  volume::SurfaceCaster caster(volume::TracerTarget target) const;
+  volume::SurfaceCaster caster(volume::TracerTarget target, std::span<const float> rayEnds = {}) const;
   // By the reference of the field.
   volume::CubicHit firstHit(double isovalue, const volume::Ray& ray) const;
 
@@ -45,6 +49,8 @@ class Prepared {
   std::vector<std::uint64_t> masks_;
   std::vector<const volume::HiddenVoxels*> hidden_;
   scene::Inside inside_;
+  volume::ClipRegion region_;
+  int clipped_ = 0;
 };
 
 // View `k` of the middle of a volume of voxels of 1 mm: outside, close by and inside, and both projections.

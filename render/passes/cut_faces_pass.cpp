@@ -1,0 +1,136 @@
+#include "render/passes/cut_faces_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
+#include "scene/color_maps.h"
+#include "scene/rules/needs.h"
+
+namespace isolux::render {
+
+namespace {
+
+constexpr int kCutColors = 256;
+
+// As the caster's and the shaders', in double precision; t counts from where they begin.
+volume::Ray rayAt(const volume::PictureRays& rays, glm::ivec2 pixel) {
+  const glm::dvec2 at = (glm::dvec2(pixel + rays.origin) + 0.5) / glm::dvec2(rays.picture);
+  const glm::dvec2 plane = (2.0 * at - 1.0) * glm::dvec2(rays.halfExtent);
+  const glm::dvec3 offset = plane.x * glm::dvec3(rays.right) + plane.y * glm::dvec3(rays.up);
+  if (rays.orthographic) return {glm::dvec3(rays.eye) + offset, glm::dvec3(rays.forward)};
+  const glm::dvec3 forward = glm::dvec3(rays.forward) + offset;
+  return {glm::dvec3(rays.eye) + static_cast<double>(rays.startDepth) * offset,
+          forward / std::sqrt(1.0 + glm::dot(plane, plane))};
+}
+
+// Fills row y; what of it holds faces goes to `area`.
+void findRow(const volume::CutFaces& faces, const volume::PictureRays& rays, int y, CutFaceImage& out,
+             volume::PictureArea& area) {
+  const int width = area.size().x;
+  int first = width, last = -1;
+  for (int x = 0; x < width; ++x) {
+    const std::size_t i =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    const std::optional<volume::CutFace> face = faces.at(rayAt(rays, {x, y}));
+    out.ends[i] = face ? static_cast<float>(face->t) : std::numeric_limits<float>::infinity();
+    out.texels[i] = face ? glm::vec2(out.ends[i], static_cast<float>(face->value)) : glm::vec2(-1.0f, 0.0f);
+    if (!face) continue;
+    first = std::min(first, x);
+    last = x;
+  }
+  if (last >= 0) area.add(y, first, last + 1);
+}
+
+}  // namespace
+
+CutFaceImage::CutFaceImage(glm::ivec2 size)
+    : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                                             (sizeof(glm::vec2) + sizeof(float)),
+                                         "cut faces of the picture", "a smaller picture needs less")),
+      area(size),
+      ends(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)),
+      texels(ends.size()) {}
+
+void CutFacesPass::declare(Declaring& d) const {
+  d.writes(image::cutFaces);
+  if (!scene::showsCutFaces(d.asked.scene)) {
+    d.notNeeded("no cut face is shown");
+    return;
+  }
+  const scene::Scene& s = d.asked.scene;
+  std::array<bool, scene::kExtraIsosurfaces> filled{};
+  for (std::size_t i = 0; i < filled.size(); ++i) filled[i] = s.extraIsosurfaces[i].opacity >= 1.0;
+  d.volume().isovalues().cuts().pictureSize();
+  d.settings({"camera.", "hit.field", "isosurface.inside", "clip.cap", "slice.field"});
+  d.input("which isosurfaces are opaque", s.isosurface.opacity >= 1.0, filled);
+}
+
+void CutFacesPass::run(FrameState& frame) {
+  const glm::ivec2 size = frame.raySize();
+  Target& target = frame.target(image::cutFaces, {GL_RG32F});
+  if (!frame.cutFaces || frame.cutFaces->area.size() != size) {
+    frame.cutFaces.reset();
+    frame.cutFaces.emplace(size);
+  }
+  CutFaceImage& out = *frame.cutFaces;
+  std::fill(out.ends.begin(), out.ends.end(), std::numeric_limits<float>::infinity());
+  std::fill(out.texels.begin(), out.texels.end(), glm::vec2(-1.0f, 0.0f));
+  out.area = volume::PictureArea(size);
+  if (frame.prepared) {
+    const volume::CutFaces faces(frame.prepared->grid(), *frame.prepared->cubicFields, *frame.scene,
+                                 frame.hidden);
+    const volume::PictureRays rays = frame.rays();
+    tbb::combinable<volume::PictureArea> areas([&] { return volume::PictureArea(size); });
+    tbb::parallel_for(tbb::blocked_range<int>(0, size.y, 4), [&](const auto& rows) {
+      for (int y = rows.begin(); y < rows.end() && !frame.request.stop.stop_requested(); ++y)
+        findRow(faces, rays, y, out, areas.local());
+    });
+    areas.combine_each([&](const volume::PictureArea& area) { out.area.add(area); });
+  }
+  const Gl& gl = *frame.gl;
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.TextureSubImage2D(target.images[0].id(), 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT, out.texels.data());
+  target.drawn = out.area;
+}
+
+glm::vec3 CutFaceColors::at(float value) const {
+  const auto last = static_cast<float>(row.size() - 1);
+  const float x = static_cast<float>(window.greyOf(static_cast<double>(value))) * last;
+  const auto i = static_cast<std::size_t>(std::min(std::floor(x), last - 1.0f));
+  return glm::mix(row[i], row[i + 1], x - static_cast<float>(i));
+}
+
+CutFaceColors cutFaceColors(const scene::Scene& scene, const volume::PreparedVolume& volume) {
+  const scene::ColorMap map =
+      scene.slice.map == scene::ColorMap::automatic ? scene::ColorMap::gray : scene.slice.map;
+  return {volume::greyWindow(scene.slice, volume.histogram), scene::colorMapSamples(map, kCutColors)};
+}
+
+void setCutFaces(FrameState& frame, Program& program, int unit) {
+  const CutFaceColors& colors = *frame.cutFaceColors;
+  frame.cutColors = Texture::make2D(frame.gl, GL_RGB32F, {kCutColors, 1});
+  frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  frame.gl->TextureSubImage2D(frame.cutColors.id(), 0, 0, 0, kCutColors, 1, GL_RGB, GL_FLOAT,
+                              colors.row.data());
+  program.setTexture("uCutFaces", unit, frame.images.at(image::cutFaces).images[0]);
+  program.setTexture("uCutColors", unit + 1, frame.cutColors);
+  program.set("uCutWindow", glm::vec2(colors.window.level, colors.window.width));
+}
+
+void addCutFaces(const FrameState& frame, std::vector<float>& rgba) {
+  if (!frame.cutFaceColors || !frame.cutFaces) return;
+  const std::vector<glm::vec2>& texels = frame.cutFaces->texels;
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    if (texels[i].x < 0.0f) continue;
+    const glm::vec3 behind = (1.0f - rgba[4 * i + 3]) * frame.cutFaceColors->at(texels[i].y);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      rgba[4 * i + channel] += behind[static_cast<int>(channel)];
+    rgba[4 * i + 3] = 1.0f;
+  }
+}
+
+}  // namespace isolux::render

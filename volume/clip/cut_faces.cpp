@@ -1,0 +1,81 @@
+#include "volume/clip/cut_faces.h"
+
+#include <cmath>
+
+#include "scene/rules/needs.h"
+#include "volume/field/reconstruct.h"
+
+namespace isolux::volume {
+
+namespace {
+
+// Between which t the ray is in the voxel domain.
+ClipRegion::Stretch stretchOfDomain(glm::ivec3 dims, const Ray& ray) {
+  ClipRegion::Stretch within;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = ray.origin[axis], d = ray.direction[axis], last = dims[axis] - 1;
+    if (d == 0.0) {
+      if (!(o >= 0.0 && o <= last)) within.end = -std::numeric_limits<double>::infinity();
+      continue;
+    }
+    within.begin = std::max(within.begin, ((d > 0.0 ? 0.0 : last) - o) / d);
+    within.end = std::min(within.end, ((d > 0.0 ? last : 0.0) - o) / d);
+  }
+  return within;
+}
+
+}  // namespace
+
+double CutFaces::Field::valueAt(const Grid& grid, const glm::dvec3& voxel) const {
+  if (field == scene::Field::trilinear) return sampleTrilinear(grid, voxel).value;
+  if (field == scene::Field::cubic || !cubic || !cubic->coefficients) return sampleCubic(grid, voxel).value;
+  if (std::isnan(sampleTrilinear(grid, voxel).value)) return std::numeric_limits<double>::quiet_NaN();
+  return sampleCubic(*cubic->coefficients, grid, voxel).value;
+}
+
+CutFaces::CutFaces(const Grid& grid, const CubicFields& fields, const scene::Scene& resolved,
+                   std::span<const HiddenOfSurface> hidden)
+    : grid_(grid),
+      cap_(resolved.clip.cap),
+      inside_(resolved.isosurface.inside),
+      sides_{resolved.hit.field, fields.find(resolved.hit.field)},
+      values_{resolved.slice.field, fields.find(resolved.slice.field)} {
+  if (!scene::showsCutFaces(resolved)) return;
+  cut_ = SurfaceCut(resolved, grid.geometry());
+  const auto add = [&](double isovalue, double opacity) {
+    if (opacity < 1.0 || !cut_.cuts(isovalue)) return;
+    Surface& surface = surfaces_.emplace_back(Surface{isovalue, std::nullopt});
+    if (const HiddenPieces pieces = hiddenAt(hidden, isovalue); pieces.voxels)
+      surface.shown.emplace(
+          grid, pieces.voxels, isovalue, pieces.inside, sides_.field,
+          sides_.cubic && sides_.cubic->coefficients ? &*sides_.cubic->coefficients : nullptr);
+  };
+  add(resolved.isosurface.value.value(), resolved.isosurface.opacity);
+  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
+    if (extra.shown) add(extra.value.value(), extra.opacity);
+}
+
+bool CutFaces::isInside(const glm::dvec3& voxel) const {
+  const double value = sides_.valueAt(grid_, voxel);
+  if (std::isnan(value)) return false;
+  for (const Surface& surface : surfaces_) {
+    if ((value >= surface.isovalue) != (inside_ == scene::Inside::above)) continue;
+    if (!surface.shown || !surface.shown->hiddenAt(voxel)) return true;
+  }
+  return false;
+}
+
+std::optional<CutFace> CutFaces::at(const Ray& ray) const {
+  if (!cut_.cuts() || !ray.valid()) return std::nullopt;
+  const ClipRegion::Stretch kept = cut_.region().stretchOf(ray.origin, ray.direction);
+  if (kept.empty() || !(kept.begin > ray.tMinimum) || kept.begin > ray.tMaximum) return std::nullopt;
+  if (!stretchOfDomain(grid_.dims(), ray).holds(kept.begin)) return std::nullopt;
+  const glm::dvec3 voxel =
+      glm::clamp(ray.origin + kept.begin * ray.direction, glm::dvec3(0.0), glm::dvec3(grid_.dims() - 1));
+  if (cap_ == scene::ClipCap::inside && !isInside(voxel)) return std::nullopt;
+  const double value = values_.valueAt(grid_, voxel);
+  if (std::isnan(value)) return std::nullopt;
+  return CutFace{kept.begin, value};
+}
+
+}  // namespace isolux::volume
