@@ -36,9 +36,12 @@ glm::dvec3 slicePosition(const Scene& scene, const volume::GridGeometry& geometr
 
 SliceContent sliceContent(const PreparedVolume& prepared, const Scene& scene, const volume::SlicePlane& plane,
                           base::Progress& progress) {
-  const auto cubic = prepared.cubicFields->make(scene.slice.field, progress);
+  // `cubic` takes the voxels themselves; what else CubicFields makes of it no slice needs.
+  const auto spline = scene.slice.field == scene::Field::cubic_interpolating
+                          ? prepared.cubicFields->make(scene.slice.field, progress)
+                          : nullptr;
   const volume::SliceField field{prepared.grid(), scene.slice.field,
-                                 cubic && cubic->coefficients ? &*cubic->coefficients : nullptr};
+                                 spline ? &*spline->coefficients : nullptr};
   SliceContent content;
   content.plane = plane;
   content.window = volume::greyWindow(scene.slice, prepared.histogram);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -116,7 +117,7 @@ std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes) {
   const auto list = [](glm::dvec3 v) {
     return lengthText(v.x) + ", " + lengthText(v.y) + ", " + lengthText(v.z);
   };
-  return "oblique \u00b7 through " + list(middle) + " mm, across " + list(normal);
+  return "oblique\nthrough " + list(middle) + " mm\nacross " + list(normal);
 }
 
 std::string conventionText(scene::Convention convention, scene::WorldAxes axes) {
@@ -153,9 +154,10 @@ void drawWords(const SliceWords& words, render::ColorImage& image) {
   drawLetters(words.letters, large, margin, ink, image.size);
   if (least >= kLowestWithWords) {
     const render::Font small(std::clamp(least / 40, 11, 64));
-    const int line = small.lineHeight();
-    ink.text(small, words.place, {margin, margin + small.ascent()});
-    ink.text(small, words.convention, {margin, margin + small.ascent() + line});
+    std::istringstream lines(words.place + '\n' + words.convention);
+    int baseline = margin + small.ascent();
+    for (std::string text; std::getline(lines, text); baseline += small.lineHeight())
+      ink.text(small, text, {margin, baseline});
     ink.text(small, words.window, {margin, image.size.y - margin});
     drawRuler(words.ruler, small, margin, ink, image.size);
   }

@@ -18,8 +18,8 @@ struct SliceLetters {
 };
 SliceLetters lettersOf(const volume::SlicePlane& plane, scene::WorldAxes axes);
 
-// "axial · S 12.5 mm", "coronal · y = −3 mm" where no anatomy is stated, "oblique · through 1, 2, 3 mm, along
-// 0, 0.6, 0.8".
+// "axial · S 12.5 mm", "coronal · y = −3 mm" where no anatomy is stated, or three lines of an oblique
+// plane: its middle and its normal.
 std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes);
 // "radiological", "neurological"; "orientation not stated".
 std::string conventionText(scene::Convention convention, scene::WorldAxes axes);

@@ -1,9 +1,9 @@
 // The curves in which an isosurface meets a plane: of the reconstruction itself, not of pixels.
 //
-// Points lie on f = isovalue, within 1e-9 voxels or what rounding of the values allows; between two of them
-// (0.36 voxels apart at most, except on straight curves) the curve is drawn straight. Features smaller than
-// 1/64 voxel may be missed (cell_curve.h). Closed curves end where they begin; others end at the volume's
-// border, beside missing voxels, and beside hidden pieces.
+// Points lie on f = isovalue, within 1e-9 voxels or what rounding of the values allows, and at most 0.63
+// voxels apart; between two of them the curve is drawn straight. Features smaller than 1/64 voxel may be
+// missed (cell_curve.h). Closed curves end where they begin; others end at the volume's border, beside
+// missing voxels, and beside hidden pieces.
 #pragma once
 
 #include <vector>
