@@ -184,6 +184,25 @@ TEST(SliceContours, FindACurveWithinOneCell) {
   for (const glm::dvec3& p : found.curves[0].points) EXPECT_NEAR(p.x * p.y * p.z, 0.124, 1e-12);
 }
 
+// (x + a)(y + b)(z + c), wherever its maximum on the plane lies, mostly within one triangle: nothing on any
+// edge tells of it.
+TEST(SliceContours, FindACurveWithinOneTriangle) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(0.3, 0.6);
+  for (int i = 0; i < 100; ++i) {
+    const glm::dvec3 top(place(random), place(random), place(random));
+    const Grid grid = gridOfVoxels(unitGeometry({2, 2, 2}), [&](glm::dvec3 p) {
+      const glm::dvec3 q = p - top + 1.0;
+      return q.x * q.y * q.z;
+    });
+    // About 1 - |p - top|^2 / 2 on the plane: a circle of 0.03 voxels.
+    const SliceCurves found = contours({grid}, planeThrough(grid, {1, 1, 1}, top), 1.0 - 0.5 * 0.03 * 0.03);
+    ASSERT_EQ(found.curves.size(), 1u) << i;
+    EXPECT_TRUE(found.curves[0].closed);
+    for (const glm::dvec3& p : found.curves[0].points) EXPECT_NEAR(glm::distance(p, top), 0.03, 0.003);
+  }
+}
+
 // f = R^2 - |p - m|^2: the spline through the samples has it exactly, but for what the border changes;
 // trilinear interpolation lies at most 1/4 below for each axis.
 TEST(SliceContours, OfABallAreCircles) {

@@ -165,6 +165,18 @@ TEST(SliceValues, SlabsOfARampHaveItsMeanAndItsEnds) {
   EXPECT_NEAR(at(4.0, SlabMode::minimum, below), 2.0 * 3.0 + 5.0, 0.8 + 1e-5);  // within a step
 }
 
+// |z - z0|: d / 4 over a slab of d about z0.
+TEST(SliceValues, TheMeanIsThatOfTheLineThroughTheValues) {
+  const Grid grid = gridOfWorld(GridGeometry::make({8, 8, 24}, {1.0, 1.0, 0.8}),
+                                [](glm::dvec3 p) { return std::abs(p.z - 0.8 * 12); });
+  const auto frame =
+      sliceFrame(volume::SliceDirection::axial, scene::WorldAxes::zUp, scene::Convention::radiological);
+  base::Progress progress;
+  const SlicePlane plane = nativeSlice(grid.geometry(), frame, {3.0, 3.0, 0.8 * 12});
+  for (const double mm : {1.6, 3.2, 8.0})
+    EXPECT_NEAR(sliceValues({grid}, plane, {mm, SlabMode::mean}, progress).values[3 * 8 + 3], mm / 4.0, 1e-5);
+}
+
 TEST(SliceValues, MissingVoxelsAreNan) {
   const Grid grid = gridOfVoxels(unitGeometry({9, 9, 9}), [](glm::dvec3 p) {
     return p == glm::dvec3(4, 4, 4) ? std::numeric_limits<double>::quiet_NaN() : p.x;
