@@ -41,6 +41,7 @@ Command makeSettings(CLI::App& program);
 Command makeDoctor(CLI::App& program);
 Command makeProbe(CLI::App& program);
 Command makeMeasure(CLI::App& program);
+Command makeSlice(CLI::App& program);
 
 // --set, --session and the short forms; assignments stand in the order of the command line.
 struct SceneOptions {

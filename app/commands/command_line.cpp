@@ -63,7 +63,7 @@ void declare(Program& program) {
       "130 interrupted.\n\n"
       "Example:\n  isolux ct.nii.gz --isovalue 300");
   for (const auto make : {makeInfo, makeRender, makeBake, makeReference, makeReplay, makeStudy, makeProbe,
-                          makeMeasure, makeMesh, makePhantom, makeSettings, makeDoctor})
+                          makeMeasure, makeSlice, makeMesh, makePhantom, makeSettings, makeDoctor})
     program.commands.push_back(make(parser));
   addMemoryOption(parser);
   for (const Command& command : program.commands) addMemoryOption(*command.parser);

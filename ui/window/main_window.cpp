@@ -27,6 +27,7 @@
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/light_status.h"
 #include "ui/panels/panel.h"
+#include "ui/slices/slice_board.h"
 #include "ui/viewport/pointed_piece.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/load_card.h"
@@ -50,6 +51,7 @@ MainWindow::MainWindow(QWidget* parent)
       document_(new Document(this)),
       light_(new BakedLight(this)),
       viewport_(new Viewport(this)),
+      slices_(new SliceBoard(viewport_, this)),
       isovalue_(new IsovaluePanel(this)),
       message_(new MessageBar(viewport_)),
       loadCard_(new LoadCard(viewport_)),
@@ -85,7 +87,7 @@ void MainWindow::makePanels() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(viewport_, 1);
+  layout->addWidget(slices_, 1);
   layout->addWidget(isovalue_);
   setCentralWidget(centre);
 
@@ -128,6 +130,7 @@ void MainWindow::connectDocument() {
     isovalue_->setVolume(volume);
     light_->setVolume(volume);
     viewport_->setVolume(volume);
+    slices_->setVolume(volume);
     for (const Docked& docked : panels_) docked.panel->setVolume(volume);
     nameViews();
     awaitsFirstPicture_ = true;
@@ -166,6 +169,9 @@ void MainWindow::connectDocument() {
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
   connect(viewport_, &Viewport::edited, this, &MainWindow::applyEdit);
   connect(viewport_, &Viewport::gestureEnded, this, &MainWindow::endGesture);
+  connect(slices_, &SliceBoard::edited, this, &MainWindow::applyEdit);
+  connect(slices_, &SliceBoard::gestureEnded, this, &MainWindow::endGesture);
+  connect(slices_, &SliceBoard::failed, this, showError);
   connect(viewport_, &Viewport::pointed, this, &MainWindow::showPointed);
   connect(viewport_, &Viewport::menuAsked, this, &MainWindow::showSurfaceMenu);
   connect(pointedPiece_, &PointedPiece::changed, this, &MainWindow::showPointedText);
@@ -257,6 +263,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   isovalue_->setScene(scene, resolved);
   light_->setScene(resolved);
   viewport_->setScene(scene, resolved);
+  slices_->setScene(scene, resolved);
   for (const Docked& docked : panels_) docked.panel->setScene(scene, resolved);
   projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
   animate_->setEnabled(scene::showsFlow(scene));

@@ -29,6 +29,7 @@ class LoadCard;
 class MessageBar;
 class Panel;
 class PointedPiece;
+class SliceBoard;
 class Viewport;
 
 // Of a window that was never opened before: 1280x800, or what the screen has room for. Pixels of the screen's
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   Document* document() const { return document_; }
   DocumentKeeper* keeper() const { return keeper_; }  // null until keepDocument()
   Viewport* viewport() const { return viewport_; }
+  SliceBoard* slices() const { return slices_; }
   IsovaluePanel* isovaluePanel() const { return isovalue_; }
   template <class P>
   P* panel() const {  // of ui/panels/panel.h
@@ -130,6 +132,7 @@ class MainWindow : public QMainWindow {
   DocumentKeeper* keeper_ = nullptr;
   BakedLight* light_;
   Viewport* viewport_;
+  SliceBoard* slices_;
   IsovaluePanel* isovalue_;
   MessageBar* message_;
   LoadCard* loadCard_;
@@ -141,7 +144,7 @@ class MainWindow : public QMainWindow {
   std::vector<Docked> panels_;
   QMenu* recentMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_;
   QComboBox* look_;
   QShortcut* leaveFullScreen_ = nullptr;  // Esc
   QByteArray layoutBefore_;               // full screen: which panels were open

@@ -14,6 +14,7 @@
 #include "scene/settings.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/number_text.h"
+#include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
@@ -118,6 +119,10 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   for (const Docked& docked : panels_) menu->addAction(docked.dock->toggleViewAction());
   menu->addSeparator();
+  fourUp_ = newAction(menu, "&Slices beside the picture", "", QKeySequence("F4"),
+                      "Axial, coronal and sagittal slice beside the picture");
+  fourUp_->setCheckable(true);
+  connect(fourUp_, &QAction::toggled, slices_, &SliceBoard::setFourUp);
   fullScreen_ = newAction(menu, "Full &screen", "", QKeySequence("F11"), "Full screen; Esc ends it");
   fullScreen_->setCheckable(true);
   connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);

@@ -1,0 +1,167 @@
+#include "app/slices/slice_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/number_text.h"
+#include "base/numbers.h"
+#include "render/legend/font.h"
+
+namespace isolux::app {
+
+namespace {
+
+constexpr int kLowestWithLetters = 48, kLowestWithWords = 160;  // pixels
+constexpr double kAlongAxis = 1.0 - 1e-9;                       // cosine of a plane that is not oblique
+
+std::string lengthText(double mm) {
+  std::string text = base::shortText(std::round(mm * 100.0) / 100.0, 6);
+  if (text == "-0") text = "0";
+  if (text.starts_with('-')) text.replace(0, 1, "\u2212");
+  return text;
+}
+
+// Coverage of bright ink, and the picture below.
+class Ink {
+ public:
+  explicit Ink(glm::ivec2 size)
+      : size_(size), ink_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {}
+
+  void plot(glm::ivec2 p, int coverage) {
+    if (p.x < 0 || p.y < 0 || p.x >= size_.x || p.y >= size_.y) return;
+    std::uint8_t& at = ink_[index(p)];
+    at = std::max(at, static_cast<std::uint8_t>(coverage));
+    low_ = glm::min(low_, p);
+    high_ = glm::max(high_, p);
+  }
+  void fill(glm::ivec2 from, glm::ivec2 to) {  // `to` excluded
+    for (int y = from.y; y < to.y; ++y)
+      for (int x = from.x; x < to.x; ++x) plot({x, y}, 255);
+  }
+  void text(const render::Font& font, const std::string& text, glm::ivec2 origin) {
+    font.draw(text, origin, [this](glm::ivec2 p, int coverage) { plot(p, coverage); });
+  }
+  // A rim of `rim` pixels, then the ink.
+  void blendOver(render::ColorImage& image, int rim) const {
+    const glm::ivec2 from = glm::max(low_ - rim, glm::ivec2(0)), to = glm::min(high_ + rim, size_ - 1);
+    for (int y = from.y; y <= to.y; ++y)
+      for (int x = from.x; x <= to.x; ++x) {
+        int dark = 0;
+        for (int v = std::max(0, y - rim); v <= std::min(size_.y - 1, y + rim); ++v)
+          for (int u = std::max(0, x - rim); u <= std::min(size_.x - 1, x + rim); ++u)
+            dark = std::max<int>(dark, ink_[index({u, v})]);
+        if (dark == 0) continue;
+        std::uint8_t* const pixel = &image.rgba[4 * index({x, y})];
+        const double bright = ink_[index({x, y})] / 255.0;
+        for (int i = 0; i < 3; ++i) {
+          const double below = pixel[i] * (1.0 - 0.75 * dark / 255.0);
+          pixel[i] = static_cast<std::uint8_t>(std::lround(below + bright * (245.0 - below)));
+        }
+      }
+  }
+
+ private:
+  std::size_t index(glm::ivec2 p) const {
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(p.x);
+  }
+  glm::ivec2 size_, low_{1 << 30}, high_{-1};
+  std::vector<std::uint8_t> ink_;
+};
+
+void drawLetters(const SliceLetters& letters, const render::Font& font, int margin, Ink& ink,
+                 glm::ivec2 size) {
+  const int middle = (size.y + font.ascent()) / 2;
+  const auto centered = [&](const std::string& text) { return (size.x - font.width(text)) / 2; };
+  ink.text(font, letters.left, {margin, middle});
+  ink.text(font, letters.right, {size.x - margin - font.width(letters.right), middle});
+  ink.text(font, letters.top, {centered(letters.top), margin + font.ascent()});
+  ink.text(font, letters.bottom, {centered(letters.bottom), size.y - margin});
+}
+
+void drawRuler(const Ruler& ruler, const render::Font& font, int margin, Ink& ink, glm::ivec2 size) {
+  const int length = static_cast<int>(std::lround(ruler.pixels)), thick = std::max(2, font.ascent() / 6);
+  const int right = size.x - margin, bottom = size.y - margin, tick = font.ascent() / 2;
+  ink.fill({right - length, bottom - thick}, {right, bottom});
+  ink.fill({right - length, bottom - tick}, {right - length + thick, bottom});
+  ink.fill({right - thick, bottom - tick}, {right, bottom});
+  ink.text(font, ruler.text,
+           {right - (length + font.width(ruler.text)) / 2, bottom - tick - font.ascent() / 3});
+}
+
+}  // namespace
+
+SliceLetters lettersOf(const volume::SlicePlane& plane, scene::WorldAxes axes) {
+  const volume::SliceFrame frame = plane.frame();
+  return {scene::axisEnd(axes, -frame.right), scene::axisEnd(axes, frame.right),
+          scene::axisEnd(axes, -frame.down), scene::axisEnd(axes, frame.down)};
+}
+
+std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes) {
+  constexpr std::array<const char*, 3> names{"sagittal", "coronal", "axial"};
+  const glm::dvec3 normal = plane.frame().normal();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) < kAlongAxis) continue;
+    const double mm = plane.originMm[axis];
+    const std::string name = names[static_cast<std::size_t>(axis)];
+    if (axes == scene::WorldAxes::anatomical)
+      return name + " \u00b7 " + scene::axisEnd(axes, axis, mm >= 0.0) + " " + lengthText(std::abs(mm)) +
+             " mm";
+    return name + " \u00b7 " + "xyz"[axis] + " = " + lengthText(mm) + " mm";
+  }
+  const glm::dvec3 middle = plane.at(0.5 * glm::dvec2(plane.size - 1));
+  const auto list = [](glm::dvec3 v) {
+    return lengthText(v.x) + ", " + lengthText(v.y) + ", " + lengthText(v.z);
+  };
+  return "oblique\nthrough " + list(middle) + " mm\nacross " + list(normal);
+}
+
+std::string conventionText(scene::Convention convention, scene::WorldAxes axes) {
+  if (axes != scene::WorldAxes::anatomical) return "orientation not stated";
+  return convention == scene::Convention::radiological ? "radiological" : "neurological";
+}
+
+std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit) {
+  std::string text = "level " + base::shortText(content.window.level, 4) + " \u00b7 width " +
+                     base::shortText(content.window.width, 4) + (unit.empty() ? "" : " " + unit);
+  if (slice.slab > 0.0) {
+    constexpr std::array<const char*, 3> modes{"mean", "maximum", "minimum"};
+    text += std::string(" \u00b7 ") + modes[static_cast<std::size_t>(slice.slabMode)] + " of " +
+            lengthText(slice.slab) + " mm";
+  }
+  return text;
+}
+
+Ruler rulerOf(const volume::SlicePlane& plane) {
+  Ruler ruler;
+  const double pixel = plane.pixelMm();
+  ruler.mm = base::niceBelow(0.2 * plane.size.x * pixel);
+  ruler.pixels = ruler.mm / pixel;
+  ruler.text = base::shortText(ruler.mm, 6) + " mm";
+  return ruler;
+}
+
+void drawWords(const SliceWords& words, render::ColorImage& image) {
+  if (image.size.y < kLowestWithLetters || image.size.x < kLowestWithLetters) return;
+  const int least = std::min(image.size.x, image.size.y);
+  const int margin = std::clamp(least / 48, 4, 40);
+  Ink ink(image.size);
+  const render::Font large(std::clamp(least / 22, 13, 96));
+  drawLetters(words.letters, large, margin, ink, image.size);
+  if (least >= kLowestWithWords) {
+    const render::Font small(std::clamp(least / 40, 11, 64));
+    std::istringstream lines(words.place + '\n' + words.convention);
+    int baseline = margin + small.ascent();
+    for (std::string text; std::getline(lines, text); baseline += small.lineHeight())
+      ink.text(small, text, {margin, baseline});
+    ink.text(small, words.window, {margin, image.size.y - margin});
+    drawRuler(words.ruler, small, margin, ink, image.size);
+  }
+  ink.blendOver(image, least >= 400 ? 2 : 1);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,138 @@
+#include "app/slices/slice_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/color.h"
+#include "scene/color_maps.h"
+#include "volume/parallel_steps.h"
+
+namespace isolux::app {
+
+namespace {
+
+using Byte3 = std::array<std::uint8_t, 3>;
+constexpr int kMapSamples = 1024;
+constexpr double kRim = 1.0, kRimOpacity = 0.55;  // of curves: pixels
+
+Byte3 encodedColor(const glm::dvec3& linear) {
+  return {base::screenByte(linear.x), base::screenByte(linear.y), base::screenByte(linear.z)};
+}
+
+std::vector<Byte3> colorTable(scene::ColorMap map) {
+  std::vector<Byte3> table;
+  table.reserve(kMapSamples);
+  if (map == scene::ColorMap::automatic) map = scene::ColorMap::gray;
+  for (const glm::vec3& color : scene::colorMapSamples(map, kMapSamples))
+    table.push_back(encodedColor(glm::dvec3(color)));
+  return table;
+}
+
+void blend(std::uint8_t* rgba, const Byte3& color, double opacity) {
+  for (std::size_t i = 0; i < 3; ++i)
+    rgba[i] = static_cast<std::uint8_t>(std::lround(rgba[i] + opacity * (color[i] - double(rgba[i]))));
+}
+
+void paintValues(const SliceContent& content, const scene::Slice& slice, render::ColorImage& image,
+                 base::Progress& progress) {
+  const std::vector<Byte3> table = colorTable(slice.map);
+  const auto width = static_cast<std::size_t>(image.size.x);
+  volume::parallelSteps(static_cast<std::size_t>(image.size.y), progress, {}, [&](std::size_t y) {
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+      const double value = content.values.values[i];
+      Byte3 color{kNoValue[0], kNoValue[1], kNoValue[2]};
+      if (!std::isnan(value))
+        color = table[static_cast<std::size_t>(
+            std::lround(std::clamp(content.window.greyOf(value), 0.0, 1.0) * (kMapSamples - 1)))];
+      std::uint8_t* const pixel = &image.rgba[4 * i];
+      std::copy(color.begin(), color.end(), pixel);
+      pixel[3] = 255;
+      if (content.band && value >= content.band->first && value <= content.band->second)
+        blend(pixel, {kBand[0], kBand[1], kBand[2]}, 0.5);
+    }
+  });
+}
+
+// Distance of each pixel's centre from the nearest curve, as far as `reach`, pixels.
+class CurveDistances {
+ public:
+  CurveDistances(glm::ivec2 size, double reach)
+      : size_(size),
+        reach_(reach),
+        held_(base::machineMemory().reserve(count() * sizeof(float), "the isocontours of a slice",
+                                            "a smaller picture needs less")),
+        squared_(count(), std::numeric_limits<float>::infinity()) {}
+
+  void add(glm::dvec2 p, glm::dvec2 q) {
+    const glm::dvec2 low = glm::ceil(glm::min(p, q) - reach_), high = glm::floor(glm::max(p, q) + reach_);
+    const glm::dvec2 last(size_ - 1);
+    if (!(low.x <= last.x && low.y <= last.y && high.x >= 0.0 && high.y >= 0.0)) return;
+    const glm::ivec2 from(glm::max(low, glm::dvec2(0.0))), to(glm::min(high, last));
+    const glm::dvec2 way = q - p;
+    const double length2 = glm::dot(way, way);
+    for (int y = from.y; y <= to.y; ++y)
+      for (int x = from.x; x <= to.x; ++x) {
+        const glm::dvec2 at = glm::dvec2(x, y) - p;
+        const double t = length2 > 0.0 ? std::clamp(glm::dot(at, way) / length2, 0.0, 1.0) : 0.0;
+        const glm::dvec2 apart = at - t * way;
+        float& nearest = squared_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
+                                  static_cast<std::size_t>(x)];
+        nearest = std::min(nearest, static_cast<float>(glm::dot(apart, apart)));
+      }
+  }
+  std::size_t count() const { return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y); }
+  float squared(std::size_t pixel) const { return squared_[pixel]; }
+
+ private:
+  glm::ivec2 size_;
+  double reach_;
+  base::MemoryBudget::Held held_;
+  std::vector<float> squared_;
+};
+
+void paintCurves(const SurfaceOnSlice& surface, const volume::SlicePlane& plane, double lineWidth,
+                 const volume::GridGeometry& geometry, render::ColorImage& image, base::Progress& progress) {
+  const double half = 0.5 * lineWidth, reach = half + kRim + 0.5;
+  CurveDistances distances(image.size, reach);
+  for (const volume::SliceCurve& curve : surface.curves.curves) {
+    progress.throwIfStopped();
+    const auto pixel = [&](std::size_t i) {
+      return plane.pixelOf(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(curve.points[i], 1.0)));
+    };
+    const std::size_t count = curve.points.size();
+    glm::dvec2 before = pixel(curve.closed ? count - 1 : 0);
+    for (std::size_t i = curve.closed ? 0 : 1; i < count; ++i) {
+      const glm::dvec2 now = pixel(i);
+      distances.add(before, now);
+      before = now;
+    }
+  }
+  const Byte3 color = encodedColor(surface.color);
+  for (std::size_t i = 0; i < distances.count(); ++i) {
+    if (distances.squared(i) > reach * reach) continue;
+    const double distance = std::sqrt(distances.squared(i));
+    blend(&image.rgba[4 * i], {0, 0, 0}, kRimOpacity * std::clamp(reach - distance, 0.0, 1.0));
+    blend(&image.rgba[4 * i], color,
+          std::min(1.0, lineWidth) * std::clamp(std::max(half, 0.5) + 0.5 - distance, 0.0, 1.0));
+  }
+}
+
+}  // namespace
+
+render::ColorImage slicePicture(const SliceContent& content, const scene::Slice& slice,
+                                const volume::GridGeometry& geometry, base::Progress& progress) {
+  render::ColorImage image;
+  image.size = content.plane.size;
+  image.rgba.resize(4 * content.values.values.size());
+  paintValues(content, slice, image, progress);
+  for (const SurfaceOnSlice& surface : content.surfaces)
+    paintCurves(surface, content.plane, slice.contourWidth, geometry, image, progress);
+  return image;
+}
+
+}  // namespace isolux::app
