@@ -184,9 +184,10 @@ Command makeMeasure(CLI::App& program) {
             requireSource(options->path, *sceneOptions);
             checkPoints(*options);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
-            const std::vector<scene::Mark> wanted = marksToMeasure(options->marks, scene);
+            const WantedMarks wanted = marksToMeasure(options->marks, scene);
             if (!options->out.empty()) {
-              if (wanted.empty()) throw Error(ErrorKind::usage, "", "--out", "there are no marks to write");
+              if (wanted.marks.empty())
+                throw Error(ErrorKind::usage, "", "--out", "there are no marks to write");
               OutputGuard guard = outputGuard(options->path, *sceneOptions, scene);
               if (!options->marks.empty()) guard.reads(options->marks, "the file of marks");
               checkOutput(guard, options->out, "--out");
@@ -198,7 +199,7 @@ Command makeMeasure(CLI::App& program) {
               const ProgressBar bar(progress);
               const scene::Scene resolved = scene::resolve(scene, prepared->facts);
               json = measure(*options, resolved, *prepared, progress);
-              marks = measuredMarks(wanted, prepared, resolved, options->anyway, progress);
+              marks = measuredMarks(wanted.marks, prepared, resolved, options->anyway, progress);
             }
             if (!marks.marks.empty()) json["marks"] = marksJson(marks);
             if (!options->out.empty()) writeTextFile(options->out, marksCsv(marks.marks, marks.reports));
@@ -210,6 +211,7 @@ Command makeMeasure(CLI::App& program) {
             }
             if (json["open"].get<bool>())
               printNote("the surface is open: " + json["open_reason"].get<std::string>());
+            for (const std::string& note : wanted.notes) printNote(note);
             printWarnings(prepared->volume);
           }};
 }

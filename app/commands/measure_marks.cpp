@@ -2,18 +2,17 @@
 
 #include <sstream>
 
-#include "app/commands/command.h"
 #include "app/marks/mark_evaluator.h"
 #include "app/marks/markups_file.h"
 #include "base/printable.h"
 
 namespace isolux::app {
 
-std::vector<scene::Mark> marksToMeasure(const std::string& file, const scene::Scene& scene) {
-  if (file.empty()) return scene.marks;
+WantedMarks marksToMeasure(const std::string& file, const scene::Scene& scene) {
+  if (file.empty()) return {scene.marks, {}};
   ReadMarks read = readMarkups(file);
-  for (const std::string& note : read.notes) printNote(file + ": " + note);
-  return std::move(read.marks);
+  for (std::string& note : read.notes) note = file + ": " + note;
+  return {std::move(read.marks), std::move(read.notes)};
 }
 
 MeasuredMarks measuredMarks(std::vector<scene::Mark> marks,

@@ -20,9 +20,14 @@ struct MeasuredMarks {
   std::vector<MarkReport> reports;
 };
 
-// Those of the Markups file, or, where its name is empty, of the scene (a session has them). What of the file
-// is no mark is a note on stderr. Throws Error{input}.
-std::vector<scene::Mark> marksToMeasure(const std::string& file, const scene::Scene& scene);
+struct WantedMarks {
+  std::vector<scene::Mark> marks;
+  std::vector<std::string> notes;  // what of the file is no mark
+};
+
+// Those of the Markups file, or, where its name is empty, of the scene (a session has them). Throws
+// Error{input}.
+WantedMarks marksToMeasure(const std::string& file, const scene::Scene& scene);
 
 // Throws Error{interrupted, memory}.
 MeasuredMarks measuredMarks(std::vector<scene::Mark> marks,

@@ -72,7 +72,7 @@ std::string quantityText(const MarkQuantity& quantity) {
 }
 
 std::string summaryText(const MarkReport& report) {
-  if (report.pending) return "…";
+  if (report.pending) return report.quantities.empty() ? "…" : quantityText(report.quantities.front()) + " …";
   if (!report.problem.empty()) return report.problem;
   return report.quantities.empty() ? std::string() : quantityText(report.quantities.front());
 }

@@ -77,11 +77,11 @@ struct Markup {
   }
 };
 
-// What x and y are multiplied with, to be LPS.
-double signOf(const Markup& markup) {
+// Whether x and y are those of LPS, not of RAS.
+bool isLps(const Markup& markup) {
   const json system = markup.object.value("coordinateSystem", json("LPS"));
-  if (system == "LPS" || system == "1" || system == 1) return 1.0;
-  if (system == "RAS" || system == "0" || system == 0) return -1.0;
+  if (system == "LPS" || system == "1" || system == 1) return true;
+  if (system == "RAS" || system == "0" || system == 0) return false;
   markup.fail(".coordinateSystem", "is neither LPS nor RAS");
 }
 
@@ -116,7 +116,8 @@ bool flag(const json& object, const char* key) {
 }
 
 std::vector<MarkupPoint> pointsOf(const Markup& markup, std::vector<std::string>& notes) {
-  const double sign = signOf(markup), scale = millimetresOf(markup);
+  const bool lps = isLps(markup);
+  const double scale = millimetresOf(markup);
   const json list = markup.object.value("controlPoints", json::array());
   if (!list.is_array()) markup.fail(".controlPoints", "is no list");
   std::vector<MarkupPoint> points;
@@ -131,9 +132,8 @@ std::vector<MarkupPoint> pointsOf(const Markup& markup, std::vector<std::string>
     }
     const glm::dvec3 world = positionOf(markup, point, place) * scale;
     const bool named = point.contains("label") && point["label"].is_string();
-    points.push_back({{sign * world.x, sign * world.y, world.z},
-                      named ? point["label"].get<std::string>() : std::string(),
-                      flag(point, "visibility")});
+    points.push_back({lps ? world : glm::dvec3(0.0 - world.x, 0.0 - world.y, world.z),
+                      named ? point["label"].get<std::string>() : std::string(), flag(point, "visibility")});
   }
   if (unset > 0) notes.push_back(markup.place + ": " + std::to_string(unset) + " points are not set");
   return points;

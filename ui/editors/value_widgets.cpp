@@ -200,6 +200,23 @@ class PositionsWidget : public ValueWidget {
   json shown_ = json::array();
 };
 
+// Marks are edited in their panel: how many there are.
+class MarksWidget : public ValueWidget {
+ public:
+  explicit MarksWidget(QWidget* parent) : ValueWidget(parent), count_(new QLabel(this)) {
+    rowLayout(this)->addWidget(count_, 1);
+  }
+  void showValue(const json& value) override {
+    shown_ = value;
+    count_->setText(QString("%1 mark%2").arg(value.size()).arg(value.size() == 1 ? "" : "s"));
+  }
+  json value() const override { return shown_; }
+
+ private:
+  QLabel* count_;
+  json shown_ = json::array();
+};
+
 class ToggleWidget : public ValueWidget {
  public:
   ToggleWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), box_(new QCheckBox(this)) {
@@ -317,8 +334,9 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
     case SettingType::positions:
       return new PositionsWidget(parent);
     case SettingType::planes:
-    case SettingType::marks:
       return new PositionsWidget(parent);
+    case SettingType::marks:
+      return new MarksWidget(parent);
     case SettingType::points:
       return new CurvatureMapEditor(parent);
     case SettingType::quaternion:

@@ -1,5 +1,6 @@
 #include "ui/panels/panel.h"
 
+#include "ui/panels/marks_panel.h"
 #include "ui/panels/passes_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/panels/volume_panel.h"
@@ -14,6 +15,7 @@ Panel* makePanel(QWidget* parent) {
 }
 
 constexpr PanelInfo panelTable[] = {{"Settings", makePanel<SettingsPanel>},
+                                    {"Marks", makePanel<MarksPanel>},
                                     {"Volume", makePanel<VolumePanel>},
                                     {"Passes", makePanel<PassesPanel>}};
 

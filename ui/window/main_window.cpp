@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QActionGroup>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -20,6 +21,7 @@
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 #include "ui/document/baked_light.h"
+#include "ui/document/mark_reports.h"
 #include "ui/document/preferences.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/environment_edit.h"
@@ -48,6 +50,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       document_(new Document(this)),
       light_(new BakedLight(this)),
+      marks_(new MarkReports(this)),
       viewport_(new Viewport(this)),
       isovalue_(new IsovaluePanel(this)),
       message_(new MessageBar(viewport_)),
@@ -63,10 +66,12 @@ MainWindow::MainWindow(QWidget* parent)
   makeFileMenu();
   makeEditMenu();
   makeViewMenu();
+  makeMeasureMenu();
   makeHelpMenu();
   makeToolBar();
   connectDocument();
   connectLight();
+  connectMarks();
   setMachine(keptMachine());
   showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(openHint);
@@ -124,6 +129,7 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::volumeChanged, this, [this](const VolumePointer& volume) {
     isovalue_->setVolume(volume);
     light_->setVolume(volume);
+    marks_->setVolume(volume);
     viewport_->setVolume(volume);
     for (const Docked& docked : panels_) docked.panel->setVolume(volume);
     nameViews();
@@ -253,6 +259,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   light_->setScene(resolved);
   viewport_->setScene(scene, resolved);
   for (const Docked& docked : panels_) docked.panel->setScene(scene, resolved);
+  marks_->setScene(resolved);
   projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
   animate_->setEnabled(scene::showsFlow(scene));
   animate_->setChecked(scene.flow.animate);
@@ -275,6 +282,9 @@ void MainWindow::showState() {
   for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
     action->setEnabled(loaded);
   for (QAction* action : views_) action->setEnabled(loaded);
+  for (QAction* action : markTools_->actions()) action->setEnabled(loaded);
+  importMarks_->setEnabled(loaded);
+  exportMarks_->setEnabled(!document_->scene().marks.empty());
   const bool recording = document_->recording();
   record_->setText(recording ? "Stop &recording" : "Start &recording…");
   record_->setChecked(recording);
