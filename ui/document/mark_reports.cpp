@@ -11,6 +11,18 @@ namespace {
 constexpr int startMilliseconds = 60;  // after the last change: an isovalue that is dragged changes often
 constexpr int markPollMilliseconds = 20;
 
+app::MarkReport pendingReport() {
+  app::MarkReport report;
+  report.pending = true;
+  return report;
+}
+
+app::MarkReport stoppedReport() {
+  app::MarkReport report;
+  report.problem = "stopped";
+  return report;
+}
+
 bool saysTheSame(const scene::Mark& a, const scene::Mark& b) {
   return a.kind == b.kind && a.points == b.points;
 }
@@ -37,7 +49,7 @@ void MarkReports::setVolume(VolumePointer volume) {
   if (evaluator_) base::retire(std::move(evaluator_));
   evaluator_.reset();
   volume_ = std::move(volume);
-  for (app::MarkReport& report : reports_) report = {.pending = true};
+  for (app::MarkReport& report : reports_) report = pendingReport();
   if (!marks_.empty()) startTimer_.start();
 }
 
@@ -93,7 +105,7 @@ void MarkReports::stop() {
   startTimer_.stop();
   dropJob();
   for (app::MarkReport& report : reports_)
-    if (report.pending) report = {.problem = "stopped"};
+    if (report.pending) report = stoppedReport();
   Q_EMIT changed();
 }
 

@@ -311,7 +311,8 @@ void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
                              .arg(pick->voxel.x, 0, 'f', 1)
                              .arg(pick->voxel.y, 0, 'f', 1)
                              .arg(pick->voxel.z, 0, 'f', 1)
-                             .arg(valueText(pick->value, unit)));
+                             .arg(valueText(pick->value, unit)) +
+                         shapeText(pick->worldMm));
 }
 
 void MainWindow::showPanel(const QString& title) {

@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
   void showScene(const scene::Scene& scene, const scene::Scene& resolved);
   void showState();  // title, undo names, recording: what stateChanged() announces
   void showPointed(const std::optional<app::Pick>& pick);
+  QString shapeText(glm::dvec3 worldMm) const;  // curvatures, where they are there already
   void showRecent();
 
   void chooseMarksToExport();
@@ -150,6 +151,7 @@ class MainWindow : public QMainWindow {
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
+  QMenu* measureMenu_ = nullptr;
   QComboBox* look_;
   QShortcut* leaveFullScreen_ = nullptr;  // Esc
   QByteArray layoutBefore_;               // full screen: which panels were open

@@ -13,11 +13,13 @@
 #include "app/marks/markups_file.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/document/mark_reports.h"
+#include "ui/editors/number_text.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "volume/measure/point_probe.h"
 
 namespace isolux::ui {
 
@@ -43,7 +45,7 @@ constexpr MarkTool markTools[] = {
 }  // namespace
 
 void MainWindow::makeMeasureMenu() {
-  QMenu* menu = menuBar()->addMenu("&Measure");
+  QMenu* menu = measureMenu_ = menuBar()->addMenu("&Measure");
   menu->setToolTipsVisible(true);
   markTools_ = new QActionGroup(this);
   markTools_->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
@@ -79,6 +81,29 @@ void MainWindow::connectMarks() {
     for (QAction* action : markTools_->actions())
       action->setChecked(viewport_->tool() && action->data().toInt() == static_cast<int>(*viewport_->tool()));
   });
+}
+
+// Only where noise, scale and field are known: nothing is made for a pointer that passes by.
+QString MainWindow::shapeText(glm::dvec3 worldMm) const {
+  const VolumePointer& volume = document_->volume();
+  scene::Scene scene = document_->resolvedScene();
+  const scene::Derivatives& derivatives = scene.derivatives;
+  if (!scene.isosurface.value ||
+      !volume->derivativeChoices->find({*scene.isosurface.value, derivatives.field, derivatives.noise}) ||
+      !volume->derivativeChoices->completeIfChosen(scene))
+    return {};
+  const auto interpolating = scene::Field::cubic_interpolating;
+  const bool reads = scene.hit.field == interpolating || derivatives.field == interpolating;
+  const double scale = derivatives.scale.value_or(0.0);
+  if ((reads && !volume->cubicFields->find(interpolating)) ||
+      (scale > 0.0 && !volume->cubicFields->find(derivatives.field, scale)))
+    return {};
+  base::Progress progress;
+  const auto point = volume::PointProbe(volume, scene, progress).at(worldMm);
+  if (!point || point->curvature.normal == glm::dvec3(0.0)) return {};
+  return QString("      κ₁ %1, κ₂ %2 /mm (confidence %3)")
+      .arg(numberText(point->curvature.kappa1, 3), numberText(point->curvature.kappa2, 3),
+           numberText(point->confidence, 2));
 }
 
 bool MainWindow::exportMarks(const QString& file) {
