@@ -120,13 +120,12 @@ void MarkEvaluator::addNotes(const Surface& surface, const std::vector<Placed>& 
     const Placed& point = points[i];
     const std::string which = points.size() == 1 ? "the point" : "point " + std::to_string(i + 1);
     if (!point.onSurface) {
-      report.notes.push_back(which + " no longer lies on the surface: none within three voxels of it");
+      report.notes.push_back(which + " does not lie on the surface: there is none within three voxels of it");
       continue;
     }
     const double off = glm::length(point.onSurface->world - point.at.world);
     if (off > reach)
-      report.notes.push_back(which + " no longer lies on the surface, which is " + base::shortText(off, 2) +
-                             " mm away");
+      report.notes.push_back(which + " lies " + base::shortText(off, 2) + " mm off the surface");
   }
 }
 

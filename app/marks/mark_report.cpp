@@ -61,7 +61,8 @@ std::string spaced(std::string name) {
 }  // namespace
 
 std::string quantityText(const MarkQuantity& quantity) {
-  const std::string unit = quantity.unit.empty() ? "" : ' ' + quantity.unit;
+  const std::string unit =
+      quantity.unit.empty() || quantity.unit == "°" ? quantity.unit : ' ' + quantity.unit;
   const double error = quantity.error.value_or(0.0), size = std::abs(quantity.value);
   if (!quantity.error) return base::shortText(quantity.value, 4) + unit;
   if (!(error > 0.0) || !(size < 1e9) || error < 1e-6 || error >= 1e9)

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPlainTextEdit>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -23,6 +24,15 @@ namespace isolux::ui {
 namespace {
 
 constexpr int swatchPixels = 12, detailLines = 9;
+
+// What a mark says is not typed.
+class ReadOnlyColumn : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QWidget* createEditor(QWidget*, const QStyleOptionViewItem&, const QModelIndex&) const override {
+    return nullptr;
+  }
+};
 
 QIcon swatch(glm::dvec3 linear) {
   QPixmap pixmap(swatchPixels, swatchPixels);
@@ -106,6 +116,7 @@ void MarksPanel::makeList() {
   list_->setFrameShape(QFrame::NoFrame);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  list_->setItemDelegateForColumn(valueColumn, new ReadOnlyColumn(list_));
   list_->setIconSize({swatchPixels, swatchPixels});
   list_->setAccessibleName("Marks");
   list_->header()->setStretchLastSection(true);

@@ -87,11 +87,13 @@ void Viewport::lookBehindMarks() {
   const scene::Scene shown = shownAtRest_ ? app::atRestIfReady(resolved_, *volume_) : resolved_;
   const double aspect = static_cast<double>(pixelSize().x) / pixelSize().y;
   std::size_t number = 0;
+  bool looked = false;  // at one at least
   const auto look = [&](app::MarkLine& line) {
     line.hidden.resize(line.corners.size());
     for (std::size_t i = 0; i < line.corners.size(); ++i) {
       if (number++ < marksSeenFrom_) continue;
-      if (timer.elapsed() >= hiddenMilliseconds) return false;
+      if (looked && timer.elapsed() >= hiddenMilliseconds) return false;
+      looked = true;
       line.hidden[i] = app::isBehindSurface(*volume_, shown, line.corners[i], aspect);
       marksSeenFrom_ = number;
     }

@@ -183,6 +183,7 @@ TEST(MarkReports, NumbersHaveTheDigitsOfTheirError) {
   EXPECT_EQ(app::quantityText({"q", 44860.9, 170.0, "mm³"}), "44861 ± 170 mm³");
   EXPECT_EQ(app::quantityText({"q", 0.5, {}, ""}), "0.5");
   EXPECT_EQ(app::quantityText({"q", 5.0, 0.0, "mm"}), "5 mm");
+  EXPECT_EQ(app::quantityText({"q", 90.0, 1.5, "°"}), "90.0 ± 1.5°");
 }
 
 TEST(MarkKinds, NewNamesAreFree) {
