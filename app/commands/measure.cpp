@@ -8,6 +8,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/curvature_report.h"
+#include "app/commands/measure_marks.h"
 #include "app/commands/measure_points.h"
 #include "app/commands/measure_report.h"
 #include "app/commands/piece_report.h"
@@ -33,7 +34,7 @@ using volume::PreparedVolume;
 using volume::SurfaceOf;
 
 struct MeasureOptions {
-  std::string path, box;
+  std::string path, box, marks, out;
   std::vector<std::string> distances, angles, circles, thicknesses;
   bool json = false, closed = false, anyway = false;
   bool curvature = false;
@@ -232,6 +233,11 @@ void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
       .add_option("--piece", options.piece,
                   "Of this piece only (its id, 0: the largest), not of all that are shown")
       ->type_name("ID");
+  parser
+      .add_option("--marks", options.marks,
+                  "Measure each mark of this file too, instead of those of the session")
+      ->type_name("FILE.mrk.json");
+  parser.add_option("--out", options.out, "Write what the marks say as a table")->type_name("FILE.csv");
   parser.add_flag("--closed", options.closed,
                   "Refuse an open surface instead of measuring what the data hold");
   parser.add_flag("--anyway", options.anyway,
@@ -256,18 +262,34 @@ Command makeMeasure(CLI::App& program) {
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             checkCurvatureFiles(*options, *sceneOptions, scene);
             refuseCuts(scene, "isolux measure");
+            const WantedMarks wanted = marksToMeasure(options->marks, scene);
+            if (!options->out.empty()) {
+              if (wanted.marks.empty())
+                throw Error(ErrorKind::usage, "", "--out", "there are no marks to write");
+              OutputGuard guard = outputGuard(options->path, *sceneOptions, scene);
+              if (!options->marks.empty()) guard.reads(options->marks, "the file of marks");
+              checkOutput(guard, options->out, "--out");
+            }
             const auto prepared = loadWithProgressBar(scene.source, progress);
             ordered_json json;
+            MeasuredMarks marks;
             {
               const ProgressBar bar(progress);
-              json = measure(*options, scene::resolve(scene, prepared->facts), *prepared, progress);
+              const scene::Scene resolved = scene::resolve(scene, prepared->facts);
+              json = measure(*options, resolved, *prepared, progress);
+              marks = measuredMarks(wanted.marks, prepared, resolved, options->anyway, progress);
             }
-            if (options->json)
+            if (!marks.marks.empty()) json["marks"] = marksJson(marks);
+            if (!options->out.empty()) writeTextFile(options->out, marksCsv(marks.marks, marks.reports));
+            if (options->json) {
               std::cout << jsonText(json);
-            else
+            } else {
               printMeasures(json, std::cout);
+              printMarks(marks, std::cout);
+            }
             if (json["open"].get<bool>())
               printNote("the surface is open: " + json["open_reason"].get<std::string>());
+            for (const std::string& note : wanted.notes) printNote(note);
             printWarnings(prepared->volume);
           }};
 }

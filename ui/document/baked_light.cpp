@@ -21,6 +21,7 @@ constexpr double longestPauseMilliseconds = 1000.0;
 scene::Scene withoutView(scene::Scene scene) {
   scene.camera = {};
   scene.flow = {};
+  scene.marks.clear();
   return scene;
 }
 

@@ -35,6 +35,7 @@ void makeAutomatic(scene::Scene& scene) {
   scene.camera.eye.reset();
   scene.camera.target.reset();
   scene.camera.up.reset();
+  scene.marks.clear();  // they are of the volume before
 }
 }  // namespace
 

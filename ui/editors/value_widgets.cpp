@@ -210,6 +210,23 @@ class ListWidget : public ValueWidget {
   json shown_ = json::array();
 };
 
+// Marks are edited in their panel: how many there are.
+class MarksWidget : public ValueWidget {
+ public:
+  explicit MarksWidget(QWidget* parent) : ValueWidget(parent), count_(new QLabel(this)) {
+    rowLayout(this)->addWidget(count_, 1);
+  }
+  void showValue(const json& value) override {
+    shown_ = value;
+    count_->setText(QString("%1 mark%2").arg(value.size()).arg(value.size() == 1 ? "" : "s"));
+  }
+  json value() const override { return shown_; }
+
+ private:
+  QLabel* count_;
+  json shown_ = json::array();
+};
+
 class ToggleWidget : public ValueWidget {
  public:
   ToggleWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), box_(new QCheckBox(this)) {
@@ -325,10 +342,11 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
     case SettingType::toggle:
       return new ToggleWidget(setting, parent);
     case SettingType::positions:
-    case SettingType::marks:
       return new ListWidget(positionsText, parent);
     case SettingType::planes:
       return new ListWidget(planesText, parent);
+    case SettingType::marks:
+      return new MarksWidget(parent);
     case SettingType::points:
       return new CurvatureMapEditor(parent);
     case SettingType::quaternion:

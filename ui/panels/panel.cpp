@@ -1,5 +1,6 @@
 #include "ui/panels/panel.h"
 
+#include "ui/panels/marks_panel.h"
 #include "ui/panels/passes_panel.h"
 #include "ui/panels/pieces_panel.h"
 #include "ui/panels/settings_panel.h"
@@ -15,6 +16,7 @@ Panel* makePanel(QWidget* parent) {
 }
 
 constexpr PanelInfo panelTable[] = {{"Settings", makePanel<SettingsPanel>},
+                                    {"Marks", makePanel<MarksPanel>},
                                     {"Volume", makePanel<VolumePanel>},
                                     {"Pieces", makePanel<PiecesPanel>},
                                     {"Passes", makePanel<PassesPanel>}};

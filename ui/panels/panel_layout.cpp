@@ -58,8 +58,8 @@ const std::vector<GroupPlan>& plan() {
   return groups;
 }
 
-// In the volume panel, which knows the choices the file offers.
-constexpr std::string_view elsewhere = "source.";
+// In panels of their own: the volume's, which knows the choices the file offers, and the marks'.
+constexpr std::string_view elsewhere[] = {"source.", "marks."};
 
 std::string prefixOf(const scene::Setting& setting) {
   return setting.path.substr(0, setting.path.find('.') + 1);
@@ -76,7 +76,7 @@ std::string_view entryOf(const scene::Setting& setting) {
   const auto consider = [&](std::string_view entry) {
     if (lengthCovered(entry, setting) > best.size()) best = entry;
   };
-  consider(elsewhere);
+  for (const std::string_view entry : elsewhere) consider(entry);
   for (const GroupPlan& group : plan())
     for (const std::string_view entry : group.paths) consider(entry);
   return best;

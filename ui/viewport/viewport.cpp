@@ -17,8 +17,15 @@ constexpr int fieldPollMilliseconds = 50;
 constexpr int pollMilliseconds = 4;    // a picture that is there is taken
 constexpr int pointMilliseconds = 40;  // the pointer's value is looked up at most this often
 
+// Whether two scenes have the same pictures: marks lie over them.
+bool samePictures(const scene::Scene& from, scene::Scene to) {
+  to.marks = from.marks;
+  return to == from;
+}
+
 // Whether two scenes differ in nothing but how a surface that is hit already is shown.
 app::Motion motionBetween(const scene::Scene& from, scene::Scene to) {
+  to.marks = from.marks;
   to.look = from.look;
   to.flow = from.flow;
   to.light = from.light;
@@ -168,6 +175,7 @@ void Viewport::setMachine(const scene::Machine& machine) {
 }
 
 void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  const bool same = samePictures(resolved_, resolved) && scene.marks != scene_.marks;
   const app::Motion motion = motionBetween(resolved_, resolved);
   const bool switchedOn =
       scene::shadingOf(resolved) == scene::Shading::gi && scene::shadingOf(resolved_) != scene::Shading::gi;
@@ -175,6 +183,10 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
   scene_ = scene;
   resolved_ = resolved;
   overlay_->setScene(resolved, volume_ != nullptr, axes());
+  if (same) return;
+  marksSeenFrom_ = 0;
+  lookBehindMarks();
+  showMarks();
   showLamps();
   quality_.setSupersampling(resolved.picture.supersampling);
   redraw(motion);

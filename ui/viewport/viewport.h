@@ -2,7 +2,8 @@
 //
 // Left drag rotates, middle or Shift+left pans, right drag or wheel zooms, Ctrl+left rolls, a double click
 // puts the picked surface point into the centre, a right click asks for a menu. Under global illumination
-// Shift+right turns the environment, and lamps have handles.
+// Shift+right turns the environment, and lamps have handles. With a tool for marks, clicks set points on the
+// surface.
 //
 // Pictures are drawn by a thread (app/jobs/picture_thread.h) that has a GL context of its own and comes back
 // with pixels; this widget needs no OpenGL and waits for nothing. While a view changes, each change orders a
@@ -27,6 +28,7 @@
 class QPushButton;
 
 #include "app/interaction/lamp_handles.h"
+#include "app/interaction/mark_view.h"
 #include "app/interaction/picture_quality.h"
 #include "app/interaction/surface_pick.h"
 #include "app/jobs/field_job.h"
@@ -61,6 +63,14 @@ class Viewport : public QWidget {
   // While true, pictures stay quick (the isovalue is being dragged).
   void setInteracting(bool interacting);
 
+  // What clicks on the surface mark from now on; nothing: they mark nothing.
+  void setTool(std::optional<scene::MarkKind> tool);
+  std::optional<scene::MarkKind> tool() const { return tool_; }
+  // The marks of the scene, and what they say (as many).
+  void setMarks(const std::vector<scene::Mark>& marks, const std::vector<app::MarkReport>& reports);
+  const std::vector<app::MarkShape>& markShapes() const { return shapes_; }  // those that are shown
+  const std::vector<glm::dvec3>& placing() const { return placing_; }  // points of the mark that is begun
+
   void applyStandardView(scene::StandardView view);
   void fitView();
   void resetView();
@@ -80,6 +90,7 @@ class Viewport : public QWidget {
   void pointed(const std::optional<isolux::app::Pick>& pick);
   // A right click, or the menu key: of the surface there.
   void menuAsked(const QPoint& onScreen, const std::optional<isolux::app::Pick>& pick);
+  void toolChanged();
   void drawn(double milliseconds, bool complete);
   // A picture is on screen that shows a change of this long ago (the first, where it shows several).
   void answered(double milliseconds);
@@ -104,6 +115,8 @@ class Viewport : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   enum class Drag { none, orbit, pan, zoom, roll, environment, lamp };
@@ -148,6 +161,9 @@ class Viewport : public QWidget {
   void dragTo(QPointF position);
   void endDrag(QPointF position);
   void reportPointed();
+  void placePoint(QPointF position, bool more);
+  void showMarks();
+  void lookBehindMarks();
   void sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey, bool endsAfterPause);
   std::optional<app::Pick> pickAt(QPointF position) const;
   glm::ivec2 pixelSize() const;
@@ -201,6 +217,12 @@ class Viewport : public QWidget {
   glm::dvec4 turnedFrom_{1.0, 0.0, 0.0, 0.0};  // the environment when its drag began
   std::optional<app::LampGrip> grip_;          // under the pointer, or being dragged
   QPointF gripOffset_;
+  std::optional<scene::MarkKind> tool_;
+  std::vector<glm::dvec3> placing_;      // points of the mark that is begun, world mm
+  std::optional<glm::dvec3> placingAt_;  // and where the next would be
+  std::vector<app::MarkShape> shapes_;
+  std::size_t marksSeenFrom_ =
+      0;  // corners of shapes_ of which it is known whether they are behind the surface
   ViewportOverlay* overlay_;
   QPushButton* remedy_;  // over an empty picture: what would show something
   render::EmptyPicture::Remedy offered_ = render::EmptyPicture::Remedy::none;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -101,7 +102,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   if (drag_ != Drag::none) {
-    dragTo(event->position());
+    const bool mayBeClick = tool_ && dragButton_ == Qt::LeftButton && !dragMoved_;
+    const int moved = (event->position() - pressed_).toPoint().manhattanLength();
+    if (!mayBeClick || moved >= QApplication::startDragDistance()) dragTo(event->position());
     return;
   }
   hover(lampUnder(event->position()));
@@ -155,9 +158,11 @@ void Viewport::dragTo(QPointF position) {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (drag_ == Drag::none || event->button() != dragButton_) return;
-  const bool clicked = drag_ == Drag::zoom && !dragMoved_;
+  const bool still = !dragMoved_ && drag_ != Drag::lamp, asksMenu = drag_ == Drag::zoom && !dragMoved_,
+             setsPoint = tool_ && dragButton_ == Qt::LeftButton && still;
   endDrag(event->position());
-  if (clicked) Q_EMIT menuAsked(event->globalPosition().toPoint(), pickAt(event->position()));
+  if (setsPoint) placePoint(event->position(), event->modifiers() & Qt::ShiftModifier);
+  if (asksMenu) Q_EMIT menuAsked(event->globalPosition().toPoint(), pickAt(event->position()));
 }
 
 // The mouse asks by the button's release: its press may begin a drag.
@@ -177,7 +182,8 @@ void Viewport::endDrag(QPointF position) {
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !volume_) return;
+  if (tool_) mousePressEvent(event);  // the second of two quick clicks
+  if (event->button() != Qt::LeftButton || !volume_ || tool_) return;
   const auto pick = pickAt(event->position());
   if (!pick) return;
   sendCamera(app::centredOn(resolved_.camera, pick->worldMm), "Centre on point", "", false);
@@ -198,11 +204,21 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 void Viewport::leaveEvent(QEvent*) {
   pointTimer_.stop();
   if (drag_ == Drag::none) hover(std::nullopt);
+  if (placingAt_.has_value()) {
+    placingAt_.reset();
+    showMarks();
+  }
   Q_EMIT pointed(std::nullopt);
 }
 
 void Viewport::reportPointed() {
-  if (drag_ == Drag::none && !interacting_) Q_EMIT pointed(pickAt(pointed_));
+  if (drag_ != Drag::none || interacting_) return;
+  const auto pick = pickAt(pointed_);
+  if (tool_ && !placing_.empty()) {
+    placingAt_ = pick ? std::optional(pick->worldMm) : std::nullopt;
+    showMarks();
+  }
+  Q_EMIT pointed(pick);
 }
 
 // ---- Lamps
@@ -228,7 +244,10 @@ void Viewport::hover(const std::optional<app::LampGrip>& grip) {
   if (grip == grip_ && drag_ == Drag::none && grip.has_value() == !toolTip().isEmpty()) return;
   grip_ = grip;
   if (!grip) {
-    unsetCursor();
+    if (tool_)
+      setCursor(Qt::CrossCursor);
+    else
+      unsetCursor();
     setToolTip({});
   } else if (grip->part == app::LampPart::ring) {
     setCursor(Qt::SizeAllCursor);

@@ -14,6 +14,7 @@
 #include "base/numbers.h"
 #include "ui/editors/number_text.h"
 #include "ui/viewport/lamp_painter.h"
+#include "ui/viewport/mark_painter.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
@@ -85,17 +86,26 @@ void ViewportOverlay::setLamps(std::vector<app::LampHandle> lamps, const std::op
   update();
 }
 
+void ViewportOverlay::setMarks(std::vector<app::MarkShape> marks, const QString& toolHint) {
+  if (marks.empty() && marks_.empty() && toolHint == toolHint_) return;
+  marks_ = std::move(marks);
+  toolHint_ = toolHint;
+  update();
+}
+
 void ViewportOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   if (!problem_.isEmpty()) {
     paintProblem(painter);
   } else if (visible_) {
+    if (!marks_.empty()) paintMarks(painter, marks_, frame_, size());
     paintLetters(painter);
     paintCube(painter);
     paintScale(painter);
     paintLamps(painter, lamps_, grip_);
     if (!note_.isEmpty()) paintNote(painter);
+    if (!toolHint_.isEmpty()) paintToolHint(painter);
   } else if (!hint_.isEmpty()) {
     const QFontMetricsF metrics(font());
     drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(hint_)), 0.5 * height()),
@@ -114,6 +124,13 @@ void ViewportOverlay::paintNote(QPainter& painter) const {
   const QFontMetricsF metrics(font());
   const double belowLetter = topInset_ + 48.0;
   drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(note_)), belowLetter), note_);
+}
+
+void ViewportOverlay::paintToolHint(QPainter& painter) const {
+  const QFontMetricsF metrics(font());
+  const QString text = metrics.elidedText(toolHint_, Qt::ElideRight, width() - 24.0);
+  const double aboveLetter = height() - 40.0;
+  drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(text)), aboveLetter), text);
 }
 
 void ViewportOverlay::paintLetters(QPainter& painter) const {

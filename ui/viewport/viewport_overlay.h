@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "app/interaction/lamp_handles.h"
+#include "app/interaction/mark_view.h"
 #include "scene/camera.h"
 
 namespace isolux::ui {
@@ -23,6 +24,8 @@ class ViewportOverlay : public QWidget {
   void setNote(const QString& text);  // over a picture that is not all there; empty: none
   // Lamps that can be dragged, and which of them the pointer holds or is over.
   void setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip);
+  // Marks, and what clicks would do; empty: they set none.
+  void setMarks(std::vector<app::MarkShape> marks, const QString& toolHint);
   void setHint(const QString& text);  // in place of a picture: what to do first
 
  protected:
@@ -34,6 +37,7 @@ class ViewportOverlay : public QWidget {
   void paintScale(QPainter& painter) const;
   void paintProblem(QPainter& painter) const;
   void paintNote(QPainter& painter) const;
+  void paintToolHint(QPainter& painter) const;
 
   struct Inks {
     QColor ink, rim;
@@ -46,9 +50,10 @@ class ViewportOverlay : public QWidget {
   scene::CameraFrame frame_{};
   bool visible_ = false;
   scene::WorldAxes axes_ = scene::WorldAxes::zUp;
-  QString problem_, advice_, note_, hint_;
+  QString problem_, advice_, note_, hint_, toolHint_;
   int topInset_ = 0;
   std::vector<app::LampHandle> lamps_;
+  std::vector<app::MarkShape> marks_;
   std::optional<app::LampGrip> grip_;
 };
 

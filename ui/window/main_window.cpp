@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QActionGroup>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -20,6 +21,7 @@
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 #include "ui/document/baked_light.h"
+#include "ui/document/mark_reports.h"
 #include "ui/document/preferences.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/environment_edit.h"
@@ -50,6 +52,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       document_(new Document(this)),
       light_(new BakedLight(this)),
+      marks_(new MarkReports(this)),
       viewport_(new Viewport(this)),
       slices_(new SliceBoard(viewport_, this)),
       isovalue_(new IsovaluePanel(this)),
@@ -67,10 +70,12 @@ MainWindow::MainWindow(QWidget* parent)
   makeFileMenu();
   makeEditMenu();
   makeViewMenu();
+  makeMeasureMenu();
   makeHelpMenu();
   makeToolBar();
   connectDocument();
   connectLight();
+  connectMarks();
   setMachine(keptMachine());
   showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(openHint);
@@ -129,6 +134,7 @@ void MainWindow::connectDocument() {
     pointedPiece_->point(volume, {}, std::nullopt);
     isovalue_->setVolume(volume);
     light_->setVolume(volume);
+    marks_->setVolume(volume);
     viewport_->setVolume(volume);
     slices_->setVolume(volume);
     for (const Docked& docked : panels_) docked.panel->setVolume(volume);
@@ -265,6 +271,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   viewport_->setScene(scene, resolved);
   slices_->setScene(scene, resolved);
   for (const Docked& docked : panels_) docked.panel->setScene(scene, resolved);
+  marks_->setScene(resolved);
   projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
   animate_->setEnabled(scene::showsFlow(scene));
   animate_->setChecked(scene.flow.animate);
@@ -287,6 +294,9 @@ void MainWindow::showState() {
   for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
     action->setEnabled(loaded);
   for (QAction* action : views_) action->setEnabled(loaded);
+  for (QAction* action : markTools_->actions()) action->setEnabled(loaded);
+  importMarks_->setEnabled(loaded);
+  exportMarks_->setEnabled(!document_->scene().marks.empty());
   const bool recording = document_->recording();
   record_->setText(recording ? "Stop &recording" : "Start &recording…");
   record_->setChecked(recording);
@@ -316,7 +326,8 @@ void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
                      .arg(pick->voxel.x, 0, 'f', 1)
                      .arg(pick->voxel.y, 0, 'f', 1)
                      .arg(pick->voxel.z, 0, 'f', 1)
-                     .arg(valueText(pick->value, unit));
+                     .arg(valueText(pick->value, unit)) +
+                 shapeText(pick->worldMm);
   showPointedText();
 }
 

@@ -13,6 +13,7 @@
 #include "scene/machine.h"
 #include "ui/document/document.h"
 
+class QActionGroup;
 class QComboBox;
 class QLabel;
 class QMenu;
@@ -26,6 +27,7 @@ class DocumentKeeper;
 class IsovaluePanel;
 class LightStatus;
 class LoadCard;
+class MarkReports;
 class MessageBar;
 class Panel;
 class PointedPiece;
@@ -71,6 +73,10 @@ class MainWindow : public QMainWindow {
 
   // .png or .exr; tells what was saved, or why not.
   bool savePicture(const QString& file, bool withSession = true);
+  // Marks as .csv or .mrk.json; tells what was saved, or why not.
+  bool exportMarks(const QString& file);
+  bool importMarks(const QString& file);  // adds those of a .mrk.json
+  const MarkReports* marks() const { return marks_; }
   void showPanel(const QString& title);  // in front of the others
 
  protected:
@@ -85,12 +91,14 @@ class MainWindow : public QMainWindow {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeMeasureMenu();
   void makeHelpMenu();
   void nameViews();
   void makeToolBar();
   void makePanels();
   void connectDocument();
   void connectLight();
+  void connectMarks();
   void applyEdit(const Edit& edit);
   void endGesture();
   void tellOfMoving();
@@ -101,8 +109,11 @@ class MainWindow : public QMainWindow {
   // What can be done with the piece under a place of the picture.
   void showSurfaceMenu(const QPoint& onScreen, const std::optional<app::Pick>& pick);
   void choosePieces(const QString& name, const scene::Pieces& choice);
+  QString shapeText(glm::dvec3 worldMm) const;  // curvatures, where they are there already
   void showRecent();
 
+  void chooseMarksToExport();
+  void chooseMarksToImport();
   void chooseFile();
   void chooseFolder();
   void chooseRaw(const QString& path);
@@ -131,6 +142,7 @@ class MainWindow : public QMainWindow {
   Document* document_;
   DocumentKeeper* keeper_ = nullptr;
   BakedLight* light_;
+  MarkReports* marks_;
   Viewport* viewport_;
   SliceBoard* slices_;
   IsovaluePanel* isovalue_;
@@ -145,6 +157,9 @@ class MainWindow : public QMainWindow {
   QMenu* recentMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_;
+  QAction *exportMarks_, *importMarks_;
+  QActionGroup* markTools_;
+  QMenu* measureMenu_ = nullptr;
   QComboBox* look_;
   QShortcut* leaveFullScreen_ = nullptr;  // Esc
   QByteArray layoutBefore_;               // full screen: which panels were open

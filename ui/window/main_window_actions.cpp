@@ -66,6 +66,7 @@ void MainWindow::showHelp() {
     <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset the view, fit the volume, orthographic</td></tr>
     <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>
     <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
+    <tr><td><b>P</b>, <b>M</b>, <b>Shift+M</b></td><td>pin, distance, distance along the surface: clicks set points; Backspace takes the last back, Esc ends</td></tr>
     <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
     <tr><td><b>F11</b>, <b>Esc</b></td><td>full screen, and back</td></tr>
     </table>

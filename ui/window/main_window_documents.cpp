@@ -112,7 +112,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     QMetaObject::invokeMethod(
         this,
         [this, path] {
-          if (isLightProbe(path)) {
+          if (path.endsWith(".mrk.json", Qt::CaseInsensitive) && document_->volume()) {
+            importMarks(path);
+          } else if (isLightProbe(path)) {
             document_->edit(lightProbeChosen(document_->scene(), path));
           } else {
             openPath(path);

@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <QShortcut>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "scene/looks.h"
 #include "scene/settings.h"
@@ -167,6 +168,13 @@ void MainWindow::makeToolBar() {
   bar->addActions({reset_, fit_, projection_});
   bar->addSeparator();
   for (QAction* action : views_) bar->addAction(action);
+  auto* measure = new QToolButton(bar);
+  measure->setIcon(icon("measure"));
+  measure->setToolTip("Pins and measurements: P, M, Shift+M");
+  measure->setAccessibleName("Measure");
+  measure->setPopupMode(QToolButton::InstantPopup);
+  measure->setMenu(measureMenu_);
+  bar->addWidget(measure);
   bar->addSeparator();
   look_ = new QComboBox(bar);
   look_->setToolTip("What the picture shows (L, Shift+L: next and previous)");

@@ -68,6 +68,14 @@ std::optional<Measured> angleDegrees(const UncertainPoint& a, const UncertainPoi
                     [](const auto& p) { return between(p[0] - p[1], p[2] - p[1]); });
 }
 
+std::optional<Measured> lineAngleDegrees(const UncertainPoint& a, const UncertainPoint& b,
+                                         const UncertainPoint& c, const UncertainPoint& d) {
+  const double size = shortest({glm::length(b.world - a.world), glm::length(d.world - c.world)});
+  if (!(size > 0.0)) return std::nullopt;
+  return propagated(std::array{a, b, c, d}, size,
+                    [](const auto& p) { return between(p[1] - p[0], p[3] - p[2]); });
+}
+
 std::optional<Measured> dihedralDegrees(const UncertainPoint& a, const UncertainPoint& b,
                                         const UncertainPoint& c, const UncertainPoint& d) {
   if (onALine(a.world, b.world, c.world) || onALine(b.world, c.world, d.world)) return std::nullopt;

@@ -26,6 +26,10 @@ std::optional<Measured> angleDegrees(const UncertainPoint& a, const UncertainPoi
 // opposite; nothing where three points lie on a line.
 std::optional<Measured> dihedralDegrees(const UncertainPoint& a, const UncertainPoint& b,
                                         const UncertainPoint& c, const UncertainPoint& d);
+// Between the directions from a to b and from c to d, wherever they lie, 0 to 180; nothing where two points
+// of a direction coincide.
+std::optional<Measured> lineAngleDegrees(const UncertainPoint& a, const UncertainPoint& b,
+                                         const UncertainPoint& c, const UncertainPoint& d);
 
 struct Circle {
   glm::dvec3 centre{0.0}, normal{0.0};

@@ -145,6 +145,32 @@ TEST(MeasureCommand, DoubtfulLengthsAreRefused) {
   EXPECT_THAT(jsonOf(anyway, folder)["doubt"].get<std::string>(), HasSubstr("ElementSpacing is missing"));
 }
 
+TEST(MeasureCommand, MarksOfAFileAndOfASession) {
+  const fs::path folder = temporaryFolder();
+  std::ofstream(folder / "m.mrk.json") << R"({"markups": [
+      {"type": "Line", "name": "across", "coordinateSystem": "RAS",
+       "controlPoints": [{"position": [22, 0, 0]}, {"position": [0, -22, 0]}]},
+      {"type": "Plane", "controlPoints": []}]})";
+  const RunResult result =
+      callIsolux({"measure", "phantom:ball:64", "--json", "--marks", "m.mrk.json", "--out", "m.csv"}, folder);
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("Plane"));
+  const json marks = json::parse(result.out)["marks"];
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_EQ(marks[0]["points_mm"][0][0].get<double>(), -22.0);
+  EXPECT_NEAR(marks[0]["quantities"]["straight"]["value"].get<double>(), 22.0 * std::sqrt(2.0), 1e-9);
+  EXPECT_THAT(contentOf(folder / "m.csv"), HasSubstr("across,distance,\"-22 0 0; 0 22 0\",straight,31.11"));
+  const std::string session = R"(marks.list=[{"kind": "thickness", "name": "wall", "points": [[0, 0, 22]]}])";
+  const RunResult text = callIsolux({"measure", "phantom:ball:64", "--set", session}, folder);
+  EXPECT_THAT(text.out, HasSubstr("wall (thickness)\n  ray: 44."));
+  expectRefused(2, {"measure", "phantom:ball:64", "--out", "x.csv"}, "no marks to write", folder);
+  expectRefused(2, {"measure", "phantom:ball:64", "--marks", "m.mrk.json", "--out", "m.mrk.json"},
+                "m.mrk.json", folder);
+  std::ofstream(folder / "bad.mrk.json") << "{";
+  expectRefused(3, {"measure", "phantom:ball:64", "--marks", "bad.mrk.json"}, "no JSON", folder);
+  expectRefused(3, {"measure", "phantom:ball:64", "--marks", "none.mrk.json"}, "none.mrk.json", folder);
+}
+
 TEST(ProbeCommand, PointsAndRaysOfABall) {
   const fs::path folder = temporaryFolder();
   std::ofstream(folder / "points.csv") << "x,y,z\n10,0,0\n# a remark\n0;5.5;7\n500,0,0\n";

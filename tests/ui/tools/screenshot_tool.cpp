@@ -1,6 +1,6 @@
 // Makes a picture of the real window, for the README and the pages.
 //
-//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|volume|passes] [--find TEXT]
+//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
 //                     [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
 //                     PATH
 //
@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
     QCommandLineParser options;
     options.addOptions({{"out", "The picture to write.", "FILE"},
                         {"size", "Size of the window.", "WxH", "1280x800"},
-                        {"panel", "settings, volume or passes.", "NAME", "settings"},
+                        {"panel", "settings, marks, volume or passes.", "NAME", "settings"},
                         {"find", "Search the settings for this.", "TEXT"},
                         {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
                         {"light-at", "As it is at so much of the stored light.", "PERCENT"},

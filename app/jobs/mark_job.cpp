@@ -1,0 +1,54 @@
+#include "app/jobs/mark_job.h"
+
+#include <new>
+
+namespace isolux::app {
+
+MarkJob::MarkJob(std::shared_ptr<MarkEvaluator> evaluator, std::vector<scene::Mark> marks)
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->evaluator = std::move(evaluator);
+            work->marks = std::move(marks);
+            return work;
+          }(),
+          run) {}
+
+MarkJob::~MarkJob() {
+  work_->progress.requestStop();
+}
+
+std::vector<MarkJob::Result> MarkJob::take() {
+  const std::scoped_lock lock(work_->mutex);
+  return std::exchange(work_->results, {});
+}
+
+MarkReport MarkJob::reportOf(Work& work, const scene::Mark& mark) {
+  MarkReport failed;
+  try {
+    return work.evaluator->evaluate(mark, work.progress);
+  } catch (const base::Error& error) {
+    if (error.kind() == base::ErrorKind::interrupted) throw;
+    failed.problem = error.what();
+  } catch (const std::bad_alloc&) {
+    failed.problem = "not enough memory";
+  }
+  return failed;
+}
+
+void MarkJob::run(Work& work) {
+  try {
+    for (const bool slow : {false, true})
+      for (std::size_t i = 0; i < work.marks.size(); ++i) {
+        if (isSlow(work.marks[i].kind) != slow) continue;
+        MarkReport report = reportOf(work, work.marks[i]);
+        const std::scoped_lock lock(work.mutex);
+        work.results.emplace_back(i, std::move(report));
+      }
+  } catch (const base::Error&) {
+    // Stopped: nobody asks any more.
+  }
+  work.finished.store(true, std::memory_order_release);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,123 @@
+#include "app/marks/mark_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/marks/mark_kinds.h"
+#include "base/number_text.h"
+
+namespace isolux::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json numbersOf(glm::dvec3 v) {
+  return ordered_json::array({v.x, v.y, v.z});
+}
+
+ordered_json numbersOf(const std::vector<glm::dvec3>& points) {
+  ordered_json list = ordered_json::array();
+  for (const glm::dvec3& point : points) list.push_back(numbersOf(point));
+  return list;
+}
+
+std::string fixedText(double value, int decimals) {
+  char text[400];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  for (char* c = text; *c; ++c)
+    if (*c == ',') *c = '.';  // in any locale
+  return text;
+}
+
+// A field that holds what separates fields is quoted.
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",;\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string positionsText(const std::vector<glm::dvec3>& points) {
+  std::string text;
+  for (const glm::dvec3& p : points)
+    text += (text.empty() ? "" : "; ") + base::shortestText(p.x) + ' ' + base::shortestText(p.y) + ' ' +
+            base::shortestText(p.z);
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& notes, const std::string& problem) {
+  std::string text = problem;
+  for (const std::string& note : notes) text += (text.empty() ? "" : "; ") + note;
+  return text;
+}
+
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+}  // namespace
+
+std::string quantityText(const MarkQuantity& quantity) {
+  const std::string unit =
+      quantity.unit.empty() || quantity.unit == "°" ? quantity.unit : ' ' + quantity.unit;
+  const double error = quantity.error.value_or(0.0), size = std::abs(quantity.value);
+  if (!quantity.error) return base::shortText(quantity.value, 4) + unit;
+  if (!(error > 0.0) || !(size < 1e9) || error < 1e-6 || error >= 1e9)
+    return base::shortText(quantity.value) + (error > 0.0 ? " ± " + base::shortText(error, 2) : "") + unit;
+  // Two digits of the error.
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
+  return fixedText(quantity.value, decimals) + " ± " + fixedText(error, decimals) + unit;
+}
+
+std::string summaryText(const MarkReport& report) {
+  if (report.pending) return report.quantities.empty() ? "…" : quantityText(report.quantities.front()) + " …";
+  if (!report.problem.empty()) return report.problem;
+  return report.quantities.empty() ? std::string() : quantityText(report.quantities.front());
+}
+
+std::string fullText(const scene::Mark& mark, const MarkReport& report) {
+  std::string text = mark.name + " (" + markKind(mark.kind).name + ")\n";
+  if (!report.place.empty()) text += "  " + report.place + '\n';
+  for (const MarkQuantity& quantity : report.quantities)
+    text += "  " + spaced(quantity.name) + ": " + quantityText(quantity) + '\n';
+  if (!report.problem.empty()) text += "  not measured: " + report.problem + '\n';
+  for (const std::string& note : report.notes) text += "  note: " + note + '\n';
+  return text;
+}
+
+ordered_json markJson(const scene::Mark& mark, const MarkReport& report) {
+  ordered_json json{
+      {"name", mark.name}, {"kind", markKind(mark.kind).name}, {"points_mm", numbersOf(mark.points)}};
+  if (!report.place.empty()) json["place"] = report.place;
+  ordered_json& quantities = json["quantities"] = ordered_json::object();
+  for (const MarkQuantity& quantity : report.quantities)
+    quantities[quantity.name] = {{"value", quantity.value},
+                                 {"error", quantity.error ? ordered_json(*quantity.error) : ordered_json()},
+                                 {"unit", quantity.unit}};
+  if (report.centre) json["centre_mm"] = numbersOf(*report.centre);
+  if (!report.line.empty()) json["path_mm"] = numbersOf(report.line);
+  json["notes"] = report.notes;
+  json["problem"] = report.problem.empty() ? ordered_json() : ordered_json(report.problem);
+  return json;
+}
+
+std::string marksCsv(std::span<const scene::Mark> marks, std::span<const MarkReport> reports) {
+  std::string text = "mark,kind,points_mm,quantity,value,error,unit,notes\n";
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const std::string first = csvField(marks[i].name) + ',' + markKind(marks[i].kind).name + ',' +
+                              csvField(positionsText(marks[i].points)) + ',';
+    const MarkReport& report = reports[i];
+    const std::string last = ',' + csvField(joined(report.notes, report.problem)) + '\n';
+    if (report.quantities.empty()) text += first + ",,," + last;
+    for (const MarkQuantity& quantity : report.quantities)
+      text += first + quantity.name + ',' + base::shortestText(quantity.value) + ',' +
+              (quantity.error ? base::shortestText(*quantity.error) : "") + ',' + csvField(quantity.unit) +
+              last;
+  }
+  return text;
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,112 @@
+#include "ui/document/mark_reports.h"
+
+#include <algorithm>
+
+#include "base/retire.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int startMilliseconds = 60;  // after the last change: an isovalue that is dragged changes often
+constexpr int markPollMilliseconds = 20;
+
+app::MarkReport pendingReport() {
+  app::MarkReport report;
+  report.pending = true;
+  return report;
+}
+
+app::MarkReport stoppedReport() {
+  app::MarkReport report;
+  report.problem = "stopped";
+  return report;
+}
+
+bool saysTheSame(const scene::Mark& a, const scene::Mark& b) {
+  return a.kind == b.kind && a.points == b.points;
+}
+
+}  // namespace
+
+MarkReports::MarkReports(QObject* parent) : QObject(parent) {
+  startTimer_.setSingleShot(true);
+  startTimer_.setInterval(startMilliseconds);
+  connect(&startTimer_, &QTimer::timeout, this, &MarkReports::start);
+  pollTimer_.setInterval(markPollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &MarkReports::poll);
+}
+
+// An evaluator whose job has not ended belongs to that job.
+void MarkReports::dropJob() {
+  pollTimer_.stop();
+  if (job_ && !job_->finished()) evaluator_.reset();
+  job_.reset();
+}
+
+void MarkReports::setVolume(VolumePointer volume) {
+  dropJob();
+  if (evaluator_) base::retire(std::move(evaluator_));
+  evaluator_.reset();
+  volume_ = std::move(volume);
+  for (app::MarkReport& report : reports_) report = pendingReport();
+  if (!marks_.empty()) startTimer_.start();
+}
+
+void MarkReports::setScene(const scene::Scene& resolved) {
+  const bool holds = evaluator_ && evaluator_->isFor(volume_, resolved);
+  resolved_ = resolved;
+  if (resolved.marks.empty() && marks_.empty()) return;
+  if (holds && resolved.marks == marks_) return;
+  std::vector<app::MarkReport> reports(resolved.marks.size());
+  bool any = false;
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    const auto same = std::find_if(marks_.begin(), marks_.end(), [&](const scene::Mark& mark) {
+      return saysTheSame(mark, resolved.marks[i]);
+    });
+    if (same != marks_.end()) reports[i] = reports_[static_cast<std::size_t>(same - marks_.begin())];
+    if (!holds || same == marks_.end()) reports[i].pending = true;
+    any = any || reports[i].pending;
+  }
+  marks_ = resolved.marks;
+  reports_ = std::move(reports);
+  dropJob();
+  if (!holds && evaluator_) base::retire(std::move(evaluator_));
+  if (!holds) evaluator_.reset();
+  startTimer_.stop();
+  if (any && volume_) startTimer_.start();
+  Q_EMIT changed();
+}
+
+void MarkReports::start() {
+  if (!volume_) return;
+  if (!evaluator_) evaluator_ = std::make_shared<app::MarkEvaluator>(volume_, resolved_);
+  std::vector<scene::Mark> wanted;
+  asked_.clear();
+  for (std::size_t i = 0; i < marks_.size(); ++i) {
+    if (!reports_[i].pending) continue;
+    wanted.push_back(marks_[i]);
+    asked_.push_back(i);
+  }
+  job_ = std::make_unique<app::MarkJob>(evaluator_, std::move(wanted));
+  pollTimer_.start();
+  Q_EMIT changed();
+}
+
+void MarkReports::poll() {
+  const bool finished = job_->finished();  // before the last are taken
+  auto results = job_->take();
+  for (auto& [which, report] : results) reports_[asked_[which]] = std::move(report);
+  if (finished) dropJob();
+  if (finished || !results.empty()) Q_EMIT changed();
+}
+
+void MarkReports::stop() {
+  startTimer_.stop();
+  dropJob();
+  for (app::MarkReport& report : reports_)
+    if (report.pending) report = stoppedReport();
+  Q_EMIT changed();
+}
+
+}  // namespace isolux::ui

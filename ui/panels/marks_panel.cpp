@@ -1,0 +1,252 @@
+#include "ui/panels/marks_panel.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QPlainTextEdit>
+#include <QStyledItemDelegate>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "app/marks/mark_kinds.h"
+#include "ui/editors/color_button.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int swatchPixels = 12, detailLines = 9;
+
+// What a mark says is not typed.
+class ReadOnlyColumn : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QWidget* createEditor(QWidget*, const QStyleOptionViewItem&, const QModelIndex&) const override {
+    return nullptr;
+  }
+};
+
+QIcon swatch(glm::dvec3 linear) {
+  QPixmap pixmap(swatchPixels, swatchPixels);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(screenColour(linear));
+  painter.drawEllipse(QRectF(1, 1, swatchPixels - 2, swatchPixels - 2));
+  return QIcon(pixmap);
+}
+
+}  // namespace
+
+MarksPanel::MarksPanel(QWidget* parent)
+    : Panel(parent),
+      empty_(
+          new QLabel("Nothing is marked yet.\n\nThe Measure menu has pins (P), distances (M), ways along the "
+                     "surface (Shift+M), angles, circles, thicknesses and pieces: choose one, then click on "
+                     "the surface.",
+                     this)),
+      measuring_(new QLabel("Measuring …", this)),
+      list_(new QTreeWidget(this)),
+      details_(new QPlainTextEdit(this)),
+      colour_(new ColorButton(this)) {
+  empty_->setWordWrap(true);
+  empty_->setAlignment(Qt::AlignTop);
+  for (QLabel* label : {empty_, measuring_})
+    label->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  details_->setReadOnly(true);
+  details_->setAccessibleName("What the mark says");
+  details_->setFixedHeight(fontMetrics().lineSpacing() * detailLines + 12);
+  details_->setTabChangesFocus(true);
+  colour_->setToolTip("Colour of the mark");
+  colour_->setAccessibleName("Colour of the mark");
+  connect(colour_, &ColorButton::chosen, this, &MarksPanel::recolour);
+  delete_ = addButton("Delete", "Delete the chosen marks (Del)");
+  copy_ = addButton("Copy", "Copy what all marks say as text");
+  export_ = addButton("Export…", "Save the marks as a table (CSV) or for 3D Slicer (.mrk.json)");
+  import_ = addButton("Import…", "Open marks of 3D Slicer (.mrk.json)");
+  stop_ = addButton("Stop", "Stop measuring");
+  connect(delete_, &QToolButton::clicked, this, &MarksPanel::deleteChosen);
+  connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
+  connect(export_, &QToolButton::clicked, this, &MarksPanel::exportWanted);
+  connect(import_, &QToolButton::clicked, this, &MarksPanel::importWanted);
+  connect(stop_, &QToolButton::clicked, this, &MarksPanel::stopWanted);
+  makeList();
+
+  auto* buttons = new QHBoxLayout;
+  for (QWidget* widget : std::initializer_list<QWidget*>{colour_, delete_, copy_, export_, import_})
+    buttons->addWidget(widget);
+  buttons->addStretch(1);
+  auto* busy = new QHBoxLayout;
+  busy->addWidget(measuring_, 1);
+  busy->addWidget(stop_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 10, 12, 12);
+  layout->setSpacing(8);
+  layout->addWidget(empty_);
+  layout->addWidget(list_, 1);
+  layout->addLayout(busy);
+  layout->addWidget(details_);
+  layout->addLayout(buttons);
+  showMarks();
+  setReports({}, false);
+}
+
+QToolButton* MarksPanel::addButton(const char* text, const char* tip) {
+  auto* button = new QToolButton(this);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+void MarksPanel::makeList() {
+  list_->setColumnCount(columns);
+  list_->setHeaderLabels({"Mark", "Says"});
+  list_->setRootIsDecorated(false);
+  list_->setIndentation(0);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  list_->setItemDelegateForColumn(valueColumn, new ReadOnlyColumn(list_));
+  list_->setIconSize({swatchPixels, swatchPixels});
+  list_->setAccessibleName("Marks");
+  list_->header()->setStretchLastSection(true);
+  list_->header()->setSectionResizeMode(nameColumn, QHeaderView::ResizeToContents);
+  auto* remove = new QAction("Delete", list_);
+  remove->setShortcut(QKeySequence::Delete);
+  remove->setShortcutContext(Qt::WidgetShortcut);  // not while a name is edited
+  list_->addAction(remove);
+  connect(remove, &QAction::triggered, this, &MarksPanel::deleteChosen);
+  connect(list_, &QTreeWidget::itemChanged, this, &MarksPanel::itemEdited);
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, &MarksPanel::showDetails);
+}
+
+void MarksPanel::setScene(const scene::Scene& scene, const scene::Scene&) {
+  const bool same = scene.marks == scene_.marks;
+  scene_ = scene;
+  if (!same) showMarks();
+}
+
+void MarksPanel::setReports(const std::vector<app::MarkReport>& reports, bool measuring) {
+  reports_ = reports;
+  measuring_->setVisible(measuring);
+  stop_->setVisible(measuring);
+  showMarks();
+}
+
+void MarksPanel::showMarks() {
+  filling_ = true;
+  const int count = static_cast<int>(scene_.marks.size()), before = list_->topLevelItemCount();
+  while (list_->topLevelItemCount() > count) delete list_->takeTopLevelItem(count);
+  while (list_->topLevelItemCount() < count) {
+    auto* item = new QTreeWidgetItem(list_);
+    item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+  }
+  for (int row = 0; row < count; ++row) showRow(list_->topLevelItem(row), static_cast<std::size_t>(row));
+  if (before < count && before >= 0) list_->setCurrentItem(list_->topLevelItem(count - 1));
+  filling_ = false;
+  empty_->setVisible(count == 0);
+  list_->setVisible(count > 0);
+  details_->setVisible(count > 0);
+  for (QWidget* widget : std::initializer_list<QWidget*>{colour_, delete_, copy_, export_})
+    widget->setEnabled(count > 0);
+  showDetails();
+}
+
+void MarksPanel::showRow(QTreeWidgetItem* item, std::size_t mark) {
+  const scene::Mark& shown = scene_.marks[mark];
+  item->setText(nameColumn, QString::fromStdString(shown.name));
+  item->setIcon(nameColumn, swatch(shown.color));
+  item->setCheckState(nameColumn, shown.shown ? Qt::Checked : Qt::Unchecked);
+  item->setToolTip(nameColumn, "Double click: another name; the box: shown in the picture");
+  const bool known = mark < reports_.size();
+  const QString says = known ? QString::fromStdString(app::summaryText(reports_[mark])) : QString("…");
+  const bool doubtful = known && (!reports_[mark].notes.empty() || !reports_[mark].problem.empty());
+  item->setText(valueColumn, doubtful ? "⚠ " + says : says);
+  item->setForeground(valueColumn, doubtful ? colours::warning : colours::text);
+  const std::string all = known ? app::fullText(shown, reports_[mark]) : std::string();
+  item->setToolTip(valueColumn, QString::fromStdString(all).trimmed());
+}
+
+int MarksPanel::current() const {
+  const int row = list_->indexOfTopLevelItem(list_->currentItem());
+  return row < static_cast<int>(scene_.marks.size()) ? row : -1;
+}
+
+QString MarksPanel::details() const {
+  return details_->toPlainText();
+}
+
+void MarksPanel::showDetails() {
+  const int row = current();
+  if (row < 0) {
+    details_->clear();
+    return;
+  }
+  const auto mark = static_cast<std::size_t>(row);
+  colour_->showColour(scene_.marks[mark].color);
+  const app::MarkReport report = mark < reports_.size() ? reports_[mark] : app::MarkReport{};
+  const QString text = QString::fromStdString(app::fullText(scene_.marks[mark], report)).trimmed();
+  if (text != details_->toPlainText()) details_->setPlainText(text);
+}
+
+QString MarksPanel::text() const {
+  std::string text;
+  for (std::size_t i = 0; i < scene_.marks.size() && i < reports_.size(); ++i)
+    text += app::fullText(scene_.marks[i], reports_[i]);
+  return QString::fromStdString(text);
+}
+
+void MarksPanel::itemEdited(QTreeWidgetItem* item, int column) {
+  const int row = list_->indexOfTopLevelItem(item);
+  if (filling_ || row < 0 || row >= static_cast<int>(scene_.marks.size())) return;
+  std::vector<scene::Mark> marks = scene_.marks;
+  scene::Mark& mark = marks[static_cast<std::size_t>(row)];
+  const bool shown = item->checkState(nameColumn) == Qt::Checked;
+  if (column == nameColumn && shown != mark.shown) {
+    mark.shown = shown;
+    send(std::move(marks), (shown ? "Show " : "Hide ") + QString::fromStdString(mark.name));
+  } else if (const std::string name = item->text(nameColumn).trimmed().toStdString();
+             column == nameColumn && name != mark.name && !name.empty()) {
+    mark.name = name;
+    send(std::move(marks), "Rename mark");
+  } else {
+    showMarks();  // an empty name, or a value: what holds is shown again
+  }
+}
+
+void MarksPanel::recolour(glm::dvec3 linear) {
+  std::vector<scene::Mark> marks = scene_.marks;
+  for (QTreeWidgetItem* item : list_->selectedItems())
+    marks[static_cast<std::size_t>(list_->indexOfTopLevelItem(item))].color = linear;
+  send(std::move(marks), "Colour marks", "colour marks");
+}
+
+void MarksPanel::deleteChosen() {
+  std::vector<scene::Mark> marks;
+  int deleted = 0;
+  for (int row = 0; row < static_cast<int>(scene_.marks.size()); ++row) {
+    if (list_->topLevelItem(row)->isSelected())
+      ++deleted;
+    else
+      marks.push_back(scene_.marks[static_cast<std::size_t>(row)]);
+  }
+  if (deleted > 0) send(std::move(marks), deleted == 1 ? "Delete mark" : "Delete marks");
+}
+
+void MarksPanel::send(std::vector<scene::Mark> marks, const QString& name, const QString& mergeKey) {
+  Edit edit{scene_, name, mergeKey, !mergeKey.isEmpty()};
+  edit.scene.marks = std::move(marks);
+  Q_EMIT edited(edit);
+}
+
+}  // namespace isolux::ui

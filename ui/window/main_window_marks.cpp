@@ -1,0 +1,161 @@
+// The Measure menu of ui/window/main_window.h, and files of marks.
+#include <QActionGroup>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/files/files.h"
+#include "app/marks/mark_kinds.h"
+#include "app/marks/markups_file.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/document/mark_reports.h"
+#include "ui/editors/number_text.h"
+#include "ui/panels/marks_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/icons.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "volume/measure/point_probe.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr auto markupsFilter = "Marks for 3D Slicer (*.mrk.json)";
+constexpr auto tableFilter = "Table of what they say (*.csv)";
+
+struct MarkTool {
+  scene::MarkKind kind;
+  const char *text, *keys, *tip;
+};
+constexpr MarkTool markTools[] = {
+    {scene::MarkKind::point, "&Pin", "P", "Keep a point of the surface: position, value, curvature, edge"},
+    {scene::MarkKind::distance, "&Distance", "M", "Straight from point to point"},
+    {scene::MarkKind::path, "Along the &surface", "Shift+M", "The shortest way along the surface"},
+    {scene::MarkKind::angle, "&Angle", "", "At the second of three points, or between two lines"},
+    {scene::MarkKind::circle, "&Circle", "", "Through three points: radius and centre"},
+    {scene::MarkKind::thickness, "&Thickness", "", "From the surface through the inside"},
+    {scene::MarkKind::piece, "Pi&ece", "", "Volume and area of the connected piece"},
+};
+
+}  // namespace
+
+void MainWindow::makeMeasureMenu() {
+  QMenu* menu = measureMenu_ = menuBar()->addMenu("&Measure");
+  menu->setToolTipsVisible(true);
+  markTools_ = new QActionGroup(this);
+  markTools_->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+  for (const MarkTool& tool : markTools) {
+    QAction* action = newAction(menu, tool.text, "", QKeySequence(tool.keys), tool.tip);
+    action->setCheckable(true);
+    action->setData(static_cast<int>(tool.kind));
+    markTools_->addAction(action);
+    connect(action, &QAction::triggered, this, [this, kind = tool.kind](bool on) {
+      viewport_->setTool(on ? std::optional(kind) : std::nullopt);
+      if (on) viewport_->setFocus();
+    });
+  }
+  menu->addSeparator();
+  QAction* show = newAction(menu, "&List of marks", "", {}, "Show the panel of marks");
+  connect(show, &QAction::triggered, this, [this] { showPanel("Marks"); });
+  exportMarks_ = newAction(menu, "E&xport marks…", "", {}, "As a table (CSV) or for 3D Slicer (.mrk.json)");
+  connect(exportMarks_, &QAction::triggered, this, &MainWindow::chooseMarksToExport);
+  importMarks_ = newAction(menu, "&Import marks…", "", {}, "Marks of 3D Slicer (.mrk.json)");
+  connect(importMarks_, &QAction::triggered, this, &MainWindow::chooseMarksToImport);
+}
+
+void MainWindow::connectMarks() {
+  auto* const panel = this->panel<MarksPanel>();
+  connect(marks_, &MarkReports::changed, this, [this, panel] {
+    viewport_->setMarks(marks_->marks(), marks_->reports());
+    panel->setReports(marks_->reports(), marks_->measuring());
+  });
+  connect(panel, &MarksPanel::exportWanted, this, &MainWindow::chooseMarksToExport);
+  connect(panel, &MarksPanel::importWanted, this, &MainWindow::chooseMarksToImport);
+  connect(panel, &MarksPanel::stopWanted, marks_, &MarkReports::stop);
+  connect(viewport_, &Viewport::toolChanged, this, [this] {
+    for (QAction* action : markTools_->actions())
+      action->setChecked(viewport_->tool() && action->data().toInt() == static_cast<int>(*viewport_->tool()));
+  });
+}
+
+// Only where noise, scale and field are known: nothing is made for a pointer that passes by.
+QString MainWindow::shapeText(glm::dvec3 worldMm) const {
+  const VolumePointer& volume = document_->volume();
+  scene::Scene scene = document_->resolvedScene();
+  const scene::Derivatives& derivatives = scene.derivatives;
+  if (!scene.isosurface.value ||
+      !volume->derivativeChoices->find({*scene.isosurface.value, derivatives.field, derivatives.noise}) ||
+      !volume->derivativeChoices->completeIfChosen(scene))
+    return {};
+  const auto interpolating = scene::Field::cubic_interpolating;
+  const bool reads = scene.hit.field == interpolating || derivatives.field == interpolating;
+  const double scale = derivatives.scale.value_or(0.0);
+  if ((reads && !volume->cubicFields->find(interpolating)) ||
+      (scale > 0.0 && !volume->cubicFields->find(derivatives.field, scale)))
+    return {};
+  base::Progress progress;
+  const auto point = volume::PointProbe(volume, scene, progress).at(worldMm);
+  if (!point || point->curvature.normal == glm::dvec3(0.0)) return {};
+  return QString("      κ₁ %1, κ₂ %2 /mm (confidence %3)")
+      .arg(numberText(point->curvature.kappa1, 3), numberText(point->curvature.kappa2, 3),
+           numberText(point->confidence, 2));
+}
+
+bool MainWindow::exportMarks(const QString& file) {
+  try {
+    const std::filesystem::path path = file.toStdString();
+    const bool table = QFileInfo(file).suffix().compare("csv", Qt::CaseInsensitive) == 0;
+    if (!table && !file.endsWith(".json", Qt::CaseInsensitive))
+      base::throwInput(path.filename().string(), "",
+                       "is not written: marks are saved as .csv or as .mrk.json");
+    document_->checkOutput(file);
+    const std::vector<scene::Mark>& marks = marks_->marks();
+    app::writeTextFile(path, table ? app::marksCsv(marks, marks_->reports()) : app::markupsText(marks));
+    tellSaved(file, table && marks_->measuring() ? "some marks were still being measured" : "");
+    return true;
+  } catch (const base::Error& error) {
+    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+bool MainWindow::importMarks(const QString& file) {
+  try {
+    const app::ReadMarks read = app::readMarkups(file.toStdString());
+    const auto count = read.marks.size();
+    QString text =
+        QString("%1 mark%2 of %3").arg(count).arg(count == 1 ? "" : "s", QFileInfo(file).fileName());
+    if (!read.notes.empty()) text += "; left out: " + QString::fromStdString(read.notes.front());
+    if (count > 0) {
+      Edit edit{document_->scene(), "Import marks", {}, false};
+      edit.scene.marks.insert(edit.scene.marks.end(), read.marks.begin(), read.marks.end());
+      document_->edit(edit);
+      showPanel("Marks");
+    }
+    message_->show(MessageBar::Kind::note, text);
+    return true;
+  } catch (const base::Error& error) {
+    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+void MainWindow::chooseMarksToExport() {
+  const SaveAnswer answer =
+      askForFileToSave(this, {"Export marks", proposedFile(".mrk.json"), {markupsFilter, tableFilter}});
+  if (!answer.file.isEmpty()) exportMarks(answer.file);
+}
+
+void MainWindow::chooseMarksToImport() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, "Import marks", QSettings().value("lastFolder").toString(),
+                                   "Marks of 3D Slicer (*.mrk.json *.json);;All files (*)");
+  if (!path.isEmpty()) importMarks(path);
+}
+
+}  // namespace isolux::ui
