@@ -22,6 +22,7 @@
 #include "scene/settings.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/document/baked_light.h"
+#include "ui/document/mark_reports.h"
 #include "ui/editors/histogram_slider.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
@@ -88,7 +89,9 @@ int takePicture(const QCommandLineParser& options) {
   window.panel<ui::SettingsPanel>()->searchLine()->setText(options.value("find"));
   const double zoom = options.value("histogram-zoom").toDouble();
   if (zoom > 1.0) window.isovaluePanel()->slider()->zoomAtLine(zoom);
-  const auto drawn = [&] { return !window.light()->changing() && window.viewport()->complete(); };
+  const auto drawn = [&] {
+    return !window.light()->changing() && window.viewport()->complete() && !window.marks()->measuring();
+  };
   const QString at = options.value("light-at");  // per cent
   if (!at.isEmpty()) {
     const auto there = [&] {
