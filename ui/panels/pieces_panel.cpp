@@ -291,7 +291,7 @@ void PiecesPanel::showState() {
 
 std::vector<std::size_t> PiecesPanel::selected() const {
   std::vector<std::size_t> ids;
-  for (const QTreeWidgetItem* item : list_->selectedItems())
+  for (QTreeWidgetItem* item : list_->selectedItems())
     ids.push_back(static_cast<std::size_t>(list_->indexOfTopLevelItem(item)));
   std::sort(ids.begin(), ids.end());
   return ids;

@@ -16,7 +16,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/camera.h"
-#include "tests/support/files.h"
+#include "tests/support/test_data.h"
 #include "ui/panels/pieces_panel.h"
 #include "ui/viewport/viewport.h"
 #include "volume/pieces/piece_sets.h"
@@ -199,7 +199,8 @@ TEST_F(PiecesTest, ARightDragZoomsAndOpensNothing) {
 
 TEST_F(PiecesTest, TheMenuKeyAsksToo) {
   QTest::mouseMove(window_->viewport(), onScreen(kBalls[0]));
-  QContextMenuEvent key(QContextMenuEvent::Keyboard, onScreen(kBalls[0]));
+  const QPoint at = onScreen(kBalls[0]);
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, at, window_->viewport()->mapToGlobal(at));
   QCoreApplication::sendEvent(window_->viewport(), &key);
   EXPECT_TRUE(waitUntil([&] { return menu() != nullptr; }));
   closeMenu();
