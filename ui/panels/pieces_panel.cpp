@@ -144,8 +144,13 @@ void PiecesPanel::setScene(const scene::Scene& scene, const scene::Scene& resolv
   findSoon();
 }
 
-void PiecesPanel::showEvent(QShowEvent* event) {
-  Panel::showEvent(event);
+// A tab behind others is visible to Qt, but not to anybody; what comes to the front is painted.
+bool PiecesPanel::isSeen() const {
+  return isVisible() && !visibleRegion().isEmpty();
+}
+
+void PiecesPanel::paintEvent(QPaintEvent* event) {
+  Panel::paintEvent(event);
   find();
 }
 
@@ -167,14 +172,14 @@ bool PiecesPanel::measured() const {
 
 // While the isovalue is dragged nothing is begun.
 void PiecesPanel::findSoon() {
-  if (!isVisible() || !volume_ || !resolved_.isosurface.value || measured()) return;
+  if (!isSeen() || !volume_ || !resolved_.isosurface.value || measured()) return;
   const bool begun =
       job_ && job_->isFor(volume_.get(), *resolved_.isosurface.value, resolved_.isosurface.inside);
   if (!begun) restTimer_.start();
 }
 
 void PiecesPanel::find() {
-  if (!isVisible() || !volume_ || !resolved_.isosurface.value || measured()) return;
+  if (!isSeen() || !volume_ || !resolved_.isosurface.value || measured()) return;
   const double isovalue = *resolved_.isosurface.value;
   if (job_ && job_->isFor(volume_.get(), isovalue, resolved_.isosurface.inside)) return;
   job_ = std::make_unique<app::PieceJob>(volume_, resolved_, isovalue, current());
@@ -209,18 +214,17 @@ void PiecesPanel::showFound() {
 }
 
 void PiecesPanel::showRows() {
-  const std::vector<std::size_t> marked = selected();
   const QSignalBlocker block(list_);
-  list_->clear();
   more_->hide();
-  if (!found_.pieces) return;
+  if (!found_.pieces) return list_->clear();
   const std::vector<bool> shown = volume::shownPieces(*found_.pieces, scene_.pieces);
   const std::size_t rows = std::min(shown.size(), mostRows);
-  for (std::size_t id = 0; id < rows; ++id) {
-    auto* item = new QTreeWidgetItem(list_);
-    fillRow(item, id, shown[id]);
-    item->setSelected(std::find(marked.begin(), marked.end(), id) != marked.end());
+  // A change of the choice comes from a row: its items stay.
+  if (static_cast<std::size_t>(list_->topLevelItemCount()) != rows) {
+    list_->clear();
+    for (std::size_t id = 0; id < rows; ++id) new QTreeWidgetItem(list_);
   }
+  for (std::size_t id = 0; id < rows; ++id) fillRow(list_->topLevelItem(static_cast<int>(id)), id, shown[id]);
   if (rows < shown.size()) more_->setText(QString("… and %1 smaller ones").arg(shown.size() - rows));
   more_->setVisible(rows < shown.size());
   showState();
@@ -236,6 +240,7 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
     item->setForeground(column, shown ? colours::text : colours::disabledText);
   const volume::Piece& piece = found_.pieces->list()[id];
   if (id >= found_.measures.size()) {
+    item->setText(boxColumn, {});
     item->setText(volumeColumn, "about " + numberText(piece.volumeMm3, 3));
     return;
   }
