@@ -27,7 +27,7 @@ class PieceChoiceTest : public ::testing::Test {
   }
   // From a point of the ball's surface.
   glm::dvec3 seedOf(std::size_t ball) const {
-    const test::PieceBall& of = test::pieceBalls()[ball];
+    const test::PieceBall of = test::pieceBalls()[ball];
     const glm::dvec3 at = of.middle + of.radius * glm::normalize(glm::dvec3(1.0, -2.0, 0.5));
     const auto seed = seedOfPick(*volume_, {at, at, 0.0, 0.0}, scene::Inside::above);
     EXPECT_TRUE(seed);
@@ -37,7 +37,7 @@ class PieceChoiceTest : public ::testing::Test {
 
 TEST_F(PieceChoiceTest, ThePointOfAPickLiesDeepInItsPiece) {
   for (std::size_t i = 0; i < test::pieceBalls().size(); ++i) {
-    const test::PieceBall& ball = test::pieceBalls()[i];
+    const test::PieceBall ball = test::pieceBalls()[i];
     // Values are cut 2 voxels below the surface.
     EXPECT_LT(glm::length(seedOf(i) - ball.middle), ball.radius - 1.0) << i;
   }
