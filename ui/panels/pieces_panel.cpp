@@ -1,6 +1,7 @@
 #include "ui/panels/pieces_panel.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QFormLayout>
 #include <QGridLayout>
@@ -32,8 +33,14 @@ QString boxText(const volume::WorldBox& box) {
   return QString("%1 × %2 × %3").arg(text(size.x), text(size.y), text(size.z));
 }
 
-QString withErrorText(const volume::Measured& measured, const QString& unit) {
-  return QString("%1 ± %2 %3").arg(numberText(measured.value, 6), numberText(measured.error, 2), unit);
+// "2600 ± 200": no digits that the error does not know.
+QString withErrorText(const volume::Measured& measured) {
+  const auto rounded = [&](double number) {
+    if (!(measured.error > 0.0)) return numberText(number, 6);
+    const double step = std::pow(10.0, std::floor(std::log10(measured.error)) - 1.0);
+    return numberText(std::round(number / step) * step, 9);
+  };
+  return QString("%1 ± %2").arg(rounded(measured.value), rounded(measured.error));
 }
 
 }  // namespace
@@ -246,11 +253,10 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
   }
   const volume::PieceMeasure& measure = found_.measures[id];
   const volume::Measured& volume = measure.surface.volumeMm3;
-  item->setText(volumeColumn,
-                QString("%1 ± %2").arg(numberText(volume.value, 6), numberText(volume.error, 2)));
+  item->setText(volumeColumn, withErrorText(volume));
   item->setText(boxColumn, boxText(measure.bounds));
-  QString tip = "Volume " + withErrorText(volume, "mm³") + "\nArea " +
-                withErrorText(measure.surface.areaMm2, "mm²") + QString("\n%1 voxels").arg(piece.voxels);
+  QString tip = "Volume " + withErrorText(volume) + " mm³" + "\nArea " +
+                withErrorText(measure.surface.areaMm2) + " mm²" + QString("\n%1 voxels").arg(piece.voxels);
   if (measure.surface.open()) tip += "\nGoes on beyond the data: both are of what lies within";
   if (!shown) tip += "\nHidden";
   for (int column = 0; column < pieceColumns; ++column) item->setToolTip(column, tip);
