@@ -37,7 +37,7 @@ void PieceJob::find(Work& work) {
   const volume::SurfaceQuestion question{
       work.isovalue, inside, std::nullopt, noiseOf(volume, work.scene, work.progress), {}};
   work.found.measures = measurePieces(*work.found.pieces, *volume.blocks, question, {}, work.progress).pieces;
-  for (const glm::ivec3 seed : pieceSeeds(*work.found.pieces, work.progress))
+  for (const glm::ivec3& seed : pieceSeeds(*work.found.pieces, work.progress))
     work.found.seedsMm.push_back(volume::worldOf(volume.grid().geometry(), seed));
 }
 

@@ -1,6 +1,7 @@
 #include "ui/panels/pieces_panel.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QFormLayout>
 #include <QGridLayout>
@@ -32,8 +33,14 @@ QString boxText(const volume::WorldBox& box) {
   return QString("%1 × %2 × %3").arg(text(size.x), text(size.y), text(size.z));
 }
 
-QString withErrorText(const volume::Measured& measured, const QString& unit) {
-  return QString("%1 ± %2 %3").arg(numberText(measured.value, 6), numberText(measured.error, 2), unit);
+// "2600 ± 200": no digits that the error does not know.
+QString withErrorText(const volume::Measured& measured) {
+  const auto rounded = [&](double number) {
+    if (!(measured.error > 0.0)) return numberText(number, 6);
+    const double step = std::pow(10.0, std::floor(std::log10(measured.error)) - 1.0);
+    return numberText(std::round(number / step) * step, 9);
+  };
+  return QString("%1 ± %2").arg(rounded(measured.value), rounded(measured.error));
 }
 
 }  // namespace
@@ -144,8 +151,13 @@ void PiecesPanel::setScene(const scene::Scene& scene, const scene::Scene& resolv
   findSoon();
 }
 
-void PiecesPanel::showEvent(QShowEvent* event) {
-  Panel::showEvent(event);
+// A tab behind others is visible to Qt, but not to anybody; what comes to the front is painted.
+bool PiecesPanel::isSeen() const {
+  return isVisible() && !visibleRegion().isEmpty();
+}
+
+void PiecesPanel::paintEvent(QPaintEvent* event) {
+  Panel::paintEvent(event);
   find();
 }
 
@@ -167,14 +179,14 @@ bool PiecesPanel::measured() const {
 
 // While the isovalue is dragged nothing is begun.
 void PiecesPanel::findSoon() {
-  if (!isVisible() || !volume_ || !resolved_.isosurface.value || measured()) return;
+  if (!isSeen() || !volume_ || !resolved_.isosurface.value || measured()) return;
   const bool begun =
       job_ && job_->isFor(volume_.get(), *resolved_.isosurface.value, resolved_.isosurface.inside);
   if (!begun) restTimer_.start();
 }
 
 void PiecesPanel::find() {
-  if (!isVisible() || !volume_ || !resolved_.isosurface.value || measured()) return;
+  if (!isSeen() || !volume_ || !resolved_.isosurface.value || measured()) return;
   const double isovalue = *resolved_.isosurface.value;
   if (job_ && job_->isFor(volume_.get(), isovalue, resolved_.isosurface.inside)) return;
   job_ = std::make_unique<app::PieceJob>(volume_, resolved_, isovalue, current());
@@ -209,18 +221,17 @@ void PiecesPanel::showFound() {
 }
 
 void PiecesPanel::showRows() {
-  const std::vector<std::size_t> marked = selected();
   const QSignalBlocker block(list_);
-  list_->clear();
   more_->hide();
-  if (!found_.pieces) return;
+  if (!found_.pieces) return list_->clear();
   const std::vector<bool> shown = volume::shownPieces(*found_.pieces, scene_.pieces);
   const std::size_t rows = std::min(shown.size(), mostRows);
-  for (std::size_t id = 0; id < rows; ++id) {
-    auto* item = new QTreeWidgetItem(list_);
-    fillRow(item, id, shown[id]);
-    item->setSelected(std::find(marked.begin(), marked.end(), id) != marked.end());
+  // A change of the choice comes from a row: its items stay.
+  if (static_cast<std::size_t>(list_->topLevelItemCount()) != rows) {
+    list_->clear();
+    for (std::size_t id = 0; id < rows; ++id) new QTreeWidgetItem(list_);
   }
+  for (std::size_t id = 0; id < rows; ++id) fillRow(list_->topLevelItem(static_cast<int>(id)), id, shown[id]);
   if (rows < shown.size()) more_->setText(QString("… and %1 smaller ones").arg(shown.size() - rows));
   more_->setVisible(rows < shown.size());
   showState();
@@ -236,16 +247,16 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
     item->setForeground(column, shown ? colours::text : colours::disabledText);
   const volume::Piece& piece = found_.pieces->list()[id];
   if (id >= found_.measures.size()) {
+    item->setText(boxColumn, {});
     item->setText(volumeColumn, "about " + numberText(piece.volumeMm3, 3));
     return;
   }
   const volume::PieceMeasure& measure = found_.measures[id];
   const volume::Measured& volume = measure.surface.volumeMm3;
-  item->setText(volumeColumn,
-                QString("%1 ± %2").arg(numberText(volume.value, 6), numberText(volume.error, 2)));
+  item->setText(volumeColumn, withErrorText(volume));
   item->setText(boxColumn, boxText(measure.bounds));
-  QString tip = "Volume " + withErrorText(volume, "mm³") + "\nArea " +
-                withErrorText(measure.surface.areaMm2, "mm²") + QString("\n%1 voxels").arg(piece.voxels);
+  QString tip = "Volume " + withErrorText(volume) + " mm³" + "\nArea " +
+                withErrorText(measure.surface.areaMm2) + " mm²" + QString("\n%1 voxels").arg(piece.voxels);
   if (measure.surface.open()) tip += "\nGoes on beyond the data: both are of what lies within";
   if (!shown) tip += "\nHidden";
   for (int column = 0; column < pieceColumns; ++column) item->setToolTip(column, tip);
@@ -291,7 +302,7 @@ void PiecesPanel::showState() {
 
 std::vector<std::size_t> PiecesPanel::selected() const {
   std::vector<std::size_t> ids;
-  for (const QTreeWidgetItem* item : list_->selectedItems())
+  for (QTreeWidgetItem* item : list_->selectedItems())
     ids.push_back(static_cast<std::size_t>(list_->indexOfTopLevelItem(item)));
   std::sort(ids.begin(), ids.end());
   return ids;

@@ -33,13 +33,14 @@ class PiecesPanel : public Panel {
   bool working() const { return job_ != nullptr; }
 
  protected:
-  void showEvent(QShowEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
   void makeList();
   QWidget* makeButtons();
   QPushButton* addButton(const QString& text, const QString& tip, void (PiecesPanel::*clicked)());
+  bool isSeen() const;
   bool current() const;  // found_ is of the scene's isosurface
   void findSoon();
   void find();

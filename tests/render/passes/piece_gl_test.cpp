@@ -30,13 +30,22 @@ class PieceGlTest : public ExecutorsGlTest {
     scene.camera.eye = target + distance * glm::dvec3(std::cos(azimuth), std::sin(azimuth), height);
     return scene;
   }
-  std::vector<float> piecesSeen(const std::shared_ptr<const volume::PreparedVolume>& volume,
-                                const scene::Scene& scene, Images& seen) {
-    seen = images(volume, scene, kSize);
-    std::vector<float> ids = renderer_->readAov(Aov::piece).values;
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      EXPECT_EQ(seen.hit.values[i] == 1.0f, !std::isnan(ids[i])) << i;
-    return ids;
+  // Ids, and where the hits are.
+  struct Seen {
+    render::AovImage voxel;
+    std::vector<float> ids;
+  };
+  Seen piecesSeen(const std::shared_ptr<const volume::PreparedVolume>& volume, const scene::Scene& scene) {
+    renderer_->setVolume(volume);
+    render::FrameRequest request;
+    request.size = kSize;
+    request.color = false;
+    request.aovs = {Aov::hit, Aov::voxel, Aov::piece};
+    renderer_->render(scene::resolve(scene, volume->facts), request);
+    const std::vector<float> hit = renderer_->readAov(Aov::hit).values;
+    Seen seen{renderer_->readAov(Aov::voxel), renderer_->readAov(Aov::piece).values};
+    for (std::size_t i = 0; i < hit.size(); ++i) EXPECT_EQ(hit[i] == 1.0f, !std::isnan(seen.ids[i])) << i;
+    return seen;
   }
 };
 ISOLUX_ON_BOTH_EXECUTORS(PieceGlTest);
@@ -58,13 +67,12 @@ TEST_P(PieceGlTest, EachBallHasTheIdOfItsSize) {
                               "hit.method=sampled", "isosurface.opacity=0.5", "pieces.keep=2"})
     for (int k = 0; k < 5; ++k) {
       const scene::Scene scene = assigned({setting}, view(k));
-      Images seen;
       const auto volume = scene.isosurface.inside == scene::Inside::below ? below : above;
-      const std::vector<float> ids = piecesSeen(volume, scene, seen);
+      const auto [voxel, ids] = piecesSeen(volume, scene);
       int wrong = 0;
       for (std::size_t i = 0; i < ids.size(); ++i) {
         if (std::isnan(ids[i])) continue;
-        wrong += ids[i] != static_cast<float>(ballOf(balls, at(seen.voxel, i)));
+        wrong += ids[i] != static_cast<float>(ballOf(balls, at(voxel, i)));
         all.insert(ids[i]);
       }
       EXPECT_EQ(wrong, 0) << setting << ' ' << k;
@@ -76,8 +84,8 @@ TEST_P(PieceGlTest, InCellsOfTwoPiecesTheFieldDecides) {
   const auto volume = prepared(SplitCells::grid());
   std::map<bool, std::set<float>> ids;
   for (int k = 0; k < 3; ++k) {
-    Images seen;
-    const std::vector<float> found = piecesSeen(volume, view(k, {15.5, 15.5, 11.5}, 54.0), seen);
+    const Seen seen = piecesSeen(volume, view(k, {15.5, 15.5, 11.5}, 54.0));
+    const std::vector<float>& found = seen.ids;
     for (std::size_t i = 0; i < found.size(); ++i) {
       const glm::dvec3 voxel = at(seen.voxel, i);
       if (std::isnan(found[i]) || std::abs(voxel.x + voxel.y - SplitCells::k) < 1e-2) continue;
@@ -98,9 +106,8 @@ TEST_P(PieceGlTest, IdsAreThoseOfTheIsosurfaceThatIsHit) {
   }));
   const std::vector<std::string> both = {"isosurface.value=0.5", "isosurface2.shown=1",
                                          "isosurface2.value=1.5"};
-  Images seen;
   std::set<float> ids;
-  for (const float id : piecesSeen(volume, assigned(both, view(1)), seen))
+  for (const float id : piecesSeen(volume, assigned(both, view(1))).ids)
     if (!std::isnan(id)) ids.insert(id);
   EXPECT_EQ(ids, (std::set<float>{0.0f, 1.0f}));
 
@@ -108,40 +115,39 @@ TEST_P(PieceGlTest, IdsAreThoseOfTheIsosurfaceThatIsHit) {
   second.emplace_back("isosurface.opacity=0");
   for (scene::Scene scene : {assigned(second, view(1)), assigned(both, view(1, small, 0.5))}) {
     ids.clear();
-    for (const float id : piecesSeen(volume, scene, seen))
+    for (const float id : piecesSeen(volume, scene).ids)
       if (!std::isnan(id)) ids.insert(id);
     EXPECT_EQ(ids, std::set<float>{0.0f});
   }
 }
 
 TEST_P(PieceGlTest, IdsOfTheHeadAreThoseOfAFlood) {
-  const auto volume = phantom("head", isotropicGeometry(64));
+  const auto volume = phantom("head", 64);
   scene::Scene scene;
-  scene.isosurface.value = 300.0;
-  Images seen;
-  const std::vector<float> ids = piecesSeen(volume, scene, seen);
+  scene.isosurface.value = 1400.0;
+  const auto [voxel, ids] = piecesSeen(volume, scene);
   const volume::Grid& grid = volume->grid();
-  const FloodedPieces flood = floodedPieces(grid, 300.0, scene::Inside::above).joined;
+  const FloodedPieces flood = floodedPieces(grid, 1400.0, scene::Inside::above).joined;
   base::Progress progress;
-  const auto pieces = volume->pieces->at(300.0, scene::Inside::above, progress);
+  const auto pieces = volume->pieces->at(1400.0, scene::Inside::above, progress);
   ASSERT_GT(pieces->list().size(), 1u);
   std::set<float> all;
   int judged = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (std::isnan(ids[i])) continue;
     all.insert(ids[i]);
-    const glm::ivec3 cell = glm::min(glm::ivec3(at(seen.voxel, i)), grid.dims() - 2);
+    const glm::ivec3 cell = glm::min(glm::ivec3(at(voxel, i)), grid.dims() - 2);
     std::set<std::uint32_t> labels;
     for (int corner = 0; corner < 8; ++corner) {
-      const glm::ivec3 voxel = cell + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-      labels.insert(flood.label[grid.index(voxel.x, voxel.y, voxel.z)]);
+      const glm::ivec3 v = cell + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+      labels.insert(flood.label[grid.index(v.x, v.y, v.z)]);
     }
     labels.erase(0xffffffffu);
     if (labels.size() != 1) continue;
     ++judged;
     EXPECT_EQ(pieces->list()[static_cast<std::size_t>(ids[i])].voxels, flood.voxels[*labels.begin()]);
   }
-  EXPECT_GT(judged, 500);
+  EXPECT_GT(judged, 50);
   EXPECT_GT(all.size(), 1u);
 }
 

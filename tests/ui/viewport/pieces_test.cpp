@@ -16,7 +16,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/camera.h"
-#include "tests/support/files.h"
+#include "tests/support/test_data.h"
 #include "ui/panels/pieces_panel.h"
 #include "ui/viewport/viewport.h"
 #include "volume/pieces/piece_sets.h"
@@ -155,7 +155,7 @@ TEST_F(PiecesTest, PointingSaysHowLargeThePieceIs) {
     const QString which = QString("piece %1 (").arg(i);
     ASSERT_TRUE(waitUntil([&] { return pointedText().contains(which); })) << pointedText().toStdString();
     QString number = pointedText().section(": ", -1).remove(" mm³").remove(QChar(0x202F));
-    EXPECT_NEAR(number.toDouble(), kBalls[i].volume(), 0.02 * kBalls[i].volume());
+    EXPECT_NEAR(number.toDouble(), kBalls[i].volume(), 0.03 * kBalls[i].volume());  // trilinear
   }
   EXPECT_TRUE(pointedText().contains("(of 3)"));
 }
@@ -199,7 +199,8 @@ TEST_F(PiecesTest, ARightDragZoomsAndOpensNothing) {
 
 TEST_F(PiecesTest, TheMenuKeyAsksToo) {
   QTest::mouseMove(window_->viewport(), onScreen(kBalls[0]));
-  QContextMenuEvent key(QContextMenuEvent::Keyboard, onScreen(kBalls[0]));
+  const QPoint at = onScreen(kBalls[0]);
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, at, window_->viewport()->mapToGlobal(at));
   QCoreApplication::sendEvent(window_->viewport(), &key);
   EXPECT_TRUE(waitUntil([&] { return menu() != nullptr; }));
   closeMenu();
@@ -214,7 +215,6 @@ TEST(PiecesPanel, SaysWhatToDoWithoutAVolume) {
 }
 
 TEST_F(PiecesTest, ThePanelWorksOnlyWhileItIsSeen) {
-  EXPECT_FALSE(panel()->isVisible());
   EXPECT_FALSE(panel()->working());
   EXPECT_FALSE(pieces().any());
   measuredList();
