@@ -93,7 +93,7 @@ TEST_P(CutsGlTest, EveryPixelSeesTheBallThatIsLeft) {
   for (const char* setting : {"hit.field=trilinear", "hit.field=cubic_interpolating", "hit.method=sampled",
                               "camera.projection=orthographic"})
     for (const scene::ClipCap cap : {scene::ClipCap::none, scene::ClipCap::inside})
-      for (const glm::dvec3 toward : {glm::dvec3(5, 9, 50), glm::dvec3(40, 20, 6), glm::dvec3(-10, 5, -50)}) {
+      for (const glm::dvec3& toward : {glm::dvec3(5, 9, 50), glm::dvec3(40, 20, 6), glm::dvec3(-10, 5, -50)}) {
         scene::Scene scene = assigned({setting}, view(toward));
         scene.clip.planes = {kPlane};
         scene.clip.cap = cap;
