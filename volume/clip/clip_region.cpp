@@ -59,7 +59,7 @@ ClipRegion::Stretch ClipRegion::stretchOf(const glm::dvec3& origin, const glm::d
     else if (per < 0.0)
       kept.begin = std::max(kept.begin, -at / per);
     else if (at > 0.0)
-      kept.end = -std::numeric_limits<double>::infinity();
+      return {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   }
   return kept;
 }

@@ -1,0 +1,254 @@
+// Cuts in pictures: closed forms of a ball, cut faces against the values of the plane, shadows, what runs.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "base/color.h"
+#include "render/passes/cut_faces_pass.h"
+#include "tests/render/gl_fixture.h"
+#include "volume/field/reconstruct.h"
+
+namespace isolux::test {
+namespace {
+
+constexpr glm::ivec2 kSize{96, 80};
+constexpr double kRadius = 12.0;  // mm
+
+// A ball whose values are 100 less the distance from its middle: the surface at 88 has the radius 12.
+volume::GridGeometry slanted() {
+  volume::GridGeometry geometry = unitGeometry({48, 44, 30});
+  geometry.worldFromVoxel =
+      glm::dmat4{{0.8, 0.1, 0, 0}, {0.1, -0.9, 0.1, 0}, {0.1, 0, 1.3, 0}, {-3, 40, -60, 1}};
+  return geometry;
+}
+glm::dvec3 middle() {
+  const volume::GridGeometry geometry = slanted();
+  return glm::dvec3(geometry.worldFromVoxel * glm::dvec4(0.5 * glm::dvec3(geometry.dims - 1), 1.0));
+}
+std::shared_ptr<const volume::PreparedVolume> ball() {
+  static const auto volume =
+      prepared(gridOfWorld(slanted(), [](glm::dvec3 p) { return 100.0 - glm::distance(p, middle()); }));
+  return volume;
+}
+
+scene::Scene view(glm::dvec3 toward) {
+  scene::Scene scene;
+  scene.isosurface.value = 100.0 - kRadius;
+  scene.camera.target = middle();
+  scene.camera.up = {0.0, 1.0, 0.0};
+  scene.camera.eye = middle() + toward;
+  scene.look.mode = scene::LookMode::lambert;
+  scene.look.legend = false;
+  return scene;
+}
+const scene::ClipPlane kPlane{middle() + glm::dvec3(0, 0, 3), {0.3, 0.2, 1.0}};
+
+// Along a world ray: where it meets the ball that the plane leaves; or the cut face, as its t.
+struct Seen {
+  std::optional<double> hit, face;
+  bool close = false;  // to an edge of what is seen
+};
+Seen seenOf(const scene::Ray& ray, bool capped) {
+  Seen seen;
+  const glm::dvec3 normal = glm::normalize(kPlane.normal), from = ray.origin - middle();
+  const double b = glm::dot(from, ray.direction), rest = b * b - glm::dot(from, from) + kRadius * kRadius;
+  const double plane = glm::dot(kPlane.point - ray.origin, normal) / glm::dot(ray.direction, normal);
+  const bool enters = glm::dot(ray.direction, normal) < 0.0;  // what is kept
+  seen.close = std::abs(rest) < 8.0;
+  if (rest < 0.0) return seen;
+  const double roots[2] = {-b - std::sqrt(rest), -b + std::sqrt(rest)};
+  const double begin = enters ? plane : -1e9, end = enters ? 1e9 : plane;
+  for (const double root : roots) seen.close = seen.close || std::abs(root - plane) < 0.3;
+  if (capped && begin > roots[0] && begin < roots[1]) {
+    seen.face = begin;
+    return seen;
+  }
+  for (const double root : roots)
+    if (!seen.hit && root >= begin && root <= end) seen.hit = root;
+  return seen;
+}
+
+class CutsGlTest : public ExecutorsGlTest {
+ protected:
+  render::ColorImage colors(scene::Scene scene, int supersampling = 1) {
+    renderer_->setVolume(ball());
+    render::FrameRequest request;
+    request.size = kSize;
+    request.supersampling = supersampling;
+    scene_ = scene::resolve(scene, ball()->facts);
+    report_ = renderer_->render(scene_, request);
+    return renderer_->readColor();
+  }
+  bool ran(const char* pass) const {
+    return std::any_of(report_.passes.begin(), report_.passes.end(), [&](const render::PassReport& one) {
+      return one.name == pass && one.state == render::PassState::ran;
+    });
+  }
+};
+ISOLUX_ON_BOTH_EXECUTORS(CutsGlTest);
+
+TEST_P(CutsGlTest, EveryPixelSeesTheBallThatIsLeft) {
+  for (const char* setting : {"hit.field=trilinear", "hit.field=cubic_interpolating", "hit.method=sampled",
+                              "camera.projection=orthographic"})
+    for (const scene::ClipCap cap : {scene::ClipCap::none, scene::ClipCap::inside})
+      for (const glm::dvec3& toward : {glm::dvec3(5, 9, 50), glm::dvec3(40, 20, 6), glm::dvec3(-10, 5, -50)}) {
+        scene::Scene scene = assigned({setting}, view(toward));
+        scene.clip.planes = {kPlane};
+        scene.clip.cap = cap;
+        const Images seen = images(ball(), scene, kSize);
+        int hits = 0, compared = 0;
+        for (int i = 0; i < kSize.x * kSize.y; ++i) {
+          const scene::Ray ray = this->ray({i % kSize.x, i / kSize.x}, kSize);
+          const Seen expected = seenOf(ray, cap == scene::ClipCap::inside);
+          if (expected.close) continue;
+          const auto pixel = static_cast<std::size_t>(i);
+          ++compared;
+          ASSERT_EQ(seen.hit.values[pixel] == 1.0f, expected.hit.has_value())
+              << setting << ' ' << static_cast<int>(cap) << ", pixel " << i % kSize.x << ' ' << i / kSize.x;
+          if (!expected.hit) continue;
+          ++hits;
+          ASSERT_LT(glm::distance(at(seen.position, pixel), ray.origin + *expected.hit * ray.direction),
+                    0.25);
+        }
+        EXPECT_GT(compared, 5000) << setting;
+        EXPECT_GT(hits, cap == scene::ClipCap::none ? 500 : 50) << setting;
+      }
+}
+
+// With the plane before the eye's side the face is a disc of the values that trilinear sampling gives there.
+TEST_P(CutsGlTest, CutFacesShowTheValuesOfThePlane) {
+  scene::Scene scene = view({5, 9, 50});
+  scene.clip.planes = {kPlane};
+  scene.slice.level = 94.0;
+  scene.slice.width = 10.0;
+  scene.look.backgroundTop = scene.look.backgroundBottom = {1.0, 0.0, 0.0};
+  const render::ColorImage picture = colors(scene);
+  EXPECT_FALSE(report_.empty);
+  const render::CutFaceColors expectedColors = render::cutFaceColors(scene_, *ball());
+  const glm::dmat4 voxelFromWorld = slanted().voxelFromWorld();
+  int faces = 0;
+  for (int i = 0; i < kSize.x * kSize.y; ++i) {
+    const scene::Ray ray = this->ray({i % kSize.x, i / kSize.x}, kSize);
+    const Seen seen = seenOf(ray, true);
+    if (seen.close || !seen.face) continue;
+    ++faces;
+    const glm::dvec3 at = ray.origin + *seen.face * ray.direction;
+    const double value =
+        volume::sampleTrilinear(ball()->grid(), glm::dvec3(voxelFromWorld * glm::dvec4(at, 1.0))).value;
+    const glm::vec3 color = expectedColors.at(static_cast<float>(value));
+    for (int c = 0; c < 3; ++c)
+      ASSERT_NEAR(picture.rgba[static_cast<std::size_t>(4 * i + c)],
+                  255.0 * base::encodeSrgb(static_cast<double>(color[c])), 1.6)
+          << i % kSize.x << ' ' << i / kSize.x;
+  }
+  EXPECT_GT(faces, 800);
+}
+
+// Level, width and map change how values look and nothing else; without cuts nothing of it is there.
+TEST_P(CutsGlTest, OnlyWhatIsAskedForRuns) {
+  scene::Scene scene = view({5, 9, 50});
+  colors(scene);
+  EXPECT_FALSE(ran("cut faces"));
+  scene.slice.level = 90.0;
+  scene.clip.cap = scene::ClipCap::whole;
+  scene.isosurface.clipped = false;
+  colors(scene);
+  for (const render::PassReport& pass : report_.passes)
+    EXPECT_NE(pass.state, render::PassState::ran) << pass.name;
+  scene.isosurface.clipped = true;
+  scene.clip.planes = {kPlane};
+  colors(scene);
+  EXPECT_TRUE(ran("cut faces"));
+  EXPECT_TRUE(ran("cast"));
+  scene.slice.width = 3.0;
+  colors(scene);
+  EXPECT_FALSE(ran("cut faces"));
+  EXPECT_FALSE(ran("cast"));
+  EXPECT_TRUE(ran("resolve"));
+  scene.clip.cap = scene::ClipCap::none;
+  const auto open = colors(scene).rgba;
+  EXPECT_FALSE(ran("cut faces"));
+  scene.clip.cap = scene::ClipCap::whole;
+  const auto faces = colors(scene).rgba;
+  EXPECT_NE(open, faces);
+  scene.clip.cap = scene::ClipCap::none;
+  EXPECT_EQ(colors(scene).rgba, open);
+  scene.clip.planes.clear();
+  EXPECT_NE(colors(scene).rgba, open);
+}
+
+// A whole face is there where no surface is at all.
+TEST_P(CutsGlTest, WholeFacesNeedNoSurface) {
+  scene::Scene scene = view({5, 9, 50});
+  scene.isosurface.value = 1000.0;
+  scene.clip.planes = {kPlane};
+  scene.clip.cap = scene::ClipCap::whole;
+  scene.look.backgroundTop = scene.look.backgroundBottom = {1.0, 0.0, 0.0};
+  const render::ColorImage picture = colors(scene);
+  EXPECT_FALSE(report_.empty);
+  const auto* middlePixel =
+      &picture.rgba[static_cast<std::size_t>(4 * (kSize.y / 2 * kSize.x + kSize.x / 2))];
+  EXPECT_EQ(middlePixel[0], middlePixel[1]);  // grey
+  EXPECT_GT(middlePixel[1], 100);
+}
+
+// A transparent surface that is not cut lies before the face; one that is cut ends at it.
+TEST_P(CutsGlTest, TransparentSurfacesLieBeforeTheFace) {
+  scene::Scene scene = view({0, 0, 50});
+  scene.clip.planes = {{middle(), {0, 0, 1}}};
+  scene.isosurface.albedo = {0.0, 0.0, 0.0};
+  scene.extraIsosurfaces[0] = {true, 85.0, glm::dvec3(0.0), 0.5, false};
+  scene.slice.level = 0.0;
+  scene.slice.width = 1.0;  // the face is white
+  const std::size_t pixel = static_cast<std::size_t>(4 * (kSize.y / 2 * kSize.x + kSize.x / 2));
+  const auto value = [&] { return base::decodeSrgb(colors(scene).rgba[pixel] / 255.0); };
+  EXPECT_NEAR(value(), 0.5, 0.01);
+  scene.extraIsosurfaces[0].clipped = true;
+  EXPECT_NEAR(value(), 1.0, 0.01);
+}
+
+// What is cut away throws no shadow: a ball over a plate, with the ball's part above the plane gone.
+TEST_P(CutsGlTest, WhatIsCutAwayThrowsNoShadow) {
+  const auto plate = prepared(gridOfVoxels(unitGeometry({40, 40, 40}), [](glm::dvec3 p) {
+    return std::max(8.0 - p.z, 7.0 - glm::distance(p, glm::dvec3(19.5, 19.5, 26.0)));
+  }));
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene.camera.eye = {19.5, -40.0, 60.0};
+  scene.camera.target = {19.5, 19.5, 8.0};
+  scene.camera.up = {0, 0, 1};
+  scene.look.mode = scene::LookMode::lambert;
+  scene.look.shadow = 1.0;
+  scene.light.space = scene::LightSpace::world;
+  scene.light.direction = {0, 0, 1};
+  const auto picture = [&] {
+    renderer_->setVolume(plate);
+    render::FrameRequest request;
+    request.size = kSize;
+    renderer_->render(scene::resolve(scene, plate->facts), request);
+    return renderer_->readColor();
+  };
+  const auto whole = picture();
+  scene.clip.planes = {{{0, 0, 15}, {0, 0, 1}}};  // the ball is gone
+  const auto cut = picture();
+  const auto flat =
+      prepared(gridOfVoxels(unitGeometry({40, 40, 40}), [](glm::dvec3 p) { return 8.0 - p.z; }));
+  renderer_->setVolume(flat);
+  scene.clip.planes.clear();
+  render::FrameRequest request;
+  request.size = kSize;
+  renderer_->render(scene::resolve(scene, flat->facts), request);
+  const auto expected = renderer_->readColor();
+  int different = 0, shadowed = 0;
+  for (std::size_t i = 0; i < cut.rgba.size(); ++i) {
+    different += std::abs(static_cast<int>(cut.rgba[i]) - static_cast<int>(expected.rgba[i])) > 2;
+    shadowed += std::abs(static_cast<int>(whole.rgba[i]) - static_cast<int>(expected.rgba[i])) > 40;
+  }
+  EXPECT_LE(different, 8);
+  EXPECT_GT(shadowed, 300);
+}
+
+}  // namespace
+}  // namespace isolux::test
