@@ -151,6 +151,8 @@ void runSlice(const SliceOptions& options, base::Progress& progress) {
   if (extension != ".png" && extension != ".exr")
     throw Error(ErrorKind::usage, options.out, "", "the name of a slice must end in .png or .exr");
   parsePlane(options.plane);
+  if (options.at && !std::isfinite(*options.at))
+    throw Error(ErrorKind::usage, "", "--at", "must be a finite number");
   if (options.size) parseSize(*options.size);
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);

@@ -19,11 +19,15 @@ namespace {
 constexpr int kLowestWithLetters = 48, kLowestWithWords = 160;  // pixels
 constexpr double kAlongAxis = 1.0 - 1e-9;                       // cosine of a plane that is not oblique
 
-std::string lengthText(double mm) {
-  std::string text = base::shortText(std::round(mm * 100.0) / 100.0, 6);
+std::string signedText(double value, int significant) {
+  std::string text = base::shortText(value, significant);
   if (text == "-0") text = "0";
   if (text.starts_with('-')) text.replace(0, 1, "\u2212");
   return text;
+}
+
+std::string lengthText(double mm) {
+  return signedText(std::round(mm * 100.0) / 100.0, 6);
 }
 
 // Coverage of bright ink, and the picture below.
@@ -126,7 +130,7 @@ std::string conventionText(scene::Convention convention, scene::WorldAxes axes) 
 }
 
 std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit) {
-  std::string text = "level " + base::shortText(content.window.level, 4) + " \u00b7 width " +
+  std::string text = "level " + signedText(content.window.level, 4) + " \u00b7 width " +
                      base::shortText(content.window.width, 4) + (unit.empty() ? "" : " " + unit);
   if (slice.slab > 0.0) {
     constexpr std::array<const char*, 3> modes{"mean", "maximum", "minimum"};
@@ -150,7 +154,7 @@ void drawWords(const SliceWords& words, render::ColorImage& image) {
   const int least = std::min(image.size.x, image.size.y);
   const int margin = std::clamp(least / 48, 4, 40);
   Ink ink(image.size);
-  const render::Font large(std::clamp(least / 22, 13, 96));
+  const render::Font large(std::clamp(least / 22, 15, 96));
   drawLetters(words.letters, large, margin, ink, image.size);
   if (least >= kLowestWithWords) {
     const render::Font small(std::clamp(least / 40, 11, 64));

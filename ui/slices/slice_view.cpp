@@ -139,15 +139,28 @@ void SliceView::paintEvent(QPaintEvent*) {
   const QPointF corner = placeOf(was.at(glm::dvec2(-0.5))), end = placeOf(was.at(glm::dvec2(was.size) - 0.5));
   painter.setRenderHint(QPainter::SmoothPixmapTransform, !complete());
   painter.drawImage(complete() ? QRectF(rect()) : QRectF(corner, end), image_);
+  paintCrosshair(painter);
+}
+
+// Open in its middle, and short of the letters at the sides.
+void SliceView::paintCrosshair(QPainter& painter) const {
+  constexpr double gap = 8.0, border = 24.0;
   const QPointF cross = placeOf(position());
-  const double gap = 8.0;
+  const auto line = [&](bool across, double from, double to) {
+    if (from >= to) return;
+    if (across)
+      painter.drawLine(QPointF(from, cross.y()), QPointF(to, cross.y()));
+    else
+      painter.drawLine(QPointF(cross.x(), from), QPointF(cross.x(), to));
+  };
   for (const auto& [color, thick] :
        {std::pair{QColor(0, 0, 0, 140), 3}, std::pair{QColor(255, 190, 60), 1}}) {
     painter.setPen(QPen(color, thick));
-    painter.drawLine(QPointF(0, cross.y()), QPointF(cross.x() - gap, cross.y()));
-    painter.drawLine(QPointF(cross.x() + gap, cross.y()), QPointF(width(), cross.y()));
-    painter.drawLine(QPointF(cross.x(), 0), QPointF(cross.x(), cross.y() - gap));
-    painter.drawLine(QPointF(cross.x(), cross.y() + gap), QPointF(cross.x(), height()));
+    for (const bool across : {true, false}) {
+      const double at = across ? cross.x() : cross.y(), end = (across ? width() : height()) - border;
+      line(across, border, std::min(at - gap, end));
+      line(across, std::max(at + gap, border), end);
+    }
   }
 }
 

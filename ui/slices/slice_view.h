@@ -62,6 +62,7 @@ class SliceView : public QWidget {
   std::optional<app::SliceOrder> order() const;
   glm::dvec3 worldAt(QPointF place) const;
   void orderNew();
+  void paintCrosshair(QPainter& painter) const;
   void poll();
   void moveTo(QPointF place);
   void dragWindow(QPointF step);

@@ -68,6 +68,7 @@ void MainWindow::showHelp() {
     <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
     <tr><td><b>P</b>, <b>M</b>, <b>Shift+M</b></td><td>pin, distance, distance along the surface: clicks set points; Backspace takes the last back, Esc ends</td></tr>
     <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
+    <tr><td><b>F4</b></td><td>slices beside the picture: click or drag moves the crosshair, the wheel steps, right drag changes level and width, Ctrl+wheel zooms</td></tr>
     <tr><td><b>F11</b>, <b>Esc</b></td><td>full screen, and back</td></tr>
     </table>
     <h4>Histogram</h4>

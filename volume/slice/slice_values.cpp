@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "volume/field/reconstruct.h"
 #include "volume/parallel_steps.h"
@@ -21,15 +22,27 @@ struct SlabWay {
   int steps = 0;
 };
 
+// Of the slab what lies between the volume's ends.
 SlabWay slabWay(const GridGeometry& geometry, const SlicePlane& plane, double mm) {
   if (!(mm > 0.0)) return {};
   const glm::dvec3 normal = plane.frame().normal();
-  const double steps = std::ceil(mm / (0.5 * voxelAlong(geometry, normal)));
+  double low = 1e300, high = -1e300;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 voxel =
+        glm::dvec3(geometry.dims - 1) * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+    const glm::dvec3 world(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
+    const double at = glm::dot(world - plane.originMm, normal);
+    low = std::min(low, at);
+    high = std::max(high, at);
+  }
+  const double from = std::max(-0.5 * mm, low), to = std::min(0.5 * mm, high);
+  if (!(from < to)) return {};  // beside the volume, or at most touching it
+  const double steps = std::ceil((to - from) / (0.5 * voxelAlong(geometry, normal)) - 1e-9);
   SlabWay way;
   way.steps = static_cast<int>(std::clamp(steps, 2.0, static_cast<double>(kMostSlabSteps)));
-  const glm::dvec3 through = glm::dmat3(geometry.voxelFromWorld()) * (mm * normal);
-  way.offset = -0.5 * through;
-  way.step = through / static_cast<double>(way.steps);
+  const glm::dmat3 toVoxels(geometry.voxelFromWorld());
+  way.offset = toVoxels * (from * normal);
+  way.step = toVoxels * ((to - from) * normal) / static_cast<double>(way.steps);
   return way;
 }
 

@@ -23,15 +23,16 @@ struct SliceField {
 
 inline constexpr double kBorderVoxels = 1e-6;  // what rounding may move a pixel beyond the border
 
-// Values along the normal within half of `mm` on either side, as one. 0: the plane itself. Values are looked
-// up at equal steps of no more than half a voxel (voxelAlong()), both ends included. The mean is that of the
-// line through the values (trapezoidal rule). What is NaN does not count; where all is, the slab is NaN.
+// Values along the normal within half of `mm` on either side, as one; 0: the plane itself. Of the part
+// between the volume's first and last corner values are looked up at equal steps of no more than half a voxel
+// (voxelAlong()), both ends included. The mean is that of the line through the values (trapezoidal rule).
+// What is NaN does not count; where all is, the slab is NaN.
 struct Slab {
   double mm = 0.0;
   scene::SlabMode mode = scene::SlabMode::mean;
   bool operator==(const Slab&) const = default;
 };
-inline constexpr int kMostSlabSteps = 4096;  // thicker ones take longer steps
+inline constexpr int kMostSlabSteps = 4096;  // more take longer ones
 
 struct SliceValues {
   glm::ivec2 size{0};

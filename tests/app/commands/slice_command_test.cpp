@@ -147,6 +147,7 @@ TEST_F(SliceCommand, RefusesInOneLine) {
   expectRefused(2, {"phantom:ball:16", "--plane", "tilted", "--out", "a.png"}, "--plane");
   expectRefused(2, {"phantom:ball:16", "--plane", "0,0,0 0,0,0", "--out", "a.png"}, "normal");
   expectRefused(2, {"phantom:ball:16", "--plane", "0,0,0", "--out", "a.png"}, "--plane");
+  expectRefused(2, {"phantom:ball:16", "--plane", "axial", "--at", "nan", "--out", "a.png"}, "--at");
   expectRefused(2, {"phantom:ball:16", "--plane", "axial", "--out", "a.jpg"}, ".png or .exr");
   expectRefused(2, {"phantom:ball:16", "--plane", "axial", "--out", "a.png", "--size", "0x3"}, "--size");
   expectRefused(2, {"phantom:ball:16", "--plane", "axial", "--out", "a.png", "--stats", "a.png"}, "a.png");

@@ -1,8 +1,8 @@
 // Makes a picture of the real window, for the README and the pages.
 //
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
-//                     [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
-//                     PATH
+//                     [--slices] [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set
+//                     PATH=VALUE]... PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -26,6 +26,7 @@
 #include "ui/editors/histogram_slider.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
+#include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"
@@ -89,9 +90,14 @@ int takePicture(const QCommandLineParser& options) {
   window.panel<ui::SettingsPanel>()->searchLine()->setText(options.value("find"));
   const double zoom = options.value("histogram-zoom").toDouble();
   if (zoom > 1.0) window.isovaluePanel()->slider()->zoomAtLine(zoom);
-  const auto drawn = [&] {
-    return !window.light()->changing() && window.viewport()->complete() && !window.marks()->measuring();
+  window.slices()->setFourUp(options.isSet("slices"));
+  const auto sliced = [&] {
+    using volume::SliceDirection;
+    for (const auto direction : {SliceDirection::axial, SliceDirection::coronal, SliceDirection::sagittal})
+      if (window.slices()->fourUp() && !window.slices()->view(direction)->complete()) return false;
+    return true;
   };
+  const auto drawn = [&] { return !window.light()->changing() && window.viewport()->complete() && !window.marks()->measuring() && sliced(); };
   const QString at = options.value("light-at");  // per cent
   if (!at.isEmpty()) {
     const auto there = [&] {
@@ -126,6 +132,7 @@ int main(int argc, char** argv) {
                         {"find", "Search the settings for this.", "TEXT"},
                         {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
                         {"light-at", "As it is at so much of the stored light.", "PERCENT"},
+                        {"slices", "With slices beside the picture."},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
                         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");
