@@ -63,6 +63,7 @@ MainWindow::MainWindow(QWidget* parent)
   makeFileMenu();
   makeEditMenu();
   makeViewMenu();
+  makePresetsMenu();
   makeHelpMenu();
   makeToolBar();
   connectDocument();
@@ -237,7 +238,7 @@ void MainWindow::open(const app::WindowRequest& request) {
     const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
                                  !volume::needsRawDescription(scene.source.path);
     if (describesItself) {
-      document_->openScene(scene, QString::fromStdString(request.sessionFile));
+      document_->openScene(scene, QString::fromStdString(request.sessionFile), request.completed);
     } else {
       chooseRaw(QString::fromStdString(scene.source.path));
     }
@@ -275,6 +276,8 @@ void MainWindow::showState() {
   for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
     action->setEnabled(loaded);
   for (QAction* action : views_) action->setEnabled(loaded);
+  presetsMenu_->setEnabled(loaded);
+  copyCommand_->setEnabled(loaded);
   const bool recording = document_->recording();
   record_->setText(recording ? "Stop &recording" : "Start &recording…");
   record_->setChecked(recording);

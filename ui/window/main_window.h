@@ -9,6 +9,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/interaction/surface_pick.h"
+#include "app/presets/preset.h"
 #include "render/graph/frame.h"
 #include "scene/machine.h"
 #include "ui/document/document.h"
@@ -66,6 +67,10 @@ class MainWindow : public QMainWindow {
   BakedLight* light() const { return light_; }
   LightStatus* lightStatus() const { return lightStatus_; }
 
+  QMenu* presetsMenu() const { return presetsMenu_; }
+  // A shell command that draws the picture as it is saved; empty without a volume.
+  QString commandText() const;
+
   // .png or .exr; tells what was saved, or why not.
   bool savePicture(const QString& file, bool withSession = true);
   void showPanel(const QString& title);  // in front of the others
@@ -82,6 +87,7 @@ class MainWindow : public QMainWindow {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makePresetsMenu();
   void makeHelpMenu();
   void nameViews();
   void makeToolBar();
@@ -113,6 +119,11 @@ class MainWindow : public QMainWindow {
   void chooseLook(int row);  // of look_
   void stepLook(int step);
   void findSetting();
+  void showPresets();
+  void applyPreset(const app::Preset& preset);
+  void savePreset();
+  void keepPresetAs(const QString& title);
+  void copyCommand();
   void showPreferences();
   void setMachine(const scene::Machine& machine);
   void showHelp();
@@ -134,9 +145,9 @@ class MainWindow : public QMainWindow {
     Panel* panel;
   };
   std::vector<Docked> panels_;
-  QMenu* recentMenu_ = nullptr;
+  QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *copyCommand_;
   QComboBox* look_;
   QShortcut* leaveFullScreen_ = nullptr;  // Esc
   QByteArray layoutBefore_;               // full screen: which panels were open

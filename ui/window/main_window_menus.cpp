@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <QShortcut>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "scene/looks.h"
 #include "scene/settings.h"
@@ -76,6 +77,10 @@ void MainWindow::makeEditMenu() {
   connect(undo_, &QAction::triggered, document_, &Document::undo);
   redo_ = newAction(menu, "&Redo", "redo", QKeySequence::Redo, "Redo");
   connect(redo_, &QAction::triggered, document_, &Document::redo);
+  menu->addSeparator();
+  copyCommand_ = newAction(menu, "Copy as command &line", "", QKeySequence("Ctrl+Shift+C"),
+                           "Copy a shell command that draws this picture");
+  connect(copyCommand_, &QAction::triggered, this, &MainWindow::copyCommand);
   menu->addSeparator();
   QAction* find = newAction(menu, "&Find a setting", "", QKeySequence::Find, "Find a setting by its name");
   connect(find, &QAction::triggered, this, &MainWindow::findSetting);
@@ -175,6 +180,9 @@ void MainWindow::makeToolBar() {
   look_->setMaxVisibleItems(look_->count());
   connect(look_, &QComboBox::currentIndexChanged, this, &MainWindow::chooseLook);
   bar->addWidget(look_);
+  bar->addAction(presetsMenu_->menuAction());
+  if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(presetsMenu_->menuAction())))
+    button->setPopupMode(QToolButton::InstantPopup);
   bar->addAction(animate_);
   bar->addSeparator();
   bar->addAction(record_);
