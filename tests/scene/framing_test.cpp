@@ -62,7 +62,7 @@ Extent extentIn(const Camera& camera, double aspect, const std::vector<glm::dvec
 TEST(Framing, AllPointsLieInThePictureAndTouchTheMarginOfTheTighterAxis) {
   for (const Projection projection : {Projection::perspective, Projection::orthographic})
     for (const double aspect : {0.6, 1.0, 2.0})
-      for (const glm::dvec3 size : {glm::dvec3(100), glm::dvec3(300, 5, 5), glm::dvec3(5, 5, 200)}) {
+      for (const glm::dvec3& size : {glm::dvec3(100), glm::dvec3(300, 5, 5), glm::dvec3(5, 5, 200)}) {
         const Camera before = obliqueCamera(projection);
         const auto points = cloud(7, {-50, 300, 20}, size);
         const Camera after = framing(before, aspect, farthestOf(points, framingDirections(before, aspect)));
@@ -97,7 +97,7 @@ TEST(Framing, ABallFitsFromEverySide) {
     for (const double aspect : {0.5, 1.5}) {
       const glm::dvec3 centre(5, 6, 7);
       std::vector<glm::dvec3> ball;
-      for (glm::dvec3 p : cloud(1, {0, 0, 0}, {2, 2, 2})) ball.push_back(centre + 25.0 * glm::normalize(p));
+      for (const glm::dvec3& p : cloud(1, {0, 0, 0}, {2, 2, 2})) ball.push_back(centre + 25.0 * glm::normalize(p));
       const Camera camera = framingBall(obliqueCamera(projection), aspect, centre, 25.0);
       const Extent e = extentIn(camera, aspect, ball);
       const double most = std::max({-e.low.x, -e.low.y, e.high.x, e.high.y});

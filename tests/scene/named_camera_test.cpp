@@ -1,5 +1,7 @@
 #include "scene/named_camera.h"
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>

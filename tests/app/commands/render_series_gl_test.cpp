@@ -33,7 +33,7 @@ RunResult renderIn(const fs::path& folder, std::vector<std::string> arguments) {
 
 glm::dvec3 sideOfEye(const fs::path& picture) {
   const scene::Camera camera = loadSession(picture).camera;
-  return glm::normalize(*camera.eye - *camera.target);
+  return glm::normalize(camera.eye.value() - camera.target.value());
 }
 
 TEST(RenderSeriesGl, SeveralVolumesGoIntoFilesOfTheirNames) {
@@ -127,7 +127,7 @@ TEST(RenderSeriesGl, FitSurfaceFillsThePictureAndZoomGoesNearer) {
     words.insert(words.end(), {"phantom:ball:32", "--isovalue", "6", "--out", "v.png"});
     EXPECT_EQ(renderIn(folder, words).exitCode, 0);
     const scene::Camera camera = loadSession(folder / "v.png").camera;
-    return glm::length(*camera.eye - *camera.target);
+    return glm::length(camera.eye.value() - camera.target.value());
   };
   const double volume = distance({"--fit", "volume"}), surface = distance({"--fit", "surface"});
   EXPECT_LT(surface, 0.8 * volume);
