@@ -105,7 +105,7 @@ void writePicture(const render::StillPicture& picture, const render::FrameReques
     writeExr(request.linear ? &picture.linear : nullptr, picture.aovs, out, session);
 }
 
-void checkOutputs(const RenderOptions& options, const RenderPlan& plan) {
+void checkRenderOutputs(const RenderOptions& options, const RenderPlan& plan) {
   OutputGuard guard;
   guard.reads(options.light, "the stored light");
   for (const VolumePictures& pictures : plan.volumes) {
@@ -248,7 +248,7 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   const RenderPlan plan = planOf(options);
   std::optional<MadeFolder> made;
   if (!plan.folder.empty()) made.emplace(plan.folder);
-  checkOutputs(options, plan);
+  checkRenderOutputs(options, plan);
   RenderRun run(options, plan, progress);
   for (const VolumePictures& pictures : plan.volumes) run.drawVolume(pictures);
 }

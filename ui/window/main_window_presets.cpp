@@ -73,8 +73,11 @@ void MainWindow::keepPresetAs(const QString& title) {
 
 QString MainWindow::commandText() const {
   if (!document_->volume()) return {};
-  return QString::fromStdString(app::renderCommand(document_->shownScene(), machine_, viewport_->pixelSize(),
-                                                   proposedFile(".png").section('/', -1).toStdString()));
+  // As a picture is saved: in pixels of the screen.
+  const QSize size = (QSizeF(viewport_->size()) * viewport_->devicePixelRatioF()).toSize();
+  const std::string out = proposedFile(".png").section('/', -1).toStdString();
+  return QString::fromStdString(
+      app::renderCommand(document_->shownScene(), machine_, {size.width(), size.height()}, out));
 }
 
 void MainWindow::copyCommand() {
