@@ -3,10 +3,8 @@
 #include <fstream>
 
 #include <QAction>
-#include <QClipboard>
-#include <QGuiApplication>
+#include <QApplication>
 #include <QInputDialog>
-#include <QLineEdit>
 #include <QMenu>
 #include <QTimer>
 
