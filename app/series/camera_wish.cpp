@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
-#include "scene/named_camera.h"
 #include "scene/framing.h"
+#include "scene/named_camera.h"
 #include "volume/statistics/surface_reach.h"
 
 namespace isolux::app {

@@ -97,7 +97,8 @@ TEST(Framing, ABallFitsFromEverySide) {
     for (const double aspect : {0.5, 1.5}) {
       const glm::dvec3 centre(5, 6, 7);
       std::vector<glm::dvec3> ball;
-      for (const glm::dvec3& p : cloud(1, {0, 0, 0}, {2, 2, 2})) ball.push_back(centre + 25.0 * glm::normalize(p));
+      for (const glm::dvec3& p : cloud(1, {0, 0, 0}, {2, 2, 2}))
+        ball.push_back(centre + 25.0 * glm::normalize(p));
       const Camera camera = framingBall(obliqueCamera(projection), aspect, centre, 25.0);
       const Extent e = extentIn(camera, aspect, ball);
       const double most = std::max({-e.low.x, -e.low.y, e.high.x, e.high.y});
