@@ -12,7 +12,6 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "gi/file/bake_file.h"
-#include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
 
 namespace isolux::app {
@@ -32,8 +31,7 @@ struct BakeOptions {
 };
 
 // A bake is asked for: it needs no look that reads it, and where nobody has said which texels, it is all.
-scene::Scene bakeScene(const BakeOptions& options) {
-  scene::Scene scene = sceneOf(options.path, *options.scene);
+scene::Scene bakeScene(const BakeOptions& options, scene::Scene scene) {
   if (scene::shadingOf(scene) != scene::Shading::gi) scene.look.mode = scene::LookMode::gi;
   const auto& words = options.scene->assignments;
   const bool said = std::any_of(words.begin(), words.end(),
@@ -78,7 +76,7 @@ void runBake(const BakeOptions& options, base::Progress& progress) {
   if (out.extension() != ".vti")
     throw base::Error(base::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
   requireSource(options.path, *options.scene);
-  scene::Scene scene = bakeScene(options);
+  scene::Scene scene = bakeScene(options, sceneOf(options.path, *options.scene));
   if (!scene::giChoiceOf(scene).wanted)
     throw base::Error(base::ErrorKind::usage, "", "gi.mode",
                       "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
@@ -89,7 +87,8 @@ void runBake(const BakeOptions& options, base::Progress& progress) {
   if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
     base::throwInput(options.out, "", "holds something other than stored light; --overwrite replaces it");
   const auto prepared = loadWithProgressBar(scene.source, progress);
-  scene = scene::resolve(std::move(scene), prepared->facts);
+  scene = bakeScene(
+      options, resolvedSceneOf(options.path, *options.scene, *prepared, parseSize(options.size), progress));
 
   LightController controller({.threads = machineOf(*options.scene).threads, .innerSides = false});
   std::string replaced;
@@ -145,6 +144,7 @@ Command makeBake(CLI::App& program) {
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);
+  addVolumeOptions(*parser, options->scene);
   parser->footer(
       "All texels are lit unless gi.extent says otherwise.\n"
       "Examples:\n"

@@ -16,10 +16,14 @@
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
+#include "app/presets/preset_list.h"
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "base/printable.h"
+#include "scene/named_camera.h"
+#include "scene/rules/automatic.h"
 #include "scene/rules/needs.h"
+#include "scene/setting/assignment.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -91,6 +95,67 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
   add("--raw", assign("source.raw"), "TEXT",
       "How to read a file without header: \"WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]\"");
   return options;
+}
+
+namespace {
+
+void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options) {
+  constexpr const char* group = "Camera";
+  CameraWish& wish = options->camera;
+  parser
+      .add_option(
+          "--view", wish.view,
+          "From left, right, anterior, posterior, superior or inferior; or from the end of an axis, as "
+          "+x or -y")
+      ->type_name("SIDE")
+      ->check([](const std::string& name) -> std::string {
+        try {
+          scene::standardViewNamed(name, scene::WorldAxes::anatomical);
+        } catch (const Error& error) {
+          return error.reason();
+        }
+        return {};
+      })
+      ->group(group);
+  const auto angle = [&](const char* name, double& degrees, const char* help) {
+    parser.add_option(name, degrees, help)
+        ->type_name("DEG")
+        ->check(CLI::Range(-36000.0, 36000.0).description(""))
+        ->group(group);
+  };
+  angle("--azimuth", wish.azimuth, "Then turn about the target: the eye goes to its right, about up");
+  angle("--elevation", wish.elevation, "Then the eye goes up, over the top and down behind");
+  parser
+      .add_option_function<std::string>(
+          "--fit",
+          [options](const std::string& word) {
+            options->camera.fit = word == "surface" ? Framing::surface : Framing::volume;
+          },
+          "Then frame the shown surface, or the volume's box, in this direction")
+      ->type_name("surface|volume")
+      ->check(CLI::IsMember({"surface", "volume"}).description(""))
+      ->group(group);
+  parser.add_option("--zoom", wish.zoom, "Then go nearer: 2 shows everything twice as large")
+      ->type_name("F")
+      ->check(CLI::Range(1e-3, 1e3).description(""))
+      ->group(group);
+}
+
+}  // namespace
+
+void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras) {
+  parser
+      .add_option(
+          "--preset", options->preset,
+          "Show this preset (`isolux presets`), or that of a file; --session comes before, --set after")
+      ->type_name("NAME|FILE")
+      ->group("Scene");
+  parser.add_option("--shift", options->shift, "Add this to the isovalues of the preset, data units")
+      ->type_name("V")
+      ->check(CLI::Number.description(""))
+      ->group("Scene")
+      ->needs("--preset");
+  if (cameras) addCameraOptions(parser, options);
 }
 
 namespace {
@@ -177,7 +242,10 @@ void refuseCuts(const scene::Scene& scene, const char* command) {
         std::string(command) + " knows no cuts; --set isosurface.clipped=false takes the whole isosurface");
 }
 
-scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
+namespace {
+
+// The session, or the default scene, with the volume of PATH.
+scene::Scene startingScene(const std::string& path, const SceneOptions& options) {
   scene::Scene scene;
   if (!options.session.empty()) scene = loadSession(options.session);
   if (!path.empty() && isSession(path)) {
@@ -190,8 +258,54 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
       scene.source = scene::Source{};  // how to read the session's volume says nothing about this one
     scene.source.path = path;
   }
+  return scene;
+}
+
+void applyAssignments(scene::Scene& scene, const SceneOptions& options) {
   for (const std::string& assignment : options.assignments)
     if (!scene::isOfMachine(assignment)) scene::applyAssignment(scene, assignment);
+}
+
+bool assigns(const SceneOptions& options, std::string_view path) {
+  const auto& all = options.assignments;
+  return std::any_of(all.begin(), all.end(),
+                     [&](const std::string& assignment) { return scene::pathOf(assignment) == path; });
+}
+
+}  // namespace
+
+scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
+  scene::Scene scene = startingScene(path, options);
+  applyAssignments(scene, options);
+  if (!options.preset.empty()) findPreset(options.preset);  // an unknown one is told of before any work
+  return scene;
+}
+
+scene::Scene sceneOf(const std::string& path, const SceneOptions& options,
+                     const volume::PreparedVolume& volume) {
+  scene::Scene scene = startingScene(path, options);
+  if (!options.preset.empty()) {
+    const Preset preset = findPreset(options.preset);
+    const std::string reason = whyNot(preset, volume, assigns(options, "isosurface.value"));
+    if (!reason.empty())
+      throw Error(ErrorKind::usage, volume.volume.name, "preset " + preset.name,
+                  "does not apply: " + reason +
+                      (reason.find("not Hounsfield") == std::string::npos
+                           ? ""
+                           : "; with --isovalue it shows that value instead"));
+    scene = withPreset(scene, preset, volume, options.shift);
+  }
+  applyAssignments(scene, options);
+  return scene;
+}
+
+scene::Scene resolvedSceneOf(const std::string& path, const SceneOptions& options,
+                             const volume::PreparedVolume& volume, glm::ivec2 size,
+                             base::Progress& progress) {
+  scene::Scene scene = scene::resolve(sceneOf(path, options, volume), volume.facts);
+  if (options.camera.any())
+    scene.camera = wishedCamera(options.camera, scene, volume,
+                                static_cast<double>(size.x) / static_cast<double>(size.y), progress);
   return scene;
 }
 
@@ -204,10 +318,15 @@ scene::Machine machineOf(const SceneOptions& options) {
 
 OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene) {
   OutputGuard guard;
+  addReads(guard, path, options, scene);
+  return guard;
+}
+
+void addReads(OutputGuard& guard, const std::string& path, const SceneOptions& options,
+              const scene::Scene& scene) {
   guard.reads(options.session, "the session");
   if (!path.empty() && isSession(path)) guard.reads(path, "the session");
   guard.reads(scene);
-  return guard;
 }
 
 void checkOutput(OutputGuard& guard, const std::string& file, const std::string& option) {

@@ -17,6 +17,7 @@
 
 #include "app/files/json_text.h"
 #include "app/files/output_guard.h"
+#include "app/series/camera_wish.h"
 #include "base/progress.h"
 #include "render/gl/gl_context.h"
 #include "scene/machine.h"
@@ -39,16 +40,25 @@ Command makeMesh(CLI::App& program);
 Command makePhantom(CLI::App& program);
 Command makeSettings(CLI::App& program);
 Command makeDoctor(CLI::App& program);
+Command makePresets(CLI::App& program);
 Command makeProbe(CLI::App& program);
 Command makeMeasure(CLI::App& program);
 Command makeSlice(CLI::App& program);
 
-// --set, --session and the short forms; assignments stand in the order of the command line.
+// --set, --session and the short forms; assignments stand in the order of the command line. What needs the
+// volume, --preset and cameras by name, only where addVolumeOptions() has added it.
 struct SceneOptions {
   std::string session;
   std::vector<std::string> assignments;  // PATH=VALUE
+  std::string preset;                    // a name or a file; empty: none
+  double shift = 0.0;                    // of the preset's isovalues, data units
+  CameraWish camera;
+
+  bool waitsForVolume() const { return !preset.empty() || camera.any(); }
 };
 std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser);
+// --preset, --shift; with cameras: --view, --azimuth, --elevation, --zoom, --fit.
+void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras = true);
 // --threads N, in force as long as the returned value lives in the parser's callbacks.
 void addThreadsOption(CLI::App& parser);
 void printThreadsNote(const CLI::App& parser);  // on stderr, where --threads asks for more than there will be
@@ -64,10 +74,20 @@ void refuseCuts(const scene::Scene& scene, const char* command);
 // The session (or the default scene), then PATH (a volume, a session, or a picture with one; "": none), then
 // the assignments.
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options);
+// The same with the preset between session and assignments; nothing is resolved. Throws Error{usage} with
+// the reason where the preset does not apply to the volume.
+scene::Scene sceneOf(const std::string& path, const SceneOptions& options,
+                     const volume::PreparedVolume& volume);
+// That, resolved, with the camera that was wished for in a picture of this size.
+scene::Scene resolvedSceneOf(const std::string& path, const SceneOptions& options,
+                             const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress);
 // What the assignments say of the machine.
 scene::Machine machineOf(const SceneOptions& options);
 // Knows all files that `scene`, made by sceneOf() of the same arguments, is read from.
 OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene);
+// The same into a guard that knows files of other scenes.
+void addReads(OutputGuard& guard, const std::string& path, const SceneOptions& options,
+              const scene::Scene& scene);
 // Refuses `file` if the guard does, and throws if it cannot be written. An empty name: nothing to check.
 void checkOutput(OutputGuard& guard, const std::string& file, const std::string& option);
 

@@ -55,6 +55,7 @@ void declare(Program& program) {
                   "Record every change in the window to this file, for replay")
       ->type_name("FILE");
   program.window.scene = addSceneOptions(parser);
+  addVolumeOptions(parser, program.window.scene);
   addThreadsOption(parser);
   parser.footer(
       "A file with the name of a subcommand is opened as ./NAME. `isolux SUBCOMMAND --help` explains each.\n"
@@ -63,7 +64,7 @@ void declare(Program& program) {
       "130 interrupted.\n\n"
       "Example:\n  isolux ct.nii.gz --isovalue 300");
   for (const auto make : {makeInfo, makeRender, makeBake, makeReference, makeReplay, makeStudy, makeProbe,
-                          makeMeasure, makeSlice, makeMesh, makePhantom, makeSettings, makeDoctor})
+                          makeMeasure, makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor})
     program.commands.push_back(make(parser));
   addMemoryOption(parser);
   for (const Command& command : program.commands) addMemoryOption(*command.parser);
@@ -140,6 +141,16 @@ bool parse(Program& program, int argc, char** argv) {
   }
 }
 
+// What the window opens with, once the volume is there: automatic settings stay so, but for a camera that was
+// wished for.
+scene::Scene windowScene(const std::string& path, const SceneOptions& options,
+                         const volume::PreparedVolume& volume, base::Progress& progress) {
+  constexpr glm::ivec2 usual(4, 3);
+  scene::Scene scene = sceneOf(path, options, volume);
+  if (options.camera.any()) scene.camera = resolvedSceneOf(path, options, volume, usual, progress).camera;
+  return scene;
+}
+
 int openWindowOn(const WindowOptions& options, const Program& program, const OpenWindow& openWindow) {
   if (program.parser.count("PATH") > 0) checkWord(options.path, program);
   WindowRequest request;
@@ -155,6 +166,11 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
   if (!session.empty() && isSession(session))
     request.sessionFile = fs::absolute(session).lexically_normal().string();
   request.recordFile = options.record;
+  if (options.scene->waitsForVolume())
+    request.completed = [path = options.path, scene = *options.scene](const volume::PreparedVolume& volume) {
+      base::Progress progress;
+      return windowScene(path, scene, volume, progress);
+    };
   machineOf(*options.scene);  // throws here, not in the window
   const auto& assignments = options.scene->assignments;
   std::copy_if(assignments.begin(), assignments.end(), std::back_inserter(request.machine),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "volume/prepared_volume.h"
 
 namespace isolux::app {
 
@@ -18,6 +19,9 @@ struct WindowRequest {
       sessionFile;  // absolute; where the scene came from, so that Save goes there; "": from no session
   std::string recordFile;            // --record FILE
   std::vector<std::string> machine;  // --set of scene::Machine, for this run
+  // The scene once the volume is there, where --preset or a camera by name waits for it; its source does not
+  // count. May throw base::Error.
+  std::function<scene::Scene(const volume::PreparedVolume&)> completed = {};
 };
 using OpenWindow = std::function<int(const WindowRequest&)>;
 

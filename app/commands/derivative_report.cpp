@@ -8,6 +8,7 @@
 #include "app/jobs/rest_scene.h"
 #include "base/number_text.h"
 #include "render/graph/pass_declarations.h"
+#include "scene/looks.h"
 #include "scene/rules/needs.h"
 #include "scene/settings.h"
 #include "volume/statistics/spline_gap.h"
@@ -49,6 +50,20 @@ std::string numberText(const std::optional<double>& asked, const std::optional<d
   std::string text = base::shortText(*drawn, 3) + unit;
   if (asked) return text + ", as set";
   return reason.empty() ? text + ", automatic" : text + ", automatic: " + reason;
+}
+
+// The ends of the colours that stand for numbers, and from where on lines are drawn.
+void printTaken(const scene::Look& look, const render::CurvatureReport& curvature) {
+  const scene::LookInfo& info = scene::lookInfo(look.mode);
+  if (info.kind == scene::LookKind::measure || info.kind == scene::LookKind::square)
+    std::printf("colours: %s to %s %s%s\n", base::shortText(curvature.range.x, 4).c_str(),
+                base::shortText(curvature.range.y, 4).c_str(), std::string(scene::unitOf(info)).c_str(),
+                look.rangeLow && look.rangeHigh ? ", as set" : ", automatic: of the whole surface");
+  if (look.ridges > 0.0)
+    std::printf("lines: ridges from %s, valleys from %s 1/mm%s\n",
+                base::shortText(curvature.ridgeThresholds.x, 4).c_str(),
+                base::shortText(curvature.ridgeThresholds.y, 4).c_str(),
+                look.ridgeThreshold ? ", as set" : ", automatic: of the whole surface");
 }
 
 }  // namespace
@@ -108,6 +123,7 @@ void printDerivatives(const DerivativeFacts& facts) {
   line("noise of a voxel", numberText(asked.noise, drawn.noise, "", reasons.noiseReason));
   line("scale of curvature", numberText(asked.scale, drawn.scale, " mm", reasons.scaleReason));
   line("scale of normals", numberText(asked.normalScale, drawn.normalScale, " mm", reasons.normalReason));
+  if (facts.curvature) printTaken(facts.drawn.look, *facts.curvature);
   if (facts.unknownShare)
     std::printf("curvature means nothing (confidence below 0.5) on %.1f %% of what is seen\n",
                 100.0 * *facts.unknownShare);

@@ -15,7 +15,6 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "gi/trace/reference.h"
-#include "scene/rules/automatic.h"
 
 namespace isolux::app {
 
@@ -91,7 +90,7 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
   checkOutput(guard, options.out, "--out");
   checkOutput(guard, options.stats, "--stats");
   const auto prepared = loadWithProgressBar(scene.source, progress);
-  scene = scene::resolve(std::move(scene), prepared->facts);
+  scene = resolvedSceneOf(options.path, *options.scene, *prepared, reference.size, progress);
   const std::string session = sessionText(scene, out.parent_path());
   const Clock::time_point start = Clock::now();
   double seconds = 0.0;
@@ -156,6 +155,7 @@ Command makeReference(CLI::App& program) {
       ->type_name("FILE");
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);
+  addVolumeOptions(*parser, options->scene);
   parser->footer(
       "Ctrl-C leaves the picture as it was at most a few seconds before. Examples:\n"
       "  isolux reference phantom:head --set light.environment.file=sky.hdr --out head.exr\n"

@@ -1,14 +1,16 @@
-// isolux render PATH --out FILE: one picture, or its deferred images, without a window.
-#include <sys/resource.h>
-
+// isolux render PATH... --out FILE: pictures, or their deferred images, without a window.
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <optional>
 
+#include <unistd.h>
+
 #include "app/commands/command.h"
 #include "app/commands/derivative_report.h"
 #include "app/commands/progress_bar.h"
+#include "app/commands/render_plan.h"
+#include "app/commands/render_report.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
@@ -16,15 +18,12 @@
 #include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
-#include "app/version.h"
+#include "app/series/movie.h"
 #include "base/error.h"
-#include "base/number_text.h"
 #include "base/quantiles.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
-#include "scene/rules/ghosts.h"
-#include "volume/cast/surface_caster.h"
 
 namespace isolux::app {
 
@@ -33,24 +32,33 @@ namespace {
 namespace fs = std::filesystem;
 using base::Error;
 using base::ErrorKind;
-using nlohmann::ordered_json;
 
 struct RenderOptions {
-  std::string path, light, out, aov, stats;
+  std::vector<std::string> paths;
+  std::string light, out, aov, stats, sweep;
   std::optional<std::string> size;
   bool explain = false;
-  int repeat = 0;
+  int repeat = 0, turntable = 0;
+  double fps = 24.0;
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
 };
 
+RenderPlan planOf(const RenderOptions& options) {
+  return makeRenderPlan({options.paths, options.out, options.stats, options.sweep, options.turntable});
+}
+
 // Checked before anything slow starts.
-render::FrameRequest requestOf(const RenderOptions& options, const scene::Scene& scene) {
-  const std::string extension = fs::path(options.out).extension().string();
+render::FrameRequest requestOf(const RenderOptions& options, const std::string& path,
+                               const scene::Scene& scene, const std::string& out) {
+  const bool toOutput = out == kStandardOutput;
+  const std::string extension = toOutput ? ".png" : fs::path(out).extension().string();
   if (extension != ".png" && extension != ".exr")
-    throw Error(ErrorKind::usage, options.out, "", "the name of a picture must end in .png or .exr");
+    throw Error(ErrorKind::usage, out, "", "the name of a picture must end in .png or .exr");
+  if (toOutput && options.explain)
+    throw Error(ErrorKind::usage, "", "--explain", "prints where --out - writes the picture");
   render::FrameRequest request;
-  request.size = pictureSize(options.size, options.path, *options.scene);
+  request.size = pictureSize(options.size, path, *options.scene);
   request.supersampling = scene.picture.supersampling;
   request.linear = extension == ".exr";
   if (!options.aov.empty()) {
@@ -63,15 +71,11 @@ render::FrameRequest requestOf(const RenderOptions& options, const scene::Scene&
   return request;
 }
 
-struct Drawn {
-  render::StillPicture picture;  // the last one
-  double milliseconds = 0.0;     // median of the measured pictures
-};
-
 // One picture; or, to measure, one to warm up and `repeat` in which every pass runs again.
 Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
            int repeat, base::Progress& progress) {
   Drawn drawn;
+  drawn.repeat = repeat;
   drawn.picture = render::drawStill(renderer, scene, request, progress);
   drawn.milliseconds = drawn.picture.report.milliseconds;
   std::vector<double> times;
@@ -86,77 +90,14 @@ Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::
   return drawn;
 }
 
-std::uint64_t peakBytes() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
-}
-
-ordered_json statsJson(const RenderOptions& options, const scene::Scene& scene,
-                       const render::FrameRequest& request, const volume::PreparedVolume& prepared,
-                       const render::ContextDescription& context, const Drawn& drawn,
-                       const LightController& light, const DerivativeFacts& derivatives) {
-  ordered_json passes = ordered_json::array();
-  for (const render::PassReport& pass : drawn.picture.report.passes)
-    passes.push_back({{"name", pass.name},
-                      {"state", render::nameOf(pass.state)},
-                      {"reason", pass.reason},
-                      {"milliseconds", pass.milliseconds},
-                      {"bytes", pass.bytes},
-                      {"executor", pass.onProcessor ? "cpu" : "gpu"}});
-  ordered_json json;
-  json["version"] = version();
-  addContext(json, context);
-  json["size"] = {request.size.x, request.size.y};
-  json["supersampling"] = request.supersampling;
-  json["isovalue"] = *scene.isosurface.value;
-  json["passes"] = passes;
-  json["frame_milliseconds"] = drawn.milliseconds;
-  json["repeat"] = options.repeat;
-  json["blocks"] = {{"active", drawn.picture.report.blocksActive},
-                    {"total", drawn.picture.report.blocksTotal}};
-  const render::BrickReport& bricks = drawn.picture.report.bricks;
-  json["bricks"] = {{"active", bricks.active},   {"resident", bricks.resident}, {"uploaded", bricks.uploaded},
-                    {"evicted", bricks.evicted}, {"slots", bricks.slots},       {"total", bricks.total},
-                    {"missing", bricks.missing}};
-  const std::optional<render::EmptyPicture>& empty = drawn.picture.report.empty;
-  json["empty"] = empty ? ordered_json(empty->reason) : ordered_json(nullptr);
-  json["derivatives"] = derivativesJson(derivatives);
-  json["hits"] = restJson(scene, prepared);
-  json["bake"] = bakeJson(light.state());
-  json["exposure"] = exposureJson(scene, light.light().get());
-  json["gpu_bytes"] = drawn.picture.report.gpuBytes;
-  json["peak_bytes"] = peakBytes();
-  json["data_hash"] = base::hexText(prepared.grid().hash());
-  json["read_seconds"] = prepared.readSeconds;
-  json["prepare_seconds"] = prepared.prepareSeconds;
-  return json;
-}
-
-void printPasses(const render::FrameReport& report) {
-  std::size_t width = 4;
-  for (const render::PassReport& pass : report.passes) width = std::max(width, pass.name.size());
-  std::printf("%-*s  %-7s  %10s  %s\n", static_cast<int>(width), "pass", "state", "ms", "reason");
-  for (const render::PassReport& pass : report.passes)
-    std::printf("%-*s  %-7s  %10.3f  %s\n", static_cast<int>(width), pass.name.c_str(),
-                render::nameOf(pass.state), pass.milliseconds, pass.reason.c_str());
-  std::string processor;
-  for (const render::PassReport& pass : report.passes)
-    if (pass.onProcessor && pass.state != render::PassState::skipped)
-      processor += (processor.empty() ? "" : ", ") + pass.name;
-  if (!processor.empty())
-    std::printf("on the processor (%s): %s\n", volume::SurfaceCaster::target(), processor.c_str());
-  const render::BrickReport& bricks = report.bricks;
-  if (bricks.inUse)
-    std::printf(
-        "bricks: %zu of %zu hold the surface, %zu are resident in %zu slots, %zu uploaded, %zu replaced\n",
-        bricks.active, bricks.total, bricks.resident, bricks.slots, bricks.uploaded, bricks.evicted);
-  std::fflush(stdout);
-}
-
 void writePicture(const render::StillPicture& picture, const render::FrameRequest& request,
-                  const RenderOptions& options, const scene::Scene& scene) {
-  const fs::path out(options.out);
+                  const std::string& name, const scene::Scene& scene) {
+  if (name == kStandardOutput) {
+    const std::string bytes = pngBytes(picture.color, sessionText(scene, fs::current_path()));
+    std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return;
+  }
+  const fs::path out(name);
   const std::string session = sessionText(scene, out.parent_path());
   if (out.extension() == ".png")
     writePng(picture.color, out, session);
@@ -164,83 +105,167 @@ void writePicture(const render::StillPicture& picture, const render::FrameReques
     writeExr(request.linear ? &picture.linear : nullptr, picture.aovs, out, session);
 }
 
-void runRender(const RenderOptions& options, base::Progress& progress) {
-  requireSource(options.path, *options.scene);
-  scene::Scene scene = sceneOf(options.path, *options.scene);
-  const scene::Machine machine = machineOf(*options.scene);
-  const render::FrameRequest request = requestOf(options, scene);
-  OutputGuard guard = outputGuard(options.path, *options.scene, scene);  // before anything slow starts
+void checkRenderOutputs(const RenderOptions& options, const RenderPlan& plan) {
+  OutputGuard guard;
   guard.reads(options.light, "the stored light");
-  checkOutput(guard, options.out, "--out");
-  checkOutput(guard, options.stats, "--stats");
-
-  const auto prepared = loadWithProgressBar(scene.source, progress);
-  const scene::Derivatives asked = scene.derivatives;
-  scene = scene::resolve(std::move(scene), prepared->facts);
-  const auto context = render::OffscreenContext::create(*options.context);
-  context->makeCurrent();
-  render::Renderer renderer(context->gl());
-  renderer.setMachine(machine);
-  renderer.setVolume(prepared);
-  LightController light({.threads = machine.threads});
-  Drawn drawn;
-  std::optional<scene::Scene> shown;  // at rest
-  {
-    progress.report(0.0, "drawing");
-    const ProgressBar bar(progress);
-    if (!options.light.empty()) {
-      light.setScene(litScene(scene, request), prepared);
-      light.load(options.light, progress);
+  for (const VolumePictures& pictures : plan.volumes) {
+    const scene::Scene scene = sceneOf(pictures.path, *options.scene);
+    addReads(guard, pictures.path, *options.scene, scene);
+    requestOf(options, pictures.path, scene, pictures.pictures.front().out);
+  }
+  for (const VolumePictures& pictures : plan.volumes)
+    for (const PlannedPicture& picture : pictures.pictures) {
+      if (picture.out != kStandardOutput) checkOutput(guard, picture.out, "--out");
+      checkOutput(guard, picture.stats, "--stats");
     }
-    completeFields(scene, *prepared, !request.aovs.empty(), progress);
-    lightPicture(light, renderer, scene, request, prepared, progress);
-    if (request.aovs.empty()) shown = atRest(scene, *prepared, progress);
-    progress.report(0.0, "drawing");
-    drawn = draw(renderer, shown.value_or(scene), request, options.repeat, progress);
-    progress.throwIfStopped();
-    writePicture(drawn.picture, request, options, scene);
+}
+
+// Draws what is planned with one renderer, a volume after the other.
+class RenderRun {
+ public:
+  RenderRun(const RenderOptions& options, const RenderPlan& plan, base::Progress& progress)
+      : options_(options),
+        plan_(plan),
+        progress_(progress),
+        machine_(machineOf(*options.scene)),
+        light_({.threads = machine_.threads}) {}
+
+  void drawVolume(const VolumePictures& pictures) {
+    const std::string& path = pictures.path;
+    const scene::Scene asked = sceneOf(path, *options_.scene);
+    prepared_ = loadWithProgressBar(asked.source, progress_);
+    if (!context_) makeRenderer();
+    renderer_->setVolume(prepared_);
+    readsLight_ = !options_.light.empty();
+    request_ = requestOf(options_, path, asked, pictures.pictures.front().out);
+    const scene::Scene base = startingScene(path);
+    for (const PlannedPicture& picture : pictures.pictures) {
+      progress_.throwIfStopped();
+      drawPicture(sceneOfPicture(base, picture), picture);
+    }
+    printWarnings(prepared_->volume);
+    noteMovie(pictures);
   }
-  std::optional<DerivativeFacts> derivatives;
-  if (!options.stats.empty() || options.explain)
-    derivatives = derivativeFacts(renderer, asked, scene, request, drawn.picture.report, *prepared);
-  if (!options.stats.empty())
-    writeTextFile(options.stats, jsonText(statsJson(options, scene, request, *prepared,
-                                                    context->description(), drawn, light, *derivatives)));
-  if (options.explain) {
-    printPasses(drawn.picture.report);
-    printDerivatives(*derivatives);
-    printRest(scene, *prepared);
-    printBake(light.state());
-    printExposure(scene, light.light().get());
+
+ private:
+  void makeRenderer() {
+    context_ = render::OffscreenContext::create(*options_.context);
+    context_->makeCurrent();
+    renderer_.emplace(context_->gl());
+    renderer_->setMachine(machine_);
   }
-  for (const std::string& warning : light.state().warnings) printNote(warning);
-  printWarnings(prepared->volume);
-  if (const int missing = scene::ghostsWithoutRoom(scene))
-    printNote("isosurface.ghost: " + std::to_string(missing) +
-              " of the two ghosts is missing, because further isosurfaces are shown");
-  if (drawn.picture.report.empty)
-    std::fprintf(stderr, "isolux: note: the picture is empty: %s\n",
-                 drawn.picture.report.empty->reason.c_str());
-  for (const std::string& error : drawn.picture.report.glErrors)
-    std::fprintf(stderr, "isolux: note: the graphics driver reports an error: %s\n", error.c_str());
-  if (drawn.picture.report.bricks.missing > 0.0)
-    std::fprintf(
-        stderr,
-        "isolux: note: %.2g %% of the picture is missing: memory.gpu_budget_mb is too small for this view\n",
-        100.0 * drawn.picture.report.bricks.missing);
+
+  double aspect() const {
+    return static_cast<double>(request_.size.x) / static_cast<double>(request_.size.y);
+  }
+
+  // Not resolved, but for the camera of a series: one for all of it, that of its first picture.
+  scene::Scene startingScene(const std::string& path) {
+    scene::Scene scene = sceneOf(path, *options_.scene, *prepared_);
+    if (plan_.sweep) plan_.sweep->apply(scene, 0);
+    const scene::Scene first = scene::resolve(scene, prepared_->facts);
+    const CameraWish& wish = options_.scene->camera;
+    if (options_.turntable > 0)
+      scene.camera = turntableStart(wish, !scene.camera.eye, first, *prepared_, aspect(), progress_);
+    else if (wish.any())
+      scene.camera = wishedCamera(wish, first, *prepared_, aspect(), progress_);
+    return scene;
+  }
+
+  scene::Scene sceneOfPicture(scene::Scene scene, const PlannedPicture& picture) const {
+    if (plan_.sweep) plan_.sweep->apply(scene, picture.index);
+    if (options_.turntable > 0)
+      scene.camera = turntableCamera(scene.camera, prepared_->facts.axes, picture.index, options_.turntable);
+    return scene;
+  }
+
+  void drawPicture(scene::Scene scene, const PlannedPicture& picture) {
+    const scene::Derivatives asked = scene.derivatives;
+    scene = scene::resolve(std::move(scene), prepared_->facts);
+    request_.supersampling = request_.aovs.empty() ? scene.picture.supersampling : 1;
+    Drawn drawn;
+    {
+      progress_.report(0.0, "drawing");
+      const ProgressBar bar(progress_);
+      if (std::exchange(readsLight_, false)) {
+        light_.setScene(litScene(scene, request_), prepared_);
+        light_.load(options_.light, progress_);
+      }
+      completeFields(scene, *prepared_, !request_.aovs.empty(), progress_);
+      lightPicture(light_, *renderer_, scene, request_, prepared_, progress_);
+      std::optional<scene::Scene> shown;  // at rest
+      if (request_.aovs.empty()) shown = atRest(scene, *prepared_, progress_);
+      progress_.report(0.0, "drawing");
+      drawn = draw(*renderer_, shown.value_or(scene), request_, options_.repeat, progress_);
+      progress_.throwIfStopped();
+      writePicture(drawn.picture, request_, picture.out, scene);
+    }
+    report(asked, scene, drawn, picture);
+  }
+
+  void report(const scene::Derivatives& asked, const scene::Scene& scene, const Drawn& drawn,
+              const PlannedPicture& picture) {
+    if (!picture.stats.empty() || options_.explain) {
+      const DerivativeFacts derivatives =
+          derivativeFacts(*renderer_, asked, scene, request_, drawn.picture.report, *prepared_);
+      if (!picture.stats.empty())
+        writeTextFile(picture.stats, jsonText(renderJson(scene, request_, *prepared_, context_->description(),
+                                                         drawn, light_, derivatives)));
+      if (options_.explain) {
+        printPasses(drawn.picture.report);
+        printDerivatives(derivatives);
+        printRest(scene, *prepared_);
+        printBake(light_.state());
+        printExposure(scene, light_.light().get());
+      }
+    }
+    for (const std::string& warning : light_.state().warnings) printNote(warning);
+    noteOfPicture(scene, drawn.picture.report);
+  }
+
+  void noteMovie(const VolumePictures& pictures) {
+    if (options_.turntable < 2 || pictures.movie.empty()) return;
+    const fs::path first(pictures.pictures.front().out);
+    const std::string note = makeMovie(first.parent_path(), pictures.moviePrefix, options_.turntable,
+                                       options_.fps, pictures.movie, progress_);
+    if (!note.empty()) printNote(note);
+  }
+
+  const RenderOptions& options_;
+  const RenderPlan& plan_;
+  base::Progress& progress_;
+  const scene::Machine machine_;
+  std::unique_ptr<render::OffscreenContext> context_;
+  std::optional<render::Renderer> renderer_;
+  LightController light_;
+  std::shared_ptr<const volume::PreparedVolume> prepared_;
+  render::FrameRequest request_;
+  bool readsLight_ = false;  // of a file, before the volume's first picture
+};
+
+void runRender(const RenderOptions& options, base::Progress& progress) {
+  if (options.paths.empty()) requireSource("", *options.scene);
+  const RenderPlan plan = planOf(options);
+  std::optional<MadeFolder> made;
+  if (!plan.folder.empty()) made.emplace(plan.folder);
+  checkRenderOutputs(options, plan);
+  RenderRun run(options, plan, progress);
+  for (const VolumePictures& pictures : plan.volumes) run.drawVolume(pictures);
 }
 
 }  // namespace
 
 Command makeRender(CLI::App& program) {
-  CLI::App* const parser = program.add_subcommand("render", "Draw one picture to a file, without a window");
+  CLI::App* const parser = program.add_subcommand("render", "Draw pictures to files, without a window");
   auto options = std::make_shared<RenderOptions>();
   parser->add_option(
-      "PATH", options->path,
-      "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
+      "PATH", options->paths,
+      "Volume files, DICOM folders, phantom:NAME[:SIZE], sessions, or .png that carry one; each is drawn");
   parser
       ->add_option("--out", options->out,
-                   "The picture to write: .png (8 bit sRGB, with its session) or .exr (float)")
+                   "The picture to write: .png (8 bit sRGB, with its session) or .exr (float), - for a .png "
+                   "to standard "
+                   "output; of several, {name}, {n}, {i} and {value} stand for what tells them apart")
       ->type_name("FILE")
       ->required();
   parser
@@ -262,6 +287,20 @@ Command makeRender(CLI::App& program) {
       ->add_option("--light", options->light,
                    "Take stored light from this file of `isolux bake`; what is missing is baked")
       ->type_name("FILE");
+  CLI::Option* const sweep =
+      parser
+          ->add_option("--sweep", options->sweep,
+                       "A picture of each of COUNT evenly spaced values of a setting that is a number")
+          ->type_name("PATH=LOW:HIGH:COUNT");
+  parser
+      ->add_option("--turntable", options->turntable,
+                   "N views once around the volume's up axis, and a movie when ffmpeg is found")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000).description(""))
+      ->excludes(sweep);
+  parser->add_option("--fps", options->fps, "Pictures per second of the turntable's movie; default 24")
+      ->type_name("N")
+      ->check(CLI::Range(0.01, 240.0).description(""));
   parser->add_flag("--explain", options->explain,
                    "Print each pass, whether it ran, and why; and what is stored of the light");
   parser
@@ -272,11 +311,15 @@ Command makeRender(CLI::App& program) {
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);
+  addVolumeOptions(*parser, options->scene);
   parser->footer(
       "Examples:\n"
       "  isolux render ct.nii.gz --isovalue 300 --out skull.png --size 1600x1200\n"
       "  isolux render phantom:torus --out torus.exr --aov position,normal\n"
-      "  isolux render skull.png --set look.mode=normal --out normals.png");
+      "  isolux render skull.png --set look.mode=normal --out normals.png\n"
+      "  isolux render a.nii.gz b.nii.gz --preset ct_bone --view left --fit surface --out '{name}.png'\n"
+      "  isolux render ct.nii.gz --sweep isosurface.value=100:300:9 --out 'skull_{value}.png'\n"
+      "  isolux render ct.nii.gz --isovalue 300 --turntable 72 --out turn");
   return {parser, [options](base::Progress& progress) { runRender(*options, progress); }};
 }
 

@@ -14,7 +14,7 @@
 #include "app/jobs/field_job.h"
 #include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
-#include "app/process/external_program.h"
+#include "app/series/movie.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "render/renderer.h"
@@ -92,35 +92,6 @@ class FrameMaker {
   std::optional<render::ColorImage> image_;
 };
 
-std::string lastLine(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-  return text.substr(text.rfind('\n') + 1);
-}
-
-// A movie is an extra: without a working ffmpeg the frames are the result, and a note says so.
-void makeMovie(const fs::path& folder, int frames, double fps, base::Progress& progress) {
-  const fs::path ffmpeg = findProgram("ffmpeg");
-  if (ffmpeg.empty()) {
-    printNote("no movie.mp4: ffmpeg was not found");
-    return;
-  }
-  PendingFile movie(folder / "movie.mp4");
-  // In the folder, by plain names: a "%" in the folder's own name would be taken for a pattern.
-  const ProgramResult result = runProgram(
-      ffmpeg,
-      {"-nostdin", "-loglevel", "error", "-y", "-framerate", base::shortestText(fps), "-start_number", "0",
-       "-i", "frame_%05d.png", "-frames:v", std::to_string(frames), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-       "-pix_fmt", "yuv420p", "-f", "mp4", fs::absolute(movie.path()).string()},
-      folder, progress);
-  std::error_code missing;
-  if (result.exitCode == 0 && fs::file_size(movie.path(), missing) > 0 && !missing) {
-    movie.commit();
-    return;
-  }
-  printNote("no movie.mp4: ffmpeg failed (" + std::to_string(result.exitCode) +
-            "): " + lastLine(result.output));
-}
-
 void noteOlderFrames(const fs::path& folder, int frames) {
   std::error_code ignored;
   if (frames < mostFrames && fs::exists(folder / frameName(frames), ignored))
@@ -166,7 +137,8 @@ void runReplay(const ReplayOptions& options, base::Progress& progress) {
   }
   for (const std::string& warning : recording.warnings) printNote(options.recording + ": " + warning);
   noteOlderFrames(folder, frames);
-  makeMovie(folder, frames, options.fps, progress);
+  const std::string note = makeMovie(folder, "frame_", frames, options.fps, "movie.mp4", progress);
+  if (!note.empty()) printNote(note);
 }
 
 }  // namespace

@@ -39,6 +39,12 @@ void writePng(const render::ColorImage& image, const fs::path& file, const std::
   writePngFile(image, texts, file);
 }
 
+std::string pngBytes(const render::ColorImage& image, const std::string& session) {
+  std::vector<PngText> texts;
+  for (const auto& [keyword, text] : textsOf(session)) texts.push_back({keyword, text});
+  return pngFileBytes(image, texts);
+}
+
 void writeExr(const render::LinearImage* color, const std::vector<render::AovImage>& images,
               const fs::path& file, const std::string& session) {
   // All channels, interleaved: `name` and where its values come from.

@@ -4,6 +4,7 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -31,8 +32,9 @@ struct PngWriter {
   std::string failure;
   int systemError = 0;
 
-  PngWriter(const fs::path& path, const std::vector<PngText>& texts) {
-    stream = std::fopen(path.c_str(), "wb");
+  PngWriter(const fs::path& path, const std::vector<PngText>& texts)
+      : PngWriter(std::fopen(path.c_str(), "wb"), texts) {}
+  PngWriter(std::FILE* opened, const std::vector<PngText>& texts) : stream(opened) {
     systemError = stream ? 0 : errno;
     png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, failed, [](png_structp, png_const_charp) {});
     info = png ? png_create_info_struct(png) : nullptr;
@@ -116,6 +118,19 @@ void writePngFile(const render::ColorImage& image, const std::vector<PngText>& t
   if (!writer.stream || !writer.info || !encode(writer, image) || !writer.close())
     throwInput(file.string(), "", "cannot be written: " + writer.reason());
   pending.commit();
+}
+
+std::string pngFileBytes(const render::ColorImage& image, const std::vector<PngText>& texts) {
+  char* bytes = nullptr;
+  std::size_t length = 0;
+  bool written = false;
+  {
+    PngWriter writer(::open_memstream(&bytes, &length), texts);
+    written = writer.stream && writer.info && encode(writer, image) && writer.close();
+  }
+  const std::unique_ptr<char, decltype(&std::free)> freed(bytes, &std::free);
+  if (!written) throw base::Error(base::ErrorKind::memory, "", "", "no memory for the bytes of a picture");
+  return {bytes, length};
 }
 
 render::ColorImage readPngFile(const fs::path& file) {

@@ -20,6 +20,9 @@ struct PngText {
 void writePngFile(const render::ColorImage& image, const std::vector<PngText>& texts,
                   const std::filesystem::path& file);
 
+// The bytes of that file. Throws Error{memory} where there is no room for them.
+std::string pngFileBytes(const render::ColorImage& image, const std::vector<PngText>& texts);
+
 // 8-bit RGB or RGBA, at most 32768 x 32768; alpha is 255 where the file has none.
 render::ColorImage readPngFile(const std::filesystem::path& file);
 

@@ -36,6 +36,13 @@ fs::path stateFolder() {
   return home.empty() ? fs::path() : home / ".local" / "state" / "isolux";
 }
 
+fs::path configFolder() {
+  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config == '/')
+    return fs::path(config) / "isolux";
+  const fs::path home = homeFolder();
+  return home.empty() ? fs::path() : home / ".config" / "isolux";
+}
+
 void makePrivateFolder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(folder, error)) return;

@@ -9,6 +9,10 @@ namespace isolux::app {
 // Absolute; not made. Empty when the user has no home folder.
 std::filesystem::path stateFolder();
 
+// What the user chooses and may give away, beside settings: $XDG_CONFIG_HOME/isolux, by default
+// ~/.config/isolux. As above.
+std::filesystem::path configFolder();
+
 // Makes the folder, for the user's eyes only, where it is missing: what is kept names patients' files. Throws
 // base::Error{input}.
 void makePrivateFolder(const std::filesystem::path& folder);

@@ -50,7 +50,7 @@ json otherValue(const Setting& s) {
     case SettingType::toggle:
       return !s.defaultValue().get<bool>();
     case SettingType::positions:
-      return json::array({{1.0, -2.5, 3.0}});
+      return json::array({{1.0, -2.5, 3.0}, {4.0, 5.0, 6.0}});
     case SettingType::planes:
       return json::array({{1.0, -2.5, 3.0, 0.0, 0.6, -0.8}});
     case SettingType::marks:
@@ -291,6 +291,9 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
                                               "edge.search",
                                               "color.low",
                                               "color.high",
+                                              "slice.level",
+                                              "slice.width",
+                                              "slice.position",
                                               "derivatives.noise",
                                               "derivatives.scale",
                                               "derivatives.normal_scale",

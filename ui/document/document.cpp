@@ -120,10 +120,11 @@ void Document::openRaw(const QString& path, const QString& description) {
   openScene(next, {});
 }
 
-void Document::openScene(const scene::Scene& scene, const QString& sessionFile) {
+void Document::openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed) {
   pendingOpened_ = sessionFile.isEmpty() ? QString::fromStdString(scene.source.path) : sessionFile;
   pendingSessionFile_ = sessionFile;
   startLoading(scene, After::replaceDocument);
+  pendingCompletion_ = std::move(completed);
 }
 
 app::OpenDocument Document::kept() const {
@@ -141,6 +142,7 @@ void Document::startLoading(const scene::Scene& scene, After after) {
   cancelLoading();
   after_ = after;
   pendingKept_.reset();
+  pendingCompletion_ = {};
   pendingScene_ = scene;
   loadBegin_ = std::chrono::steady_clock::now();
   job_ = std::make_unique<app::LoadJob>(scene.source);
@@ -194,6 +196,7 @@ void Document::finishLoading() {
   loadedSource_ = job->source();
   QString name = "Open " + shortName(loadedSource_.path);
   if (after_ == After::replaceDocument) {
+    completePending(*volume);
     replaceDocument();
   } else if (after_ == After::restoreDocument) {
     restoreDocument();
@@ -211,6 +214,19 @@ void Document::finishLoading() {
   Q_EMIT loadEnded(true);
   if (!openedPath.isEmpty() && after_ == After::replaceDocument) Q_EMIT opened(openedPath);
   if (after_ == After::restoreDocument) Q_EMIT restored();
+}
+
+// What cannot be said of this volume is told, and the scene shown as it is.
+void Document::completePending(const volume::PreparedVolume& volume) {
+  if (!pendingCompletion_) return;
+  try {
+    const scene::Source source = pendingScene_.source;
+    pendingScene_ = pendingCompletion_(volume);
+    pendingScene_.source = source;
+  } catch (const base::Error& error) {
+    Q_EMIT failed(textOf(error));
+  }
+  pendingCompletion_ = {};
 }
 
 void Document::replaceDocument() {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -55,7 +56,9 @@ class Document : public QObject {
   // look, makes isovalue and camera automatic. Emits rawDescriptionNeeded for a file without a known header.
   void open(const QString& path);
   // Loads scene.source and then shows exactly this scene, with an empty history.
-  void openScene(const scene::Scene& scene, const QString& sessionFile);
+  // completed, where given, says the scene once the volume is there, as app::WindowRequest has it.
+  using CompleteScene = std::function<scene::Scene(const volume::PreparedVolume&)>;
+  void openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed = {});
   void openRaw(const QString& path, const QString& description);
   // All but the volume, as an autosave holds it.
   app::OpenDocument kept() const;
@@ -100,6 +103,7 @@ class Document : public QObject {
   void poll();
   void finishLoading();
   void keepLoadedSource();
+  void completePending(const volume::PreparedVolume& volume);
   void replaceDocument();
   void restoreDocument();
   void changeSource(const volume::PreparedVolume& volume);
@@ -117,6 +121,7 @@ class Document : public QObject {
   std::vector<std::unique_ptr<app::LoadJob>> stopping_;  // cancelled, still finding their way out
   After after_ = After::replaceDocument;
   scene::Scene pendingScene_;
+  CompleteScene pendingCompletion_;
   std::optional<app::OpenDocument> pendingKept_;
   QString pendingName_, pendingSessionFile_, pendingOpened_;
   QTimer pollTimer_, pauseTimer_, flowTimer_;

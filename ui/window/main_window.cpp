@@ -71,6 +71,7 @@ MainWindow::MainWindow(QWidget* parent)
   makeEditMenu();
   makeViewMenu();
   makeMeasureMenu();
+  makePresetsMenu();
   makeHelpMenu();
   makeToolBar();
   connectDocument();
@@ -254,7 +255,7 @@ void MainWindow::open(const app::WindowRequest& request) {
     const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
                                  !volume::needsRawDescription(scene.source.path);
     if (describesItself) {
-      document_->openScene(scene, QString::fromStdString(request.sessionFile));
+      document_->openScene(scene, QString::fromStdString(request.sessionFile), request.completed);
     } else {
       chooseRaw(QString::fromStdString(scene.source.path));
     }
@@ -297,6 +298,8 @@ void MainWindow::showState() {
   for (QAction* action : markTools_->actions()) action->setEnabled(loaded);
   importMarks_->setEnabled(loaded);
   exportMarks_->setEnabled(!document_->scene().marks.empty());
+  presetsMenu_->setEnabled(loaded);
+  copyCommand_->setEnabled(loaded);
   const bool recording = document_->recording();
   record_->setText(recording ? "Stop &recording" : "Start &recording…");
   record_->setChecked(recording);

@@ -9,6 +9,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/interaction/surface_pick.h"
+#include "app/presets/preset.h"
 #include "render/graph/frame.h"
 #include "scene/machine.h"
 #include "ui/document/document.h"
@@ -71,6 +72,10 @@ class MainWindow : public QMainWindow {
   BakedLight* light() const { return light_; }
   LightStatus* lightStatus() const { return lightStatus_; }
 
+  QMenu* presetsMenu() const { return presetsMenu_; }
+  // A shell command that draws the picture as it is saved; empty without a volume.
+  QString commandText() const;
+
   // .png or .exr; tells what was saved, or why not.
   bool savePicture(const QString& file, bool withSession = true);
   // Marks as .csv or .mrk.json; tells what was saved, or why not.
@@ -92,6 +97,7 @@ class MainWindow : public QMainWindow {
   void makeEditMenu();
   void makeViewMenu();
   void makeMeasureMenu();
+  void makePresetsMenu();
   void makeHelpMenu();
   void nameViews();
   void makeToolBar();
@@ -131,6 +137,11 @@ class MainWindow : public QMainWindow {
   void chooseLook(int row);  // of look_
   void stepLook(int step);
   void findSetting();
+  void showPresets();
+  void applyPreset(const app::Preset& preset);
+  void savePreset();
+  void keepPresetAs(const QString& title);
+  void copyCommand();
   void showPreferences();
   void setMachine(const scene::Machine& machine);
   void showHelp();
@@ -154,9 +165,9 @@ class MainWindow : public QMainWindow {
     Panel* panel;
   };
   std::vector<Docked> panels_;
-  QMenu* recentMenu_ = nullptr;
+  QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;

@@ -79,6 +79,10 @@ void MainWindow::makeEditMenu() {
   redo_ = newAction(menu, "&Redo", "redo", QKeySequence::Redo, "Redo");
   connect(redo_, &QAction::triggered, document_, &Document::redo);
   menu->addSeparator();
+  copyCommand_ = newAction(menu, "Copy as command &line", "", QKeySequence("Ctrl+Shift+C"),
+                           "Copy a shell command that draws this picture");
+  connect(copyCommand_, &QAction::triggered, this, &MainWindow::copyCommand);
+  menu->addSeparator();
   QAction* find = newAction(menu, "&Find a setting", "", QKeySequence::Find, "Find a setting by its name");
   connect(find, &QAction::triggered, this, &MainWindow::findSetting);
   menu->addSeparator();
@@ -188,6 +192,9 @@ void MainWindow::makeToolBar() {
   look_->setMaxVisibleItems(look_->count());
   connect(look_, &QComboBox::currentIndexChanged, this, &MainWindow::chooseLook);
   bar->addWidget(look_);
+  bar->addAction(presetsMenu_->menuAction());
+  if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(presetsMenu_->menuAction())))
+    button->setPopupMode(QToolButton::InstantPopup);
   bar->addAction(animate_);
   bar->addSeparator();
   bar->addAction(record_);

@@ -1,0 +1,38 @@
+// Which pictures `isolux render` draws and into which files: volumes, and of each a series or one picture.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/series/sweep.h"
+
+namespace isolux::app {
+
+constexpr const char* kStandardOutput = "-";
+
+struct PlannedPicture {
+  std::string out, stats;  // stats may be empty
+  int index = 0;           // in the series
+};
+struct VolumePictures {
+  std::string path;  // "": that of the session
+  std::vector<PlannedPicture> pictures;
+  std::string movie, moviePrefix;  // of a turntable's pictures, in their folder; empty: none
+};
+struct RenderPlan {
+  std::vector<VolumePictures> volumes;
+  std::optional<Sweep> sweep;
+  std::string folder;  // that --out names, to be made; empty: none
+};
+
+struct RenderPlanRequest {
+  std::vector<std::string> paths;  // none: one volume, of the session
+  std::string out, stats, sweep;   // as on the command line
+  int turntable = 0;               // views; 0: none
+};
+// Throws base::Error{usage}: as parseSweep(), several pictures for one file or for standard output, standard
+// output that is a terminal.
+RenderPlan makeRenderPlan(const RenderPlanRequest& request);
+
+}  // namespace isolux::app

@@ -1,0 +1,103 @@
+#include "app/commands/render_report.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/commands/command.h"
+#include "app/light/light_report.h"
+#include "app/version.h"
+#include "base/number_text.h"
+#include "scene/rules/ghosts.h"
+#include "volume/cast/surface_caster.h"
+
+namespace isolux::app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+std::uint64_t peakBytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+}  // namespace
+
+ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& request,
+                        const volume::PreparedVolume& prepared, const render::ContextDescription& context,
+                        const Drawn& drawn, const LightController& light,
+                        const DerivativeFacts& derivatives) {
+  ordered_json passes = ordered_json::array();
+  for (const render::PassReport& pass : drawn.picture.report.passes)
+    passes.push_back({{"name", pass.name},
+                      {"state", render::nameOf(pass.state)},
+                      {"reason", pass.reason},
+                      {"milliseconds", pass.milliseconds},
+                      {"bytes", pass.bytes},
+                      {"executor", pass.onProcessor ? "cpu" : "gpu"}});
+  ordered_json json;
+  json["version"] = version();
+  addContext(json, context);
+  json["size"] = {request.size.x, request.size.y};
+  json["supersampling"] = request.supersampling;
+  json["isovalue"] = *scene.isosurface.value;
+  json["passes"] = passes;
+  json["frame_milliseconds"] = drawn.milliseconds;
+  json["repeat"] = drawn.repeat;
+  json["blocks"] = {{"active", drawn.picture.report.blocksActive},
+                    {"total", drawn.picture.report.blocksTotal}};
+  const render::BrickReport& bricks = drawn.picture.report.bricks;
+  json["bricks"] = {{"active", bricks.active},   {"resident", bricks.resident}, {"uploaded", bricks.uploaded},
+                    {"evicted", bricks.evicted}, {"slots", bricks.slots},       {"total", bricks.total},
+                    {"missing", bricks.missing}};
+  const std::optional<render::EmptyPicture>& empty = drawn.picture.report.empty;
+  json["empty"] = empty ? ordered_json(empty->reason) : ordered_json(nullptr);
+  json["derivatives"] = derivativesJson(derivatives);
+  json["hits"] = restJson(scene, prepared);
+  json["bake"] = bakeJson(light.state());
+  json["exposure"] = exposureJson(scene, light.light().get());
+  json["gpu_bytes"] = drawn.picture.report.gpuBytes;
+  json["peak_bytes"] = peakBytes();
+  json["data_hash"] = base::hexText(prepared.grid().hash());
+  json["read_seconds"] = prepared.readSeconds;
+  json["prepare_seconds"] = prepared.prepareSeconds;
+  return json;
+}
+
+void printPasses(const render::FrameReport& report) {
+  std::size_t width = 4;
+  for (const render::PassReport& pass : report.passes) width = std::max(width, pass.name.size());
+  std::printf("%-*s  %-7s  %10s  %s\n", static_cast<int>(width), "pass", "state", "ms", "reason");
+  for (const render::PassReport& pass : report.passes)
+    std::printf("%-*s  %-7s  %10.3f  %s\n", static_cast<int>(width), pass.name.c_str(),
+                render::nameOf(pass.state), pass.milliseconds, pass.reason.c_str());
+  std::string processor;
+  for (const render::PassReport& pass : report.passes)
+    if (pass.onProcessor && pass.state != render::PassState::skipped)
+      processor += (processor.empty() ? "" : ", ") + pass.name;
+  if (!processor.empty())
+    std::printf("on the processor (%s): %s\n", volume::SurfaceCaster::target(), processor.c_str());
+  const render::BrickReport& bricks = report.bricks;
+  if (bricks.inUse)
+    std::printf(
+        "bricks: %zu of %zu hold the surface, %zu are resident in %zu slots, %zu uploaded, %zu replaced\n",
+        bricks.active, bricks.total, bricks.resident, bricks.slots, bricks.uploaded, bricks.evicted);
+  std::fflush(stdout);
+}
+
+void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report) {
+  if (const int missing = scene::ghostsWithoutRoom(scene))
+    printNote("isosurface.ghost: " + std::to_string(missing) +
+              " of the two ghosts is missing, because further isosurfaces are shown");
+  if (report.empty) printNote("the picture is empty: " + report.empty->reason);
+  for (const std::string& error : report.glErrors)
+    printNote("the graphics driver reports an error: " + error);
+  if (report.bricks.missing > 0.0)
+    printNote(base::shortText(100.0 * report.bricks.missing, 2) +
+              " % of the picture is missing: memory.gpu_budget_mb is too small for this view");
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,29 @@
+// What `isolux render` says of a picture: --stats, --explain and notes.
+#pragma once
+
+#include "app/commands/derivative_report.h"
+#include "app/light/light_controller.h"
+#include "render/gl/gl_context.h"
+#include "render/still_picture.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::app {
+
+struct Drawn {
+  render::StillPicture picture;  // the last one
+  double milliseconds = 0.0;     // median of the measured pictures
+  int repeat = 0;                // how many were
+};
+
+// docs/commands.md has the keys. `scene`: as it was drawn, but for the hits of pictures at rest.
+nlohmann::ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& request,
+                                  const volume::PreparedVolume& prepared,
+                                  const render::ContextDescription& context, const Drawn& drawn,
+                                  const LightController& light, const DerivativeFacts& derivatives);
+
+void printPasses(const render::FrameReport& report);
+// Notes on stderr about a picture that has been written.
+void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report);
+
+}  // namespace isolux::app

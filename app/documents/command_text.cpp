@@ -1,0 +1,62 @@
+#include "app/documents/command_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "base/number_text.h"
+#include "scene/settings.h"
+
+namespace isolux::app {
+
+namespace {
+
+std::string wordOfValue(const nlohmann::json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  if (value.is_number_float()) return base::shortestText(value.get<double>());
+  const bool numbers = value.is_array() && !value.empty() &&
+                       std::all_of(value.begin(), value.end(), [](const auto& v) { return v.is_number(); });
+  if (!numbers) return value.dump();
+  std::string text;
+  for (const auto& part : value) text += (text.empty() ? "" : ",") + wordOfValue(part);
+  return text;
+}
+
+}  // namespace
+
+std::string shellWord(const std::string& text) {
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return (c < 128 && std::isalnum(c)) ||
+           std::string_view("_./:=,+@%-").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string assignmentText(const std::string& path, const nlohmann::json& value) {
+  return path + "=" + wordOfValue(value);
+}
+
+std::string renderCommand(const scene::Scene& scene, const scene::Machine& machine, glm::ivec2 size,
+                          const std::string& out) {
+  const std::string& source = scene.source.path;
+  const bool isFile = !source.starts_with("phantom:");
+  std::string line =
+      "isolux render " +
+      shellWord(isFile ? std::filesystem::absolute(source).lexically_normal().string() : source);
+  const auto add = [&](const std::string& path, const nlohmann::json& value) {
+    line += " --set " + shellWord(assignmentText(path, value));
+  };
+  for (const scene::SceneChange& change : scene::difference(scene::Scene{}, scene, "").changes)
+    if (change.path != "source.path") add(change.path, change.value);
+  const scene::MachineSetting* const executor = scene::machineSetting("picture.executor");
+  if (executor != nullptr && machine.executor != scene::Machine{}.executor)
+    add(executor->path, executor->get(machine));
+  return line + " --size " + std::to_string(size.x) + "x" + std::to_string(size.y) + " --out " +
+         shellWord(out);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,188 @@
+#include "app/presets/preset.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/documents/stored_scene.h"
+#include "app/files/json_text.h"
+#include "app/presets/preset_value.h"
+#include "base/error.h"
+#include "scene/machine.h"
+#include "scene/settings.h"
+
+namespace isolux::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct NeedInfo {
+  PresetNeed need;
+  const char* name;
+  const char* reason;  // why a volume without it is refused
+};
+constexpr std::array<NeedInfo, 5> kNeeds{
+    NeedInfo{PresetNeed::hounsfield, "hounsfield", "its values are not Hounsfield units"},
+    {PresetNeed::not_hounsfield, "not_hounsfield", "its values are Hounsfield units: this is a CT"},
+    {PresetNeed::patient, "patient", "its file does not state where a patient lies"},
+    {PresetNeed::no_patient, "no_patient", "its file states where a patient lies: this is a scan of one"},
+    {PresetNeed::distance, "distance", "its values are not distances in mm"}};
+
+constexpr std::array<const char*, 12> kOfVolume{
+    "source.",     "camera.eye", "camera.target",     "camera.up",      "pieces.hidden", "pieces.only",
+    "clip.planes", "clip.box",   "clip.box_rotation", "slice.position", "marks.",        "color."};
+constexpr std::array<const char*, 9> kReset{"isosurface.",  "isosurface2.",    "isosurface3.",
+                                            "isosurface4.", "look.",           "flow.",
+                                            "pieces.keep",  "pieces.smallest", "light.environment.builtin"};
+
+bool coveredByOne(std::span<const char* const> patterns, const std::string& path) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const char* pattern) { return scene::covers(pattern, path); });
+}
+
+[[noreturn]] void refusePreset(const std::filesystem::path& file, const std::string& place,
+                               const std::string& reason) {
+  base::throwInput(file.string(), place, reason);
+}
+
+std::string textAt(const ordered_json& json, const char* key, const std::filesystem::path& file) {
+  if (!json.contains(key) || !json[key].is_string() || json[key].get<std::string>().empty())
+    refusePreset(file, key, "must be a text");
+  return json[key].get<std::string>();
+}
+
+PresetNeed needNamed(const ordered_json& name, const std::filesystem::path& file) {
+  for (const NeedInfo& info : kNeeds)
+    if (name == info.name) return info.need;
+  refusePreset(file, "needs", name.dump() + " is no need of a preset");
+}
+
+// Refuses what withPreset() could not apply.
+void checkPresetSetting(const std::string& path, const ordered_json& value,
+                        const std::filesystem::path& file) {
+  if (belongsToVolume(path)) refusePreset(file, path, "belongs to one volume or machine; no preset sets it");
+  try {
+    const scene::Setting& setting = scene::setting(path);
+    if (isValueOfVolume(value)) {
+      checkValueOfVolume(setting, value);
+      return;
+    }
+    scene::Scene scene;
+    setting.set(scene, value);
+  } catch (const base::Error& error) {
+    refusePreset(file, path, error.reason());
+  }
+}
+
+void checkPresetName(const std::string& name, const std::filesystem::path& file) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+  if (!plain) refusePreset(file, "name", "may have lower case letters, digits, '_' and '-' only");
+}
+
+}  // namespace
+
+bool belongsToVolume(const std::string& path) {
+  const bool lampPosition = path.starts_with("lamp") && path.ends_with(".position");
+  return lampPosition || coveredByOne(kOfVolume, path) || isStoredPath(path) || scene::isOfMachine(path);
+}
+
+bool resetByPreset(const std::string& path) {
+  return coveredByOne(kReset, path);
+}
+
+Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
+  const ordered_json json = ordered_json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object() || !json.contains("isolux_preset"))
+    refusePreset(file, "", "is no preset");
+  if (json["isolux_preset"] != kPresetVersion)
+    refusePreset(file, "isolux_preset", "is of another version of Isolux");
+  for (const auto& [key, value] : json.items()) {
+    constexpr std::array<const char*, 6> known{"isolux_preset", "name", "title", "meaning", "needs", "set"};
+    if (std::none_of(known.begin(), known.end(), [&](const char* k) { return key == k; }))
+      refusePreset(file, key, "is unknown");
+  }
+  Preset preset;
+  preset.file = file;
+  preset.name = textAt(json, "name", file);
+  checkPresetName(preset.name, file);
+  preset.title = textAt(json, "title", file);
+  preset.meaning = textAt(json, "meaning", file);
+  if (json.contains("needs")) {
+    if (!json["needs"].is_array()) refusePreset(file, "needs", "must be a list");
+    for (const ordered_json& need : json["needs"]) preset.needs.push_back(needNamed(need, file));
+  }
+  if (!json.contains("set") || !json["set"].is_object()) refusePreset(file, "set", "must be an object");
+  for (const auto& [path, value] : json["set"].items()) checkPresetSetting(path, value, file);
+  preset.settings = json["set"];
+  return preset;
+}
+
+std::string presetText(const Preset& preset) {
+  ordered_json needs = ordered_json::array();
+  for (const PresetNeed need : preset.needs)
+    for (const NeedInfo& info : kNeeds)
+      if (info.need == need) needs.push_back(info.name);
+  return jsonText({{"isolux_preset", kPresetVersion},
+                   {"name", preset.name},
+                   {"title", preset.title},
+                   {"meaning", preset.meaning},
+                   {"needs", needs},
+                   {"set", preset.settings}});
+}
+
+std::string whyNot(const Preset& preset, const volume::PreparedVolume& volume, bool isovalueGiven) {
+  const bool patient = volume.facts.axes == scene::WorldAxes::anatomical;
+  for (const PresetNeed need : preset.needs) {
+    const bool met = need == PresetNeed::hounsfield       ? isovalueGiven || isHounsfield(volume)
+                     : need == PresetNeed::not_hounsfield ? !isHounsfield(volume)
+                     : need == PresetNeed::patient        ? patient
+                     : need == PresetNeed::no_patient     ? !patient
+                                                          : volume.volume.unit == "mm";
+    if (met) continue;
+    for (const NeedInfo& info : kNeeds)
+      if (info.need == need) return info.reason;
+  }
+  return {};
+}
+
+scene::Scene withPreset(const scene::Scene& scene, const Preset& preset, const volume::PreparedVolume& volume,
+                        double shift) {
+  scene::Scene result = scene;
+  for (const scene::Setting& setting : scene::settings())
+    if (resetByPreset(setting.path)) setting.set(result, setting.defaultValue());
+  for (const auto& [path, value] : preset.settings.items()) {
+    const scene::Setting& setting = scene::setting(path);
+    const bool isovalue = path.starts_with("isosurface") && path.ends_with(".value");
+    if (isValueOfVolume(value))
+      setting.set(result, valueInVolume(value, volume) + (isovalue ? shift : 0.0));
+    else if (isovalue && value.is_number())
+      setting.set(result, value.get<double>() + shift);
+    else
+      setting.set(result, value);
+  }
+  if (shift != 0.0 && !result.isosurface.value)
+    scene::setting("isosurface.value").set(result, volume.facts.suggestedIsovalue + shift);
+  return result;
+}
+
+Preset presetOf(const scene::Scene& scene, const std::string& name, const std::string& title,
+                const volume::PreparedVolume* volume) {
+  Preset preset{name, title, "A preset of one's own", {}};
+  const bool hounsfield = volume != nullptr && isHounsfield(*volume);
+  for (const scene::SceneChange& change : scene::difference(scene::Scene{}, scene, "").changes) {
+    if (belongsToVolume(change.path)) continue;
+    const bool isovalue = change.path.starts_with("isosurface") && change.path.ends_with(".value");
+    if (hounsfield && isovalue && change.value.is_number()) {
+      preset.settings[change.path] = {{"hu", change.value}};
+      preset.needs = {PresetNeed::hounsfield};
+    } else {
+      preset.settings[change.path] = change.value;
+    }
+  }
+  return preset;
+}
+
+}  // namespace isolux::app

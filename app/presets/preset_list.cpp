@@ -1,0 +1,112 @@
+#include "app/presets/preset_list.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/files/files.h"
+#include "app/files/state_folder.h"
+#include "app/presets/built_in_preset_texts.h"
+#include "base/error.h"
+#include "base/suggestion.h"
+
+namespace isolux::app {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::ErrorKind;
+
+namespace {
+
+constexpr std::size_t kLongestPreset = std::size_t{1} << 20;  // bytes
+
+std::vector<Preset> parsedPresets() {
+  std::vector<Preset> presets;
+  for (const char* text : kBuiltInPresetTexts) {
+    presets.push_back(parsePreset(text, "a preset of the program"));
+    presets.back().file.clear();
+  }
+  return presets;
+}
+
+bool isBuiltIn(const std::string& name) {
+  const auto all = builtInPresets();
+  return std::any_of(all.begin(), all.end(), [&](const Preset& preset) { return preset.name == name; });
+}
+
+}  // namespace
+
+std::span<const Preset> builtInPresets() {
+  static const std::vector<Preset> presets = parsedPresets();
+  return presets;
+}
+
+fs::path presetFolder() {
+  const fs::path folder = configFolder();
+  return folder.empty() ? folder : folder / "presets";
+}
+
+std::vector<Preset> ownPresets(std::vector<std::string>& warnings) {
+  std::vector<Preset> presets;
+  std::error_code ignored;
+  const fs::path folder = presetFolder();
+  if (folder.empty()) return presets;
+  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
+    if (ignored || !entry->path().string().ends_with(kPresetExtension)) continue;
+    try {
+      presets.push_back(parsePreset(readTextFile(entry->path(), kLongestPreset), entry->path()));
+    } catch (const Error& error) {
+      warnings.emplace_back(error.what());
+    }
+  }
+  std::sort(presets.begin(), presets.end(), [](const Preset& a, const Preset& b) { return a.name < b.name; });
+  std::sort(warnings.begin(), warnings.end());
+  return presets;
+}
+
+Preset findPreset(const std::string& nameOrFile) {
+  if (nameOrFile.find('/') != std::string::npos || nameOrFile.ends_with(".json"))
+    return parsePreset(readTextFile(nameOrFile, kLongestPreset), nameOrFile);
+  std::vector<std::string> ignored, known;
+  std::vector<Preset> presets = ownPresets(ignored);
+  presets.insert(presets.end(), builtInPresets().begin(), builtInPresets().end());
+  for (const Preset& preset : presets) {
+    if (preset.name == nameOrFile) return preset;
+    known.push_back(preset.name);
+  }
+  const std::string meant = base::nearest(nameOrFile, known);
+  throw Error(ErrorKind::usage, "", "--preset",
+              '"' + nameOrFile + "\" is no preset" +
+                  (meant.empty() ? "; `isolux presets` lists them" : ", did you mean " + meant + "?"));
+}
+
+std::string presetNameOf(const std::string& title) {
+  std::string name;
+  for (const char letter : title) {
+    const auto c = static_cast<unsigned char>(letter);
+    if (c < 128 && std::isalnum(c))
+      name += static_cast<char>(std::tolower(c));
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return name;
+}
+
+fs::path savePreset(const Preset& preset) {
+  if (preset.name.empty() || presetNameOf(preset.name).empty())
+    throw Error(ErrorKind::usage, "", "preset", "needs a name with a letter or digit");
+  if (isBuiltIn(preset.name))
+    throw Error(ErrorKind::usage, "", preset.name, "is a preset of the program; take another name");
+  const fs::path folder = presetFolder();
+  if (folder.empty()) base::throwInput("", "", "there is no home folder to keep presets in");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) base::throwInput(folder.string(), "", "cannot be made: " + error.message());
+  const fs::path file = folder / (preset.name + kPresetExtension);
+  const std::string text = presetText(preset);
+  parsePreset(text, file);  // nothing is kept that could not be read again
+  writeTextFile(file, text);
+  return file;
+}
+
+}  // namespace isolux::app

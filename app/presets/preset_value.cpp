@@ -1,0 +1,70 @@
+#include "app/presets/preset_value.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "base/error.h"
+#include "volume/statistics/plausibility.h"
+
+namespace isolux::app {
+
+namespace {
+
+double histogramQuantile(const volume::Histogram& histogram, double part) {
+  const std::uint64_t total =
+      std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0});
+  if (total == 0) return histogram.minimum;
+  const double wanted = part * static_cast<double>(total);
+  const double width = (histogram.maximum - histogram.minimum) / static_cast<double>(histogram.counts.size());
+  double before = 0.0;
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    const auto count = static_cast<double>(histogram.counts[bin]);
+    if (count > 0.0 && before + count >= wanted)
+      return histogram.minimum + width * (static_cast<double>(bin) + (wanted - before) / count);
+    before += count;
+  }
+  return histogram.maximum;
+}
+
+}  // namespace
+
+bool isValueOfVolume(const nlohmann::ordered_json& value) {
+  return value.is_object();
+}
+
+void checkValueOfVolume(const scene::Setting& setting, const nlohmann::ordered_json& value) {
+  const auto refuse = [&](const char* reason) {
+    throw base::Error(base::ErrorKind::usage, "", setting.path, reason);
+  };
+  if (setting.unit != "data units" || setting.type != scene::SettingType::number)
+    refuse("is not in data units and takes a plain value");
+  if (value.size() != 1 || !value.begin().value().is_number())
+    refuse("must be a number, or one of {\"hu\": v}, {\"quantile\": q}, {\"between\": p}");
+  const std::string& key = value.begin().key();
+  const double number = value.begin().value().get<double>();
+  if (key == "hu") return;
+  if (key != "quantile" && key != "between")
+    refuse("must be a number, or one of {\"hu\": v}, {\"quantile\": q}, {\"between\": p}");
+  const double least = key == "between" ? -1.0 : 0.0;
+  if (!(number >= least && number <= 1.0)) refuse("quantile lies from 0 to 1, between from -1 to 1");
+}
+
+double valueInVolume(const nlohmann::ordered_json& value, const volume::PreparedVolume& volume) {
+  const std::string& key = value.begin().key();
+  const double number = value.begin().value().get<double>();
+  if (key == "quantile") return histogramQuantile(volume.histogram, number);
+  if (key == "between") {
+    const double end = number < 0.0 ? volume.facts.minimum : volume.facts.maximum;
+    return std::lerp(volume.facts.suggestedIsovalue, end, std::abs(number));
+  }
+  return number;
+}
+
+bool isHounsfield(const volume::PreparedVolume& volume) {
+  const double low = volume.facts.minimum, high = volume.facts.maximum;
+  if (volume.volume.unit == "HU") return !volume::looksOffsetBy1024(volume.histogram, low);
+  return volume.volume.unit.empty() && volume.grid().storedType() == volume::VoxelType::int16 &&
+         low >= -3100.0 && low <= -900.0 && high > 500.0;
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,39 @@
+// A camera said in words: by name, turned, framed, nearer. It needs the volume, whose axes, box and surface
+// decide.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/progress.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::app {
+
+enum class Framing { surface, volume };
+
+struct CameraWish {
+  std::string view;                       // scene::standardViewNamed(); empty: the scene's camera
+  double azimuth = 0.0, elevation = 0.0;  // degrees, scene::turned()
+  double zoom = 1.0;                      // > 1: nearer
+  std::optional<Framing> fit = std::nullopt;
+
+  bool any() const { return !view.empty() || azimuth != 0.0 || elevation != 0.0 || zoom != 1.0 || fit; }
+};
+
+// The view, turned, then framed, then zoomed. aspect: width by height of the picture. A view by name frames
+// the volume's box, unless the wish says otherwise; a surface that is not there leaves the camera where it
+// is. Throws base::Error: usage for a view of no such name; interrupted, memory.
+scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& resolved,
+                           const volume::PreparedVolume& volume, double aspect, base::Progress& progress);
+
+// The camera that a turntable starts from: its target stands still and what is framed stays in the picture
+// all the way round. Without a wish for it, of a camera that was automatic the surface is framed, another
+// stays where it is.
+scene::Camera turntableStart(const CameraWish& wish, bool automatic, const scene::Scene& resolved,
+                             const volume::PreparedVolume& volume, double aspect, base::Progress& progress);
+// Of so many views, the one by this index: turned counterclockwise about the volume's up, as seen from above.
+scene::Camera turntableCamera(const scene::Camera& start, scene::WorldAxes axes, int index, int count);
+
+}  // namespace isolux::app

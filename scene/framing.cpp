@@ -1,0 +1,76 @@
+#include "scene/framing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace isolux::scene {
+
+namespace {
+
+constexpr double framingMargin = 1.04;
+constexpr double nearestFramedMm = 1e-3, farthestFramedMm = 1e8;  // eye to target
+
+// Half of the picture that may be filled, at unit distance: across and up.
+struct Opening {
+  double across, up;
+};
+
+Opening openingOf(const Camera& camera, double aspect) {
+  const double fov = std::clamp(std::isfinite(camera.fov) ? camera.fov : 30.0, 1e-3, 179.0);
+  const double up = std::tan(glm::radians(fov) / 2.0) / framingMargin;
+  return {up * (std::isfinite(aspect) && aspect > 0.0 ? aspect : 1.0), up};
+}
+
+Camera looking(Camera camera, const CameraFrame& frame, glm::dvec3 target, double distance) {
+  distance = std::clamp(distance, nearestFramedMm, farthestFramedMm);
+  camera.target = target;
+  camera.eye = target + frame.back * distance;
+  camera.up = frame.up;
+  return camera;
+}
+
+}  // namespace
+
+FramingDirections framingDirections(const Camera& camera, double aspect) {
+  const CameraFrame frame = frameOf(camera);
+  const Opening opening = openingOf(camera, aspect);
+  // Outward normals of the picture's four sides; those of parallel rays do not lean.
+  const bool leans = frame.projection == Projection::perspective;
+  const glm::dvec3 across = leans ? frame.back * opening.across : glm::dvec3(0.0);
+  const glm::dvec3 up = leans ? frame.back * opening.up : glm::dvec3(0.0);
+  return {frame.right + across, across - frame.right, frame.up + up, up - frame.up, frame.back, -frame.back};
+}
+
+Camera framing(const Camera& camera, double aspect,
+               const std::array<double, framingDirectionCount>& farthest) {
+  if (!std::all_of(farthest.begin(), farthest.end(), [](double v) { return std::isfinite(v); }))
+    return camera;
+  const auto [right, left, top, bottom, front, behind] = farthest;
+  const CameraFrame frame = frameOf(camera);
+  const Opening opening = openingOf(camera, aspect);
+  const double middle = (front - behind) / 2.0;  // along back
+  const glm::dvec3 target =
+      frame.right * ((right - left) / 2.0) + frame.up * ((top - bottom) / 2.0) + frame.back * middle;
+  const double halfDepth = (front + behind) / 2.0;
+  double distance = std::max((right + left) / (2.0 * opening.across), (top + bottom) / (2.0 * opening.up));
+  if (frame.projection == Projection::perspective) distance -= middle;  // that was the eye's place
+  // In front of it all, and of rays that start at the eye's plane.
+  distance = std::max(distance, halfDepth * framingMargin);
+  return looking(camera, frame, target, distance);
+}
+
+Camera framingBall(const Camera& camera, double aspect, glm::dvec3 centreMm, double radiusMm) {
+  if (!std::isfinite(radiusMm) || !std::isfinite(glm::dot(centreMm, centreMm))) return camera;
+  const CameraFrame frame = frameOf(camera);
+  const Opening opening = openingOf(camera, aspect);
+  const double tangent = std::min(opening.across, opening.up);
+  const double distance = frame.projection == Projection::perspective
+                              ? radiusMm * std::sqrt(1.0 + 1.0 / (tangent * tangent))
+                              : std::max(radiusMm / tangent, radiusMm * framingMargin);
+  return looking(camera, frame, centreMm, distance);
+}
+
+}  // namespace isolux::scene

@@ -1,0 +1,33 @@
+// Cameras that frame something by how far it reaches: any set of points, of which nobody needs the points
+// themselves. All lengths in mm.
+//
+// A point is in a picture when it lies on the inner side of four planes through the eye (or, orthographic,
+// parallel to the view). So of a set of points only the farthest along the four normals counts, and the
+// nearest and farthest along the view, for the target.
+#pragma once
+
+#include <array>
+
+#include <glm/vec3.hpp>
+
+#include "scene/camera.h"
+
+namespace isolux::scene {
+
+// Along which directions (world, of any length) a set has to be measured for pictures of this aspect, width
+// by height, seen in the camera's direction.
+constexpr int framingDirectionCount = 6;
+using FramingDirections = std::array<glm::dvec3, framingDirectionCount>;
+FramingDirections framingDirections(const Camera& camera, double aspect);
+
+// Same direction and up, as near as the whole set lies in the picture with a margin of 4 % of its half size,
+// centred; the target is at the middle of its depth. farthest: the largest dot product of each direction with
+// a point of the set. Numbers that are not finite: the camera as it is.
+Camera framing(const Camera& camera, double aspect,
+               const std::array<double, framingDirectionCount>& farthest);
+
+// Same direction and up, aimed at the centre of a ball that fits the picture with that margin, however the
+// camera is turned about it.
+Camera framingBall(const Camera& camera, double aspect, glm::dvec3 centreMm, double radiusMm);
+
+}  // namespace isolux::scene

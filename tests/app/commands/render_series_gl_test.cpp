@@ -1,0 +1,196 @@
+// Runs `isolux render` for several pictures, with cameras by name and presets.
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/command_text.h"
+#include "app/documents/session.h"
+#include "app/files/image_io.h"
+#include "app/process/external_program.h"
+#include "scene/camera.h"
+#include "tests/app/commands/run_isolux.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+namespace fs = std::filesystem;
+using test::contentOf;
+using test::filesIn;
+using test::runIsolux;
+using test::RunResult;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+RunResult renderIn(const fs::path& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"render", "--size", "48x36"});
+  return runIsolux(arguments, {.folder = folder});
+}
+
+glm::dvec3 sideOfEye(const fs::path& picture) {
+  const scene::Camera camera = loadSession(picture).camera;
+  return glm::normalize(camera.eye.value() - camera.target.value());
+}
+
+TEST(RenderSeriesGl, SeveralVolumesGoIntoFilesOfTheirNames) {
+  const fs::path folder = test::temporaryFolder();
+  const RunResult result = renderIn(
+      folder, {"phantom:torus:16", "phantom:ball:16", "--out", "{n}_{name}.png", "--stats", "{name}.json"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(filesIn(folder), ElementsAre("1_torus.png", "2_ball.png", "ball.json", "torus.json"));
+  // Each is what it is when drawn alone.
+  EXPECT_EQ(renderIn(folder, {"phantom:ball:16", "--out", "alone.png"}).exitCode, 0);
+  EXPECT_EQ(contentOf(folder / "alone.png"), contentOf(folder / "2_ball.png"));
+}
+
+TEST(RenderSeriesGl, TwoPicturesForOneFileAreRefusedBeforeAnyWork) {
+  const fs::path folder = test::temporaryFolder();
+  for (const std::vector<std::string>& line :
+       {std::vector<std::string>{"phantom:torus:16", "phantom:ball:16", "--out", "a.png"},
+        {"phantom:torus:16", "--out", "{name}.png", "--sweep", "look.fog=0:1:3", "--stats", "s.json"},
+        {"phantom:torus:16", "phantom:ball:16", "--out", "-"},
+        {"phantom:torus:16", "--out", "-", "--explain"},
+        {"phantom:torus:16", "--out", "a.png", "--view", "above"},
+        {"phantom:torus:16", "--out", "a.png", "--shift", "3"},
+        {"phantom:torus:16", "--out", "a.png", "--preset", "ct_bonn"},
+        {"phantom:torus:16", "--out", "a.png", "--preset", "ct_bone"},
+        {"phantom:torus:16", "--out", "a.png", "--sweep", "look.fog=0:1:2", "--turntable", "3"}}) {
+    const RunResult result = renderIn(folder, line);
+    EXPECT_EQ(result.exitCode, 2) << testing::PrintToString(line);
+    EXPECT_TRUE(result.isOneErrorLine()) << result.err;
+    EXPECT_THAT(filesIn(folder), IsEmpty());
+  }
+}
+
+TEST(RenderSeriesGl, ASweepDrawsEachValueFromOneCamera) {
+  const fs::path folder = test::temporaryFolder();
+  const RunResult result = renderIn(folder, {"phantom:ball:24", "--sweep", "isosurface.value=-2:2:3", "--fit",
+                                             "surface", "--out", "b_{value}.png"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(filesIn(folder), ElementsAre("b_-2.png", "b_0.png", "b_2.png"));
+  const scene::Scene first = loadSession(folder / "b_-2.png"), last = loadSession(folder / "b_2.png");
+  EXPECT_EQ(first.isosurface.value, -2.0);
+  EXPECT_EQ(last.isosurface.value, 2.0);
+  EXPECT_EQ(first.camera, last.camera);
+  // The same as drawn alone from its session.
+  EXPECT_EQ(renderIn(folder, {"b_0.png", "--out", "again.png"}).exitCode, 0);
+  EXPECT_EQ(contentOf(folder / "again.png"), contentOf(folder / "b_0.png"));
+}
+
+TEST(RenderSeriesGl, ATurntableGoesRoundOnceAndMakesAMovie) {
+  const fs::path folder = test::temporaryFolder();
+  const RunResult result = renderIn(folder, {"phantom:torus:16", "--turntable", "4", "--out", "turn"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  std::vector<std::string> expected{"frame_00000.png", "frame_00001.png", "frame_00002.png",
+                                    "frame_00003.png"};
+  if (!findProgram("ffmpeg").empty() && result.err.find("no movie.mp4") == std::string::npos)
+    expected.emplace_back("movie.mp4");
+  EXPECT_EQ(filesIn(folder / "turn"), expected);
+  const glm::dvec3 front = sideOfEye(folder / "turn" / "frame_00000.png"),
+                   quarter = sideOfEye(folder / "turn" / "frame_00001.png"),
+                   half = sideOfEye(folder / "turn" / "frame_00002.png");
+  // About +z, counterclockwise from above: from the front (-y) to +x.
+  EXPECT_NEAR(quarter.x, -front.y, 1e-9);
+  EXPECT_NEAR(half.y, -front.y, 1e-9);
+  EXPECT_NEAR(half.z, front.z, 1e-9);
+}
+
+TEST(RenderSeriesGl, StandardOutputHasThePictureAndNothingElse) {
+  const fs::path folder = test::temporaryFolder();
+  EXPECT_EQ(renderIn(folder, {"phantom:torus:16", "--out", "a.png"}).exitCode, 0);
+  const RunResult result = renderIn(folder, {"phantom:torus:16", "--out", "-"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(result.out, contentOf(folder / "a.png"));
+  EXPECT_THAT(filesIn(folder), ElementsAre("a.png"));
+}
+
+TEST(RenderSeriesGl, ViewsByNameStandOnTheirSide) {
+  const fs::path folder = test::temporaryFolder();
+  const auto side = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"phantom:ball:16", "--out", "v.png"});
+    EXPECT_EQ(renderIn(folder, words).exitCode, 0);
+    return sideOfEye(folder / "v.png");
+  };
+  EXPECT_NEAR(side({"--view", "left"}).x, 1.0, 1e-9);
+  EXPECT_NEAR(side({"--view", "+z"}).z, 1.0, 1e-9);
+  EXPECT_NEAR(side({"--view", "anterior", "--azimuth", "90"}).x, 1.0, 1e-9);
+  EXPECT_NEAR(side({"--view", "anterior", "--elevation", "90"}).z, 1.0, 1e-9);
+}
+
+TEST(RenderSeriesGl, FitSurfaceFillsThePictureAndZoomGoesNearer) {
+  const fs::path folder = test::temporaryFolder();
+  const auto distance = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"phantom:ball:32", "--isovalue", "6", "--out", "v.png"});
+    EXPECT_EQ(renderIn(folder, words).exitCode, 0);
+    const scene::Camera camera = loadSession(folder / "v.png").camera;
+    return glm::length(camera.eye.value() - camera.target.value());
+  };
+  const double volume = distance({"--fit", "volume"}), surface = distance({"--fit", "surface"});
+  EXPECT_LT(surface, 0.8 * volume);
+  EXPECT_NEAR(distance({"--fit", "surface", "--zoom", "2"}), surface / 2.0, 1e-9 * surface);
+  // The ball ends within the picture, and near its border.
+  const RunResult hit = renderIn(
+      folder, {"phantom:ball:32", "--isovalue", "6", "--fit", "surface", "--set", "look.background_top=0,0,0",
+               "--set", "look.background_bottom=0,0,0", "--set", "look.mode=normal", "--out", "n.png"});
+  EXPECT_EQ(hit.exitCode, 0);
+  const render::ColorImage image = readPng(folder / "n.png");
+  int top = image.size.y, bottom = -1;
+  for (int y = 0; y < image.size.y; ++y)
+    for (int x = 0; x < image.size.x; ++x) {
+      const std::uint8_t* const p = &image.rgba[static_cast<std::size_t>(4 * (y * image.size.x + x))];
+      if (p[0] + p[1] + p[2] < 60) continue;
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  EXPECT_GE(top, 0);
+  EXPECT_LE(top, 2);
+  EXPECT_GE(bottom, image.size.y - 3);
+}
+
+TEST(RenderSeriesGl, APresetIsRecordedAsOrdinarySettings) {
+  const fs::path folder = test::temporaryFolder();
+  const RunResult result =
+      renderIn(folder, {"phantom:head:32", "--preset", "ct_metal", "--shift", "-700", "--out", "p.png"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const scene::Scene scene = loadSession(folder / "p.png");
+  EXPECT_TRUE(scene.extraIsosurfaces[0].shown);
+  EXPECT_EQ(renderIn(folder, {"p.png", "--out", "again.png"}).exitCode, 0);
+  EXPECT_EQ(contentOf(folder / "again.png"), contentOf(folder / "p.png"));
+}
+
+TEST(RenderSeriesGl, ACommandMadeOfASceneDrawsItBitForBit) {
+  const fs::path folder = test::temporaryFolder();
+  const RunResult made =
+      renderIn(folder, {"phantom:two_balls:24", "--look", "kappa1", "--set",
+                        "look.range_high=0.1234567890123", "--set", "pieces.hidden=-1.5,0.25,3; 4,5,6",
+                        "--set", "look.curvature_points=[[0.1,-0.2,0.3,0.4,0.5],[1,1,0,0,0],[-1,-1,1,1,1]]",
+                        "--set", "isosurface.opacity=0.7", "--set", "look.legend=false", "--azimuth", "33",
+                        "--out", "it's a.png"});
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  const scene::Scene scene = loadSession(folder / "it's a.png");
+  const std::string line = renderCommand(scene, {}, {48, 36}, "the other's.png");
+  // The shell takes the line apart, as it would a pasted one.
+  const fs::path binary(ISOLUX_BINARY);
+  std::ofstream(folder / "run.sh") << "cd " << shellWord(folder.string())
+                                   << "\nPATH=" << shellWord(binary.parent_path().string()) << ":$PATH\n"
+                                   << line << '\n';
+  ASSERT_EQ(std::system(("sh " + shellWord((folder / "run.sh").string())).c_str()), 0) << line;
+  EXPECT_EQ(readPng(folder / "it's a.png").rgba, readPng(folder / "the other's.png").rgba) << line;
+  EXPECT_EQ(loadSession(folder / "the other's.png"), scene);
+}
+
+TEST(CommandText, WordsAreQuotedForAShell) {
+  EXPECT_EQ(shellWord("a/b-c.nii.gz"), "a/b-c.nii.gz");
+  EXPECT_EQ(shellWord(""), "''");
+  EXPECT_EQ(shellWord("a b"), "'a b'");
+  EXPECT_EQ(shellWord("it's"), "'it'\\''s'");
+  EXPECT_EQ(shellWord("$(rm)"), "'$(rm)'");
+  EXPECT_EQ(shellWord("~x"), "'~x'");
+}
+
+}  // namespace
+}  // namespace isolux::app

@@ -1,0 +1,119 @@
+#include "scene/framing.h"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+namespace isolux::scene {
+namespace {
+
+Camera obliqueCamera(Projection projection) {
+  Camera camera;
+  camera.eye = glm::dvec3(30, -400, 155);
+  camera.target = glm::dvec3(10, 20, -5);
+  camera.up = glm::dvec3(0.1, 0, 2);
+  camera.fov = 35;
+  camera.projection = projection;
+  return camera;
+}
+
+std::vector<glm::dvec3> cloud(unsigned seed, glm::dvec3 centre, glm::dvec3 size) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> part(-0.5, 0.5);
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < 300; ++i)
+    points.push_back(centre + size * glm::dvec3(part(random), part(random), part(random)));
+  return points;
+}
+
+std::array<double, framingDirectionCount> farthestOf(const std::vector<glm::dvec3>& points,
+                                                     const FramingDirections& directions) {
+  std::array<double, framingDirectionCount> farthest{};
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    farthest[i] = -std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& p : points) farthest[i] = std::max(farthest[i], glm::dot(p, directions[i]));
+  }
+  return farthest;
+}
+
+// Where points appear: the largest and smallest of each axis, 1 at the picture's border.
+struct Extent {
+  glm::dvec2 low{1e9}, high{-1e9};
+};
+Extent extentIn(const Camera& camera, double aspect, const std::vector<glm::dvec3>& points) {
+  const CameraFrame f = frameOf(camera);
+  Extent extent;
+  for (const glm::dvec3& p : points) {
+    const glm::dvec3 d = p - f.eye;
+    const double depth = -glm::dot(d, f.back);
+    EXPECT_GT(depth, 0.0);
+    const double scale = f.projection == Projection::perspective ? depth * f.halfHeight : f.halfHeight;
+    const glm::dvec2 at(glm::dot(d, f.right) / scale / aspect, glm::dot(d, f.up) / scale);
+    extent.low = glm::dvec2(std::min(extent.low.x, at.x), std::min(extent.low.y, at.y));
+    extent.high = glm::dvec2(std::max(extent.high.x, at.x), std::max(extent.high.y, at.y));
+  }
+  return extent;
+}
+
+TEST(Framing, AllPointsLieInThePictureAndTouchTheMarginOfTheTighterAxis) {
+  for (const Projection projection : {Projection::perspective, Projection::orthographic})
+    for (const double aspect : {0.6, 1.0, 2.0})
+      for (const glm::dvec3& size : {glm::dvec3(100), glm::dvec3(300, 5, 5), glm::dvec3(5, 5, 200)}) {
+        const Camera before = obliqueCamera(projection);
+        const auto points = cloud(7, {-50, 300, 20}, size);
+        const Camera after = framing(before, aspect, farthestOf(points, framingDirections(before, aspect)));
+        const Extent e = extentIn(after, aspect, points);
+        const double border = 1.0 / 1.04;
+        EXPECT_GE(e.low.x, -border - 1e-9);
+        EXPECT_GE(e.low.y, -border - 1e-9);
+        EXPECT_LE(e.high.x, border + 1e-9);
+        EXPECT_LE(e.high.y, border + 1e-9);
+        // Both ends of one axis lie on the margin: nothing nearer would do.
+        const bool acrossTight = std::abs(e.low.x + border) < 1e-9 && std::abs(e.high.x - border) < 1e-9;
+        const bool upTight = std::abs(e.low.y + border) < 1e-9 && std::abs(e.high.y - border) < 1e-9;
+        EXPECT_TRUE(acrossTight || upTight)
+            << e.low.x << ' ' << e.high.x << ' ' << e.low.y << ' ' << e.high.y;
+        const CameraFrame f = frameOf(before), g = frameOf(after);
+        EXPECT_NEAR(glm::dot(f.back, g.back), 1.0, 1e-12) << "the same direction";
+        EXPECT_NEAR(glm::dot(f.up, g.up), 1.0, 1e-12);
+      }
+}
+
+TEST(Framing, TheTargetIsInTheMiddleOfTheDepth) {
+  const Camera before = obliqueCamera(Projection::perspective);
+  const auto points = cloud(3, {10, 20, 30}, {40, 90, 10});
+  const auto farthest = farthestOf(points, framingDirections(before, 1.5));
+  const Camera after = framing(before, 1.5, farthest);
+  const glm::dvec3 back = frameOf(after).back;
+  EXPECT_NEAR(glm::dot(*after.target, back), (farthest[4] - farthest[5]) / 2.0, 1e-9);
+}
+
+TEST(Framing, ABallFitsFromEverySide) {
+  for (const Projection projection : {Projection::perspective, Projection::orthographic})
+    for (const double aspect : {0.5, 1.5}) {
+      const glm::dvec3 centre(5, 6, 7);
+      std::vector<glm::dvec3> ball;
+      for (const glm::dvec3& p : cloud(1, {0, 0, 0}, {2, 2, 2}))
+        ball.push_back(centre + 25.0 * glm::normalize(p));
+      const Camera camera = framingBall(obliqueCamera(projection), aspect, centre, 25.0);
+      const Extent e = extentIn(camera, aspect, ball);
+      const double most = std::max({-e.low.x, -e.low.y, e.high.x, e.high.y});
+      EXPECT_LE(most, 1.0 / 1.04 + 1e-9);
+      EXPECT_GE(most, 0.85);
+    }
+}
+
+TEST(Framing, NumbersThatAreNoneLeaveTheCamera) {
+  const Camera camera = obliqueCamera(Projection::perspective);
+  std::array<double, framingDirectionCount> farthest{};
+  farthest[2] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(framing(camera, 1.0, farthest), camera);
+  EXPECT_EQ(framingBall(camera, 1.0, {0, 0, 0}, std::numeric_limits<double>::quiet_NaN()), camera);
+}
+
+}  // namespace
+}  // namespace isolux::scene

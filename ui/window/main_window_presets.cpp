@@ -1,0 +1,88 @@
+// The menu Presets of ui/window/main_window.h, and the picture as a command.
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMenuBar>
+
+#include "app/documents/command_text.h"
+#include "app/presets/preset_list.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+
+namespace isolux::ui {
+
+void MainWindow::makePresetsMenu() {
+  presetsMenu_ = menuBar()->addMenu("&Presets");
+  presetsMenu_->setToolTipsVisible(true);
+  presetsMenu_->menuAction()->setToolTip("Show what a preset is named for");
+  connect(presetsMenu_, &QMenu::aboutToShow, this, &MainWindow::showPresets);
+}
+
+// Anew each time: what applies depends on the volume, and files may have come.
+void MainWindow::showPresets() {
+  presetsMenu_->clear();
+  const VolumePointer volume = document_->volume();
+  if (!volume) return;
+  const auto add = [&](const app::Preset& preset) {
+    QString title = QString::fromStdString(preset.title);
+    QAction* const action = presetsMenu_->addAction(title.replace('&', "&&"));
+    const std::string reason = app::whyNot(preset, *volume);
+    action->setEnabled(reason.empty());
+    action->setToolTip(QString::fromStdString(reason.empty() ? preset.meaning : "Does not apply: " + reason));
+    connect(action, &QAction::triggered, this, [this, preset] { applyPreset(preset); });
+  };
+  for (const app::Preset& preset : app::builtInPresets()) add(preset);
+  presetsMenu_->addSeparator();
+  std::vector<std::string> warnings;
+  const std::vector<app::Preset> own = app::ownPresets(warnings);
+  for (const app::Preset& preset : own) add(preset);
+  if (!own.empty()) presetsMenu_->addSeparator();
+  connect(presetsMenu_->addAction("&Save as preset…"), &QAction::triggered, this, &MainWindow::savePreset);
+  if (!warnings.empty()) message_->show(MessageBar::Kind::note, QString::fromStdString(warnings.front()));
+}
+
+void MainWindow::applyPreset(const app::Preset& preset) {
+  const VolumePointer volume = document_->volume();
+  if (!volume) return;
+  document_->endGesture();
+  document_->edit({app::withPreset(document_->scene(), preset, *volume),
+                   "Preset " + QString::fromStdString(preset.title),
+                   {},
+                   false});
+}
+
+void MainWindow::savePreset() {
+  bool accepted = false;
+  const QString title =
+      QInputDialog::getText(this, "Save as preset", "Name of the preset:", QLineEdit::Normal, {}, &accepted);
+  if (accepted) keepPresetAs(title.trimmed());
+}
+
+void MainWindow::keepPresetAs(const QString& title) {
+  try {
+    const std::string text = title.toStdString();
+    const std::filesystem::path file = app::savePreset(
+        app::presetOf(document_->scene(), app::presetNameOf(text), text, document_->volume().get()));
+    tellSaved(QString::fromStdString(file.string()), {});
+  } catch (const base::Error& error) {
+    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+  }
+}
+
+QString MainWindow::commandText() const {
+  if (!document_->volume()) return {};
+  // As a picture is saved: in pixels of the screen.
+  const QSize size = (QSizeF(viewport_->size()) * viewport_->devicePixelRatioF()).toSize();
+  const std::string out = proposedFile(".png").section('/', -1).toStdString();
+  return QString::fromStdString(
+      app::renderCommand(document_->shownScene(), machine_, {size.width(), size.height()}, out));
+}
+
+void MainWindow::copyCommand() {
+  QGuiApplication::clipboard()->setText(commandText());
+  message_->show(MessageBar::Kind::note, "Copied a command that draws this picture");
+}
+
+}  // namespace isolux::ui

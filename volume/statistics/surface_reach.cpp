@@ -1,0 +1,156 @@
+#include "volume/statistics/surface_reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "volume/parallel_steps.h"
+
+namespace isolux::volume {
+
+namespace {
+
+struct ReachedSurface {
+  double isovalue;
+  std::shared_ptr<const HiddenVoxels> hidden;  // null: nothing
+};
+
+std::vector<ReachedSurface> shownSurfaces(const PreparedVolume& volume, const scene::Scene& resolved,
+                                          base::Progress& progress) {
+  std::vector<double> values;
+  if (resolved.isosurface.opacity > 0.0) values.push_back(resolved.isosurface.value.value());
+  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
+    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
+  std::vector<ReachedSurface> surfaces;
+  surfaces.reserve(values.size());
+  for (const double value : values)
+    surfaces.push_back(
+        {value, volume.pieces->hidden(resolved.pieces, value, resolved.isosurface.inside, progress)});
+  return surfaces;
+}
+
+// Calls each(voxel coordinates) for the crossings on the edges of a block's cells; some come more than once.
+template <class T, class Each>
+void eachCrossing(const std::vector<T>& stored, const Grid& grid, const ReachedSurface& surface,
+                  scene::Inside inside, glm::ivec3 low, glm::ivec3 high, const Each& each) {
+  const double isovalue = grid.storedOfValue(surface.isovalue);
+  const bool insideIsPositive = (inside == scene::Inside::above) == (grid.slope() > 0.0);
+  const auto at = [&](glm::ivec3 v) {
+    return static_cast<double>(stored[grid.index(v.x, v.y, v.z)]) - isovalue;
+  };
+  for (int z = low.z; z <= high.z; ++z)
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x) {
+        const glm::ivec3 begin(x, y, z);
+        const double f = at(begin);
+        for (int axis = 0; axis < 3; ++axis) {
+          glm::ivec3 end = begin;
+          if (++end[axis] > high[axis]) continue;
+          const double g = at(end);
+          if ((f >= 0.0) == (g >= 0.0) || std::isnan(f) || std::isnan(g)) continue;
+          const glm::ivec3 within = (f >= 0.0) == insideIsPositive ? begin : end;
+          if (surface.hidden && surface.hidden->at(within)) continue;
+          glm::dvec3 point(begin);
+          point[axis] += f / (f - g);
+          each(point);
+        }
+      }
+}
+
+// Folds all crossings into one value: fold(part, point) within a block, join(all, part) between them.
+template <class Value, class Fold, class Join>
+bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, Value& all, const Fold& fold,
+                   const Join& join, base::Progress& progress) {
+  const Grid& grid = volume.grid();
+  const MinMaxBlocks& blocks = *volume.blocks;
+  const glm::ivec3 dims = blocks.dims(), last = grid.dims() - 1;
+  const Value nothing = all;
+  std::mutex mutex;
+  bool any = false;
+  for (const ReachedSurface& surface : shownSurfaces(volume, resolved, progress)) {
+    std::vector<std::uint8_t> active;
+    blocks.activeBlocks(static_cast<float>(grid.storedOfValue(surface.isovalue)), active);
+    parallelSteps(blocks.count(), progress, {}, [&](std::size_t index) {
+      if (!active[index]) return;
+      const int b = static_cast<int>(index);
+      const glm::ivec3 low =
+          glm::ivec3(b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y)) * blocks.blockCells();
+      const glm::ivec3 high = glm::min(low + blocks.blockCells(), last);
+      Value part = nothing;
+      bool found = false;
+      const auto each = [&](glm::dvec3 point) {
+        fold(part, point);
+        found = true;
+      };
+      std::visit(
+          [&](const auto& stored) {
+            eachCrossing(stored, grid, surface, resolved.isosurface.inside, low, high, each);
+          },
+          grid.voxels());
+      if (!found) return;
+      const std::lock_guard lock(mutex);
+      join(all, part);
+      any = true;
+    });
+  }
+  return any;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> surfaceReach(const PreparedVolume& volume, const scene::Scene& resolved,
+                                                std::span<const glm::dvec3> directions,
+                                                base::Progress& progress) {
+  // In voxel coordinates: d . (A p + o) = (A^T d) . p + d . o
+  const glm::dmat4& world = volume.grid().geometry().worldFromVoxel;
+  const glm::dmat3 linear(world);
+  const glm::dvec3 origin(world[3]);
+  std::vector<glm::dvec3> ofVoxels;
+  ofVoxels.reserve(directions.size());
+  for (const glm::dvec3& direction : directions) ofVoxels.push_back(glm::transpose(linear) * direction);
+  std::vector<double> farthest(directions.size(), -std::numeric_limits<double>::infinity());
+  const bool any = foldCrossings(
+      volume, resolved, farthest,
+      [&](std::vector<double>& part, glm::dvec3 point) {
+        for (std::size_t i = 0; i < part.size(); ++i)
+          part[i] = std::max(part[i], glm::dot(ofVoxels[i], point));
+      },
+      [](std::vector<double>& all, const std::vector<double>& part) {
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::max(all[i], part[i]);
+      },
+      progress);
+  if (!any) return std::nullopt;
+  for (std::size_t i = 0; i < farthest.size(); ++i) farthest[i] += glm::dot(directions[i], origin);
+  return farthest;
+}
+
+std::optional<Ball> surfaceBall(const PreparedVolume& volume, const scene::Scene& resolved,
+                                base::Progress& progress) {
+  constexpr std::array<glm::dvec3, 6> axes{glm::dvec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0},
+                                           {0, -1, 0},          {0, 0, 1},  {0, 0, -1}};
+  const auto reach = surfaceReach(volume, resolved, axes, progress);
+  if (!reach) return std::nullopt;
+  Ball ball;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto first = static_cast<std::size_t>(2 * axis);
+    ball.centreMm[axis] = ((*reach)[first] - (*reach)[first + 1]) / 2.0;
+  }
+  const glm::dmat4& world = volume.grid().geometry().worldFromVoxel;
+  double square = 0.0;
+  foldCrossings(
+      volume, resolved, square,
+      [&](double& part, glm::dvec3 point) {
+        const glm::dvec3 d = glm::dvec3(world * glm::dvec4(point, 1.0)) - ball.centreMm;
+        part = std::max(part, glm::dot(d, d));
+      },
+      [](double& all, double part) { all = std::max(all, part); }, progress);
+  ball.radiusMm = std::sqrt(square);
+  return ball;
+}
+
+}  // namespace isolux::volume
