@@ -132,6 +132,8 @@ constexpr Rule rules[] = {
      [](const Scene& s) { return !s.clip.planes.empty() || !s.clip.box.empty(); }, "nothing is cut away"},
     {"clip.box_rotation", [](const Scene& s) { return !s.clip.box.empty(); }, "no box cuts anything"},
 
+    {"slice.slab_mode", [](const Scene& s) { return s.slice.slab > 0.0; }, "slices have no thickness"},
+
     {"hit.rate hit.near_factor hit.near_threshold hit.refinements",
      [](const Scene& s) { return s.hit.method == HitMethod::sampled; }, "hits are exact"},
     {"hit.near_threshold", [](const Scene& s) { return s.hit.nearFactor > 1.0; },

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "volume/clip/surface_cut.h"
 #include "volume/parallel_steps.h"
 
 namespace isolux::volume {
@@ -69,6 +70,7 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
   const Grid& grid = volume.grid();
   const MinMaxBlocks& blocks = *volume.blocks;
   const glm::ivec3 dims = blocks.dims(), last = grid.dims() - 1;
+  const SurfaceCut cut(resolved, grid.geometry());
   const Value nothing = all;
   std::mutex mutex;
   bool any = false;
@@ -84,6 +86,7 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
       Value part = nothing;
       bool found = false;
       const auto each = [&](glm::dvec3 point) {
+        if (!cut.keeps(surface.isovalue, point)) return;
         fold(part, point);
         found = true;
       };

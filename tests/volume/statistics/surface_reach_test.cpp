@@ -63,6 +63,23 @@ TEST(SurfaceReach, IsThatOfTheBallsByTheFormula) {
   }
 }
 
+TEST(SurfaceReach, WhatIsCutAwayDoesNotCount) {
+  const TwoBalls balls;
+  base::Progress progress;
+  scene::Scene scene = balls.scene();
+  const glm::dvec3 across = glm::normalize(balls.small - balls.large);
+  scene.clip.planes = {{balls.large, across}};  // half of the large ball is left
+  const std::vector<glm::dvec3> along{across, -across};
+  const auto reach = surfaceReach(*balls.volume, scene, along, progress);
+  ASSERT_TRUE(reach);
+  EXPECT_LE((*reach)[0], glm::dot(across, balls.large) + 1e-9);
+  EXPECT_NEAR((*reach)[0], glm::dot(across, balls.large), 1.0);
+  EXPECT_NEAR((*reach)[1], TwoBalls::largeRadius - glm::dot(across, balls.large), 0.15);
+  scene.isosurface.clipped = false;
+  EXPECT_NEAR((*surfaceReach(*balls.volume, scene, along, progress))[0],
+              glm::dot(across, balls.small) + TwoBalls::smallRadius, 0.15);
+}
+
 TEST(SurfaceReach, HiddenPiecesDoNotCount) {
   const TwoBalls balls;
   base::Progress progress;
