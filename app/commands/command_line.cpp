@@ -63,8 +63,9 @@ void declare(Program& program) {
       "memory,\n"
       "130 interrupted.\n\n"
       "Example:\n  isolux ct.nii.gz --isovalue 300");
-  for (const auto make : {makeInfo, makeRender, makeBake, makeReference, makeReplay, makeStudy, makeProbe,
-                          makeMeasure, makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor})
+  for (const auto make :
+       {makeInfo, makeRender, makeBake, makeReference, makeReplay, makeStudy, makeProbe, makeMeasure,
+        makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor})
     program.commands.push_back(make(parser));
   addMemoryOption(parser);
   for (const Command& command : program.commands) addMemoryOption(*command.parser);

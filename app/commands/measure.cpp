@@ -20,6 +20,7 @@
 #include "scene/rules/automatic.h"
 #include "volume/measure/piece_measure.h"
 #include "volume/measure/surface_measure.h"
+#include "volume/measure/voxel_noise.h"
 #include "volume/pieces/shown_pieces.h"
 #include "volume/read/length_doubt.h"
 
@@ -163,7 +164,7 @@ ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, c
   MeasuredSurface measured{
       scene.source.path,
       prepared,
-      {prepared.grid(), isovalue, scene.isosurface.inside, noiseOf(prepared, scene, progress)}};
+      {prepared.grid(), isovalue, scene.isosurface.inside, volume::voxelNoise(prepared, scene, progress)}};
   const SizedSurface sized = sizedSurface(options, scene, measured, progress);
   const volume::SurfaceMeasure& surface = sized.whole;
   refuseWhatIsNoSurface(options, measured, surface);

@@ -9,6 +9,7 @@
 
 #include "app/commands/measure_report.h"
 #include "base/number_text.h"
+#include "volume/measure/voxel_noise.h"
 #include "volume/pieces/piece_seeds.h"
 #include "volume/pieces/shown_pieces.h"
 
@@ -52,16 +53,6 @@ TableRow rowOf(const ordered_json& piece) {
 
 }  // namespace
 
-scene::NoiseModel noiseOf(const volume::PreparedVolume& prepared, const scene::Scene& scene,
-                          base::Progress& progress) {
-  scene::NoiseModel noise = prepared.derivativeChoices->noise(progress);
-  if (scene.derivatives.noise) {
-    noise.values = {0.0};
-    noise.deviations = {*scene.derivatives.noise};
-  }
-  return noise;
-}
-
 ordered_json pieceJson(std::size_t id, const volume::PieceMeasure& piece) {
   return {{"id", id},
           {"volume_mm3", measuredJson(piece.surface.volumeMm3)},
@@ -75,7 +66,7 @@ ordered_json piecesJson(const volume::PreparedVolume& prepared, const scene::Sce
   const double isovalue = scene.isosurface.value.value();
   const auto pieces = prepared.pieces->at(isovalue, scene.isosurface.inside, progress);
   const volume::SurfaceQuestion question{
-      isovalue, scene.isosurface.inside, std::nullopt, noiseOf(prepared, scene, progress), {}};
+      isovalue, scene.isosurface.inside, std::nullopt, volume::voxelNoise(prepared, scene, progress), {}};
   const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, {}, progress);
   const std::vector<glm::ivec3> seeds = pieceSeeds(*pieces, progress);
   const std::vector<bool> shown = shownPieces(*pieces, scene.pieces);

@@ -7,16 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/progress.h"
-#include "scene/noise.h"
 #include "scene/scene.h"
 #include "volume/measure/piece_measure.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::app {
-
-// What the scene says of a voxel's noise, else what is measured.
-scene::NoiseModel noiseOf(const volume::PreparedVolume& prepared, const scene::Scene& scene,
-                          base::Progress& progress);
 
 // {"id", "volume_mm3", "area_mm2", "bounds_mm", "open"}.
 nlohmann::ordered_json pieceJson(std::size_t id, const volume::PieceMeasure& piece);

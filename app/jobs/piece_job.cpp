@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "app/commands/piece_report.h"
+#include "volume/measure/voxel_noise.h"
 #include "volume/pieces/piece_seeds.h"
 
 namespace isolux::app {
@@ -35,7 +35,7 @@ void PieceJob::find(Work& work) {
   work.found.pieces = volume.pieces->at(work.isovalue, inside, work.progress);
   if (!work.measured) return;
   const volume::SurfaceQuestion question{
-      work.isovalue, inside, std::nullopt, noiseOf(volume, work.scene, work.progress), {}};
+      work.isovalue, inside, std::nullopt, voxelNoise(volume, work.scene, work.progress), {}};
   work.found.measures = measurePieces(*work.found.pieces, *volume.blocks, question, {}, work.progress).pieces;
   for (const glm::ivec3& seed : pieceSeeds(*work.found.pieces, work.progress))
     work.found.seedsMm.push_back(volume::worldOf(volume.grid().geometry(), seed));

@@ -7,6 +7,7 @@
 #include "app/marks/mark_kinds.h"
 #include "base/number_text.h"
 #include "volume/measure/points.h"
+#include "volume/measure/voxel_noise.h"
 #include "volume/read/length_doubt.h"
 
 namespace isolux::app {
@@ -82,8 +83,7 @@ bool MarkEvaluator::isFor(const std::shared_ptr<const volume::PreparedVolume>& v
 
 void MarkEvaluator::measureNoise(base::Progress& progress) {
   if (noiseMeasured_) return;
-  scene::NoiseModel noise = volume_->derivativeChoices->noise(progress);
-  if (scene_.derivatives.noise) noise.values = {0.0}, noise.deviations = {*scene_.derivatives.noise};
+  const scene::NoiseModel noise = voxelNoise(*volume_, scene_, progress);
   for (Surface& surface : surfaces_) surface.of.noise = noise;
   noiseMeasured_ = true;
 }
