@@ -1,0 +1,15 @@
+// The noise of a voxel that measures reckon with.
+#pragma once
+
+#include "base/progress.h"
+#include "scene/noise.h"
+#include "scene/scene.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::volume {
+
+// What the scene says of it (derivatives.noise), else what is measured. Throws Error{interrupted}.
+scene::NoiseModel voxelNoise(const PreparedVolume& volume, const scene::Scene& scene,
+                             base::Progress& progress);
+
+}  // namespace isolux::volume
