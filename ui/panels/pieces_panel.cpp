@@ -29,15 +29,18 @@ enum PieceColumn { idColumn, volumeColumn, boxColumn, pieceColumns };
 
 QString boxText(const volume::WorldBox& box) {
   const glm::dvec3 size = box.highMm - box.lowMm;
-  const auto text = [](double mm) { return numberText(mm, 3); };
+  const auto text = [](double mm) {
+    return numberText(mm < 10.0 ? std::round(10.0 * mm) / 10.0 : std::round(mm), 6);
+  };
   return QString("%1 × %2 × %3").arg(text(size.x), text(size.y), text(size.z));
 }
 
-// "2600 ± 200": no digits that the error does not know.
+// "2600 ± 200": two digits of the error, of a number below its error two of its own.
 QString withErrorText(const volume::Measured& measured) {
   const auto rounded = [&](double number) {
     if (!(measured.error > 0.0)) return numberText(number, 6);
-    const double step = std::pow(10.0, std::floor(std::log10(measured.error)) - 1.0);
+    const double least = std::min(measured.error, std::max(number, 1e-6));
+    const double step = std::pow(10.0, std::floor(std::log10(least)) - 1.0);
     return numberText(std::round(number / step) * step, 9);
   };
   return QString("%1 ± %2").arg(rounded(measured.value), rounded(measured.error));
