@@ -102,6 +102,7 @@ void CastPass::declare(Declaring& d) const {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
   d.reads(image::activeBlocks).writes(exact ? image::surface : image::bracket);
   d.volume().isovalues().cuts().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
+  d.input("cut faces are shown", scene::showsCutFaces(d.asked.scene));
   if (scene::showsCutFaces(d.asked.scene)) d.reads(image::cutFaces);
   d.input("executor", d.asked.onProcessor.casts);
   if (d.asked.onProcessor.casts) return;

@@ -57,6 +57,7 @@ void ResolvePass::declare(Declaring& d) const {
   const scene::Scene& scene = d.asked.scene;
   d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend", "look.legend_corner"});
   d.input("linear picture", d.asked.request.linear);
+  d.input("cut faces are shown", scene::showsCutFaces(scene));
   if (scene::showsCutFaces(scene)) {
     d.reads(image::cutFaces).settings({"slice.level", "slice.width", "slice.map"});
     d.volume();  // what is automatic of them
