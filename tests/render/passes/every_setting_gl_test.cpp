@@ -23,8 +23,9 @@ using Hashes = std::map<std::string, std::uint64_t>;
 const std::map<std::string, const char*> kValues = {
     {"look.ridge_length", "150"},  // mm: more than some lines of a head have
 
-    {"isosurface.value", "0.3"},  {"isosurface2.value", "0.6"}, {"isosurface3.value", "-0.6"},
-    {"edge.contrast", "1e6"},     {"hit.near_threshold", "0"},  {"look.colormap", "inferno"},
+    {"isosurface.value", "0.3"},        {"isosurface2.value", "0.6"},    {"isosurface3.value", "-0.6"},
+    {"edge.contrast", "1e6"},           {"hit.near_threshold", "0"},     {"look.colormap", "inferno"},
+    {"clip.planes", "0,0,2 0.1,0.2,1"}, {"clip.box", "-6,-7,-8; 7,6,5"},
 };
 
 // Another valid value of the setting, far enough from that of the scene to be seen.
@@ -64,7 +65,7 @@ json otherValue(const scene::Setting& s, const scene::Scene& scene) {
     case scene::SettingType::marks:
       return json::array({{{"kind", "point"}, {"name", "a"}, {"points", {{1.0, -2.5, 3.0}}}}});
     case scene::SettingType::positions:
-      return json::array({{1.0, -2.5, 3.0}});
+      return json::array({{1.0, -2.5, 3.0}, {4.0, 5.0, 6.0}});
     case scene::SettingType::text:
       break;
   }

@@ -43,7 +43,7 @@ json otherValue(const scene::Setting& s, const scene::Scene& scene) {
     case scene::SettingType::marks:
       return json::array({{{"kind", "point"}, {"name", "a"}, {"points", {{1.0, -2.5, 3.0}}}}});
     case scene::SettingType::positions:
-      return json::array({{1.0, -2.5, 3.0}});
+      return json::array({{1.0, -2.5, 3.0}, {4.0, 5.0, 6.0}});
     case scene::SettingType::text:
       break;
   }
