@@ -1,12 +1,14 @@
 // Runs the window's tests in one QApplication, with settings and a state folder of its own instead of the
 // user's.
 #include <cstdio>
+#include <cstdlib>
 
 #include <QApplication>
 #include <QSettings>
 
 #include <gtest/gtest.h>
 
+#include "base/retire.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/time_bound.h"
 #include "ui/window/application.h"
@@ -26,5 +28,10 @@ int main(int argc, char** argv) {
   const QApplication application(argc, argv);
   isolux::ui::finishApplication();
   isolux::test::boundEachTest();
-  return RUN_ALL_TESTS();
+  const int exitCode = RUN_ALL_TESTS();
+  // As the program: a thread that compiles shaders must not see the driver's statics go.
+  constexpr double secondsToEnd = 1.0;
+  if (isolux::base::awaitRetired(secondsToEnd)) return exitCode;
+  std::fflush(nullptr);
+  std::_Exit(exitCode);
 }
