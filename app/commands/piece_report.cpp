@@ -35,7 +35,7 @@ std::string withErrorText(const ordered_json& measured) {
 }
 
 // Two decimals: a hundredth of a millimetre.
-std::string placeText(const ordered_json& position) {
+std::string pieceAtText(const ordered_json& position) {
   std::string text;
   for (const ordered_json& number : position)
     text += (text.empty() ? "" : ",") + base::shortText(std::round(100.0 * number.get<double>()) / 100.0);
@@ -47,8 +47,8 @@ TableRow rowOf(const ordered_json& piece) {
           withErrorText(piece["volume_mm3"]),
           withErrorText(piece["area_mm2"]),
           std::to_string(piece["voxels"].get<std::size_t>()),
-          placeText(piece["bounds_mm"][0]) + " to " + placeText(piece["bounds_mm"][1]),
-          placeText(piece["seed_mm"])};
+          pieceAtText(piece["bounds_mm"][0]) + " to " + pieceAtText(piece["bounds_mm"][1]),
+          pieceAtText(piece["seed_mm"])};
 }
 
 }  // namespace

@@ -72,6 +72,8 @@ bool PictureQuality::mayRefine() const {
 }
 
 bool PictureQuality::refine() {
+  // Nothing finer follows, but what follows must not be coarser because this picture turns out slow.
+  if (stage_ == Stage::moving && complete()) stage_ = lightChanging_ ? Stage::sharp : Stage::full;
   if (!mayRefine()) return false;
   // From a small picture first to the full size at one ray per pixel, which costs a fraction of the last
   // step.

@@ -47,6 +47,26 @@ void set(PictureQuality& quality, int supersampling, double target = 50.0, bool 
 
 }  // namespace
 
+// The full picture was ordered while its machine seemed fast, and turns out slow when the user rests already:
+// what follows it unasked, as more of the stored light comes in, is no draft.
+TEST(PictureQuality, WhatFollowsASlowFullPictureAtRestIsNoDraft) {
+  for (const bool light : {false, true}) {
+    PictureQuality quality;
+    set(quality, 2);
+    quality.changed(Motion::rays);
+    for (int i = 0; i < 10; ++i) quality.measured(1.0, Motion::rays);
+    ASSERT_TRUE(quality.complete());
+    quality.setLightChanging(light);
+    EXPECT_FALSE(quality.refine());  // it rests
+    quality.measured(900.0, Motion::rays);
+    EXPECT_EQ(quality.request(pixels).size, pixels);
+    EXPECT_EQ(quality.request(pixels).supersampling, light ? 1 : 2);
+    quality.changed(Motion::rays);
+    quality.measured(900.0, Motion::rays);
+    EXPECT_LT(quality.request(pixels).size.x, pixels.x);  // moving, it is slow now
+  }
+}
+
 TEST(PictureQuality, IsQuickWhileMovingThenSharpThenFull) {
   PictureQuality quality;
   set(quality, 2);
