@@ -40,7 +40,8 @@ void compareSolids(int size) {
                 {"torus", 4.0 * pi * pi * ring * tube, 2.0 * pi * pi * ring * tube * tube}};
   for (const auto& solid : solids) {
     base::Progress progress;
-    const volume::Grid grid = volume::makePhantom({.name = solid.phantom, .size = size, .geometry = {}}, progress);
+    const volume::Grid grid =
+        volume::makePhantom({.name = solid.phantom, .size = size, .geometry = {}}, progress);
     const volume::MinMaxBlocks blocks(grid, 8, progress);
     const auto ours = volume::measureSurface(grid, blocks, {.isovalue = 0.0}, progress);
     const MeshSize mesh = massOf(grid, 0.0);

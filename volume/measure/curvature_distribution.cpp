@@ -27,7 +27,7 @@ constexpr LookMode kMeasures[] = {LookMode::kappa1,         LookMode::kappa2,
                                   LookMode::shape_index,    LookMode::curvedness};
 constexpr double kClearDeviations = 3.0;
 constexpr double kTails = 0.025;  // of the area that counts, at each end, is beyond the bins
-constexpr double kBins = 60.0;  // about so many
+constexpr double kBins = 60.0;    // about so many
 
 struct CurvedArea {
   double areaMm2 = 0.0, kappa1 = 0.0, kappa2 = 0.0,

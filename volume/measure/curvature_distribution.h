@@ -27,7 +27,7 @@ struct CurvatureHistogram {
   double low5 = 0.0, low25 = 0.0, median = 0.0, high75 = 0.0, high95 = 0.0;  // of parts of it, in %
   double low = 0.0, step = 0.0;                                              // the first bin begins at `low`
   std::vector<double> areasMm2{}, clearMm2{};  // of each bin: what counts, and what of that is clear of noise
-  double belowMm2 = 0.0, aboveMm2 = 0.0;   // beyond the bins
+  double belowMm2 = 0.0, aboveMm2 = 0.0;       // beyond the bins
 };
 
 struct CurvatureDistribution {

@@ -97,7 +97,10 @@ int takePicture(const QCommandLineParser& options) {
       if (window.slices()->fourUp() && !window.slices()->view(direction)->complete()) return false;
     return true;
   };
-  const auto drawn = [&] { return !window.light()->changing() && window.viewport()->complete() && !window.marks()->measuring() && sliced(); };
+  const auto drawn = [&] {
+    return !window.light()->changing() && window.viewport()->complete() && !window.marks()->measuring() &&
+           sliced();
+  };
   const QString at = options.value("light-at");  // per cent
   if (!at.isEmpty()) {
     const auto there = [&] {
