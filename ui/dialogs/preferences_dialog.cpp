@@ -20,13 +20,13 @@ namespace isolux::ui {
 namespace {
 
 QString labelOf(const scene::SettingInfo& setting) {
-  static const std::map<std::string, QString> labels = {
-      {"memory.gpu_budget_mb", "Graphics memory"},
-      {"memory.layout", "Volume on the graphics card"},
-      {"gi.threads", "Threads that compute light"},
-      {"picture.adaptive", "Coarser pictures in motion"},
-      {"picture.motion_target", "Time of a picture in motion"},
-      {"picture.executor", "Hits and derivatives computed by"}};
+  const std::map<std::string, QString> labels = {
+      {"memory.gpu_budget_mb", QObject::tr("Graphics memory")},
+      {"memory.layout", QObject::tr("Volume on the graphics card")},
+      {"gi.threads", QObject::tr("Threads that compute light")},
+      {"picture.adaptive", QObject::tr("Coarser pictures in motion")},
+      {"picture.motion_target", QObject::tr("Time of a picture in motion")},
+      {"picture.executor", QObject::tr("Hits and derivatives computed by")}};
   const auto known = labels.find(setting.path);
   return known != labels.end() ? known->second : wordsOf(QString::fromStdString(setting.path));
 }
@@ -34,15 +34,15 @@ QString labelOf(const scene::SettingInfo& setting) {
 QString describe(const scene::MachineSetting& setting) {
   const nlohmann::json value = setting.defaultValue();
   return QString::fromStdString(
-      setting.meaning + "\n\n" + setting.path +
-      "\nDefault: " + (value.is_string() ? value.get<std::string>() : value.dump()) + ' ' + setting.unit);
+      setting.meaning + "\n\n" + setting.path + QObject::tr("\nDefault: ").toStdString() +
+      (value.is_string() ? value.get<std::string>() : value.dump()) + ' ' + setting.unit);
 }
 
 }  // namespace
 
 PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* parent)
     : QDialog(parent), machine_(machine) {
-  setWindowTitle("Preferences");
+  setWindowTitle(tr("Preferences"));
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(14);
   grid->setVerticalSpacing(9);
@@ -69,7 +69,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   }
   grid->setColumnStretch(1, 1);
 
-  auto* note = new QLabel("Of this machine: sessions and recordings do not carry them.", this);
+  auto* note = new QLabel(tr("Of this machine: sessions and recordings do not carry them."), this);
   note->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close, this);
   connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,

@@ -43,8 +43,9 @@ QString guessText(const RawDescription& guess) {
                      .arg(guess.dims.y)
                      .arg(guess.dims.z)
                      .arg(typeName(guess.type));
-  if (volume::bytesOf(guess.type) > 1 && guess.endianness == Endianness::big) text += " big endian";
-  if (guess.headerBytes > 0) text += QString(", header %1 bytes").arg(guess.headerBytes);
+  if (volume::bytesOf(guess.type) > 1 && guess.endianness == Endianness::big)
+    text += QObject::tr(" big endian");
+  if (guess.headerBytes > 0) text += QObject::tr(", header %1 bytes").arg(guess.headerBytes);
   return text;
 }
 
@@ -82,29 +83,29 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
       slice_(new QSlider(Qt::Horizontal, this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)),
       guesses_(volume::guessRaw(QFileInfo(file).fileName().toStdString(), fileBytes_)) {
-  setWindowTitle("Open raw file – " + QFileInfo(file).fileName());
-  auto* intro = new QLabel(QString("<b>%1</b> has no header that Isolux knows. How are its voxels stored?")
+  setWindowTitle(tr("Open raw file – ") + QFileInfo(file).fileName());
+  auto* intro = new QLabel(tr("<b>%1</b> has no header that Isolux knows. How are its voxels stored?")
                                .arg(QFileInfo(file).fileName().toHtmlEscaped()),
                            this);
   intro->setWordWrap(true);
 
-  suggestions_->addItem(guesses_.empty() ? "nothing fits by name or size" : "choose …");
+  suggestions_->addItem(guesses_.empty() ? tr("nothing fits by name or size") : tr("choose …"));
   for (const RawDescription& guess : guesses_) suggestions_->addItem(guessText(guess));
   suggestions_->setEnabled(!guesses_.empty());
   for (const VoxelType type : types) type_->addItem(typeName(type), static_cast<int>(type));
-  endianness_->addItem("little endian", static_cast<int>(Endianness::little));
-  endianness_->addItem("big endian", static_cast<int>(Endianness::big));
+  endianness_->addItem(tr("little endian"), static_cast<int>(Endianness::little));
+  endianness_->addItem(tr("big endian"), static_cast<int>(Endianness::big));
   const char* axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
     dims_[i] = new QSpinBox(this);
     dims_[i]->setRange(1, 65536);
     dims_[i]->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    dims_[i]->setAccessibleName(QString("Voxels along ") + axes[i]);
+    dims_[i]->setAccessibleName(tr("Voxels along ") + axes[i]);
     dims_[i]->setMinimumWidth(64);
     spacing_[i] = new NumberSpinBox(this);
     spacing_[i]->setRange(1e-6, 1e6);
     spacing_[i]->setValue(1.0);
-    spacing_[i]->setAccessibleName(QString("Spacing along ") + axes[i]);
+    spacing_[i]->setAccessibleName(tr("Spacing along ") + axes[i]);
     spacing_[i]->setMinimumWidth(64);
   }
   header_->setRange(0, 1 << 30);
@@ -118,13 +119,13 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
   form->setVerticalSpacing(9);
   form->setHorizontalSpacing(14);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->addRow("Suggestions", suggestions_);
-  form->addRow("Voxels", inARow(dims_, "×"));
-  form->addRow("Type", type_);
-  form->addRow("Byte order", endianness_);
-  form->addRow("Header", header_);
-  form->addRow("Spacing, mm", inARow(spacing_, "×"));
-  form->addRow("Size", size_);
+  form->addRow(tr("Suggestions"), suggestions_);
+  form->addRow(tr("Voxels"), inARow(dims_, "×"));
+  form->addRow(tr("Type"), type_);
+  form->addRow(tr("Byte order"), endianness_);
+  form->addRow(tr("Header"), header_);
+  form->addRow(tr("Spacing, mm"), inARow(spacing_, "×"));
+  form->addRow(tr("Size"), size_);
   auto* left = new QVBoxLayout;
   left->addWidget(intro);
   left->addSpacing(8);
@@ -133,7 +134,7 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
   auto* sliceRow = new QHBoxLayout;
   sliceRow->addWidget(slice_, 1);
   sliceRow->addWidget(sliceLabel_);
-  sliceLabel_->setMinimumWidth(fontMetrics().horizontalAdvance("slice 9999 of 9999"));
+  sliceLabel_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("slice 9999 of 9999")));
   auto* right = new QVBoxLayout;
   right->addWidget(preview_, 1);
   right->addLayout(sliceRow);
@@ -213,16 +214,16 @@ const QImage& RawImportDialog::previewImage() const {
 void RawImportDialog::describedAnew() {
   const RawDescription described = description();
   const std::uint64_t needed = bytesNeeded(described);
-  QString text = QString("%1 bytes described, the file has %2.").arg(grouped(needed), grouped(fileBytes_));
+  QString text = tr("%1 bytes described, the file has %2.").arg(grouped(needed), grouped(fileBytes_));
   QColor colour = colours::quietText;
   if (needed == fileBytes_) {
-    text += " They match.";
+    text += tr(" They match.");
     colour = QColor(0x7f, 0xc8, 0x8a);
   } else if (needed < fileBytes_) {
-    text += QString(" The last %1 would be ignored.").arg(grouped(fileBytes_ - needed));
+    text += tr(" The last %1 would be ignored.").arg(grouped(fileBytes_ - needed));
     colour = colours::warning;
   } else {
-    text += QString(" %1 are missing.").arg(grouped(needed - fileBytes_));
+    text += tr(" %1 are missing.").arg(grouped(needed - fileBytes_));
     colour = colours::error;
   }
   size_->setText(text);
@@ -236,11 +237,11 @@ void RawImportDialog::describedAnew() {
 void RawImportDialog::showSlice() {
   const RawDescription described = description();
   const int z = slice_->value();
-  sliceLabel_->setText(QString("slice %1 of %2").arg(z + 1).arg(described.dims.z));
+  sliceLabel_->setText(tr("slice %1 of %2").arg(z + 1).arg(described.dims.z));
   const auto image = rawSlice(file_, described, z, 512);
   const double aspect =
       described.dims.x * described.spacingMm.x / std::max(1e-12, described.dims.y * described.spacingMm.y);
-  preview_->showSlice(image.value_or(QImage()), aspect, "This slice lies beyond the end of the file.");
+  preview_->showSlice(image.value_or(QImage()), aspect, tr("This slice lies beyond the end of the file."));
 }
 
 }  // namespace isolux::ui

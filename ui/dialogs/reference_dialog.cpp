@@ -42,7 +42,8 @@ void write(const gi::ReferenceImage& image, const scene::Scene& resolved, const 
   } else if (name.endsWith(".exr", Qt::CaseInsensitive)) {
     app::writeReferenceExr(image, file, session);
   } else {
-    base::throwInput(name.toStdString(), "", "is not written: the name of a picture ends in .png or .exr");
+    base::throwInput(name.toStdString(), "",
+                     QObject::tr("is not written: the name of a picture ends in .png or .exr").toStdString());
   }
 }
 }  // namespace
@@ -53,37 +54,37 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
       volume_(std::move(volume)),
       resolved_(std::move(resolved)),
       threads_(threads),
-      width_(makeBox(1, 16384, size.width(), "Width", this)),
-      height_(makeBox(1, 16384, size.height(), "Height", this)),
-      samples_(makeBox(1, 1000000, defaultSamples, "Paths per pixel", this)),
+      width_(makeBox(1, 16384, size.width(), tr("Width"), this)),
+      height_(makeBox(1, 16384, size.height(), tr("Height"), this)),
+      samples_(makeBox(1, 1000000, defaultSamples, tr("Paths per pixel"), this)),
       shown_(new QComboBox(this)),
       preview_(new QLabel(this)),
       text_(new QLabel(this)),
       bar_(new QProgressBar(this)),
-      start_(new QPushButton("Trace", this)),
-      save_(new QPushButton("Save…", this)) {
-  setWindowTitle("Path traced picture");
+      start_(new QPushButton(tr("Trace"), this)),
+      save_(new QPushButton(tr("Save…"), this)) {
+  setWindowTitle(tr("Path traced picture"));
   resize(820, 640);
   preview_->setAlignment(Qt::AlignCenter);
   preview_->setMinimumSize(320, 240);
-  preview_->setStyleSheet(QString("background: %1;").arg(colours::base.name()));
+  preview_->setStyleSheet(tr("background: %1;").arg(colours::base.name()));
   preview_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   text_->setWordWrap(true);
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   bar_->setFixedHeight(8);
-  shown_->addItems({"Picture", "Noise (white: 10 % or more)"});
-  shown_->setAccessibleName("Shown");
+  shown_->addItems({tr("Picture"), tr("Noise (white: 10 % or more)")});
+  shown_->setAccessibleName(tr("Shown"));
   save_->setEnabled(false);
   start_->setDefault(true);
 
   auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel("Size", this));
+  row->addWidget(new QLabel(tr("Size"), this));
   row->addWidget(width_);
   row->addWidget(new QLabel("×", this));
   row->addWidget(height_);
   row->addSpacing(16);
-  row->addWidget(new QLabel("Paths per pixel", this));
+  row->addWidget(new QLabel(tr("Paths per pixel"), this));
   row->addWidget(samples_);
   row->addStretch(1);
   row->addWidget(shown_);
@@ -97,8 +98,8 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
   layout->addWidget(bar_);
   layout->addLayout(buttons);
   tell(
-      "Every pixel is traced by itself, without stored light. Twice as many paths take twice the time; "
-      "four times as many halve the noise.");
+      tr("Every pixel is traced by itself, without stored light. Twice as many paths take twice the time; "
+         "four times as many halve the noise."));
 
   timer_.setInterval(pollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &ReferenceDialog::poll);
@@ -129,7 +130,7 @@ void ReferenceDialog::startOrStop() {
   job_ =
       std::make_unique<app::ReferenceJob>(volume_, resolved_, glm::ivec2(width_->value(), height_->value()),
                                           static_cast<std::uint32_t>(samples_->value()), threads_);
-  start_->setText("Stop");
+  start_->setText(tr("Stop"));
   timer_.start();
 }
 
@@ -142,18 +143,17 @@ void ReferenceDialog::poll() {
   }
   bar_->setValue(static_cast<int>(std::lround(1000.0 * job_->progress().fraction())));
   QString noise;
-  if (round_ && round_->noisePart)
-    noise = QString("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
+  if (round_ && round_->noisePart) noise = tr("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
   if (!finished) {
-    tell(noise.isEmpty() ? QString("Tracing …") : "Tracing … " + noise);
+    tell(noise.isEmpty() ? tr("Tracing …") : tr("Tracing … ") + noise);
     return;
   }
   timer_.stop();
-  start_->setText("Trace");
+  start_->setText(tr("Trace"));
   if (job_->error()) {
     tell(QString::fromStdString(job_->error()->what()), true);
   } else {
-    const QString end = job_->progress().stopRequested() ? "Stopped" : "Complete";
+    const QString end = job_->progress().stopRequested() ? tr("Stopped") : tr("Complete");
     tell(noise.isEmpty() ? end : end + ": " + noise);
   }
 }
@@ -173,11 +173,11 @@ void ReferenceDialog::resizeEvent(QResizeEvent* event) {
 }
 
 void ReferenceDialog::choose() {
-  const SaveAnswer answer = askForFileToSave(
-      this,
-      {"Save path traced picture",
-       QSettings().value("lastFolder").toString() + "/reference.exr",
-       {"OpenEXR, linear colours, irradiance and variance (*.exr)", "PNG, carries the session (*.png)"}});
+  const SaveAnswer answer =
+      askForFileToSave(this, {tr("Save path traced picture"),
+                              QSettings().value("lastFolder").toString() + "/reference.exr",
+                              {tr("OpenEXR, linear colours, irradiance and variance (*.exr)"),
+                               tr("PNG, carries the session (*.png)")}});
   if (answer.file.isEmpty()) return;
   QSettings().setValue("lastFolder", QFileInfo(answer.file).absolutePath());
   saveAs(answer.file);
@@ -196,7 +196,7 @@ bool ReferenceDialog::saveAs(const QString& file) {
     }
   });
   save_->setEnabled(false);
-  tell("Saving " + savedName_ + " …");
+  tell(tr("Saving ") + savedName_ + " …");
   saveTimer_.start();
   return true;
 }
@@ -206,7 +206,7 @@ void ReferenceDialog::pollSaving() {
   saveTimer_.stop();
   const QString problem = saving_.get();
   save_->setEnabled(round_ != nullptr);
-  tell(problem.isEmpty() ? "Saved as " + savedName_ : problem, !problem.isEmpty());
+  tell(problem.isEmpty() ? tr("Saved as ") + savedName_ : problem, !problem.isEmpty());
 }
 
 }  // namespace isolux::ui

@@ -91,10 +91,9 @@ void Document::open(const QString& path) {
       }
       if (app::isRecording(pathOf(absolute))) {
         const QString name = QFileInfo(absolute).fileName();
-        base::throwInput(name.toStdString(), "",
-                         QString("is a recording: isolux replay %1 --out FOLDER makes pictures of it")
-                             .arg(name)
-                             .toStdString());
+        base::throwInput(
+            name.toStdString(), "",
+            tr("is a recording: isolux replay %1 --out FOLDER makes pictures of it").arg(name).toStdString());
       }
       if (volume::needsRawDescription(pathOf(absolute))) {
         Q_EMIT rawDescriptionNeeded(absolute);
@@ -164,8 +163,8 @@ void Document::keepLoadedSource() {
   const scene::Scene before = scene();
   scene::Scene next = before;
   next.source = loadedSource_;
-  history_.edit(next, "Keep the volume");
-  commit(before, "Keep the volume");
+  history_.edit(next, tr("Keep the volume").toStdString());
+  commit(before, tr("Keep the volume"));
 }
 
 void Document::poll() {
@@ -185,7 +184,7 @@ void Document::finishLoading() {
     announce();  // the widgets show again what holds
     Q_EMIT loadEnded(false);
     if (!job->error()) {
-      Q_EMIT failed("the volume could not be loaded");
+      Q_EMIT failed(tr("the volume could not be loaded"));
     } else if (job->error()->kind() != base::ErrorKind::interrupted) {
       Q_EMIT failed(textOf(*job->error()));
     }
@@ -194,7 +193,7 @@ void Document::finishLoading() {
   const scene::Scene before = scene();
   const VolumePointer volume = job->volume();
   loadedSource_ = job->source();
-  QString name = "Open " + shortName(loadedSource_.path);
+  QString name = tr("Open ") + shortName(loadedSource_.path);
   if (after_ == After::replaceDocument) {
     completePending(*volume);
     replaceDocument();
@@ -277,7 +276,7 @@ void Document::commit(const scene::Scene& before, const QString& name) {
       if (!diff.changes.empty()) recorder_->add(diff);
     } catch (const base::Error& error) {
       stopRecording();
-      Q_EMIT failed("recording stopped: " + textOf(error));
+      Q_EMIT failed(tr("recording stopped: ") + textOf(error));
     }
   }
   announce();
@@ -323,7 +322,7 @@ void Document::endGesture() {
 void Document::undo() {
   if (!history_.canUndo()) return;
   const scene::Scene before = scene();
-  const QString name = "Undo " + QString::fromStdString(history_.undoName());
+  const QString name = tr("Undo ") + QString::fromStdString(history_.undoName());
   history_.seal();
   history_.undo();
   commit(before, name);
@@ -333,7 +332,7 @@ void Document::undo() {
 void Document::redo() {
   if (!history_.canRedo()) return;
   const scene::Scene before = scene();
-  const QString name = "Redo " + QString::fromStdString(history_.redoName());
+  const QString name = tr("Redo ") + QString::fromStdString(history_.redoName());
   history_.seal();
   history_.redo();
   commit(before, name);
@@ -341,7 +340,7 @@ void Document::redo() {
 }
 
 void Document::toggleFlow() {
-  Edit toggled{scene(), scene().flow.animate ? "Pause flow" : "Animate flow", {}, false};
+  Edit toggled{scene(), scene().flow.animate ? tr("Pause flow") : tr("Animate flow"), {}, false};
   toggled.scene.flow.animate = !scene().flow.animate;
   edit(toggled);
 }

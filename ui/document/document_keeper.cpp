@@ -52,7 +52,7 @@ void DocumentKeeper::forget() {
 
 void DocumentKeeper::tellProblem() {
   const auto problem = file_.problem();
-  if (problem && !told_) Q_EMIT failed(QString("The document cannot be autosaved: %1").arg(problem->what()));
+  if (problem && !told_) Q_EMIT failed(tr("The document cannot be autosaved: %1").arg(problem->what()));
   told_ = problem.has_value();
 }
 
@@ -71,7 +71,7 @@ void DocumentKeeper::finishRestoring() {
   if (!std::exchange(restoring_, false) || !lost()) return;
   const std::string recording = lost()->document.recordingFile;
   if (!recording.empty())
-    Q_EMIT noted(QString("The recording %1 holds what was done until then; it is not continued")
+    Q_EMIT noted(tr("The recording %1 holds what was done until then; it is not continued")
                      .arg(QString::fromStdString(recording)));
   save();
   finish();

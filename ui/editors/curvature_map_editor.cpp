@@ -84,7 +84,7 @@ CurvatureMapView::CurvatureMapView(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setFixedHeight(largestSide + static_cast<int>(top + bottom));
   setMinimumWidth(static_cast<int>(left + right) + largestSide / 2);
-  setAccessibleName("Colour map of the principal curvatures");
+  setAccessibleName(tr("Colour map of the principal curvatures"));
   showPoints(scene::automaticCurvaturePoints());
 }
 
@@ -311,13 +311,13 @@ CurvatureMapEditor::CurvatureMapEditor(QWidget* parent)
       remove_(new QToolButton(this)) {
   setFocusProxy(view_);
   colour_->setIconSize({34, 16});
-  colour_->setToolTip("Colour of the selected point");
+  colour_->setToolTip(tr("Colour of the selected point"));
   add_->setText("+");
-  add_->setToolTip("Add a point (double click on the map)");
-  add_->setAccessibleName("Add a point");
+  add_->setToolTip(tr("Add a point (double click on the map)"));
+  add_->setAccessibleName(tr("Add a point"));
   remove_->setText("−");
-  remove_->setToolTip("Remove the selected point (Delete)");
-  remove_->setAccessibleName("Remove the selected point");
+  remove_->setToolTip(tr("Remove the selected point (Delete)"));
+  remove_->setAccessibleName(tr("Remove the selected point"));
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
   row->addWidget(colour_);
@@ -325,7 +325,7 @@ CurvatureMapEditor::CurvatureMapEditor(QWidget* parent)
     box->setRange(-1.0, 1.0);
     box->setSingleStep(keyStep);
     box->setAccessibleName(name);
-    box->setToolTip(QString("%1 of the selected point, in parts of the range").arg(name));
+    box->setToolTip(tr("%1 of the selected point, in parts of the range").arg(name));
     row->addWidget(new QLabel(name, this));
     row->addWidget(box, 1);
     connect(box, &NumberSpinBox::valueChanged, this, &CurvatureMapEditor::moveSelected);

@@ -2,13 +2,15 @@
 
 #include <cmath>
 
+#include <QObject>
+
 #include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
 
 namespace isolux::ui {
 
 namespace {
-constexpr auto turnName = "Turn environment";
+constexpr auto turnName = QT_TRANSLATE_NOOP("QObject", "Turn environment");
 
 void showGi(scene::Scene& scene) {
   if (scene::shadingOf(scene) != scene::Shading::gi) scene.look.mode = scene::LookMode::gi;
@@ -21,13 +23,13 @@ QString whyItCannotTurn(const scene::Scene& scene) {
 }
 
 Edit environmentTurned(const scene::Scene& scene, const glm::dvec4& rotation, scene::WorldAxes axes) {
-  Edit edit{scene, turnName, "turn environment", false};
+  Edit edit{scene, QObject::tr(turnName), "turn environment", false};
   scene::setRotation(edit.scene.light.environment, rotation, axes);
   return lettingMove(edit);
 }
 
 Edit environmentTurnedBy(const scene::Scene& scene, double degrees) {
-  Edit edit{scene, turnName, "turn environment", false};
+  Edit edit{scene, QObject::tr(turnName), "turn environment", false};
   double& azimuth = edit.scene.light.environment.azimuth;
   azimuth = std::remainder(azimuth + degrees, 360.0);
   return lettingMove(edit);
@@ -48,14 +50,14 @@ bool letsEnvironmentMove(const scene::Scene& before, const Edit& edit) {
 }
 
 Edit lightProbeChosen(const scene::Scene& scene, const QString& file) {
-  Edit edit{scene, "Choose light probe", {}, false};
+  Edit edit{scene, QObject::tr("Choose light probe"), {}, false};
   edit.scene.light.environment.file = file.toStdString();
   showGi(edit.scene);
   return edit;
 }
 
 Edit builtInLightChosen(const scene::Scene& scene, scene::BuiltInLight light) {
-  Edit edit{scene, "Choose light", {}, false};
+  Edit edit{scene, QObject::tr("Choose light"), {}, false};
   scene::chooseBuiltIn(edit.scene.light.environment, light);
   showGi(edit.scene);
   return edit;

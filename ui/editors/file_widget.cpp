@@ -31,8 +31,8 @@ FileWidget::FileWidget(QWidget* parent)
   line_->setMinimumWidth(60);
   choose_->setIcon(icon("open"));
   choose_->setIconSize({16, 16});
-  choose_->setToolTip("Choose a file");
-  choose_->setAccessibleName("Choose a file");
+  choose_->setToolTip(tr("Choose a file"));
+  choose_->setAccessibleName(tr("Choose a file"));
   setFocusProxy(line_);
   connect(line_, &QLineEdit::editingFinished, this, [this] {
     if (!line_->isModified()) return;
@@ -45,8 +45,8 @@ FileWidget::FileWidget(QWidget* parent)
 void FileWidget::choose() {
   const QString start = line_->text().isEmpty() ? QSettings().value(folderKey).toString() : line_->text();
   const QString file = QFileDialog::getOpenFileName(
-      this, "Choose a light probe", start,
-      "Light probes (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)");
+      this, tr("Choose a light probe"), start,
+      tr("Light probes (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)"));
   if (file.isEmpty()) return;
   QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
   setFile(file);

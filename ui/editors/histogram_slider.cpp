@@ -51,7 +51,7 @@ struct HistogramSlider::DetailJob {
 HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
-  setAccessibleName("Isovalue on the histogram");
+  setAccessibleName(tr("Isovalue on the histogram"));
   sendTimer_.setSingleShot(true);
   connect(&sendTimer_, &QTimer::timeout, this, &HistogramSlider::sendPending);
   detailTimer_.setInterval(30);
@@ -150,7 +150,7 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
   }
   if (!volume_) {
     painter.setPen(colours::disabledText);
-    painter.drawText(area, Qt::AlignCenter, "The histogram of the volume appears here");
+    painter.drawText(area, Qt::AlignCenter, tr("The histogram of the volume appears here"));
   }
   painter.setPen(QPen(hasFocus() ? colours::accent : colours::border, 1.0));
   painter.setBrush(Qt::NoBrush);

@@ -17,13 +17,14 @@ constexpr int thumbnailPixels = 56;
 QString meaningOf(scene::BuiltInLight light) {
   switch (light) {
     case scene::BuiltInLight::studio:
-      return "a large soft light from the upper left, a weak one at the right, and a rim from behind";
+      return QObject::tr(
+          "a large soft light from the upper left, a weak one at the right, and a rim from behind");
     case scene::BuiltInLight::window:
-      return "daylight through one window at the left of a room";
+      return QObject::tr("daylight through one window at the left of a room");
     case scene::BuiltInLight::overcast:
-      return "a cloudy sky: soft light from above";
+      return QObject::tr("a cloudy sky: soft light from above");
     case scene::BuiltInLight::sunset:
-      return "a low warm sun at the left under a blue sky";
+      return QObject::tr("a low warm sun at the left under a blue sky");
   }
   return {};
 }
@@ -46,7 +47,7 @@ LightChooser::LightChooser(QWidget* parent) : QWidget(parent) {
     const QString name =
         wordsOf(QString::fromUtf8(light.name.data(), static_cast<qsizetype>(light.name.size())));
     button->setText(name);
-    button->setAccessibleName("Light: " + name);
+    button->setAccessibleName(tr("Light: ") + name);
     button->setToolTip(name + ": " + meaningOf(light.value));
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({thumbnailPixels, thumbnailPixels});

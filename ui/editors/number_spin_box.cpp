@@ -24,7 +24,7 @@ QString whyRefused(const QString& number, double minimum, double maximum) {
   bool good = false;
   const double value = number.toDouble(&good);
   if (!good || (minimum <= value && value <= maximum)) return {};
-  return QString("%1 is out of range (%2 … %3)").arg(number, numberText(minimum), numberText(maximum));
+  return QObject::tr("%1 is out of range (%2 … %3)").arg(number, numberText(minimum), numberText(maximum));
 }
 
 QString tipOf(const QWidget* widget) {

@@ -14,13 +14,13 @@ RotationWidget::RotationWidget(QWidget* parent) : ValueWidget(parent) {
   layout->setHorizontalSpacing(4);
   layout->setVerticalSpacing(1);
   struct Angle {
-    const char *name, *tip;
+    QString name, tip;
     double range;
   };
   const std::array<Angle, 3> angles{
-      {{"Heading", "About the vertical axis, counterclockwise as seen from above", 180.0},
-       {"Elevation", "How high the middle of the light probe stands above the horizon", 90.0},
-       {"Roll", "About the direction of the middle of the light probe", 180.0}}};
+      {{tr("Heading"), tr("About the vertical axis, counterclockwise as seen from above"), 180.0},
+       {tr("Elevation"), tr("How high the middle of the light probe stands above the horizon"), 90.0},
+       {tr("Roll"), tr("About the direction of the middle of the light probe"), 180.0}}};
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     auto* box = boxes_[i] = new NumberSpinBox(this);
     const int column = static_cast<int>(i);

@@ -31,8 +31,8 @@ QString describe(const scene::Setting& setting) {
   }
   const nlohmann::json value = setting.defaultValue();
   if (setting.type == scene::SettingType::points) return text;
-  return text.trimmed() +
-         "\nDefault: " + QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
+  return text.trimmed() + QObject::tr("\nDefault: ") +
+         QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 // Rows do not jump.
@@ -55,7 +55,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   if (setting.mayBeAutomatic) {
     keepPlaceWhenHidden(value_);
     automatic_ = new QCheckBox("auto", this);
-    automatic_->setToolTip("Chosen by itself");
+    automatic_->setToolTip(tr("Chosen by itself"));
     layout->addWidget(automatic_);
     connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
       const nlohmann::json seen = seenValue();
@@ -65,8 +65,8 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   reset_->setIcon(icon("restore"));
   reset_->setIconSize({14, 14});
   reset_->setAutoRaise(true);
-  reset_->setToolTip("Back to the default");
-  reset_->setAccessibleName("Reset " + nameOf(setting));
+  reset_->setToolTip(tr("Back to the default"));
+  reset_->setAccessibleName(tr("Reset ") + nameOf(setting));
   keepPlaceWhenHidden(reset_);
   layout->addWidget(reset_);
   description_ = describe(setting);
@@ -128,7 +128,7 @@ void SettingEditor::explain() {
   if (why == whyInactive_) return;
   whyInactive_ = why;
   setEnabled(why.isEmpty());
-  setToolTip(why.isEmpty() ? description_ : "Does nothing now: " + why + ".\n\n" + description_);
+  setToolTip(why.isEmpty() ? description_ : tr("Does nothing now: ") + why + ".\n\n" + description_);
 }
 
 bool SettingEditor::isWide() const {
@@ -146,8 +146,8 @@ void SettingEditor::resetToDefault() {
 void SettingEditor::send(const nlohmann::json& value, bool endsAfterPause) {
   // A gesture of one widget is one step; a single choice is a step of its own.
   const bool gesture = dragging_ || endsAfterPause;
-  Edit edit{scene_, "Change " + nameOf(setting_), gesture ? QString::fromStdString(setting_.path) : QString(),
-            endsAfterPause};
+  Edit edit{scene_, tr("Change ") + nameOf(setting_),
+            gesture ? QString::fromStdString(setting_.path) : QString(), endsAfterPause};
   shown_ = nullptr;  // whatever comes back is shown
   try {
     setting_.set(edit.scene, value);

@@ -250,7 +250,7 @@ class ChoiceWidget : public ValueWidget {
       : ValueWidget(parent), combo_(new CalmWheel<QComboBox>(this)) {
     for (const std::string& choice : setting.choices) {
       const QString word = QString::fromStdString(choice);
-      combo_->addItem(word == "color" ? QString("One colour") : wordsOf(word), word);
+      combo_->addItem(word == "color" ? QObject::tr("One colour") : wordsOf(word), word);
     }
     combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // not the longest choice
     combo_->setMinimumContentsLength(8);

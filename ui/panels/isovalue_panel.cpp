@@ -19,23 +19,24 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
       spinBox_(new NumberSpinBox(this)),
       suggest_(new QToolButton(this)),
       showAll_(new QToolButton(this)) {
-  auto* title = new QLabel("Isovalue", this);
+  auto* title = new QLabel(tr("Isovalue"), this);
   QFont bold = title->font();
   bold.setWeight(QFont::DemiBold);
   title->setFont(bold);
   title->setBuddy(spinBox_);
   title->setToolTip(
-      "The surface is where the volume has this value.\n\n"
-      "Drag the line on the histogram (counts are logarithmic).\n"
-      "Wheel or arrow keys: fine steps (Shift: ten times larger)\n"
-      "Double click: suggested isovalue\n"
-      "Ctrl+wheel: zoom the axis, middle drag: move it");
-  spinBox_->setAccessibleName("Isovalue");
-  spinBox_->setToolTip("The exact isovalue. Arrow keys change it by the step of the histogram.");
-  suggest_->setText("Suggested");
-  suggest_->setToolTip("Back to the isovalue found from the histogram (also: double click on the histogram)");
-  showAll_->setText("Whole range");
-  showAll_->setToolTip("Show the whole range of values again");
+      tr("The surface is where the volume has this value.\n\n"
+         "Drag the line on the histogram (counts are logarithmic).\n"
+         "Wheel or arrow keys: fine steps (Shift: ten times larger)\n"
+         "Double click: suggested isovalue\n"
+         "Ctrl+wheel: zoom the axis, middle drag: move it"));
+  spinBox_->setAccessibleName(tr("Isovalue"));
+  spinBox_->setToolTip(tr("The exact isovalue. Arrow keys change it by the step of the histogram."));
+  suggest_->setText(tr("Suggested"));
+  suggest_->setToolTip(
+      tr("Back to the isovalue found from the histogram (also: double click on the histogram)"));
+  showAll_->setText(tr("Whole range"));
+  showAll_->setToolTip(tr("Show the whole range of values again"));
   for (QToolButton* button : {suggest_, showAll_}) {
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::TabFocus);
@@ -91,7 +92,7 @@ void IsovaluePanel::setScene(const scene::Scene& scene, const scene::Scene& reso
 }
 
 void IsovaluePanel::send(std::optional<double> value, const char* mergeKey, bool endsAfterPause) {
-  Edit edit{scene_, value ? "Set isovalue" : "Suggested isovalue", mergeKey, endsAfterPause};
+  Edit edit{scene_, value ? tr("Set isovalue") : tr("Suggested isovalue"), mergeKey, endsAfterPause};
   edit.scene.isosurface.value = value;
   Q_EMIT edited(edit);
 }

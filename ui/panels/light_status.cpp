@@ -36,33 +36,33 @@ QString progressText(const app::LightState& state) {
 }
 
 QString stateText(const app::LightState& state, bool cancelled) {
-  if (cancelled) return "Light stopped";
+  if (cancelled) return QObject::tr("Light stopped");
   switch (state.phase) {
     case Phase::off:
       return {};
     case Phase::preparing:
-      return "Light: preparing";
+      return QObject::tr("Light: preparing");
     case Phase::baking:
-      return "Light: " + progressText(state);
+      return QObject::tr("Light: ") + progressText(state);
     case Phase::paused:
-      return "Light paused at " + percentText(fractionOf(state.counters));
+      return QObject::tr("Light paused at ") + percentText(fractionOf(state.counters));
     case Phase::finished:
-      return "Light complete";
+      return QObject::tr("Light complete");
     case Phase::failed:
-      return "No light";
+      return QObject::tr("No light");
   }
   return {};
 }
 
 QString whyText(const app::LightState& state) {
   if (state.error) return QString::fromStdString(state.error->what());
-  QString text = "Stored: " + QString::fromStdString(state.mode);
+  QString text = QObject::tr("Stored: ") + QString::fromStdString(state.mode);
   if (!state.choice.reason.empty())
     text += "\n" + QString::fromStdString(state.choice.reason).replace("; ", ";\n");
   const gi::BakeCounters& counters = state.counters;
   if (counters.texelsLit > 0)
     text +=
-        QString("\n%1 texels lit, %2 million rays in %3")
+        QObject::tr("\n%1 texels lit, %2 million rays in %3")
             .arg(counters.texelsLit)
             .arg(numberText(static_cast<double>(counters.rays) * 1e-6, 3), durationText(counters.seconds));
   return text;
@@ -71,8 +71,8 @@ QString whyText(const app::LightState& state) {
 }  // namespace
 
 QString rateText(double raysPerSecond) {
-  if (raysPerSecond >= 1e6) return numberText(raysPerSecond * 1e-6, 2) + " million rays/s";
-  if (raysPerSecond >= 1e3) return numberText(raysPerSecond * 1e-3, 2) + " thousand rays/s";
+  if (raysPerSecond >= 1e6) return numberText(raysPerSecond * 1e-6, 2) + QObject::tr(" million rays/s");
+  if (raysPerSecond >= 1e3) return numberText(raysPerSecond * 1e-3, 2) + QObject::tr(" thousand rays/s");
   return numberText(raysPerSecond, 2) + " rays/s";
 }
 
@@ -90,7 +90,7 @@ QString unfinishedLightText(const app::LightState& state, bool cancelled) {
   if (!onItsWay || state.phase == Phase::off) return {};
   // While it is prepared nothing is counted yet: no texel is there.
   const double fraction = state.phase == Phase::preparing ? 0.0 : fractionOf(state.counters);
-  return fraction < 1.0 ? "light was at " + percentText(fraction) : QString();
+  return fraction < 1.0 ? QObject::tr("light was at ") + percentText(fraction) : QString();
 }
 
 LightStatus::LightStatus(QWidget* parent)
@@ -106,15 +106,15 @@ LightStatus::LightStatus(QWidget* parent)
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   bar_->setFixedSize(90, 6);
-  bar_->setAccessibleName("Light");
+  bar_->setAccessibleName(tr("Light"));
   for (QToolButton* button : {pause_, stop_}) {
     button->setAutoRaise(true);
     button->setIconSize({14, 14});
     button->setFixedSize(22, 22);
   }
   stop_->setIcon(icon("close"));
-  stop_->setToolTip("Stop computing light; what there is stays");
-  stop_->setAccessibleName("Stop computing light");
+  stop_->setToolTip(tr("Stop computing light; what there is stays"));
+  stop_->setAccessibleName(tr("Stop computing light"));
   layout->addWidget(label_);
   layout->addWidget(bar_);
   layout->addWidget(pause_);
@@ -145,7 +145,7 @@ void LightStatus::setState(const app::LightState& state, bool cancelled) {
   bar_->setToolTip(whyText(state));
   pause_->setVisible((works && state.phase != Phase::preparing) || cancelled);
   pause_->setIcon(icon(halted_ ? "play" : "pause"));
-  const QString says = halted_ ? "Go on computing light" : "Pause computing light";
+  const QString says = halted_ ? tr("Go on computing light") : tr("Pause computing light");
   pause_->setToolTip(says);
   pause_->setAccessibleName(says);
   stop_->setVisible(works);

@@ -49,12 +49,12 @@ QIcon swatch(glm::dvec3 linear) {
 
 MarksPanel::MarksPanel(QWidget* parent)
     : Panel(parent),
-      empty_(
-          new QLabel("Nothing is marked yet.\n\nThe Measure menu has pins (P), distances (M), ways along the "
-                     "surface (Shift+M), angles, circles, thicknesses and pieces: choose one, then click on "
-                     "the surface.",
-                     this)),
-      measuring_(new QLabel("Measuring …", this)),
+      empty_(new QLabel(
+          tr("Nothing is marked yet.\n\nThe Measure menu has pins (P), distances (M), ways along the "
+             "surface (Shift+M), angles, circles, thicknesses and pieces: choose one, then click on "
+             "the surface."),
+          this)),
+      measuring_(new QLabel(tr("Measuring …"), this)),
       list_(new QTreeWidget(this)),
       details_(new QPlainTextEdit(this)),
       colour_(new ColorButton(this)) {
@@ -63,17 +63,17 @@ MarksPanel::MarksPanel(QWidget* parent)
   for (QLabel* label : {empty_, measuring_})
     label->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
   details_->setReadOnly(true);
-  details_->setAccessibleName("What the mark says");
+  details_->setAccessibleName(tr("What the mark says"));
   details_->setFixedHeight(fontMetrics().lineSpacing() * detailLines + 12);
   details_->setTabChangesFocus(true);
-  colour_->setToolTip("Colour of the mark");
-  colour_->setAccessibleName("Colour of the mark");
+  colour_->setToolTip(tr("Colour of the mark"));
+  colour_->setAccessibleName(tr("Colour of the mark"));
   connect(colour_, &ColorButton::chosen, this, &MarksPanel::recolour);
-  delete_ = addButton("Delete", "Delete the chosen marks (Del)");
-  copy_ = addButton("Copy", "Copy what all marks say as text");
-  export_ = addButton("Export…", "Save the marks as a table (CSV) or for 3D Slicer (.mrk.json)");
-  import_ = addButton("Import…", "Open marks of 3D Slicer (.mrk.json)");
-  stop_ = addButton("Stop", "Stop measuring");
+  delete_ = addButton(tr("Delete"), tr("Delete the chosen marks (Del)"));
+  copy_ = addButton(tr("Copy"), tr("Copy what all marks say as text"));
+  export_ = addButton(tr("Export…"), tr("Save the marks as a table (CSV) or for 3D Slicer (.mrk.json)"));
+  import_ = addButton(tr("Import…"), tr("Open marks of 3D Slicer (.mrk.json)"));
+  stop_ = addButton(tr("Stop"), tr("Stop measuring"));
   connect(delete_, &QToolButton::clicked, this, &MarksPanel::deleteChosen);
   connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
   connect(export_, &QToolButton::clicked, this, &MarksPanel::exportWanted);
@@ -100,7 +100,7 @@ MarksPanel::MarksPanel(QWidget* parent)
   setReports({}, false);
 }
 
-QToolButton* MarksPanel::addButton(const char* text, const char* tip) {
+QToolButton* MarksPanel::addButton(const QString& text, const QString& tip) {
   auto* button = new QToolButton(this);
   button->setText(text);
   button->setToolTip(tip);
@@ -110,7 +110,7 @@ QToolButton* MarksPanel::addButton(const char* text, const char* tip) {
 
 void MarksPanel::makeList() {
   list_->setColumnCount(columns);
-  list_->setHeaderLabels({"Mark", "Says"});
+  list_->setHeaderLabels({tr("Mark"), tr("Says")});
   list_->setRootIsDecorated(false);
   list_->setIndentation(0);
   list_->setFrameShape(QFrame::NoFrame);
@@ -118,10 +118,10 @@ void MarksPanel::makeList() {
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   list_->setItemDelegateForColumn(valueColumn, new ReadOnlyColumn(list_));
   list_->setIconSize({swatchPixels, swatchPixels});
-  list_->setAccessibleName("Marks");
+  list_->setAccessibleName(tr("Marks"));
   list_->header()->setStretchLastSection(true);
   list_->header()->setSectionResizeMode(nameColumn, QHeaderView::ResizeToContents);
-  auto* remove = new QAction("Delete", list_);
+  auto* remove = new QAction(tr("Delete"), list_);
   remove->setShortcut(QKeySequence::Delete);
   remove->setShortcutContext(Qt::WidgetShortcut);  // not while a name is edited
   list_->addAction(remove);
@@ -167,7 +167,7 @@ void MarksPanel::showRow(QTreeWidgetItem* item, std::size_t mark) {
   item->setText(nameColumn, QString::fromStdString(shown.name));
   item->setIcon(nameColumn, swatch(shown.color));
   item->setCheckState(nameColumn, shown.shown ? Qt::Checked : Qt::Unchecked);
-  item->setToolTip(nameColumn, "Double click: another name; the box: shown in the picture");
+  item->setToolTip(nameColumn, tr("Double click: another name; the box: shown in the picture"));
   const bool known = mark < reports_.size();
   const QString says = known ? QString::fromStdString(app::summaryText(reports_[mark])) : QString("…");
   const bool doubtful = known && (!reports_[mark].notes.empty() || !reports_[mark].problem.empty());
@@ -214,11 +214,11 @@ void MarksPanel::itemEdited(QTreeWidgetItem* item, int column) {
   const bool shown = item->checkState(nameColumn) == Qt::Checked;
   if (column == nameColumn && shown != mark.shown) {
     mark.shown = shown;
-    send(std::move(marks), (shown ? "Show " : "Hide ") + QString::fromStdString(mark.name));
+    send(std::move(marks), (shown ? tr("Show ") : tr("Hide ")) + QString::fromStdString(mark.name));
   } else if (const std::string name = item->text(nameColumn).trimmed().toStdString();
              column == nameColumn && name != mark.name && !name.empty()) {
     mark.name = name;
-    send(std::move(marks), "Rename mark");
+    send(std::move(marks), tr("Rename mark"));
   } else {
     showMarks();  // an empty name, or a value: what holds is shown again
   }
@@ -228,7 +228,7 @@ void MarksPanel::recolour(glm::dvec3 linear) {
   std::vector<scene::Mark> marks = scene_.marks;
   for (QTreeWidgetItem* item : list_->selectedItems())
     marks[static_cast<std::size_t>(list_->indexOfTopLevelItem(item))].color = linear;
-  send(std::move(marks), "Colour marks", "colour marks");
+  send(std::move(marks), tr("Colour marks"), "colour marks");
 }
 
 void MarksPanel::deleteChosen() {
@@ -240,7 +240,7 @@ void MarksPanel::deleteChosen() {
     else
       marks.push_back(scene_.marks[static_cast<std::size_t>(row)]);
   }
-  if (deleted > 0) send(std::move(marks), deleted == 1 ? "Delete mark" : "Delete marks");
+  if (deleted > 0) send(std::move(marks), deleted == 1 ? tr("Delete mark") : tr("Delete marks"));
 }
 
 void MarksPanel::send(std::vector<scene::Mark> marks, const QString& name, const QString& mergeKey) {

@@ -37,7 +37,7 @@ class MarksPanel : public Panel {
 
  private:
   enum Column { nameColumn, valueColumn, columns };
-  QToolButton* addButton(const char* text, const char* tip);
+  QToolButton* addButton(const QString& text, const QString& tip);
   void makeList();
   void showMarks();
   void showDetails();

@@ -15,11 +15,11 @@ Panel* makePanel(QWidget* parent) {
   return new P(parent);
 }
 
-constexpr PanelInfo panelTable[] = {{"Settings", makePanel<SettingsPanel>},
-                                    {"Marks", makePanel<MarksPanel>},
-                                    {"Volume", makePanel<VolumePanel>},
-                                    {"Pieces", makePanel<PiecesPanel>},
-                                    {"Passes", makePanel<PassesPanel>}};
+constexpr PanelInfo panelTable[] = {{QT_TRANSLATE_NOOP("QObject", "Settings"), makePanel<SettingsPanel>},
+                                    {QT_TRANSLATE_NOOP("QObject", "Marks"), makePanel<MarksPanel>},
+                                    {QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
+                                    {QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
+                                    {QT_TRANSLATE_NOOP("QObject", "Passes"), makePanel<PassesPanel>}};
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include <QObject>
+
 #include "ui/editors/number_text.h"
 
 namespace isolux::ui {
@@ -18,42 +20,46 @@ struct GroupPlan {
 // What a user reaches for first comes first.
 const std::vector<GroupPlan>& plan() {
   static const std::vector<GroupPlan> groups = {
-      {"Look",
+      {QT_TRANSLATE_NOOP("QObject", "Look"),
        true,
        {"look.mode", "look.shading", "look.ambient", "look.ambient_variation", "look.specular",
         "look.shininess", "look.tone_cool", "look.tone_warm", "look.accessibility", "look."}},
-      {"Colour map",
+      {QT_TRANSLATE_NOOP("QObject", "Colour map"),
        true,
        {"look.colormap", "look.curvature_points", "look.range_low", "look.range_high", "look.legend",
         "look.legend_corner"}},
-      {"Lines",
+      {QT_TRANSLATE_NOOP("QObject", "Lines"),
        true,
        {"look.contours", "look.suggestive_contours", "look.contour_width", "look.contour_color",
         "look.ridges", "look.ridge_threshold", "look.ridge_width", "look.ridge_width_unit",
         "look.ridge_length", "look.ridge_color", "look.valley_color"}},
-      {"Flow", true, {"flow.strength", "flow.animate", "flow.speed", "flow."}},
-      {"Light", true, {"light.", "look.shadow"}},
+      {QT_TRANSLATE_NOOP("QObject", "Flow"), true, {"flow.strength", "flow.animate", "flow.speed", "flow."}},
+      {QT_TRANSLATE_NOOP("QObject", "Light"), true, {"light.", "look.shadow"}},
       {environmentGroup,
        true,
        {"light.environment.builtin", "light.environment.azimuth", "light.environment.elevation",
         "light.environment.exposure", "light.environment.visible", "light.environment.file",
         "light.environment.constant", "light.environment.rotation", "light.environment.moves",
         "light.environment."}},
-      {"Lamps", true, {"lamp#."}},
-      {"Global illumination",
+      {QT_TRANSLATE_NOOP("QObject", "Lamps"), true, {"lamp#."}},
+      {QT_TRANSLATE_NOOP("QObject", "Global illumination"),
        true,
        {"picture.exposure", "picture.metering", "gi.mode", "gi.samples", "gi.bounces", "gi.extent", "gi.band",
         "gi.texels", "gi.lattice_scale", "gi.interpolation", "gi."}},
-      {"Texture and fog", false, {"look.texture", "look.texture_scale", "look.fog", "look.fog_color"}},
-      {"Isosurface",
+      {QT_TRANSLATE_NOOP("QObject", "Texture and fog"),
+       false,
+       {"look.texture", "look.texture_scale", "look.fog", "look.fog_color"}},
+      {QT_TRANSLATE_NOOP("QObject", "Isosurface"),
        true,
        {"isosurface.value", "isosurface.inside", "isosurface.albedo_source", "isosurface.albedo",
         "isosurface.albedo_map", "isosurface.albedo_low", "isosurface.albedo_high", "isosurface."}},
-      {"More isosurfaces", false, {"isosurface#."}},
-      {"Hit", false, {"hit."}},
-      {"Derivatives", false, {"derivatives."}},
-      {"Camera", false, {"camera."}},
-      {"Picture", false, {"look.background_top", "look.background_bottom", "picture."}},
+      {QT_TRANSLATE_NOOP("QObject", "More isosurfaces"), false, {"isosurface#."}},
+      {QT_TRANSLATE_NOOP("QObject", "Hit"), false, {"hit."}},
+      {QT_TRANSLATE_NOOP("QObject", "Derivatives"), false, {"derivatives."}},
+      {QT_TRANSLATE_NOOP("QObject", "Camera"), false, {"camera."}},
+      {QT_TRANSLATE_NOOP("QObject", "Picture"),
+       false,
+       {"look.background_top", "look.background_bottom", "picture."}},
   };
   return groups;
 }
@@ -83,16 +89,16 @@ std::string_view entryOf(const scene::Setting& setting) {
 }
 
 QString environmentLabel(const QString& name) {
-  if (name == "file") return "Light probe";
-  if (name == "constant") return "Sky colour";
-  if (name == "builtin") return "Built-in light";
-  if (name == "visible") return "Shown behind";
+  if (name == "file") return QObject::tr("Light probe");
+  if (name == "constant") return QObject::tr("Sky colour");
+  if (name == "builtin") return QObject::tr("Built-in light");
+  if (name == "visible") return QObject::tr("Shown behind");
   return wordsOf(name);
 }
 
 QString lampLabel(const QString& lamp, const QString& name) {
-  if (name == "shown") return "Lamp " + lamp;
-  return name == "color" ? QString("Colour") : wordsOf(name);
+  if (name == "shown") return QObject::tr("Lamp ") + lamp;
+  return name == "color" ? QObject::tr("Colour") : wordsOf(name);
 }
 
 }  // namespace
@@ -119,20 +125,20 @@ RowLabel labelOf(const scene::Setting& setting) {
   const QString path = QString::fromStdString(setting.path), name = path.section('.', 1);
   // The further isosurfaces share a group: a check box for each, its details below it.
   if (path.startsWith("isosurface") && path[10].isDigit()) {
-    if (name == "shown") return {QString("Isosurface ") + path[10], false};
-    return {name == "albedo" ? QString("Colour") : wordsOf(name), true};
+    if (name == "shown") return {QObject::tr("Isosurface ") + path[10], false};
+    return {name == "albedo" ? QObject::tr("Colour") : wordsOf(name), true};
   }
   if (path.startsWith("lamp")) return {lampLabel(path.mid(4, 1), name), name != "shown"};
   if (path.startsWith("light.environment.")) return {environmentLabel(path.section('.', 2)), false};
-  if (name == "albedo") return {"Colour", false};
-  if (name == "albedo_source") return {"Colour from", false};
+  if (name == "albedo") return {QObject::tr("Colour"), false};
+  if (name == "albedo_source") return {QObject::tr("Colour from"), false};
   if (name.startsWith("albedo_")) return {wordsOf("colour_" + name.mid(7)), true};
-  if (path == "gi.sh_order") return {"SH order", false};
-  if (path == "gi.sh_window") return {"SH window", false};
-  if (path == "look.curvature_points") return {"Colours of κ₁ and κ₂", false};
+  if (path == "gi.sh_order") return {QObject::tr("SH order"), false};
+  if (path == "gi.sh_window") return {QObject::tr("SH window"), false};
+  if (path == "look.curvature_points") return {QObject::tr("Colours of κ₁ and κ₂"), false};
   QString words = wordsOf(name);
   words.replace("color", "colour").replace("Color", "Colour");
-  if (words == "Colourmap") words = "Colour map";
+  if (words == "Colourmap") words = QObject::tr("Colour map");
   return {words, false};
 }
 

@@ -27,7 +27,7 @@ QString timeText(double milliseconds) {
 
 QString sizeText(const render::FrameRequest& request) {
   QString text = QString("%1 × %2").arg(request.size.x).arg(request.size.y);
-  if (request.supersampling > 1) text += QString(", %1 × %1 rays per pixel").arg(request.supersampling);
+  if (request.supersampling > 1) text += QObject::tr(", %1 × %1 rays per pixel").arg(request.supersampling);
   return text;
 }
 
@@ -40,19 +40,19 @@ bool anyRan(const render::FrameReport& report) {
 
 PassesPanel::PassesPanel(QWidget* parent)
     : Panel(parent),
-      heading_(new QLabel("No picture yet", this)),
+      heading_(new QLabel(tr("No picture yet"), this)),
       summary_(new QLabel(this)),
       table_(new QTreeWidget(this)),
       copy_(new QToolButton(this)) {
   heading_->setWordWrap(true);
   summary_->setWordWrap(true);
   summary_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
-  copy_->setText("Copy");
-  copy_->setToolTip("Copy the table, to paste it into a text or a spreadsheet");
+  copy_->setText(tr("Copy"));
+  copy_->setToolTip(tr("Copy the table, to paste it into a text or a spreadsheet"));
   connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
 
   table_->setColumnCount(columns);
-  table_->setHeaderLabels({"Pass", "State", "Time", "Memory"});
+  table_->setHeaderLabels({tr("Pass"), tr("State"), tr("Time"), tr("Memory")});
   for (const Column column : {timeColumn, memoryColumn})
     table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   table_->setRootIsDecorated(false);
@@ -61,7 +61,7 @@ PassesPanel::PassesPanel(QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setFocusPolicy(Qt::NoFocus);
   table_->setFrameShape(QFrame::NoFrame);
-  table_->setAccessibleName("Passes of the last picture");
+  table_->setAccessibleName(tr("Passes of the last picture"));
   QHeaderView* header = table_->header();
   header->setStretchLastSection(false);
   header->setSectionsClickable(false);
@@ -143,9 +143,9 @@ void PassesPanel::showPasses() {
     const auto last = lastTimes_.find(pass.name);
     item->setToolTip(timeColumn, ran || last == lastTimes_.end()
                                      ? QString()
-                                     : "Took " + timeText(last->second) + " when it last ran");
+                                     : tr("Took ") + timeText(last->second) + tr(" when it last ran"));
     const QString where =
-        pass.onProcessor && pass.state != render::PassState::skipped ? "on the processor: " : "";
+        pass.onProcessor && pass.state != render::PassState::skipped ? tr("on the processor: ") : "";
     const QString reason = where + QString::fromStdString(pass.reason);
     item->child(0)->setText(nameColumn, reason);
     item->child(0)->setToolTip(nameColumn, reason);
@@ -154,17 +154,17 @@ void PassesPanel::showPasses() {
 
 QString PassesPanel::repeats() const {
   return shownAgain_ == 1
-             ? "Shown again once since: every pass cached, nothing ran."
-             : QString("Shown again %1 times since: every pass cached, nothing ran.").arg(shownAgain_);
+             ? tr("Shown again once since: every pass cached, nothing ran.")
+             : tr("Shown again %1 times since: every pass cached, nothing ran.").arg(shownAgain_);
 }
 
 QString PassesPanel::summary() const {
   QStringList lines;
-  lines += "Graphics memory: " + bytesText(static_cast<double>(report_.gpuBytes));
+  lines += tr("Graphics memory: ") + bytesText(static_cast<double>(report_.gpuBytes));
   if (report_.blocksTotal > 0) {
     const double part =
         100.0 * static_cast<double>(report_.blocksActive) / static_cast<double>(report_.blocksTotal);
-    lines += QString("Active blocks: %1 of %2 (%3 %)")
+    lines += tr("Active blocks: %1 of %2 (%3 %)")
                  .arg(report_.blocksActive)
                  .arg(report_.blocksTotal)
                  .arg(numberText(part, 2));

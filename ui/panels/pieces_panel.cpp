@@ -62,8 +62,8 @@ PiecesPanel::PiecesPanel(QWidget* parent)
   makeList();
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->addRow("Keep the largest", keep_);
-  form->addRow("Not below", smallest_);
+  form->addRow(tr("Keep the largest"), keep_);
+  form->addRow(tr("Not below"), smallest_);
   for (SettingEditor* editor : {keep_, smallest_}) {
     connect(editor, &SettingEditor::edited, this, &PiecesPanel::edited);
     connect(editor, &SettingEditor::failed, this, &PiecesPanel::failed);
@@ -89,14 +89,14 @@ PiecesPanel::PiecesPanel(QWidget* parent)
 
 void PiecesPanel::makeList() {
   list_->setColumnCount(pieceColumns);
-  list_->setHeaderLabels({"Piece", "Volume, mm³", "Box, mm"});
+  list_->setHeaderLabels({tr("Piece"), tr("Volume, mm³"), tr("Box, mm")});
   for (const PieceColumn column : {volumeColumn, boxColumn})
     list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list_->setFrameShape(QFrame::NoFrame);
-  list_->setAccessibleName("Pieces of the isosurface, the largest first");
+  list_->setAccessibleName(tr("Pieces of the isosurface, the largest first"));
   QHeaderView* header = list_->header();
   header->setStretchLastSection(false);
   header->setSectionsClickable(false);
@@ -117,11 +117,12 @@ QPushButton* PiecesPanel::addButton(const QString& text, const QString& tip, voi
 
 QWidget* PiecesPanel::makeButtons() {
   auto* box = new QWidget(this);
-  hide_ = addButton("Hide", "Hide the pieces that are marked in the list", &PiecesPanel::hideSelected);
-  only_ = addButton("Show only", "Hide all but the marked ones", &PiecesPanel::isolateSelected);
-  centre_ = addButton("Centre", "Move the marked piece to the middle of the picture (double click)",
+  hide_ =
+      addButton(tr("Hide"), tr("Hide the pieces that are marked in the list"), &PiecesPanel::hideSelected);
+  only_ = addButton(tr("Show only"), tr("Hide all but the marked ones"), &PiecesPanel::isolateSelected);
+  centre_ = addButton(tr("Centre"), tr("Move the marked piece to the middle of the picture (double click)"),
                       &PiecesPanel::centreSelected);
-  all_ = addButton("Show all", "Show every piece again", &PiecesPanel::showAll);
+  all_ = addButton(tr("Show all"), tr("Show every piece again"), &PiecesPanel::showAll);
   auto* grid = new QGridLayout;
   grid->addWidget(hide_, 0, 0);
   grid->addWidget(only_, 0, 1);
@@ -235,7 +236,7 @@ void PiecesPanel::showRows() {
     for (std::size_t id = 0; id < rows; ++id) new QTreeWidgetItem(list_);
   }
   for (std::size_t id = 0; id < rows; ++id) fillRow(list_->topLevelItem(static_cast<int>(id)), id, shown[id]);
-  if (rows < shown.size()) more_->setText(QString("… and %1 smaller ones").arg(shown.size() - rows));
+  if (rows < shown.size()) more_->setText(tr("… and %1 smaller ones").arg(shown.size() - rows));
   more_->setVisible(rows < shown.size());
   showState();
   enableButtons();
@@ -258,10 +259,11 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
   const volume::Measured& volume = measure.surface.volumeMm3;
   item->setText(volumeColumn, withErrorText(volume));
   item->setText(boxColumn, boxText(measure.bounds));
-  QString tip = "Volume " + withErrorText(volume) + " mm³" + "\nArea " +
-                withErrorText(measure.surface.areaMm2) + " mm²" + QString("\n%1 voxels").arg(piece.voxels);
-  if (measure.surface.open()) tip += "\nGoes on beyond the data: both are of what lies within";
-  if (!shown) tip += "\nHidden";
+  QString tip = tr("Volume ") + withErrorText(volume) + tr(" mm³") + tr("\nArea ") +
+                withErrorText(measure.surface.areaMm2) + tr(" mm²") +
+                QString("\n%1 voxels").arg(piece.voxels);
+  if (measure.surface.open()) tip += tr("\nGoes on beyond the data: both are of what lies within");
+  if (!shown) tip += tr("\nHidden");
   for (int column = 0; column < pieceColumns; ++column) item->setToolTip(column, tip);
 }
 
@@ -271,11 +273,11 @@ QString PiecesPanel::state() const {
 
 void PiecesPanel::showState() {
   if (!volume_) {
-    heading_->setText("The connected pieces of the isosurface are listed here: open a volume.");
+    heading_->setText(tr("The connected pieces of the isosurface are listed here: open a volume."));
     return;
   }
   if (job_ && !current()) {
-    heading_->setText(QString("Finding pieces … %1 %").arg(qRound(100.0 * job_->progress().fraction())));
+    heading_->setText(tr("Finding pieces … %1 %").arg(qRound(100.0 * job_->progress().fraction())));
     return;
   }
   if (!found_.pieces) {
@@ -286,17 +288,17 @@ void PiecesPanel::showState() {
   const QString where = valueText(found_.pieces->isovalue(), unit);
   const std::size_t count = found_.pieces->list().size();
   if (count == 0) {
-    heading_->setText("No voxel is inside at " + where + ": move the isovalue.");
+    heading_->setText(tr("No voxel is inside at ") + where + tr(": move the isovalue."));
     return;
   }
   const std::vector<bool> shown = volume::shownPieces(*found_.pieces, scene_.pieces);
   const auto hidden = std::count(shown.begin(), shown.end(), false);
-  QString text = count == 1 ? "One piece at " + where : QString("%1 pieces at %2").arg(count).arg(where);
-  if (hidden > 0) text += QString(", %1 hidden").arg(hidden);
+  QString text = count == 1 ? tr("One piece at ") + where : tr("%1 pieces at %2").arg(count).arg(where);
+  if (hidden > 0) text += tr(", %1 hidden").arg(hidden);
   const bool several = std::any_of(resolved_.extraIsosurfaces.begin(), resolved_.extraIsosurfaces.end(),
                                    [](const auto& extra) { return extra.shown; });
-  if (several) text += " (of the first isosurface)";
-  if (job_) text += " – measuring …";
+  if (several) text += tr(" (of the first isosurface)");
+  if (job_) text += tr(" – measuring …");
   heading_->setText(text);
 }
 
@@ -323,7 +325,7 @@ glm::dvec3 PiecesPanel::seedOf(std::size_t id) const {
   return found_.seedsMm[id];
 }
 
-QString PiecesPanel::nameOf(const char* what, const std::vector<std::size_t>& ids) const {
+QString PiecesPanel::nameOf(const QString& what, const std::vector<std::size_t>& ids) const {
   return ids.size() == 1 ? QString("%1 piece %2").arg(what).arg(ids.front())
                          : QString("%1 %2 pieces").arg(what).arg(ids.size());
 }
@@ -339,34 +341,34 @@ void PiecesPanel::toggle(QTreeWidgetItem* item, int column) {
   const auto id = static_cast<std::size_t>(list_->indexOfTopLevelItem(item));
   if (!measured()) return showRows();  // as it was
   if (item->checkState(idColumn) == Qt::Unchecked)
-    choose(nameOf("Hide", {id}), app::withHidden(scene_.pieces, {seedOf(id)}));
+    choose(nameOf(tr("Hide"), {id}), app::withHidden(scene_.pieces, {seedOf(id)}));
   else
-    choose(nameOf("Show", {id}),
+    choose(nameOf(tr("Show"), {id}),
            app::withShown(scene_.pieces, *found_.pieces, static_cast<std::uint32_t>(id), seedOf(id)));
 }
 
 void PiecesPanel::hideSelected() {
   std::vector<glm::dvec3> seeds;
   for (const std::size_t id : selected()) seeds.push_back(seedOf(id));
-  if (!seeds.empty()) choose(nameOf("Hide", selected()), app::withHidden(scene_.pieces, seeds));
+  if (!seeds.empty()) choose(nameOf(tr("Hide"), selected()), app::withHidden(scene_.pieces, seeds));
 }
 
 void PiecesPanel::isolateSelected() {
   std::vector<glm::dvec3> seeds;
   for (const std::size_t id : selected()) seeds.push_back(seedOf(id));
-  if (!seeds.empty()) choose(nameOf("Show only", selected()), app::onlyThese(seeds));
+  if (!seeds.empty()) choose(nameOf(tr("Show only"), selected()), app::onlyThese(seeds));
 }
 
 void PiecesPanel::centreSelected() {
   if (!measured() || selected().size() != 1) return;
   const volume::WorldBox& box = found_.measures[selected().front()].bounds;
-  Edit edit{scene_, "Centre on piece", {}, false};
+  Edit edit{scene_, tr("Centre on piece"), {}, false};
   edit.scene.camera = app::centredOn(resolved_.camera, 0.5 * (box.lowMm + box.highMm));
   Q_EMIT edited(edit);
 }
 
 void PiecesPanel::showAll() {
-  choose("Show all pieces", {});
+  choose(tr("Show all pieces"), {});
 }
 
 }  // namespace isolux::ui

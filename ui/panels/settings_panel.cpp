@@ -41,7 +41,7 @@ bool turnsEnvironment(const scene::Setting& setting) {
 QToolButton* makeHeader(const PanelGroup& plan, QWidget* parent) {
   auto* header = new QToolButton(parent);
   header->setObjectName(plan.title);
-  header->setText(plan.title);
+  header->setText(QObject::tr(plan.title.toUtf8()));
   header->setCheckable(true);
   header->setAutoRaise(true);
   header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -69,14 +69,14 @@ SettingsPanel::SettingsPanel(QWidget* parent)
       search_(new QLineEdit(this)),
       scroll_(new QScrollArea(this)),
       nothing_(new QLabel(
-          "No setting is called that.\nMemory, threads and the speed in motion are in Edit, Preferences.",
+          tr("No setting is called that.\nMemory, threads and the speed in motion are in Edit, Preferences."),
           this)),
       lights_(new LightChooser(this)),
       environment_(new EnvironmentPreview(this)) {
   setMinimumWidth(334);
-  search_->setPlaceholderText("Find a setting");
+  search_->setPlaceholderText(tr("Find a setting"));
   search_->setClearButtonEnabled(true);
-  search_->setAccessibleName("Find a setting");
+  search_->setAccessibleName(tr("Find a setting"));
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   nothing_->setAlignment(Qt::AlignHCenter);
@@ -192,8 +192,8 @@ void SettingsPanel::showGroup(Group& group) {
   const bool open = searching() ? anyFound : group.open && anyUseful;
   group.header->setVisible(!searching() || anyFound);
   group.header->setEnabled(searching() || anyUseful);
-  group.header->setToolTip(anyUseful ? QString()
-                                     : "Nothing to set here: " + group.rows.front().editor->whyInactive());
+  group.header->setToolTip(
+      anyUseful ? QString() : tr("Nothing to set here: ") + group.rows.front().editor->whyInactive());
   group.header->setChecked(open);
   group.header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
   group.box->setVisible(open);

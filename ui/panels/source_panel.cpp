@@ -12,14 +12,14 @@ namespace isolux::ui {
 SourcePanel::SourcePanel(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
   form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form_->setContentsMargins(0, 0, 0, 8);
-  addEditor("source.mesh_voxels", "Mesh voxels");
-  addEditor("source.csg", "Combine");
-  addEditor("source.csg_path", "Second");
-  auto* choose = new QPushButton("Choose file…", this);
+  addEditor("source.mesh_voxels", tr("Mesh voxels"));
+  addEditor("source.csg", tr("Combine"));
+  addEditor("source.csg_path", tr("Second"));
+  auto* choose = new QPushButton(tr("Choose file…"), this);
   choose->setAutoDefault(false);
   choose_ = choose;
   form_->addRow(QString(), choose_);
-  addEditor("source.csg_value", "Its isovalue");
+  addEditor("source.csg_value", tr("Its isovalue"));
   connect(choose, &QPushButton::clicked, this, &SourcePanel::chooseSecond);
 }
 
@@ -56,9 +56,9 @@ void SourcePanel::chooseSecond() {
   for (const std::string& filter : volume::fileFilters()) filters += QString::fromStdString(filter);
   const QString folder = QFileInfo(QString::fromStdString(scene_.source.path)).absolutePath();
   const QString path =
-      QFileDialog::getOpenFileName(this, "Choose the second volume", folder, filters.join(";;"));
+      QFileDialog::getOpenFileName(this, tr("Choose the second volume"), folder, filters.join(";;"));
   if (path.isEmpty()) return;
-  Edit edit{scene_, "Choose second volume", {}, false};
+  Edit edit{scene_, tr("Choose second volume"), {}, false};
   edit.scene.source.csgPath = path.toStdString();
   Q_EMIT edited(edit);
 }

@@ -37,7 +37,7 @@ QString axesText(const glm::dmat3& directions, scene::WorldAxes axes) {
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
     const double degrees = std::acos(std::min(1.0, largest)) * 180.0 / std::numbers::pi;
     QString part = QString("%1 → %2").arg(names[axis], QString::fromStdString(axisEnd(axes, direction)));
-    if (degrees > 0.05) part += QString(" (%1° off)").arg(numberText(degrees, 3));
+    if (degrees > 0.05) part += QObject::tr(" (%1° off)").arg(numberText(degrees, 3));
     parts += part;
   }
   return parts.join(", ");
@@ -57,17 +57,17 @@ VolumePanel::VolumePanel(QWidget* parent)
   facts_->setVerticalSpacing(6);
   facts_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   facts_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  name_ = addRow("Name");
-  format_ = addRow("Format");
-  dims_ = addRow("Voxels");
-  type_ = addRow("Type");
-  spacing_ = addRow("Spacing");
-  extent_ = addRow("Extent");
-  axes_ = addRow("Axes");
-  range_ = addRow("Values");
-  missing_ = addRow("Missing");
-  memory_ = addRow("Memory");
-  time_ = addRow("Time");
+  name_ = addRow(tr("Name"));
+  format_ = addRow(tr("Format"));
+  dims_ = addRow(tr("Voxels"));
+  type_ = addRow(tr("Type"));
+  spacing_ = addRow(tr("Spacing"));
+  extent_ = addRow(tr("Extent"));
+  axes_ = addRow(tr("Axes"));
+  range_ = addRow(tr("Values"));
+  missing_ = addRow(tr("Missing"));
+  memory_ = addRow(tr("Memory"));
+  time_ = addRow(tr("Time"));
 
   series_ = new QComboBox(choiceBox_);
   series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -77,16 +77,16 @@ VolumePanel::VolumePanel(QWidget* parent)
   timeStep_->setKeyboardTracking(false);
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   choices_->setContentsMargins(0, 0, 0, 8);
-  choices_->addRow("Series", series_);
-  choices_->addRow("Component", component_);
-  choices_->addRow("Time step", timeStep_);
+  choices_->addRow(tr("Series"), series_);
+  choices_->addRow(tr("Component"), component_);
+  choices_->addRow(tr("Time step"), timeStep_);
   choiceBox_->setLayout(choices_);
 
   source_ = new SourcePanel(this);
   connect(source_, &SourcePanel::edited, this, &VolumePanel::edited);
   connect(source_, &SourcePanel::failed, this, &VolumePanel::failed);
 
-  warningTitle_ = new QLabel("Notes of the reader", this);
+  warningTitle_ = new QLabel(tr("Notes of the reader"), this);
   QFont bold = warningTitle_->font();
   bold.setWeight(QFont::DemiBold);
   warningTitle_->setFont(bold);
@@ -110,17 +110,17 @@ VolumePanel::VolumePanel(QWidget* parent)
   showChoices();
 
   connect(series_, &QComboBox::activated, this, [this] {
-    Edit edit{scene_, "Choose series", {}, false};
+    Edit edit{scene_, tr("Choose series"), {}, false};
     edit.scene.source.series = series_->currentData().toString().toStdString();
     Q_EMIT edited(edit);
   });
   connect(component_, &QComboBox::activated, this, [this] {
-    Edit edit{scene_, "Choose component", {}, false};
+    Edit edit{scene_, tr("Choose component"), {}, false};
     edit.scene.source.component = component_->currentData().toInt();
     Q_EMIT edited(edit);
   });
   connect(timeStep_, &QSpinBox::valueChanged, this, [this](int step) {
-    Edit edit{scene_, "Choose time step", {}, false};
+    Edit edit{scene_, tr("Choose time step"), {}, false};
     edit.scene.source.timeStep = step;
     Q_EMIT edited(edit);
   });
@@ -152,7 +152,7 @@ void VolumePanel::setScene(const scene::Scene& scene, const scene::Scene&) {
 
 void VolumePanel::setFirstPicture(double seconds) {
   if (!volume_) return;
-  time_->setText(QString("read %1 s, prepared %2 s; picture %3 s after reading")
+  time_->setText(tr("read %1 s, prepared %2 s; picture %3 s after reading")
                      .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2),
                           numberText(seconds, 2)));
 }
@@ -184,9 +184,10 @@ void VolumePanel::showFacts() {
   format_->setText(text(volume.format));
   dims_->setText(triple(glm::dvec3(grid.dims()), 9));
   QString type = text(volume::nameOf(volume.fileType));
-  if (volume.fileType != grid.storedType()) type += ", kept as " + text(volume::nameOf(grid.storedType()));
+  if (volume.fileType != grid.storedType())
+    type += tr(", kept as ") + text(volume::nameOf(grid.storedType()));
   if (grid.slope() != 1.0 || grid.intercept() != 0.0) {
-    type += QString("\nvalue = %1 · stored").arg(numberText(grid.slope(), shownDigits));
+    type += tr("\nvalue = %1 · stored").arg(numberText(grid.slope(), shownDigits));
     if (grid.intercept() != 0.0) {
       type += QString(" %1 %2").arg(grid.intercept() < 0.0 ? "−" : "+",
                                     numberText(std::abs(grid.intercept()), shownDigits));
@@ -199,8 +200,8 @@ void VolumePanel::showFacts() {
   extent_->setText(triple(extent, shownDigits) + " mm");
   extent_->setToolTip(triple(extent, allDigits) + " mm");
   axes_->setText(axesText(geometry.directions(), volume.axes) +
-                 (geometry.leftHanded() ? "; left-handed" : "") +
-                 (volume.axes == scene::WorldAxes::anatomical ? "" : "\norientation not stated"));
+                 (geometry.leftHanded() ? tr("; left-handed") : "") +
+                 (volume.axes == scene::WorldAxes::anatomical ? "" : tr("\norientation not stated")));
   const auto range = [&](int digits) {
     return numberText(grid.minimum(), digits) + " … " + valueText(grid.maximum(), text(volume.unit), digits);
   };
@@ -209,7 +210,7 @@ void VolumePanel::showFacts() {
   facts_->setRowVisible(missing_, grid.missingCount() > 0);
   missing_->setText(QString("%1 voxels").arg(grid.missingCount()));
   memory_->setText(bytesText(static_cast<double>(grid.bytes())));
-  time_->setText(QString("read %1 s, prepared %2 s")
+  time_->setText(tr("read %1 s, prepared %2 s")
                      .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2)));
   if (!volume.warnings.empty()) {
     QStringList lines;
@@ -237,12 +238,12 @@ void VolumePanel::showChoices() {
   }
   if (severalComponents) {
     for (int i = 0; i < volume_->volume.components; ++i) component_->addItem(QString("%1").arg(i), i);
-    component_->addItem("Magnitude", -1);
+    component_->addItem(tr("Magnitude"), -1);
     component_->setCurrentIndex(component_->findData(scene_.source.component));
   }
   if (severalSteps) {
     timeStep_->setRange(0, volume_->volume.timeSteps - 1);
-    timeStep_->setSuffix(QString(" of 0 … %1").arg(volume_->volume.timeSteps - 1));
+    timeStep_->setSuffix(tr(" of 0 … %1").arg(volume_->volume.timeSteps - 1));
     timeStep_->setValue(scene_.source.timeStep);
   }
   choices_->setRowVisible(series_, severalSeries);

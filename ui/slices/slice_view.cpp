@@ -25,11 +25,11 @@ struct NamedWindow {
   const char* name;
   double level, width;  // HU
 };
-constexpr NamedWindow ctWindows[] = {{"Bone", 500, 2000},
-                                     {"Soft tissue", 40, 400},
-                                     {"Brain", 40, 80},
-                                     {"Lung", -600, 1500},
-                                     {"Angiography", 300, 600}};
+constexpr NamedWindow ctWindows[] = {{QT_TRANSLATE_NOOP("QObject", "Bone"), 500, 2000},
+                                     {QT_TRANSLATE_NOOP("QObject", "Soft tissue"), 40, 400},
+                                     {QT_TRANSLATE_NOOP("QObject", "Brain"), 40, 80},
+                                     {QT_TRANSLATE_NOOP("QObject", "Lung"), -600, 1500},
+                                     {QT_TRANSLATE_NOOP("QObject", "Angiography"), 300, 600}};
 
 }  // namespace
 
@@ -38,8 +38,10 @@ SliceView::SliceView(volume::SliceDirection direction, QWidget* parent)
   setMinimumSize(smallest, smallest);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setCursor(Qt::CrossCursor);
-  constexpr const char* names[] = {"Axial slice", "Coronal slice", "Sagittal slice"};
-  setAccessibleName(names[static_cast<int>(direction)]);
+  constexpr const char* names[] = {QT_TRANSLATE_NOOP("QObject", "Axial slice"),
+                                   QT_TRANSLATE_NOOP("QObject", "Coronal slice"),
+                                   QT_TRANSLATE_NOOP("QObject", "Sagittal slice")};
+  setAccessibleName(QObject::tr(names[static_cast<int>(direction)]));
   timer_.setInterval(pollMs);
   connect(&timer_, &QTimer::timeout, this, &SliceView::poll);
 }
@@ -173,7 +175,7 @@ void SliceView::showEvent(QShowEvent*) {
 }
 
 void SliceView::moveTo(QPointF place) {
-  Edit edit{scene_, "Move crosshair", "slice position", false};
+  Edit edit{scene_, tr("Move crosshair"), "slice position", false};
   const volume::GridGeometry& geometry = volume_->grid().geometry();
   glm::dvec3 low, high;
   geometry.worldBounds(low, high);
@@ -188,7 +190,7 @@ volume::GreyWindow SliceView::window() const {
 }
 
 void SliceView::sendWindow(double level, double width, const char* mergeKey) {
-  Edit edit{scene_, "Change level and width", mergeKey, false};
+  Edit edit{scene_, tr("Change level and width"), mergeKey, false};
   edit.scene.slice.level = level;
   edit.scene.slice.width = width;
   Q_EMIT edited(edit);
@@ -206,15 +208,15 @@ void SliceView::offerWindows(QPoint place) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const auto add = [&](const QString& name, std::optional<double> level, std::optional<double> width) {
     connect(menu->addAction(name), &QAction::triggered, this, [this, level, width] {
-      Edit edit{scene_, "Change level and width", {}, false};
+      Edit edit{scene_, tr("Change level and width"), {}, false};
       edit.scene.slice.level = level;
       edit.scene.slice.width = width;
       Q_EMIT edited(edit);
     });
   };
-  add("Automatic", std::nullopt, std::nullopt);
+  add(tr("Automatic"), std::nullopt, std::nullopt);
   if (volume_->volume.unit == "HU")
-    for (const NamedWindow& named : ctWindows) add(named.name, named.level, named.width);
+    for (const NamedWindow& named : ctWindows) add(QObject::tr(named.name), named.level, named.width);
   menu->popup(place);
 }
 
@@ -280,7 +282,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   glm::dvec3 normal(0.0), low, high;
   normal[axis] = 1.0;
   geometry.worldBounds(low, high);
-  Edit edit{scene_, "Move crosshair", "slice wheel", true};
+  Edit edit{scene_, tr("Move crosshair"), "slice wheel", true};
   glm::dvec3 world = position();
   world[axis] = std::clamp(world[axis] + whole * voxelAlong(geometry, normal), low[axis], high[axis]);
   edit.scene.slice.position = world;

@@ -48,7 +48,7 @@ Viewport::Viewport(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  setAccessibleName("Picture");
+  setAccessibleName(tr("Picture"));
   remedy_->setObjectName("remedy");
   remedy_->hide();
   connect(remedy_, &QPushButton::clicked, this, &Viewport::takeRemedy);
@@ -75,13 +75,13 @@ void Viewport::offerRemedy(const std::optional<render::EmptyPicture>& empty) {
     case Remedy::none:
       return;
     case Remedy::isovalue:
-      remedy_->setText("Suggested isovalue");
+      remedy_->setText(tr("Suggested isovalue"));
       break;
     case Remedy::view:
-      remedy_->setText("Reset view");
+      remedy_->setText(tr("Reset view"));
       break;
     case Remedy::opacity:
-      remedy_->setText("Make it opaque");
+      remedy_->setText(tr("Make it opaque"));
       break;
   }
   placeRemedy();

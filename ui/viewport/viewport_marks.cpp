@@ -19,19 +19,20 @@ QString whatToClick(scene::MarkKind kind) {
   using scene::MarkKind;
   switch (kind) {
     case MarkKind::point:
-      return "Pin: click on the surface";
+      return QObject::tr("Pin: click on the surface");
     case MarkKind::distance:
-      return "Distance: click two points; with Shift, more follow";
+      return QObject::tr("Distance: click two points; with Shift, more follow");
     case MarkKind::path:
-      return "Along the surface: click two points; with Shift, more follow";
+      return QObject::tr("Along the surface: click two points; with Shift, more follow");
     case MarkKind::angle:
-      return "Angle: click three points, the middle one second; with Shift at the third, two lines of two";
+      return QObject::tr(
+          "Angle: click three points, the middle one second; with Shift at the third, two lines of two");
     case MarkKind::circle:
-      return "Circle: click three points";
+      return QObject::tr("Circle: click three points");
     case MarkKind::thickness:
-      return "Thickness: click on the surface";
+      return QObject::tr("Thickness: click on the surface");
     case MarkKind::piece:
-      return "Piece: click on one";
+      return QObject::tr("Piece: click on one");
   }
   return {};
 }
@@ -76,7 +77,7 @@ void Viewport::showMarks() {
     shapes.push_back(app::markShape(mark, report));
   }
   overlay_->setMarks(std::move(shapes),
-                     tool_ ? whatToClick(*tool_) + ".  Backspace: one back; Esc ends" : QString());
+                     tool_ ? whatToClick(*tool_) + tr(".  Backspace: one back; Esc ends") : QString());
 }
 
 // A few milliseconds at a time: the rest in the next turns of the event loop.
@@ -118,7 +119,7 @@ void Viewport::placePoint(QPointF position, bool more) {
   placingAt_.reset();
   const app::MarkKindInfo& info = app::markKind(*tool_);
   if (placing_.size() >= info.most || (placing_.size() >= info.fewest && !more)) {
-    Edit edit{scene_, QString("Add ") + QString(info.title).toLower(), {}, false};
+    Edit edit{scene_, tr("Add ") + QString(info.title).toLower(), {}, false};
     edit.scene.marks.push_back({*tool_, app::freshName(*tool_, scene_.marks), std::move(placing_)});
     placing_.clear();
     Q_EMIT edited(edit);

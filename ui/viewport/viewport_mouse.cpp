@@ -21,7 +21,7 @@ namespace isolux::ui {
 // ---- Views
 // --------------------------------------------------------------------------------------------------
 
-void Viewport::sendCamera(const scene::Camera& camera, const char* name, const char* mergeKey,
+void Viewport::sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey,
                           bool endsAfterPause) {
   if (!volume_) return;
   Edit edit{scene_, name, mergeKey, endsAfterPause};
@@ -39,7 +39,7 @@ void Viewport::applyStandardView(scene::StandardView view) {
 void Viewport::fitView() {
   if (!volume_) return;
   sendCamera(scene::fitted(resolved_.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
-             "Fit view", "", false);
+             tr("Fit view"), "", false);
 }
 
 void Viewport::resetView() {
@@ -47,14 +47,14 @@ void Viewport::resetView() {
   camera.eye.reset();
   camera.target.reset();
   camera.up.reset();
-  sendCamera(camera, "Reset view", "", false);
+  sendCamera(camera, tr("Reset view"), "", false);
 }
 
 void Viewport::toggleProjection() {
   scene::Camera camera = scene_.camera;
   const bool perspective = camera.projection == scene::Projection::perspective;
   camera.projection = perspective ? scene::Projection::orthographic : scene::Projection::perspective;
-  sendCamera(camera, perspective ? "Orthographic view" : "Perspective view", "", false);
+  sendCamera(camera, perspective ? tr("Orthographic view") : tr("Perspective view"), "", false);
 }
 
 // ---- Mouse
@@ -78,7 +78,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
       if (!(modifiers & Qt::ShiftModifier)) {
         drag_ = Drag::zoom;
       } else if (const QString why = whyItCannotTurn(resolved_); !why.isEmpty()) {
-        Q_EMIT noted("The environment is not turned: " + why);
+        Q_EMIT noted(tr("The environment is not turned: ") + why);
         return;
       } else {
         drag_ = Drag::environment;
@@ -122,20 +122,20 @@ void Viewport::dragTo(QPointF position) {
   const scene::Camera& camera = resolved_.camera;
   switch (drag_) {
     case Drag::orbit:  // a drag across the picture's height turns by 180 degrees
-      sendCamera(scene::orbited(camera, -step.x() * std::numbers::pi, step.y() * std::numbers::pi), "Rotate",
-                 "rotate", false);
+      sendCamera(scene::orbited(camera, -step.x() * std::numbers::pi, step.y() * std::numbers::pi),
+                 tr("Rotate"), "rotate", false);
       break;
     case Drag::pan:
-      sendCamera(scene::panned(camera, {step.x(), -step.y()}), "Pan", "pan", false);
+      sendCamera(scene::panned(camera, {step.x(), -step.y()}), tr("Pan"), "pan", false);
       break;
     case Drag::zoom:
-      sendCamera(scene::zoomed(camera, std::exp(-3.0 * step.y())), "Zoom", "zoom", false);
+      sendCamera(scene::zoomed(camera, std::exp(-3.0 * step.y())), tr("Zoom"), "zoom", false);
       break;
     case Drag::roll: {
       const QPointF centre(0.5 * width(), 0.5 * height());
       const QPointF from = last_ - centre, to = position - centre;
       const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
-      sendCamera(scene::rolled(camera, angle), "Roll", "roll", false);
+      sendCamera(scene::rolled(camera, angle), tr("Roll"), "roll", false);
       break;
     }
     case Drag::environment: {
@@ -186,7 +186,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !volume_ || tool_) return;
   const auto pick = pickAt(event->position());
   if (!pick) return;
-  sendCamera(app::centredOn(resolved_.camera, pick->worldMm), "Centre on point", "", false);
+  sendCamera(app::centredOn(resolved_.camera, pick->worldMm), tr("Centre on point"), "", false);
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
@@ -198,7 +198,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
              true);
     return;
   }
-  sendCamera(scene::zoomed(resolved_.camera, std::pow(1.1, notches)), "Zoom", "wheel", true);
+  sendCamera(scene::zoomed(resolved_.camera, std::pow(1.1, notches)), tr("Zoom"), "wheel", true);
 }
 
 void Viewport::leaveEvent(QEvent*) {
@@ -251,11 +251,11 @@ void Viewport::hover(const std::optional<app::LampGrip>& grip) {
     setToolTip({});
   } else if (grip->part == app::LampPart::ring) {
     setCursor(Qt::SizeAllCursor);
-    setToolTip(QString("Lamp %1: drag its outline to make it larger or smaller").arg(grip->lamp));
+    setToolTip(tr("Lamp %1: drag its outline to make it larger or smaller").arg(grip->lamp));
   } else {
     setCursor(Qt::OpenHandCursor);
     setToolTip(
-        QString("Lamp %1: drag to move it; with Ctrl, or by the wheel, nearer and farther").arg(grip->lamp));
+        tr("Lamp %1: drag to move it; with Ctrl, or by the wheel, nearer and farther").arg(grip->lamp));
   }
   showLamps();
 }
@@ -289,7 +289,7 @@ void Viewport::dragLamp(QPointF position, bool inDepth) {
 
 void Viewport::sendLamp(const app::LampGrip& grip, const scene::Lamp& moved, bool endsAfterPause) {
   const bool ring = grip.part == app::LampPart::ring;
-  const QString name = QString(ring ? "Resize lamp %1" : "Move lamp %1").arg(grip.lamp);
+  const QString name = QString(ring ? tr("Resize lamp %1") : tr("Move lamp %1")).arg(grip.lamp);
   Edit edit{scene_, name, name, endsAfterPause};
   scene::Lamp& lamp = app::lampOf(edit.scene, grip.lamp);
   if (ring) {

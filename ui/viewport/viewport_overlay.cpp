@@ -199,7 +199,7 @@ void ViewportOverlay::paintScale(QPainter& painter) const {
   const double lengthMm = base::niceBelow(140.0 * pixelMm);
   const double length = lengthMm / pixelMm;
   // In perspective a length holds at one depth only: that of the centre of rotation.
-  const QString text = valueText(lengthMm, "mm") + (perspective ? " at the centre" : "");
+  const QString text = valueText(lengthMm, "mm") + (perspective ? tr(" at the centre") : "");
 
   const double left = 18.5, bottom = height() - 20.5;
   QPainterPath bar;
@@ -227,7 +227,7 @@ void ViewportOverlay::paintProblem(QPainter& painter) const {
   painter.setPen(colours::text);
   painter.setFont(title);
   painter.drawText(box.adjusted(0, 0, 0, -0.5 * height() - 8.0), Qt::AlignHCenter | Qt::AlignBottom,
-                   "The picture cannot be drawn");
+                   tr("The picture cannot be drawn"));
   painter.setPen(colours::quietText);
   painter.setFont(font());
   painter.drawText(box.adjusted(0, 0.5 * height() + 8.0, 0, 0), Qt::AlignHCenter | Qt::TextWordWrap,

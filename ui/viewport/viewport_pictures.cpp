@@ -34,7 +34,7 @@ bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // nu
 // What to say of a picture of which something is missing.
 QString fieldNote(const app::FieldJob& job) {
   if (job.finished() && job.error()) return QString::fromStdString(job.error()->what());
-  return QString("Preparing the volume (%1): %2 %; until then another field is shown")
+  return QObject::tr("Preparing the volume (%1): %2 %; until then another field is shown")
       .arg(job.progress().stage())
       .arg(std::lround(100.0 * job.progress().fraction()));
 }
@@ -43,8 +43,8 @@ QString missingNote(const render::BrickReport& bricks) {
   if (bricks.missing <= 0.0) return {};
   const QString percent = QString::number(100.0 * bricks.missing, 'g', 2);
   return bricks.pending
-             ? QString("Loading: %1 % of the picture is missing").arg(percent)
-             : QString("%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view")
+             ? QObject::tr("Loading: %1 % of the picture is missing").arg(percent)
+             : QObject::tr("%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view")
                    .arg(percent);
 }
 
@@ -54,17 +54,18 @@ QString reasonOf(const std::exception_ptr& failure) {
   } catch (const base::Error& error) {
     return QString::fromStdString(error.what());
   } catch (const std::bad_alloc&) {
-    return "there is not enough memory for this picture";
+    return QObject::tr("there is not enough memory for this picture");
   } catch (const std::exception& error) {
-    return QString("a mistake in Isolux itself: ") + error.what();
+    return QObject::tr("a mistake in Isolux itself: ") + error.what();
   } catch (...) {
-    return "a mistake in Isolux itself";
+    return QObject::tr("a mistake in Isolux itself");
   }
 }
 
-const QString needsOpenGl = "Isolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.";
+const QString needsOpenGl =
+    QObject::tr("Isolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.");
 const QString comesBack =
-    "It is tried again when something changes: undo the last step, or choose other settings.";
+    QObject::tr("It is tried again when something changes: undo the last step, or choose other settings.");
 }  // namespace
 
 void Viewport::takeContext() {
@@ -298,9 +299,11 @@ void Viewport::pollFields() {
 }
 
 render::StillPicture Viewport::picture(bool linear) {
-  const auto refuse = [](const char* why) { throw base::Error(base::ErrorKind::graphics, "", "", why); };
-  if (!hasContext_ || failed_) refuse("there is no picture to save");
-  if (stillComes_) refuse("another picture is being saved");
+  const auto refuse = [](const QString& why) {
+    throw base::Error(base::ErrorKind::graphics, "", "", why.toStdString());
+  };
+  if (!hasContext_ || failed_) refuse(tr("there is no picture to save"));
+  if (stillComes_) refuse(tr("another picture is being saved"));
   awaitFields();
   render::FrameRequest request;
   request.size = pixelSize();
@@ -309,7 +312,9 @@ render::StillPicture Viewport::picture(bool linear) {
   thread_.drawStill(orderOf(request, true));
   const std::unique_ptr<app::PictureThread::Still> still = awaitStill();
   changed();  // the order that was dropped for it
-  if (!still) throw base::Error(base::ErrorKind::interrupted, "", "", "the picture was not waited for");
+  if (!still)
+    throw base::Error(base::ErrorKind::interrupted, "", "",
+                      tr("the picture was not waited for").toStdString());
   if (auto* const picture = std::get_if<render::StillPicture>(still.get())) return std::move(*picture);
   try {
     std::rethrow_exception(std::get<std::exception_ptr>(*still));
@@ -350,7 +355,7 @@ void Viewport::awaitFields() {
   });
   if (ready()) return;
   if (fieldJob_ && fieldJob_->finished() && fieldJob_->error()) throw base::Error(*fieldJob_->error());
-  throw base::Error(base::ErrorKind::interrupted, "", "", "the picture was not waited for");
+  throw base::Error(base::ErrorKind::interrupted, "", "", tr("the picture was not waited for").toStdString());
 }
 
 // Null: the program ends.

@@ -19,7 +19,7 @@ LoadCard::LoadCard(QWidget* parent)
       title_(new QLabel(this)),
       stage_(new QLabel(this)),
       bar_(new QProgressBar(this)),
-      cancel_(new QPushButton("Cancel", this)) {
+      cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName("loadCard");
   setStyleSheet(QString("#loadCard { background: %1; border: 1px solid %2; border-radius: 8px; }")
                     .arg(colours::window.name(), colours::border.name()));
@@ -78,7 +78,7 @@ void LoadCard::place() {
   const int width = std::min(420, std::max(200, parent->width() - 40));
   const int height = sizeHint().height();
   const int forTitle = width - 60 - cancel_->sizeHint().width();
-  title_->setText(title_->fontMetrics().elidedText("Opening " + name_, Qt::ElideMiddle, forTitle));
+  title_->setText(title_->fontMetrics().elidedText(tr("Opening ") + name_, Qt::ElideMiddle, forTitle));
   setGeometry((parent->width() - width) / 2, parent->height() - height - 60, width, height);
 }
 

@@ -98,7 +98,7 @@ void MainWindow::makePanels() {
   setCentralWidget(centre);
 
   for (const PanelInfo& info : panels()) {
-    auto* dock = new QDockWidget(info.title, this);
+    auto* dock = new QDockWidget(QObject::tr(info.title), this);
     Panel* const panel = info.make(dock);
     dock->setObjectName(info.title);
     dock->setWidget(panel);
@@ -116,8 +116,8 @@ void MainWindow::makePanels() {
   recordingLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::error.name()));
   frameLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::quietText.name()));
   frameLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance("00000 ms (draft)") + 24);
-  frameLabel_->setToolTip("Time for the last picture");
+  frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("00000 ms (draft)")) + 24);
+  frameLabel_->setToolTip(tr("Time for the last picture"));
   pointedLabel_->setContentsMargins(10, 0, 0, 0);
   statusBar()->addWidget(pointedLabel_, 1);
   // The text under the pointer gives way, so that the window can be as narrow as before.
@@ -144,9 +144,9 @@ void MainWindow::connectDocument() {
     if (!volume->volume.warnings.empty()) {
       const auto count = volume->volume.warnings.size();
       message_->show(MessageBar::Kind::note,
-                     QString("%1 (%2 in the Volume panel)")
+                     tr("%1 (%2 in the Volume panel)")
                          .arg(QString::fromStdString(volume->volume.warnings.front()))
-                         .arg(count == 1 ? QString("also") : QString("all %1 notes").arg(count)));
+                         .arg(count == 1 ? QString("also") : tr("all %1 notes").arg(count)));
     }
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
@@ -183,7 +183,7 @@ void MainWindow::connectDocument() {
   connect(viewport_, &Viewport::menuAsked, this, &MainWindow::showSurfaceMenu);
   connect(pointedPiece_, &PointedPiece::changed, this, &MainWindow::showPointedText);
   connect(viewport_, &Viewport::drawn, this, [this](double milliseconds, bool complete) {
-    frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : " (draft)"));
+    frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : tr(" (draft)")));
     if (awaitsFirstPicture_) {
       awaitsFirstPicture_ = false;
       for (const Docked& docked : panels_) docked.panel->setFirstPicture(document_->secondsSinceRead());
@@ -234,8 +234,8 @@ void MainWindow::applyEdit(const Edit& edit) {
 void MainWindow::tellOfMoving() {
   if (!std::exchange(tellsOfMoving_, false)) return;
   message_->show(MessageBar::Kind::note,
-                 "Light is now stored so that the environment may turn: it is computed once more, "
-                 "then turning costs nothing");
+                 tr("Light is now stored so that the environment may turn: it is computed once more, "
+                    "then turning costs nothing"));
 }
 
 void MainWindow::endGesture() {
@@ -289,8 +289,8 @@ void MainWindow::showState() {
   const app::History& history = document_->history();
   undo_->setEnabled(history.canUndo());
   redo_->setEnabled(history.canRedo());
-  undo_->setText(history.canUndo() ? "&Undo " + QString::fromStdString(history.undoName()) : "&Undo");
-  redo_->setText(history.canRedo() ? "&Redo " + QString::fromStdString(history.redoName()) : "&Redo");
+  undo_->setText(history.canUndo() ? tr("&Undo ") + QString::fromStdString(history.undoName()) : tr("&Undo"));
+  redo_->setText(history.canRedo() ? tr("&Redo ") + QString::fromStdString(history.redoName()) : tr("&Redo"));
   const bool loaded = document_->volume() != nullptr;
   for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
     action->setEnabled(loaded);
@@ -301,9 +301,9 @@ void MainWindow::showState() {
   presetsMenu_->setEnabled(loaded);
   copyCommand_->setEnabled(loaded);
   const bool recording = document_->recording();
-  record_->setText(recording ? "Stop &recording" : "Start &recording…");
+  record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);
-  recordingLabel_->setText(recording ? "● Recording" : "");
+  recordingLabel_->setText(recording ? tr("● Recording") : "");
 }
 
 void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
@@ -324,7 +324,7 @@ void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
     return QString("%1 %2%3").arg(letter, !sides && mm < 0.0 ? "−" : "").arg(std::abs(mm), 0, 'f', 1);
   };
   const QString unit = QString::fromStdString(volume.unit);
-  pointedText_ = QString("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
+  pointedText_ = tr("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
                      .arg(place(0), place(1), place(2))
                      .arg(pick->voxel.x, 0, 'f', 1)
                      .arg(pick->voxel.y, 0, 'f', 1)

@@ -15,7 +15,7 @@
 namespace isolux::ui {
 
 void MainWindow::chooseLook(int row) {
-  Edit edit{document_->scene(), "Change look", {}, false};
+  Edit edit{document_->scene(), tr("Change look"), {}, false};
   edit.scene.look.mode = scene::looks()[static_cast<std::size_t>(row)].mode;
   document_->edit(edit);
 }
@@ -48,7 +48,7 @@ void MainWindow::showPreferences() {
 
 void MainWindow::showHelp() {
   QMessageBox box(this);
-  box.setWindowTitle("Mouse and keys");
+  box.setWindowTitle(tr("Mouse and keys"));
   box.setTextFormat(Qt::RichText);
   box.setText(R"(
     <style>td { padding: 2px 18px 2px 0; } h4 { margin: 10px 0 4px 0; }</style>
@@ -82,9 +82,9 @@ void MainWindow::showHelp() {
 }
 
 void MainWindow::showAbout() {
-  QMessageBox::about(this, "About Isolux",
-                     QString("<h3>Isolux %1</h3><p>Explore scans and simulations as isosurfaces, drawn "
-                             "directly from the voxels.</p><p>Graphics: %2</p><p>Qt %3</p>")
+  QMessageBox::about(this, tr("About Isolux"),
+                     tr("<h3>Isolux %1</h3><p>Explore scans and simulations as isosurfaces, drawn "
+                        "directly from the voxels.</p><p>Graphics: %2</p><p>Qt %3</p>")
                          .arg(QString::fromStdString(std::string(app::version())),
                               viewport_->description().toHtmlEscaped(), QString(qVersion())));
 }

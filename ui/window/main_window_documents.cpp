@@ -29,11 +29,11 @@
 namespace isolux::ui {
 
 namespace {
-constexpr auto sessionFilter = "Isolux session (*.isolux)";
-constexpr auto recordingFilter = "Isolux recording (*.jsonl)";
-constexpr auto pngFilter = "PNG, carries the session (*.png)";
-constexpr auto bareFilter = "PNG, picture only (*.png)";
-constexpr auto exrFilter = "OpenEXR, linear colours (*.exr)";
+constexpr auto sessionFilter = QT_TRANSLATE_NOOP("QObject", "Isolux session (*.isolux)");
+constexpr auto recordingFilter = QT_TRANSLATE_NOOP("QObject", "Isolux recording (*.jsonl)");
+constexpr auto pngFilter = QT_TRANSLATE_NOOP("QObject", "PNG, carries the session (*.png)");
+constexpr auto bareFilter = QT_TRANSLATE_NOOP("QObject", "PNG, picture only (*.png)");
+constexpr auto exrFilter = QT_TRANSLATE_NOOP("QObject", "OpenEXR, linear colours (*.exr)");
 
 QString lastFolder() {
   return QSettings().value("lastFolder").toString();
@@ -50,7 +50,8 @@ bool isFormat(const QString& file, const char* suffix) {
 // The buttons of a message about a new file.
 std::vector<MessageBar::Answer> showInFolder(const QString& file) {
   const QString folder = QFileInfo(file).absolutePath();
-  return {{"Show in folder", [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}};
+  return {
+      {QObject::tr("Show in folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}};
 }
 }  // namespace
 
@@ -69,17 +70,17 @@ void MainWindow::chooseFile() {
     const QString inside = text.section('(', -1).section(')', 0, 0);
     if (inside != "*") patterns += inside;
   }
-  filters.prepend("Volumes, sessions and pictures (" + patterns.join(' ') + " *.isolux *.png)");
-  filters += {sessionFilter, "Raw voxels (*.raw *.bin *.img *.dat)", "All files (*)"};
+  filters.prepend(tr("Volumes, sessions and pictures (") + patterns.join(' ') + tr(" *.isolux *.png)"));
+  filters += {QObject::tr(sessionFilter), tr("Raw voxels (*.raw *.bin *.img *.dat)"), tr("All files (*)")};
   filters.removeDuplicates();
-  const QString path = QFileDialog::getOpenFileName(this, "Open", lastFolder(), filters.join(";;"));
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open"), lastFolder(), filters.join(";;"));
   if (path.isEmpty()) return;
   rememberFolder(path);
   openPath(path);
 }
 
 void MainWindow::chooseFolder() {
-  const QString path = QFileDialog::getExistingDirectory(this, "Open folder", lastFolder());
+  const QString path = QFileDialog::getExistingDirectory(this, tr("Open folder"), lastFolder());
   if (path.isEmpty()) return;
   rememberFolder(path);
   openPath(path);
@@ -139,7 +140,7 @@ QString MainWindow::proposedFile(const QString& suffix) const {
 }
 
 void MainWindow::tellSaved(const QString& file, const QString& more) {
-  const QString text = "Saved " + QFileInfo(file).fileName() + (more.isEmpty() ? QString() : "; " + more);
+  const QString text = tr("Saved ") + QFileInfo(file).fileName() + (more.isEmpty() ? QString() : "; " + more);
   message_->show(MessageBar::Kind::note, text, showInFolder(file));
 }
 
@@ -152,7 +153,7 @@ bool MainWindow::saveSession() {
 
 bool MainWindow::saveSessionAs() {
   const SaveAnswer answer =
-      askForFileToSave(this, {"Save session", proposedFile(".isolux"), {sessionFilter}});
+      askForFileToSave(this, {tr("Save session"), proposedFile(".isolux"), {QObject::tr(sessionFilter)}});
   if (answer.file.isEmpty()) return false;
   rememberFolder(answer.file);
   return saveSessionTo(answer.file);
@@ -166,10 +167,12 @@ bool MainWindow::saveSessionTo(const QString& file) {
 
 void MainWindow::choosePicture() {
   const SaveAnswer answer =
-      askForFileToSave(this, {"Save picture", proposedFile(".png"), {pngFilter, bareFilter, exrFilter}});
+      askForFileToSave(this, {tr("Save picture"),
+                              proposedFile(".png"),
+                              {QObject::tr(pngFilter), QObject::tr(bareFilter), QObject::tr(exrFilter)}});
   if (answer.file.isEmpty()) return;
   rememberFolder(answer.file);
-  savePicture(answer.file, answer.filter != bareFilter);
+  savePicture(answer.file, answer.filter != QObject::tr(bareFilter));
 }
 
 void MainWindow::tracePicture() {
@@ -189,7 +192,7 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     const std::filesystem::path path = file.toStdString();
     if (!isFormat(file, "png") && !isFormat(file, "exr"))
       base::throwInput(path.filename().string(), "",
-                       "is not written: the name of a picture ends in .png or .exr");
+                       tr("is not written: the name of a picture ends in .png or .exr").toStdString());
     document_->checkOutput(file);
     const std::string session =
         withSession ? app::pictureSessionText(document_->shownScene(), path.parent_path()) : std::string();
@@ -216,7 +219,8 @@ void MainWindow::toggleRecording() {
     return;
   }
   const QString start = QFileInfo(proposedFile("")).absolutePath() + "/recording.jsonl";
-  const SaveAnswer answer = askForFileToSave(this, {"Record into", start, {recordingFilter}});
+  const SaveAnswer answer =
+      askForFileToSave(this, {tr("Record into"), start, {QObject::tr(recordingFilter)}});
   if (!answer.file.isEmpty()) {
     rememberFolder(answer.file);
     document_->startRecording(answer.file);
@@ -227,7 +231,7 @@ void MainWindow::toggleRecording() {
 void MainWindow::tellRecorded() {
   const QString file = document_->recordingFile();
   const QString name = QFileInfo(file).fileName();
-  tellSaved(file, QString("isolux replay %1 --out FOLDER makes pictures of it").arg(name));
+  tellSaved(file, tr("isolux replay %1 --out FOLDER makes pictures of it").arg(name));
 }
 
 // ---- Closing
@@ -240,10 +244,10 @@ bool MainWindow::mayDiscard() {
   const bool hasSession = !file.isEmpty() && !isFormat(file, "png");
   QMessageBox box(QMessageBox::Question, "Isolux", {},
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  box.setText(hasSession ? QString("Save the changes to %1?").arg(QFileInfo(file).fileName())
-                         : QString("Save what you did with %1 as a session?").arg(document_->name()));
+  box.setText(hasSession ? tr("Save the changes to %1?").arg(QFileInfo(file).fileName())
+                         : tr("Save what you did with %1 as a session?").arg(document_->name()));
   box.setInformativeText(
-      "A session keeps the isovalue, the look, the light and the view, not the stored light.");
+      tr("A session keeps the isovalue, the look, the light and the view, not the stored light."));
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
   const int answer = box.exec();
@@ -292,7 +296,7 @@ void MainWindow::keepDocument(const std::filesystem::path& folder) {
   offerLost();
   if (keeper_->damaged().empty()) return;
   message_->show(MessageBar::Kind::note,
-                 QString("An autosave could not be read. It is kept as %1")
+                 tr("An autosave could not be read. It is kept as %1")
                      .arg(QString::fromStdString(keeper_->damaged().front().string())),
                  showInFolder(QString::fromStdString(keeper_->damaged().front().string())));
 }
@@ -313,10 +317,10 @@ void MainWindow::offerLost() {
   };
   const auto age = std::chrono::system_clock::now() - lost->time;
   message_->show(MessageBar::Kind::question,
-                 QString("Continue: %1, %2")
+                 tr("Continue: %1, %2")
                      .arg(QString::fromStdString(app::plainName(lost->document.name)),
                           QString::fromStdString(app::agoText(age))),
-                 {{"Restore", restore}, {"Discard", discard}});
+                 {{tr("Restore"), restore}, {tr("Discard"), discard}});
 }
 
 }  // namespace isolux::ui

@@ -25,32 +25,40 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr auto markupsFilter = "Marks for 3D Slicer (*.mrk.json)";
-constexpr auto tableFilter = "Table of what they say (*.csv)";
+constexpr auto markupsFilter = QT_TRANSLATE_NOOP("QObject", "Marks for 3D Slicer (*.mrk.json)");
+constexpr auto tableFilter = QT_TRANSLATE_NOOP("QObject", "Table of what they say (*.csv)");
 
 struct MarkTool {
   scene::MarkKind kind;
   const char *text, *keys, *tip;
 };
 constexpr MarkTool markTools[] = {
-    {scene::MarkKind::point, "&Pin", "P", "Keep a point of the surface: position, value, curvature, edge"},
-    {scene::MarkKind::distance, "&Distance", "M", "Straight from point to point"},
-    {scene::MarkKind::path, "Along the &surface", "Shift+M", "The shortest way along the surface"},
-    {scene::MarkKind::angle, "&Angle", "", "At the second of three points, or between two lines"},
-    {scene::MarkKind::circle, "&Circle", "", "Through three points: radius and centre"},
-    {scene::MarkKind::thickness, "&Thickness", "", "From the surface through the inside"},
-    {scene::MarkKind::piece, "Pi&ece", "", "Volume and area of the connected piece"},
+    {scene::MarkKind::point, QT_TRANSLATE_NOOP("QObject", "&Pin"), "P",
+     QT_TRANSLATE_NOOP("QObject", "Keep a point of the surface: position, value, curvature, edge")},
+    {scene::MarkKind::distance, QT_TRANSLATE_NOOP("QObject", "&Distance"), "M",
+     QT_TRANSLATE_NOOP("QObject", "Straight from point to point")},
+    {scene::MarkKind::path, QT_TRANSLATE_NOOP("QObject", "Along the &surface"), "Shift+M",
+     QT_TRANSLATE_NOOP("QObject", "The shortest way along the surface")},
+    {scene::MarkKind::angle, QT_TRANSLATE_NOOP("QObject", "&Angle"), "",
+     QT_TRANSLATE_NOOP("QObject", "At the second of three points, or between two lines")},
+    {scene::MarkKind::circle, QT_TRANSLATE_NOOP("QObject", "&Circle"), "",
+     QT_TRANSLATE_NOOP("QObject", "Through three points: radius and centre")},
+    {scene::MarkKind::thickness, QT_TRANSLATE_NOOP("QObject", "&Thickness"), "",
+     QT_TRANSLATE_NOOP("QObject", "From the surface through the inside")},
+    {scene::MarkKind::piece, QT_TRANSLATE_NOOP("QObject", "Pi&ece"), "",
+     QT_TRANSLATE_NOOP("QObject", "Volume and area of the connected piece")},
 };
 
 }  // namespace
 
 void MainWindow::makeMeasureMenu() {
-  QMenu* menu = measureMenu_ = menuBar()->addMenu("&Measure");
+  QMenu* menu = measureMenu_ = menuBar()->addMenu(tr("&Measure"));
   menu->setToolTipsVisible(true);
   markTools_ = new QActionGroup(this);
   markTools_->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const MarkTool& tool : markTools) {
-    QAction* action = newAction(menu, tool.text, "", QKeySequence(tool.keys), tool.tip);
+    QAction* action =
+        newAction(menu, QObject::tr(tool.text), "", QKeySequence(tool.keys), QObject::tr(tool.tip));
     action->setCheckable(true);
     action->setData(static_cast<int>(tool.kind));
     markTools_->addAction(action);
@@ -60,11 +68,12 @@ void MainWindow::makeMeasureMenu() {
     });
   }
   menu->addSeparator();
-  QAction* show = newAction(menu, "&List of marks", "", {}, "Show the panel of marks");
+  QAction* show = newAction(menu, tr("&List of marks"), "", {}, tr("Show the panel of marks"));
   connect(show, &QAction::triggered, this, [this] { showPanel("Marks"); });
-  exportMarks_ = newAction(menu, "E&xport marks…", "", {}, "As a table (CSV) or for 3D Slicer (.mrk.json)");
+  exportMarks_ =
+      newAction(menu, tr("E&xport marks…"), "", {}, tr("As a table (CSV) or for 3D Slicer (.mrk.json)"));
   connect(exportMarks_, &QAction::triggered, this, &MainWindow::chooseMarksToExport);
-  importMarks_ = newAction(menu, "&Import marks…", "", {}, "Marks of 3D Slicer (.mrk.json)");
+  importMarks_ = newAction(menu, tr("&Import marks…"), "", {}, tr("Marks of 3D Slicer (.mrk.json)"));
   connect(importMarks_, &QAction::triggered, this, &MainWindow::chooseMarksToImport);
 }
 
@@ -101,7 +110,7 @@ QString MainWindow::shapeText(glm::dvec3 worldMm) const {
   base::Progress progress;
   const auto point = volume::PointProbe(volume, scene, progress).at(worldMm);
   if (!point || point->curvature.normal == glm::dvec3(0.0)) return {};
-  return QString("      κ₁ %1, κ₂ %2 /mm (confidence %3)")
+  return tr("      κ₁ %1, κ₂ %2 /mm (confidence %3)")
       .arg(numberText(point->curvature.kappa1, 3), numberText(point->curvature.kappa2, 3),
            numberText(point->confidence, 2));
 }
@@ -112,11 +121,11 @@ bool MainWindow::exportMarks(const QString& file) {
     const bool table = QFileInfo(file).suffix().compare("csv", Qt::CaseInsensitive) == 0;
     if (!table && !file.endsWith(".json", Qt::CaseInsensitive))
       base::throwInput(path.filename().string(), "",
-                       "is not written: marks are saved as .csv or as .mrk.json");
+                       tr("is not written: marks are saved as .csv or as .mrk.json").toStdString());
     document_->checkOutput(file);
     const std::vector<scene::Mark>& marks = marks_->marks();
     app::writeTextFile(path, table ? app::marksCsv(marks, marks_->reports()) : app::markupsText(marks));
-    tellSaved(file, table && marks_->measuring() ? "some marks were still being measured" : "");
+    tellSaved(file, table && marks_->measuring() ? tr("some marks were still being measured") : "");
     return true;
   } catch (const base::Error& error) {
     message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
@@ -128,11 +137,10 @@ bool MainWindow::importMarks(const QString& file) {
   try {
     const app::ReadMarks read = app::readMarkups(file.toStdString());
     const auto count = read.marks.size();
-    QString text =
-        QString("%1 mark%2 of %3").arg(count).arg(count == 1 ? "" : "s", QFileInfo(file).fileName());
-    if (!read.notes.empty()) text += "; left out: " + QString::fromStdString(read.notes.front());
+    QString text = tr("%1 mark%2 of %3").arg(count).arg(count == 1 ? "" : "s", QFileInfo(file).fileName());
+    if (!read.notes.empty()) text += tr("; left out: ") + QString::fromStdString(read.notes.front());
     if (count > 0) {
-      Edit edit{document_->scene(), "Import marks", {}, false};
+      Edit edit{document_->scene(), tr("Import marks"), {}, false};
       edit.scene.marks.insert(edit.scene.marks.end(), read.marks.begin(), read.marks.end());
       document_->edit(edit);
       showPanel("Marks");
@@ -146,15 +154,16 @@ bool MainWindow::importMarks(const QString& file) {
 }
 
 void MainWindow::chooseMarksToExport() {
-  const SaveAnswer answer =
-      askForFileToSave(this, {"Export marks", proposedFile(".mrk.json"), {markupsFilter, tableFilter}});
+  const SaveAnswer answer = askForFileToSave(this, {tr("Export marks"),
+                                                    proposedFile(".mrk.json"),
+                                                    {QObject::tr(markupsFilter), QObject::tr(tableFilter)}});
   if (!answer.file.isEmpty()) exportMarks(answer.file);
 }
 
 void MainWindow::chooseMarksToImport() {
   const QString path =
-      QFileDialog::getOpenFileName(this, "Import marks", QSettings().value("lastFolder").toString(),
-                                   "Marks of 3D Slicer (*.mrk.json *.json);;All files (*)");
+      QFileDialog::getOpenFileName(this, tr("Import marks"), QSettings().value("lastFolder").toString(),
+                                   tr("Marks of 3D Slicer (*.mrk.json *.json);;All files (*)"));
   if (!path.isEmpty()) importMarks(path);
 }
 

@@ -35,15 +35,15 @@ QAction* MainWindow::newAction(QMenu* menu, const QString& text, const QString& 
 }
 
 void MainWindow::makeFileMenu() {
-  QMenu* menu = menuBar()->addMenu("&File");
-  open_ = newAction(menu, "&Open…", "open", QKeySequence::Open, "Open a volume, session or picture");
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  open_ = newAction(menu, tr("&Open…"), "open", QKeySequence::Open, tr("Open a volume, session or picture"));
   connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
-  openFolder_ = newAction(menu, "Open &folder (DICOM)…", "folder", QKeySequence("Ctrl+Shift+O"),
-                          "Open a folder of DICOM files or numbered images");
+  openFolder_ = newAction(menu, tr("Open &folder (DICOM)…"), "folder", QKeySequence("Ctrl+Shift+O"),
+                          tr("Open a folder of DICOM files or numbered images"));
   connect(openFolder_, &QAction::triggered, this, &MainWindow::chooseFolder);
-  recentMenu_ = menu->addMenu("Open &recent");
+  recentMenu_ = menu->addMenu(tr("Open &recent"));
   connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::showRecent);
-  QMenu* phantoms = menu->addMenu("Open built-in &phantom");
+  QMenu* phantoms = menu->addMenu(tr("Open built-in &phantom"));
   phantoms->setToolTipsVisible(true);
   for (const volume::PhantomInfo& phantom : volume::phantoms()) {
     const QString name = QString::fromStdString(std::string(phantom.name));
@@ -52,47 +52,48 @@ void MainWindow::makeFileMenu() {
     connect(action, &QAction::triggered, this, [this, name] { openPath("phantom:" + name); });
   }
   menu->addSeparator();
-  save_ = newAction(menu, "&Save session", "save", QKeySequence::Save, "Save the session");
+  save_ = newAction(menu, tr("&Save session"), "save", QKeySequence::Save, tr("Save the session"));
   connect(save_, &QAction::triggered, this, &MainWindow::saveSession);
-  saveAs_ =
-      newAction(menu, "Save session &as…", "", QKeySequence("Ctrl+Shift+S"), "Save the session elsewhere");
+  saveAs_ = newAction(menu, tr("Save session &as…"), "", QKeySequence("Ctrl+Shift+S"),
+                      tr("Save the session elsewhere"));
   connect(saveAs_, &QAction::triggered, this, &MainWindow::saveSessionAs);
-  picture_ = newAction(menu, "Save p&icture…", "picture", QKeySequence("Ctrl+E"), "Save the picture");
+  picture_ = newAction(menu, tr("Save p&icture…"), "picture", QKeySequence("Ctrl+E"), tr("Save the picture"));
   connect(picture_, &QAction::triggered, this, &MainWindow::choosePicture);
-  trace_ = newAction(menu, "&Path trace picture…", "", {},
-                     "Trace every pixel of this view by itself, for a still without stored light");
+  trace_ = newAction(menu, tr("&Path trace picture…"), "", {},
+                     tr("Trace every pixel of this view by itself, for a still without stored light"));
   connect(trace_, &QAction::triggered, this, &MainWindow::tracePicture);
   menu->addSeparator();
-  record_ = newAction(menu, "Start &recording…", "record", QKeySequence("Ctrl+R"),
-                      "Record every change, to replay it with `isolux replay`");
+  record_ = newAction(menu, tr("Start &recording…"), "record", QKeySequence("Ctrl+R"),
+                      tr("Record every change, to replay it with `isolux replay`"));
   record_->setCheckable(true);
   connect(record_, &QAction::triggered, this, &MainWindow::toggleRecording);
   menu->addSeparator();
-  QAction* quit = newAction(menu, "&Quit", "", QKeySequence::Quit, "Quit Isolux");
+  QAction* quit = newAction(menu, tr("&Quit"), "", QKeySequence::Quit, tr("Quit Isolux"));
   connect(quit, &QAction::triggered, this, &QWidget::close);
 }
 
 void MainWindow::makeEditMenu() {
-  QMenu* menu = menuBar()->addMenu("&Edit");
-  undo_ = newAction(menu, "&Undo", "undo", QKeySequence::Undo, "Undo");
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  undo_ = newAction(menu, tr("&Undo"), "undo", QKeySequence::Undo, tr("Undo"));
   connect(undo_, &QAction::triggered, document_, &Document::undo);
-  redo_ = newAction(menu, "&Redo", "redo", QKeySequence::Redo, "Redo");
+  redo_ = newAction(menu, tr("&Redo"), "redo", QKeySequence::Redo, tr("Redo"));
   connect(redo_, &QAction::triggered, document_, &Document::redo);
   menu->addSeparator();
-  copyCommand_ = newAction(menu, "Copy as command &line", "", QKeySequence("Ctrl+Shift+C"),
-                           "Copy a shell command that draws this picture");
+  copyCommand_ = newAction(menu, tr("Copy as command &line"), "", QKeySequence("Ctrl+Shift+C"),
+                           tr("Copy a shell command that draws this picture"));
   connect(copyCommand_, &QAction::triggered, this, &MainWindow::copyCommand);
   menu->addSeparator();
-  QAction* find = newAction(menu, "&Find a setting", "", QKeySequence::Find, "Find a setting by its name");
+  QAction* find =
+      newAction(menu, tr("&Find a setting"), "", QKeySequence::Find, tr("Find a setting by its name"));
   connect(find, &QAction::triggered, this, &MainWindow::findSetting);
   menu->addSeparator();
-  QAction* preferences = newAction(menu, "&Preferences …", "", QKeySequence("Ctrl+,"),
-                                   "Memory, threads and speed: settings of this machine");
+  QAction* preferences = newAction(menu, tr("&Preferences …"), "", QKeySequence("Ctrl+,"),
+                                   tr("Memory, threads and speed: settings of this machine"));
   connect(preferences, &QAction::triggered, this, &MainWindow::showPreferences);
 }
 
 void MainWindow::makeViewMenu() {
-  QMenu* menu = menuBar()->addMenu("&View");
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
   for (int i = 0; i < scene::standardViewCount; ++i) {
     QAction* action = newAction(menu, "", "", QKeySequence(QString::number(i + 1)), "");
     connect(action, &QAction::triggered, this,
@@ -101,21 +102,21 @@ void MainWindow::makeViewMenu() {
   }
   nameViews();
   menu->addSeparator();
-  reset_ = newAction(menu, "&Reset view", "reset_view", QKeySequence("R"), "Reset the view");
+  reset_ = newAction(menu, tr("&Reset view"), "reset_view", QKeySequence("R"), tr("Reset the view"));
   connect(reset_, &QAction::triggered, viewport_, &Viewport::resetView);
-  fit_ = newAction(menu, "&Fit volume", "fit", QKeySequence("F"), "Fit the volume into the picture");
+  fit_ = newAction(menu, tr("&Fit volume"), "fit", QKeySequence("F"), tr("Fit the volume into the picture"));
   connect(fit_, &QAction::triggered, viewport_, &Viewport::fitView);
-  projection_ = newAction(menu, "&Orthographic", "perspective", QKeySequence("O"),
-                          "Switch between perspective and orthographic");
+  projection_ = newAction(menu, tr("&Orthographic"), "perspective", QKeySequence("O"),
+                          tr("Switch between perspective and orthographic"));
   projection_->setCheckable(true);
   connect(projection_, &QAction::triggered, viewport_, &Viewport::toggleProjection);
   menu->addSeparator();
-  QAction* next = newAction(menu, "&Next look", "", QKeySequence("L"), "Next look");
+  QAction* next = newAction(menu, tr("&Next look"), "", QKeySequence("L"), tr("Next look"));
   connect(next, &QAction::triggered, this, [this] { stepLook(1); });
-  QAction* previous = newAction(menu, "Pre&vious look", "", QKeySequence("Shift+L"), "Previous look");
+  QAction* previous = newAction(menu, tr("Pre&vious look"), "", QKeySequence("Shift+L"), tr("Previous look"));
   connect(previous, &QAction::triggered, this, [this] { stepLook(-1); });
-  animate_ = newAction(menu, "&Animate the flow", "animate", QKeySequence("Space"),
-                       "Let the flow move, or stand still");
+  animate_ = newAction(menu, tr("&Animate the flow"), "animate", QKeySequence("Space"),
+                       tr("Let the flow move, or stand still"));
   animate_->setCheckable(true);
   // Only while the picture has the focus: elsewhere the space bar presses buttons.
   animate_->setShortcutContext(Qt::WidgetShortcut);
@@ -124,11 +125,11 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   for (const Docked& docked : panels_) menu->addAction(docked.dock->toggleViewAction());
   menu->addSeparator();
-  fourUp_ = newAction(menu, "&Slices beside the picture", "", QKeySequence("F4"),
-                      "Axial, coronal and sagittal slice beside the picture");
+  fourUp_ = newAction(menu, tr("&Slices beside the picture"), "", QKeySequence("F4"),
+                      tr("Axial, coronal and sagittal slice beside the picture"));
   fourUp_->setCheckable(true);
   connect(fourUp_, &QAction::toggled, slices_, &SliceBoard::setFourUp);
-  fullScreen_ = newAction(menu, "Full &screen", "", QKeySequence("F11"), "Full screen; Esc ends it");
+  fullScreen_ = newAction(menu, tr("Full &screen"), "", QKeySequence("F11"), tr("Full screen; Esc ends it"));
   fullScreen_->setCheckable(true);
   connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);
   leaveFullScreen_ = new QShortcut(QKeySequence(Qt::Key_Escape), this);
@@ -144,24 +145,25 @@ void MainWindow::nameViews() {
     QAction* action = views_[static_cast<std::size_t>(i)];
     const auto view = static_cast<scene::StandardView>(i);
     const QString name = QString::fromStdString(scene::standardViewName(view, axes));
-    action->setText(axes == scene::WorldAxes::anatomical ? "&" + name : "From " + name);
+    action->setText(axes == scene::WorldAxes::anatomical ? "&" + name : tr("From ") + name);
     action->setIconText(QString::fromStdString(scene::standardViewMark(view, axes)));
-    action->setToolTip(QString("From %1 (%2)")
+    action->setToolTip(tr("From %1 (%2)")
                            .arg(axes == scene::WorldAxes::anatomical ? name.toLower() : name,
                                 action->shortcut().toString()));
   }
 }
 
 void MainWindow::makeHelpMenu() {
-  QMenu* menu = menuBar()->addMenu("&Help");
-  QAction* help = newAction(menu, "&Mouse and keys", "", QKeySequence::HelpContents, "Mouse and keys");
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  QAction* help =
+      newAction(menu, tr("&Mouse and keys"), "", QKeySequence::HelpContents, tr("Mouse and keys"));
   connect(help, &QAction::triggered, this, &MainWindow::showHelp);
-  QAction* about = newAction(menu, "&About Isolux", "", {}, "Version and graphics");
+  QAction* about = newAction(menu, tr("&About Isolux"), "", {}, tr("Version and graphics"));
   connect(about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
 void MainWindow::makeToolBar() {
-  QToolBar* bar = addToolBar("Tools");
+  QToolBar* bar = addToolBar(tr("Tools"));
   bar->setObjectName("Tools");
   bar->setMovable(false);
   bar->setIconSize({20, 20});
@@ -174,15 +176,15 @@ void MainWindow::makeToolBar() {
   for (QAction* action : views_) bar->addAction(action);
   auto* measure = new QToolButton(bar);
   measure->setIcon(icon("measure"));
-  measure->setToolTip("Pins and measurements: P, M, Shift+M");
-  measure->setAccessibleName("Measure");
+  measure->setToolTip(tr("Pins and measurements: P, M, Shift+M"));
+  measure->setAccessibleName(tr("Measure"));
   measure->setPopupMode(QToolButton::InstantPopup);
   measure->setMenu(measureMenu_);
   bar->addWidget(measure);
   bar->addSeparator();
   look_ = new QComboBox(bar);
-  look_->setToolTip("What the picture shows (L, Shift+L: next and previous)");
-  look_->setAccessibleName("Look");
+  look_->setToolTip(tr("What the picture shows (L, Shift+L: next and previous)"));
+  look_->setAccessibleName(tr("Look"));
   look_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   for (const scene::LookInfo& look : scene::looks()) {
     look_->addItem(wordsOf(QString::fromStdString(std::string(look.name))));
@@ -216,11 +218,12 @@ void MainWindow::showRecent() {
   }
   recentMenu_->setToolTipsVisible(true);
   if (files.isEmpty()) {
-    recentMenu_->addAction("Nothing yet")->setEnabled(false);
+    recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
     return;
   }
   recentMenu_->addSeparator();
-  connect(recentMenu_->addAction("Clear this list"), &QAction::triggered, this, [] { clearRecentFiles(); });
+  connect(recentMenu_->addAction(tr("Clear this list")), &QAction::triggered, this,
+          [] { clearRecentFiles(); });
 }
 
 }  // namespace isolux::ui

@@ -31,14 +31,15 @@ void MainWindow::showSurfaceMenu(const QPoint& onScreen, const std::optional<app
   if (seed) {
     const QString what = pointedPiece_->text();
     if (!what.isEmpty()) menu->addSection("P" + what.mid(1));
-    add("&Hide this piece", "Hide piece", app::withHidden(before, {*seed}));
-    add("Show &only this piece", "Show only one piece", app::onlyThese({*seed}));
+    add(tr("&Hide this piece"), tr("Hide piece"), app::withHidden(before, {*seed}));
+    add(tr("Show &only this piece"), tr("Show only one piece"), app::onlyThese({*seed}));
     menu->addSeparator();
   }
-  add("&Keep the largest piece", "Keep the largest piece", app::onlyLargest(1));
-  add("Show &all pieces", "Show all pieces", {});
+  add(tr("&Keep the largest piece"), tr("Keep the largest piece"), app::onlyLargest(1));
+  add(tr("Show &all pieces"), tr("Show all pieces"), {});
   menu->addSeparator();
-  connect(menu->addAction("&List the pieces"), &QAction::triggered, this, [this] { showPanel("Pieces"); });
+  connect(menu->addAction(tr("&List the pieces")), &QAction::triggered, this,
+          [this] { showPanel("Pieces"); });
   menu->popup(onScreen);
 }
 

@@ -14,9 +14,9 @@
 namespace isolux::ui {
 
 void MainWindow::makePresetsMenu() {
-  presetsMenu_ = menuBar()->addMenu("&Presets");
+  presetsMenu_ = menuBar()->addMenu(tr("&Presets"));
   presetsMenu_->setToolTipsVisible(true);
-  presetsMenu_->menuAction()->setToolTip("Show what a preset is named for");
+  presetsMenu_->menuAction()->setToolTip(tr("Show what a preset is named for"));
   connect(presetsMenu_, &QMenu::aboutToShow, this, &MainWindow::showPresets);
 }
 
@@ -30,7 +30,8 @@ void MainWindow::showPresets() {
     QAction* const action = presetsMenu_->addAction(title.replace('&', "&&"));
     const std::string reason = app::whyNot(preset, *volume);
     action->setEnabled(reason.empty());
-    action->setToolTip(QString::fromStdString(reason.empty() ? preset.meaning : "Does not apply: " + reason));
+    action->setToolTip(reason.empty() ? QString::fromStdString(preset.meaning)
+                                      : tr("Does not apply: %1").arg(QString::fromStdString(reason)));
     connect(action, &QAction::triggered, this, [this, preset] { applyPreset(preset); });
   };
   for (const app::Preset& preset : app::builtInPresets()) add(preset);
@@ -39,7 +40,8 @@ void MainWindow::showPresets() {
   const std::vector<app::Preset> own = app::ownPresets(warnings);
   for (const app::Preset& preset : own) add(preset);
   if (!own.empty()) presetsMenu_->addSeparator();
-  connect(presetsMenu_->addAction("&Save as preset…"), &QAction::triggered, this, &MainWindow::savePreset);
+  connect(presetsMenu_->addAction(tr("&Save as preset…")), &QAction::triggered, this,
+          &MainWindow::savePreset);
   if (!warnings.empty()) message_->show(MessageBar::Kind::note, QString::fromStdString(warnings.front()));
 }
 
@@ -48,15 +50,15 @@ void MainWindow::applyPreset(const app::Preset& preset) {
   if (!volume) return;
   document_->endGesture();
   document_->edit({app::withPreset(document_->scene(), preset, *volume),
-                   "Preset " + QString::fromStdString(preset.title),
+                   tr("Preset ") + QString::fromStdString(preset.title),
                    {},
                    false});
 }
 
 void MainWindow::savePreset() {
   bool accepted = false;
-  const QString title =
-      QInputDialog::getText(this, "Save as preset", "Name of the preset:", QLineEdit::Normal, {}, &accepted);
+  const QString title = QInputDialog::getText(this, tr("Save as preset"), tr("Name of the preset:"),
+                                              QLineEdit::Normal, {}, &accepted);
   if (accepted) keepPresetAs(title.trimmed());
 }
 
@@ -82,7 +84,7 @@ QString MainWindow::commandText() const {
 
 void MainWindow::copyCommand() {
   QGuiApplication::clipboard()->setText(commandText());
-  message_->show(MessageBar::Kind::note, "Copied a command that draws this picture");
+  message_->show(MessageBar::Kind::note, tr("Copied a command that draws this picture"));
 }
 
 }  // namespace isolux::ui

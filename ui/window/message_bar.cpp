@@ -25,7 +25,7 @@ MessageBar::MessageBar(QWidget* parent)
   auto* close = new QToolButton(this);
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
-  close->setToolTip("Close this message");
+  close->setToolTip(tr("Close this message"));
   layout_->setContentsMargins(12, 7, 8, 7);
   layout_->setSpacing(10);
   layout_->addWidget(symbol_);
