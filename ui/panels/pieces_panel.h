@@ -47,6 +47,7 @@ class PiecesPanel : public Panel {
   void poll();
   void showFound();
   void showRows();
+  void fillRows(const std::vector<bool>& shown, std::size_t rows);
   void fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) const;
   void showState();
   void enableButtons();
