@@ -258,7 +258,7 @@ void appendHits(const FrameState& frame, std::size_t most, double outward, gi::S
   for (int step = 1; static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y) > most;)
     grid = glm::max(size / ++step, glm::ivec2(1));
   gi::SeenPoints found = hitsOfPart(frame, {{0, 0}, size, grid}, outward);
-  if (everyRay && grid != size && !found.inner.empty()) {
+  if (everyRay && grid != size) {
     found = {};
     const int rows = std::max(1, static_cast<int>(most) / size.x);
     for (int y = 0; y < size.y; y += rows) {

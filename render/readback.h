@@ -28,7 +28,7 @@ LinearImage readLinearPicture(const FrameState& frame);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
 // The surface points of every n-th ray on both axes, with n so that there are at most `most`: spread evenly
 // over the picture. Only those are read back. Of the layer that `frame` draws now; `outward`: DrawnFrame's;
-// `everyRay`: where an inner side is seen, all of them.
+// `everyRay`: all of them.
 void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits,
                 bool everyRay = false);
 gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn, bool everyRay);

@@ -58,7 +58,7 @@ class Renderer {
   // Voxel coordinates of the surface points of the last picture, those behind transparent surfaces too where
   // the look reads stored light; about a million at most of the first crossings and of
   // those behind, spread evenly over the picture. Pixels without one are left out. `everyRay`: of first
-  // crossings all, if an inner side is among them.
+  // crossings all.
   gi::SeenPoints hitVoxels(bool everyRay = false);
   // A hash of what each pass that the last picture needed holds in its images, drawn anew or kept: what tests
   // compare. Passes that hold none are left out.

@@ -69,7 +69,8 @@ void PictureThread::Work::draw(const Numbered& numbered, const std::shared_ptr<c
     render::Renderer& draws = rendererFor(order, gl);
     DrawnPicture drawn{numbered.number, order.request, draws.render(order.scene, order.request), {}, {}, 0.0};
     drawn.color = draws.readColor();
-    if (order.tellsHits) drawn.hitVoxels = draws.hitVoxels();
+    if (order.hits != PictureOrder::Hits::none)
+      drawn.hitVoxels = draws.hitVoxels(order.hits == PictureOrder::Hits::all);
     drawn.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     results.put(std::make_unique<Result>(std::move(drawn)));

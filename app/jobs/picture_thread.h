@@ -37,7 +37,8 @@ struct PictureOrder {
   std::shared_ptr<const gi::PictureLight> light;
   render::FrameRequest request;
   bool draft = false;
-  bool tellsHits = false;  // Renderer::hitVoxels() come with the picture
+  // Renderer::hitVoxels() come with the picture, or all that it has.
+  enum class Hits { none, many, all } hits = Hits::none;
 };
 
 struct DrawnPicture {

@@ -131,7 +131,7 @@ void Viewport::refine() {
   if (complete()) {                                 // drawn in full at once: nothing finer follows
     while (quality_.refine()) {
     }
-    return;
+    return orderSoon();  // if all its rays are to be told
   }
   quality_.refine();
   orderSoon();  // showed() starts the timer for the stage after this one
@@ -200,7 +200,8 @@ void Viewport::setFlowTime(double seconds) {
 
 void Viewport::setLight(LightPointer light, bool changing) {
   light_ = std::move(light);
-  quality_.setLightChanging(changing);
+  // What few rays of the full picture still lack comes into that picture.
+  quality_.setLightChanging(changing && !toldEveryRay());
   if (!changing && !refineTimer_.isActive()) rest();
   changed();
 }

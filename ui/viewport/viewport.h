@@ -95,7 +95,7 @@ class Viewport : public QWidget {
   // A picture is on screen that shows a change of this long ago (the first, where it shows several).
   void answered(double milliseconds);
   void drawing(bool begins);  // pictures are on their way, or none is any more
-  // The surface points of a picture that is lit by stored light, voxel coordinates; `finer`: of more pixels
+  // The surface points of a picture that is lit by stored light, voxel coordinates; `finer`: of more rays
   // than those told of the same view.
   void seen(const isolux::gi::SeenPoints& hitVoxels, bool finer);
   void reported(const isolux::render::FrameReport& report, const isolux::render::FrameRequest& request);
@@ -128,7 +128,8 @@ class Viewport : public QWidget {
   void wait(const Done& done);
   void awaitFields();
   std::unique_ptr<app::PictureThread::Still> awaitStill();
-  bool wantsHits(const render::FrameRequest& request) const;
+  app::PictureOrder::Hits wantedHits(const render::FrameRequest& request) const;
+  bool toldEveryRay() const;  // of this view, at full size
   void poll();
   void setDrawing(bool draws);
   void put(const app::DrawnPicture& picture);
@@ -203,10 +204,10 @@ class Viewport : public QWidget {
   std::unique_ptr<app::FieldJob> fieldJob_;
   scene::Derivatives lastDerivatives_;  // of the last picture of the volume that had what it asked for
   bool interacting_ = false;
-  // What rays hit: the number of the view, and the pixels of its finest picture that was told by seen(); 0
+  // What rays hit: the number of the view, and the rays of its finest picture that was told by seen(); 0
   // none.
   std::uint64_t view_ = 0;
-  double seenPixels_ = 0.0;
+  double seenRays_ = 0.0;
   QElapsedTimer sinceSeen_;
   QTimer refineTimer_, pointTimer_, pollTimer_, fieldTimer_;
 

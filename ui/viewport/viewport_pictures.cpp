@@ -20,6 +20,11 @@ namespace {
 constexpr std::size_t brickBytesPerFrame = 8 << 20;  // a few milliseconds of uploads
 constexpr std::size_t lightBytesPerFrame = 1 << 20;  // so are these: texels are filtered on their way
 constexpr int seenMilliseconds = 200;                // what moves on is told at most this often
+constexpr double mostRaysTold = 8 << 20;             // 96 MiB of points
+
+double raysOf(const render::FrameRequest& request) {
+  return static_cast<double>(request.size.x) * request.size.y * request.supersampling * request.supersampling;
+}
 
 bool sameRays(const render::FrameRequest& a, const render::FrameRequest& b) {
   return a.size == b.size && a.supersampling == b.supersampling;
@@ -139,8 +144,9 @@ void Viewport::orderSoon() {
 
 void Viewport::order() {
   orderComes_ = false;
-  if (!hasContext_ || failed_ || !isVisible() || complete()) return;
+  if (!hasContext_ || failed_ || !isVisible()) return;
   const render::FrameRequest request = quality_.request(pixelSize());
+  if (complete() && wantedHits(request) != app::PictureOrder::Hits::all) return;
   const bool atRest = drawsRest();
   const bool onItsWay = thread_.busy() && orderedChanges_ == changes_ && orderedAtRest_ == atRest &&
                         sameRays(orderedRequest_, request);
@@ -155,7 +161,7 @@ void Viewport::order() {
   picture.request.brickUploadBytes = brickBytesPerFrame;
   picture.request.lightUploadBytes = lightBytesPerFrame;
   picture.draft = quality_.stage() == app::PictureQuality::Stage::moving;
-  picture.tellsHits = wantsHits(request);
+  picture.hits = wantedHits(request);
   orderNumber_ = thread_.draw(std::move(picture));
   awaited_.push_back({orderNumber_, view_, std::exchange(changed_, std::nullopt)});
   pollTimer_.start();
@@ -172,13 +178,24 @@ app::PictureOrder Viewport::orderOf(const render::FrameRequest& request, bool at
   return picture;
 }
 
-// Light is wanted first where it is seen. A view that keeps turning is told a few times a second. By pixels:
-// what further rays of a pixel hit is in its texels' neighbourhood, which is wanted anyway.
-bool Viewport::wantsHits(const render::FrameRequest& request) const {
-  if (!volume_ || scene::shadingOf(resolved_) != scene::Shading::gi) return false;
-  if (static_cast<double>(request.size.x) * request.size.y <= seenPixels_) return false;
-  const bool moving = quality_.stage() == app::PictureQuality::Stage::moving;
-  return !moving || !sinceSeen_.isValid() || sinceSeen_.elapsed() >= seenMilliseconds;
+// Light is wanted first where it is seen. A view that keeps turning is told a few times a second. At rest every
+// ray counts: a texel that only one of a pixel's rays looks up would be there or not by where one has been
+// before, and the same view another picture.
+app::PictureOrder::Hits Viewport::wantedHits(const render::FrameRequest& request) const {
+  using Hits = app::PictureOrder::Hits;
+  if (!volume_ || scene::shadingOf(resolved_) != scene::Shading::gi) return Hits::none;
+  if (raysOf(request) <= seenRays_) return Hits::none;
+  if (quality_.stage() != app::PictureQuality::Stage::moving)
+    return quality_.complete() && raysOf(request) <= mostRaysTold ? Hits::all : Hits::many;
+  const bool due = !sinceSeen_.isValid() || sinceSeen_.elapsed() >= seenMilliseconds;
+  return due ? Hits::many : Hits::none;
+}
+
+bool Viewport::toldEveryRay() const {
+  render::FrameRequest full;
+  full.size = pixelSize();
+  full.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
+  return seenRays_ >= raysOf(full);
 }
 
 void Viewport::poll() {
@@ -253,13 +270,13 @@ void Viewport::tellSeen(const app::DrawnPicture& picture, std::uint64_t view) {
   if (picture.hitVoxels.empty() || bricksPending_) return;
   const bool same = view == view_;
   sinceSeen_.start();
-  Q_EMIT seen(picture.hitVoxels, same && seenPixels_ > 0.0);
-  if (same) seenPixels_ = static_cast<double>(picture.request.size.x) * picture.request.size.y;
+  Q_EMIT seen(picture.hitVoxels, same && seenRays_ > 0.0);
+  if (same) seenRays_ = raysOf(picture.request);
 }
 
 void Viewport::viewChanged() {
   ++view_;
-  seenPixels_ = 0.0;
+  seenRays_ = 0.0;
 }
 
 bool Viewport::restDiffers() const {
