@@ -146,12 +146,13 @@ void Viewport::order() {
   orderComes_ = false;
   if (!hasContext_ || failed_ || !isVisible()) return;
   const render::FrameRequest request = quality_.request(pixelSize());
-  if (complete() && wantedHits(request) != app::PictureOrder::Hits::all) return;
+  const bool tellsAll = wantedHits(request) == app::PictureOrder::Hits::all;
+  if (complete() && !tellsAll) return;
   const bool atRest = drawsRest();
   const bool onItsWay = thread_.busy() && orderedChanges_ == changes_ && orderedAtRest_ == atRest &&
                         sameRays(orderedRequest_, request);
   const bool isThere = current() && !bricksPending_ && !lightPending_ && shownAtRest_ == atRest &&
-                       sameRays(shownRequest_, request);
+                       sameRays(shownRequest_, request) && !tellsAll;
   if (onItsWay || isThere) return;
   setDrawing(true);
   orderedRequest_ = request;
