@@ -106,6 +106,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   overlay_->setGeometry(rect());
   placeRemedy();
   showLamps();
+  showCuts();
   redraw();
 }
 
