@@ -84,9 +84,10 @@ scene::ClipPlane movedBy(const scene::ClipPlane& plane, const CutStage& stage, d
   return {plane.point + std::clamp(mm, low, high) * normal, plane.normal};
 }
 
-scene::ClipPlane turnedTo(const scene::ClipPlane& plane, const CutStage& stage, glm::dvec2 by,
-                          bool constrained) {
-  const glm::dvec3 normal = glm::normalize(plane.normal), knob = knobOf(plane, stage);
+// About its knob.
+scene::ClipPlane turnedBy(const scene::ClipPlane& plane, const glm::dvec3& knob, const CutStage& stage,
+                          glm::dvec2 by, bool constrained) {
+  const glm::dvec3 normal = glm::normalize(plane.normal);
   const CutProjection place = projectedOn(stage, knob);
   const double radius = kCutArrow * place.mmPerPixel;
   const glm::dvec3 toEye = stage.frame.projection == scene::Projection::orthographic
@@ -163,10 +164,11 @@ scene::Clip draggedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
   if (!hasGrip(clip, grip) || from == to) return dragged;
   if (grip.plane > 0) {
     scene::ClipPlane& plane = dragged.planes[static_cast<std::size_t>(grip.plane - 1)];
-    const glm::dvec3 normal = glm::normalize(plane.normal);
+    const glm::dvec3 normal = glm::normalize(plane.normal),
+                     knob = knobOf(clip, static_cast<std::size_t>(grip.plane - 1), stage);
     plane = grip.part == CutPart::turn
-                ? turnedTo(plane, stage, to - from, constrained)
-                : movedBy(plane, stage, draggedAlong(stage, knobOf(plane, stage), normal, from, to));
+                ? turnedBy(plane, knob, stage, to - from, constrained)
+                : movedBy(plane, stage, draggedAlong(stage, knob, normal, from, to));
     return dragged;
   }
   const TurnedBox box = turnedBox(clip);

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "volume/clip/clip_region.h"
+
 namespace isolux::app {
 
 namespace {
@@ -25,6 +27,31 @@ glm::dvec3 nearestAxis(const glm::dvec3& direction) {
   glm::dvec3 along(0.0);
   along[axis] = direction[axis] < 0.0 ? -1.0 : 1.0;
   return along;
+}
+
+// The centroid of a convex polygon; none where it has no area.
+std::optional<glm::dvec3> centroidOf(const std::vector<glm::dvec3>& outline, const glm::dvec3& normal) {
+  glm::dvec3 sum(0.0);
+  double area = 0.0;  // twice, of the triangles about the first corner
+  for (std::size_t i = 2; i < outline.size(); ++i) {
+    const double part = glm::dot(normal, glm::cross(outline[i - 1] - outline[0], outline[i] - outline[0]));
+    sum += part * (outline[0] + outline[i - 1] + outline[i]) / 3.0;
+    area += part;
+  }
+  if (!(area > 0.0)) return std::nullopt;
+  return sum / area;
+}
+
+// What of a convex polygon lies on the kept side of a face (Sutherland and Hodgman 1974).
+std::vector<glm::dvec3> keptBy(const glm::dvec4& face, const std::vector<glm::dvec3>& outline) {
+  std::vector<glm::dvec3> kept;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec3 &p = outline[i], &q = outline[(i + 1) % outline.size()];
+    const double atP = glm::dot(face, glm::dvec4(p, 1.0)), atQ = glm::dot(face, glm::dvec4(q, 1.0));
+    if (atP <= 0.0) kept.push_back(p);
+    if ((atP <= 0.0) != (atQ <= 0.0)) kept.push_back(glm::mix(p, q, atP / (atP - atQ)));
+  }
+  return kept;
 }
 
 }  // namespace
@@ -102,18 +129,24 @@ std::vector<glm::dvec3> outlineOf(const scene::ClipPlane& plane, const BoxCorner
 
 glm::dvec3 middleOf(const scene::ClipPlane& plane, const BoxCorners& box) {
   const glm::dvec3 normal = glm::normalize(plane.normal);
-  const std::vector<glm::dvec3> outline = outlineOf(plane, box);
-  glm::dvec3 sum(0.0);
-  double area = 0.0;  // twice, of the triangles about the first corner
-  for (std::size_t i = 2; i < outline.size(); ++i) {
-    const double part =
-        glm::dot(normal, glm::cross(outline[i - 1] - outline[0], outline[i] - outline[0]));
-    sum += part * (outline[0] + outline[i - 1] + outline[i]) / 3.0;
-    area += part;
-  }
-  if (area > 0.0) return sum / area;
+  if (const auto centroid = centroidOf(outlineOf(plane, box), normal)) return *centroid;
   const glm::dvec3 middle = meanOf(box);
   return middle - glm::dot(normal, middle - plane.point) * normal;
+}
+
+std::vector<glm::dvec3> faceOf(const scene::Clip& clip, std::size_t plane, const BoxCorners& box) {
+  const std::vector<glm::dvec3> whole = outlineOf(clip.planes[plane], box);
+  scene::Clip others = clip;
+  others.planes.erase(others.planes.begin() + static_cast<std::ptrdiff_t>(plane));
+  std::vector<glm::dvec3> face = whole;
+  for (const glm::dvec4& other : volume::ClipRegion(others).faces()) face = keptBy(other, face);
+  const bool left = centroidOf(face, glm::normalize(clip.planes[plane].normal)).has_value();
+  return left ? face : whole;
+}
+
+glm::dvec3 middleOfFace(const scene::Clip& clip, std::size_t plane, const BoxCorners& box) {
+  const auto centroid = centroidOf(faceOf(clip, plane, box), glm::normalize(clip.planes[plane].normal));
+  return centroid ? *centroid : middleOf(clip.planes[plane], box);
 }
 
 scene::ClipPlane alignedToAxis(const scene::ClipPlane& plane, const BoxCorners& box) {

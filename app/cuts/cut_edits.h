@@ -37,6 +37,9 @@ scene::ClipPlane flipped(scene::ClipPlane plane);  // the other side is gone
 glm::dvec3 middleOf(const scene::ClipPlane& plane, const BoxCorners& box);
 // The corners of that part, in order about it; none where they do not meet.
 std::vector<glm::dvec3> outlineOf(const scene::ClipPlane& plane, const BoxCorners& box);
+// The same of what the other planes and the box leave of it, planes[plane]; where they leave nothing, of all of it.
+std::vector<glm::dvec3> faceOf(const scene::Clip& clip, std::size_t plane, const BoxCorners& box);
+glm::dvec3 middleOfFace(const scene::Clip& clip, std::size_t plane, const BoxCorners& box);
 // Turned about middleOf(): the normal becomes the world axis that it is nearest to, or points to the viewer.
 scene::ClipPlane alignedToAxis(const scene::ClipPlane& plane, const BoxCorners& box);
 scene::ClipPlane alignedToViewer(const scene::ClipPlane& plane, const BoxCorners& box,

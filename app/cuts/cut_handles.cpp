@@ -45,13 +45,14 @@ bool facesEye(const CutStage& stage, const glm::dvec3& point, const glm::dvec3& 
   return glm::dot(normal, stage.frame.eye - point) > 0.0;
 }
 
-CutShape planeShape(const scene::ClipPlane& plane, int number, const CutStage& stage) {
+CutShape planeShape(const scene::Clip& clip, std::size_t plane, const CutStage& stage) {
+  const int number = static_cast<int>(plane) + 1;
   CutShape shape{number, {}, {}};
-  const std::vector<glm::dvec3> outline = outlineOf(plane, stage.volumeMm);
+  const std::vector<glm::dvec3> outline = faceOf(clip, plane, stage.volumeMm);
   for (std::size_t i = 0; i < outline.size(); ++i)
     if (const auto line = lineOn(stage, outline[i], outline[(i + 1) % outline.size()], false))
       shape.outline.push_back(*line);
-  const glm::dvec3 knob = knobOf(plane, stage), normal = glm::normalize(plane.normal);
+  const glm::dvec3 knob = knobOf(clip, plane, stage), normal = glm::normalize(clip.planes[plane].normal);
   const CutProjection place = projectedOn(stage, knob);
   if (!onPicture(place, stage)) return shape;
   const CutProjection tip = projectedOn(stage, knob + kCutArrow * place.mmPerPixel * normal);
@@ -114,8 +115,9 @@ CutProjection projectedOn(const CutStage& stage, const glm::dvec3& world) {
   return place;
 }
 
-glm::dvec3 knobOf(const scene::ClipPlane& plane, const CutStage& stage) {
-  const glm::dvec3 middle = middleOf(plane, stage.volumeMm);
+glm::dvec3 knobOf(const scene::Clip& clip, std::size_t number, const CutStage& stage) {
+  const scene::ClipPlane& plane = clip.planes[number];
+  const glm::dvec3 middle = middleOfFace(clip, number, stage.volumeMm);
   if (onPicture(projectedOn(stage, middle), stage)) return middle;
   const scene::Ray ray = scene::rayThrough(stage.frame, {0.0, 0.0}, stage.pixels.x / stage.pixels.y);
   const double along = glm::dot(plane.normal, ray.direction);
@@ -129,7 +131,7 @@ std::vector<CutShape> cutShapes(const scene::Clip& clip, const CutStage& stage) 
   std::vector<CutShape> shapes;
   if (clip.box.size() == 2) shapes.push_back(boxShape(clip, stage));
   for (std::size_t i = 0; i < clip.planes.size(); ++i)
-    shapes.push_back(planeShape(clip.planes[i], static_cast<int>(i) + 1, stage));
+    shapes.push_back(planeShape(clip, i, stage));
   return shapes;
 }
 

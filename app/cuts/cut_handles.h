@@ -1,7 +1,7 @@
 // Handles of cuts on the picture: where they are, and which lies under the pointer. Pure functions, no
 // widgets.
 //
-// A plane has a knob in the middle of what it has of the volume, which moves it along its normal, as its
+// A plane has a knob in the middle of the face that it cuts, which moves it along its normal, as its
 // outline does, and an arrow whose tip turns it. The box has a knob on each face, one in its middle, which
 // moves it, and corners that turn it. Pixels are logical, (0,0) the picture's top left corner, y down.
 #pragma once
@@ -69,8 +69,8 @@ struct CutProjection {
   bool before = true;  // the eye; else the pixel means nothing
 };
 CutProjection projectedOn(const CutStage& stage, const glm::dvec3& world);
-// Where a plane has its knob: middleOf(), or, where that is not on the picture, what of the plane lies in the
+// Where planes[plane] has its knob: middleOfFace(), or, where that is not on the picture, what of the plane lies in the
 // picture's middle.
-glm::dvec3 knobOf(const scene::ClipPlane& plane, const CutStage& stage);
+glm::dvec3 knobOf(const scene::Clip& clip, std::size_t plane, const CutStage& stage);
 
 }  // namespace isolux::app

@@ -115,6 +115,22 @@ TEST(CutEdits, TheMiddleOfAPlaneIsThatOfItsFaceOrTheFootOfTheBox) {
   EXPECT_LT(glm::distance(middleOf({{3, 0, 0}, {1, 1, 1}}, box), {1, 1, 1}), 1e-12);
 }
 
+// Two planes across one another through the middle: each has half of its face, and its middle lies there.
+TEST(CutEdits, AFaceIsWhatTheOtherCutsLeave) {
+  BoxCorners box;
+  for (int i = 0; i < 8; ++i)
+    box[static_cast<std::size_t>(i)] = {i & 1 ? 8.0 : -8.0, i & 2 ? 6.0 : -6.0, i & 4 ? 4.0 : -4.0};
+  scene::Clip clip;
+  clip.planes = {{{0, 0, 0}, {0, 0, 1}}, {{2, 0, 0}, {1, 0, 0}}};
+  EXPECT_LT(glm::distance(middleOfFace(clip, 0, box), {-3, 0, 0}), 1e-12);
+  EXPECT_LT(glm::distance(middleOfFace(clip, 1, box), {2, 0, -2}), 1e-12);
+  clip.box = {{-4, -6, -4}, {8, 6, 4}};
+  EXPECT_LT(glm::distance(middleOfFace(clip, 0, box), {-1, 0, 0}), 1e-12);
+  clip.planes[1] = {{0, 0, -1}, {0, 0, 1}};  // leaves nothing of the first: it is shown whole
+  EXPECT_EQ(faceOf(clip, 0, box), outlineOf(clip.planes[0], box));
+  EXPECT_LT(glm::distance(middleOfFace(clip, 0, box), {0, 0, 0}), 1e-12);
+}
+
 TEST(CutEdits, FlippingTwiceAndAligning) {
   const BoxCorners box = cornersOf(slantedGrid());
   const scene::ClipPlane plane{0.5 * (box[0] + box[7]), {0.2, -0.9, 0.3}};
