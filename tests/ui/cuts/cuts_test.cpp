@@ -186,10 +186,11 @@ TEST_F(CutsTest, AFaceOfTheBoxIsDraggedAloneAndTheWheelStepsByVoxels) {
 }
 
 TEST_F(CutsTest, TheMenuAddsPlanesThatShowTheirFace) {
-  menuAction({}, "Axial plane")->trigger();
-  EXPECT_EQ(lastStep(), "Axial plane");
+  ASSERT_TRUE(menuAction({}, "Plane across Z"));  // phantoms state no anatomy
+  menuAction({}, "Plane across Z")->trigger();
+  EXPECT_EQ(lastStep(), "Plane across Z");
   edit([](scene::Scene& scene) { scene.slice.position = {3, 2, 1}; });
-  menuAction({}, "Sagittal plane")->trigger();
+  menuAction({}, "Plane across X")->trigger();
   viewport()->setFocus();
   QTest::keyClick(viewport(), Qt::Key_C);
   ASSERT_EQ(clip().planes.size(), 3u);
@@ -226,7 +227,7 @@ TEST_F(CutsTest, WhatCannotActSaysWhy) {
   says("Flip the last plane", "no plane");
   says("Plane through three points", "Mark three points");
   edit([](scene::Scene& scene) { scene.clip.planes.assign(6, {{0, 0, 0}, {0, 0, 1}}); });
-  says("Axial plane", "remove one");
+  says("Plane across Z", "remove one");
   EXPECT_TRUE(menuAction({}, "Remove all cuts")->isEnabled());
   EXPECT_FALSE(menuAction({}, "Remove all cuts")->toolTip().contains("Nothing is cut:"));
 }
