@@ -11,8 +11,8 @@ namespace isolux::app {
 
 namespace {
 
-constexpr double steepest = 0.17;       // sine of the angle to the line of sight, below which height counts
-constexpr double thinnestBox = 1e-3;    // of the volume's diagonal
+constexpr double steepest = 0.17;      // sine of the angle to the line of sight, below which height counts
+constexpr double thinnestBox = 1e-3;   // of the volume's diagonal
 constexpr double farthestCutMm = 1e8;  // within the range of the settings
 
 double diagonalMm(const CutStage& stage) {
@@ -90,9 +90,8 @@ scene::ClipPlane turnedBy(const scene::ClipPlane& plane, const glm::dvec3& knob,
   const glm::dvec3 normal = glm::normalize(plane.normal);
   const CutProjection place = projectedOn(stage, knob);
   const double radius = kCutArrow * place.mmPerPixel;
-  const glm::dvec3 toEye = stage.frame.projection == scene::Projection::orthographic
-                               ? stage.frame.back
-                               : stage.frame.eye - knob;
+  const glm::dvec3 toEye =
+      stage.frame.projection == scene::Projection::orthographic ? stage.frame.back : stage.frame.eye - knob;
   const CutProjection tip = projectedOn(stage, knob + radius * normal);
   if (!tip.before) return plane;
   const glm::dvec3 turned =
@@ -166,9 +165,8 @@ scene::Clip draggedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
     scene::ClipPlane& plane = dragged.planes[static_cast<std::size_t>(grip.plane - 1)];
     const glm::dvec3 normal = glm::normalize(plane.normal),
                      knob = knobOf(clip, static_cast<std::size_t>(grip.plane - 1), stage);
-    plane = grip.part == CutPart::turn
-                ? turnedBy(plane, knob, stage, to - from, constrained)
-                : movedBy(plane, stage, draggedAlong(stage, knob, normal, from, to));
+    plane = grip.part == CutPart::turn ? turnedBy(plane, knob, stage, to - from, constrained)
+                                       : movedBy(plane, stage, draggedAlong(stage, knob, normal, from, to));
     return dragged;
   }
   const TurnedBox box = turnedBox(clip);
@@ -195,8 +193,7 @@ scene::Clip steppedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
     scene::ClipPlane& plane = stepped.planes[static_cast<std::size_t>(grip.plane - 1)];
     plane = movedBy(plane, stage, away(plane.normal));
   } else if (grip.part == CutPart::face) {
-    const glm::dvec3 outward =
-        (grip.index % 2 ? 1.0 : -1.0) * turnedBox(clip).axes[grip.index / 2];
+    const glm::dvec3 outward = (grip.index % 2 ? 1.0 : -1.0) * turnedBox(clip).axes[grip.index / 2];
     moveFace(stepped, stage, grip.index, away(outward));
   }
   return stepped;

@@ -14,7 +14,8 @@ namespace isolux::app {
 scene::Clip draggedCut(const scene::Clip& clip, const CutGrip& grip, const CutStage& stage, glm::dvec2 from,
                        glm::dvec2 to, bool constrained);
 
-// A plane, or a face of the box, `mm` along its normal, above 0 away from the viewer; other grips do not move.
+// A plane, or a face of the box, `mm` along its normal, above 0 away from the viewer; other grips do not
+// move.
 scene::Clip steppedCut(const scene::Clip& clip, const CutGrip& grip, const CutStage& stage, double mm);
 
 // Whether the grip is one of this cut.

@@ -117,7 +117,8 @@ std::vector<glm::dvec3> outlineOf(const scene::ClipPlane& plane, const BoxCorner
   if (points.size() < 3) return {};
   glm::dvec3 mean(0.0);
   for (const glm::dvec3& point : points) mean += point / static_cast<double>(points.size());
-  const glm::dvec3 u = glm::normalize(glm::cross(normal, nearestAxis(glm::dvec3(normal.y, normal.z, normal.x))));
+  const glm::dvec3 u =
+      glm::normalize(glm::cross(normal, nearestAxis(glm::dvec3(normal.y, normal.z, normal.x))));
   const glm::dvec3 v = glm::cross(normal, u);
   const auto angle = [&](const glm::dvec3& p) {
     return std::atan2(glm::dot(p - mean, v), glm::dot(p - mean, u));
@@ -171,8 +172,7 @@ TurnedBox turnedBox(const scene::Clip& clip) {
   box.half = 0.5 * glm::abs(clip.box[1] - clip.box[0]);
   const glm::dvec4& wxyz = clip.boxRotation;
   const double length = glm::length(wxyz);
-  if (length > 0.0)
-    box.axes = glm::mat3_cast(glm::dquat(wxyz.x, wxyz.y, wxyz.z, wxyz.w) * (1.0 / length));
+  if (length > 0.0) box.axes = glm::mat3_cast(glm::dquat(wxyz.x, wxyz.y, wxyz.z, wxyz.w) * (1.0 / length));
   return box;
 }
 

@@ -25,7 +25,8 @@ BoxCorners cornersOf(const volume::GridGeometry& geometry);  // of the voxels' d
 glm::dvec3 cutPoint(const scene::Scene& resolved, const scene::VolumeFacts& facts);
 
 // `back`: from the picture toward the viewer (scene::CameraFrame).
-scene::ClipPlane planeAcross(int axis, const glm::dvec3& point, const glm::dvec3& back);  // world axis 0, 1, 2
+scene::ClipPlane planeAcross(int axis, const glm::dvec3& point,
+                             const glm::dvec3& back);  // world axis 0, 1, 2
 scene::ClipPlane planeFacing(const glm::dvec3& back, const glm::dvec3& point);
 // None: the points lie on a line, to a part in a million of their distance.
 std::optional<scene::ClipPlane> planeThrough(std::span<const glm::dvec3, 3> points, const glm::dvec3& back);
@@ -37,7 +38,8 @@ scene::ClipPlane flipped(scene::ClipPlane plane);  // the other side is gone
 glm::dvec3 middleOf(const scene::ClipPlane& plane, const BoxCorners& box);
 // The corners of that part, in order about it; none where they do not meet.
 std::vector<glm::dvec3> outlineOf(const scene::ClipPlane& plane, const BoxCorners& box);
-// The same of what the other planes and the box leave of it, planes[plane]; where they leave nothing, of all of it.
+// The same of what the other planes and the box leave of it, planes[plane]; where they leave nothing, of all
+// of it.
 std::vector<glm::dvec3> faceOf(const scene::Clip& clip, std::size_t plane, const BoxCorners& box);
 glm::dvec3 middleOfFace(const scene::Clip& clip, std::size_t plane, const BoxCorners& box);
 // Turned about middleOf(): the normal becomes the world axis that it is nearest to, or points to the viewer.

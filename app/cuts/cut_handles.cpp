@@ -88,8 +88,7 @@ CutShape boxShape(const scene::Clip& clip, const CutStage& stage) {
     const CutProjection place = projectedOn(stage, at);
     if (onPicture(place, stage)) shape.knobs.push_back({{0, part, index}, place.pixel, far});
   };
-  for (int i = 0; i < 8; ++i)
-    add(CutPart::turn, i, box.corner(i), !seen(i, 0) && !seen(i, 1) && !seen(i, 2));
+  for (int i = 0; i < 8; ++i) add(CutPart::turn, i, box.corner(i), !seen(i, 0) && !seen(i, 1) && !seen(i, 2));
   for (int face = 0; face < 6; ++face) add(CutPart::face, face, faceMiddle(face), !faces[face]);
   add(CutPart::move, 0, box.middle, false);
   return shape;
@@ -108,10 +107,12 @@ CutProjection projectedOn(const CutStage& stage, const glm::dvec3& world) {
   CutProjection place;
   place.depthMm = -glm::dot(v, frame.back);
   place.before = !perspective || place.depthMm > 1e-6 * frame.distance;
-  place.mmPerPixel =
-      2.0 * frame.halfHeight / stage.pixels.y * (!perspective ? 1.0 : place.before ? place.depthMm : frame.distance);
-  place.pixel = 0.5 * stage.pixels +
-                glm::dvec2(glm::dot(v, frame.right), -glm::dot(v, frame.up)) / place.mmPerPixel;
+  place.mmPerPixel = 2.0 * frame.halfHeight / stage.pixels.y *
+                     (!perspective   ? 1.0
+                      : place.before ? place.depthMm
+                                     : frame.distance);
+  place.pixel =
+      0.5 * stage.pixels + glm::dvec2(glm::dot(v, frame.right), -glm::dot(v, frame.up)) / place.mmPerPixel;
   return place;
 }
 
@@ -130,8 +131,7 @@ glm::dvec3 knobOf(const scene::Clip& clip, std::size_t number, const CutStage& s
 std::vector<CutShape> cutShapes(const scene::Clip& clip, const CutStage& stage) {
   std::vector<CutShape> shapes;
   if (clip.box.size() == 2) shapes.push_back(boxShape(clip, stage));
-  for (std::size_t i = 0; i < clip.planes.size(); ++i)
-    shapes.push_back(planeShape(clip, i, stage));
+  for (std::size_t i = 0; i < clip.planes.size(); ++i) shapes.push_back(planeShape(clip, i, stage));
   return shapes;
 }
 

@@ -24,8 +24,8 @@ Byte3 encodedColor(const glm::dvec3& linear) {
   return {base::screenByte(linear.x), base::screenByte(linear.y), base::screenByte(linear.z)};
 }
 
-// As cut faces are coloured (render/passes/cut_faces_pass.h): between samples of the map, in linear light. The
-// steps are an eighth of one of the picture's at the least.
+// As cut faces are coloured (render/passes/cut_faces_pass.h): between samples of the map, in linear light.
+// The steps are an eighth of one of the picture's at the least.
 std::vector<Byte3> colorTable(scene::ColorMap map) {
   if (map == scene::ColorMap::automatic) map = scene::ColorMap::gray;
   const std::vector<glm::vec3> samples = scene::colorMapSamples(map, kMapSamples);

@@ -62,7 +62,8 @@ void CutMenu::allow(QAction* action, const QString& whyNot) {
 // -------------------------------------------------------------------------------------------------
 
 void CutMenu::makeAdding(QMenu* menu) {
-  const QString tip = tr("A plane through the crosshair, or the middle of what is looked at; what lies before it is cut away");
+  const QString tip = tr(
+      "A plane through the crosshair, or the middle of what is looked at; what lies before it is cut away");
   for (const int axis : {2, 1, 0}) {
     QAction*& action = across_[static_cast<std::size_t>(axis)];
     action = add(menu, {}, tip, {});
@@ -72,7 +73,9 @@ void CutMenu::makeAdding(QMenu* menu) {
   facing_ = add(menu, tr("Plane facing the &viewer"), tip, QKeySequence("C"));
   connect(facing_, &QAction::triggered, this, &CutMenu::addFacing);
   through_ = add(menu, tr("Plane &through three points"),
-                 tr("Through the points of the mark that is chosen in the list, or the last three points that were marked"), {});
+                 tr("Through the points of the mark that is chosen in the list, or the last three points "
+                    "that were marked"),
+                 {});
   connect(through_, &QAction::triggered, this, &CutMenu::addThrough);
   box_ = add(menu, tr("&Box"), tr("What lies outside the box is cut away"), {});
   connect(box_, &QAction::triggered, this, &CutMenu::addBox);
@@ -92,7 +95,8 @@ void CutMenu::makePlanes(QMenu* menu) {
     plane.flip = add(plane.menu, tr("&Flip"), tr("The other side of the plane is cut away"), {});
     connect(plane.flip, &QAction::triggered, this,
             [this, i] { changePlane(i, tr("Flip plane %1").arg(i + 1), app::flipped); });
-    plane.toAxis = add(plane.menu, tr("Align to the nearest &axis"), tr("Its normal becomes an axis of the world"), {});
+    plane.toAxis =
+        add(plane.menu, tr("Align to the nearest &axis"), tr("Its normal becomes an axis of the world"), {});
     connect(plane.toAxis, &QAction::triggered, this, [this, i] {
       changePlane(i, tr("Align plane %1").arg(i + 1), [this](const scene::ClipPlane& before) {
         return app::alignedToAxis(before, app::cornersOf(volume_->grid().geometry()));
@@ -134,7 +138,8 @@ void CutMenu::makeFaces(QMenu* menu) {
     });
   };
   choice(scene::ClipCap::none, tr("&Nothing"), tr("The cut stays open: inner sides of surfaces are seen"));
-  choice(scene::ClipCap::inside, tr("The values &inside"), tr("Values of the voxels where the inside of a surface was cut"));
+  choice(scene::ClipCap::inside, tr("The values &inside"),
+         tr("Values of the voxels where the inside of a surface was cut"));
   choice(scene::ClipCap::whole, tr("The &whole slice"), tr("Values of the voxels on the whole face"));
 }
 
@@ -183,16 +188,20 @@ void CutMenu::showState() {
   const scene::Clip& clip = scene_.clip;
   const bool boxed = !clip.box.empty(), cuts = boxed || !clip.planes.empty();
   const QString noVolume = volume_ ? QString() : tr("Open a volume first.");
-  const QString noPlane = whyNoPlane(), noCut = cuts ? QString() : tr("Nothing is cut: add a plane or a box first.");
+  const QString noPlane = whyNoPlane(),
+                noCut = cuts ? QString() : tr("Nothing is cut: add a plane or a box first.");
   for (QAction* action : {across_[0], across_[1], across_[2], facing_}) allow(action, noPlane);
   const bool marked = threePoints().size() == 3;
-  allow(through_, !noPlane.isEmpty() ? noPlane : marked ? QString() : tr("Mark three points first, with the tools of the Measure menu."));
+  allow(through_, !noPlane.isEmpty() ? noPlane
+                  : marked           ? QString()
+                                     : tr("Mark three points first, with the tools of the Measure menu."));
   allow(box_, boxed ? tr("There is a box already: drag its faces.") : noVolume);
   allow(flipLast_, clip.planes.empty() ? tr("There is no plane.") : noVolume);
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].menu->menuAction()->setVisible(volume_ && i < clip.planes.size());
   boxMenu_->menuAction()->setVisible(boxed);
-  allow(straightenBox_, clip.boxRotation == glm::dvec4(1.0, 0.0, 0.0, 0.0) ? tr("The box is not turned.") : QString());
+  allow(straightenBox_,
+        clip.boxRotation == glm::dvec4(1.0, 0.0, 0.0, 0.0) ? tr("The box is not turned.") : QString());
   for (QAction* action : faces_->actions()) {
     allow(action, noCut);
     action->setChecked(action->property("cap").toInt() == static_cast<int>(clip.cap));
@@ -239,8 +248,7 @@ void CutMenu::addAcross(int axis) {
 }
 
 void CutMenu::addFacing() {
-  addPlane(app::planeFacing(back(), app::cutPoint(resolved_, volume_->facts)),
-           tr("Plane facing the viewer"));
+  addPlane(app::planeFacing(back(), app::cutPoint(resolved_, volume_->facts)), tr("Plane facing the viewer"));
 }
 
 // The points of the chosen mark where it has three, else the last that were marked.
@@ -259,7 +267,8 @@ void CutMenu::addThrough() {
   if (plane)
     addPlane(*plane, tr("Plane through three points"));
   else
-    Q_EMIT failed(tr("The three points lie on a line, and many planes go through a line: mark another point beside it."));
+    Q_EMIT failed(tr(
+        "The three points lie on a line, and many planes go through a line: mark another point beside it."));
 }
 
 void CutMenu::changePlane(std::size_t plane, const QString& name,
@@ -297,7 +306,8 @@ void CutMenu::removeAll() {
 }
 
 void CutMenu::setCut(int surface, bool cut) {
-  Edit edit{scene_, (cut ? tr("Cut isosurface %1") : tr("Do not cut isosurface %1")).arg(surface + 1), {}, false};
+  Edit edit{
+      scene_, (cut ? tr("Cut isosurface %1") : tr("Do not cut isosurface %1")).arg(surface + 1), {}, false};
   if (surface == 0)
     edit.scene.isosurface.clipped = cut;
   else

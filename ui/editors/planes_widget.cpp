@@ -22,8 +22,9 @@ PlanesWidget::PlanesWidget(const scene::SettingInfo& setting, QWidget* parent)
   layout->addLayout(list_);
   add_ = new QToolButton(this);
   add_->setText(tr("Add a plane"));
-  add_->setToolTip(tr("The last plane once more, or one across the z axis through the origin; the Cut menu "
-                      "puts planes through what is seen"));
+  add_->setToolTip(
+      tr("The last plane once more, or one across the z axis through the origin; the Cut menu "
+         "puts planes through what is seen"));
   layout->addWidget(add_, 0, Qt::AlignLeft);
   setFocusProxy(add_);
   connect(add_, &QToolButton::clicked, this, [this] {

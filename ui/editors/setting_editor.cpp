@@ -136,8 +136,7 @@ bool SettingEditor::isWide() const {
                        (setting_.type == scene::SettingType::vector && !isColour(setting_));
   const bool slider = value_->findChild<QSlider*>() != nullptr;
   return setting_.type == scene::SettingType::points || setting_.type == scene::SettingType::planes ||
-         setting_.type == scene::SettingType::quaternion ||
-         ((numbers || slider) && setting_.mayBeAutomatic);
+         setting_.type == scene::SettingType::quaternion || ((numbers || slider) && setting_.mayBeAutomatic);
 }
 
 void SettingEditor::resetToDefault() {

@@ -62,8 +62,7 @@ void fillKnob(QPainter& painter, const QPainterPath& path, const QColor& fill, b
   painter.setOpacity(1.0);
 }
 
-void paintPlaneKnobs(QPainter& painter, const app::CutShape& shape,
-                     const std::optional<app::CutGrip>& grip) {
+void paintPlaneKnobs(QPainter& painter, const app::CutShape& shape, const std::optional<app::CutGrip>& grip) {
   if (shape.knobs.size() != 2) return;
   const app::CutKnob &knob = shape.knobs[0], &tip = shape.knobs[1];
   const auto held = [&](const app::CutKnob& one) { return grip && *grip == one.grip; };
@@ -84,8 +83,9 @@ void paintPlaneKnobs(QPainter& painter, const app::CutShape& shape,
   font.setWeight(QFont::DemiBold);
   painter.setFont(font);
   painter.setPen(cutInk);
-  painter.drawText(QRectF(knob.pixel.x - knobRadius, knob.pixel.y - knobRadius, 2 * knobRadius, 2 * knobRadius),
-                   Qt::AlignCenter, QString::number(shape.plane));
+  painter.drawText(
+      QRectF(knob.pixel.x - knobRadius, knob.pixel.y - knobRadius, 2 * knobRadius, 2 * knobRadius),
+      Qt::AlignCenter, QString::number(shape.plane));
 }
 
 void paintBoxKnobs(QPainter& painter, const app::CutShape& shape, const std::optional<app::CutGrip>& grip) {

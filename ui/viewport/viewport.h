@@ -182,7 +182,8 @@ class Viewport : public QWidget {
   void placePoint(QPointF position, bool more);
   void showMarks();
   void lookBehindMarks();
-  void sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey, bool endsAfterPause);
+  void sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey,
+                  bool endsAfterPause);
   std::optional<app::Pick> pickAt(QPointF position) const;
   glm::ivec2 pixelSize() const;
   scene::WorldAxes axes() const;

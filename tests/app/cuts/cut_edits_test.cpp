@@ -55,7 +55,8 @@ TEST(CutEdits, TheLastPointsThatWereMarked) {
   EXPECT_EQ(lastMarked({pin, two, pin}, 3), (std::vector<glm::dvec3>{{2, 0, 0}, {3, 0, 0}, {1, 0, 0}}));
 }
 
-// The crosshair where the user has put it, else what the view turns about; never outside what there is to see.
+// The crosshair where the user has put it, else what the view turns about; never outside what there is to
+// see.
 TEST(CutEdits, PlanesGoThroughWhatIsSeen) {
   const scene::VolumeFacts facts = factsOf({-10, -20, -30}, {10, 20, 30});
   scene::Scene scene;
@@ -77,7 +78,8 @@ TEST(CutEdits, TheOutlineIsWhatThePlaneHasOfTheBox) {
   int whole = 0;
   for (int i = 0; i < 200; ++i) {
     const glm::dvec3 n(normal(random), normal(random), normal(random));
-    const glm::dvec3 inside = 0.5 * (box[0] + box[7]) + 6.0 * glm::dvec3(normal(random), normal(random), normal(random));
+    const glm::dvec3 inside =
+        0.5 * (box[0] + box[7]) + 6.0 * glm::dvec3(normal(random), normal(random), normal(random));
     const scene::ClipPlane plane{inside, n};
     const std::vector<glm::dvec3> outline = outlineOf(plane, box);
     if (outline.empty()) continue;

@@ -26,7 +26,8 @@ scene::Scene viewOf(scene::Projection projection) {
   scene.camera.projection = projection;
   return scene;
 }
-constexpr scene::Projection kProjections[] = {scene::Projection::perspective, scene::Projection::orthographic};
+constexpr scene::Projection kProjections[] = {scene::Projection::perspective,
+                                              scene::Projection::orthographic};
 
 CutStage stageOf(const scene::Scene& scene) {
   return cutStageOf(scene, cutGrid(), kPixels);
@@ -104,7 +105,8 @@ TEST(CutHandles, APlaneStaysWithinTheVolume) {
   const scene::Scene scene = viewOf(scene::Projection::perspective);
   const CutStage stage = stageOf(scene);
   const scene::Clip clip = onePlane();
-  for (const glm::dvec2& to : {glm::dvec2(400.0, -5000.0), glm::dvec2(400.0, 9000.0), glm::dvec2(-8000.0, 0.0)}) {
+  for (const glm::dvec2& to :
+       {glm::dvec2(400.0, -5000.0), glm::dvec2(400.0, 9000.0), glm::dvec2(-8000.0, 0.0)}) {
     const scene::Clip dragged = draggedCut(clip, kMovePlane, stage, {400.0, 300.0}, to, false);
     bool before = false, behind = false;
     for (const glm::dvec3& corner : stage.volumeMm) {
@@ -151,7 +153,8 @@ TEST(CutHandles, TheArrowsTipComesUnderThePointerAndThePlaneTurnsAboutItsKnob) {
     EXPECT_LT(distanceToRay(rayOf(scene, to), tip), 1e-6);
     EXPECT_GT(glm::dot(normal, stage.frame.back), 0.0);  // the side that it was on
     // Far beyond the ball it lies in the picture's plane, toward the pointer.
-    const glm::dvec3 flat = draggedCut(clip, kTurnPlane, stage, from, {790.0, place.pixel.y}, false).planes[0].normal;
+    const glm::dvec3 flat =
+        draggedCut(clip, kTurnPlane, stage, from, {790.0, place.pixel.y}, false).planes[0].normal;
     EXPECT_GT(glm::dot(glm::normalize(flat), stage.frame.right), 0.9);
   }
 }
@@ -206,7 +209,8 @@ TEST(CutHandles, TheBoxMovesParallelToTheScreen) {
     const scene::Scene scene = viewOf(projection);
     const CutStage stage = stageOf(scene);
     const scene::Clip clip = turnedBoxCut();
-    const glm::dvec2 from = projectedOn(stage, turnedBox(clip).middle).pixel, to = from + glm::dvec2(40.0, -25.0);
+    const glm::dvec2 from = projectedOn(stage, turnedBox(clip).middle).pixel,
+                     to = from + glm::dvec2(40.0, -25.0);
     const scene::Clip moved = draggedCut(clip, {0, CutPart::move, 0}, stage, from, to, false);
     const TurnedBox box = turnedBox(moved), before = turnedBox(clip);
     EXPECT_LT(distanceToRay(rayOf(scene, to), box.middle), 1e-9);
@@ -271,8 +275,8 @@ TEST(CutHandles, StepsGoAwayFromTheViewer) {
   EXPECT_EQ(steppedCut(box, kMovePlane, stage, 2.0), box);  // no such plane
 }
 
-// Zoomed in so that the plane's middle is off the picture, its knob is where the picture's middle sees it; an eye
-// within the volume, or a plane behind it, makes no handles of nothing.
+// Zoomed in so that the plane's middle is off the picture, its knob is where the picture's middle sees it; an
+// eye within the volume, or a plane behind it, makes no handles of nothing.
 TEST(CutHandles, NothingIsEverNotANumber) {
   for (const scene::Projection projection : kProjections)
     for (const glm::dvec3& eye : {glm::dvec3(30, 20, 10), glm::dvec3(1, 0, 5), glm::dvec3(500, 2, 1)}) {

@@ -16,9 +16,9 @@ struct LitTexels {
 
 // A hollow in a solid: the sphere's inside, cut open by a plane where CutBall ends.
 LitTexels litCutBall(const test::CutBall& ball, int bounces, bool cut, std::uint32_t samples) {
-  const auto volume = test::prepared(
-      test::gridOfWorld(test::unitGeometry(glm::ivec3(37)),
-                        [&](glm::dvec3 p) { return glm::length(p - ball.middle) - ball.radius; }));
+  const auto volume = test::prepared(test::gridOfWorld(test::unitGeometry(glm::ivec3(37)), [&](glm::dvec3 p) {
+    return glm::length(p - ball.middle) - ball.radius;
+  }));
   scene::Scene scene;
   scene.isosurface.value = 0.0;
   if (cut) scene.clip.planes = {{{0.0, 0.0, ball.dims.z - 1.0}, {0.0, 0.0, 1.0}}};
@@ -29,7 +29,8 @@ LitTexels litCutBall(const test::CutBall& ball, int bounces, bool cut, std::uint
   light.bounces = bounces;
   test::setUnitSky(light);
   const LatticeGeometry lattice = LatticeGeometry::make(volume->grid().dims(), 1.0, 0.0f);
-  const LatticeEstimator estimator(std::make_shared<const LightScene>(std::move(light)), lattice, LightPart::sky);
+  const LatticeEstimator estimator(std::make_shared<const LightScene>(std::move(light)), lattice,
+                                   LightPart::sky);
   std::vector<glm::ivec3> texels;
   for (int z = 0; z < lattice.dims.z; ++z)
     for (int y = 0; y < lattice.dims.y; y += 2)

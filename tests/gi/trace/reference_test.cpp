@@ -28,10 +28,9 @@ class ReferencePicture : public ::testing::Test {
     scene_ = scene::resolve(scene_, volume_->facts);
   }
   Reference make(int threads = 2, glm::ivec2 size = {24, 20}) {
-    const auto tracer = std::make_shared<volume::IsosurfaceTracer>(volume_->volume.grid,
-                                                                   scene_.isosurface.inside, progress_);
-    tracer->cut(
-        volume::SurfaceCut(scene_, volume_->grid().geometry()));
+    const auto tracer =
+        std::make_shared<volume::IsosurfaceTracer>(volume_->volume.grid, scene_.isosurface.inside, progress_);
+    tracer->cut(volume::SurfaceCut(scene_, volume_->grid().geometry()));
     if (!environment_) environment_ = loadEnvironment(scene_.light.environment);
     return Reference(volume_, tracer, environment_, scene_, {size, threads}, progress_);
   }
@@ -275,8 +274,9 @@ TEST_F(ReferencePicture, BothSidesOfACutBallHaveTheirClosedForms) {
 // Cut open by a plane instead: the same closed forms, with the lid beyond it gone from light and picture.
 TEST_F(ReferencePicture, ABallThatAPlaneCutsOpenHasTheSameClosedForms) {
   const CutBall ball;
-  const auto whole = prepared(gridOfWorld(
-      unitGeometry(glm::ivec3(37)), [&](glm::dvec3 p) { return glm::length(p - ball.middle) - ball.radius; }));
+  const auto whole = prepared(gridOfWorld(unitGeometry(glm::ivec3(37)), [&](glm::dvec3 p) {
+    return glm::length(p - ball.middle) - ball.radius;
+  }));
   constexpr std::uint32_t samples = 1600;
   for (const int bounces : {0, 2}) {
     scene_ = {};
@@ -296,6 +296,10 @@ TEST_F(ReferencePicture, ABallThatAPlaneCutsOpenHasTheSameClosedForms) {
       const auto hit = hits.at({static_cast<int>(i) % image.size.x, static_cast<int>(i) / image.size.x});
       if (!hit) continue;
       EXPECT_LE(hit->voxel.z, ball.dims.z - 1.0 + 1e-9);
+      if (!hit->outer) {  // the ball's convex side, seen past the rim
+        EXPECT_NEAR(image.irradiance[i].x, pi, 0.03) << i;
+        continue;
+      }
       EXPECT_NEAR(image.irradiance[i].x, expected, 0.1 * pi) << i;
       ++seen;
       sum += image.irradiance[i].x;

@@ -105,7 +105,8 @@ TEST_F(CutsTest, ADragMovesThePlaneAndIsOneStep) {
   EXPECT_EQ(window_->document()->scene().camera, camera);
   EXPECT_EQ(steps(), before + 1);
   EXPECT_EQ(lastStep(), "Move plane 1");
-  EXPECT_LE((knob({1, CutPart::move, 0}) - (from + QPoint(30, 0))).manhattanLength(), 2);  // under the pointer
+  EXPECT_LE((knob({1, CutPart::move, 0}) - (from + QPoint(30, 0))).manhattanLength(),
+            2);  // under the pointer
   window_->document()->undo();
   EXPECT_EQ(clip().planes[0].point.x, 0.0);
   EXPECT_TRUE(viewport()->complete() || waitUntil([&] { return viewport()->complete(); }));
@@ -181,7 +182,8 @@ TEST_F(CutsTest, AFaceOfTheBoxIsDraggedAloneAndTheWheelStepsByVoxels) {
   wheel(viewport(), knob({1, CutPart::move, 0}), 1);
   wheel(viewport(), knob({1, CutPart::move, 0}), 1);
   EXPECT_EQ(steps(), count + 1);
-  const double spacing = glm::length(glm::dvec3(window_->document()->volume()->grid().geometry().worldFromVoxel[0]));
+  const double spacing =
+      glm::length(glm::dvec3(window_->document()->volume()->grid().geometry().worldFromVoxel[0]));
   EXPECT_NEAR(std::abs(clip().planes[0].point.x), 2.0 * spacing, 1e-9);
 }
 
@@ -241,7 +243,9 @@ TEST_F(CutsTest, APlaneGoesThroughThreeMarkedPoints) {
   ASSERT_EQ(clip().planes.size(), 1u);
   for (const glm::dvec3& p : {glm::dvec3(1, 2, 3), glm::dvec3(9, -2, 4), glm::dvec3(-5, 0, 7)})
     EXPECT_NEAR(glm::dot(clip().planes[0].normal, p - clip().planes[0].point), 0.0, 1e-9);
-  edit([](scene::Scene& scene) { scene.marks = {{scene::MarkKind::circle, "C", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}}; });
+  edit([](scene::Scene& scene) {
+    scene.marks = {{scene::MarkKind::circle, "C", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}};
+  });
   menuAction({}, "Plane through three points")->trigger();
   EXPECT_EQ(clip().planes.size(), 1u);
   EXPECT_TRUE(window_->messageBar()->text().contains("on a line"));
@@ -256,7 +260,8 @@ TEST_F(CutsTest, ARightClickOnAHandleOpensThatPlanesMenu) {
   menu->close();
 }
 
-// Rows of numbers: added, typed, flipped, removed; a normal without length is refused and the old one comes back.
+// Rows of numbers: added, typed, flipped, removed; a normal without length is refused and the old one comes
+// back.
 TEST_F(CutsTest, PlanesAreRowsOfNumbers) {
   auto* const panel = window_->panel<ui::SettingsPanel>();
   ui::SettingEditor* const editor = panel->editor("clip.planes");
