@@ -17,19 +17,25 @@ namespace isolux::app {
 namespace {
 
 using Byte3 = std::array<std::uint8_t, 3>;
-constexpr int kMapSamples = 1024;
+constexpr int kMapSamples = 256, kMapSteps = 8192;
 constexpr double kRim = 1.0, kRimOpacity = 0.55;  // of curves: pixels
 
 Byte3 encodedColor(const glm::dvec3& linear) {
   return {base::screenByte(linear.x), base::screenByte(linear.y), base::screenByte(linear.z)};
 }
 
+// As cut faces are coloured (render/passes/cut_faces_pass.h): between samples of the map, in linear light.
+// The steps are an eighth of one of the picture's at the least.
 std::vector<Byte3> colorTable(scene::ColorMap map) {
-  std::vector<Byte3> table;
-  table.reserve(kMapSamples);
   if (map == scene::ColorMap::automatic) map = scene::ColorMap::gray;
-  for (const glm::vec3& color : scene::colorMapSamples(map, kMapSamples))
-    table.push_back(encodedColor(glm::dvec3(color)));
+  const std::vector<glm::vec3> samples = scene::colorMapSamples(map, kMapSamples);
+  std::vector<Byte3> table(kMapSteps);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double at = static_cast<double>(i) * (kMapSamples - 1) / (kMapSteps - 1);
+    const auto low = std::min(static_cast<std::size_t>(at), samples.size() - 2);
+    table[i] = encodedColor(
+        glm::mix(glm::dvec3(samples[low]), glm::dvec3(samples[low + 1]), at - static_cast<double>(low)));
+  }
   return table;
 }
 
@@ -48,7 +54,7 @@ void paintValues(const SliceContent& content, const scene::Slice& slice, render:
       Byte3 color{kNoValue[0], kNoValue[1], kNoValue[2]};
       if (!std::isnan(value))
         color = table[static_cast<std::size_t>(
-            std::lround(std::clamp(content.window.greyOf(value), 0.0, 1.0) * (kMapSamples - 1)))];
+            std::lround(std::clamp(content.window.greyOf(value), 0.0, 1.0) * (kMapSteps - 1)))];
       std::uint8_t* const pixel = &image.rgba[4 * i];
       std::copy(color.begin(), color.end(), pixel);
       pixel[3] = 255;

@@ -135,8 +135,8 @@ bool SettingEditor::isWide() const {
   const bool numbers = setting_.type == scene::SettingType::pair ||
                        (setting_.type == scene::SettingType::vector && !isColour(setting_));
   const bool slider = value_->findChild<QSlider*>() != nullptr;
-  return setting_.type == scene::SettingType::points || setting_.type == scene::SettingType::quaternion ||
-         ((numbers || slider) && setting_.mayBeAutomatic);
+  return setting_.type == scene::SettingType::points || setting_.type == scene::SettingType::planes ||
+         setting_.type == scene::SettingType::quaternion || ((numbers || slider) && setting_.mayBeAutomatic);
 }
 
 void SettingEditor::resetToDefault() {

@@ -19,6 +19,7 @@
 #include "ui/editors/file_widget.h"
 #include "ui/editors/number_spin_box.h"
 #include "ui/editors/number_text.h"
+#include "ui/editors/planes_widget.h"
 #include "ui/editors/rotation_widget.h"
 
 namespace isolux::ui {
@@ -171,21 +172,12 @@ class TextWidget : public ValueWidget {
   QLineEdit* line_;
 };
 
-// A list as text: world points, planes. A text that is no such list is not taken.
-struct ListText {
-  const char* example;
-  std::string (*textOf)(const json& list);
-  json (*listOf)(std::string_view text);
-};
-constexpr ListText positionsText{"x,y,z; x,y,z", scene::textOfPositions, scene::positionsOf};
-constexpr ListText planesText{"px,py,pz nx,ny,nz; ...", scene::textOfPlanes, scene::planesOf};
-
-class ListWidget : public ValueWidget {
+// World points as text. A text that is no such list is not taken.
+class PositionsWidget : public ValueWidget {
  public:
-  ListWidget(const ListText& text, QWidget* parent)
-      : ValueWidget(parent), text_(text), line_(new QLineEdit(this)) {
+  explicit PositionsWidget(QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
     rowLayout(this)->addWidget(line_, 1);
-    line_->setPlaceholderText(text.example);
+    line_->setPlaceholderText("x,y,z; x,y,z");
     line_->setClearButtonEnabled(true);
     setFocusProxy(line_);
     connect(line_, &QLineEdit::editingFinished, this, [this] {
@@ -199,13 +191,12 @@ class ListWidget : public ValueWidget {
   }
   void showValue(const json& value) override {
     shown_ = value;
-    line_->setText(QString::fromStdString(text_.textOf(value)));
+    line_->setText(QString::fromStdString(scene::textOfPositions(value)));
     line_->setCursorPosition(0);
   }
-  json value() const override { return text_.listOf(line_->text().toStdString()); }
+  json value() const override { return scene::positionsOf(line_->text().toStdString()); }
 
  private:
-  const ListText& text_;
   QLineEdit* line_;
   json shown_ = json::array();
 };
@@ -342,9 +333,9 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
     case SettingType::toggle:
       return new ToggleWidget(setting, parent);
     case SettingType::positions:
-      return new ListWidget(positionsText, parent);
+      return new PositionsWidget(parent);
     case SettingType::planes:
-      return new ListWidget(planesText, parent);
+      return new PlanesWidget(setting, parent);
     case SettingType::marks:
       return new MarksWidget(parent);
     case SettingType::points:

@@ -54,6 +54,7 @@ const std::vector<GroupPlan>& plan() {
        {"isosurface.value", "isosurface.inside", "isosurface.albedo_source", "isosurface.albedo",
         "isosurface.albedo_map", "isosurface.albedo_low", "isosurface.albedo_high", "isosurface."}},
       {QT_TRANSLATE_NOOP("QObject", "More isosurfaces"), false, {"isosurface#."}},
+      {QT_TRANSLATE_NOOP("QObject", "Cut"), false, {"clip."}},
       {QT_TRANSLATE_NOOP("QObject", "Hit"), false, {"hit."}},
       {QT_TRANSLATE_NOOP("QObject", "Derivatives"), false, {"derivatives."}},
       {QT_TRANSLATE_NOOP("QObject", "Camera"), false, {"camera."}},

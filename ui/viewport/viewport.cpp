@@ -188,6 +188,7 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
   lookBehindMarks();
   showMarks();
   showLamps();
+  showCuts();
   quality_.setSupersampling(resolved.picture.supersampling);
   redraw(motion);
 }

@@ -2,8 +2,8 @@
 //
 // Left drag rotates, middle or Shift+left pans, right drag or wheel zooms, Ctrl+left rolls, a double click
 // puts the picked surface point into the centre, a right click asks for a menu. Under global illumination
-// Shift+right turns the environment, and lamps have handles. With a tool for marks, clicks set points on the
-// surface.
+// Shift+right turns the environment, and lamps have handles; so have planes and the box that cut. With a tool
+// for marks, clicks set points on the surface.
 //
 // Pictures are drawn by a thread (app/jobs/picture_thread.h) that has a GL context of its own and comes back
 // with pixels; this widget needs no OpenGL and waits for nothing. While a view changes, each change orders a
@@ -27,6 +27,7 @@
 
 class QPushButton;
 
+#include "app/cuts/cut_handles.h"
 #include "app/interaction/lamp_handles.h"
 #include "app/interaction/mark_view.h"
 #include "app/interaction/picture_quality.h"
@@ -71,6 +72,10 @@ class Viewport : public QWidget {
   const std::vector<app::MarkShape>& markShapes() const { return shapes_; }  // those that are shown
   const std::vector<glm::dvec3>& placing() const { return placing_; }  // points of the mark that is begun
 
+  // Whether planes and box have handles; while a tool for marks is chosen they have none.
+  void setCutHandles(bool shown);
+  const std::vector<app::CutShape>& cutShapes() const { return cuts_; }  // that are shown
+
   void applyStandardView(scene::StandardView view);
   void fitView();
   void resetView();
@@ -90,6 +95,8 @@ class Viewport : public QWidget {
   void pointed(const std::optional<isolux::app::Pick>& pick);
   // A right click, or the menu key: of the surface there.
   void menuAsked(const QPoint& onScreen, const std::optional<isolux::app::Pick>& pick);
+  // The same on the handle of a cut.
+  void cutMenuAsked(const QPoint& onScreen, const isolux::app::CutGrip& grip);
   void toolChanged();
   void drawn(double milliseconds, bool complete);
   // A picture is on screen that shows a change of this long ago (the first, where it shows several).
@@ -119,7 +126,7 @@ class Viewport : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  enum class Drag { none, orbit, pan, zoom, roll, environment, lamp };
+  enum class Drag { none, orbit, pan, zoom, roll, environment, lamp, cut };
   void takeContext();
   void orderSoon();
   void order();
@@ -159,13 +166,25 @@ class Viewport : public QWidget {
   void takeHold(QPointF position);
   void dragLamp(QPointF position, bool inDepth);
   void sendLamp(const app::LampGrip& grip, const scene::Lamp& moved, bool endsAfterPause);
+  app::CutStage cutStage() const;
+  std::optional<app::CutGrip> cutUnder(QPointF position) const;
+  void showCuts();
+  void hoverAt(QPointF position);
+  void hoverCut(const std::optional<app::CutGrip>& grip);
+  static QString cutTip(const app::CutGrip& grip);
+  void takeCut();
+  void dragCut(QPointF position, bool constrained);
+  void cancelCut();
+  void stepCut(const app::CutGrip& grip, double notches);
+  void sendCut(const scene::Clip& clip, const app::CutGrip& grip, bool endsAfterPause);
   void dragTo(QPointF position);
   void endDrag(QPointF position);
   void reportPointed();
   void placePoint(QPointF position, bool more);
   void showMarks();
   void lookBehindMarks();
-  void sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey, bool endsAfterPause);
+  void sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey,
+                  bool endsAfterPause);
   std::optional<app::Pick> pickAt(QPointF position) const;
   glm::ivec2 pixelSize() const;
   scene::WorldAxes axes() const;
@@ -218,6 +237,11 @@ class Viewport : public QWidget {
   glm::dvec4 turnedFrom_{1.0, 0.0, 0.0, 0.0};  // the environment when its drag began
   std::optional<app::LampGrip> grip_;          // under the pointer, or being dragged
   QPointF gripOffset_;
+  bool cutHandles_ = true;
+  std::vector<app::CutShape> cuts_;
+  std::optional<app::CutGrip> cutGrip_;  // under the pointer, or being dragged
+  scene::Clip cutFrom_;                  // the cut when its drag began, and how it lay on the picture
+  app::CutStage cutStage_;
   std::optional<scene::MarkKind> tool_;
   std::vector<glm::dvec3> placing_;      // points of the mark that is begun, world mm
   std::optional<glm::dvec3> placingAt_;  // and where the next would be

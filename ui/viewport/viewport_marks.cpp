@@ -49,6 +49,7 @@ void Viewport::setTool(std::optional<scene::MarkKind> tool) {
   else
     unsetCursor();
   showMarks();
+  showCuts();
   Q_EMIT toolChanged();
 }
 
@@ -128,7 +129,9 @@ void Viewport::placePoint(QPointF position, bool more) {
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
-  if (!tool_) {
+  if (drag_ == Drag::cut && event->key() == Qt::Key_Escape) {
+    cancelCut();
+  } else if (!tool_) {
     QWidget::keyPressEvent(event);
   } else if (event->key() == Qt::Key_Escape) {
     setTool(std::nullopt);
@@ -140,11 +143,11 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-// Esc leaves the full screen, too: the tool comes first.
+// Esc leaves the full screen, too: a cut that is being dragged and the tool come first.
 bool Viewport::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && tool_) {
+  if (event->type() == QEvent::ShortcutOverride && (tool_ || drag_ == Drag::cut)) {
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Escape || key == Qt::Key_Backspace) {
+    if (key == Qt::Key_Escape || (tool_ && key == Qt::Key_Backspace)) {
       event->accept();
       return true;
     }

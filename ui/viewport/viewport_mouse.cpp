@@ -66,7 +66,9 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   switch (event->button()) {
     case Qt::LeftButton:
       grip_ = lampUnder(event->position());
+      cutGrip_ = grip_ ? std::nullopt : cutUnder(event->position());
       drag_ = grip_                             ? Drag::lamp
+              : cutGrip_                        ? Drag::cut
               : modifiers & Qt::ControlModifier ? Drag::roll
               : modifiers & Qt::ShiftModifier   ? Drag::pan
                                                 : Drag::orbit;
@@ -92,6 +94,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   dragMoved_ = false;
   last_ = pressed_ = event->position();
   if (drag_ == Drag::lamp) takeHold(event->position());
+  if (drag_ == Drag::cut) takeCut();
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
@@ -101,13 +104,17 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     dragLamp(event->position(), event->modifiers() & Qt::ControlModifier);
     return;
   }
+  if (drag_ == Drag::cut) {
+    dragCut(event->position(), event->modifiers() & Qt::ControlModifier);
+    return;
+  }
   if (drag_ != Drag::none) {
     const bool mayBeClick = tool_ && dragButton_ == Qt::LeftButton && !dragMoved_;
     const int moved = (event->position() - pressed_).toPoint().manhattanLength();
     if (!mayBeClick || moved >= QApplication::startDragDistance()) dragTo(event->position());
     return;
   }
-  hover(lampUnder(event->position()));
+  hoverAt(event->position());
   pointed_ = event->position();
   if (!pointTimer_.isActive()) pointTimer_.start();
 }
@@ -149,6 +156,7 @@ void Viewport::dragTo(QPointF position) {
       break;
     }
     case Drag::lamp:
+    case Drag::cut:
     case Drag::none:
       return;
   }
@@ -158,11 +166,16 @@ void Viewport::dragTo(QPointF position) {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (drag_ == Drag::none || event->button() != dragButton_) return;
-  const bool still = !dragMoved_ && drag_ != Drag::lamp, asksMenu = drag_ == Drag::zoom && !dragMoved_,
+  const bool still = !dragMoved_ && drag_ != Drag::lamp && drag_ != Drag::cut,
+             asksMenu = drag_ == Drag::zoom && !dragMoved_,
              setsPoint = tool_ && dragButton_ == Qt::LeftButton && still;
   endDrag(event->position());
   if (setsPoint) placePoint(event->position(), event->modifiers() & Qt::ShiftModifier);
-  if (asksMenu) Q_EMIT menuAsked(event->globalPosition().toPoint(), pickAt(event->position()));
+  if (!asksMenu) return;
+  if (const auto cut = cutUnder(event->position()))
+    Q_EMIT cutMenuAsked(event->globalPosition().toPoint(), *cut);
+  else
+    Q_EMIT menuAsked(event->globalPosition().toPoint(), pickAt(event->position()));
 }
 
 // The mouse asks by the button's release: its press may begin a drag.
@@ -174,16 +187,18 @@ void Viewport::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void Viewport::endDrag(QPointF position) {
-  const bool held = drag_ == Drag::lamp;
+  const bool held = drag_ == Drag::lamp || drag_ == Drag::cut;
+  if (drag_ == Drag::cut) setCursor(Qt::OpenHandCursor);
   drag_ = Drag::none;
-  if (held) hover(lampUnder(position));
+  if (held) hoverAt(position);
   if (dragMoved_) Q_EMIT gestureEnded();
   rest();
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (tool_) mousePressEvent(event);  // the second of two quick clicks
-  if (event->button() != Qt::LeftButton || !volume_ || tool_) return;
+  const bool grips = lampUnder(event->position()) || cutUnder(event->position());
+  if (tool_ || grips) mousePressEvent(event);  // the second of two quick clicks
+  if (event->button() != Qt::LeftButton || !volume_ || tool_ || grips) return;
   const auto pick = pickAt(event->position());
   if (!pick) return;
   sendCamera(app::centredOn(resolved_.camera, pick->worldMm), tr("Centre on point"), "", false);
@@ -198,12 +213,19 @@ void Viewport::wheelEvent(QWheelEvent* event) {
              true);
     return;
   }
+  if (const auto grip = cutUnder(event->position())) {
+    stepCut(*grip, notches);
+    return;
+  }
   sendCamera(scene::zoomed(resolved_.camera, std::pow(1.1, notches)), tr("Zoom"), "wheel", true);
 }
 
 void Viewport::leaveEvent(QEvent*) {
   pointTimer_.stop();
-  if (drag_ == Drag::none) hover(std::nullopt);
+  if (drag_ == Drag::none) {
+    hoverCut(std::nullopt);
+    hover(std::nullopt);
+  }
   if (placingAt_.has_value()) {
     placingAt_.reset();
     showMarks();
@@ -238,6 +260,14 @@ std::optional<app::LampGrip> Viewport::lampUnder(QPointF position) const {
 
 void Viewport::showLamps() {
   overlay_->setLamps(lamps(), grip_);
+}
+
+void Viewport::hoverAt(QPointF position) {
+  const auto lamp = lampUnder(position);
+  const auto cut = lamp ? std::nullopt : cutUnder(position);
+  if (!cut) hoverCut(cut);
+  if (!cut || grip_) hover(lamp);
+  if (cut) hoverCut(cut);
 }
 
 void Viewport::hover(const std::optional<app::LampGrip>& grip) {

@@ -13,6 +13,7 @@
 #include "base/color.h"
 #include "base/numbers.h"
 #include "ui/editors/number_text.h"
+#include "ui/viewport/cut_painter.h"
 #include "ui/viewport/lamp_painter.h"
 #include "ui/viewport/mark_painter.h"
 #include "ui/window/style.h"
@@ -86,6 +87,13 @@ void ViewportOverlay::setLamps(std::vector<app::LampHandle> lamps, const std::op
   update();
 }
 
+void ViewportOverlay::setCuts(std::vector<app::CutShape> cuts, const std::optional<app::CutGrip>& grip) {
+  if (cuts == cuts_ && grip == cutGrip_) return;
+  cuts_ = std::move(cuts);
+  cutGrip_ = grip;
+  update();
+}
+
 void ViewportOverlay::setMarks(std::vector<app::MarkShape> marks, const QString& toolHint) {
   if (marks.empty() && marks_.empty() && toolHint == toolHint_) return;
   marks_ = std::move(marks);
@@ -99,6 +107,7 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
   if (!problem_.isEmpty()) {
     paintProblem(painter);
   } else if (visible_) {
+    if (!cuts_.empty()) paintCuts(painter, cuts_, cutGrip_);
     if (!marks_.empty()) paintMarks(painter, marks_, frame_, size());
     paintLetters(painter);
     paintCube(painter);

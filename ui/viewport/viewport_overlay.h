@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include "app/cuts/cut_handles.h"
 #include "app/interaction/lamp_handles.h"
 #include "app/interaction/mark_view.h"
 #include "scene/camera.h"
@@ -24,6 +25,7 @@ class ViewportOverlay : public QWidget {
   void setNote(const QString& text);  // over a picture that is not all there; empty: none
   // Lamps that can be dragged, and which of them the pointer holds or is over.
   void setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip);
+  void setCuts(std::vector<app::CutShape> cuts, const std::optional<app::CutGrip>& grip);  // the same of cuts
   // Marks, and what clicks would do; empty: they set none.
   void setMarks(std::vector<app::MarkShape> marks, const QString& toolHint);
   void setHint(const QString& text);  // in place of a picture: what to do first
@@ -55,6 +57,8 @@ class ViewportOverlay : public QWidget {
   std::vector<app::LampHandle> lamps_;
   std::vector<app::MarkShape> marks_;
   std::optional<app::LampGrip> grip_;
+  std::vector<app::CutShape> cuts_;
+  std::optional<app::CutGrip> cutGrip_;
 };
 
 }  // namespace isolux::ui

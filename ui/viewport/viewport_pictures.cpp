@@ -111,6 +111,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   overlay_->setGeometry(rect());
   placeRemedy();
   showLamps();
+  showCuts();
   redraw();
 }
 

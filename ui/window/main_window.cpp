@@ -71,6 +71,7 @@ MainWindow::MainWindow(QWidget* parent)
   makeEditMenu();
   makeViewMenu();
   makeMeasureMenu();
+  makeCutMenu();
   makePresetsMenu();
   makeHelpMenu();
   makeToolBar();

@@ -97,6 +97,7 @@ class MainWindow : public QMainWindow {
   void makeEditMenu();
   void makeViewMenu();
   void makeMeasureMenu();
+  void makeCutMenu();
   void makePresetsMenu();
   void makeHelpMenu();
   void nameViews();

@@ -62,6 +62,8 @@ void MainWindow::showHelp() {
     <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
     <tr><td><b>Shift+right drag</b></td><td>turn the light probe (global illumination)</td></tr>
     <tr><td><b>Lamp handles</b></td><td>drag; with Ctrl, or by the wheel, nearer and farther (global illumination)</td></tr>
+    <tr><td><b>Handles of cuts</b></td><td>drag to move or turn planes and box; with Ctrl to axes; Esc puts it back; right click for more</td></tr>
+    <tr><td><b>C</b>, <b>Shift+C</b>, <b>Shift+X</b></td><td>cut: plane facing the viewer, flip the last plane, remove all cuts</td></tr>
     <tr><td><b>1 2 3 4 5 6</b></td><td>from anterior, posterior, left, right, superior, inferior (front, back, +X, −X, up, down where the file states no orientation)</td></tr>
     <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset the view, fit the volume, orthographic</td></tr>
     <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>

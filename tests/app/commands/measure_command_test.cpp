@@ -42,6 +42,26 @@ void expectWithinError(const json& measured, double truth) {
   EXPECT_LE(std::abs(measured["value"].get<double>() - truth), measured["error"].get<double>()) << measured;
 }
 
+// What knows whole isosurfaces only says so, and how to have one; cuts that touch nothing are none.
+TEST(MeasureCommand, CutsAreRefusedWithTheWayOut) {
+  const std::string plane = "clip.planes=0,0,0 0,0,1", box = "clip.box=-5,-5,-5; 5,5,5";
+  const std::vector<std::vector<std::string>> commands = {{"measure", "phantom:ball:24"},
+                                                          {"mesh", "phantom:ball:24", "--out", "ball.stl"},
+                                                          {"study", "phantom:ball:24", "--out", "study"}};
+  for (const std::vector<std::string>& command : commands)
+    for (const auto& [cut, setting] : {std::pair{plane, "clip.planes"}, std::pair{box, "clip.box"}}) {
+      std::vector<std::string> words = command;
+      words.insert(words.end(), {"--set", cut});
+      expectRefused(2, words, "isosurface.clipped=false");
+      expectRefused(2, words, setting);
+    }
+  const json whole = jsonOf({"measure", "phantom:ball:24", "--json"});
+  const json told =
+      jsonOf({"measure", "phantom:ball:24", "--json", "--set", plane, "--set", "isosurface.clipped=false"});
+  EXPECT_EQ(told["area_mm2"], whole["area_mm2"]);
+  EXPECT_EQ(told["volume_mm3"], whole["volume_mm3"]);
+}
+
 TEST(MeasureCommand, TheCurvatureOfAPieceIsToldTabledAndPlotted) {
   const fs::path folder = temporaryFolder();
   const json ball = jsonOf({"measure", "phantom:ball:64", "--json", "--histograms", "ball.csv", "--plot",

@@ -28,8 +28,9 @@ class ReferencePicture : public ::testing::Test {
     scene_ = scene::resolve(scene_, volume_->facts);
   }
   Reference make(int threads = 2, glm::ivec2 size = {24, 20}) {
-    auto tracer = std::make_shared<const volume::IsosurfaceTracer>(volume_->volume.grid,
-                                                                   scene_.isosurface.inside, progress_);
+    const auto tracer =
+        std::make_shared<volume::IsosurfaceTracer>(volume_->volume.grid, scene_.isosurface.inside, progress_);
+    tracer->cut(volume::SurfaceCut(scene_, volume_->grid().geometry()));
     if (!environment_) environment_ = loadEnvironment(scene_.light.environment);
     return Reference(volume_, tracer, environment_, scene_, {size, threads}, progress_);
   }
@@ -268,6 +269,44 @@ TEST_F(ReferencePicture, BothSidesOfACutBallHaveTheirClosedForms) {
       // Of all pixels, each with a pattern of its own, the noise is 0.3 %; rays start 0.1 mm off the surface.
       EXPECT_NEAR(sum[1] / seen[1] / ball.innerIrradiance(0.6, bounces), 1.0, 0.015) << bounces;
     }
+}
+
+// Cut open by a plane instead: the same closed forms, with the lid beyond it gone from light and picture.
+TEST_F(ReferencePicture, ABallThatAPlaneCutsOpenHasTheSameClosedForms) {
+  const CutBall ball;
+  const auto whole = prepared(gridOfWorld(unitGeometry(glm::ivec3(37)), [&](glm::dvec3 p) {
+    return glm::length(p - ball.middle) - ball.radius;
+  }));
+  constexpr std::uint32_t samples = 1600;
+  for (const int bounces : {0, 2}) {
+    scene_ = {};
+    scene_.isosurface.albedo = glm::dvec3(0.6);
+    scene_.gi.bounces = bounces;
+    scene_.camera.eye = ball.middle + glm::dvec3(3.0, -2.0, 60.0);
+    scene_.camera.target = ball.middle;
+    scene_.camera.up = glm::dvec3(0.0, 1.0, 0.0);
+    scene_.clip.planes = {{{0.0, 0.0, ball.dims.z - 1.0}, {0.0, 0.0, 1.0}}};
+    scene_.clip.cap = scene::ClipCap::none;
+    use(whole);
+    const ReferenceImage image = draw(samples);
+    const PrimaryHits hits(volume_, scene_, image.size, progress_);
+    double seen = 0.0, sum = 0.0;
+    const double expected = ball.innerIrradiance(0.6, bounces);
+    for (std::size_t i = 0; i < image.hit.size(); ++i) {
+      const auto hit = hits.at({static_cast<int>(i) % image.size.x, static_cast<int>(i) / image.size.x});
+      if (!hit) continue;
+      EXPECT_LE(hit->voxel.z, ball.dims.z - 1.0 + 1e-9);
+      if (!hit->outer) {  // the ball's convex side, seen past the rim
+        EXPECT_NEAR(image.irradiance[i].x, pi, 0.03) << i;
+        continue;
+      }
+      EXPECT_NEAR(image.irradiance[i].x, expected, 0.1 * pi) << i;
+      ++seen;
+      sum += image.irradiance[i].x;
+    }
+    ASSERT_GT(seen, 40.0);
+    EXPECT_NEAR(sum / seen / expected, 1.0, 0.015) << bounces;
+  }
 }
 
 // The nearest of several surfaces, each with its own colour, on every hit field and in both projections.

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/slices/slice_picture.h"
 #include "base/color.h"
 #include "render/passes/cut_faces_pass.h"
 #include "tests/render/gl_fixture.h"
@@ -72,11 +73,12 @@ Seen seenOf(const scene::Ray& ray, bool capped) {
 
 class CutsGlTest : public ExecutorsGlTest {
  protected:
-  render::ColorImage colors(scene::Scene scene, int supersampling = 1) {
+  render::ColorImage colors(scene::Scene scene, int supersampling = 1, bool linear = false) {
     renderer_->setVolume(ball());
     render::FrameRequest request;
     request.size = kSize;
     request.supersampling = supersampling;
+    request.linear = linear;
     scene_ = scene::resolve(scene, ball()->facts);
     report_ = renderer_->render(scene_, request);
     return renderer_->readColor();
@@ -147,6 +149,81 @@ TEST_P(CutsGlTest, CutFacesShowTheValuesOfThePlane) {
           << i % kSize.x << ' ' << i / kSize.x;
   }
   EXPECT_GT(faces, 800);
+}
+
+// Seen along its normal a cut face is the slice of its plane, pixel by pixel: the same values through the
+// same level, width and map, in whatever direction the plane lies. In linear light to float rounding; of 255
+// steps the picture's dither (half a step) and rounding make one at most, as often up as down.
+TEST_P(CutsGlTest, ACutFaceIsTheSliceOfItsPlane) {
+  for (const glm::dvec3& normal :
+       {glm::dvec3(0, 0, 1), glm::dvec3(-1, 0, 0), glm::dvec3(0.3, 0.2, 1.0), glm::dvec3(-0.7, 0.6, -0.4)})
+    for (const char* setting : {"slice.map=gray", "slice.map=viridis", "slice.field=cubic",
+                                "slice.field=cubic_interpolating", "clip.cap=whole"}) {
+      scene::Scene scene =
+          assigned({"camera.projection=orthographic", setting}, view(60.0 * glm::normalize(normal)));
+      scene.camera.up = {0.2, 1.0, -0.1};
+      scene.clip.planes = {{middle() + 2.0 * glm::normalize(normal), normal}};
+      scene.slice.level = 93.0;
+      scene.slice.width = 9.0;
+      scene.slice.contourWidth = 0.0;
+      const render::ColorImage seen = colors(scene, 1, true);
+      const render::LinearImage linear = renderer_->readLinearPicture();
+      const render::CutFaceColors expectedColors = render::cutFaceColors(scene_, *ball());
+      const scene::CameraFrame frame = scene::frameOf(scene_.camera);
+      volume::SlicePlane plane;
+      plane.size = kSize;
+      const double pixelMm = 2.0 * frame.halfHeight / kSize.y;
+      plane.rightMm = pixelMm * frame.right;
+      plane.downMm = -pixelMm * frame.up;
+      plane.originMm = scene.clip.planes[0].point - 0.5 * (kSize.x - 1) * plane.rightMm -
+                       0.5 * (kSize.y - 1) * plane.downMm;
+      base::Progress progress;
+      const app::SliceContent content = app::sliceContent(*ball(), scene_, plane, progress);
+      const render::ColorImage slice =
+          app::slicePicture(content, scene_.slice, ball()->grid().geometry(), progress);
+      int compared = 0, different = 0, sum = 0;
+      for (int i = 0; i < kSize.x * kSize.y; ++i) {
+        const auto pixel = static_cast<std::size_t>(i);
+        const double fromMiddle = glm::distance(plane.at({i % kSize.x, i / kSize.x}), middle());
+        const bool whole = scene_.clip.cap == scene::ClipCap::whole;
+        if (whole ? std::isnan(content.values.values[pixel]) : fromMiddle > kRadius - 0.5) continue;
+        ++compared;
+        const glm::vec3 color = expectedColors.at(content.values.values[pixel]);
+        for (std::size_t c = 0; c < 3; ++c) {
+          ASSERT_NEAR(linear.rgba[4 * pixel + c], color[static_cast<int>(c)], 1e-5) << setting;
+          const int apart = seen.rgba[4 * pixel + c] - slice.rgba[4 * pixel + c];
+          different += apart != 0;
+          sum += apart;
+          ASSERT_LE(std::abs(apart), 1) << setting << ", " << i % kSize.x << ' ' << i / kSize.x;
+        }
+      }
+      EXPECT_GT(compared, 500) << setting;
+      EXPECT_LE(different, 0.3 * 3 * compared) << setting;
+      EXPECT_NEAR(static_cast<double>(sum) / (3 * compared), 0.0, 0.05) << setting;
+    }
+}
+
+// Rays within a pixel are averaged: far from edges a face of even slope has the values of pixel centres.
+TEST_P(CutsGlTest, SupersamplingAveragesFaces) {
+  scene::Scene scene = view({5, 9, 50});
+  scene.clip.planes = {kPlane};
+  scene.slice.level = 94.0;
+  scene.slice.width = 30.0;
+  const render::ColorImage one = colors(scene), four = colors(scene, 2);
+  ASSERT_EQ(one.rgba.size(), four.rgba.size());
+  int inner = 0, softened = 0;
+  for (int i = 0; i < kSize.x * kSize.y; ++i) {
+    const Seen seen = seenOf(this->ray({i % kSize.x, i / kSize.x}, kSize), true);
+    const auto pixel = static_cast<std::size_t>(4 * i);
+    if (seen.close) {
+      softened += std::abs(one.rgba[pixel] - four.rgba[pixel]) > 8;
+    } else if (seen.face) {
+      ++inner;
+      ASSERT_NEAR(one.rgba[pixel], four.rgba[pixel], 2) << i % kSize.x << ' ' << i / kSize.x;
+    }
+  }
+  EXPECT_GT(inner, 800);
+  EXPECT_GT(softened, 20);  // the border of the face is antialiased
 }
 
 // Level, width and map change how values look and nothing else; without cuts nothing of it is there.

@@ -124,6 +124,23 @@ TEST_F(BricksGlTest, EveryFieldIsTheSameWithExactFetches) {
     }
 }
 
+// Rays that begin at a cut ask for the bricks that they need there; faces are the same, few slots or many.
+TEST_F(BricksGlTest, CutSurfacesAndTheirFacesAreTheSame) {
+  const auto volume = phantom("gyroid", 70);
+  const glm::dvec3 middle = 0.5 * (volume->facts.boundsMinMm + volume->facts.boundsMaxMm);
+  for (const scene::ClipCap cap : {scene::ClipCap::none, scene::ClipCap::inside, scene::ClipCap::whole}) {
+    scene::Scene scene;
+    scene.clip.planes = {{middle, {0.3, -1.0, 0.4}}};
+    scene.clip.cap = cap;
+    const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+    if (cap != scene::ClipCap::whole) {
+      ASSERT_GT(hits(whole), 500u);
+    }
+    expectEqual(whole, draw(volume, scene, MemoryLayout::bricks), "cut");
+    expectEqual(whole, draw(volume, scene, MemoryLayout::bricks, 2), "cut, few slots");
+  }
+}
+
 // Lookups of a field at a scale are wider, and have textures of their own: up to three beside the samples.
 TEST_F(BricksGlTest, FieldsAtScalesAreTheSame) {
   const auto volume = phantom("gyroid", 70);
