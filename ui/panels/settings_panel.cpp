@@ -82,7 +82,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   nothing_->setAlignment(Qt::AlignHCenter);
   nothing_->setWordWrap(true);
   nothing_->setContentsMargins(0, 24, 0, 0);
-  nothing_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  setInk(nothing_, Ink::quiet);
   nothing_->hide();
 
   auto* content = new QWidget(scroll_);

@@ -90,7 +90,7 @@ VolumePanel::VolumePanel(QWidget* parent)
   QFont bold = warningTitle_->font();
   bold.setWeight(QFont::DemiBold);
   warningTitle_->setFont(bold);
-  warningTitle_->setStyleSheet(QString("color: %1").arg(colours::warning.name()));
+  setInk(warningTitle_, Ink::warning);
   warnings_ = new WrappedText(this);
 
   auto* content = new QWidget(this);
@@ -131,7 +131,7 @@ WrappedText* VolumePanel::addRow(const QString& name) {
   auto* label = new QLabel(name, this);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-  label->setStyleSheet(QString("color: %1").arg(colours::quietText.name()));
+  setInk(label, Ink::quiet);
   facts_->addRow(label, value);
   return value;
 }

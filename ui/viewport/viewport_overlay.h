@@ -6,7 +6,9 @@
 
 #include "app/interaction/lamp_handles.h"
 #include "app/interaction/mark_view.h"
+#include "app/interaction/orientation_cube.h"
 #include "scene/camera.h"
+#include "ui/viewport/slice_outlines.h"
 
 namespace isolux::ui {
 
@@ -26,13 +28,19 @@ class ViewportOverlay : public QWidget {
   void setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip);
   // Marks, and what clicks would do; empty: they set none.
   void setMarks(std::vector<app::MarkShape> marks, const QString& toolHint);
-  void setHint(const QString& text);  // in place of a picture: what to do first
+  void setSlices(SlicesInPicture slices);
+  // From which side the cube's face there shows; none: no face.
+  std::optional<scene::StandardView> cubeViewAt(QPointF position) const;
+  void pointAtCube(std::optional<QPointF> position);  // lights the face up
+  void setHint(const QString& text);                  // in place of a picture: what to do first
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   void paintLetters(QPainter& painter) const;
+  QPointF cubeMiddle() const;
+  std::vector<app::CubeFace> cube() const;
   void paintCube(QPainter& painter) const;
   void paintScale(QPainter& painter) const;
   void paintProblem(QPainter& painter) const;
@@ -55,6 +63,8 @@ class ViewportOverlay : public QWidget {
   std::vector<app::LampHandle> lamps_;
   std::vector<app::MarkShape> marks_;
   std::optional<app::LampGrip> grip_;
+  SlicesInPicture slices_;
+  std::optional<scene::StandardView> pointedFace_;
 };
 
 }  // namespace isolux::ui

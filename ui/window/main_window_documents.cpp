@@ -261,7 +261,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   document_->cancelLoading();
   if (keeper_) keeper_->forget();
-  if (!isFullScreen()) QSettings().setValue("window/geometry", saveGeometry());
+  layout_->keep();
   event->accept();
 }
 

@@ -1,25 +1,22 @@
 // Full screen of ui/window/main_window.h: the picture with the menu and the isovalue, and everything as it
 // was afterwards.
-#include <QDockWidget>
 #include <QShortcut>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QWindowStateChangeEvent>
 
 #include "ui/window/main_window.h"
+#include "ui/window/window_layout.h"
 
 namespace isolux::ui {
 
 void MainWindow::toggleFullScreen(bool on) {
   leaveFullScreen_->setEnabled(on);
   if (on) {
-    layoutBefore_ = saveState();
-    for (QToolBar* bar : findChildren<QToolBar*>()) bar->hide();
-    for (const Docked& docked : panels_) docked.dock->hide();
+    layout_->hideAllBut();
     setWindowState(windowState() | Qt::WindowFullScreen);
   } else {
     setWindowState(windowState() & ~Qt::WindowFullScreen);  // maximised again, where it was
-    restoreState(layoutBefore_);                            // which docks were open, and which lay in front
+    layout_->showAgain();
   }
   statusBar()->setVisible(!on);
 }
