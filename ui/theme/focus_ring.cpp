@@ -43,12 +43,12 @@ bool comesByKeys(Qt::FocusReason reason) {
 }
 
 // What of the widget its window shows, in the window's coordinates.
-QRect seenIn(const QWidget* widget, const QWidget* window) {
-  QRect seen = QRect(widget->mapTo(window, QPoint(0, 0)), widget->size());
+QRect seenIn(const QWidget& widget, const QWidget& window) {
+  QRect seen(widget.mapTo(&window, QPoint(0, 0)), widget.size());
   seen.adjust(-outside, -outside, outside, outside);
-  for (const QWidget* parent = widget->parentWidget(); parent; parent = parent->parentWidget()) {
-    seen &= QRect(parent->mapTo(window, QPoint(0, 0)), parent->size());
-    if (parent == window) break;
+  for (const QWidget* parent = widget.parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
+    seen &= QRect(parent->mapTo(&window, QPoint(0, 0)), parent->size());
+    if (parent == &window) break;
   }
   return seen;
 }
@@ -93,15 +93,21 @@ void FocusRing::follow(QWidget* widget) {
 }
 
 void FocusRing::place() {
-  QWidget* const window = target_ && target_->isVisible() ? target_->window() : nullptr;
-  const QRect seen = window ? seenIn(target_, window) : QRect();
-  if (ring_ && (seen.isEmpty() || ring_->parentWidget() != window)) {
-    delete ring_;
-    ring_ = nullptr;
+  const QWidget* const target = target_.data();
+  if (target == nullptr || !target->isVisible()) {
+    delete ring_.data();
+    return;
+  }
+  QWidget* const window = target->window();
+  const QRect seen = seenIn(*target, *window);
+  QWidget* ring = ring_.data();
+  if (ring != nullptr && (seen.isEmpty() || ring->parentWidget() != window)) {
+    delete ring;
+    ring = nullptr;
   }
   if (seen.isEmpty()) return;
-  if (!ring_) ring_ = new RingFrame(window);
-  static_cast<RingFrame*>(ring_.data())->setRing(seen);
+  if (ring == nullptr) ring_ = ring = new RingFrame(window);
+  static_cast<RingFrame*>(ring)->setRing(seen);
 }
 
 }  // namespace isolux::ui

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <QByteArray>
-#include <QtEnvironmentVariables>
+#include <QtGlobal>
 
 namespace isolux::ui {
 
