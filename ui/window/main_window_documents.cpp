@@ -25,6 +25,7 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/window_layout.h"
 
 namespace isolux::ui {
 

@@ -27,6 +27,7 @@ MessageBar::MessageBar(QWidget* parent)
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
   close->setToolTip(tr("Close this message"));
+  close->setAccessibleName(tr("Close this message"));
   layout_->setContentsMargins(12, 7, 8, 7);
   layout_->setSpacing(10);
   layout_->addWidget(symbol_);

@@ -114,8 +114,9 @@ TEST_F(ThemeTest, TheWholeWindowFollowsAtOnce) {
           << widget->metaObject()->className() << ' ' << widget->objectName().toStdString() << ": "
           << widget->styleSheet().toStdString();
   for (const QLabel* label : window_->findChildren<QLabel*>())
-    if (label->property("ink").toString() == "quiet")
+    if (label->property("ink").toString() == "quiet") {
       EXPECT_EQ(label->palette().color(QPalette::WindowText), light.quietText);
+    }
 }
 
 TEST_F(ThemeTest, IconsAreDrawnInItsTextColour) {
