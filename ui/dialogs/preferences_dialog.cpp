@@ -54,7 +54,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
     row.label->setBuddy(row.value);
     for (QWidget* widget : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.value)})
       widget->setToolTip(describe(setting));
-    row.value->setAccessibleName(labelOf(setting));
+    nameValueWidget(row.value, labelOf(setting));
     grid->addWidget(row.label, line, 0);
     grid->addWidget(row.value, line, 1);
     if (setting.mayBeAutomatic) {

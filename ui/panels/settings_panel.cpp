@@ -77,6 +77,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   search_->setPlaceholderText(tr("Find a setting"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Find a setting"));
+  scroll_->setAccessibleName(tr("Settings of the scene"));
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   nothing_->setAlignment(Qt::AlignHCenter);

@@ -47,6 +47,7 @@ QString axesText(const glm::dmat3& directions, scene::WorldAxes axes) {
 VolumePanel::VolumePanel(QWidget* parent)
     : Panel(parent), facts_(new QFormLayout), choices_(new QFormLayout), choiceBox_(new QWidget(this)) {
   auto* scroll = new QScrollArea(this);
+  scroll->setAccessibleName(tr("About the volume"));
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* whole = new QVBoxLayout(this);

@@ -14,7 +14,7 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr double openAbout = 8.0, border = 24.0, dot = 3.5;  // units of the painter
+constexpr double openAbout = 8.0, dot = 3.5;  // units of the painter
 
 QPointF unitOf(glm::dvec2 pixel, double ratio) {
   const glm::dvec2 place = (pixel + 0.5) / ratio;
@@ -35,6 +35,7 @@ void paintPlanes(QPainter& painter, const volume::SlicePlane& picture, const std
   const QRectF all(QPointF(0.0, 0.0), QSizeF(picture.size.x, picture.size.y) / ratio);
   const QPointF cross = unitOf(picture.pixelOf(crosshairMm), ratio);
   painter.save();
+  const double border = std::max(24.0, 0.075 * std::min(all.width(), all.height()));  // of the letters
   painter.setClipRect(all.adjusted(border, border, -border, -border));
   for (const PlaneOfView& other : planes) {
     const auto ends = app::crossingLine(picture, other.plane);

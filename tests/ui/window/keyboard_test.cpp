@@ -95,9 +95,10 @@ TEST_F(KeyboardTest, EachStopOfTheTabKeyShowsWhereItIs) {
     ASSERT_NE(stop, nullptr);
     if (!stops.insert(stop).second) break;
     const std::string name =
-        std::string(stop->metaObject()->className()) + ' ' + stop->objectName().toStdString();
+        std::string(stop->metaObject()->className()) + ' ' + stop->objectName().toStdString() + ' ' +
+        QAccessible::queryAccessibleInterface(stop)->text(QAccessible::Name).toStdString();
     ASSERT_EQ(ring->target(), stop) << name;
-    ASSERT_NE(ring->ring(), nullptr) << name;
+    ASSERT_TRUE(waitUntil([&] { return ring->ring() && ring->ring()->isVisible(); }, 2000)) << name;
     const QRect place = ring->ring()->geometry();
     const QImage seen = window_->grab(place).toImage();
     const double ratio = seen.devicePixelRatio();
