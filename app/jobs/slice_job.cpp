@@ -50,13 +50,13 @@ void SliceJob::draw(Work& work) {
   const SliceContent content =
       sliceContent(*order.volume, scene, coarsened(order.plane, order.coarse), work.progress);
   scene::Slice drawn = scene.slice;
-  drawn.contourWidth /= order.coarse;
+  drawn.contourWidth *= order.pixelRatio / order.coarse;
   work.picture = enlarged(slicePicture(content, drawn, volume.grid->geometry(), work.progress), order.coarse,
                           order.plane.size);
   drawWords({lettersOf(order.plane, volume.axes), placeText(order.plane, volume.axes),
              conventionText(scene.slice.convention, volume.axes),
              windowText(content, scene.slice, volume.unit), rulerOf(order.plane)},
-            work.picture);
+            work.picture, order.pixelRatio);
 }
 
 void SliceJob::run(Work& work) {

@@ -29,6 +29,7 @@ struct SliceOrder {
   // A draft has one value for so many pixels of a row and of a column, and between them what lies between the
   // values; letters and place are those of the full picture. 1: no draft.
   int coarse = 1;
+  double pixelRatio = 1.0;  // pixels of one of a screen at 100 %: texts and curves are so much larger
   bool operator==(const SliceOrder&) const = default;
 };
 // slice.position is left out: the plane has it.

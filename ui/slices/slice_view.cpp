@@ -123,7 +123,9 @@ std::optional<volume::SlicePlane> SliceView::plane() const {
 std::optional<app::SliceOrder> SliceView::order() const {
   const auto now = plane();
   if (!now) return std::nullopt;
-  return app::sliceOrder(volume_, *now, resolved_);
+  app::SliceOrder order = app::sliceOrder(volume_, *now, resolved_);
+  order.pixelRatio = devicePixelRatioF();
+  return order;
 }
 
 QPointF SliceView::placeOf(glm::dvec3 world) const {

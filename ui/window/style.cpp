@@ -1,13 +1,18 @@
 #include "ui/window/style.h"
 
+#include <cmath>
+
 #include <QApplication>
 #include <QFont>
 #include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
+#include <QRegularExpression>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QWidget>
+
+#include "ui/theme/interface_scale.h"
 
 namespace isolux::ui {
 
@@ -144,6 +149,21 @@ constexpr auto sheet = R"(
     QWidget[ink="good"] { color: @good; }
   )";
 
+// Lengths of 3 pixels and more; lines keep their width.
+QString spacesScaled(const QString& text) {
+  if (textScale() == 1.0) return text;
+  static const QRegularExpression length("\\b([3-9]|[0-9]{2,})px");
+  QString scaled;
+  qsizetype from = 0;
+  for (auto matches = length.globalMatch(text); matches.hasNext();) {
+    const QRegularExpressionMatch match = matches.next();
+    scaled += text.mid(from, match.capturedStart() - from) +
+              QString::number(std::lround(textScale() * match.captured(1).toInt())) + "px";
+    from = match.capturedEnd();
+  }
+  return scaled + text.mid(from);
+}
+
 QString sheetOf(const ThemeColours& c) {
   QString text = sheet;
   for (const auto& [name, color] :
@@ -152,12 +172,13 @@ QString sheetOf(const ThemeColours& c) {
         std::pair{"@noteArea", c.noteArea}, std::pair{"@errorArea", c.errorArea},
         std::pair{"@error", c.error}, std::pair{"@warning", c.warning}, std::pair{"@good", c.good}})
     text.replace(name, color.name());
-  return text;
+  return spacesScaled(text);
 }
 
 void applyFont() {
   QFont font = QApplication::font();
   if (font.pointSizeF() < 9.5) font.setPointSizeF(9.5);
+  font.setPointSizeF(textScale() * font.pointSizeF());
   font.setHintingPreference(QFont::PreferFullHinting);
   QApplication::setFont(font);
 }

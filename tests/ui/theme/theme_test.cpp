@@ -159,7 +159,11 @@ TEST(InterfaceScale, IsWithinItsRangeAndLeavesTheEnvironmentAlone) {
   qunsetenv("QT_SCALE_FACTOR");
   ui::applyInterfaceScale(100);
   EXPECT_FALSE(qEnvironmentVariableIsSet("QT_SCALE_FACTOR"));
+  ui::applyInterfaceScale(10);
+  EXPECT_FALSE(qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) << "Qt does not paint all of a smaller window";
+  EXPECT_EQ(ui::textScale(), 0.75);
   ui::applyInterfaceScale(1000);
+  EXPECT_EQ(ui::textScale(), 1.0);
   EXPECT_EQ(qgetenv("QT_SCALE_FACTOR").toDouble(), 3.0);
   ui::applyInterfaceScale(150);
   EXPECT_EQ(qgetenv("QT_SCALE_FACTOR").toDouble(), 3.0) << "what is set holds";

@@ -7,8 +7,10 @@
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
+#include <string_view>
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -29,6 +31,7 @@
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/slices/slice_board.h"
+#include "ui/theme/interface_scale.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"
@@ -140,6 +143,8 @@ int main(int argc, char** argv) {
     const QTemporaryDir settings;  // the user's recent files and window size are not touched
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    for (int i = 1; i + 1 < argc; ++i)
+      if (std::string_view(argv[i]) == "--scale") ui::applyInterfaceScale(std::atoi(argv[i + 1]));
     const QApplication application(argc, argv);
     ui::finishApplication();
     QCommandLineParser options;
@@ -153,6 +158,7 @@ int main(int argc, char** argv) {
                         {"slices-alone", "Slices without the picture."},
                         {"cut-in-slice", "The sagittal slice shows the first cut."},
                         {"theme", "Colours of the window: dark or light.", "NAME", "dark"},
+                        {"scale", "Size of texts and controls, per cent.", "PERCENT", "100"},
                         {"preferences", "The preferences instead of the window."},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
                         {"set", "Override one setting.", "PATH=VALUE"}});
