@@ -90,6 +90,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
 
  private:
   QAction* newAction(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,

@@ -1,5 +1,6 @@
-// Full screen of ui/window/main_window.h: the picture with the menu and the isovalue, and everything as it
-// was afterwards.
+// Full screen and the Tab key of ui/window/main_window.h: the picture with the menu and the isovalue, and
+// everything as it was afterwards.
+#include <QApplication>
 #include <QShortcut>
 #include <QStatusBar>
 #include <QWindowStateChangeEvent>
@@ -19,6 +20,17 @@ void MainWindow::toggleFullScreen(bool on) {
     layout_->showAgain();
   }
   statusBar()->setVisible(!on);
+}
+
+// Panels behind others are no stops of the Tab key: Qt lays them out of sight and counts them as visible.
+bool MainWindow::focusNextPrevChild(bool next) {
+  constexpr int mostStops = 1000;
+  for (int i = 0; i < mostStops; ++i) {
+    if (!QMainWindow::focusNextPrevChild(next)) return false;
+    const QWidget* const focused = QApplication::focusWidget();
+    if (focused == nullptr || !layout_->isBehind(focused)) return true;
+  }
+  return true;
 }
 
 // The window manager may end full screen as well.

@@ -197,6 +197,12 @@ void WindowLayout::goOn(int step) {
   if (QWidget* const stop = firstStop(part)) stop->setFocus(Qt::ShortcutFocusReason);
 }
 
+bool WindowLayout::isBehind(const QWidget* widget) const {
+  return std::any_of(docks_.begin(), docks_.end(), [widget](const QDockWidget* dock) {
+    return dock->isAncestorOf(widget) && dock->visibleRegion().isEmpty();
+  });
+}
+
 void WindowLayout::hideAllBut() {
   before_ = window_->saveState(stateVersion);
   for (QToolBar* bar : window_->findChildren<QToolBar*>()) bar->hide();

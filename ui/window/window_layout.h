@@ -15,6 +15,7 @@ class QActionGroup;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
+class QWidget;
 
 namespace isolux::ui {
 
@@ -32,6 +33,9 @@ class WindowLayout : public QObject {
 
   void restore();  // what keep() kept; nothing where nothing was
   void keep() const;
+
+  // In a panel that lies behind another: there is nothing to see of it.
+  bool isBehind(const QWidget* widget) const;
 
   // All but the picture goes, and comes back as it was.
   void hideAllBut();
