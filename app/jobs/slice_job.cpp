@@ -1,8 +1,11 @@
 #include "app/jobs/slice_job.h"
 
+#include <algorithm>
+#include <chrono>
 #include <new>
 #include <utility>
 
+#include "app/slices/slice_draft.h"
 #include "app/slices/slice_labels.h"
 #include "app/slices/slice_picture.h"
 
@@ -22,37 +25,53 @@ SliceOrder sliceOrder(std::shared_ptr<const volume::PreparedVolume> volume, cons
   return order;
 }
 
-SliceJob::SliceJob(SliceOrder order) : order_(std::move(order)) {
-  thread_ = std::thread([this] { run(); });
-}
+SliceJob::SliceJob(SliceOrder order)
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->order = std::move(order);
+            return work;
+          }(),
+          run) {}
 
 SliceJob::~SliceJob() {
-  progress_.requestStop();
-  thread_.join();
+  work_->progress.requestStop();
 }
 
-void SliceJob::run() {
+void SliceJob::draw(Work& work) {
+  const SliceOrder& order = work.order;
+  scene::Scene scene;
+  scene.slice = order.slice;
+  scene.isosurface = order.isosurface;
+  scene.extraIsosurfaces = order.extraIsosurfaces;
+  scene.pieces = order.pieces;
+  scene.derivatives.noise = order.noise;
+  const volume::Volume& volume = order.volume->volume;
+  const SliceContent content =
+      sliceContent(*order.volume, scene, coarsened(order.plane, order.coarse), work.progress);
+  scene::Slice drawn = scene.slice;
+  drawn.contourWidth *= order.pixelRatio / order.coarse;
+  work.picture = enlarged(slicePicture(content, drawn, volume.grid->geometry(), work.progress), order.coarse,
+                          order.plane.size);
+  drawWords({lettersOf(order.plane, volume.axes), placeText(order.plane, volume.axes),
+             conventionText(scene.slice.convention, volume.axes),
+             windowText(content, scene.slice, volume.unit), rulerOf(order.plane)},
+            work.picture, order.pixelRatio);
+}
+
+void SliceJob::run(Work& work) {
+  const auto begun = std::chrono::steady_clock::now();
   try {
-    scene::Scene scene;
-    scene.slice = order_.slice;
-    scene.isosurface = order_.isosurface;
-    scene.extraIsosurfaces = order_.extraIsosurfaces;
-    scene.pieces = order_.pieces;
-    scene.derivatives.noise = order_.noise;
-    const volume::Volume& volume = order_.volume->volume;
-    const SliceContent content = sliceContent(*order_.volume, scene, order_.plane, progress_);
-    picture_ = slicePicture(content, scene.slice, volume.grid->geometry(), progress_);
-    drawWords({lettersOf(order_.plane, volume.axes), placeText(order_.plane, volume.axes),
-               conventionText(scene.slice.convention, volume.axes),
-               windowText(content, scene.slice, volume.unit), rulerOf(order_.plane)},
-              picture_);
+    draw(work);
   } catch (const base::Error& error) {
-    error_ = error;
+    work.error = error;
   } catch (const std::bad_alloc&) {
-    error_ = base::Error(base::ErrorKind::memory, order_.volume->volume.name, "",
-                         "out of memory while a slice is drawn");
+    work.error = base::Error(base::ErrorKind::memory, work.order.volume->volume.name, "",
+                             "out of memory while a slice is drawn");
   }
-  finished_.store(true, std::memory_order_release);
+  work.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+  work.finished.store(true, std::memory_order_release);
 }
 
 }  // namespace isolux::app

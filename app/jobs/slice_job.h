@@ -5,10 +5,10 @@
 #include <atomic>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "base/error.h"
 #include "base/progress.h"
+#include "base/retire.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
@@ -26,6 +26,10 @@ struct SliceOrder {
   std::array<scene::ExtraIsosurface, scene::kExtraIsosurfaces> extraIsosurfaces;
   scene::Pieces pieces;
   std::optional<double> noise;  // derivatives.noise, where there is a noise band
+  // A draft has one value for so many pixels of a row and of a column, and between them what lies between the
+  // values; letters and place are those of the full picture. 1: no draft.
+  int coarse = 1;
+  double pixelRatio = 1.0;  // pixels of one of a screen at 100 %: texts and curves are so much larger
   bool operator==(const SliceOrder&) const = default;
 };
 // slice.position is left out: the plane has it.
@@ -35,24 +39,31 @@ SliceOrder sliceOrder(std::shared_ptr<const volume::PreparedVolume> volume, cons
 class SliceJob {
  public:
   explicit SliceJob(SliceOrder order);  // starts at once
-  ~SliceJob();                          // stops and waits: a few ms
+  ~SliceJob();                          // stops; the thread ends elsewhere (base/retire.h)
+  SliceJob(const SliceJob&) = delete;
+  SliceJob& operator=(const SliceJob&) = delete;
 
-  const SliceOrder& order() const { return order_; }
-  void stop() { progress_.requestStop(); }
-  bool finished() const { return finished_.load(std::memory_order_acquire); }
-  // After finished(): the picture, or what went wrong.
-  const render::ColorImage& picture() const { return picture_; }
-  const std::optional<base::Error>& error() const { return error_; }
+  const SliceOrder& order() const { return work_->order; }
+  void stop() { work_->progress.requestStop(); }
+  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
+  // After finished(): the picture and how long it took, or what went wrong.
+  const render::ColorImage& picture() const { return work_->picture; }
+  double milliseconds() const { return work_->milliseconds; }
+  const std::optional<base::Error>& error() const { return work_->error; }
 
  private:
-  void run();
+  struct Work {
+    SliceOrder order;
+    base::Progress progress;
+    render::ColorImage picture;
+    double milliseconds = 0.0;
+    std::atomic<bool> finished{false};
+    std::optional<base::Error> error;
+  };
+  static void run(Work& work);
+  static void draw(Work& work);
 
-  const SliceOrder order_;
-  base::Progress progress_;
-  render::ColorImage picture_;
-  std::atomic<bool> finished_{false};
-  std::optional<base::Error> error_;
-  std::thread thread_;
+  base::RetiringThread<Work> work_;
 };
 
 }  // namespace isolux::app

@@ -149,15 +149,18 @@ Ruler rulerOf(const volume::SlicePlane& plane) {
   return ruler;
 }
 
-void drawWords(const SliceWords& words, render::ColorImage& image) {
+void drawWords(const SliceWords& words, render::ColorImage& image, double pixelRatio) {
+  const auto atLeast = [&](int pixels) {
+    return static_cast<int>(std::lround(pixels * std::max(1.0, pixelRatio)));
+  };
   if (image.size.y < kLowestWithLetters || image.size.x < kLowestWithLetters) return;
   const int least = std::min(image.size.x, image.size.y);
   const int margin = std::clamp(least / 48, 4, 40);
   Ink ink(image.size);
-  const render::Font large(std::clamp(least / 22, 15, 96));
+  const render::Font large(std::max(std::clamp(least / 22, 15, 96), atLeast(15)));
   drawLetters(words.letters, large, margin, ink, image.size);
   if (least >= kLowestWithWords) {
-    const render::Font small(std::clamp(least / 40, 11, 64));
+    const render::Font small(std::max(std::clamp(least / 40, 11, 64), atLeast(11)));
     std::istringstream lines(words.place + '\n' + words.convention);
     int baseline = margin + small.ascent();
     for (std::string text; std::getline(lines, text); baseline += small.lineHeight())

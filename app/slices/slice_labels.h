@@ -34,12 +34,13 @@ struct Ruler {
 Ruler rulerOf(const volume::SlicePlane& plane);  // about a fifth of the width; a round number
 
 // Writes all that onto the picture, as large as its height allows, bright on a dark rim. Pictures lower than
-// 160 pixels have the letters alone, those lower than 48 nothing.
+// 160 pixels have the letters alone, those lower than 48 nothing. `pixelRatio`: how many pixels are one of a
+// screen at 100 %; texts are no smaller than they are there.
 struct SliceWords {
   SliceLetters letters;
   std::string place, convention, window;
   Ruler ruler;
 };
-void drawWords(const SliceWords& words, render::ColorImage& image);
+void drawWords(const SliceWords& words, render::ColorImage& image, double pixelRatio = 1.0);
 
 }  // namespace isolux::app

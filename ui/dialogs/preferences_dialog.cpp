@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QFrame>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "base/error.h"
+#include "ui/dialogs/appearance_rows.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/value_widgets.h"
 
@@ -41,7 +43,7 @@ QString describe(const scene::MachineSetting& setting) {
 }  // namespace
 
 PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* parent)
-    : QDialog(parent), machine_(machine) {
+    : QDialog(parent), machine_(machine), appearance_(new AppearanceRows(this)) {
   setWindowTitle(tr("Preferences"));
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(14);
@@ -52,7 +54,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
     row.label->setBuddy(row.value);
     for (QWidget* widget : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.value)})
       widget->setToolTip(describe(setting));
-    row.value->setAccessibleName(labelOf(setting));
+    nameValueWidget(row.value, labelOf(setting));
     grid->addWidget(row.label, line, 0);
     grid->addWidget(row.value, line, 1);
     if (setting.mayBeAutomatic) {
@@ -78,6 +80,10 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(18, 18, 18, 14);
   layout->setSpacing(14);
+  layout->addWidget(appearance_);
+  auto* line = new QFrame(this);
+  line->setFrameShape(QFrame::HLine);
+  layout->addWidget(line);
   layout->addLayout(grid);
   layout->addWidget(note);
   layout->addStretch(1);
@@ -109,6 +115,7 @@ void PreferencesDialog::showRow(const Row& row) {
 }
 
 void PreferencesDialog::restoreDefaults() {
+  appearance_->restoreDefaults();
   if (machine_ == scene::Machine{}) return;
   machine_ = {};
   for (const Row& row : rows_) showRow(row);

@@ -1,5 +1,5 @@
-// The settings of the machine: memory, threads, how quick pictures in motion are. What is changed applies at
-// once.
+// How the window looks, and the settings of the machine: memory, threads, how quick pictures in motion are.
+// What is changed applies at once.
 #pragma once
 
 #include <vector>
@@ -13,6 +13,7 @@ class QLabel;
 
 namespace isolux::ui {
 
+class AppearanceRows;
 class ValueWidget;
 
 class PreferencesDialog : public QDialog {
@@ -23,6 +24,7 @@ class PreferencesDialog : public QDialog {
   const scene::Machine& machine() const { return machine_; }
   ValueWidget* valueWidget(const std::string& path) const;  // null: no such setting
   QCheckBox* automaticBox(const std::string& path) const;   // null: it cannot be automatic
+  AppearanceRows* appearance() const { return appearance_; }
   void restoreDefaults();
 
  Q_SIGNALS:
@@ -39,6 +41,7 @@ class PreferencesDialog : public QDialog {
   void showRow(const Row& row);
 
   scene::Machine machine_;
+  AppearanceRows* appearance_;
   std::vector<Row> rows_;
 };
 

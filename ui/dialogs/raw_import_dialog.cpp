@@ -215,19 +215,19 @@ void RawImportDialog::describedAnew() {
   const RawDescription described = description();
   const std::uint64_t needed = bytesNeeded(described);
   QString text = tr("%1 bytes described, the file has %2.").arg(grouped(needed), grouped(fileBytes_));
-  QColor colour = colours::quietText;
+  Ink ink = Ink::quiet;
   if (needed == fileBytes_) {
     text += tr(" They match.");
-    colour = QColor(0x7f, 0xc8, 0x8a);
+    ink = Ink::good;
   } else if (needed < fileBytes_) {
     text += tr(" The last %1 would be ignored.").arg(grouped(fileBytes_ - needed));
-    colour = colours::warning;
+    ink = Ink::warning;
   } else {
     text += tr(" %1 are missing.").arg(grouped(needed - fileBytes_));
-    colour = colours::error;
+    ink = Ink::error;
   }
   size_->setText(text);
-  size_->setStyleSheet("color: " + colour.name());
+  setInk(size_, ink);
   buttons_->button(QDialogButtonBox::Open)->setEnabled(fits());
   endianness_->setEnabled(volume::bytesOf(described.type) > 1);
   slice_->setRange(0, described.dims.z - 1);

@@ -67,7 +67,8 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
   resize(820, 640);
   preview_->setAlignment(Qt::AlignCenter);
   preview_->setMinimumSize(320, 240);
-  preview_->setStyleSheet(tr("background: %1;").arg(colours::base.name()));
+  preview_->setBackgroundRole(QPalette::Base);
+  preview_->setAutoFillBackground(true);
   preview_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   text_->setWordWrap(true);
   bar_->setRange(0, 1000);
@@ -114,7 +115,7 @@ ReferenceDialog::~ReferenceDialog() = default;
 
 void ReferenceDialog::tell(const QString& text, bool wrong) {
   text_->setText(text);
-  text_->setStyleSheet(QString("color: %1;").arg((wrong ? colours::error : colours::quietText).name()));
+  setInk(text_, wrong ? Ink::error : Ink::quiet);
 }
 
 QString ReferenceDialog::text() const {

@@ -1,12 +1,20 @@
 #include "ui/document/preferences.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 #include <QSettings>
 
 #include "base/error.h"
+#include "ui/theme/interface_scale.h"
 
 namespace isolux::ui {
 
 namespace {
+
+constexpr auto themeKey = "window/theme", scaleKey = "window/scale";
+constexpr std::array<const char*, 3> themeNames{"dark", "light", "system"};  // as Theme
 
 QString keyOf(const scene::MachineSetting& setting) {
   return "machine/" + QString::fromStdString(setting.path);
@@ -39,6 +47,27 @@ void keepMachine(const scene::Machine& before, const scene::Machine& after) {
     else
       kept.setValue(keyOf(setting), QString::fromStdString(value.dump()));
   }
+}
+
+Theme keptTheme() {
+  const QString name = QSettings().value(themeKey).toString();
+  for (std::size_t i = 0; i < themeNames.size(); ++i)
+    if (name == themeNames[i]) return static_cast<Theme>(i);
+  return Theme::dark;
+}
+
+void keepTheme(Theme theme) {
+  QSettings().setValue(themeKey, QString(themeNames[static_cast<std::size_t>(theme)]));
+}
+
+int keptScale() {
+  bool isNumber = false;
+  const int percent = QSettings().value(scaleKey).toInt(&isNumber);
+  return isNumber ? std::clamp(percent, smallestScale, largestScale) : 100;
+}
+
+void keepScale(int percent) {
+  QSettings().setValue(scaleKey, percent);
 }
 
 }  // namespace isolux::ui

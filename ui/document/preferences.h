@@ -1,7 +1,9 @@
-// What the user's machine is asked for (scene/machine.h), kept for this user between runs.
+// What is kept for this user between runs: what the machine is asked for (scene/machine.h), and how the
+// window looks.
 #pragma once
 
 #include "scene/machine.h"
+#include "ui/theme/theme.h"
 
 namespace isolux::ui {
 
@@ -10,5 +12,12 @@ scene::Machine keptMachine();
 // Keeps a setting whose value has changed. One that has its default is forgotten, so that a later version's
 // default applies.
 void keepMachine(const scene::Machine& before, const scene::Machine& after);
+
+// dark where nothing was kept.
+Theme keptTheme();
+void keepTheme(Theme theme);
+// Per cent, smallestScale to largestScale (ui/theme/interface_scale.h).
+int keptScale();
+void keepScale(int percent);
 
 }  // namespace isolux::ui

@@ -240,7 +240,9 @@ void CurvatureMapView::paintEvent(QPaintEvent*) {
   painter.drawImage(area, map_);
   QPainterPath never;
   never.addPolygon(QPolygonF({area.topLeft(), area.topRight(), area.bottomLeft(), area.topLeft()}));
-  painter.fillPath(never, QColor(0x1a, 0x1d, 0x22, 210));
+  QColor veil = colours::base;
+  veil.setAlpha(210);
+  painter.fillPath(never, veil);
   painter.fillPath(never, QBrush(colours::border, Qt::BDiagPattern));
   painter.setPen(QPen(colours::border, 1.0));
   painter.setBrush(Qt::NoBrush);

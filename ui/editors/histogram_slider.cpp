@@ -149,10 +149,10 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
     paintLine(painter, area);
   }
   if (!volume_) {
-    painter.setPen(colours::disabledText);
+    painter.setPen(colours::quietText);
     painter.drawText(area, Qt::AlignCenter, tr("The histogram of the volume appears here"));
   }
-  painter.setPen(QPen(hasFocus() ? colours::accent : colours::border, 1.0));
+  painter.setPen(QPen(hasFocus() ? colours::accent : colours::edge, 1.0));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5));
 }
@@ -162,19 +162,20 @@ void HistogramSlider::paintColumns(QPainter& painter, const QRectF& area) const 
   const auto heights = plot_.columns(detail_.counts.empty() ? volume_->histogram : detail_, width);
   const double line = plot_.pixelOf(isovalue_, area.width());
   painter.setRenderHint(QPainter::Antialiasing, false);
-  const QColor inside(0x8f, 0xb4, 0xd4), outside(0x4d, 0x5d, 0x6e);
   for (int x = 0; x < width; ++x) {
     const double height = heights[static_cast<std::size_t>(x)] * (area.height() - 4.0);
     if (height <= 0.0) continue;
     const bool in = insideAbove_ ? x >= line : x < line;
     painter.fillRect(
         QRectF(area.left() + x, area.bottom() - std::max(1.0, height), 1.0, std::max(1.0, height)),
-        in ? inside : outside);
+        in ? colours::plotInside : colours::plotOutside);
   }
   painter.setRenderHint(QPainter::Antialiasing);
   // Peaks: small marks on the floor of the plot.
   painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(0xf4, 0xf6, 0xf8, 150));
+  QColor ink = colours::plotInk;
+  ink.setAlpha(150);
+  painter.setBrush(ink);
   for (const double peak : volume_->histogram.peaks) {
     const double x = area.left() + plot_.pixelOf(peak, area.width());
     if (x < area.left() || x > area.right()) continue;
@@ -182,7 +183,8 @@ void HistogramSlider::paintColumns(QPainter& painter, const QRectF& area) const 
         QPolygonF({{x - 3.5, area.bottom()}, {x + 3.5, area.bottom()}, {x, area.bottom() - 6.0}}));
   }
   if (hovered_) {
-    painter.setPen(QPen(QColor(0xf4, 0xf6, 0xf8, 90), 1.0, Qt::DotLine));
+    ink.setAlpha(110);
+    painter.setPen(QPen(ink, 1.0, Qt::DotLine));
     const double x = area.left() + plot_.pixelOf(*hovered_, area.width());
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
   }
@@ -240,7 +242,7 @@ void HistogramSlider::paintLine(QPainter& painter, const QRectF& area) const {
   painter.setBrush(colours::isovalue);
   painter.drawRoundedRect(box, 4.0, 4.0);
   painter.setFont(font);
-  painter.setPen(QColor(0x22, 0x1a, 0x08));
+  painter.setPen(colours::onIsovalue);
   painter.drawText(box, Qt::AlignCenter, label);
 }
 

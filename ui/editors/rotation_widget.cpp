@@ -32,7 +32,7 @@ RotationWidget::RotationWidget(QWidget* parent) : ValueWidget(parent) {
     box->setAccessibleName(angles[i].name);
     box->setToolTip(angles[i].tip);
     auto* name = new QLabel(angles[i].name, this);
-    name->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+    setInk(name, Ink::quiet);
     layout->addWidget(name, 0, column);
     layout->addWidget(box, 1, column);
     layout->setColumnStretch(column, 1);

@@ -71,7 +71,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   layout->addWidget(reset_);
   description_ = describe(setting);
   setToolTip(description_);
-  value_->setAccessibleName(nameOf(setting));
+  nameValueWidget(value_, nameOf(setting));
 
   connect(value_, &ValueWidget::changed, this,
           [this](bool endsAfterPause) { send(value_->value(), endsAfterPause); });

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -348,6 +349,18 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
   }
   if (isColour(setting)) return new ColourWidget(setting, parent);
   return new VectorWidget(setting, parent);
+}
+
+void nameValueWidget(ValueWidget* widget, const QString& name) {
+  widget->setAccessibleName(name);
+  const QList<QAbstractSpinBox*> boxes = widget->findChildren<QAbstractSpinBox*>();
+  for (QWidget* part : widget->findChildren<QWidget*>()) {
+    if (part->focusPolicy() == Qt::NoFocus || !part->accessibleName().isEmpty()) continue;
+    auto* box = qobject_cast<QAbstractSpinBox*>(part);
+    if (box == nullptr) box = qobject_cast<QAbstractSpinBox*>(part->parentWidget());  // its line
+    const qsizetype axis = boxes.size() == 3 && box != nullptr ? boxes.indexOf(box) : -1;
+    part->setAccessibleName(axis < 0 ? name : name + ' ' + QChar("xyz"[axis]));
+  }
 }
 
 }  // namespace isolux::ui

@@ -26,5 +26,7 @@ class ValueWidget : public QWidget {
 // A vector of linear RGB.
 bool isColour(const scene::SettingInfo& setting);
 ValueWidget* makeValueWidget(const scene::SettingInfo& setting, QWidget* parent);
+// The accessible name of the widget and of all in it that takes the focus; three boxes are its x, y and z.
+void nameValueWidget(ValueWidget* widget, const QString& name);
 
 }  // namespace isolux::ui

@@ -136,8 +136,7 @@ void LightStatus::setState(const app::LightState& state, bool cancelled) {
   halted_ = cancelled || state.phase == Phase::paused;
   label_->setText(stateText(state, cancelled));
   label_->setToolTip(whyText(state));
-  const QColor colour = state.phase == Phase::failed ? colours::error : colours::quietText;
-  label_->setStyleSheet(QString("color: %1;").arg(colour.name()));
+  setInk(label_, state.phase == Phase::failed ? Ink::error : Ink::quiet);
   bar_->setVisible(works);
   bar_->setValue(state.phase == Phase::preparing
                      ? 0

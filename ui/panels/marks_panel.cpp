@@ -60,8 +60,7 @@ MarksPanel::MarksPanel(QWidget* parent)
       colour_(new ColorButton(this)) {
   empty_->setWordWrap(true);
   empty_->setAlignment(Qt::AlignTop);
-  for (QLabel* label : {empty_, measuring_})
-    label->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  for (QLabel* label : {empty_, measuring_}) setInk(label, Ink::quiet);
   details_->setReadOnly(true);
   details_->setAccessibleName(tr("What the mark says"));
   details_->setFixedHeight(fontMetrics().lineSpacing() * detailLines + 12);
@@ -128,6 +127,8 @@ void MarksPanel::makeList() {
   connect(remove, &QAction::triggered, this, &MarksPanel::deleteChosen);
   connect(list_, &QTreeWidget::itemChanged, this, &MarksPanel::itemEdited);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &MarksPanel::showDetails);
+  connect(list_, &QTreeWidget::currentItemChanged, this, &MarksPanel::tellChosen);
+  connect(list_, &QTreeWidget::itemClicked, this, &MarksPanel::tellChosen);
 }
 
 void MarksPanel::setScene(const scene::Scene& scene, const scene::Scene&) {
@@ -175,6 +176,13 @@ void MarksPanel::showRow(QTreeWidgetItem* item, std::size_t mark) {
   item->setForeground(valueColumn, doubtful ? colours::warning : colours::text);
   const std::string all = known ? app::fullText(shown, reports_[mark]) : std::string();
   item->setToolTip(valueColumn, QString::fromStdString(all).trimmed());
+}
+
+void MarksPanel::tellChosen() {
+  const int mark = current();
+  if (filling_ || mark < 0) return;
+  const scene::Mark& chosen = scene_.marks[static_cast<std::size_t>(mark)];
+  if (!chosen.points.empty()) Q_EMIT this->chosen(chosen.points.front());
 }
 
 int MarksPanel::current() const {

@@ -30,7 +30,11 @@ class MarksPanel : public Panel {
   QString details() const;  // all that the current mark says
   QString text() const;     // all that all marks say, for other programs
 
+ protected:
+  void themeChanged() override { showMarks(); }
+
  Q_SIGNALS:
+  void chosen(glm::dvec3 worldMm);  // a mark of the list: its first point
   void exportWanted();
   void importWanted();
   void stopWanted();
@@ -41,6 +45,7 @@ class MarksPanel : public Panel {
   void makeList();
   void showMarks();
   void showDetails();
+  void tellChosen();
   void showRow(QTreeWidgetItem* item, std::size_t mark);
   void itemEdited(QTreeWidgetItem* item, int column);
   void recolour(glm::dvec3 linear);

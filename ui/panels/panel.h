@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include <QEvent>
 #include <QWidget>
 
 #include "render/graph/frame.h"
@@ -22,6 +23,13 @@ class Panel : public QWidget {
   virtual void setFirstPicture(double) {}  // seconds since the volume's bytes were read
   virtual void setScene(const scene::Scene&, const scene::Scene& /*resolved*/) {}
   virtual void setReport(const render::FrameReport&, const render::FrameRequest&) {}  // of every picture
+
+ protected:
+  virtual void themeChanged() {}  // what was filled in with its colours
+  void changeEvent(QEvent* event) override {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) themeChanged();
+  }
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);

@@ -46,7 +46,7 @@ PassesPanel::PassesPanel(QWidget* parent)
       copy_(new QToolButton(this)) {
   heading_->setWordWrap(true);
   summary_->setWordWrap(true);
-  summary_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  setInk(summary_, Ink::quiet);
   copy_->setText(tr("Copy"));
   copy_->setToolTip(tr("Copy the table, to paste it into a text or a spreadsheet"));
   connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
@@ -108,6 +108,11 @@ void PassesPanel::refresh() {
   showPasses();
 }
 
+void PassesPanel::themeChanged() {
+  table_->clear();
+  refresh();
+}
+
 // A line for each pass and, below it, why it ran or did not.
 void PassesPanel::showPasses() {
   const int count = static_cast<int>(report_.passes.size());
@@ -139,7 +144,7 @@ void PassesPanel::showPasses() {
     item->setText(timeColumn, ran ? timeText(pass.milliseconds) : "–");
     item->setText(memoryColumn, pass.bytes > 0 ? bytesText(static_cast<double>(pass.bytes)) : "–");
     for (int column = 0; column < columns; ++column)
-      item->setForeground(column, ran ? colours::text : colours::disabledText);
+      item->setForeground(column, ran ? colours::text : colours::quietText);
     const auto last = lastTimes_.find(pass.name);
     item->setToolTip(timeColumn, ran || last == lastTimes_.end()
                                      ? QString()

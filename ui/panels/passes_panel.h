@@ -28,6 +28,9 @@ class PassesPanel : public Panel {
  protected:
   void showEvent(QShowEvent* event) override;
 
+ protected:
+  void themeChanged() override;
+
  private:
   void refresh();
   void showPasses();

@@ -59,7 +59,7 @@ PiecesPanel::PiecesPanel(QWidget* parent)
       smallest_(new SettingEditor(scene::setting("pieces.smallest"), this)) {
   heading_->setWordWrap(true);
   more_->setWordWrap(true);
-  more_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  setInk(more_, Ink::quiet);
   makeList();
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -264,7 +264,7 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
   for (const PieceColumn column : {volumeColumn, boxColumn})
     item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   for (int column = 0; column < pieceColumns; ++column)
-    item->setForeground(column, shown ? colours::text : colours::disabledText);
+    item->setForeground(column, shown ? colours::text : colours::quietText);
   const volume::Piece& piece = found_.pieces->list()[id];
   if (id >= found_.measures.size()) {
     item->setText(boxColumn, {});

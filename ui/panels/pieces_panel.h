@@ -35,6 +35,7 @@ class PiecesPanel : public Panel {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void themeChanged() override { showFound(); }
 
  private:
   void makeList();

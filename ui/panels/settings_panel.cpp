@@ -77,12 +77,13 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   search_->setPlaceholderText(tr("Find a setting"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Find a setting"));
+  scroll_->setAccessibleName(tr("Settings of the scene"));
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   nothing_->setAlignment(Qt::AlignHCenter);
   nothing_->setWordWrap(true);
   nothing_->setContentsMargins(0, 24, 0, 0);
-  nothing_->setStyleSheet(QString("color: %1;").arg(colours::quietText.name()));
+  setInk(nothing_, Ink::quiet);
   nothing_->hide();
 
   auto* content = new QWidget(scroll_);

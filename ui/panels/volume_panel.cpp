@@ -47,6 +47,7 @@ QString axesText(const glm::dmat3& directions, scene::WorldAxes axes) {
 VolumePanel::VolumePanel(QWidget* parent)
     : Panel(parent), facts_(new QFormLayout), choices_(new QFormLayout), choiceBox_(new QWidget(this)) {
   auto* scroll = new QScrollArea(this);
+  scroll->setAccessibleName(tr("About the volume"));
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* whole = new QVBoxLayout(this);
@@ -90,7 +91,7 @@ VolumePanel::VolumePanel(QWidget* parent)
   QFont bold = warningTitle_->font();
   bold.setWeight(QFont::DemiBold);
   warningTitle_->setFont(bold);
-  warningTitle_->setStyleSheet(QString("color: %1").arg(colours::warning.name()));
+  setInk(warningTitle_, Ink::warning);
   warnings_ = new WrappedText(this);
 
   auto* content = new QWidget(this);
@@ -131,7 +132,7 @@ WrappedText* VolumePanel::addRow(const QString& name) {
   auto* label = new QLabel(name, this);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-  label->setStyleSheet(QString("color: %1").arg(colours::quietText.name()));
+  setInk(label, Ink::quiet);
   facts_->addRow(label, value);
   return value;
 }

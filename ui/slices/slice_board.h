@@ -1,15 +1,18 @@
-// The picture alone, or four-up: with an axial, a coronal and a sagittal slice beside it.
+// The picture alone, four-up with three slices beside it, or the slices alone.
 //
-// Slices are drawn only while they are shown.
+// Slices are drawn only while they are shown; so is the picture.
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <QWidget>
 
 #include "ui/slices/slice_view.h"
 
 namespace isolux::ui {
+
+enum class ViewLayout { picture, fourUp, slices };
 
 class SliceBoard : public QWidget {
   Q_OBJECT
@@ -18,20 +21,31 @@ class SliceBoard : public QWidget {
 
   void setVolume(const VolumePointer& volume);
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
-  void setFourUp(bool on);
-  bool fourUp() const { return fourUp_; }
+  void setInteracting(bool interacting);  // a gesture elsewhere changes what slices show
+  void arrange(ViewLayout layout);
+  ViewLayout arrangement() const { return arrangement_; }
+  void setFourUp(bool on) { arrange(on ? ViewLayout::fourUp : ViewLayout::picture); }
+  bool slicesShown() const { return arrangement_ != ViewLayout::picture; }
+  bool fourUp() const { return arrangement_ == ViewLayout::fourUp; }
   SliceView* view(volume::SliceDirection direction) const {
     return views_[static_cast<std::size_t>(direction)];
   }
+  // Of the slices that are shown.
+  std::vector<PlaneOfView> planes() const;
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);
   void gestureEnded();
   void failed(const QString& message);
+  void arranged(isolux::ui::ViewLayout layout);
+  void planesChanged();  // planes() may be others
 
  private:
+  void linkViews();
+
+  QWidget* const picture_;
   std::array<SliceView*, 3> views_{};
-  bool fourUp_ = false;
+  ViewLayout arrangement_ = ViewLayout::picture;
 };
 
 }  // namespace isolux::ui

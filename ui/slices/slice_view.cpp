@@ -4,12 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include <QMenu>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/slices/slice_content.h"
@@ -19,54 +15,90 @@ namespace isolux::ui {
 namespace {
 
 constexpr int pollMs = 8, smallest = 32;  // pixels of a side
-constexpr double mostZoom = 64.0, notch = 120.0;
-
-struct NamedWindow {
-  const char* name;
-  double level, width;  // HU
-};
-constexpr NamedWindow ctWindows[] = {{QT_TRANSLATE_NOOP("QObject", "Bone"), 500, 2000},
-                                     {QT_TRANSLATE_NOOP("QObject", "Soft tissue"), 40, 400},
-                                     {QT_TRANSLATE_NOOP("QObject", "Brain"), 40, 80},
-                                     {QT_TRANSLATE_NOOP("QObject", "Lung"), -600, 1500},
-                                     {QT_TRANSLATE_NOOP("QObject", "Angiography"), 300, 600}};
+// A full picture that takes longer has drafts, which take about draftMs.
+constexpr double slowMs = 40.0, draftMs = 15.0;
+constexpr int coarsest = 6;
 
 }  // namespace
 
-SliceView::SliceView(volume::SliceDirection direction, QWidget* parent)
-    : QWidget(parent), direction_(direction) {
+SliceView::SliceView(volume::SliceDirection direction, QColor color, QWidget* parent)
+    : QWidget(parent), direction_(direction), color_(std::move(color)) {
+  choice_.direction = direction;
   setMinimumSize(smallest, smallest);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setCursor(Qt::CrossCursor);
-  constexpr const char* names[] = {QT_TRANSLATE_NOOP("QObject", "Axial slice"),
-                                   QT_TRANSLATE_NOOP("QObject", "Coronal slice"),
-                                   QT_TRANSLATE_NOOP("QObject", "Sagittal slice")};
-  setAccessibleName(QObject::tr(names[static_cast<int>(direction)]));
+  setFocusPolicy(Qt::StrongFocus);
+  nameIt();
   timer_.setInterval(pollMs);
   connect(&timer_, &QTimer::timeout, this, &SliceView::poll);
 }
 
 SliceView::~SliceView() = default;
 
+void SliceView::nameIt() {
+  constexpr const char* names[] = {QT_TRANSLATE_NOOP("QObject", "Axial slice"),
+                                   QT_TRANSLATE_NOOP("QObject", "Coronal slice"),
+                                   QT_TRANSLATE_NOOP("QObject", "Sagittal slice")};
+  const app::SliceChoice now = choice();
+  using Kind = app::SliceChoice::Kind;
+  setAccessibleName(now.kind == Kind::straight  ? QObject::tr(names[static_cast<int>(now.direction)])
+                    : now.kind == Kind::oblique ? tr("Oblique slice")
+                                                : tr("Slice of cut %1").arg(now.cut + 1));
+}
+
 void SliceView::setVolume(const VolumePointer& volume) {
   if (job_) job_->stop();
   volume_ = volume;
   zoom_ = 1.0;
+  middle_.reset();
+  fullMilliseconds_ = 0.0;
+  choice_ = {.direction = direction_};
+  nameIt();
   drawn_.reset();
   image_ = {};
-  orderNew();
-  update();
+  showAnew();
 }
 
 void SliceView::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   scene_ = scene;
   resolved_ = resolved;
+  showAnew();
+}
+
+void SliceView::setInteracting(bool interacting) {
+  interacting_ = interacting;
   orderNew();
+}
+
+void SliceView::setOthers(std::vector<PlaneOfView> others) {
+  others_ = std::move(others);
   update();
 }
 
-volume::SliceFrame SliceView::frame() const {
-  return sliceFrame(direction_, volume_->volume.axes, resolved_.slice.convention);
+void SliceView::choose(const app::SliceChoice& choice) {
+  choice_ = choice;
+  zoom_ = 1.0;
+  middle_.reset();
+  nameIt();
+  showAnew();
+  Q_EMIT chosen();
+}
+
+app::SliceChoice SliceView::choice() const {
+  const bool gone =
+      choice_.kind == app::SliceChoice::Kind::cut && choice_.cut >= resolved_.clip.planes.size();
+  return gone ? app::SliceChoice{.direction = direction_} : choice_;
+}
+
+std::optional<app::ChosenPlane> SliceView::chosenPlane() const {
+  if (!volume_) return std::nullopt;
+  return app::chosenPlane(choice(), resolved_, volume_->grid().geometry(), volume_->volume.axes);
+}
+
+std::optional<PlaneOfView> SliceView::planeOfView() const {
+  const auto chosen = chosenPlane();
+  if (!chosen) return std::nullopt;
+  return PlaneOfView{*chosen, color_};
 }
 
 glm::dvec3 SliceView::position() const {
@@ -74,17 +106,14 @@ glm::dvec3 SliceView::position() const {
 }
 
 std::optional<volume::SlicePlane> SliceView::plane() const {
-  if (!volume_) return std::nullopt;
-  const volume::GridGeometry& geometry = volume_->grid().geometry();
-  // Moving within the slice leaves it as it is.
-  glm::dvec3 point = app::slicePosition({}, geometry);
-  point[axisOf(direction_)] = position()[axisOf(direction_)];
+  const auto chosen = chosenPlane();
+  if (!chosen) return std::nullopt;
   const QSize pixels = size() * devicePixelRatioF();
-  volume::SlicePlane plane =
-      fittedSlice(geometry, frame(), point, {std::max(1, pixels.width()), std::max(1, pixels.height())});
-  if (zoom_ == 1.0) return plane;
+  volume::SlicePlane plane = fittedSlice(volume_->grid().geometry(), chosen->frame, chosen->pointMm,
+                                         {std::max(1, pixels.width()), std::max(1, pixels.height())});
+  if (zoom_ == 1.0 && !middle_) return plane;
   const glm::dvec2 half = 0.5 * glm::dvec2(plane.size - 1);
-  const glm::dvec3 middle = plane.at(plane.pixelOf(middle_));
+  const glm::dvec3 middle = plane.at(middle_ ? plane.pixelOf(*middle_) : half);
   plane.rightMm /= zoom_;
   plane.downMm /= zoom_;
   plane.originMm = middle - half.x * plane.rightMm - half.y * plane.downMm;
@@ -94,7 +123,9 @@ std::optional<volume::SlicePlane> SliceView::plane() const {
 std::optional<app::SliceOrder> SliceView::order() const {
   const auto now = plane();
   if (!now) return std::nullopt;
-  return app::sliceOrder(volume_, *now, resolved_);
+  app::SliceOrder order = app::sliceOrder(volume_, *now, resolved_);
+  order.pixelRatio = devicePixelRatioF();
+  return order;
 }
 
 QPointF SliceView::placeOf(glm::dvec3 world) const {
@@ -106,12 +137,29 @@ glm::dvec3 SliceView::worldAt(QPointF place) const {
   return plane()->at(glm::dvec2(place.x(), place.y()) * devicePixelRatioF() - 0.5);
 }
 
+int SliceView::coarseness() const {
+  if (!interacting_ || fullMilliseconds_ <= slowMs) return 1;
+  return std::clamp(static_cast<int>(std::ceil(std::sqrt(fullMilliseconds_ / draftMs))), 2, coarsest);
+}
+
 void SliceView::orderNew() {
-  if (job_ || !isVisible()) return;
+  if (!isVisible()) return;
   auto wanted = order();
   if (!wanted || (drawn_ && *wanted == *drawn_)) return;
+  const int coarse = coarseness();
+  if (job_) {  // a full one is not waited for while drafts are wanted
+    if (coarse > 1 && job_->order().coarse == 1) job_->stop();
+    return;
+  }
+  wanted->coarse = coarse;
+  if (drawn_ && *wanted == *drawn_) return;
   job_ = std::make_unique<app::SliceJob>(std::move(*wanted));
   timer_.start();
+}
+
+void SliceView::showAnew() {
+  orderNew();
+  update();
 }
 
 void SliceView::poll() {
@@ -122,48 +170,34 @@ void SliceView::poll() {
                     QImage::Format_RGBX8888)
                  .copy();
     drawn_ = job_->order();
+    if (drawn_->coarse == 1) fullMilliseconds_ = job_->milliseconds();
   } else if (job_->error() && job_->error()->kind() != base::ErrorKind::interrupted) {
     drawn_ = job_->order();  // not again and again
     Q_EMIT failed(QString::fromStdString(job_->error()->what()));
   }
   job_.reset();
   timer_.stop();
-  orderNew();
-  update();
+  showAnew();
 }
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), QColor(24, 27, 32));
-  if (!volume_ || image_.isNull()) return;
+  const auto now = plane();
+  if (!now || image_.isNull()) return;
   // Until the next one is there, the last picture lies where its points are now.
   const volume::SlicePlane& was = drawn_->plane;
+  const bool inPlace = was == *now;
   const QPointF corner = placeOf(was.at(glm::dvec2(-0.5))), end = placeOf(was.at(glm::dvec2(was.size) - 0.5));
-  painter.setRenderHint(QPainter::SmoothPixmapTransform, !complete());
-  painter.drawImage(complete() ? QRectF(rect()) : QRectF(corner, end), image_);
-  paintCrosshair(painter);
-}
-
-// Open in its middle, and short of the letters at the sides.
-void SliceView::paintCrosshair(QPainter& painter) const {
-  constexpr double gap = 8.0, border = 24.0;
-  const QPointF cross = placeOf(position());
-  const auto line = [&](bool across, double from, double to) {
-    if (from >= to) return;
-    if (across)
-      painter.drawLine(QPointF(from, cross.y()), QPointF(to, cross.y()));
-    else
-      painter.drawLine(QPointF(cross.x(), from), QPointF(cross.x(), to));
-  };
-  for (const auto& [color, thick] :
-       {std::pair{QColor(0, 0, 0, 140), 3}, std::pair{QColor(255, 190, 60), 1}}) {
-    painter.setPen(QPen(color, thick));
-    for (const bool across : {true, false}) {
-      const double at = across ? cross.x() : cross.y(), end = (across ? width() : height()) - border;
-      line(across, border, std::min(at - gap, end));
-      line(across, std::max(at + gap, border), end);
-    }
-  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, !inPlace);
+  painter.drawImage(inPlace ? QRectF(rect()) : QRectF(corner, end), image_);
+  const double ratio = devicePixelRatioF();
+  paintPlanes(painter, *now, others_, position(), ratio);
+  const glm::dvec3 normal = now->frame().normal();
+  const double reach =
+      std::max(0.5 * resolved_.slice.slab, 0.5 * volume::voxelAlong(volume_->grid().geometry(), normal));
+  paintPoints(painter, *now, resolved_.marks, reach, ratio);
+  paintStripe(painter, width(), color_);
 }
 
 void SliceView::resizeEvent(QResizeEvent*) {
@@ -174,119 +208,10 @@ void SliceView::showEvent(QShowEvent*) {
   orderNew();
 }
 
-void SliceView::moveTo(QPointF place) {
-  Edit edit{scene_, tr("Move crosshair"), "slice position", false};
-  const volume::GridGeometry& geometry = volume_->grid().geometry();
-  glm::dvec3 low, high;
-  geometry.worldBounds(low, high);
-  glm::dvec3 world = worldAt(place);
-  world[axisOf(direction_)] = position()[axisOf(direction_)];
-  edit.scene.slice.position = glm::clamp(world, low, high);
-  Q_EMIT edited(edit);
-}
-
-volume::GreyWindow SliceView::window() const {
-  return volume::greyWindow(resolved_.slice, volume_->histogram);
-}
-
-void SliceView::sendWindow(double level, double width, const char* mergeKey) {
-  Edit edit{scene_, tr("Change level and width"), mergeKey, false};
-  edit.scene.slice.level = level;
-  edit.scene.slice.width = width;
-  Q_EMIT edited(edit);
-}
-
-// A drag across the view changes the width about twentyfold, the level by the width.
-void SliceView::dragWindow(QPointF step) {
-  const volume::GreyWindow now = window();
-  sendWindow(now.level + now.width * step.y() / std::max(1, height()),
-             now.width * std::exp(3.0 * step.x() / std::max(1, width())), "slice window");
-}
-
-void SliceView::offerWindows(QPoint place) {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  const auto add = [&](const QString& name, std::optional<double> level, std::optional<double> width) {
-    connect(menu->addAction(name), &QAction::triggered, this, [this, level, width] {
-      Edit edit{scene_, tr("Change level and width"), {}, false};
-      edit.scene.slice.level = level;
-      edit.scene.slice.width = width;
-      Q_EMIT edited(edit);
-    });
-  };
-  add(tr("Automatic"), std::nullopt, std::nullopt);
-  if (volume_->volume.unit == "HU")
-    for (const NamedWindow& named : ctWindows) add(QObject::tr(named.name), named.level, named.width);
-  menu->popup(place);
-}
-
-void SliceView::mousePressEvent(QMouseEvent* event) {
-  if (!volume_ || drag_ != Drag::none) return;
-  moved_ = false;
-  last_ = event->position();
-  if (event->button() == Qt::RightButton) drag_ = Drag::window;
-  if (event->button() != Qt::LeftButton) return;
-  drag_ = Drag::position;
-  moveTo(last_);
-}
-
-void SliceView::mouseMoveEvent(QMouseEvent* event) {
-  if (drag_ == Drag::none || !volume_) return;
-  const QPointF step = event->position() - last_;
-  if (drag_ == Drag::window && !moved_ && step.manhattanLength() < 4) return;
-  moved_ = true;
-  last_ = event->position();
-  if (drag_ == Drag::position)
-    moveTo(last_);
-  else
-    dragWindow(step);
-}
-
-void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-  const Drag was = std::exchange(drag_, Drag::none);
-  if (was == Drag::none) return;
-  if (was == Drag::window && !moved_ && volume_) offerWindows(event->globalPosition().toPoint());
-  Q_EMIT gestureEnded();
-}
-
-void SliceView::mouseDoubleClickEvent(QMouseEvent*) {
+void SliceView::showWhole() {
   zoom_ = 1.0;
-  orderNew();
-  update();
-}
-
-void SliceView::zoom(QPointF place, double factor) {
-  const glm::dvec3 under = worldAt(place);
-  const glm::dvec3 middle = worldAt(QRectF(rect()).center());
-  const double before = zoom_;
-  zoom_ = std::clamp(zoom_ * factor, 1.0, mostZoom);
-  middle_ = under + (middle - under) * (before / zoom_);
-  orderNew();
-  update();
-}
-
-void SliceView::wheelEvent(QWheelEvent* event) {
-  event->accept();
-  if (!volume_) return;
-  const double notches = event->angleDelta().y() / notch;
-  if (event->modifiers() & Qt::ControlModifier) {
-    zoom(event->position(), std::pow(1.25, notches));
-    return;
-  }
-  steps_ += notches;
-  const double whole = std::trunc(steps_);
-  if (whole == 0.0) return;
-  steps_ -= whole;
-  const volume::GridGeometry& geometry = volume_->grid().geometry();
-  const int axis = axisOf(direction_);
-  glm::dvec3 normal(0.0), low, high;
-  normal[axis] = 1.0;
-  geometry.worldBounds(low, high);
-  Edit edit{scene_, tr("Move crosshair"), "slice wheel", true};
-  glm::dvec3 world = position();
-  world[axis] = std::clamp(world[axis] + whole * voxelAlong(geometry, normal), low[axis], high[axis]);
-  edit.scene.slice.position = world;
-  Q_EMIT edited(edit);
+  middle_.reset();
+  showAnew();
 }
 
 }  // namespace isolux::ui

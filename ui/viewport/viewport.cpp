@@ -62,6 +62,8 @@ Viewport::Viewport(QWidget* parent)
   pollTimer_.setTimerType(Qt::PreciseTimer);
   pollTimer_.setInterval(pollMilliseconds);
   connect(&pollTimer_, &QTimer::timeout, this, &Viewport::poll);
+  pollTimer_.start();  // for the context, also where the picture is not shown at first
+  connect(&turnTimer_, &QTimer::timeout, this, &Viewport::turnOn);
 }
 
 Viewport::~Viewport() = default;
@@ -106,7 +108,7 @@ void Viewport::placeRemedy() {
 }
 
 bool Viewport::complete() const {
-  return current() && !bricksPending_ && !lightPending_ && !fieldsPending_ &&
+  return current() && !turnsFrom_ && !bricksPending_ && !lightPending_ && !fieldsPending_ &&
          shownRequest_.size == pixelSize() && shownAtRest_ == restDiffers() &&
          shownRequest_.supersampling == std::clamp(resolved_.picture.supersampling, 1, 4);
 }
@@ -180,9 +182,10 @@ void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved)
   const bool switchedOn =
       scene::shadingOf(resolved) == scene::Shading::gi && scene::shadingOf(resolved_) != scene::Shading::gi;
   if (switchedOn) viewChanged();
+  if (!(resolved.camera == resolved_.camera)) endTurn();
   scene_ = scene;
   resolved_ = resolved;
-  overlay_->setScene(resolved, volume_ != nullptr, axes());
+  showView();
   if (same) return;
   marksSeenFrom_ = 0;
   lookBehindMarks();

@@ -1,7 +1,8 @@
 // The picture: orders pictures of the scene and shows them, turns the mouse into edited cameras.
 //
 // Left drag rotates, middle or Shift+left pans, right drag or wheel zooms, Ctrl+left rolls, a double click
-// puts the picked surface point into the centre, a right click asks for a menu. Under global illumination
+// puts the picked surface point into the centre, a right click asks for a menu, a click on the cube turns to
+// the view from there. With the focus, arrows turn, pan, roll and zoom. Under global illumination
 // Shift+right turns the environment, and lamps have handles; so have planes and the box that cut. With a tool
 // for marks, clicks set points on the surface.
 //
@@ -41,6 +42,7 @@ class QPushButton;
 #include "ui/document/baked_light.h"
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
+#include "ui/viewport/slice_outlines.h"
 
 namespace isolux::ui {
 
@@ -75,6 +77,9 @@ class Viewport : public QWidget {
   // Whether planes and box have handles; while a tool for marks is chosen they have none.
   void setCutHandles(bool shown);
   const std::vector<app::CutShape>& cutShapes() const { return cuts_; }  // that are shown
+  void setSlices(SlicesInPicture slices);  // that are shown beside the picture
+  // Views that are asked for by name are turned to in this time, which no edit shows; 0: at once.
+  void setTurnMilliseconds(int milliseconds) { turnMilliseconds_ = milliseconds; }
 
   void applyStandardView(scene::StandardView view);
   void fitView();
@@ -93,6 +98,7 @@ class Viewport : public QWidget {
   void edited(const isolux::ui::Edit& edit);
   void gestureEnded();
   void pointed(const std::optional<isolux::app::Pick>& pick);
+  void clicked(const isolux::app::Pick& pick);  // on the surface, without a tool
   // A right click, or the menu key: of the surface there.
   void menuAsked(const QPoint& onScreen, const std::optional<isolux::app::Pick>& pick);
   // The same on the handle of a cut.
@@ -178,11 +184,18 @@ class Viewport : public QWidget {
   void stepCut(const app::CutGrip& grip, double notches);
   void sendCut(const scene::Clip& clip, const app::CutGrip& grip, bool endsAfterPause);
   void dragTo(QPointF position);
+  void clickOn(QPointF position);
   void endDrag(QPointF position);
   void reportPointed();
   void placePoint(QPointF position, bool more);
   void showMarks();
   void lookBehindMarks();
+  bool turnByKey(const QKeyEvent& event);
+  void turnTo(const scene::Camera& camera, const QString& name);
+  void turnOn();
+  void endTurn();
+  void showView();
+  scene::Camera cameraNow() const;
   void sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey,
                   bool endsAfterPause);
   std::optional<app::Pick> pickAt(QPointF position) const;
@@ -228,7 +241,10 @@ class Viewport : public QWidget {
   std::uint64_t view_ = 0;
   double seenRays_ = 0.0;
   QElapsedTimer sinceSeen_;
-  QTimer refineTimer_, pointTimer_, pollTimer_, fieldTimer_;
+  QTimer refineTimer_, pointTimer_, pollTimer_, fieldTimer_, turnTimer_;
+  int turnMilliseconds_ = 0;
+  std::optional<scene::Camera> turnsFrom_;  // while the view turns to the scene's camera
+  QElapsedTimer sinceTurn_;
 
   Drag drag_ = Drag::none;
   Qt::MouseButton dragButton_ = Qt::NoButton;
@@ -248,6 +264,7 @@ class Viewport : public QWidget {
   std::vector<app::MarkShape> shapes_;
   std::size_t marksSeenFrom_ =
       0;  // corners of shapes_ of which it is known whether they are behind the surface
+  SlicesInPicture slices_;
   ViewportOverlay* overlay_;
   QPushButton* remedy_;  // over an empty picture: what would show something
   render::EmptyPicture::Remedy offered_ = render::EmptyPicture::Remedy::none;

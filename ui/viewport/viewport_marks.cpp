@@ -122,6 +122,7 @@ void Viewport::placePoint(QPointF position, bool more) {
   if (placing_.size() >= info.most || (placing_.size() >= info.fewest && !more)) {
     Edit edit{scene_, tr("Add ") + QString(info.title).toLower(), {}, false};
     edit.scene.marks.push_back({*tool_, app::freshName(*tool_, scene_.marks), std::move(placing_)});
+    if (!slices_.outlines.empty()) edit.scene.slice.position = pick->worldMm;
     placing_.clear();
     Q_EMIT edited(edit);
   }
@@ -129,9 +130,9 @@ void Viewport::placePoint(QPointF position, bool more) {
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
-  if (drag_ == Drag::cut && event->key() == Qt::Key_Escape) {
-    cancelCut();
-  } else if (!tool_) {
+  if (drag_ == Drag::cut && event->key() == Qt::Key_Escape) return cancelCut();
+  if (turnByKey(*event)) return;
+  if (!tool_) {
     QWidget::keyPressEvent(event);
   } else if (event->key() == Qt::Key_Escape) {
     setTool(std::nullopt);

@@ -32,14 +32,14 @@ void Viewport::sendCamera(const scene::Camera& camera, const QString& name, cons
 void Viewport::applyStandardView(scene::StandardView view) {
   if (!volume_) return;
   const scene::VolumeFacts& facts = volume_->facts;
-  sendCamera(scene::standardView(resolved_.camera, view, facts.axes, facts.boundsMinMm, facts.boundsMaxMm),
-             (scene::standardViewName(view, facts.axes) + " view").c_str(), "", false);
+  turnTo(scene::standardView(resolved_.camera, view, facts.axes, facts.boundsMinMm, facts.boundsMaxMm),
+         (scene::standardViewName(view, facts.axes) + " view").c_str());
 }
 
 void Viewport::fitView() {
   if (!volume_) return;
-  sendCamera(scene::fitted(resolved_.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
-             tr("Fit view"), "", false);
+  turnTo(scene::fitted(resolved_.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
+         tr("Fit view"));
 }
 
 void Viewport::resetView() {
@@ -47,7 +47,7 @@ void Viewport::resetView() {
   camera.eye.reset();
   camera.target.reset();
   camera.up.reset();
-  sendCamera(camera, tr("Reset view"), "", false);
+  turnTo(camera, tr("Reset view"));
 }
 
 void Viewport::toggleProjection() {
@@ -115,6 +115,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   hoverAt(event->position());
+  overlay_->pointAtCube(event->position());
   pointed_ = event->position();
   if (!pointTimer_.isActive()) pointTimer_.start();
 }
@@ -167,9 +168,10 @@ void Viewport::dragTo(QPointF position) {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (drag_ == Drag::none || event->button() != dragButton_) return;
   const bool still = !dragMoved_ && drag_ != Drag::lamp && drag_ != Drag::cut,
-             asksMenu = drag_ == Drag::zoom && !dragMoved_,
+             asksMenu = drag_ == Drag::zoom && !dragMoved_, clicks = !tool_ && drag_ == Drag::orbit && still,
              setsPoint = tool_ && dragButton_ == Qt::LeftButton && still;
   endDrag(event->position());
+  if (clicks) clickOn(event->position());
   if (setsPoint) placePoint(event->position(), event->modifiers() & Qt::ShiftModifier);
   if (!asksMenu) return;
   if (const auto cut = cutUnder(event->position()))
@@ -184,6 +186,14 @@ void Viewport::contextMenuEvent(QContextMenuEvent* event) {
   const QPoint at =
       rect().contains(pointed_.toPoint()) && !pointed_.isNull() ? pointed_.toPoint() : rect().center();
   Q_EMIT menuAsked(mapToGlobal(at), pickAt(at));
+}
+
+// A press that did not move: on the cube it turns to that side, on the surface it is told.
+void Viewport::clickOn(QPointF position) {
+  if (const auto view = volume_ ? overlay_->cubeViewAt(position) : std::nullopt)
+    applyStandardView(*view);
+  else if (const auto pick = pickAt(position))
+    Q_EMIT clicked(*pick);
 }
 
 void Viewport::endDrag(QPointF position) {
@@ -222,6 +232,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 
 void Viewport::leaveEvent(QEvent*) {
   pointTimer_.stop();
+  overlay_->pointAtCube(std::nullopt);
   if (drag_ == Drag::none) {
     hoverCut(std::nullopt);
     hover(std::nullopt);

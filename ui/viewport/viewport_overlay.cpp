@@ -20,6 +20,10 @@
 
 namespace isolux::ui {
 
+namespace {
+constexpr double halfEdge = 17.0;  // of the cube, pixels
+}
+
 ViewportOverlay::Inks ViewportOverlay::inksAt(double heightFraction) const {
   const QColor light(0xf4, 0xf6, 0xf8), dark(0x0a, 0x0c, 0x0f);
   const glm::dvec3 background = glm::mix(backgroundTop_, backgroundBottom_, heightFraction);
@@ -107,6 +111,7 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
   if (!problem_.isEmpty()) {
     paintProblem(painter);
   } else if (visible_) {
+    paintSlices(painter, slices_, frame_, size());
     if (!cuts_.empty()) paintCuts(painter, cuts_, cutGrip_);
     if (!marks_.empty()) paintMarks(painter, marks_, frame_, size());
     paintLetters(painter);
@@ -160,42 +165,55 @@ void ViewportOverlay::paintLetters(QPainter& painter) const {
            text(letters.bottom));
 }
 
+QPointF ViewportOverlay::cubeMiddle() const {
+  return {width() - 48.0, topInset_ + 48.0};  // the legend stands in the lower corner
+}
+
+std::vector<app::CubeFace> ViewportOverlay::cube() const {
+  return app::cubeFaces(frame_, axes_, halfEdge);
+}
+
+std::optional<scene::StandardView> ViewportOverlay::cubeViewAt(QPointF position) const {
+  if (!visible_ || !problem_.isEmpty()) return std::nullopt;
+  const QPointF from = position - cubeMiddle();
+  return app::faceAt(cube(), {from.x(), from.y()});
+}
+
+void ViewportOverlay::pointAtCube(std::optional<QPointF> position) {
+  const auto face = position ? cubeViewAt(*position) : std::nullopt;
+  if (face == pointedFace_) return;
+  pointedFace_ = face;
+  update();
+}
+
+void ViewportOverlay::setSlices(SlicesInPicture slices) {
+  if (slices.outlines.empty() && slices_.outlines.empty()) return;
+  slices_ = std::move(slices);
+  update();
+}
+
 void ViewportOverlay::paintCube(QPainter& painter) const {
-  struct Face {
-    glm::dvec3 normal, right, up;  // the letter stands upright along `up`
-  };
-  // As in the standard views: the sides round `up` stand on it, its own ends lean to the front.
-  const glm::dvec3 x(1.0, 0.0, 0.0), up = upOf(axes_), front = frontOf(axes_);
-  const std::array<Face, 6> faces{
-      {{x, -front, up}, {-x, front, up}, {-front, -x, up}, {front, x, up}, {up, x, -front}, {-up, x, front}}};
-  constexpr double half = 17.0;
-  const QPointF centre(width() - 48.0, topInset_ + 48.0);  // the legend stands in the lower corner
-  const auto onScreen = [this](glm::dvec3 v) {
-    return QPointF(half * glm::dot(v, frame_.right), -half * glm::dot(v, frame_.up));
-  };
   QFont font = this->font();
   font.setPixelSize(20);
   font.setWeight(QFont::DemiBold);
   const QFontMetricsF metrics(font);
-  for (const Face& face : faces) {
-    const double facing = glm::dot(face.normal, frame_.back);
-    if (facing <= 0.01) continue;
-    // Letters of the top and bottom face stand whichever way is upright for the viewer.
-    const double upright = glm::dot(face.up, frame_.up) < 0.0 ? -1.0 : 1.0;
-    const QPointF n = onScreen(face.normal), r = upright * onScreen(face.right),
-                  u = upright * onScreen(face.up);
-    const QPolygonF square({centre + n - r - u, centre + n + r - u, centre + n + r + u, centre + n - r + u});
-    const int shade = static_cast<int>(46.0 + 44.0 * facing);
-    painter.setBrush(QColor(shade, shade + 5, shade + 12, 225));
+  const QPointF centre = cubeMiddle();
+  const auto point = [](glm::dvec2 p) { return QPointF(p.x, p.y); };
+  for (const app::CubeFace& face : cube()) {
+    QPolygonF square;
+    for (const glm::dvec2& corner : face.corners) square << centre + point(corner);
+    const int shade = static_cast<int>(46.0 + 44.0 * face.facing);
+    painter.setBrush(face.view == pointedFace_ ? colours::accent : QColor(shade, shade + 5, shade + 12, 225));
     painter.setPen(QPen(QColor(0xd5, 0xda, 0xe0, 200), 1.0));
     painter.drawPolygon(square);
-    if (facing < 0.25) continue;
-    // The letter lies on its face: path units of one pixel become face units of 1/half.
+    if (face.facing < 0.25) continue;
+    // The letter lies on its face: path units of one pixel become face units.
     QPainterPath path;
-    const QString letter = QString::fromStdString(axisEnd(axes_, face.normal));
+    const QString letter = QString::fromStdString(face.letter);
     path.addText(-0.5 * metrics.horizontalAdvance(letter), 0.5 * metrics.capHeight(), font, letter);
-    const QTransform onFace(r.x() / half, r.y() / half, -u.x() / half, -u.y() / half, centre.x() + n.x(),
-                            centre.y() + n.y());
+    const glm::dvec2 r = face.right / halfEdge, u = face.up / halfEdge;
+    const QPointF middle = centre + point(face.middle);
+    const QTransform onFace(r.x, r.y, -u.x, -u.y, middle.x(), middle.y());
     painter.fillPath(onFace.map(path), QColor(0xf4, 0xf6, 0xf8));
   }
 }

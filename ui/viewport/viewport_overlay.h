@@ -7,7 +7,9 @@
 #include "app/cuts/cut_handles.h"
 #include "app/interaction/lamp_handles.h"
 #include "app/interaction/mark_view.h"
+#include "app/interaction/orientation_cube.h"
 #include "scene/camera.h"
+#include "ui/viewport/slice_outlines.h"
 
 namespace isolux::ui {
 
@@ -28,13 +30,19 @@ class ViewportOverlay : public QWidget {
   void setCuts(std::vector<app::CutShape> cuts, const std::optional<app::CutGrip>& grip);  // the same of cuts
   // Marks, and what clicks would do; empty: they set none.
   void setMarks(std::vector<app::MarkShape> marks, const QString& toolHint);
-  void setHint(const QString& text);  // in place of a picture: what to do first
+  void setSlices(SlicesInPicture slices);
+  // From which side the cube's face there shows; none: no face.
+  std::optional<scene::StandardView> cubeViewAt(QPointF position) const;
+  void pointAtCube(std::optional<QPointF> position);  // lights the face up
+  void setHint(const QString& text);                  // in place of a picture: what to do first
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   void paintLetters(QPainter& painter) const;
+  QPointF cubeMiddle() const;
+  std::vector<app::CubeFace> cube() const;
   void paintCube(QPainter& painter) const;
   void paintScale(QPainter& painter) const;
   void paintProblem(QPainter& painter) const;
@@ -59,6 +67,8 @@ class ViewportOverlay : public QWidget {
   std::optional<app::LampGrip> grip_;
   std::vector<app::CutShape> cuts_;
   std::optional<app::CutGrip> cutGrip_;
+  SlicesInPicture slices_;
+  std::optional<scene::StandardView> pointedFace_;
 };
 
 }  // namespace isolux::ui

@@ -160,6 +160,7 @@ void Viewport::order() {
   orderedChanges_ = changes_;
   orderedAtRest_ = atRest;
   app::PictureOrder picture = orderOf(request, atRest);
+  picture.scene.camera = cameraNow();
   picture.request.brickUploadBytes = brickBytesPerFrame;
   picture.request.lightUploadBytes = lightBytesPerFrame;
   picture.draft = quality_.stage() == app::PictureQuality::Stage::moving;

@@ -14,6 +14,10 @@
 
 #include "app/files/state_folder.h"
 #include "app/version.h"
+#include "ui/document/preferences.h"
+#include "ui/theme/focus_ring.h"
+#include "ui/theme/interface_scale.h"
+#include "ui/viewport/viewport.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
 #include "ui/window/style.h"
@@ -76,7 +80,8 @@ void finishApplication() {
   // QApplication takes the user's locale; files and settings are written with a point in every country.
   std::setlocale(LC_NUMERIC, "C");
   QLocale::setDefault(QLocale::c());
-  applyStyle();
+  applyTheme(keptTheme());
+  FocusRing::install();
   QApplication::setWindowIcon(applicationIcon());
   QGuiApplication::setApplicationDisplayName("Isolux");
 }
@@ -87,6 +92,7 @@ int openWindow(const app::WindowRequest& request) {
                       *problem + "; `isolux render` makes pictures without one");
   }
   prepareApplication();
+  applyInterfaceScale(keptScale());
   int argc = 1;
   char name[] = "isolux";
   char* argv[] = {name, nullptr};
@@ -94,6 +100,8 @@ int openWindow(const app::WindowRequest& request) {
   finishApplication();
 
   MainWindow window;
+  constexpr int turnMilliseconds = 150;  // views that are asked for by name
+  window.viewport()->setTurnMilliseconds(turnMilliseconds);
   QObject::connect(&application, &QGuiApplication::commitDataRequest, &window, &MainWindow::commitData,
                    Qt::DirectConnection);
   window.show();

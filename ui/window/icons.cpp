@@ -1,10 +1,15 @@
 #include "ui/window/icons.h"
 
-#include <QApplication>
+#include <algorithm>
+#include <utility>
+
 #include <QFile>
+#include <QIconEngine>
 #include <QPainter>
-#include <QPalette>
+#include <QPixmapCache>
 #include <QSvgRenderer>
+
+#include "ui/window/style.h"
 
 // The resources lie in a static library: the linker keeps them only when they are asked for by name.
 static void initialiseIcons() {
@@ -12,6 +17,45 @@ static void initialiseIcons() {
 }
 
 namespace isolux::ui {
+
+namespace {
+
+class ThemedIcon : public QIconEngine {
+ public:
+  explicit ThemedIcon(QString name) : name_(std::move(name)) {}
+
+  QIconEngine* clone() const override { return new ThemedIcon(name_); }
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+    const int side = std::min(rect.width(), rect.height());
+    QRect square(0, 0, side, side);
+    square.moveCenter(rect.center());
+    painter->drawPixmap(square, drawn(side, mode, painter->device()->devicePixelRatioF()));
+  }
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    return scaledPixmap(size, mode, state, 1.0);
+  }
+  QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State, qreal scale) override {
+    QPixmap pixmap = drawn(std::min(size.width(), size.height()), mode, 1.0);  // already in pixels
+    pixmap.setDevicePixelRatio(scale);
+    return pixmap;
+  }
+
+ private:
+  QPixmap drawn(int side, QIcon::Mode mode, double ratio) const {
+    const QColor& colour = mode == QIcon::Disabled ? colours::disabledText : colours::text;
+    const QString key = QString("isolux %1 %2 %3 %4").arg(name_, colour.name()).arg(side).arg(ratio);
+    QPixmap pixmap;
+    if (!QPixmapCache::find(key, &pixmap)) {
+      pixmap = iconPixmap(name_, side, colour, ratio);
+      QPixmapCache::insert(key, pixmap);
+    }
+    return pixmap;
+  }
+
+  const QString name_;
+};
+
+}  // namespace
 
 QPixmap iconPixmap(const QString& name, int size, const QColor& colour, double devicePixelRatio) {
   initialiseIcons();
@@ -29,14 +73,7 @@ QPixmap iconPixmap(const QString& name, int size, const QColor& colour, double d
 }
 
 QIcon icon(const QString& name) {
-  const QPalette palette = QApplication::palette();
-  QIcon result;
-  for (const double ratio : {1.0, 2.0}) {
-    result.addPixmap(iconPixmap(name, 24, palette.color(QPalette::ButtonText), ratio));
-    result.addPixmap(iconPixmap(name, 24, palette.color(QPalette::Disabled, QPalette::ButtonText), ratio),
-                     QIcon::Disabled);
-  }
-  return result;
+  return QIcon(new ThemedIcon(name));
 }
 
 QIcon applicationIcon() {

@@ -1,4 +1,5 @@
-// The program's icons: SVG files drawn in the palette's text colour, so that they read on light and dark.
+// The program's icons: SVG files drawn in the text colour of the theme that is on, as large as they are
+// shown.
 #pragma once
 
 #include <QColor>
@@ -7,7 +8,7 @@
 
 namespace isolux::ui {
 
-// `name` without folder and ending ("open"); disabled and 2x variants included.
+// `name` without folder and ending ("open"). Drawn when it is shown: follows the theme and any scale.
 QIcon icon(const QString& name);
 QPixmap iconPixmap(const QString& name, int size, const QColor& colour, double devicePixelRatio);
 QIcon applicationIcon();

@@ -21,11 +21,9 @@ LoadCard::LoadCard(QWidget* parent)
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName("loadCard");
-  setStyleSheet(QString("#loadCard { background: %1; border: 1px solid %2; border-radius: 8px; }")
-                    .arg(colours::window.name(), colours::border.name()));
   setCursor(Qt::ArrowCursor);
   title_->setTextFormat(Qt::PlainText);
-  stage_->setStyleSheet(QString("color: %1").arg(colours::quietText.name()));
+  setInk(stage_, Ink::quiet);
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   bar_->setFixedHeight(8);

@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QScreen>
-#include <QSettings>
 #include <QSignalBlocker>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -35,6 +34,7 @@
 #include "ui/window/load_card.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/style.h"
+#include "ui/window/window_layout.h"
 
 namespace isolux::ui {
 
@@ -56,8 +56,8 @@ MainWindow::MainWindow(QWidget* parent)
       viewport_(new Viewport(this)),
       slices_(new SliceBoard(viewport_, this)),
       isovalue_(new IsovaluePanel(this)),
-      message_(new MessageBar(viewport_)),
-      loadCard_(new LoadCard(viewport_)),
+      message_(new MessageBar(slices_)),
+      loadCard_(new LoadCard(slices_)),
       lightStatus_(new LightStatus(this)),
       pointedPiece_(new PointedPiece(this)),
       pointedLabel_(new QLabel(this)),
@@ -66,6 +66,7 @@ MainWindow::MainWindow(QWidget* parent)
   setAcceptDrops(true);
   setWindowTitle("Isolux[*]");
   resize(firstWindowSize(screen()->availableSize()));
+  layout_ = new WindowLayout(this, slices_, viewport_);
   makePanels();
   makeFileMenu();
   makeEditMenu();
@@ -78,13 +79,13 @@ MainWindow::MainWindow(QWidget* parent)
   connectDocument();
   connectLight();
   connectMarks();
+  connectSlices();
   setMachine(keptMachine());
   showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(openHint);
   showState();
   viewport_->setFocus();
-  const QByteArray geometry = QSettings().value("window/geometry").toByteArray();
-  if (!geometry.isEmpty()) restoreGeometry(geometry);
+  layout_->restore();
 }
 
 MainWindow::~MainWindow() = default;
@@ -103,19 +104,19 @@ void MainWindow::makePanels() {
     Panel* const panel = info.make(dock);
     dock->setObjectName(info.title);
     dock->setWidget(panel);
-    dock->setFeatures(QDockWidget::DockWidgetClosable);
-    dock->setTitleBarWidget(new QWidget(dock));  // the tab says the name already
     addDockWidget(Qt::RightDockWidgetArea, dock);
     if (!panels_.empty()) tabifyDockWidget(panels_.back().dock, dock);
     panels_.push_back({dock, panel});
+    layout_->addDock(dock);
   }
   panels_.front().dock->raise();
   resizeDocks({panels_.front().dock}, {panelWidth}, Qt::Horizontal);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDocumentMode(true);
 
-  recordingLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::error.name()));
-  frameLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::quietText.name()));
+  setInk(recordingLabel_, Ink::error);
+  setInk(frameLabel_, Ink::quiet);
+  for (QLabel* label : {recordingLabel_, frameLabel_}) label->setContentsMargins(10, 0, 10, 0);
   frameLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("00000 ms (draft)")) + 24);
   frameLabel_->setToolTip(tr("Time for the last picture"));
@@ -177,9 +178,6 @@ void MainWindow::connectDocument() {
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
   connect(viewport_, &Viewport::edited, this, &MainWindow::applyEdit);
   connect(viewport_, &Viewport::gestureEnded, this, &MainWindow::endGesture);
-  connect(slices_, &SliceBoard::edited, this, &MainWindow::applyEdit);
-  connect(slices_, &SliceBoard::gestureEnded, this, &MainWindow::endGesture);
-  connect(slices_, &SliceBoard::failed, this, showError);
   connect(viewport_, &Viewport::pointed, this, &MainWindow::showPointed);
   connect(viewport_, &Viewport::menuAsked, this, &MainWindow::showSurfaceMenu);
   connect(pointedPiece_, &PointedPiece::changed, this, &MainWindow::showPointedText);

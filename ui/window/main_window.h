@@ -34,6 +34,7 @@ class Panel;
 class PointedPiece;
 class SliceBoard;
 class Viewport;
+class WindowLayout;
 
 // Of a window that was never opened before: 1280x800, or what the screen has room for. Pixels of the screen's
 // scale.
@@ -89,6 +90,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
 
  private:
   QAction* newAction(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
@@ -106,6 +108,9 @@ class MainWindow : public QMainWindow {
   void connectDocument();
   void connectLight();
   void connectMarks();
+  void connectSlices();
+  void moveCrosshair(glm::dvec3 worldMm);
+  void showSlicesInPicture();
   void applyEdit(const Edit& edit);
   void endGesture();
   void tellOfMoving();
@@ -168,13 +173,13 @@ class MainWindow : public QMainWindow {
   std::vector<Docked> panels_;
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *copyCommand_;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;
   QComboBox* look_;
   QShortcut* leaveFullScreen_ = nullptr;  // Esc
-  QByteArray layoutBefore_;               // full screen: which panels were open
+  WindowLayout* layout_;
   std::vector<QAction*> views_;
   PointedPiece* pointedPiece_;
   QString pointedText_;  // without the piece

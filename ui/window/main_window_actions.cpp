@@ -59,6 +59,9 @@ void MainWindow::showHelp() {
     <tr><td><b>Right drag</b>, <b>wheel</b></td><td>zoom</td></tr>
     <tr><td><b>Right click</b>, <b>menu key</b></td><td>hide or keep the piece of the surface under the pointer</td></tr>
     <tr><td><b>Ctrl+left drag</b></td><td>roll</td></tr>
+    <tr><td><b>Arrows</b>, <b>Shift+arrows</b></td><td>turn by 5 degrees, pan</td></tr>
+    <tr><td><b>Ctrl+left, right</b>, <b>+ −</b></td><td>roll by 5 degrees, zoom</td></tr>
+    <tr><td><b>Click on the cube</b></td><td>from that side</td></tr>
     <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
     <tr><td><b>Shift+right drag</b></td><td>turn the light probe (global illumination)</td></tr>
     <tr><td><b>Lamp handles</b></td><td>drag; with Ctrl, or by the wheel, nearer and farther (global illumination)</td></tr>
@@ -70,8 +73,16 @@ void MainWindow::showHelp() {
     <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
     <tr><td><b>P</b>, <b>M</b>, <b>Shift+M</b></td><td>pin, distance, distance along the surface: clicks set points; Backspace takes the last back, Esc ends</td></tr>
     <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
-    <tr><td><b>F4</b></td><td>slices beside the picture: click or drag moves the crosshair, the wheel steps, right drag changes level and width, Ctrl+wheel zooms</td></tr>
+    <tr><td><b>F4</b></td><td>picture and slices, slices alone, the picture alone</td></tr>
+    <tr><td><b>Ctrl+0</b>, <b>Ctrl+1 …</b>, <b>F6</b></td><td>to the picture, to the panels, to the next part of the window</td></tr>
     <tr><td><b>F11</b>, <b>Esc</b></td><td>full screen, and back</td></tr>
+    </table>
+    <h4>Slices</h4>
+    <table>
+    <tr><td><b>Click</b>, <b>drag</b>, <b>arrows</b></td><td>move the crosshair; a click on the surface does, too</td></tr>
+    <tr><td><b>Wheel</b>, <b>page keys</b></td><td>a voxel farther</td></tr>
+    <tr><td><b>Right drag</b>, <b>right click</b></td><td>level and width; which plane, thick slice, windows of CT</td></tr>
+    <tr><td><b>Middle drag</b>, <b>Ctrl+wheel</b>, <b>double click</b></td><td>pan, zoom, the whole</td></tr>
     </table>
     <h4>Histogram</h4>
     <table>

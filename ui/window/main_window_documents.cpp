@@ -25,6 +25,7 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/window_layout.h"
 
 namespace isolux::ui {
 
@@ -261,7 +262,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   document_->cancelLoading();
   if (keeper_) keeper_->forget();
-  if (!isFullScreen()) QSettings().setValue("window/geometry", saveGeometry());
+  layout_->keep();
   event->accept();
 }
 

@@ -1,27 +1,36 @@
-// Full screen of ui/window/main_window.h: the picture with the menu and the isovalue, and everything as it
-// was afterwards.
-#include <QDockWidget>
+// Full screen and the Tab key of ui/window/main_window.h: the picture with the menu and the isovalue, and
+// everything as it was afterwards.
+#include <QApplication>
 #include <QShortcut>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QWindowStateChangeEvent>
 
 #include "ui/window/main_window.h"
+#include "ui/window/window_layout.h"
 
 namespace isolux::ui {
 
 void MainWindow::toggleFullScreen(bool on) {
   leaveFullScreen_->setEnabled(on);
   if (on) {
-    layoutBefore_ = saveState();
-    for (QToolBar* bar : findChildren<QToolBar*>()) bar->hide();
-    for (const Docked& docked : panels_) docked.dock->hide();
+    layout_->hideAllBut();
     setWindowState(windowState() | Qt::WindowFullScreen);
   } else {
     setWindowState(windowState() & ~Qt::WindowFullScreen);  // maximised again, where it was
-    restoreState(layoutBefore_);                            // which docks were open, and which lay in front
+    layout_->showAgain();
   }
   statusBar()->setVisible(!on);
+}
+
+// Panels behind others are no stops of the Tab key: Qt lays them out of sight and counts them as visible.
+bool MainWindow::focusNextPrevChild(bool next) {
+  constexpr int mostStops = 1000;
+  for (int i = 0; i < mostStops; ++i) {
+    if (!QMainWindow::focusNextPrevChild(next)) return false;
+    const QWidget* const focused = QApplication::focusWidget();
+    if (focused == nullptr || !layout_->isBehind(focused)) return true;
+  }
+  return true;
 }
 
 // The window manager may end full screen as well.

@@ -15,10 +15,10 @@
 #include "scene/settings.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/number_text.h"
-#include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_layout.h"
 #include "volume/phantom/phantom.h"
 
 namespace isolux::ui {
@@ -123,12 +123,7 @@ void MainWindow::makeViewMenu() {
   viewport_->addAction(animate_);
   connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
   menu->addSeparator();
-  for (const Docked& docked : panels_) menu->addAction(docked.dock->toggleViewAction());
-  menu->addSeparator();
-  fourUp_ = newAction(menu, tr("&Slices beside the picture"), "", QKeySequence("F4"),
-                      tr("Axial, coronal and sagittal slice beside the picture"));
-  fourUp_->setCheckable(true);
-  connect(fourUp_, &QAction::toggled, slices_, &SliceBoard::setFourUp);
+  layout_->fillMenu(menu);
   fullScreen_ = newAction(menu, tr("Full &screen"), "", QKeySequence("F11"), tr("Full screen; Esc ends it"));
   fullScreen_->setCheckable(true);
   connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);

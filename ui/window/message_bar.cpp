@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 
 #include "ui/editors/wrapped_text.h"
@@ -26,6 +27,7 @@ MessageBar::MessageBar(QWidget* parent)
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
   close->setToolTip(tr("Close this message"));
+  close->setAccessibleName(tr("Close this message"));
   layout_->setContentsMargins(12, 7, 8, 7);
   layout_->setSpacing(10);
   layout_->addWidget(symbol_);
@@ -49,12 +51,7 @@ void MessageBar::present(Message message) {
   shown_ = std::move(message);
   label_->setText(shown_.text);
   makeButtons();
-  const bool error = shown_.kind == Kind::error;
-  const QColor colour = error ? colours::error : colours::accent;
-  symbol_->setPixmap(iconPixmap(error ? "error" : "info", 18, colour, devicePixelRatioF()));
-  setStyleSheet(QString("#messageBar { background: %1; border: 0; border-left: 4px solid %2; "
-                        "border-bottom: 1px solid %3; } #messageBar QTextEdit { background: transparent; }")
-                    .arg(error ? "#3a2829" : "#26323d", colour.name(), colours::border.name()));
+  dress();
   if (shown_.kind == Kind::note) {
     timer_.start();
   } else {
@@ -63,6 +60,22 @@ void MessageBar::present(Message message) {
   place();
   QFrame::show();
   raise();
+}
+
+// In the colours of the theme (ui/window/style.h).
+void MessageBar::dress() {
+  const bool error = shown_.kind == Kind::error;
+  symbol_->setPixmap(iconPixmap(error ? "error" : "info", 18, error ? colours::error : colours::accent,
+                                devicePixelRatioF()));
+  if (property("error").toBool() == error) return;
+  setProperty("error", error);
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) dress();
 }
 
 void MessageBar::makeButtons() {

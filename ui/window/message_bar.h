@@ -43,6 +43,7 @@ class MessageBar : public QFrame {
  protected:
   bool eventFilter(QObject* parent, QEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   struct Message {
@@ -51,6 +52,7 @@ class MessageBar : public QFrame {
     std::vector<Answer> answers;
   };
   void present(Message message);
+  void dress();
   void makeButtons();
   void close();  // what is shown, for good
   void place();

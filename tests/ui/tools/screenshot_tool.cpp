@@ -1,13 +1,16 @@
 // Makes a picture of the real window, for the README and the pages.
 //
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
-//                     [--slices] [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set
-//                     PATH=VALUE]... PATH
+//                     [--slices | --slices-alone] [--theme dark|light] [--preferences] [--cut-in-slice]
+//                     [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
+//                     PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
+#include <string_view>
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -20,6 +23,7 @@
 
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/mark_reports.h"
@@ -27,10 +31,12 @@
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/slices/slice_board.h"
+#include "ui/theme/interface_scale.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/style.h"
 
 namespace {
 
@@ -90,16 +96,21 @@ int takePicture(const QCommandLineParser& options) {
   window.panel<ui::SettingsPanel>()->searchLine()->setText(options.value("find"));
   const double zoom = options.value("histogram-zoom").toDouble();
   if (zoom > 1.0) window.isovaluePanel()->slider()->zoomAtLine(zoom);
-  window.slices()->setFourUp(options.isSet("slices"));
+  window.slices()->arrange(options.isSet("slices")         ? ui::ViewLayout::fourUp
+                           : options.isSet("slices-alone") ? ui::ViewLayout::slices
+                                                           : ui::ViewLayout::picture);
+  if (options.isSet("cut-in-slice"))
+    window.slices()->view(volume::SliceDirection::sagittal)->choose({.kind = app::SliceChoice::Kind::cut});
   const auto sliced = [&] {
     using volume::SliceDirection;
     for (const auto direction : {SliceDirection::axial, SliceDirection::coronal, SliceDirection::sagittal})
-      if (window.slices()->fourUp() && !window.slices()->view(direction)->complete()) return false;
+      if (window.slices()->slicesShown() && !window.slices()->view(direction)->complete()) return false;
     return true;
   };
   const auto drawn = [&] {
-    return !window.light()->changing() && window.viewport()->complete() && !window.marks()->measuring() &&
-           sliced();
+    return !window.light()->changing() &&
+           (window.viewport()->complete() || !window.viewport()->isVisible()) &&
+           !window.marks()->measuring() && sliced();
   };
   const QString at = options.value("light-at");  // per cent
   if (!at.isEmpty()) {
@@ -114,6 +125,12 @@ int takePicture(const QCommandLineParser& options) {
   QElapsedTimer settle;
   settle.start();
   waitUntil([&] { return settle.elapsed() > 400; });
+  if (options.isSet("preferences")) {
+    ui::PreferencesDialog dialog(window.machine(), &window);
+    dialog.show();
+    waitUntil([&] { return dialog.isVisible(); });
+    return save(dialog.grab(), out);
+  }
   return save(window.grab(), out);
 }
 
@@ -126,6 +143,8 @@ int main(int argc, char** argv) {
     const QTemporaryDir settings;  // the user's recent files and window size are not touched
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    for (int i = 1; i + 1 < argc; ++i)
+      if (std::string_view(argv[i]) == "--scale") ui::applyInterfaceScale(std::atoi(argv[i + 1]));
     const QApplication application(argc, argv);
     ui::finishApplication();
     QCommandLineParser options;
@@ -136,11 +155,17 @@ int main(int argc, char** argv) {
                         {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
                         {"light-at", "As it is at so much of the stored light.", "PERCENT"},
                         {"slices", "With slices beside the picture."},
+                        {"slices-alone", "Slices without the picture."},
+                        {"cut-in-slice", "The sagittal slice shows the first cut."},
+                        {"theme", "Colours of the window: dark or light.", "NAME", "dark"},
+                        {"scale", "Size of texts and controls, per cent.", "PERCENT", "100"},
+                        {"preferences", "The preferences instead of the window."},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
                         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");
     options.addHelpOption();
     options.process(application);
+    ui::applyTheme(options.value("theme") == "light" ? ui::Theme::light : ui::Theme::dark);
     if (!options.isSet("out")) return fail("--out FILE is missing");
     return takePicture(options);
   } catch (const std::exception& error) {

@@ -1,0 +1,65 @@
+#include "ui/dialogs/appearance_rows.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+
+#include "ui/document/preferences.h"
+#include "ui/editors/number_spin_box.h"
+#include "ui/theme/interface_scale.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+AppearanceRows::AppearanceRows(QWidget* parent)
+    : QWidget(parent),
+      scaleOfThisRun_(keptScale()),
+      theme_(new QComboBox(this)),
+      scale_(new IntegerSpinBox(this)),
+      later_(new QLabel(tr("From the next start of Isolux on."), this)) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(14);
+  grid->setVerticalSpacing(9);
+  const auto addRow = [&](int row, const QString& name, QWidget* editor, const QString& tip) {
+    auto* label = new QLabel(name, this);
+    label->setBuddy(editor);
+    label->setToolTip(tip);
+    editor->setToolTip(tip);
+    editor->setAccessibleName(name);
+    grid->addWidget(label, row, 0);
+    grid->addWidget(editor, row, 1);
+  };
+  theme_->addItems({tr("Dark"), tr("Light"), tr("As the system")});  // as Theme
+  addRow(0, tr("Colours of the window"), theme_,
+         tr("The picture's own background is a setting of the scene."));
+  scale_->setRange(smallestScale, largestScale);
+  scale_->setSingleStep(25);
+  scale_->setSuffix(" %");
+  addRow(1, tr("Size of texts and controls"), scale_, tr("Beside the scale of the screen itself."));
+  grid->addWidget(later_, 2, 1);
+  grid->setColumnStretch(1, 1);
+  setInk(later_, Ink::quiet);
+  later_->hide();
+  theme_->setCurrentIndex(static_cast<int>(theme()));
+  scale_->setValue(scaleOfThisRun_);
+  connect(theme_, &QComboBox::currentIndexChanged, this, &AppearanceRows::chooseTheme);
+  connect(scale_, &QSpinBox::valueChanged, this, &AppearanceRows::chooseScale);
+}
+
+void AppearanceRows::chooseTheme(int row) {
+  keepTheme(static_cast<Theme>(row));
+  applyTheme(static_cast<Theme>(row));
+}
+
+void AppearanceRows::chooseScale(int percent) {
+  keepScale(percent);
+  later_->setVisible(percent != scaleOfThisRun_);
+}
+
+void AppearanceRows::restoreDefaults() {
+  theme_->setCurrentIndex(static_cast<int>(Theme::dark));
+  scale_->setValue(100);
+}
+
+}  // namespace isolux::ui

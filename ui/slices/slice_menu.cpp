@@ -1,0 +1,128 @@
+#include "ui/slices/slice_menu.h"
+
+#include <functional>
+
+#include <QActionGroup>
+#include <QMenu>
+
+#include "ui/editors/number_text.h"
+#include "ui/slices/oblique_dialog.h"
+#include "ui/slices/slice_view.h"
+
+namespace isolux::ui {
+
+namespace {
+
+struct NamedWindow {
+  const char* name;
+  double level, width;  // HU
+};
+constexpr NamedWindow ctWindows[] = {{QT_TRANSLATE_NOOP("QObject", "Bone"), 500, 2000},
+                                     {QT_TRANSLATE_NOOP("QObject", "Soft tissue"), 40, 400},
+                                     {QT_TRANSLATE_NOOP("QObject", "Brain"), 40, 80},
+                                     {QT_TRANSLATE_NOOP("QObject", "Lung"), -600, 1500},
+                                     {QT_TRANSLATE_NOOP("QObject", "Angiography"), 300, 600}};
+constexpr double slabsMm[] = {0.0, 2.0, 5.0, 10.0, 20.0, 40.0};
+
+using Change = std::function<void(scene::Slice&)>;
+using Kind = app::SliceChoice::Kind;
+
+QAction* addChange(QMenu* menu, SliceView& view, const QString& text, const QString& undoName, bool checked,
+                   const Change& change) {
+  QAction* const action = menu->addAction(text);
+  action->setCheckable(true);
+  action->setChecked(checked);
+  QObject::connect(action, &QAction::triggered, &view, [&view, undoName, change] {
+    Edit edit{view.scene(), undoName, {}, false};
+    change(edit.scene.slice);
+    Q_EMIT view.edited(edit);
+  });
+  return action;
+}
+
+void addWindows(QMenu* menu, SliceView& view) {
+  const scene::Slice& now = view.scene().slice;
+  const QString undoName = QObject::tr("Change level and width");
+  const auto add = [&](const QString& name, std::optional<double> level, std::optional<double> width) {
+    addChange(menu, view, name, undoName, now.level == level && now.width == width,
+              [level, width](scene::Slice& slice) {
+                slice.level = level;
+                slice.width = width;
+              });
+  };
+  menu->addSection(QObject::tr("Level and width"));
+  add(QObject::tr("Automatic"), std::nullopt, std::nullopt);
+  if (view.volume()->volume.unit != "HU") return;
+  for (const NamedWindow& named : ctWindows) add(QObject::tr(named.name), named.level, named.width);
+}
+
+void addPlanes(QMenu* menu, SliceView& view) {
+  const app::SliceChoice now = view.choice();
+  const auto add = [&](const QString& text, const app::SliceChoice& choice) {
+    QAction* const action = menu->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(choice == now);
+    QObject::connect(action, &QAction::triggered, &view, [&view, choice] { view.choose(choice); });
+  };
+  using volume::SliceDirection;
+  menu->addSection(QObject::tr("Plane"));
+  add(QObject::tr("Axial"), {.direction = SliceDirection::axial});
+  add(QObject::tr("Coronal"), {.direction = SliceDirection::coronal});
+  add(QObject::tr("Sagittal"), {.direction = SliceDirection::sagittal});
+  for (std::size_t i = 0; i < view.scene().clip.planes.size(); ++i)
+    add(QObject::tr("Cut %1").arg(i + 1), {.kind = Kind::cut, .cut = i});
+  QAction* const oblique = menu->addAction(QObject::tr("Oblique…"));
+  oblique->setCheckable(true);
+  oblique->setChecked(now.kind == Kind::oblique);
+  QObject::connect(oblique, &QAction::triggered, &view, [&view] { askForPlane(view); });
+}
+
+void addSlabs(QMenu* menu, SliceView& view) {
+  const scene::Slice& now = view.scene().slice;
+  QMenu* const slabs = menu->addMenu(QObject::tr("Thick slice"));
+  const QString undoName = QObject::tr("Change thick slice");
+  for (const double mm : slabsMm)
+    addChange(slabs, view, mm == 0.0 ? QObject::tr("The plane alone") : valueText(mm, "mm"), undoName,
+              now.slab == mm, [mm](scene::Slice& slice) { slice.slab = mm; });
+  slabs->addSeparator();
+  using scene::SlabMode;
+  for (const auto& [mode, name] :
+       {std::pair{SlabMode::mean, QObject::tr("Mean")}, std::pair{SlabMode::maximum, QObject::tr("Maximum")},
+        std::pair{SlabMode::minimum, QObject::tr("Minimum")}})
+    addChange(slabs, view, name, undoName, now.slabMode == mode,
+              [mode](scene::Slice& slice) { slice.slabMode = mode; });
+}
+
+void addConventions(QMenu* menu, SliceView& view) {
+  if (view.volume()->volume.axes != scene::WorldAxes::anatomical) return;
+  QMenu* const conventions = menu->addMenu(QObject::tr("Convention"));
+  using scene::Convention;
+  for (const auto& [convention, name] :
+       {std::pair{Convention::radiological, QObject::tr("Radiological: the patient's right on the left")},
+        std::pair{Convention::neurological, QObject::tr("Neurological: the patient's left on the left")}})
+    addChange(conventions, view, name, QObject::tr("Change convention"),
+              view.scene().slice.convention == convention,
+              [convention](scene::Slice& slice) { slice.convention = convention; });
+}
+
+}  // namespace
+
+QMenu* makeSliceMenu(SliceView& view) {
+  auto* menu = new QMenu(&view);
+  menu->setObjectName("slice");
+  addPlanes(menu, view);
+  addWindows(menu, view);
+  menu->addSeparator();
+  addSlabs(menu, view);
+  const bool contours = view.scene().slice.contourWidth > 0.0;
+  addChange(
+      menu, view, QObject::tr("Isocontours"), QObject::tr("Change isocontours"), contours,
+      [contours](scene::Slice& slice) { slice.contourWidth = contours ? 0.0 : scene::Slice{}.contourWidth; });
+  addConventions(menu, view);
+  menu->addSeparator();
+  QObject::connect(menu->addAction(QObject::tr("Show the whole slice")), &QAction::triggered, &view,
+                   &SliceView::showWhole);
+  return menu;
+}
+
+}  // namespace isolux::ui
