@@ -6,9 +6,12 @@
 #include <exception>
 #include <utility>
 
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include "base/numbers.h"
@@ -48,7 +51,7 @@ struct HistogramSlider::DetailJob {
   base::RetiringThread<Work> work;
 };
 
-HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent) {
+HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent), handles_(1) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Isovalue on the histogram"));
@@ -93,6 +96,17 @@ void HistogramSlider::setIsovalue(double value, bool insideAbove) {
   update();
 }
 
+void HistogramSlider::setSurfaces(const std::vector<HistogramHandle>& surfaces) {
+  const double held = activeValue();
+  handles_ = surfaces;
+  if (handles_.empty()) handles_.emplace_back();
+  const auto isActive = [this](const HistogramHandle& handle) { return handle.number == active_; };
+  if (std::none_of(handles_.begin(), handles_.end(), isActive)) active_ = 0;
+  if (handles_.size() == 1) handles_.front().colour = colours::isovalue;
+  if (dragging_) setActiveValue(held);
+  update();
+}
+
 void HistogramSlider::showAll() {
   plot_.showAll();
   zoomed();
@@ -134,6 +148,40 @@ QPointF HistogramSlider::linePosition() const {
   return positionOf(isovalue_);
 }
 
+QPointF HistogramSlider::linePosition(int number) const {
+  for (const HistogramHandle& handle : handles_)
+    if (number != 0 && handle.number == number) return positionOf(handle.value);
+  return linePosition();
+}
+
+std::vector<PlacedHandle> HistogramSlider::placedHandles() const {
+  std::vector<PlacedHandle> placed;
+  for (const HistogramHandle& handle : handles_) {
+    const double value = handle.number == 0 ? isovalue_ : handle.value;
+    placed.push_back({&handle, positionOf(value).x(), text(value), handle.number == active_});
+  }
+  return placed;
+}
+
+double HistogramSlider::activeValue() const {
+  for (const HistogramHandle& handle : handles_)
+    if (active_ != 0 && handle.number == active_) return handle.value;
+  return isovalue_;
+}
+
+void HistogramSlider::setActiveValue(double value) {
+  if (active_ == 0) isovalue_ = value;
+  for (HistogramHandle& handle : handles_)
+    if (handle.number == active_) handle.value = value;
+}
+
+void HistogramSlider::emitActive(double value, bool endsAfterPause) {
+  if (active_ == 0)
+    Q_EMIT isovalueChanged(value, endsAfterPause);
+  else
+    Q_EMIT surfaceMoved(active_, value, endsAfterPause);
+}
+
 QString HistogramSlider::text(double value) const {
   return valueText(value, volume_ ? QString::fromStdString(volume_->volume.unit) : QString());
 }
@@ -146,7 +194,9 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
   if (volume_) {
     paintColumns(painter, area);
     paintAxis(painter, area);
-    paintLine(painter, area);
+    QFont labels = font();
+    labels.setWeight(QFont::DemiBold);
+    paintHandles(painter, area, width(), labels, placedHandles());
   }
   if (!volume_) {
     painter.setPen(colours::disabledText);
@@ -221,37 +271,14 @@ void HistogramSlider::paintAxis(QPainter& painter, const QRectF& area) const {
   }
 }
 
-void HistogramSlider::paintLine(QPainter& painter, const QRectF& area) const {
-  const double x = area.left() + plot_.pixelOf(isovalue_, area.width());
-  QFont font = this->font();
-  font.setWeight(QFont::DemiBold);
-  const QFontMetricsF metrics(font);
-  const QString label = text(isovalue_);
-  const bool left = x<area.left() - 0.5, right = x> area.right() + 0.5;
-  const double lineX = std::clamp(x, area.left(), area.right());
-  const double labelWidth = metrics.horizontalAdvance(label) + 14.0;
-  QRectF box(lineX - 0.5 * labelWidth, 1.0, labelWidth, 18.0);
-  box.moveLeft(std::clamp(box.left(), 1.0, std::max(1.0, width() - 1.0 - labelWidth)));
-  if (!left && !right) {
-    painter.setPen(QPen(colours::isovalue, 2.0));
-    painter.drawLine(QPointF(lineX, box.bottom()), QPointF(lineX, area.bottom()));
-  }
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(colours::isovalue);
-  painter.drawRoundedRect(box, 4.0, 4.0);
-  painter.setFont(font);
-  painter.setPen(QColor(0x22, 0x1a, 0x08));
-  painter.drawText(box, Qt::AlignCenter, label);
-}
-
 // ---- Mouse and keys
 // -----------------------------------------------------------------------------------------
 
 void HistogramSlider::moveTo(double value) {
   const double step = base::niceBelow(plot_.shownRange() / std::max(1.0, plotArea().width()));
   value = std::clamp(base::roundedToStep(value, step), plot_.minimum(), plot_.maximum());
-  if (value == isovalue_) return;
-  isovalue_ = value;
+  if (value == activeValue()) return;
+  setActiveValue(value);
   pending_ = value;
   if (!sendTimer_.isActive()) sendTimer_.start(0);
   update();
@@ -259,23 +286,35 @@ void HistogramSlider::moveTo(double value) {
 
 void HistogramSlider::sendPending() {
   sendTimer_.stop();
-  if (const auto value = std::exchange(pending_, std::nullopt)) Q_EMIT isovalueChanged(*value, false);
+  if (const auto value = std::exchange(pending_, std::nullopt)) emitActive(*value, false);
 }
 
 void HistogramSlider::nudge(double steps) {
   if (!volume_ || steps == 0.0) return;
   const double step = plot_.fineStep();
-  isovalue_ =
-      std::clamp(base::roundedToStep(isovalue_ + steps * step, step), plot_.minimum(), plot_.maximum());
-  plot_.reveal(isovalue_);
+  const double value =
+      std::clamp(base::roundedToStep(activeValue() + steps * step, step), plot_.minimum(), plot_.maximum());
+  setActiveValue(value);
+  plot_.reveal(value);
   update();
-  Q_EMIT isovalueChanged(isovalue_, true);
+  emitActive(value, true);
+}
+
+// In steps of what a pixel is.
+double HistogramSlider::valueUnder(double x) const {
+  const double step = base::niceBelow(plot_.shownRange() / std::max(1.0, plotArea().width()));
+  return base::roundedToStep(plot_.valueAt(x - plotArea().left(), plotArea().width()), step);
 }
 
 void HistogramSlider::mousePressEvent(QMouseEvent* event) {
   if (!volume_ || dragging_ || panning_) return;
-  if (event->button() == Qt::LeftButton) {
-    const double line = linePosition().x();
+  const double x = event->position().x();
+  if (event->button() == Qt::LeftButton && event->modifiers() & Qt::AltModifier) {
+    Q_EMIT surfaceWanted(std::clamp(valueUnder(x), plot_.minimum(), plot_.maximum()));
+  } else if (event->button() == Qt::LeftButton) {
+    const std::vector<PlacedHandle> placed = placedHandles();
+    if (const PlacedHandle* held = handleAt(placed, x, grabPixels)) active_ = held->handle->number;
+    const double line = linePosition(active_).x();
     grabOffset_ = std::abs(event->position().x() - line) <= grabPixels ? line - event->position().x() : 0.0;
     dragging_ = true;
     Q_EMIT dragStarted();
@@ -302,13 +341,10 @@ void HistogramSlider::mouseMoveEvent(QMouseEvent* event) {
     panPixel_ = x;
     update();
   } else {
-    const bool onLine = std::abs(x - linePosition().x()) <= grabPixels;
+    const bool onLine = handleAt(placedHandles(), x, grabPixels) != nullptr;
     setCursor(onLine ? Qt::SplitHCursor : Qt::ArrowCursor);
     hovered_.reset();
-    if (!onLine && x >= area.left() && x <= area.right()) {
-      hovered_ = base::roundedToStep(plot_.valueAt(x - area.left(), area.width()),
-                                     base::niceBelow(plot_.shownRange() / std::max(1.0, area.width())));
-    }
+    if (!onLine && x >= area.left() && x <= area.right()) hovered_ = valueUnder(x);
     update();
   }
 }
@@ -366,6 +402,34 @@ void HistogramSlider::keyPressEvent(QKeyEvent* event) {
     default:
       QWidget::keyPressEvent(event);
   }
+}
+
+void HistogramSlider::contextMenuEvent(QContextMenuEvent* event) {
+  if (!volume_ || dragging_) return;
+  const double value = std::clamp(valueUnder(event->pos().x()), plot_.minimum(), plot_.maximum());
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  connect(menu->addAction(tr("Add an isosurface at %1").arg(text(value))), &QAction::triggered, this,
+          [this, value] { Q_EMIT surfaceWanted(value); });
+  connect(menu->addAction(tr("Suggested isovalue")), &QAction::triggered, this,
+          &HistogramSlider::suggestionWanted);
+  QAction* const whole = menu->addAction(tr("Whole range"));
+  whole->setEnabled(plot_.zoomed());
+  connect(whole, &QAction::triggered, this, &HistogramSlider::showAll);
+  menu->popup(event->globalPos());
+}
+
+// Over a line its name: labels have room for the value only.
+bool HistogramSlider::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip || !volume_) return QWidget::event(event);
+  const auto* const help = static_cast<QHelpEvent*>(event);
+  const std::vector<PlacedHandle> placed = placedHandles();
+  const PlacedHandle* const under = handleAt(placed, help->pos().x(), grabPixels);
+  if (under && handles_.size() > 1)
+    QToolTip::showText(help->globalPos(), under->handle->name + QStringLiteral("  ") + under->label, this);
+  else
+    QToolTip::hideText();
+  return true;
 }
 
 void HistogramSlider::leaveEvent(QEvent*) {

@@ -13,6 +13,9 @@
 #include <glm/geometric.hpp>
 
 #include "app/slices/slice_content.h"
+#include "app/surfaces/surface_list.h"
+#include "ui/editors/number_text.h"
+#include "volume/field/reconstruct.h"
 
 namespace isolux::ui {
 
@@ -203,9 +206,26 @@ void SliceView::dragWindow(QPointF step) {
              now.width * std::exp(3.0 * step.x() / std::max(1, width())), "slice window");
 }
 
-void SliceView::offerWindows(QPoint place) {
+// One more isosurface, of the value there.
+void SliceView::offerSurface(QMenu* menu, QPointF place) {
+  const glm::dvec3 voxel(volume_->grid().geometry().voxelFromWorld() * glm::dvec4(worldAt(place), 1.0));
+  const double value = volume::sampleTrilinear(volume_->grid(), voxel).value;
+  if (!std::isfinite(value)) return;
+  const std::optional<scene::Scene> added = app::withSurface(scene_, *volume_, value);
+  const QString text = valueText(value, QString::fromStdString(volume_->volume.unit));
+  QAction* const add = menu->addAction(tr("Add an isosurface at the value here, %1").arg(text));
+  add->setEnabled(added.has_value());
+  if (added)
+    connect(add, &QAction::triggered, this, [this, scene = *added] {
+      Q_EMIT edited({scene, tr("Add isosurface"), {}, false});
+    });
+  menu->addSeparator();
+}
+
+void SliceView::offerWindows(QPointF at, QPoint place) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  offerSurface(menu, at);
   const auto add = [&](const QString& name, std::optional<double> level, std::optional<double> width) {
     connect(menu->addAction(name), &QAction::triggered, this, [this, level, width] {
       Edit edit{scene_, tr("Change level and width"), {}, false};
@@ -245,7 +265,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   const Drag was = std::exchange(drag_, Drag::none);
   if (was == Drag::none) return;
-  if (was == Drag::window && !moved_ && volume_) offerWindows(event->globalPosition().toPoint());
+  if (was == Drag::window && !moved_ && volume_)
+    offerWindows(event->position(), event->globalPosition().toPoint());
   Q_EMIT gestureEnded();
 }
 

@@ -1,8 +1,8 @@
 // One slice of the volume: shows it with the crosshair, and turns the mouse into edits.
 //
 // Left click or drag moves slice.position, the wheel by a voxel across the slice; right drag changes
-// slice.width (to the sides) and slice.level (up and down), a right click offers windows; Ctrl+wheel zooms
-// about the pointer, a double click shows the whole again.
+// slice.width (to the sides) and slice.level (up and down), a right click offers windows and one more
+// isosurface of the value there; Ctrl+wheel zooms about the pointer, a double click shows the whole again.
 //
 // Pictures are drawn by a thread (app/jobs/slice_job.h): of changes while one is drawn only the newest is
 // drawn next, and until it is there the last one stays.
@@ -15,6 +15,8 @@
 #include <QPointF>
 #include <QTimer>
 #include <QWidget>
+
+class QMenu;
 
 #include "app/jobs/slice_job.h"
 #include "scene/scene.h"
@@ -67,7 +69,8 @@ class SliceView : public QWidget {
   void moveTo(QPointF place);
   void dragWindow(QPointF step);
   void zoom(QPointF place, double factor);
-  void offerWindows(QPoint place);
+  void offerSurface(QMenu* menu, QPointF place);
+  void offerWindows(QPointF at, QPoint place);
   void sendWindow(double level, double width, const char* mergeKey);
   volume::GreyWindow window() const;
 

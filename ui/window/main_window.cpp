@@ -77,6 +77,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectDocument();
   connectLight();
   connectMarks();
+  connectLooks();
   setMachine(keptMachine());
   showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(openHint);

@@ -105,6 +105,8 @@ class MainWindow : public QMainWindow {
   void connectDocument();
   void connectLight();
   void connectMarks();
+  void connectLooks();
+  void preview(const std::optional<scene::Scene>& scene);  // none: the document's
   void applyEdit(const Edit& edit);
   void endGesture();
   void tellOfMoving();
