@@ -101,9 +101,8 @@ QListWidget* LooksPanel::makeList(const QString& name) {
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->setStyleSheet(QStringLiteral("QListWidget { background: transparent; }"));
   list->viewport()->installEventFilter(this);
-  connect(list, &QListWidget::itemEntered, this, [this](QListWidgetItem* item) {
-    pointAt(item->data(placeRole).toULongLong());
-  });
+  connect(list, &QListWidget::itemEntered, this,
+          [this](QListWidgetItem* item) { pointAt(item->data(placeRole).toULongLong()); });
   connect(list, &QListWidget::itemClicked, this, &LooksPanel::choose);
   connect(list, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
     // By the keyboard: a double click has chosen it already.
@@ -271,15 +270,15 @@ void LooksPanel::showShift() {
   shifted_ = applied ? std::optional(applied->index) : std::nullopt;
   for (QWidget* widget : std::initializer_list<QWidget*>{shiftLabel_, shift_, shiftBox_}) {
     widget->setEnabled(applied.has_value());
-    widget->setToolTip(applied ? tr("Adds to the isovalues of %1")
-                                     .arg(QString::fromStdString(list_[applied->index].title))
-                               : tr("Choose a preset: its isovalues can then be shifted"));
+    widget->setToolTip(
+        applied ? tr("Adds to the isovalues of %1").arg(QString::fromStdString(list_[applied->index].title))
+                : tr("Choose a preset: its isovalues can then be shifted"));
   }
   const double shift = applied ? applied->shift : 0.0;
   const QSignalBlocker noShift(shift_);
   if (!shift_->isSliderDown())
-    shift_->setValue(static_cast<int>(
-        std::lround(shiftSteps * shift / std::max(app::shiftReach(*volume_), 1e-300))));
+    shift_->setValue(
+        static_cast<int>(std::lround(shiftSteps * shift / std::max(app::shiftReach(*volume_), 1e-300))));
   shiftBox_->showValue(shift);
 }
 

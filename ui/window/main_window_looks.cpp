@@ -1,4 +1,5 @@
-// The panel of looks and presets of ui/window/main_window.h: what it previews is shown, and nothing is edited.
+// The panel of looks and presets of ui/window/main_window.h: what it previews is shown, and nothing is
+// edited.
 #include "scene/rules/automatic.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"

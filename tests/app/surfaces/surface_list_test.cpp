@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/rules/automatic.h"
-#include "tests/support/test_data.h"
+#include "tests/support/volumes.h"
 
 namespace isolux::test {
 
@@ -16,7 +16,7 @@ std::vector<app::ListedSurface> listOf(const scene::Scene& scene, const volume::
 
 class SurfaceList : public testing::Test {
  protected:
-  static void SetUpTestSuite() { head_ = preparedPhantom("head", 32); }
+  static void SetUpTestSuite() { head_ = phantom("head", 32); }
   static void TearDownTestSuite() { head_.reset(); }
   static std::shared_ptr<const volume::PreparedVolume> head_;  // in HU
 };
