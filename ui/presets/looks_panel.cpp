@@ -155,9 +155,14 @@ void LooksPanel::setVolume(const VolumePointer& volume) {
 }
 
 void LooksPanel::setScene(const scene::Scene& scene, const scene::Scene&) {
+  const bool same = scene == scene_;
   scene_ = scene;
-  previewing_ = false;  // the window shows the document's scene now
   if (isVisible()) refreshTimer_.start();
+  // The window shows the document's scene now: said again only because more of it is known, or another one.
+  if (previewing_ && same && pointed_ && *pointed_ < thumbnails_.size())
+    Q_EMIT previewed(thumbnails_[*pointed_].scene);
+  else if (std::exchange(previewing_, false))
+    Q_EMIT previewed(std::nullopt);
 }
 
 void LooksPanel::setDrawing(bool draws) {
@@ -257,10 +262,15 @@ void LooksPanel::pointAt(std::optional<std::size_t> place) {
 
 void LooksPanel::choose(const QListWidgetItem* item) {
   const std::size_t place = item->data(placeRole).toULongLong();
+  if (refreshTimer_.isActive()) {  // of a scene that is no more
+    refreshTimer_.stop();
+    refresh();
+  }
   if (place >= thumbnails_.size() || !thumbnails_[place].why.empty()) return;
-  const app::Thumbnail& one = thumbnails_[place];
+  const app::Thumbnail one = thumbnails_[place];  // the edit makes them anew
   pointTimer_.stop();
   const bool preset = one.kind == app::Thumbnail::Kind::preset;
+  if (std::exchange(previewing_, false)) Q_EMIT previewed(std::nullopt);
   if (one.scene == scene_) return;
   Q_EMIT edited({one.scene, (preset ? tr("Preset %1") : tr("Look %1")).arg(titleOf(one)), {}, false});
 }

@@ -50,7 +50,7 @@ void SurfaceList::setScene(const scene::Scene& scene, const scene::Scene& resolv
       std::equal(rows_.begin(), rows_.end(), list_.begin(), list_.end(),
                  [](const Row& row, const app::ListedSurface& one) { return row.number == one.number; });
   if (!same) makeRows(list_);
-  for (std::size_t i = 0; i < list_.size(); ++i) show(rows_[i], list_[i]);
+  for (std::size_t i = 0; i < list_.size(); ++i) fill(rows_[i], list_[i]);
 }
 
 void SurfaceList::makeRows(const std::vector<app::ListedSurface>& list) {
@@ -154,7 +154,7 @@ void SurfaceList::connectRow(const Row& row) {
   });
 }
 
-void SurfaceList::show(const Row& row, const app::ListedSurface& surface) {
+void SurfaceList::fill(const Row& row, const app::ListedSurface& surface) {
   const QString name = surfaceName(surface);
   const QSignalBlocker noShown(row.shown), noOpacity(row.opacity);
   row.shown->setChecked(surface.shown);

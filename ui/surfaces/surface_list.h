@@ -50,7 +50,7 @@ class SurfaceList : public QWidget {
   void makeRows(const std::vector<app::ListedSurface>& list);
   Row makeRow(int number);
   void connectRow(const Row& row);
-  static void show(const Row& row, const app::ListedSurface& surface);
+  static void fill(const Row& row, const app::ListedSurface& surface);
   // change(scene) of the present one.
   template <class Change>
   void send(const QString& name, const QString& mergeKey, bool endsAfterPause, const Change& change);

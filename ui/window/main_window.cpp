@@ -175,7 +175,7 @@ void MainWindow::connectDocument() {
   connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
   connect(viewport_, &Viewport::noted, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
-  connect(viewport_, &Viewport::edited, this, &MainWindow::applyEdit);
+  connect(viewport_, &Viewport::edited, this, &MainWindow::applyViewEdit);
   connect(viewport_, &Viewport::gestureEnded, this, &MainWindow::endGesture);
   connect(slices_, &SliceBoard::edited, this, &MainWindow::applyEdit);
   connect(slices_, &SliceBoard::gestureEnded, this, &MainWindow::endGesture);

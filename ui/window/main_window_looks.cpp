@@ -15,10 +15,22 @@ void MainWindow::connectLooks() {
 
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {
   const VolumePointer& volume = document_->volume();
-  if (scene && volume)
+  previewing_ = scene && volume;
+  if (previewing_)
     viewport_->setScene(*scene, scene::resolve(*scene, volume->facts));
   else
     viewport_->setScene(document_->scene(), document_->resolvedScene());
+}
+
+// A preview may be turned, but is not what is edited.
+void MainWindow::applyViewEdit(const Edit& edit) {
+  if (!previewing_) {
+    applyEdit(edit);
+    return;
+  }
+  Edit view{document_->scene(), edit.name, edit.mergeKey, edit.endsAfterPause};
+  view.scene.camera = edit.scene.camera;
+  applyEdit(view);
 }
 
 }  // namespace isolux::ui
