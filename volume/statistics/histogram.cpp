@@ -15,10 +15,10 @@ namespace {
 constexpr std::size_t kMaximumPeaks = 8;
 // A peak counts when it stands this much above the higher of the valleys beside it, as ln(1 + count).
 constexpr double kPeakProminence = 0.2;
-constexpr double kSkinHu = -300.0, kBoneHu = 300.0;
+constexpr double kSkinHu = -300.0, kBoneHu = 300.0, kLeastApartHu = 200.0;
 constexpr double kLeastPart = 0.01;   // of what is not background: below it is no object's
 constexpr double kTwoClasses = 0.75;  // between them, of the whole variance
-constexpr double kLeastApart = 0.02;  // of suggestions, of the range of values
+constexpr double kLeastApart = 0.05;  // of suggestions, of the range of values
 
 using Counts = std::vector<std::uint64_t>;
 
@@ -174,11 +174,17 @@ double countOf(const Counts& counts) {
   return total;
 }
 
-double meanOf(const Histogram& histogram, const Counts& counts) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    sum += static_cast<double>(counts[i]) * histogram.binCentre(i);
-  return sum / countOf(counts);
+std::size_t binWith(const Histogram& histogram, double value) {
+  const double bins = static_cast<double>(histogram.counts.size());
+  const double at = (value - histogram.minimum) / (histogram.maximum - histogram.minimum) * bins;
+  return static_cast<std::size_t>(std::clamp(at, 0.0, bins - 1.0));
+}
+
+// Said to be, or as only a CT has them without saying so.
+bool areHounsfield(const Grid& grid, const std::string& unit) {
+  if (unit == "HU") return true;
+  return unit.empty() && grid.storedType() == VoxelType::int16 && grid.minimum() >= -3100.0 &&
+         grid.minimum() <= -900.0 && grid.maximum() > 500.0;
 }
 
 // What histograms suggest beside `first`.
@@ -196,12 +202,15 @@ std::vector<double> classBorders(const Histogram& histogram, double first) {
     if (split.separated >= kTwoClasses) borders.push_back(upperEdge(histogram, split.last));
   }
   if (background.first > background.last) return borders;
-  // Half way from the background to what is next to it.
+  // Half way from the background to the highest peak between it and `first`: without one there are only
+  // voxels that are partly both.
   const auto fullest = std::max_element(histogram.counts.begin(), histogram.counts.end());
   const double ground = histogram.binCentre(static_cast<std::size_t>(fullest - histogram.counts.begin()));
-  const Counts& next = ground < first ? below : above;
-  if (countOf(next) >= std::max(1.0, kLeastPart * countOf(objects)))
-    borders.push_back(0.5 * (ground + meanOf(histogram, next)));
+  for (const double peak : histogram.peaks) {  // the most prominent first
+    if ((peak - ground) * (first - peak) <= 0.0 || background.contains(binWith(histogram, peak))) continue;
+    borders.push_back(0.5 * (ground + peak));
+    break;
+  }
   return borders;
 }
 
@@ -281,12 +290,13 @@ std::vector<double> suggestIsovalues(const Grid& grid, const Histogram& histogra
   const double low = grid.minimum(), high = grid.maximum();
   std::vector<double> result = {first};
   if (!(low < high) || !std::isfinite(high - low)) return result;
+  const bool hounsfield = areHounsfield(grid, unit);
+  const double least = hounsfield ? kLeastApartHu : kLeastApart * (high - low);
   const std::vector<double> others =
-      unit == "HU" ? std::vector<double>{kSkinHu, kBoneHu} : classBorders(histogram, first);
+      hounsfield ? std::vector<double>{kSkinHu, kBoneHu} : classBorders(histogram, first);
   for (const double value : others) {
-    const bool apart = std::all_of(result.begin(), result.end(), [&](double other) {
-      return std::abs(value - other) >= kLeastApart * (high - low);
-    });
+    const bool apart = std::all_of(result.begin(), result.end(),
+                                   [&](double other) { return std::abs(value - other) >= least; });
     if (low < value && value < high && apart) result.push_back(value);
   }
   std::sort(result.begin(), result.end());

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "scene/rules/automatic.h"
-#include "tests/support/volumes.h"
 
 namespace isolux::test {
 
@@ -16,7 +15,12 @@ std::vector<app::ListedSurface> listOf(const scene::Scene& scene, const volume::
 
 class SurfaceList : public testing::Test {
  protected:
-  static void SetUpTestSuite() { head_ = phantom("head", 32); }
+  static void SetUpTestSuite() {
+    scene::Source source;
+    source.path = "phantom:head:32";
+    base::Progress progress;
+    head_ = volume::loadVolume(source, progress);
+  }
   static void TearDownTestSuite() { head_.reset(); }
   static std::shared_ptr<const volume::PreparedVolume> head_;  // in HU
 };
@@ -41,7 +45,9 @@ TEST_F(SurfaceList, WhatIsAddedOutsideIsSeenThrough) {
 
 // From skin there is nothing outside: bone comes inside, and the skin in front of it is seen through.
 TEST_F(SurfaceList, WhatIsAddedInsideMakesTheFirstSeenThrough) {
-  const auto added = app::withSurface({}, *head_, {});
+  scene::Scene skin;
+  skin.isosurface.value = -300.0;
+  const auto added = app::withSurface(skin, *head_, {});
   ASSERT_TRUE(added);
   const auto list = listOf(*added, *head_);
   EXPECT_EQ(list[0].value, -300.0);
@@ -50,11 +56,13 @@ TEST_F(SurfaceList, WhatIsAddedInsideMakesTheFirstSeenThrough) {
   EXPECT_EQ(list[1].facingOpacity, 1.0);
   // Alone again it is opaque, whether the other is hidden or removed.
   EXPECT_EQ(app::withSurfaceShown(*added, *head_, 1, false).isosurface.facingOpacity, 1.0);
-  EXPECT_EQ(app::withoutSurface(*added, *head_, 1), scene::Scene{});
+  EXPECT_EQ(app::withoutSurface(*added, *head_, 1), skin);
 }
 
 TEST_F(SurfaceList, HiddenOnesStayInTheListAndTheFirstIsReplacedByTheNext) {
-  scene::Scene scene = app::withSurface({}, *head_, 120.0).value();
+  scene::Scene scene;
+  scene.isosurface.value = -300.0;
+  scene = app::withSurface(scene, *head_, 120.0).value();
   scene = app::withSurfaceShown(scene, *head_, 1, false);
   ASSERT_EQ(listOf(scene, *head_).size(), 2u);
   EXPECT_FALSE(listOf(scene, *head_)[1].shown);
@@ -71,6 +79,7 @@ TEST_F(SurfaceList, HiddenOnesStayInTheListAndTheFirstIsReplacedByTheNext) {
 // What somebody chose himself is not touched.
 TEST_F(SurfaceList, ChosenOpacitiesStay) {
   scene::Scene scene;
+  scene.isosurface.value = -300.0;
   scene.isosurface.opacity = 0.4;
   EXPECT_EQ(app::withSurface(scene, *head_, {})->isosurface.facingOpacity, 1.0);
   scene.isosurface.opacity = 1.0;

@@ -88,7 +88,7 @@ TEST_P(LayersGlTest, OpacityFollowsTheAngle) {
   const double pixelMm = 2.0 * distance * std::tan(glm::radians(0.5 * scene.camera.fov)) / 96.0;
   colorAt(ball, scene, {0, 0});
   const render::ColorImage image = renderer_->readColor();
-  for (const glm::ivec2 pixel :
+  for (const glm::ivec2& pixel :
        {glm::ivec2(48, 48), {60, 48}, {48, 66}, {70, 40}, {30, 30}, {74, 58}, {20, 50}}) {
     const double r = pixelMm * glm::length(glm::dvec2(pixel) + 0.5 - 48.0);
     ASSERT_LT(r, 0.97 * radius);
