@@ -94,7 +94,6 @@ QListWidget* LooksPanel::makeList(const QString& name) {
   const int text = titleLines * list->fontMetrics().lineSpacing();
   list->setGridSize(picturePixels + QSize(gap, gap + text + 6));
   list->setWordWrap(true);
-  list->setUniformItemSizes(true);
   list->setFrameShape(QFrame::NoFrame);
   list->setMouseTracking(true);
   list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -197,9 +196,11 @@ void LooksPanel::fillLists() {
   const std::size_t presets = list_.size();
   const auto fill = [&](QListWidget* list, std::size_t begin, std::size_t end) {
     while (list->count() > static_cast<int>(end - begin)) delete list->takeItem(list->count() - 1);
-    QPixmap nothing(picturePixels * devicePixelRatioF());
-    nothing.fill(colours::base);
-    while (list->count() < static_cast<int>(end - begin)) new QListWidgetItem(QIcon(nothing), {}, list);
+    QPixmap blank(picturePixels);
+    blank.fill(colours::base);
+    QIcon nothing(blank);
+    nothing.addPixmap(blank, QIcon::Disabled);
+    while (list->count() < static_cast<int>(end - begin)) new QListWidgetItem(nothing, {}, list);
     for (std::size_t i = begin; i < end; ++i) {
       const app::Thumbnail& one = thumbnails_[i];
       QListWidgetItem* const item = list->item(static_cast<int>(i - begin));
@@ -209,7 +210,8 @@ void LooksPanel::fillLists() {
       item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
       item->setToolTip(one.why.empty() ? QString::fromStdString(one.meaning)
                                        : tr("Does not apply: %1").arg(QString::fromStdString(one.why)));
-      if (!one.why.empty()) item->setIcon(QIcon(nothing));
+      item->setSizeHint(list->gridSize());
+      if (!one.why.empty()) item->setIcon(nothing);
       showPicture(static_cast<int>(i));
     }
   };

@@ -88,6 +88,7 @@ SurfaceList::Row SurfaceList::makeRow(int number) {
           new QToolButton(this)};
   row.shown->setToolTip(tr("Whether the isosurface is shown"));
   row.colour->setFixedWidth(rowHeight);
+  row.colour->setIconSize({16, 16});
   row.name->setMinimumWidth(nameWidth);
   row.name->setToolTip(tr("Its name"));
   row.value->setFixedWidth(valueWidth);

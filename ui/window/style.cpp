@@ -83,7 +83,7 @@ void applyStyle() {
     QStatusBar::item { border: 0; }
     QDockWidget { font-weight: 600; }
     QDockWidget::title { background: %2; padding: 7px 10px; border-bottom: 1px solid %1; }
-    QTabBar::tab { padding: 6px 14px; border: 0; border-bottom: 2px solid transparent; color: %4; }
+    QTabBar::tab { padding: 6px 7px; border: 0; border-bottom: 2px solid transparent; color: %4; }
     QTabBar::tab:selected { color: %5; border-bottom-color: %6; }
     QToolTip { border: 1px solid %1; padding: 4px; background: %3; color: %5; }
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
