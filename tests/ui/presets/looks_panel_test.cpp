@@ -4,6 +4,7 @@
 #include <set>
 
 #include <QListWidget>
+#include <QMouseEvent>
 #include <QSlider>
 #include <QTest>
 
@@ -37,7 +38,12 @@ class LooksPanelTest : public WindowTest {
                      60000);
   }
   void pointTo(QListWidgetItem* item) {
-    QTest::mouseMove(item->listWidget()->viewport(), centreOfItem(item));
+    // Sent, not moved: the item may be scrolled out of sight.
+    QWidget* const view = item->listWidget()->viewport();
+    const QPointF at = centreOfItem(item);
+    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(view, &move);
   }
   ui::LooksPanel* panel_ = nullptr;
 };
