@@ -37,6 +37,7 @@ struct Source {
 };
 
 struct Isosurface {
+  std::string name;             // for lists; changes no picture
   std::optional<double> value;  // data units
   Inside inside = Inside::above;
   glm::dvec3 albedo{0.70, 0.62, 0.50};
@@ -44,6 +45,7 @@ struct Isosurface {
   ColorMap albedoMap = ColorMap::viridis;
   std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
   double opacity = 1.0;
+  double facingOpacity = 1.0;  // times opacity where the surface faces the viewer: scene/opacity.h
   int layers = 8;       // crossings composited behind one another where surfaces are transparent
   bool clipped = true;  // by Clip
   // The same surface at its isovalue plus and minus this many deviations of the noise, transparent; 0: none.
@@ -55,9 +57,11 @@ struct Isosurface {
 // A further isosurface of the same volume, drawn with the first in exact depth order.
 struct ExtraIsosurface {
   bool shown = false;
+  std::string name;
   std::optional<double> value;  // data units
   glm::dvec3 albedo{0.5};
   double opacity = 0.5;
+  double facingOpacity = 1.0;
   bool clipped = true;
   bool operator==(const ExtraIsosurface&) const = default;
 };
@@ -302,9 +306,10 @@ struct Scene {
   Source source;
   Isosurface isosurface;
   // isosurface2, isosurface3, isosurface4 in paths.
-  std::array<ExtraIsosurface, kExtraIsosurfaces> extraIsosurfaces{{{false, {}, {0.25, 0.45, 0.75}, 0.5},
-                                                                   {false, {}, {0.30, 0.62, 0.35}, 0.5},
-                                                                   {false, {}, {0.75, 0.28, 0.22}, 0.5}}};
+  std::array<ExtraIsosurface, kExtraIsosurfaces> extraIsosurfaces{
+      {{false, {}, {}, {0.25, 0.45, 0.75}, 0.5, 1.0},
+       {false, {}, {}, {0.30, 0.62, 0.35}, 0.5, 1.0},
+       {false, {}, {}, {0.75, 0.28, 0.22}, 0.5, 1.0}}};
   Pieces pieces;
   Clip clip;
   Slice slice;

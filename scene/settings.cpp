@@ -37,6 +37,8 @@ std::vector<Setting> makeSettings() {
       "source.csg_value", ISOLUX_MEMBER(source.csgValue), {-1e38, 1e38}, "data units",
       "The isovalue of the second volume's surface, in its own units; auto takes the suggested one."));
 
+  add(entry<Scene>("isosurface.name", ISOLUX_MEMBER(isosurface.name), noRange, "",
+                   "What the surface is called in lists and at its line on the histogram."));
   add(entry<Scene>("isosurface.value", ISOLUX_MEMBER(isosurface.value), {-1e38, 1e38}, "data units",
                    "The isovalue; auto takes the one suggested by the histogram."));
   add(choiceEntry<Scene>("isosurface.inside", ISOLUX_MEMBER(isosurface.inside),
@@ -54,6 +56,9 @@ std::vector<Setting> makeSettings() {
                    "data units", "The isovalue at the upper end of that map; auto is the volume's maximum."));
   add(entry<Scene>("isosurface.opacity", ISOLUX_MEMBER(isosurface.opacity), unitRange, "",
                    "How much of what lies behind the surface it hides; 1 hides all."));
+  add(entry<Scene>("isosurface.facing_opacity", ISOLUX_MEMBER(isosurface.facingOpacity), unitRange, "",
+                   "Times the opacity where the surface faces the viewer; where it is seen edge on it keeps "
+                   "its opacity."));
   add(entry<Scene>("isosurface.layers", ISOLUX_MEMBER(isosurface.layers), {1, 64}, "",
                    "How many crossings along a ray are composited at most, where surfaces are transparent."));
   add(entry<Scene>("isosurface.ghost", ISOLUX_MEMBER(isosurface.ghost), {0, 100},
@@ -68,12 +73,18 @@ std::vector<Setting> makeSettings() {
     const std::string group = "isosurface" + std::to_string(i + 2) + '.';
     add(entry<Scene>(group + "shown", ISOLUX_ITEM(extraIsosurfaces, i, shown), noRange, "",
                      "Draws one more isosurface of the same volume."));
-    add(entry<Scene>(group + "value", ISOLUX_ITEM(extraIsosurfaces, i, value), {-1e38, 1e38}, "data units",
-                     "Its isovalue; auto spreads the further isovalues from the first toward the maximum."));
+    add(entry<Scene>(group + "name", ISOLUX_ITEM(extraIsosurfaces, i, name), noRange, "",
+                     "What that surface is called."));
+    add(entry<Scene>(
+        group + "value", ISOLUX_ITEM(extraIsosurfaces, i, value), {-1e38, 1e38}, "data units",
+        "Its isovalue; auto takes the next suggestion of the histogram outside the first surface, "
+        "or inside where there is none."));
     add(entry<Scene>(group + "albedo", ISOLUX_ITEM(extraIsosurfaces, i, albedo), unitRange, "linear RGB",
                      "The diffuse reflectance of that surface."));
     add(entry<Scene>(group + "opacity", ISOLUX_ITEM(extraIsosurfaces, i, opacity), unitRange, "",
                      "How much of what lies behind that surface it hides; 1 hides all."));
+    add(entry<Scene>(group + "facing_opacity", ISOLUX_ITEM(extraIsosurfaces, i, facingOpacity), unitRange, "",
+                     "Times that opacity where the surface faces the viewer."));
     add(entry<Scene>(group + "clipped", ISOLUX_ITEM(extraIsosurfaces, i, clipped), noRange, "",
                      "Whether planes and box of clip. cut that surface, too."));
   }

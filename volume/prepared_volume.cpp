@@ -175,6 +175,8 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress)
   const std::optional<double>& known = prepared->volume.isovalue;
   prepared->facts.suggestedIsovalue =
       known ? *known : suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
+  prepared->facts.suggestedIsovalues = suggestIsovalues(
+      prepared->grid(), prepared->histogram, prepared->volume.unit, prepared->facts.suggestedIsovalue);
   prepared->facts.axes = prepared->volume.axes;
   prepared->facts.spacingMm = prepared->grid().geometry().spacingMm();
   prepared->facts.minimum = prepared->grid().minimum();

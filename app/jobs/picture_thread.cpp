@@ -1,5 +1,9 @@
 #include "app/jobs/picture_thread.h"
 
+#include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <system_error>
 #include <utility>
@@ -38,6 +42,14 @@ struct PictureThread::Work {
 namespace {
 
 enum class Ending { stopped, refused, unknown };
+
+// As the threads that compute light: a tenth of a processor that somebody else wants.
+void giveWay() {
+  constexpr int nice = 10;
+  const sched_param none{};
+  sched_setscheduler(0, SCHED_BATCH, &none);
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nice);
+}
 
 // After anything but an Error nobody knows what state the renderer is in.
 Ending endingOf(const std::exception_ptr& failure) {
@@ -120,9 +132,13 @@ void PictureThread::Work::run(render::ContextChoice choice) {
   if (made) serve(made->gl());
 }
 
-PictureThread::PictureThread(render::ContextChoice choice) : work_(std::make_shared<Work>()) {
+PictureThread::PictureThread(render::ContextChoice choice, Priority priority)
+    : work_(std::make_shared<Work>()) {
   try {
-    thread_ = std::jthread([work = work_, choice] { work->run(choice); });
+    thread_ = std::jthread([work = work_, choice, priority] {
+      if (priority == Priority::background) giveWay();
+      work->run(choice);
+    });
   } catch (const std::system_error&) {
     work_->context.failure = std::make_exception_ptr(
         base::Error(base::ErrorKind::memory, "", "", "the system gives no thread to draw with"));
@@ -157,8 +173,16 @@ std::optional<PictureThread::Result> PictureThread::take() {
   const std::unique_ptr<Result> result = work_->results.take();
   if (!result) return std::nullopt;
   const std::uint64_t number = std::visit([](const auto& value) { return value.order; }, *result);
+  if (number <= dropped_) return std::nullopt;
   std::erase_if(given_, [number](const Given& given) { return given.number <= number; });
   return std::move(*result);
+}
+
+void PictureThread::drop() {
+  for (Given& given : given_) given.stop.request_stop();
+  given_.clear();
+  base::retire(std::pair(work_->orders.take(), work_->results.take()));
+  dropped_ = number_;
 }
 
 void PictureThread::drawStill(PictureOrder order) {

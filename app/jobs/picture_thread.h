@@ -60,8 +60,11 @@ class PictureThread {
   using Result = std::variant<DrawnPicture, FailedPicture>;
   using Still = std::variant<render::StillPicture, std::exception_ptr>;
 
+  // Whose pictures somebody waits for. Others are drawn by a thread that gives way to every other.
+  enum class Priority { user, background };
   // Begins to make the context (OffscreenContext::create).
-  explicit PictureThread(render::ContextChoice choice = render::ContextChoice::automatic);
+  explicit PictureThread(render::ContextChoice choice = render::ContextChoice::automatic,
+                         Priority priority = Priority::user);
   ~PictureThread();  // stops; the end of the thread is not waited for (base/retire.h)
   PictureThread(const PictureThread&) = delete;
   PictureThread& operator=(const PictureThread&) = delete;
@@ -79,6 +82,8 @@ class PictureThread {
   // A picture, or a failure, if there is one that was not taken. Those of orders that were dropped never
   // come.
   std::optional<Result> take();
+  // What is ordered and not taken yet never comes, drafts neither; what is being drawn is dropped.
+  void drop();
   bool busy() const { return !given_.empty(); }  // an order has neither come back nor been dropped
 
   // The whole picture, of any size (render::drawStill). It drops what is being drawn, and is not dropped
@@ -95,7 +100,7 @@ class PictureThread {
   };
   std::shared_ptr<Work> work_;
   std::vector<Given> given_;
-  std::uint64_t number_ = 0;
+  std::uint64_t number_ = 0, dropped_ = 0;
   std::jthread thread_;
 };
 

@@ -2,6 +2,7 @@
 #include "app/light/light_planner.h"
 #include "gi/texels/texel_band.h"
 #include "gi/texels/texel_sets.h"
+#include "scene/opacity.h"
 
 namespace isolux::app {
 
@@ -10,11 +11,11 @@ namespace {
 // Nobody knows what is seen behind a transparent surface: whole isosurfaces are.
 std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
   std::vector<double> isovalues = {*scene.isosurface.value};
-  bool transparent = scene.isosurface.opacity < 1.0;
+  bool transparent = !scene::isOpaque(scene.isosurface);
   for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces) {
     if (!extra.shown) continue;
     isovalues.push_back(*extra.value);
-    transparent = transparent || extra.opacity < 1.0;
+    transparent = transparent || !scene::isOpaque(extra);
   }
   if (!transparent) isovalues.clear();
   return isovalues;
@@ -22,11 +23,10 @@ std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
 
 // Of surfaces that are seen through themselves: whole inner sides are.
 std::vector<double> transparentIsovalues(const scene::Scene& scene) {
-  const auto transparent = [](double opacity) { return opacity > 0.0 && opacity < 1.0; };
   std::vector<double> isovalues;
-  if (transparent(scene.isosurface.opacity)) isovalues.push_back(*scene.isosurface.value);
+  if (scene::isSeenThrough(scene.isosurface)) isovalues.push_back(*scene.isosurface.value);
   for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && transparent(extra.opacity)) isovalues.push_back(*extra.value);
+    if (extra.shown && scene::isSeenThrough(extra)) isovalues.push_back(*extra.value);
   return isovalues;
 }
 

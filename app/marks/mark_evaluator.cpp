@@ -24,8 +24,9 @@ scene::Scene measuredPart(const scene::Scene& scene) {
   part.isosurface.inside = scene.isosurface.inside;
   part.extraIsosurfaces = scene.extraIsosurfaces;
   for (scene::ExtraIsosurface& extra : part.extraIsosurfaces) {
+    extra.name.clear();
     extra.albedo = {};
-    extra.opacity = 1.0;
+    extra.opacity = extra.facingOpacity = 1.0;
     extra.clipped = true;
     if (!extra.shown) extra.value.reset();
   }

@@ -110,7 +110,7 @@ scene::Scene litScene(const Knob& knob, scene::Scene scene) {
   scene.hit.method = scene::HitMethod::exact;
   scene.hit.field = scene::Field::trilinear;
   scene.gi.extent = scene::GiExtent::view;
-  scene.isosurface.opacity = 1.0;
+  scene.isosurface.opacity = scene.isosurface.facingOpacity = 1.0;
   if (!knob.transfer || scene.gi.mode == scene::GiMode::off) return scene;
   scene.gi.mode = scene::GiMode::automatic;
   scene.light.environment.moves = true;

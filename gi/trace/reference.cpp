@@ -10,6 +10,7 @@
 #include "base/color.h"
 #include "base/error.h"
 #include "gi/trace/parallel_tasks.h"
+#include "scene/opacity.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::gi {
@@ -20,12 +21,13 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kPointsOfTask = 256;
 
 scene::Scene checked(scene::Scene scene) {
-  bool opaque = scene.isosurface.opacity >= 1.0;
+  bool opaque = scene::isOpaque(scene.isosurface);
   for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    opaque = opaque && (!extra.shown || extra.opacity >= 1.0);
+    opaque = opaque && (!extra.shown || scene::isOpaque(extra));
   if (!opaque)
-    throw base::Error(base::ErrorKind::usage, "", "isosurface.opacity",
-                      "the reference is of opaque surfaces only: set it to 1");
+    throw base::Error(
+        base::ErrorKind::usage, "", "isosurface.opacity",
+        "the reference is of opaque surfaces only: set it to 1, and isosurface.facing_opacity, too");
   // What is stored where is nothing to it: the light is that of the scene.
   scene.look.mode = scene::LookMode::gi;
   if (scene.gi.mode != scene::GiMode::vicinity && scene.gi.mode != scene::GiMode::shadow)

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "scene/color_maps.h"
+#include "scene/opacity.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
@@ -63,10 +64,10 @@ void CutFacesPass::declare(Declaring& d) const {
   }
   const scene::Scene& s = d.asked.scene;
   std::array<bool, scene::kExtraIsosurfaces> filled{};
-  for (std::size_t i = 0; i < filled.size(); ++i) filled[i] = s.extraIsosurfaces[i].opacity >= 1.0;
+  for (std::size_t i = 0; i < filled.size(); ++i) filled[i] = scene::isOpaque(s.extraIsosurfaces[i]);
   d.volume().isovalues().cuts().pictureSize();
   d.settings({"camera.", "hit.field", "isosurface.inside", "clip.cap", "slice.field"});
-  d.input("which isosurfaces are opaque", s.isosurface.opacity >= 1.0, filled);
+  d.input("which isosurfaces are opaque", scene::isOpaque(s.isosurface), filled);
 }
 
 void CutFacesPass::run(FrameState& frame) {

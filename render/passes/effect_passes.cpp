@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "render/passes/hit_passes.h"
+#include "scene/opacity.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
@@ -28,8 +29,8 @@ void ShadowPass::declare(Declaring& d) const {
   d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"}).cuts();
   const scene::Scene& s = d.asked.scene;
   std::array<bool, scene::kExtraIsosurfaces> opaque{};
-  for (std::size_t i = 0; i < opaque.size(); ++i) opaque[i] = s.extraIsosurfaces[i].opacity >= 1.0;
-  d.input("what is opaque", s.isosurface.opacity >= 1.0, opaque);
+  for (std::size_t i = 0; i < opaque.size(); ++i) opaque[i] = scene::isOpaque(s.extraIsosurfaces[i]);
+  d.input("what is opaque", scene::isOpaque(s.isosurface), opaque);
   d.input("executor at the hits", d.asked.onProcessor.all);
 }
 
@@ -46,7 +47,7 @@ void ShadowPass::run(FrameState& frame) {
   }
   int opaque = 0;
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
-    if (frame.surfaces[i].opacity >= 1.0) opaque |= 1 << i;
+    if (frame.surfaces[i].opaque()) opaque |= 1 << i;
   if (frame.onProcessor.all) {
     shadowOnProcessor(frame, target, opaque);
     return;

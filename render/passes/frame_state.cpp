@@ -29,10 +29,12 @@ int nextBand(int rows, double milliseconds) {
 }  // namespace
 
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
-  std::vector<Surface> surfaces = {{scene.isosurface.value.value(), scene.isosurface.albedo,
-                                    scene.isosurface.opacity, scene.isosurface.clipped}};
+  const auto surfaceOf = [](const auto& s) {
+    return Surface{s.value.value(), s.albedo, s.opacity, s.facingOpacity, s.clipped};
+  };
+  std::vector<Surface> surfaces = {surfaceOf(scene.isosurface)};
   for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) surfaces.push_back({extra.value.value(), extra.albedo, extra.opacity, extra.clipped});
+    if (extra.shown) surfaces.push_back(surfaceOf(extra));
   if (scene.isosurface.albedoSource == scene::AlbedoSource::map) {
     const scene::AlbedoOfIsovalue albedo(scene);
     for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);

@@ -17,6 +17,7 @@
 #include "render/passes/view_uniforms.h"
 #include "render/volume/gpu_volume.h"
 #include "render/volume/ray_starts.h"
+#include "scene/opacity.h"
 #include "scene/rules/needs.h"
 #include "scene/scene.h"
 #include "volume/clip/cut_faces.h"
@@ -35,7 +36,9 @@ struct Surface {
   double value;  // data units
   glm::dvec3 albedo;
   double opacity;
-  bool clipped = true;  // by scene::Clip
+  double facingOpacity = 1.0;  // scene/opacity.h
+  bool clipped = true;         // by scene::Clip
+  bool opaque() const { return scene::isOpaque(*this); }
 };
 // The first and those further ones that are shown, without those of opacity 0: none to four.
 std::vector<Surface> surfacesOf(const scene::Scene& scene);

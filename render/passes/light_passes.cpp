@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/opacity.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
@@ -181,7 +182,8 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
     const Surface& surface = frame.surfaces[i];
     isovalues[static_cast<int>(i)] = static_cast<float>(frame.volume->grid().storedOfValue(surface.value));
-    opacities[static_cast<int>(i)] = static_cast<float>(surface.opacity);
+    opacities[static_cast<int>(i)] =
+        static_cast<float>(scene::meanOpacity(surface.opacity, surface.facingOpacity));
   }
   p.set("uStoredIsovalues", isovalues);
   p.set("uOpacities", opacities);
@@ -253,7 +255,9 @@ void IrradiancePass::declare(Declaring& d) const {
   d.settings({"camera."}).input("light", light.version);
   if (!light.stored) return;
   d.settings({"isosurface.inside"});  // light is stored of one side, or of each
-  if (light.inner) d.settings({"isosurface.opacity", "isosurface#.opacity"});
+  if (light.inner)
+    d.settings({"isosurface.opacity", "isosurface#.opacity", "isosurface.facing_opacity",
+                "isosurface#.facing_opacity"});
   d.reads(image::light).input("lattice", light.storage);
   d.input("gi.interpolation", d.asked.scene.gi.interpolation);  // wherever light is stored, planned or not
 }

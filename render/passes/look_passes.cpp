@@ -10,6 +10,7 @@
 #include "render/passes/second_volume_pass.h"
 #include "render/readback.h"
 #include "scene/looks.h"
+#include "scene/opacity.h"
 #include "scene/rules/needs.h"
 #include "scene/setting/choice_names.h"
 #include "scene/settings.h"
@@ -68,6 +69,7 @@ std::string definesOf(const scene::Scene& scene, const std::vector<LookInput>& i
       flag("MEASURE_SQUARE", kind == scene::LookKind::square) + number("LOOK", look.mode) +
       number("SHADING", scene::shadingOf(scene)) + number("TEXTURE", look.texture) +
       flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
+      flag("FACING", scene::variesByAngle(scene)) +
       flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility);
   for (const LookInput& input : inputs) defines += flag(input.define, *input.define != '\0');
   return defines;
@@ -138,12 +140,14 @@ void RangesPass::run(FrameState& frame) {
 }
 
 void ShadePass::setSurfaces(FrameState& frame, Program& p) const {
-  glm::vec4 opacities(1.0f);
+  glm::vec4 opacities(1.0f), facing(1.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
     p.set(("uAlbedos[" + std::to_string(i) + "]").c_str(), glm::vec3(frame.surfaces[i].albedo));
     opacities[static_cast<int>(i)] = static_cast<float>(frame.surfaces[i].opacity);
+    facing[static_cast<int>(i)] = static_cast<float>(frame.surfaces[i].facingOpacity);
   }
   p.set("uOpacities", opacities);
+  p.set("uFacing", facing);
 }
 
 void ShadePass::setLight(FrameState& frame, Program& p) const {
@@ -213,7 +217,8 @@ void ShadePass::declare(Declaring& d) const {
   }
   d.settings({"camera.", "isosurface.", "isosurface#."},
              {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface.ghost",
-              "isosurface.ghost_opacity", "isosurface#.value", "isosurface.clipped", "isosurface#.clipped"});
+              "isosurface.ghost_opacity", "isosurface#.value", "isosurface.clipped", "isosurface#.clipped",
+              "isosurface.name", "isosurface#.name"});
   d.settings({"look."}, {"look.legend", "look.legend_corner", "look.background_top", "look.background_bottom",
                          "look.contour_width", "look.ridge_threshold", "look.ridge_width",
                          "look.ridge_width_unit", "look.ridge_length"});

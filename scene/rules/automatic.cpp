@@ -34,6 +34,51 @@ void resolveLamps(Scene& scene, const VolumeFacts& facts) {
   }
 }
 
+// Whether a surface shows what `values[i]` would: within a quarter of the way to the next.
+bool isTaken(const std::vector<double>& values, std::size_t i, double range, double by) {
+  double gap = 0.2 * range;
+  if (i > 0 && by < values[i]) gap = values[i] - values[i - 1];
+  if (i + 1 < values.size() && by > values[i]) gap = values[i + 1] - values[i];
+  return std::abs(by - values[i]) <= 0.25 * gap;
+}
+
+// Where a further isosurface belongs: of the suggestions that nobody has, the next outside the first, else
+// the next inside.
+std::optional<double> nextSuggestion(const VolumeFacts& facts, double first, Inside inside,
+                                     const std::vector<double>& taken) {
+  const std::vector<double>& values = facts.suggestedIsovalues;
+  const double outward = inside == Inside::above ? -1.0 : 1.0;
+  const auto nearest = [&](double direction) -> std::optional<double> {
+    std::optional<double> best;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const bool isFree = std::none_of(taken.begin(), taken.end(), [&](double by) {
+        return isTaken(values, i, facts.maximum - facts.minimum, by);
+      });
+      const double distance = direction * (values[i] - first);
+      if (isFree && distance > 0.0 && (!best || distance < direction * (*best - first))) best = values[i];
+    }
+    return best;
+  };
+  const std::optional<double> outside = nearest(outward);
+  return outside ? outside : nearest(-outward);
+}
+
+void resolveFurther(Scene& scene, const VolumeFacts& facts) {
+  const double first = *scene.isosurface.value;
+  const bool above = scene.isosurface.inside == Inside::above;
+  const double innermost = above ? std::max(facts.maximum, first) : std::min(facts.minimum, first);
+  std::vector<double> taken = {first};
+  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown && extra.value) taken.push_back(*extra.value);
+  for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i) {
+    ExtraIsosurface& extra = scene.extraIsosurfaces[i];
+    if (extra.value) continue;
+    const double spread = std::lerp(first, innermost, static_cast<double>(i + 1) / 4.0);
+    extra.value = nextSuggestion(facts, first, scene.isosurface.inside, taken).value_or(spread);
+    if (extra.shown) taken.push_back(*extra.value);
+  }
+}
+
 }  // namespace
 
 Scene resolve(Scene scene, const VolumeFacts& facts) {
@@ -41,11 +86,7 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
     scene.isosurface.value = std::isfinite(facts.suggestedIsovalue) ? facts.suggestedIsovalue : 0.0;
   if (!scene.source.csgValue) scene.source.csgValue = facts.csgIsovalue;
 
-  for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i)
-    if (!scene.extraIsosurfaces[i].value)
-      scene.extraIsosurfaces[i].value =
-          std::lerp(*scene.isosurface.value, std::max(facts.maximum, *scene.isosurface.value),
-                    static_cast<double>(i + 1) / 4.0);
+  resolveFurther(scene, facts);
   if (!scene.isosurface.albedoLow) scene.isosurface.albedoLow = facts.minimum;
   if (!scene.isosurface.albedoHigh) scene.isosurface.albedoHigh = facts.maximum;
   if (!scene.gi.band) {

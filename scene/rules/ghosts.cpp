@@ -14,6 +14,7 @@ void addGhosts(Scene& scene) {
     extra.shown = true;
     extra.value = *scene.isosurface.value + offset;
     extra.opacity = scene.isosurface.ghostOpacity;
+    extra.facingOpacity = 1.0;
     extra.clipped = scene.isosurface.clipped;
     offset = -apart;
     ++made;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/looks.h"
+#include "scene/opacity.h"
 
 namespace isolux::scene {
 
@@ -72,7 +73,7 @@ bool drawsLines(const Scene& scene) {
 }
 
 bool needsGradient(const Scene& scene) {
-  return lookInfo(scene.look.mode).readsGradient;
+  return lookInfo(scene.look.mode).readsGradient || variesByAngle(scene);
 }
 
 bool needsCurvature(const Scene& scene) {
@@ -120,10 +121,9 @@ bool showsCutFaces(const Scene& scene) {
 }
 
 bool isTransparent(const Scene& scene) {
-  const auto between = [](double opacity) { return opacity > 0.0 && opacity < 1.0; };
-  if (between(scene.isosurface.opacity)) return true;
+  if (isSeenThrough(scene.isosurface)) return true;
   for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && between(extra.opacity)) return true;
+    if (extra.shown && isSeenThrough(extra)) return true;
   return false;
 }
 

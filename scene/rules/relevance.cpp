@@ -124,6 +124,8 @@ constexpr Rule rules[] = {
      "the albedo comes from a colour map"},
     {"isosurface.layers", [](const Scene& s) { return isTransparent(s) || s.isosurface.ghost > 0.0; },
      "every isosurface is opaque"},
+    {"isosurface.facing_opacity", [](const Scene& s) { return s.isosurface.opacity > 0.0; },
+     "the surface has no opacity"},
     {"isosurface.ghost_opacity", [](const Scene& s) { return s.isosurface.ghost > 0.0; },
      "there are no ghosts"},
 
@@ -239,9 +241,13 @@ constexpr Rule rules[] = {
 };
 
 constexpr ItemRule itemRules[] = {
-    {"isosurface#.value isosurface#.albedo isosurface#.opacity isosurface#.clipped",
+    {"isosurface#.name isosurface#.value isosurface#.albedo isosurface#.opacity isosurface#.facing_opacity "
+     "isosurface#.clipped",
      [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].shown; },
      "that isosurface is not shown"},
+    {"isosurface#.facing_opacity",
+     [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].opacity > 0.0; },
+     "that surface has no opacity"},
     {"lamp#.kind lamp#.position lamp#.direction lamp#.radius lamp#.angle lamp#.color lamp#.intensity",
      [](const Scene& s, std::size_t item) { return s.lamps[item].shown; }, "that lamp is off"},
     {"lamp#.position",

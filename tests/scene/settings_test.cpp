@@ -72,9 +72,9 @@ TEST(Settings, CoversEveryMemberOfScene) {
                colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, meshVoxels, csg, csgPath, csgValue] =
       source;
-  [[maybe_unused]] const auto& [value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
-                                opacity, layers, clipped, ghost, ghostOpacity] = isosurface;
-  [[maybe_unused]] const auto& [shown, value2, albedo2, opacity2, clipped2] = extraIsosurfaces[0];
+  [[maybe_unused]] const auto& [name, value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
+                                opacity, facing, layers, clipped, ghost, ghostOpacity] = isosurface;
+  [[maybe_unused]] const auto& [shown, name2, value2, albedo2, opacity2, facing2, clipped2] = extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [keep, smallest, hidden, only] = pieces;
@@ -102,7 +102,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering] = picture;
   EXPECT_EQ(settings().size(),
-            9u + 12 + 3 * 5 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 4);
+            9u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 4);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <exception>
 #include <utility>
 
-#include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
-#include <QWheelEvent>
 
-#include "base/numbers.h"
 #include "base/retire.h"
 #include "ui/editors/number_text.h"
 #include "ui/window/style.h"
@@ -20,7 +15,6 @@ namespace isolux::ui {
 
 namespace {
 constexpr double sideMargin = 14.0, topMargin = 24.0, axisHeight = 20.0;
-constexpr double grabPixels = 8.0;
 constexpr int detailBins = 16384;
 }  // namespace
 
@@ -48,7 +42,7 @@ struct HistogramSlider::DetailJob {
   base::RetiringThread<Work> work;
 };
 
-HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent) {
+HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent), handles_(1) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Isovalue on the histogram"));
@@ -93,6 +87,17 @@ void HistogramSlider::setIsovalue(double value, bool insideAbove) {
   update();
 }
 
+void HistogramSlider::setSurfaces(const std::vector<HistogramHandle>& surfaces) {
+  const double held = activeValue();
+  handles_ = surfaces;
+  if (handles_.empty()) handles_.emplace_back();
+  const auto isActive = [this](const HistogramHandle& handle) { return handle.number == active_; };
+  if (std::none_of(handles_.begin(), handles_.end(), isActive)) active_ = 0;
+  if (handles_.size() == 1) handles_.front().colour = colours::isovalue;
+  if (dragging_) setActiveValue(held);
+  update();
+}
+
 void HistogramSlider::showAll() {
   plot_.showAll();
   zoomed();
@@ -134,6 +139,40 @@ QPointF HistogramSlider::linePosition() const {
   return positionOf(isovalue_);
 }
 
+QPointF HistogramSlider::linePosition(int number) const {
+  for (const HistogramHandle& handle : handles_)
+    if (number != 0 && handle.number == number) return positionOf(handle.value);
+  return linePosition();
+}
+
+std::vector<PlacedHandle> HistogramSlider::placedHandles() const {
+  std::vector<PlacedHandle> placed;
+  for (const HistogramHandle& handle : handles_) {
+    const double value = handle.number == 0 ? isovalue_ : handle.value;
+    placed.push_back({&handle, positionOf(value).x(), text(value), handle.number == active_});
+  }
+  return placed;
+}
+
+double HistogramSlider::activeValue() const {
+  for (const HistogramHandle& handle : handles_)
+    if (active_ != 0 && handle.number == active_) return handle.value;
+  return isovalue_;
+}
+
+void HistogramSlider::setActiveValue(double value) {
+  if (active_ == 0) isovalue_ = value;
+  for (HistogramHandle& handle : handles_)
+    if (handle.number == active_) handle.value = value;
+}
+
+void HistogramSlider::emitActive(double value, bool endsAfterPause) {
+  if (active_ == 0)
+    Q_EMIT isovalueChanged(value, endsAfterPause);
+  else
+    Q_EMIT surfaceMoved(active_, value, endsAfterPause);
+}
+
 QString HistogramSlider::text(double value) const {
   return valueText(value, volume_ ? QString::fromStdString(volume_->volume.unit) : QString());
 }
@@ -146,7 +185,9 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
   if (volume_) {
     paintColumns(painter, area);
     paintAxis(painter, area);
-    paintLine(painter, area);
+    QFont labels = font();
+    labels.setWeight(QFont::DemiBold);
+    paintHandles(painter, area, width(), labels, placedHandles());
   }
   if (!volume_) {
     painter.setPen(colours::quietText);
@@ -221,158 +262,6 @@ void HistogramSlider::paintAxis(QPainter& painter, const QRectF& area) const {
     painter.drawText(QPointF(fitsRight ? x + 6.0 : x - 6.0 - labelWidth, area.top() + metrics.ascent() + 4.0),
                      label);
   }
-}
-
-void HistogramSlider::paintLine(QPainter& painter, const QRectF& area) const {
-  const double x = area.left() + plot_.pixelOf(isovalue_, area.width());
-  QFont font = this->font();
-  font.setWeight(QFont::DemiBold);
-  const QFontMetricsF metrics(font);
-  const QString label = text(isovalue_);
-  const bool left = x<area.left() - 0.5, right = x> area.right() + 0.5;
-  const double lineX = std::clamp(x, area.left(), area.right());
-  const double labelWidth = metrics.horizontalAdvance(label) + 14.0;
-  QRectF box(lineX - 0.5 * labelWidth, 1.0, labelWidth, 18.0);
-  box.moveLeft(std::clamp(box.left(), 1.0, std::max(1.0, width() - 1.0 - labelWidth)));
-  if (!left && !right) {
-    painter.setPen(QPen(colours::isovalue, 2.0));
-    painter.drawLine(QPointF(lineX, box.bottom()), QPointF(lineX, area.bottom()));
-  }
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(colours::isovalue);
-  painter.drawRoundedRect(box, 4.0, 4.0);
-  painter.setFont(font);
-  painter.setPen(colours::onIsovalue);
-  painter.drawText(box, Qt::AlignCenter, label);
-}
-
-// ---- Mouse and keys
-// -----------------------------------------------------------------------------------------
-
-void HistogramSlider::moveTo(double value) {
-  const double step = base::niceBelow(plot_.shownRange() / std::max(1.0, plotArea().width()));
-  value = std::clamp(base::roundedToStep(value, step), plot_.minimum(), plot_.maximum());
-  if (value == isovalue_) return;
-  isovalue_ = value;
-  pending_ = value;
-  if (!sendTimer_.isActive()) sendTimer_.start(0);
-  update();
-}
-
-void HistogramSlider::sendPending() {
-  sendTimer_.stop();
-  if (const auto value = std::exchange(pending_, std::nullopt)) Q_EMIT isovalueChanged(*value, false);
-}
-
-void HistogramSlider::nudge(double steps) {
-  if (!volume_ || steps == 0.0) return;
-  const double step = plot_.fineStep();
-  isovalue_ =
-      std::clamp(base::roundedToStep(isovalue_ + steps * step, step), plot_.minimum(), plot_.maximum());
-  plot_.reveal(isovalue_);
-  update();
-  Q_EMIT isovalueChanged(isovalue_, true);
-}
-
-void HistogramSlider::mousePressEvent(QMouseEvent* event) {
-  if (!volume_ || dragging_ || panning_) return;
-  if (event->button() == Qt::LeftButton) {
-    const double line = linePosition().x();
-    grabOffset_ = std::abs(event->position().x() - line) <= grabPixels ? line - event->position().x() : 0.0;
-    dragging_ = true;
-    Q_EMIT dragStarted();
-    if (grabOffset_ == 0.0)
-      moveTo(plot_.valueAt(event->position().x() - plotArea().left(), plotArea().width()));
-  } else if (event->button() == Qt::MiddleButton) {
-    panning_ = true;
-    panPixel_ = event->position().x();
-    setCursor(Qt::ClosedHandCursor);
-  }
-}
-
-void HistogramSlider::mouseMoveEvent(QMouseEvent* event) {
-  if (!volume_) return;
-  if (dragging_ && !(event->buttons() & Qt::LeftButton)) endDrag();  // it was let go elsewhere
-  if (panning_ && !(event->buttons() & Qt::MiddleButton)) endPan();
-  const QRectF area = plotArea();
-  const double x = event->position().x();
-  if (dragging_) {
-    hovered_.reset();
-    moveTo(plot_.valueAt(x + grabOffset_ - area.left(), area.width()));
-  } else if (panning_) {
-    plot_.pan((panPixel_ - x) * plot_.shownRange() / area.width());
-    panPixel_ = x;
-    update();
-  } else {
-    const bool onLine = std::abs(x - linePosition().x()) <= grabPixels;
-    setCursor(onLine ? Qt::SplitHCursor : Qt::ArrowCursor);
-    hovered_.reset();
-    if (!onLine && x >= area.left() && x <= area.right()) {
-      hovered_ = base::roundedToStep(plot_.valueAt(x - area.left(), area.width()),
-                                     base::niceBelow(plot_.shownRange() / std::max(1.0, area.width())));
-    }
-    update();
-  }
-}
-
-void HistogramSlider::mouseReleaseEvent(QMouseEvent* event) {
-  if (dragging_ && event->button() == Qt::LeftButton) {
-    endDrag();
-  } else if (panning_ && event->button() == Qt::MiddleButton) {
-    endPan();
-  }
-}
-
-void HistogramSlider::endDrag() {
-  sendPending();
-  dragging_ = false;
-  Q_EMIT dragEnded();
-}
-
-void HistogramSlider::endPan() {
-  panning_ = false;
-  unsetCursor();
-}
-
-void HistogramSlider::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && volume_) Q_EMIT suggestionWanted();
-}
-
-void HistogramSlider::wheelEvent(QWheelEvent* event) {
-  const double notches = event->angleDelta().y() / 120.0;
-  if (!volume_ || notches == 0.0) return;
-  if (event->modifiers() & Qt::ControlModifier) {
-    plot_.zoom(std::pow(1.25, notches),
-               plot_.valueAt(event->position().x() - plotArea().left(), plotArea().width()));
-    wantDetail();
-    zoomed();
-  } else {
-    nudge(event->modifiers() & Qt::ShiftModifier ? 10.0 * notches : notches);
-  }
-  event->accept();
-}
-
-void HistogramSlider::keyPressEvent(QKeyEvent* event) {
-  const double factor = event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0;
-  switch (event->key()) {
-    case Qt::Key_Left:
-    case Qt::Key_Down:
-      return nudge(-factor);
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-      return nudge(factor);
-    case Qt::Key_PageDown:
-      return nudge(-50.0 * factor);
-    case Qt::Key_PageUp:
-      return nudge(50.0 * factor);
-    default:
-      QWidget::keyPressEvent(event);
-  }
-}
-
-void HistogramSlider::leaveEvent(QEvent*) {
-  hovered_.reset();
-  update();
 }
 
 }  // namespace isolux::ui

@@ -1,7 +1,9 @@
-// The isovalue as a line on the histogram: drag it, nudge it with wheel or arrow keys, type it beside.
+// Isovalues as lines on the histogram: drag them, nudge them with wheel or arrow keys, type them beside.
 //
 // Counts are logarithmic. Ctrl+wheel zooms the value axis, middle drag pans it; a double click asks for the
-// suggested isovalue. Sends at most one value per turn of the event loop while it is dragged.
+// suggested isovalue, Alt+click or the menu of a right click for one more isosurface. Of several lines the
+// one that was taken hold of last is moved by keys, the wheel, and clicks beside lines. Sends at most one
+// value per turn of the event loop while it is dragged.
 #pragma once
 
 #include <memory>
@@ -12,6 +14,7 @@
 
 #include "app/interaction/histogram_plot.h"
 #include "ui/document/document.h"
+#include "ui/surfaces/histogram_handles.h"
 
 namespace isolux::ui {
 
@@ -22,7 +25,10 @@ class HistogramSlider : public QWidget {
   ~HistogramSlider() override;
 
   void setVolume(VolumePointer volume);
+  // Of the first isosurface.
   void setIsovalue(double value, bool insideAbove);
+  // All that have a line, the first among them; fewer than two: it has the only one.
+  void setSurfaces(const std::vector<HistogramHandle>& surfaces);
   void showAll();
   void zoomAtLine(double factor);
 
@@ -30,12 +36,16 @@ class HistogramSlider : public QWidget {
   double isovalue() const { return isovalue_; }
   // Widget coordinates of the isovalue's line at half the plot's height.
   QPointF linePosition() const;
+  QPointF linePosition(int number) const;  // of that isosurface
+  int active() const { return active_; }
   QPointF positionOf(double value) const;
 
  Q_SIGNALS:
   void dragStarted();
   void dragEnded();
   void isovalueChanged(double value, bool endsAfterPause);
+  void surfaceMoved(int number, double value, bool endsAfterPause);  // a further isosurface
+  void surfaceWanted(double value);                                  // one more
   void suggestionWanted();
   void zoomChanged(bool zoomed);
 
@@ -48,6 +58,8 @@ class HistogramSlider : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  bool event(QEvent* event) override;
   QSize sizeHint() const override { return {600, 130}; }
   QSize minimumSizeHint() const override { return {220, 96}; }
 
@@ -56,6 +68,11 @@ class HistogramSlider : public QWidget {
   QRectF plotArea() const;
   void moveTo(double value);  // while dragged: sent with the next turn of the event loop
   void nudge(double steps);   // wheel and keys
+  double activeValue() const;
+  void setActiveValue(double value);
+  void emitActive(double value, bool endsAfterPause);
+  double valueUnder(double x) const;
+  std::vector<PlacedHandle> placedHandles() const;
   void sendPending();
   void endDrag();
   void endPan();
@@ -64,7 +81,6 @@ class HistogramSlider : public QWidget {
   void wantDetail();  // a finer histogram, counted on another thread
   void paintColumns(QPainter& painter, const QRectF& area) const;
   void paintAxis(QPainter& painter, const QRectF& area) const;
-  void paintLine(QPainter& painter, const QRectF& area) const;
   QString text(double value) const;
 
   VolumePointer volume_;
@@ -73,6 +89,8 @@ class HistogramSlider : public QWidget {
   std::shared_ptr<DetailJob> detailJob_;
   QTimer detailTimer_, sendTimer_;
   double isovalue_ = 0.0;
+  std::vector<HistogramHandle> handles_;  // all; never empty
+  int active_ = 0;
   bool insideAbove_ = true;
   std::optional<double> pending_, hovered_;
   bool dragging_ = false, panning_ = false;

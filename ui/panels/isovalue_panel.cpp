@@ -7,9 +7,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/editors/color_button.h"
 #include "ui/editors/histogram_slider.h"
 #include "ui/editors/number_spin_box.h"
 #include "ui/editors/number_text.h"
+#include "ui/surfaces/surface_list.h"
 
 namespace isolux::ui {
 
@@ -17,37 +19,44 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
     : QWidget(parent),
       slider_(new HistogramSlider(this)),
       spinBox_(new NumberSpinBox(this)),
+      surfaces_(new SurfaceList(this)),
+      title_(new QLabel(tr("Isovalue"), this)),
+      add_(new QToolButton(this)),
       suggest_(new QToolButton(this)),
       showAll_(new QToolButton(this)) {
-  auto* title = new QLabel(tr("Isovalue"), this);
-  QFont bold = title->font();
+  QFont bold = title_->font();
   bold.setWeight(QFont::DemiBold);
-  title->setFont(bold);
-  title->setBuddy(spinBox_);
-  title->setToolTip(
+  title_->setFont(bold);
+  title_->setBuddy(spinBox_);
+  title_->setToolTip(
       tr("The surface is where the volume has this value.\n\n"
          "Drag the line on the histogram (counts are logarithmic).\n"
          "Wheel or arrow keys: fine steps (Shift: ten times larger)\n"
          "Double click: suggested isovalue\n"
+         "Alt+click or right click: one more isosurface there\n"
          "Ctrl+wheel: zoom the axis, middle drag: move it"));
   spinBox_->setAccessibleName(tr("Isovalue"));
   spinBox_->setToolTip(tr("The exact isovalue. Arrow keys change it by the step of the histogram."));
+  add_->setText(tr("Add surface"));
   suggest_->setText(tr("Suggested"));
   suggest_->setToolTip(
       tr("Back to the isovalue found from the histogram (also: double click on the histogram)"));
   showAll_->setText(tr("Whole range"));
   showAll_->setToolTip(tr("Show the whole range of values again"));
-  for (QToolButton* button : {suggest_, showAll_}) {
+  for (QToolButton* button : {add_, suggest_, showAll_}) {
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::TabFocus);
   }
 
+  buttons_ = new QBoxLayout(QBoxLayout::TopToBottom);
+  buttons_->setSpacing(4);
+  for (QToolButton* button : {suggest_, showAll_, add_}) buttons_->addWidget(button);
   auto* side = new QVBoxLayout;
-  side->setSpacing(6);
-  side->addWidget(title);
+  side->setSpacing(4);
+  side->addWidget(title_);
   side->addWidget(spinBox_);
-  side->addWidget(suggest_);
-  side->addWidget(showAll_);
+  side->addWidget(surfaces_);
+  side->addLayout(buttons_);
   side->addStretch();
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(2, 8, 12, 4);
@@ -57,6 +66,7 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
   spinBox_->setFixedWidth(124);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setFixedHeight(146);
+  arrange(false);
   setEnabled(false);
   showAll_->setEnabled(false);
 
@@ -66,8 +76,16 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
   connect(slider_, &HistogramSlider::dragEnded, this, &IsovaluePanel::dragEnded);
   connect(slider_, &HistogramSlider::suggestionWanted, this, [this] { send(std::nullopt, "", false); });
   connect(slider_, &HistogramSlider::zoomChanged, showAll_, &QWidget::setEnabled);
-  connect(slider_, &HistogramSlider::zoomChanged, this,
-          [this] { spinBox_->setSingleStep(slider_->plot().fineStep()); });
+  connect(slider_, &HistogramSlider::zoomChanged, this, [this] {
+    spinBox_->setSingleStep(slider_->plot().fineStep());
+    surfaces_->setStep(slider_->plot().fineStep());
+  });
+  connect(slider_, &HistogramSlider::surfaceMoved, this, &IsovaluePanel::moveSurface);
+  connect(slider_, &HistogramSlider::surfaceWanted, this, &IsovaluePanel::addSurface);
+  connect(surfaces_, &SurfaceList::edited, this, &IsovaluePanel::edited);
+  connect(surfaces_, &SurfaceList::dragStarted, this, &IsovaluePanel::dragStarted);
+  connect(surfaces_, &SurfaceList::dragEnded, this, &IsovaluePanel::dragEnded);
+  connect(add_, &QToolButton::clicked, this, [this] { addSurface(std::nullopt); });
   connect(suggest_, &QToolButton::clicked, this, [this] { send(std::nullopt, "", false); });
   connect(showAll_, &QToolButton::clicked, slider_, &HistogramSlider::showAll);
   connect(spinBox_, &NumberSpinBox::valueChanged, this,
@@ -78,6 +96,7 @@ void IsovaluePanel::setVolume(VolumePointer volume) {
   volume_ = std::move(volume);
   setEnabled(volume_ != nullptr);
   slider_->setVolume(volume_);
+  surfaces_->setVolume(volume_);
   if (!volume_) return;
   const QString unit = QString::fromStdString(volume_->volume.unit);
   spinBox_->setSuffix(unit.isEmpty() ? QString() : ' ' + unit);
@@ -89,6 +108,42 @@ void IsovaluePanel::setScene(const scene::Scene& scene, const scene::Scene& reso
   slider_->setIsovalue(*resolved.isosurface.value, resolved.isosurface.inside == scene::Inside::above);
   spinBox_->showValue(*resolved.isosurface.value);
   suggest_->setEnabled(scene.isosurface.value.has_value());
+  showSurfaces(resolved);
+}
+
+void IsovaluePanel::showSurfaces(const scene::Scene& resolved) {
+  surfaces_->setScene(scene_, resolved);
+  std::vector<HistogramHandle> handles;
+  const std::vector<app::ListedSurface> list = app::listedSurfaces(scene_, resolved);
+  for (const app::ListedSurface& one : list)
+    handles.push_back({one.number, one.value, screenColour(one.albedo), surfaceName(one), one.shown});
+  slider_->setSurfaces(handles);
+  arrange(list.size() > 1);
+  const bool room = list.size() < app::kMostSurfaces;
+  add_->setEnabled(room);
+  add_->setToolTip(room ? tr("One more isosurface: outside those there are, where the histogram suggests one "
+                             "(also: Alt+click on the histogram)")
+                        : tr("There are %1 isosurfaces already").arg(app::kMostSurfaces));
+}
+
+// One isosurface: its value above the buttons. Several: their list, and the buttons in a line below.
+void IsovaluePanel::arrange(bool several) {
+  title_->setVisible(!several);
+  spinBox_->setVisible(!several);
+  surfaces_->setVisible(several);
+  buttons_->setDirection(several ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
+void IsovaluePanel::moveSurface(int number, double value, bool endsAfterPause) {
+  Edit edit{scene_, tr("Set isovalue"), QString("isovalue %1").arg(number), endsAfterPause};
+  app::setValue(edit.scene, number, value);
+  Q_EMIT edited(edit);
+}
+
+void IsovaluePanel::addSurface(std::optional<double> value) {
+  if (!volume_) return;
+  if (const auto added = app::withSurface(scene_, *volume_, value))
+    Q_EMIT edited({*added, tr("Add isosurface"), {}, false});
 }
 
 void IsovaluePanel::send(std::optional<double> value, const char* mergeKey, bool endsAfterPause) {

@@ -1,4 +1,5 @@
-// The isovalue's corner of the window: the histogram with its line, the exact value, the suggestion.
+// The isovalue's corner of the window: the histogram with its lines, the exact value, the suggestion; where
+// there are several isosurfaces, their list.
 #pragma once
 
 #include <QWidget>
@@ -6,6 +7,7 @@
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
 
+class QBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -13,6 +15,7 @@ namespace isolux::ui {
 
 class HistogramSlider;
 class NumberSpinBox;
+class SurfaceList;
 
 class IsovaluePanel : public QWidget {
   Q_OBJECT
@@ -23,6 +26,8 @@ class IsovaluePanel : public QWidget {
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   HistogramSlider* slider() const { return slider_; }
   NumberSpinBox* spinBox() const { return spinBox_; }
+  SurfaceList* surfaces() const { return surfaces_; }
+  QToolButton* addButton() const { return add_; }
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);
@@ -31,12 +36,19 @@ class IsovaluePanel : public QWidget {
 
  private:
   void send(std::optional<double> value, const char* mergeKey, bool endsAfterPause);
+  void moveSurface(int number, double value, bool endsAfterPause);
+  void addSurface(std::optional<double> value);
+  void showSurfaces(const scene::Scene& resolved);
+  void arrange(bool several);
 
   scene::Scene scene_;
   VolumePointer volume_;
   HistogramSlider* slider_;
   NumberSpinBox* spinBox_;
-  QToolButton *suggest_, *showAll_;
+  SurfaceList* surfaces_;
+  QLabel* title_;
+  QToolButton *add_, *suggest_, *showAll_;
+  QBoxLayout* buttons_;
 };
 
 }  // namespace isolux::ui

@@ -5,6 +5,7 @@
 #include "ui/panels/pieces_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/panels/volume_panel.h"
+#include "ui/presets/looks_panel.h"
 
 namespace isolux::ui {
 
@@ -16,6 +17,7 @@ Panel* makePanel(QWidget* parent) {
 }
 
 constexpr PanelInfo panelTable[] = {{QT_TRANSLATE_NOOP("QObject", "Settings"), makePanel<SettingsPanel>},
+                                    {QT_TRANSLATE_NOOP("QObject", "Looks"), makePanel<LooksPanel>},
                                     {QT_TRANSLATE_NOOP("QObject", "Marks"), makePanel<MarksPanel>},
                                     {QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
                                     {QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},

@@ -66,7 +66,7 @@ const std::vector<GroupPlan>& plan() {
 }
 
 // In panels of their own: the volume's, which knows the choices the file offers, and the marks'.
-constexpr std::string_view elsewhere[] = {"source.", "marks."};
+constexpr std::string_view elsewhere[] = {"source.", "marks.", "isosurface.name", "isosurface#.name"};
 
 std::string prefixOf(const scene::Setting& setting) {
   return setting.path.substr(0, setting.path.find('.') + 1);

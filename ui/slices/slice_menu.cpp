@@ -1,13 +1,16 @@
 #include "ui/slices/slice_menu.h"
 
+#include <cmath>
 #include <functional>
 
 #include <QActionGroup>
 #include <QMenu>
 
+#include "app/surfaces/surface_list.h"
 #include "ui/editors/number_text.h"
 #include "ui/slices/oblique_dialog.h"
 #include "ui/slices/slice_view.h"
+#include "volume/field/reconstruct.h"
 
 namespace isolux::ui {
 
@@ -38,6 +41,22 @@ QAction* addChange(QMenu* menu, SliceView& view, const QString& text, const QStr
     Q_EMIT view.edited(edit);
   });
   return action;
+}
+
+// One more isosurface, of the value there.
+void addSurface(QMenu* menu, SliceView& view, glm::dvec3 worldMm) {
+  const volume::PreparedVolume& volume = *view.volume();
+  const glm::dvec3 voxel(volume.grid().geometry().voxelFromWorld() * glm::dvec4(worldMm, 1.0));
+  const double value = volume::sampleTrilinear(volume.grid(), voxel).value;
+  if (!std::isfinite(value)) return;
+  const std::optional<scene::Scene> added = app::withSurface(view.scene(), volume, value);
+  const QString text = valueText(value, QString::fromStdString(volume.volume.unit));
+  QAction* const add = menu->addAction(QObject::tr("Add an isosurface at the value here, %1").arg(text));
+  add->setEnabled(added.has_value());
+  if (!added) return;
+  QObject::connect(add, &QAction::triggered, &view, [&view, scene = *added] {
+    Q_EMIT view.edited({scene, QObject::tr("Add isosurface"), {}, false});
+  });
 }
 
 void addWindows(QMenu* menu, SliceView& view) {
@@ -107,9 +126,10 @@ void addConventions(QMenu* menu, SliceView& view) {
 
 }  // namespace
 
-QMenu* makeSliceMenu(SliceView& view) {
+QMenu* makeSliceMenu(SliceView& view, glm::dvec3 worldMm) {
   auto* menu = new QMenu(&view);
   menu->setObjectName("slice");
+  addSurface(menu, view, worldMm);
   addPlanes(menu, view);
   addWindows(menu, view);
   menu->addSeparator();

@@ -96,7 +96,7 @@ class SliceView : public QWidget {
   void zoom(QPointF place, double factor);
   void pan(QPointF step);
   bool takeKey(QKeyEvent* event);
-  void openMenu(QPoint onScreen);
+  void openMenu(QPointF place);
 
   const volume::SliceDirection direction_;
   const QColor color_;

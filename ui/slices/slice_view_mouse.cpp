@@ -44,10 +44,10 @@ void SliceView::dragWindow(QPointF step) {
   Q_EMIT edited(edit);
 }
 
-void SliceView::openMenu(QPoint onScreen) {
-  QMenu* const menu = makeSliceMenu(*this);
+void SliceView::openMenu(QPointF place) {
+  QMenu* const menu = makeSliceMenu(*this, worldAt(place));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->popup(onScreen);
+  menu->popup(mapToGlobal(place).toPoint());
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
@@ -84,13 +84,13 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   const Drag was = std::exchange(drag_, Drag::none);
   if (was == Drag::none) return;
-  if (was == Drag::window && !moved_ && volume_) openMenu(event->globalPosition().toPoint());
+  if (was == Drag::window && !moved_ && volume_) openMenu(event->position());
   Q_EMIT gestureEnded();
 }
 
 // The mouse asks by the button's release: its press may begin a drag.
 void SliceView::contextMenuEvent(QContextMenuEvent* event) {
-  if (event->reason() == QContextMenuEvent::Keyboard && volume_) openMenu(mapToGlobal(rect().center()));
+  if (event->reason() == QContextMenuEvent::Keyboard && volume_) openMenu(QRectF(rect()).center());
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -80,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectLight();
   connectMarks();
   connectSlices();
+  connectLooks();
   setMachine(keptMachine());
   showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(openHint);
@@ -176,7 +177,7 @@ void MainWindow::connectDocument() {
   connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
   connect(viewport_, &Viewport::noted, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
-  connect(viewport_, &Viewport::edited, this, &MainWindow::applyEdit);
+  connect(viewport_, &Viewport::edited, this, &MainWindow::applyViewEdit);
   connect(viewport_, &Viewport::gestureEnded, this, &MainWindow::endGesture);
   connect(viewport_, &Viewport::pointed, this, &MainWindow::showPointed);
   connect(viewport_, &Viewport::menuAsked, this, &MainWindow::showSurfaceMenu);

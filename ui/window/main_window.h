@@ -111,7 +111,10 @@ class MainWindow : public QMainWindow {
   void connectSlices();
   void moveCrosshair(glm::dvec3 worldMm);
   void showSlicesInPicture();
+  void connectLooks();
+  void preview(const std::optional<scene::Scene>& scene);  // none: the document's
   void applyEdit(const Edit& edit);
+  void applyViewEdit(const Edit& edit);  // of the viewport
   void endGesture();
   void tellOfMoving();
   void showScene(const scene::Scene& scene, const scene::Scene& resolved);
@@ -185,6 +188,7 @@ class MainWindow : public QMainWindow {
   QString pointedText_;  // without the piece
   QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
   bool awaitsFirstPicture_ = false;
+  bool previewing_ = false;     // the viewport shows a scene that is not the document's
   bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time
 };
 

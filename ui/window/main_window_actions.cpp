@@ -88,6 +88,7 @@ void MainWindow::showHelp() {
     <table>
     <tr><td><b>Drag the line</b></td><td>choose the isovalue</td></tr>
     <tr><td><b>Wheel</b>, <b>arrow keys</b></td><td>fine steps; with Shift ten times larger</td></tr>
+    <tr><td><b>Alt+click</b>, <b>right click</b></td><td>one more isosurface there</td></tr>
     <tr><td><b>Double click</b></td><td>suggested isovalue</td></tr>
     <tr><td><b>Ctrl+wheel</b>, <b>middle drag</b></td><td>zoom and move the axis of values</td></tr>
     </table>)");

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scene/opacity.h"
 #include "scene/rules/needs.h"
 #include "volume/field/reconstruct.h"
 
@@ -42,17 +43,17 @@ CutFaces::CutFaces(const Grid& grid, const CubicFields& fields, const scene::Sce
       values_{resolved.slice.field, fields.find(resolved.slice.field)} {
   if (!scene::showsCutFaces(resolved)) return;
   cut_ = SurfaceCut(resolved, grid.geometry());
-  const auto add = [&](double isovalue, double opacity) {
-    if (opacity < 1.0 || !cut_.cuts(isovalue)) return;
+  const auto add = [&](double isovalue, bool opaque) {
+    if (!opaque || !cut_.cuts(isovalue)) return;
     Surface& surface = surfaces_.emplace_back(Surface{isovalue, std::nullopt});
     if (const HiddenPieces pieces = hiddenAt(hidden, isovalue); pieces.voxels)
       surface.shown.emplace(
           grid, pieces.voxels, isovalue, pieces.inside, sides_.field,
           sides_.cubic && sides_.cubic->coefficients ? &*sides_.cubic->coefficients : nullptr);
   };
-  add(resolved.isosurface.value.value(), resolved.isosurface.opacity);
+  add(resolved.isosurface.value.value(), scene::isOpaque(resolved.isosurface));
   for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) add(extra.value.value(), extra.opacity);
+    if (extra.shown) add(extra.value.value(), scene::isOpaque(extra));
 }
 
 bool CutFaces::isInside(const glm::dvec3& voxel) const {

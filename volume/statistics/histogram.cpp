@@ -15,7 +15,10 @@ namespace {
 constexpr std::size_t kMaximumPeaks = 8;
 // A peak counts when it stands this much above the higher of the valleys beside it, as ln(1 + count).
 constexpr double kPeakProminence = 0.2;
-constexpr double kSkinHu = -300.0;
+constexpr double kSkinHu = -300.0, kBoneHu = 300.0, kLeastApartHu = 200.0;
+constexpr double kLeastPart = 0.01;   // of what is not background: below it is no object's
+constexpr double kTwoClasses = 0.75;  // between them, of the whole variance
+constexpr double kLeastApart = 0.05;  // of suggestions, of the range of values
 
 using Counts = std::vector<std::uint64_t>;
 
@@ -126,12 +129,20 @@ BinRange backgroundOf(const Counts& counts) {
 }
 
 // Otsu 1979, eq. (18): the split of `counts` into two classes with the largest variance between them.
-// Returns the last bin of the lower class.
-std::size_t otsuSplit(const Histogram& histogram, const Counts& counts) {
+struct OtsuSplit {
+  std::size_t last = 0;    // bin of the lower class
+  double separated = 0.0;  // how much of the whole variance is between the classes, 0 to 1: eq. (12)
+};
+OtsuSplit otsuSplit(const Histogram& histogram, const Counts& counts) {
   double total = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     total += static_cast<double>(counts[i]);
     sum += static_cast<double>(counts[i]) * histogram.binCentre(i);
+  }
+  double whole = 0.0;
+  for (std::size_t i = 0; i < counts.size() && total > 0.0; ++i) {
+    const double apart = histogram.binCentre(i) - sum / total;
+    whole += static_cast<double>(counts[i]) / total * apart * apart;
   }
   double below = 0.0, sumBelow = 0.0, best = -1.0;
   std::size_t bestFirst = 0, bestLast = 0;
@@ -148,7 +159,59 @@ std::size_t otsuSplit(const Histogram& histogram, const Counts& counts) {
     }
     if (variance == best) bestLast = i;  // empty bins between the classes: all splits are equal
   }
-  return best < 0.0 ? counts.size() / 2 : bestFirst + (std::max(bestLast, bestFirst) - bestFirst) / 2;
+  if (best < 0.0) return {counts.size() / 2, 0.0};
+  return {bestFirst + (std::max(bestLast, bestFirst) - bestFirst) / 2, whole > 0.0 ? best / whole : 0.0};
+}
+
+double upperEdge(const Histogram& histogram, std::size_t bin) {
+  const double bins = static_cast<double>(histogram.counts.size());
+  return between(histogram.minimum, histogram.maximum, static_cast<double>(bin + 1) / bins);
+}
+
+double countOf(const Counts& counts) {
+  double total = 0.0;
+  for (const std::uint64_t count : counts) total += static_cast<double>(count);
+  return total;
+}
+
+std::size_t binWith(const Histogram& histogram, double value) {
+  const double bins = static_cast<double>(histogram.counts.size());
+  const double at = (value - histogram.minimum) / (histogram.maximum - histogram.minimum) * bins;
+  return static_cast<std::size_t>(std::clamp(at, 0.0, bins - 1.0));
+}
+
+// Said to be, or as only a CT has them without saying so.
+bool areHounsfield(const Grid& grid, const std::string& unit) {
+  if (unit == "HU") return true;
+  return unit.empty() && grid.storedType() == VoxelType::int16 && grid.minimum() >= -3100.0 &&
+         grid.minimum() <= -900.0 && grid.maximum() > 500.0;
+}
+
+// What histograms suggest beside `first`.
+std::vector<double> classBorders(const Histogram& histogram, double first) {
+  const BinRange background = backgroundOf(histogram.counts);
+  Counts objects = histogram.counts, below, above;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (background.contains(i)) objects[i] = 0;
+  below = above = objects;
+  for (std::size_t i = 0; i < objects.size(); ++i) (histogram.binCentre(i) < first ? above : below)[i] = 0;
+  std::vector<double> borders;
+  for (const Counts& part : {below, above}) {
+    if (countOf(part) < std::max(1.0, kLeastPart * countOf(objects))) continue;
+    const OtsuSplit split = otsuSplit(histogram, part);
+    if (split.separated >= kTwoClasses) borders.push_back(upperEdge(histogram, split.last));
+  }
+  if (background.first > background.last) return borders;
+  // Half way from the background to the highest peak between it and `first`: without one there are only
+  // voxels that are partly both.
+  const auto fullest = std::max_element(histogram.counts.begin(), histogram.counts.end());
+  const double ground = histogram.binCentre(static_cast<std::size_t>(fullest - histogram.counts.begin()));
+  for (const double peak : histogram.peaks) {  // the most prominent first
+    if ((peak - ground) * (first - peak) <= 0.0 || background.contains(binWith(histogram, peak))) continue;
+    borders.push_back(0.5 * (ground + peak));
+    break;
+  }
+  return borders;
 }
 
 }  // namespace
@@ -217,11 +280,27 @@ double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::
     left += counts[i] > 0 ? 1 : 0;
   }
   if (left < 2) counts = histogram.counts;  // nothing but background: split that
-  const std::size_t split = otsuSplit(histogram, counts);
-  const double bins = static_cast<double>(histogram.counts.size());
-  const double edge = between(histogram.minimum, histogram.maximum, static_cast<double>(split + 1) / bins);
+  const double edge = upperEdge(histogram, otsuSplit(histogram, counts).last);
   if (low < edge && edge < high) return edge;
   return between(low, high, 0.5);
+}
+
+std::vector<double> suggestIsovalues(const Grid& grid, const Histogram& histogram, const std::string& unit,
+                                     double first) {
+  const double low = grid.minimum(), high = grid.maximum();
+  std::vector<double> result = {first};
+  if (!(low < high) || !std::isfinite(high - low)) return result;
+  const bool hounsfield = areHounsfield(grid, unit);
+  const double least = hounsfield ? kLeastApartHu : kLeastApart * (high - low);
+  const std::vector<double> others =
+      hounsfield ? std::vector<double>{kSkinHu, kBoneHu} : classBorders(histogram, first);
+  for (const double value : others) {
+    const bool apart = std::all_of(result.begin(), result.end(),
+                                   [&](double other) { return std::abs(value - other) >= least; });
+    if (low < value && value < high && apart) result.push_back(value);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 }  // namespace isolux::volume

@@ -24,4 +24,12 @@ Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress);
 // inside (minimum, maximum) when these differ.
 double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit);
 
+// Isovalues that each show something of its own, ascending; `first`, suggestIsovalue() or what is known
+// better, is among them. For CT (in HU, or int16 with the values of one) also skin (-300) and bone (300);
+// else also the border of the object to its background, and, of what lies on either side of `first`, Otsu's
+// threshold where that part has two classes (the variance between them is three quarters of all or more,
+// which an even spread has).
+std::vector<double> suggestIsovalues(const Grid& grid, const Histogram& histogram, const std::string& unit,
+                                     double first);
+
 }  // namespace isolux::volume

@@ -1,8 +1,8 @@
 // Irradiance at the surface points: what is stored of it, and light without anything in its way where that is not yet
 // baked. STORED: there is a lattice (light_lattice.glsl).
 //
-// What a transparent surface hides from its own inner side it hides by its opacity only: the rest of the light comes
-// through.
+// What a transparent surface hides from its own inner side it hides by its opacity only, for light from everywhere
+// (meanOpacity() of scene/opacity.h): the rest of the light comes through.
 #include "common.glsl"
 #include "surface.glsl"
 #include "local_light.glsl"

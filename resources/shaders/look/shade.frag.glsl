@@ -3,9 +3,9 @@
 // LOOK, SHADING, TEXTURE, and the LOOK_..., SHADING_... and TEXTURE_... they are compared with: from the names of the
 // settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound; EDGE: offsets of
 // edges, which colours stand for. SECOND: values of a second volume. SHADOW,
-// FLOW, FOG, ACCESSIBILITY, LINES: what is laid over. docs/looks.md has the formulas and sources.
+// FLOW, FOG, ACCESSIBILITY, LINES: what is laid over. FACING: opacity depends on the angle of view. docs/looks.md has the formulas and sources.
 #include "common.glsl"
-#if LOOK == LOOK_DEPTH
+#if LOOK == LOOK_DEPTH && !defined(FACING)
 #define NO_GRADIENT
 #endif
 #include "surface.glsl"
@@ -28,6 +28,9 @@
 uniform vec2 uDepthRange;   // mm along the view direction: nearest and farthest corner of the volume
 uniform vec3 uAlbedos[4];   // of each surface
 uniform vec4 uOpacities;
+#ifdef FACING
+uniform vec4 uFacing;  // times opacity where the surface faces the viewer
+#endif
 uniform float uTextureScale;  // mm
 #ifdef SHADOW
 uniform sampler2D uLit;
@@ -108,8 +111,7 @@ vec4 withLines(vec3 color, ivec2 pixel) {
 #endif
 
 // Colour, and the part of it that is opaque whatever the surface's opacity.
-vec4 shaded(ivec2 pixel, vec4 surface, vec3 albedo) {
-  Point p = pointAt(pixel, surface);
+vec4 shaded(ivec2 pixel, Point p, vec3 albedo) {
 #if LOOK == LOOK_DEPTH
   // Even steps of depth are even steps of lightness.
   return vec4(vec3(pow(1.0 - 0.92 * depthFraction(p), 2.2)), 0.0);
@@ -146,6 +148,16 @@ vec4 waiting() {
   return vec4(vec3(mod(at.x + at.y, 12.0) < 6.0 ? 0.16 : 0.30), 1.0);
 }
 
+// scene/opacity.h
+float opacityOf(int which, Point p) {
+#ifdef FACING
+  float edge = 1.0 - min(abs(dot(p.normal, p.ray)), 1.0);
+  return uOpacities[which] * mix(uFacing[which], 1.0, edge * edge);
+#else
+  return uOpacities[which];
+#endif
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 surface = texelFetch(uSurface, pixel, 0);
@@ -154,8 +166,9 @@ void main() {
   if ((known & 128) != 0) oColor = waiting();
   if (surface.w < 0.0) return;
   int which = known & 3;
-  vec4 color = shaded(pixel, surface, uAlbedos[which]);
-  float opacity = mix(uOpacities[which], 1.0, color.w);
+  Point p = pointAt(pixel, surface);
+  vec4 color = shaded(pixel, p, uAlbedos[which]);
+  float opacity = mix(opacityOf(which, p), 1.0, color.w);
   const float largest = 60000.0;  // of half floats
   oColor = vec4(min(color.rgb, vec3(largest)), 1.0) * opacity;
 }

@@ -63,6 +63,43 @@ TEST_P(LayersGlTest, EveryCrossingCountsOnceAndInOrder) {
     }
 }
 
+// A ball of radius R under parallel rays: |n·v| = sqrt(1 - (r/R)^2) at the distance r from the middle of its
+// disc, and the first crossing alone shows scene/opacity.h's formula.
+TEST_P(LayersGlTest, OpacityFollowsTheAngle) {
+  constexpr int size = 48;
+  constexpr double radius = 18.0, middle = 0.5 * (size - 1), distance = 100.0;
+  std::vector<float> values;
+  for (int z = 0; z < size; ++z)
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x)
+        values.push_back(static_cast<float>(radius - glm::length(glm::dvec3(x, y, z) - middle)));
+  const auto ball = prepared(
+      volume::Grid(volume::GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0)), std::move(values)));
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene.isosurface.albedo = glm::dvec3(1.0);
+  scene.isosurface.opacity = 0.8;
+  scene.isosurface.facingOpacity = 0.25;
+  scene.isosurface.layers = 1;
+  scene.camera.projection = scene::Projection::orthographic;
+  scene.camera.target = glm::dvec3(middle);
+  scene.camera.eye = glm::dvec3(middle, middle - distance, middle);
+  scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
+  const double pixelMm = 2.0 * distance * std::tan(glm::radians(0.5 * scene.camera.fov)) / 96.0;
+  colorAt(ball, scene, {0, 0});
+  const render::ColorImage image = renderer_->readColor();
+  for (const glm::ivec2& pixel :
+       {glm::ivec2(48, 48), {60, 48}, {48, 66}, {70, 40}, {30, 30}, {74, 58}, {20, 50}}) {
+    const double r = pixelMm * glm::length(glm::dvec2(pixel) + 0.5 - 48.0);
+    ASSERT_LT(r, 0.97 * radius);
+    const double c = std::sqrt(1.0 - r * r / (radius * radius));
+    const double expected = 0.8 * (0.25 + 0.75 * (1.0 - c) * (1.0 - c));
+    const double seen =
+        base::decodeSrgb(image.rgba[static_cast<std::size_t>((pixel.y * 96 + pixel.x) * 4)] / 255.0);
+    EXPECT_NEAR(seen, expected, 0.01) << pixel.x << ' ' << pixel.y;
+  }
+}
+
 TEST_P(LayersGlTest, TheNumberOfLayersIsRespected) {
   const auto ball = phantom("ball", 64);
   scene::Scene scene;

@@ -30,6 +30,8 @@
 #include "ui/editors/histogram_slider.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
+#include "ui/presets/looks_panel.h"
+#include "ui/presets/thumbnail_painter.h"
 #include "ui/slices/slice_board.h"
 #include "ui/theme/interface_scale.h"
 #include "ui/viewport/viewport.h"
@@ -107,10 +109,14 @@ int takePicture(const QCommandLineParser& options) {
       if (window.slices()->slicesShown() && !window.slices()->view(direction)->complete()) return false;
     return true;
   };
+  const auto pictured = [&] {
+    const auto* const looks = window.panel<ui::LooksPanel>();
+    return !looks->isVisible() || (looks->painter().drawnCount() > 0 && looks->painter().complete());
+  };
   const auto drawn = [&] {
     return !window.light()->changing() &&
            (window.viewport()->complete() || !window.viewport()->isVisible()) &&
-           !window.marks()->measuring() && sliced();
+           !window.marks()->measuring() && sliced() && pictured();
   };
   const QString at = options.value("light-at");  // per cent
   if (!at.isEmpty()) {
@@ -150,7 +156,7 @@ int main(int argc, char** argv) {
     QCommandLineParser options;
     options.addOptions({{"out", "The picture to write.", "FILE"},
                         {"size", "Size of the window.", "WxH", "1280x800"},
-                        {"panel", "settings, marks, volume or passes.", "NAME", "settings"},
+                        {"panel", "settings, looks, marks, volume, pieces or passes.", "NAME", "settings"},
                         {"find", "Search the settings for this.", "TEXT"},
                         {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
                         {"light-at", "As it is at so much of the stored light.", "PERCENT"},

@@ -1,5 +1,6 @@
 #include "volume/statistics/histogram.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -132,6 +133,51 @@ TEST(SuggestIsovalue, SeparatesTheObjectsFromTheBackgroundOrEachOther) {
   EXPECT_LT(iso, 190.0);
   const Grid binary = lineOf(std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 1});
   EXPECT_EQ(suggestIsovalue(binary, makeHistogram(binary), ""), 0.5);
+}
+
+// Classes of values with some spread, as many voxels of each as given.
+Grid classes(const std::vector<std::pair<double, int>>& meansAndCounts, double spread = 6.0) {
+  std::uint64_t counter = 0;
+  const auto uniform = [&counter] { return base::uniformNoise(7, counter++); };
+  std::vector<float> voxels;
+  for (const auto& [mean, count] : meansAndCounts)
+    for (int i = 0; i < count; ++i)
+      voxels.push_back(static_cast<float>(mean + spread * (uniform() + uniform() - 1.0)));
+  return lineOf(std::move(voxels));
+}
+
+TEST(Histogram, SuggestsABorderForEachClass) {
+  struct Case {
+    const char* what;
+    Grid grid;
+    std::string unit;
+    std::vector<std::pair<double, double>> within;  // of each suggestion
+  };
+  const std::vector<Case> cases = {
+      {"air, tissue and bone of a CT",
+       classes({{-1000, 5000}, {40, 3000}, {900, 800}}),
+       "HU",
+       {{-300, -300}, {300, 300}}},
+      {"three classes", classes({{0, 6000}, {100, 3000}, {220, 1000}}), "", {{40, 70}, {120, 200}}},
+      {"object and background", classes({{10, 6000}, {150, 2000}}), "", {{20, 150}}},
+      {"a bright background", classes({{200, 6000}, {100, 3000}, {20, 1000}}), "", {{40, 80}, {130, 170}}},
+      {"four classes",
+       classes({{0, 8000}, {60, 3000}, {120, 2000}, {240, 1500}}),
+       "",
+       {{20, 70}, {130, 190}}},
+      {"one value", lineOf(std::vector<float>{3, 3, 3}), "", {{3, 3}}}};
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.what);
+    const Histogram histogram = makeHistogram(one.grid);
+    const double first = suggestIsovalue(one.grid, histogram, one.unit);
+    const std::vector<double> found = suggestIsovalues(one.grid, histogram, one.unit, first);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+    EXPECT_EQ(std::count(found.begin(), found.end(), first), 1);
+    for (const auto& [low, high] : one.within)
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                              [&](double value) { return low <= value && value <= high; }))
+          << low << ".." << high << ": " << ::testing::PrintToString(found);
+  }
 }
 
 }  // namespace

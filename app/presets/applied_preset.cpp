@@ -1,0 +1,51 @@
+#include "app/presets/applied_preset.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/presets/preset_value.h"
+
+namespace isolux::app {
+
+namespace {
+
+// Sums of doubles come back with their last digits changed.
+bool sameValue(const std::optional<double>& a, const std::optional<double>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return std::abs(*a - *b) <= 1e-9 * std::max({std::abs(*a), std::abs(*b), 1e-300});
+}
+
+bool shows(const scene::Scene& scene, scene::Scene preset) {
+  if (!sameValue(scene.isosurface.value, preset.isosurface.value)) return false;
+  preset.isosurface.value = scene.isosurface.value;
+  for (std::size_t i = 0; i < preset.extraIsosurfaces.size(); ++i) {
+    std::optional<double>& value = preset.extraIsosurfaces[i].value;
+    if (!sameValue(scene.extraIsosurfaces[i].value, value)) return false;
+    value = scene.extraIsosurfaces[i].value;
+  }
+  return scene == preset;
+}
+
+}  // namespace
+
+std::optional<AppliedPreset> appliedPreset(const scene::Scene& scene, std::span<const Preset> presets,
+                                           const volume::PreparedVolume& volume) {
+  const double suggested = volume.facts.suggestedIsovalue;
+  const double value = scene.isosurface.value.value_or(suggested);
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    const scene::Scene plain = withPreset(scene, presets[i], volume);
+    if (shows(scene, plain)) return AppliedPreset{i, 0.0};
+    const double shift = value - plain.isosurface.value.value_or(suggested);
+    if (shift != 0.0 && shows(scene, withPreset(scene, presets[i], volume, shift)))
+      return AppliedPreset{i, shift};
+  }
+  return std::nullopt;
+}
+
+double shiftReach(const volume::PreparedVolume& volume) {
+  constexpr double ofHounsfield = 500.0, ofRange = 0.25;
+  if (isHounsfield(volume)) return ofHounsfield;
+  return ofRange * std::max(volume.facts.maximum - volume.facts.minimum, 0.0);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,59 @@
+#include "app/presets/applied_preset.h"
+
+#include <gtest/gtest.h>
+
+#include "app/presets/preset_list.h"
+#include "app/presets/thumbnails.h"
+#include "tests/support/volumes.h"
+
+namespace isolux::test {
+namespace {
+
+using app::appliedPreset;
+
+// Every preset of the program, shifted by any amount, is known again from the scene.
+TEST(AppliedPreset, IsToldFromTheSceneAlone) {
+  const auto head = phantom("head", 24), ball = phantom("ball", 24);
+  const auto presets = app::builtInPresets();
+  int applied = 0;
+  for (const auto& volume : {head, ball})
+    for (std::size_t i = 0; i < presets.size(); ++i) {
+      if (!whyNot(presets[i], *volume).empty()) continue;
+      ++applied;
+      for (const double shift : {0.0, 12.5, -37.0 / 3.0}) {
+        SCOPED_TRACE(presets[i].name + " " + std::to_string(shift));
+        scene::Scene scene = withPreset({}, presets[i], *volume, shift);
+        scene.camera.fov = 41.0;  // no preset's business
+        const auto found = appliedPreset(scene, presets, *volume);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(presets[found->index].name, presets[i].name);
+        EXPECT_NEAR(found->shift, shift, 1e-9);
+        scene.look.fog = 0.5;
+        EXPECT_FALSE(appliedPreset(scene, presets, *volume)) << "changed since";
+      }
+    }
+  EXPECT_GE(applied, 8);
+}
+
+TEST(Thumbnails, ShowPresetsThenLooksAndSayWhatDoesNotApply) {
+  const auto ball = phantom("ball", 16);
+  const auto presets = app::builtInPresets();
+  scene::Scene scene;
+  scene.isosurface.name = "Mine";
+  const auto all = app::thumbnailsOf(scene, presets, *ball);
+  ASSERT_GT(all.size(), presets.size() + 5);
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    EXPECT_EQ(all[i].name, presets[i].name);
+    EXPECT_EQ(all[i].why, whyNot(presets[i], *ball));
+    EXPECT_EQ(all[i].scene, all[i].why.empty() ? withPreset(scene, presets[i], *ball) : scene);
+  }
+  EXPECT_EQ(all.back().kind, app::Thumbnail::Kind::look);
+  // What changes no picture does not enter: it is not drawn again.
+  scene::Scene renamed = scene;
+  renamed.isosurface.name = "Other";
+  EXPECT_EQ(app::drawnThumbnail(app::thumbnailsOf(renamed, presets, *ball).back(), *ball),
+            app::drawnThumbnail(all.back(), *ball));
+}
+
+}  // namespace
+}  // namespace isolux::test

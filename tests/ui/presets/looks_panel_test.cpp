@@ -1,0 +1,161 @@
+// Looks and presets as small pictures of the present scene.
+#include "ui/presets/looks_panel.h"
+
+#include <set>
+
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QSlider>
+#include <QTest>
+
+#include "tests/support/ui/window_fixture.h"
+#include "ui/presets/thumbnail_painter.h"
+#include "ui/viewport/viewport.h"
+
+namespace isolux::test {
+
+namespace {
+
+QListWidgetItem* itemNamed(QListWidget* list, const QString& text) {
+  const QList<QListWidgetItem*> found = list->findItems(text, Qt::MatchExactly);
+  return found.empty() ? nullptr : found.front();
+}
+
+QPoint centreOfItem(QListWidgetItem* item) {
+  return item->listWidget()->visualItemRect(item).center();
+}
+
+class LooksPanelTest : public WindowTest {
+ protected:
+  void open(const QString& path) {
+    ASSERT_TRUE(load(*window_, path));
+    window_->showPanel("Looks");
+    panel_ = window_->panel<ui::LooksPanel>();
+    ASSERT_TRUE(waitUntil([this] { return panel_->isVisible() && panel_->presetList()->count() > 0; }));
+  }
+  bool pictured() {
+    return waitUntil([this] { return panel_->painter().complete() && panel_->painter().drawnCount() > 0; },
+                     60000);
+  }
+  void pointTo(QListWidgetItem* item) {
+    // Sent, not moved: the item may be scrolled out of sight.
+    QWidget* const view = item->listWidget()->viewport();
+    const QPointF at = centreOfItem(item);
+    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(view, &move);
+  }
+  ui::LooksPanel* panel_ = nullptr;
+};
+
+}  // namespace
+
+TEST_F(LooksPanelTest, APresetThatCannotApplyIsDimAndSaysWhy) {
+  open("phantom:ball:16");
+  QListWidgetItem* const bone = itemNamed(panel_->presetList(), "CT bone");
+  ASSERT_NE(bone, nullptr);
+  EXPECT_FALSE(bone->flags() & Qt::ItemIsEnabled);
+  EXPECT_TRUE(bone->toolTip().contains("not Hounsfield units")) << bone->toolTip().toStdString();
+  const scene::Scene before = window_->document()->scene();
+  QTest::mouseClick(panel_->presetList()->viewport(), Qt::LeftButton, Qt::NoModifier, centreOfItem(bone));
+  EXPECT_EQ(window_->document()->scene(), before);
+}
+
+// Pictures are those of the scenes, drawn at rest, and kept.
+TEST_F(LooksPanelTest, PicturesAreDrawnAtRestAndKept) {
+  open("phantom:head:24");
+  fullPicture(*window_);
+  ASSERT_TRUE(pictured());
+  const int drawn = panel_->painter().drawnCount();
+  std::set<qint64> different;
+  int there = 0;
+  for (std::size_t i = 0; i < panel_->thumbnails().size(); ++i) {
+    const QImage* const image = panel_->painter().picture(i);
+    EXPECT_EQ(image != nullptr, panel_->thumbnails()[i].why.empty()) << panel_->thumbnails()[i].name;
+    if (!image) continue;
+    ++there;
+    uint hash = 0;
+    for (int y = 0; y < image->height(); ++y)
+      for (int x = 0; x < image->width(); ++x) hash = hash * 31 + image->pixel(x, y);
+    different.insert(hash);
+  }
+  EXPECT_EQ(there, drawn);
+  EXPECT_GE(static_cast<int>(different.size()), there - 3) << "each shows something else";
+
+  // Another scene and back: those of before are still there.
+  ui::Edit edit{window_->document()->scene(), "Change albedo", {}, false};
+  edit.scene.isosurface.albedo = {0.2, 0.5, 0.9};
+  window_->document()->edit(edit);
+  fullPicture(*window_);
+  ASSERT_TRUE(pictured());
+  const int more = panel_->painter().drawnCount();
+  EXPECT_GT(more, drawn);
+  window_->document()->undo();
+  fullPicture(*window_);
+  ASSERT_TRUE(pictured());
+  EXPECT_EQ(panel_->painter().drawnCount(), more);
+}
+
+TEST_F(LooksPanelTest, PointingPreviewsLeavingRestoresAndAClickIsOneStep) {
+  open("phantom:head:24");
+  const QImage plain = fullPicture(*window_);
+  const scene::Scene before = window_->document()->scene();
+  QListWidgetItem* const normal = itemNamed(panel_->lookList(), "Normal");
+  ASSERT_NE(normal, nullptr);
+  std::optional<scene::Scene> previewed;
+  QObject::connect(panel_, &ui::LooksPanel::previewed, [&](const auto& scene) { previewed = scene; });
+  pointTo(normal);
+  ASSERT_TRUE(waitUntil([&] { return previewed.has_value(); }));
+  EXPECT_EQ(previewed->look.mode, scene::LookMode::normal);
+  EXPECT_GT(differingPixels(plain, fullPicture(*window_)), 0.05);
+  EXPECT_EQ(window_->document()->scene(), before) << "nothing is edited";
+  EXPECT_FALSE(window_->document()->history().canUndo());
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(panel_->lookList()->viewport(), &leave);
+  EXPECT_FALSE(previewed.has_value());
+  EXPECT_EQ(differingPixels(plain, fullPicture(*window_)), 0.0);
+
+  QTest::mouseClick(panel_->lookList()->viewport(), Qt::LeftButton, Qt::NoModifier, centreOfItem(normal));
+  EXPECT_EQ(window_->document()->scene().look.mode, scene::LookMode::normal);
+  window_->document()->undo();
+  EXPECT_EQ(window_->document()->scene(), before);
+  EXPECT_FALSE(window_->document()->history().canUndo());
+}
+
+TEST_F(LooksPanelTest, TheShiftMovesTheValuesOfThePresetThatIsShown) {
+  open("phantom:head:24");
+  EXPECT_FALSE(panel_->shiftSlider()->isEnabled());
+  QTest::mouseClick(panel_->presetList()->viewport(), Qt::LeftButton, Qt::NoModifier,
+                    centreOfItem(itemNamed(panel_->presetList(), "CT skin over bone")));
+  ASSERT_TRUE(waitUntil([this] { return panel_->shiftSlider()->isEnabled(); }));
+  EXPECT_EQ(window_->document()->scene().isosurface.value, -200.0);
+  panel_->shiftSlider()->setFocus();
+  QTest::keyClick(panel_->shiftSlider(), Qt::Key_Right);
+  const double step = 500.0 / panel_->shiftSlider()->maximum();
+  EXPECT_EQ(window_->document()->scene().isosurface.value, -200.0 + step);
+  EXPECT_EQ(window_->document()->scene().extraIsosurfaces[0].value, 300.0 + step);
+  EXPECT_EQ(window_->document()->history().undoName(), "Shift preset CT skin over bone");
+  ASSERT_TRUE(waitUntil([this] { return panel_->shiftSlider()->value() == 1; }));
+  // Something else was changed: it is no preset any more.
+  ui::Edit edit{window_->document()->scene(), "Change albedo", {}, false};
+  edit.scene.isosurface.albedo = {0.2, 0.5, 0.9};
+  window_->document()->edit(edit);
+  EXPECT_TRUE(waitUntil([this] { return !panel_->shiftSlider()->isEnabled(); }));
+}
+
+// What is drawn here is dropped when the window draws.
+TEST_F(LooksPanelTest, TheWindowsPictureComesFirst) {
+  ui::ThumbnailPainter painter;
+  ASSERT_TRUE(load(*window_, "phantom:head:64"));
+  const ui::VolumePointer volume = window_->document()->volume();
+  painter.setVolume(volume);
+  painter.want({window_->document()->resolvedScene()}, {128, 128});
+  painter.setBusy(true);
+  fullPicture(*window_);
+  EXPECT_EQ(painter.drawnCount(), 0) << "while the window draws nothing is begun";
+  painter.setBusy(false);
+  ASSERT_TRUE(waitUntil([&] { return painter.complete(); }));
+  EXPECT_EQ(painter.drawnCount(), 1);
+}
+
+}  // namespace isolux::test
