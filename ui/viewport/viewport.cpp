@@ -7,6 +7,7 @@
 #include "app/jobs/rest_scene.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
+#include "ui/document/picture_wish.h"
 #include "ui/viewport/viewport_overlay.h"
 
 namespace isolux::ui {
@@ -174,8 +175,11 @@ void Viewport::setMachine(const scene::Machine& machine) {
   redraw();
 }
 
-void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
-  const bool same = samePictures(resolved_, resolved) && scene.marks != scene_.marks;
+void Viewport::setScene(const scene::Scene& scene, const scene::Scene& asked) {
+  scene::Scene resolved = asked;
+  resolved.picture = asInWindow(resolved.picture);
+  const bool same = samePictures(resolved_, resolved) &&
+                    (scene.marks != scene_.marks || !(scene.picture == scene_.picture));
   const app::Motion motion = motionBetween(resolved_, resolved);
   const bool switchedOn =
       scene::shadingOf(resolved) == scene::Shading::gi && scene::shadingOf(resolved_) != scene::Shading::gi;

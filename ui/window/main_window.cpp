@@ -22,6 +22,7 @@
 #include "scene/settings.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/mark_reports.h"
+#include "ui/document/picture_wish.h"
 #include "ui/document/preferences.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/environment_edit.h"
@@ -251,6 +252,7 @@ void MainWindow::open(const app::WindowRequest& request) {
     scene::Scene scene = request.scene;
     const QString path = QString::fromStdString(scene.source.path);
     const bool builtIn = path.startsWith("phantom:");
+    if (request.sessionFile.empty()) scene.picture = withKeptWords(scene.picture);
     if (!builtIn) scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
     const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
                                  !volume::needsRawDescription(scene.source.path);
@@ -300,6 +302,7 @@ void MainWindow::showState() {
   exportMarks_->setEnabled(!document_->scene().marks.empty());
   presetsMenu_->setEnabled(loaded);
   copyCommand_->setEnabled(loaded);
+  copyPicture_->setEnabled(loaded);
   const bool recording = document_->recording();
   record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);

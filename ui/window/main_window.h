@@ -11,6 +11,7 @@
 #include "app/interaction/surface_pick.h"
 #include "app/presets/preset.h"
 #include "render/graph/frame.h"
+#include "render/still_picture.h"
 #include "scene/machine.h"
 #include "ui/document/document.h"
 
@@ -32,6 +33,8 @@ class MarkReports;
 class MessageBar;
 class Panel;
 class PointedPiece;
+struct PictureChoices;
+struct PictureWish;
 class SliceBoard;
 class Viewport;
 
@@ -76,8 +79,9 @@ class MainWindow : public QMainWindow {
   // A shell command that draws the picture as it is saved; empty without a volume.
   QString commandText() const;
 
-  // .png or .exr; tells what was saved, or why not.
+  // .png or .exr, of the size that was chosen last; tells what was saved, or why not.
   bool savePicture(const QString& file, bool withSession = true);
+  bool copyPicture();  // into the clipboard; tells so
   // Marks as .csv or .mrk.json; tells what was saved, or why not.
   bool exportMarks(const QString& file);
   bool importMarks(const QString& file);  // adds those of a .mrk.json
@@ -131,6 +135,10 @@ class MainWindow : public QMainWindow {
   void tellRecorded();
   void offerLost();
   void choosePicture();
+  QImage previewOf(const PictureChoices& chosen) const;
+  void takeChoices(const PictureChoices& chosen);
+  scene::Scene pictureScene(const PictureWish& wish) const;
+  render::StillPicture finishedPicture(bool linear, const QString& what);
   void tracePicture();
   void toggleRecording();
   void toggleFullScreen(bool on);
@@ -167,7 +175,8 @@ class MainWindow : public QMainWindow {
   std::vector<Docked> panels_;
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_,
+      *copyPicture_;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;

@@ -79,6 +79,12 @@ void MainWindow::makeEditMenu() {
   redo_ = newAction(menu, tr("&Redo"), "redo", QKeySequence::Redo, tr("Redo"));
   connect(redo_, &QAction::triggered, document_, &Document::redo);
   menu->addSeparator();
+  copyPicture_ = newAction(menu, tr("&Copy picture"), "", QKeySequence::Copy,
+                           tr("Copy the picture, as Save picture would save it"));
+  // Only while the picture has the focus: elsewhere it copies text.
+  copyPicture_->setShortcutContext(Qt::WidgetShortcut);
+  viewport_->addAction(copyPicture_);
+  connect(copyPicture_, &QAction::triggered, this, &MainWindow::copyPicture);
   copyCommand_ = newAction(menu, tr("Copy as command &line"), "", QKeySequence("Ctrl+Shift+C"),
                            tr("Copy a shell command that draws this picture"));
   connect(copyCommand_, &QAction::triggered, this, &MainWindow::copyCommand);
