@@ -252,7 +252,8 @@ void MainWindow::open(const app::WindowRequest& request) {
     scene::Scene scene = request.scene;
     const QString path = QString::fromStdString(scene.source.path);
     const bool builtIn = path.startsWith("phantom:");
-    if (request.sessionFile.empty()) scene.picture = withKeptWords(scene.picture);
+    if (request.sessionFile.empty() && scene.picture == asInWindow(scene.picture))
+      scene.picture = withKeptWords(scene.picture);
     if (!builtIn) scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
     const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
                                  !volume::needsRawDescription(scene.source.path);
@@ -303,6 +304,7 @@ void MainWindow::showState() {
   presetsMenu_->setEnabled(loaded);
   copyCommand_->setEnabled(loaded);
   copyPicture_->setEnabled(loaded);
+  mesh_->setEnabled(loaded);
   const bool recording = document_->recording();
   record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);

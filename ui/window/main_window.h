@@ -135,6 +135,7 @@ class MainWindow : public QMainWindow {
   void tellRecorded();
   void offerLost();
   void choosePicture();
+  void chooseMesh();
   QImage previewOf(const PictureChoices& chosen) const;
   void takeChoices(const PictureChoices& chosen);
   scene::Scene pictureScene(const PictureWish& wish) const;

@@ -62,6 +62,9 @@ void MainWindow::makeFileMenu() {
   trace_ = newAction(menu, tr("&Path trace picture…"), "", {},
                      tr("Trace every pixel of this view by itself, for a still without stored light"));
   connect(trace_, &QAction::triggered, this, &MainWindow::tracePicture);
+  mesh_ = newAction(menu, tr("Export &mesh…"), "", {},
+                    tr("Write the isosurface as triangles, for printing and simulation"));
+  connect(mesh_, &QAction::triggered, this, &MainWindow::chooseMesh);
   menu->addSeparator();
   record_ = newAction(menu, tr("Start &recording…"), "record", QKeySequence("Ctrl+R"),
                       tr("Record every change, to replay it with `isolux replay`"));

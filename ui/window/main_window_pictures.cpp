@@ -1,4 +1,4 @@
-// Pictures that leave ui/window/main_window.h: saved, copied, and as a command.
+// What leaves ui/window/main_window.h: pictures saved, copied and as a command, and meshes.
 #include <chrono>
 #include <future>
 
@@ -12,6 +12,7 @@
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
 #include "scene/rules/relevance.h"
+#include "ui/dialogs/mesh_dialog.h"
 #include "ui/dialogs/picture_dialog.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/dialogs/waiting.h"
@@ -168,6 +169,29 @@ bool MainWindow::copyPicture() {
       message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
     return false;
   }
+}
+
+void MainWindow::chooseMesh() {
+  auto* dialog = new MeshDialog(document_->volume(), document_->resolvedScene(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAskName([this] {
+    const SaveAnswer answer =
+        askForFileToSave(this, {tr("Export mesh"),
+                                proposedFile(".stl"),
+                                {tr("STL, for printing (*.stl)"), tr("PLY, with normals (*.ply)"),
+                                 tr("Wavefront OBJ (*.obj)"), tr("VTK, with curvature (*.vtp)")}});
+    if (answer.file.isEmpty()) return QString();
+    try {
+      document_->checkOutput(answer.file);
+    } catch (const base::Error& error) {
+      message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+      return QString();
+    }
+    rememberFolder(answer.file);
+    return answer.file;
+  });
+  connect(dialog, &MeshDialog::exported, this, &MainWindow::tellSaved);
+  dialog->show();
 }
 
 QString MainWindow::commandText() const {
