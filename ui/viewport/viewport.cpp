@@ -84,6 +84,12 @@ void Viewport::offerRemedy(const std::optional<render::EmptyPicture>& empty) {
     case Remedy::opacity:
       remedy_->setText(tr("Make it opaque"));
       break;
+    case Remedy::pieces:
+      remedy_->setText(tr("Show all pieces"));
+      break;
+    case Remedy::cuts:
+      remedy_->setText(tr("Remove the cuts"));
+      break;
   }
   placeRemedy();
 }
@@ -97,6 +103,11 @@ void Viewport::takeRemedy() {
   Edit edit{scene_, remedy_->text(), {}, false};
   if (offered_ == Remedy::isovalue) edit.scene.isosurface.value.reset();
   if (offered_ == Remedy::opacity) edit.scene.isosurface.opacity = 1.0;
+  if (offered_ == Remedy::pieces) edit.scene.pieces = {};
+  if (offered_ == Remedy::cuts) {
+    edit.scene.clip.planes.clear();
+    edit.scene.clip.box.clear();
+  }
   Q_EMIT edited(edit);
 }
 
