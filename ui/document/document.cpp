@@ -120,6 +120,11 @@ void Document::openRaw(const QString& path, const QString& description) {
 }
 
 void Document::openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed) {
+  const QString source = QString::fromStdString(scene.source.path);
+  if (!sessionFile.isEmpty() && !source.startsWith("phantom:") && !QFileInfo::exists(source)) {
+    Q_EMIT volumeMissing(scene, sessionFile);
+    return;
+  }
   pendingOpened_ = sessionFile.isEmpty() ? QString::fromStdString(scene.source.path) : sessionFile;
   pendingSessionFile_ = sessionFile;
   startLoading(scene, After::replaceDocument);

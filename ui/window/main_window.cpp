@@ -35,6 +35,7 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/load_card.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/picture_dot.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
@@ -63,7 +64,7 @@ MainWindow::MainWindow(QWidget* parent)
       pointedPiece_(new PointedPiece(this)),
       pointedLabel_(new QLabel(this)),
       recordingLabel_(new QLabel(this)),
-      frameLabel_(new QLabel(this)) {
+      pictureDot_(new PictureDot(this)) {
   setAcceptDrops(true);
   setWindowTitle("Isolux[*]");
   resize(firstWindowSize(screen()->availableSize()));
@@ -115,17 +116,13 @@ void MainWindow::makePanels() {
   setDocumentMode(true);
 
   recordingLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::error.name()));
-  frameLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::quietText.name()));
-  frameLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("00000 ms (draft)")) + 24);
-  frameLabel_->setToolTip(tr("Time for the last picture"));
   pointedLabel_->setContentsMargins(10, 0, 0, 0);
   statusBar()->addWidget(pointedLabel_, 1);
   // The text under the pointer gives way, so that the window can be as narrow as before.
   pointedLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   statusBar()->addPermanentWidget(lightStatus_);
   statusBar()->addPermanentWidget(recordingLabel_);
-  statusBar()->addPermanentWidget(frameLabel_);
+  statusBar()->addPermanentWidget(pictureDot_);
   statusBar()->setSizeGripEnabled(false);
   // Whatever comes and goes in it, the picture above keeps its size.
   statusBar()->setFixedHeight(std::max(28, fontMetrics().height() + 12));
@@ -165,6 +162,7 @@ void MainWindow::connectDocument() {
     viewport_->setHint(openHint);
   });
   connect(document_, &Document::opened, this, [](const QString& path) { addRecentFile(path); });
+  connect(document_, &Document::volumeMissing, this, &MainWindow::askForVolume);
   connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
   connect(loadCard_, &LoadCard::cancelled, document_, &Document::cancelLoading);
 
@@ -184,13 +182,14 @@ void MainWindow::connectDocument() {
   connect(viewport_, &Viewport::menuAsked, this, &MainWindow::showSurfaceMenu);
   connect(pointedPiece_, &PointedPiece::changed, this, &MainWindow::showPointedText);
   connect(viewport_, &Viewport::drawn, this, [this](double milliseconds, bool complete) {
-    frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : tr(" (draft)")));
+    pictureDot_->setDrawn(milliseconds, complete);
     if (awaitsFirstPicture_) {
       awaitsFirstPicture_ = false;
       for (const Docked& docked : panels_) docked.panel->setFirstPicture(document_->secondsSinceRead());
       showState();  // the title names what is on show
     }
   });
+  connect(viewport_, &Viewport::drawing, pictureDot_, &PictureDot::setDrawing);
   connect(isovalue_, &IsovaluePanel::edited, document_, &Document::edit);
   const auto begin = [this] { viewport_->setInteracting(true); };
   const auto end = [this] {

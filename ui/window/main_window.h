@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QPointer>
 
 #include "app/commands/command_line.h"
 #include "app/interaction/surface_pick.h"
@@ -35,7 +36,10 @@ class Panel;
 class PointedPiece;
 struct PictureChoices;
 struct PictureWish;
+class PictureDot;
 class SliceBoard;
+class Tour;
+class TourCard;
 class Viewport;
 
 // Of a window that was never opened before: 1280x800, or what the screen has room for. Pixels of the screen's
@@ -87,6 +91,10 @@ class MainWindow : public QMainWindow {
   bool importMarks(const QString& file);  // adds those of a .mrk.json
   const MarkReports* marks() const { return marks_; }
   void showPanel(const QString& title);  // in front of the others
+  void greet();                          // three hints, to a user who has not seen them
+  void startTour();                      // Help > Explore
+  Tour* tour() const { return tour_; }   // null: none is running
+  TourCard* greeting() const { return greeting_; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -127,6 +135,7 @@ class MainWindow : public QMainWindow {
   void chooseFile();
   void chooseFolder();
   void chooseRaw(const QString& path);
+  void askForVolume(const scene::Scene& scene, const QString& sessionFile);
   bool saveSession();
   bool saveSessionAs();
   bool saveSessionTo(const QString& file);
@@ -153,6 +162,8 @@ class MainWindow : public QMainWindow {
   void copyCommand();
   void showPreferences();
   void setMachine(const scene::Machine& machine);
+  QRect placeOfMenu(const QAction* menu) const;
+  QRect placeOfTool(const QAction* action) const;
   void showHelp();
   void showAbout();
   // True when there is no unsaved work, or the user has saved or discarded it.
@@ -174,7 +185,7 @@ class MainWindow : public QMainWindow {
     Panel* panel;
   };
   std::vector<Docked> panels_;
-  QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr;
+  QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_,
       *copyPicture_;
@@ -187,7 +198,11 @@ class MainWindow : public QMainWindow {
   std::vector<QAction*> views_;
   PointedPiece* pointedPiece_;
   QString pointedText_;  // without the piece
-  QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
+  QLabel *pointedLabel_, *recordingLabel_;
+  PictureDot* pictureDot_;
+  QPointer<Tour> tour_;
+  QPointer<TourCard> greeting_;
+  QPointer<QWidget> help_;
   bool awaitsFirstPicture_ = false;
   bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time
 };

@@ -46,11 +46,19 @@ void MainWindow::showPreferences() {
   dialog->show();
 }
 
+// Neither blocks the window: what they say is tried beside them.
 void MainWindow::showHelp() {
-  QMessageBox box(this);
-  box.setWindowTitle(tr("Mouse and keys"));
-  box.setTextFormat(Qt::RichText);
-  box.setText(R"(
+  if (help_) {
+    help_->raise();
+    help_->activateWindow();
+    return;
+  }
+  auto* box = new QMessageBox(this);
+  help_ = box;
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowTitle(tr("Mouse and keys"));
+  box->setTextFormat(Qt::RichText);
+  box->setText(R"(
     <style>td { padding: 2px 18px 2px 0; } h4 { margin: 10px 0 4px 0; }</style>
     <h4>Picture</h4>
     <table>
@@ -67,26 +75,37 @@ void MainWindow::showHelp() {
     <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>
     <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
     <tr><td><b>P</b>, <b>M</b>, <b>Shift+M</b></td><td>pin, distance, distance along the surface: clicks set points; Backspace takes the last back, Esc ends</td></tr>
+    <tr><td><b>Ctrl+C</b>, <b>Ctrl+E</b></td><td>copy the picture, save it</td></tr>
     <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
     <tr><td><b>F4</b></td><td>slices beside the picture: click or drag moves the crosshair, the wheel steps, right drag changes level and width, Ctrl+wheel zooms</td></tr>
     <tr><td><b>F11</b>, <b>Esc</b></td><td>full screen, and back</td></tr>
-    </table>
-    <h4>Histogram</h4>
-    <table>
+    <tr><td colspan="2"><h4>Histogram</h4></td></tr>
     <tr><td><b>Drag the line</b></td><td>choose the isovalue</td></tr>
     <tr><td><b>Wheel</b>, <b>arrow keys</b></td><td>fine steps; with Shift ten times larger</td></tr>
     <tr><td><b>Double click</b></td><td>suggested isovalue</td></tr>
     <tr><td><b>Ctrl+wheel</b>, <b>middle drag</b></td><td>zoom and move the axis of values</td></tr>
     </table>)");
-  box.exec();
+  box->setModal(false);
+  box->show();
 }
 
 void MainWindow::showAbout() {
-  QMessageBox::about(this, tr("About Isolux"),
-                     tr("<h3>Isolux %1</h3><p>Explore scans and simulations as isosurfaces, drawn "
-                        "directly from the voxels.</p><p>Graphics: %2</p><p>Qt %3</p>")
-                         .arg(QString::fromStdString(std::string(app::version())),
-                              viewport_->description().toHtmlEscaped(), QString(qVersion())));
+  auto* box = new QMessageBox(this);
+  box->setObjectName("about");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowTitle(tr("About Isolux"));
+  box->setIconPixmap(windowIcon().pixmap(64));
+  box->setTextFormat(Qt::RichText);
+  box->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  box->setText(
+      tr("<h3>Isolux %1</h3><p>Explore scans and simulations as isosurfaces, drawn "
+         "directly from the voxels.</p><p><b>Not a medical device: not for diagnosis.</b></p>"
+         "<p>Free software under the <a href=\"https://opensource.org/license/bsd-3-clause\">BSD 3-Clause "
+         "licence</a>, without any warranty.</p><p>Graphics: %2</p><p>Qt %3</p>")
+          .arg(QString::fromStdString(std::string(app::version())), viewport_->description().toHtmlEscaped(),
+               QString(qVersion())));
+  box->setModal(false);
+  box->show();
 }
 
 }  // namespace isolux::ui

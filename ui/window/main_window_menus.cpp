@@ -102,7 +102,7 @@ void MainWindow::makeEditMenu() {
 }
 
 void MainWindow::makeViewMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  QMenu* menu = viewMenu_ = menuBar()->addMenu(tr("&View"));
   for (int i = 0; i < scene::standardViewCount; ++i) {
     QAction* action = newAction(menu, "", "", QKeySequence(QString::number(i + 1)), "");
     connect(action, &QAction::triggered, this,
@@ -164,6 +164,8 @@ void MainWindow::nameViews() {
 
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  QAction* explore = newAction(menu, tr("&Explore"), "", {}, tr("A tour of two minutes through the window"));
+  connect(explore, &QAction::triggered, this, &MainWindow::startTour);
   QAction* help =
       newAction(menu, tr("&Mouse and keys"), "", QKeySequence::HelpContents, tr("Mouse and keys"));
   connect(help, &QAction::triggered, this, &MainWindow::showHelp);
