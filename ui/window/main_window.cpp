@@ -43,6 +43,19 @@ namespace isolux::ui {
 namespace {
 constexpr auto openHint = "Open a volume with Ctrl+O, or drop a file or folder here";
 constexpr int panelWidth = 350;  // pixels, at first
+
+// What the user has written on pictures lately, where a new document says nothing of it.
+void writeOnPictures(app::WindowRequest& request) {
+  const auto written = [](scene::Scene scene) {
+    if (scene.picture == asInWindow(scene.picture)) scene.picture = withKeptWords(scene.picture);
+    return scene;
+  };
+  request.scene = written(request.scene);
+  if (request.completed)
+    request.completed = [written, completed = request.completed](const volume::PreparedVolume& volume) {
+      return written(completed(volume));
+    };
+}
 }  // namespace
 
 QSize firstWindowSize(QSize available) {
@@ -248,16 +261,16 @@ void MainWindow::open(const app::WindowRequest& request) {
     scene::Machine machine = machine_;
     for (const std::string& assignment : request.machine) scene::applyAssignment(machine, assignment);
     setMachine(machine);
-    scene::Scene scene = request.scene;
+    app::WindowRequest wanted = request;
+    if (request.sessionFile.empty()) writeOnPictures(wanted);
+    scene::Scene scene = wanted.scene;
     const QString path = QString::fromStdString(scene.source.path);
     const bool builtIn = path.startsWith("phantom:");
-    if (request.sessionFile.empty() && scene.picture == asInWindow(scene.picture))
-      scene.picture = withKeptWords(scene.picture);
     if (!builtIn) scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
     const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
                                  !volume::needsRawDescription(scene.source.path);
     if (describesItself) {
-      document_->openScene(scene, QString::fromStdString(request.sessionFile), request.completed);
+      document_->openScene(scene, QString::fromStdString(request.sessionFile), wanted.completed);
     } else {
       chooseRaw(QString::fromStdString(scene.source.path));
     }
