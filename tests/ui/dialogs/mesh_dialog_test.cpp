@@ -2,6 +2,7 @@
 #include "tests/support/ui/window_fixture.h"
 
 #include <fstream>
+#include <iterator>
 
 #include <QAction>
 #include <QFileInfo>
@@ -10,15 +11,20 @@
 #include <QPushButton>
 #include <QTest>
 
-#include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/dialog_answers.h"
+#include "tests/support/ui/run_program.h"
 #include "ui/dialogs/mesh_dialog.h"
 #include "ui/window/message_bar.h"
 
 namespace isolux::test {
 
 namespace {
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 ui::MeshDialog* openedMeshDialog(ui::MainWindow& window) {
   for (QAction* menu : window.menuBar()->actions())
@@ -48,9 +54,7 @@ TEST_F(WindowTest, AMeshFromTheWindowIsThatOfTheCommand) {
     EXPECT_TRUE(window_->messageBar()->text().startsWith("Saved ball." + ending));
     const std::filesystem::path path = file.toStdString();
     const std::string name = "command." + ending.toStdString();
-    const RunResult result = runIsolux({"mesh", "phantom:ball:24", "--isovalue", "1.5", "--out", name},
-                                       {.folder = path.parent_path()});
-    ASSERT_EQ(result.exitCode, 0) << result.err;
+    ASSERT_EQ(runProgram("mesh phantom:ball:24 --isovalue 1.5 --out " + name, path.parent_path()), 0);
     EXPECT_EQ(contentOf(path), contentOf(path.parent_path() / name));
     delete dialog;
   }

@@ -17,8 +17,8 @@
 
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
-#include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
+#include "tests/support/ui/run_program.h"
 #include "ui/dialogs/picture_dialog.h"
 #include "ui/document/recent_files.h"
 #include "ui/viewport/viewport.h"
@@ -101,9 +101,7 @@ TEST_F(PicturesTest, ASavedPictureHasWhatIsWrittenAndIsDrawnAgainByItsSession) {
   EXPECT_TRUE(scene.picture.letters);
   EXPECT_DOUBLE_EQ(scene.picture.pixelRatio, 2.0 * window_->viewport()->devicePixelRatioF());
   const std::filesystem::path path = file.toStdString();
-  const RunResult again =
-      runIsolux({"render", "ball.png", "--out", "again.png"}, {.folder = path.parent_path()});
-  ASSERT_EQ(again.exitCode, 0) << again.err;
+  ASSERT_EQ(runProgram("render ball.png --out again.png", path.parent_path()), 0);
   EXPECT_EQ(app::readPng(path.parent_path() / "again.png").rgba, saved.rgba);
 
   ui::Edit edit{window_->document()->scene(), "Words", {}, false};
