@@ -189,7 +189,7 @@ void Document::finishLoading() {
     announce();  // the widgets show again what holds
     Q_EMIT loadEnded(false);
     if (!job->error()) {
-      Q_EMIT failed(tr("the volume could not be loaded"));
+      Q_EMIT failed(tr("The volume could not be loaded, and no reason was given. The one before is still open."));
     } else if (job->error()->kind() != base::ErrorKind::interrupted) {
       Q_EMIT failed(textOf(*job->error()));
     }
@@ -281,7 +281,7 @@ void Document::commit(const scene::Scene& before, const QString& name) {
       if (!diff.changes.empty()) recorder_->add(diff);
     } catch (const base::Error& error) {
       stopRecording();
-      Q_EMIT failed(tr("recording stopped: ") + textOf(error));
+      Q_EMIT failed(tr("The recording stopped: %1. What was recorded until then is kept.").arg(textOf(error)));
     }
   }
   announce();
