@@ -153,7 +153,9 @@ void PictureDialog::showChoices() {
   fullPaths->setEnabled(session->isChecked());
   if (!draw_) return;
   const qreal ratio = devicePixelRatioF();
-  QImage image = draw_(choices()).scaled(previewSize * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  const QImage whole = draw_(choices());
+  if (whole.isNull()) return;
+  QImage image = whole.scaled(previewSize * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   image.setDevicePixelRatio(ratio);
   preview->setPixmap(QPixmap::fromImage(image));
 }

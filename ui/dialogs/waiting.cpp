@@ -17,7 +17,7 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int pollMilliseconds = 10, quietMilliseconds = 400, steps = 1000;
+constexpr int waitPollMilliseconds = 10, quietMilliseconds = 400, waitSteps = 1000;
 
 // Runs the event loop until `ended` holds.
 void runUntil(const std::function<bool()>& ended, QEventLoop::ProcessEventsFlags flags) {
@@ -26,13 +26,13 @@ void runUntil(const std::function<bool()>& ended, QEventLoop::ProcessEventsFlags
   QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
     if (ended()) loop.quit();
   });
-  timer.start(pollMilliseconds);
+  timer.start(waitPollMilliseconds);
   loop.exec(flags);
 }
 
 void waitWithDialog(QWidget* window, const Waiting& waiting) {
   QProgressDialog dialog(waiting.what, waiting.cancel ? QObject::tr("Cancel") : QString(), 0,
-                         waiting.fraction ? steps : 0, window);
+                         waiting.fraction ? waitSteps : 0, window);
   dialog.setObjectName("waiting");
   dialog.setWindowTitle("Isolux");
   dialog.setWindowModality(Qt::WindowModal);
@@ -56,8 +56,8 @@ void waitWithDialog(QWidget* window, const Waiting& waiting) {
         if (!waiting.fraction || stopping) return false;
         const double fraction = std::clamp(waiting.fraction(), 0.0, 1.0);
         const QString rest = left.text(fraction);
-        dialog.setMaximum(fraction > 0.0 ? steps : 0);  // a bar that runs where nobody knows yet
-        dialog.setValue(static_cast<int>(std::lround(fraction * steps)));
+        dialog.setMaximum(fraction > 0.0 ? waitSteps : 0);  // a bar that runs where nobody knows yet
+        dialog.setValue(static_cast<int>(std::lround(fraction * waitSteps)));
         dialog.setLabelText(rest.isEmpty() ? waiting.what : QString("%1 · %2").arg(waiting.what, rest));
         return false;
       },

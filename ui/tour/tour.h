@@ -9,13 +9,14 @@
 #include <vector>
 
 #include <QObject>
+#include <QPointer>
 #include <QRect>
 #include <QString>
 #include <QTimer>
 
-namespace isolux::ui {
+#include "ui/tour/tour_card.h"
 
-class TourCard;
+namespace isolux::ui {
 
 struct TourStep {
   QString title, text;
@@ -50,7 +51,7 @@ class Tour : public QObject {
   QWidget* window_;
   std::vector<TourStep> steps_;
   std::size_t step_ = 0;
-  TourCard* card_;
+  QPointer<TourCard> card_;
   QTimer timer_;
   bool ended_ = false, doneSeen_ = false;
 };

@@ -30,7 +30,6 @@ QRect placeIn(const QWidget* window, const QWidget* widget) {
 void MainWindow::greet() {
   if (QSettings().value(greetedKey, false).toBool()) return;
   greeting_ = new TourCard(this);
-  greeting_->setObjectName("greeting");
   greeting_->setButtons(tr("Show me around"), tr("Got it"));
   const auto present = [this] {
     if (!greeting_) return;
@@ -50,7 +49,7 @@ void MainWindow::greet() {
     leave();
     startTour();
   });
-  connect(document_, &Document::opened, greeting_, [this, leave](const QString& path) {
+  connect(document_, &Document::opened, greeting_, [leave](const QString& path) {
     if (!path.startsWith("phantom:")) leave();  // found the way
   });
   // The window may get its size only now, and docks with it.
@@ -106,7 +105,6 @@ void MainWindow::startTour() {
        [this] { return fourUp_->isChecked(); },
        {}});
   const auto asked = std::make_shared<bool>(false);
-  connect(picture_, &QAction::triggered, this, [asked] { *asked = true; });
   steps.push_back(
       {tr("Keep it"),
        tr("Save the picture with this button, or Ctrl+E. It carries letters, scale and isovalue, and can "
@@ -120,6 +118,7 @@ void MainWindow::startTour() {
        {},
        {}});
   tour_ = new Tour(this, std::move(steps));
+  connect(picture_, &QAction::triggered, tour_, [asked] { *asked = true; });
 }
 
 }  // namespace isolux::ui

@@ -22,9 +22,9 @@ QSize PictureDot::sizeHint() const {
   return {dotSide + 2 * dotMargin, dotSide + 4};
 }
 
-void PictureDot::setDrawn(double milliseconds, bool final) {
+void PictureDot::setDrawn(double milliseconds, bool complete) {
   milliseconds_ = milliseconds;
-  final_ = final;
+  final_ = complete;
   tell();
 }
 

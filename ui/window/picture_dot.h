@@ -11,7 +11,7 @@ class PictureDot : public QWidget {
  public:
   explicit PictureDot(QWidget* parent);
 
-  void setDrawn(double milliseconds, bool final);
+  void setDrawn(double milliseconds, bool complete);
   void setDrawing(bool draws);
   bool isFinal() const { return final_ && !draws_; }
   QSize sizeHint() const override;
