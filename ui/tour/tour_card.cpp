@@ -13,7 +13,7 @@
 namespace isolux::ui {
 
 namespace {
-constexpr int cardWidth = 330, cardGap = 14, frameWidth = 3;  // pixels
+constexpr int cardWidth = 330, cardGap = 14, lineWidthOfFrame = 3;  // pixels
 }
 
 TourCard::TourCard(QWidget* window)
@@ -34,7 +34,7 @@ TourCard::TourCard(QWidget* window)
   frame_->setAttribute(Qt::WA_StyledBackground);
   frame_->setStyleSheet(
       QString("#tourFrame { background: transparent; border: %1px solid %2; border-radius: 6px; }")
-          .arg(frameWidth)
+          .arg(lineWidthOfFrame)
           .arg(colours::accent.name()));
   frame_->hide();
   QFont bold = font();
@@ -111,8 +111,9 @@ void TourCard::place() {
   if (!framed_) {
     at = QPoint(place_.left() + cardGap, place_.bottom() - cardGap - height);
   } else if (!place_.isEmpty()) {
-    frame_->setGeometry(place_.adjusted(-frameWidth, -frameWidth, frameWidth, frameWidth) &
-                        parentWidget()->rect());
+    frame_->setGeometry(
+        place_.adjusted(-lineWidthOfFrame, -lineWidthOfFrame, lineWidthOfFrame, lineWidthOfFrame) &
+        parentWidget()->rect());
     frame_->raise();
     const std::array candidates{QPoint(place_.left(), place_.bottom() + cardGap),
                                 QPoint(place_.left(), place_.top() - cardGap - height),
