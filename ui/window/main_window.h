@@ -15,6 +15,7 @@
 #include "render/still_picture.h"
 #include "scene/machine.h"
 #include "ui/document/document.h"
+#include "ui/tour/tour.h"
 
 class QActionGroup;
 class QComboBox;
@@ -38,8 +39,6 @@ struct PictureChoices;
 struct PictureWish;
 class PictureDot;
 class SliceBoard;
-class Tour;
-class TourCard;
 class Viewport;
 
 // Of a window that was never opened before: 1280x800, or what the screen has room for. Pixels of the screen's
@@ -188,7 +187,7 @@ class MainWindow : public QMainWindow {
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_,
-      *copyPicture_;
+      *copyPicture_, *mesh_;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;
