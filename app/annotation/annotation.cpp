@@ -69,7 +69,7 @@ class AnnotationPainter {
   void drawBar(const ScaleBar& bar) {
     const render::Font font(textPixels());
     const int length = static_cast<int>(std::lround(bar.pixels)), thick = std::max(2, font.ascent() / 6);
-    const int tick = std::max(3, font.ascent() / 2), gap = std::max(2, font.ascent() / 3);
+    const int tick = std::max(3, font.ascent() / 2), gap = std::max(3, font.ascent() / 2);
     const Box box = inCorner({std::max(length, font.width(bar.text)), font.ascent() + gap + tick}, false);
     const bool atRight = box.low.x > image_.size.x / 2;
     const int left = atRight ? box.high().x - length : box.low.x, bottom = box.high().y;

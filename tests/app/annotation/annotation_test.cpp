@@ -69,7 +69,7 @@ TEST_F(AnnotationTest, LettersStandAtTheEdgesAndSayWhatTheWindowSays) {
   EXPECT_EQ(letters.left, windows.left);
   EXPECT_EQ(letters.top, windows.top);
   EXPECT_EQ(letters.left, "R") << "the patient's right is at the left, seen from the front";
-  for (const glm::ivec2 size : {glm::ivec2(320, 240), glm::ivec2(1280, 800), glm::ivec2(300, 900)}) {
+  for (const glm::ivec2& size : {glm::ivec2(320, 240), glm::ivec2(1280, 800), glm::ivec2(300, 900)}) {
     const render::ColorImage image = drawn(size);
     EXPECT_GT(written(image, {0.0, 0.4}, {0.15, 0.6}), 20) << "left";
     EXPECT_GT(written(image, {0.85, 0.4}, {1.0, 0.6}), 20) << "right";
