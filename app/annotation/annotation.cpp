@@ -10,6 +10,7 @@
 #include "base/color.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
+#include "scene/looks.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::app {
@@ -84,7 +85,7 @@ class AnnotationPainter {
   // "Isovalue 300 HU"; of several surfaces a line each, with its colour.
   void drawValues(const std::vector<ShownValue>& values) {
     const render::Font font(textPixels());
-    const bool several = values.size() > 1;
+    const bool several = values.size() > 1 && !scene::isMeasure(scene_.look.mode);  // colours are to be seen
     const int chip = several ? font.ascent() : 0, indent = several ? chip + chip / 2 : 0;
     std::vector<std::string> lines;
     int width = 0;
@@ -106,7 +107,7 @@ class AnnotationPainter {
   }
 
   void blend() {
-    const int rim = std::max(1, least_ / 400);
+    const int rim = std::max(scene_.picture.transparent ? 2 : 1, least_ / 400);
     for (const bool bright : {false, true}) inks_[bright ? 1 : 0].blendOver(image_, rim, bright);
     for (const auto& [box, color] : chips_) drawChip(box, color);
   }
@@ -160,10 +161,10 @@ class AnnotationPainter {
     const double height =
         std::clamp(static_cast<double>(box.low.y + box.size.y / 2) / image_.size.y, 0.0, 1.0);
     const scene::Look& look = scene_.look;
-    const bool known =
-        !scene_.picture.transparent && !(scene::usesGi(scene_) && scene_.light.environment.visible);
-    const bool onBright =
-        known && base::luminance(glm::mix(look.backgroundTop, look.backgroundBottom, height)) >= middle;
+    const bool environment = scene::usesGi(scene_) && scene_.light.environment.visible;
+    const bool onBright = scene_.picture.transparent ||
+                          (!environment && base::luminance(glm::mix(look.backgroundTop, look.backgroundBottom,
+                                                                    height)) >= middle);
     return inks_[onBright ? 0 : 1];
   }
 
