@@ -10,7 +10,6 @@
 #include "base/color.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
-#include "scene/looks.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::app {

@@ -39,9 +39,9 @@ struct Annotation {
 // `resolved` by scene::resolve of that volume.
 Annotation annotationOf(const scene::Scene& resolved, const volume::PreparedVolume& volume, glm::ivec2 size);
 
-// Writes it as large as the picture's smaller side allows, clear of the legend. Where the background is
-// known, dark on bright ones; else bright with a dark rim. Pictures with a side below 160 pixels have the
-// letters alone, those below 48 nothing.
+// Writes it as large as the picture's smaller side allows, clear of the legend: dark with a bright rim on
+// bright backgrounds and where there is none, else bright with a dark rim. Pictures with a side below 160
+// pixels have the letters alone, those below 48 nothing.
 void drawAnnotation(const Annotation& annotation, const scene::Scene& resolved,
                     const std::optional<render::Tile>& legend, render::ColorImage& image);
 
