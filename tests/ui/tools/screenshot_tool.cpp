@@ -9,11 +9,15 @@
 #include <exception>
 #include <functional>
 
+#include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QDialog>
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QThread>
@@ -56,6 +60,17 @@ int save(const QPixmap& picture, const QString& file) {
   if (!picture.save(file)) return fail(file + " cannot be written");
   std::printf("%s\n", file.toUtf8().constData());
   return 0;
+}
+
+// Triggers the entry of a menu that begins so, keys of the menu left out.
+bool trigger(const ui::MainWindow& window, const QString& entry) {
+  for (QAction* menu : window.menuBar()->actions())
+    for (QAction* action : menu->menu()->actions())
+      if (QString(action->text()).remove('&').startsWith(entry)) {
+        action->trigger();
+        return true;
+      }
+  return false;
 }
 
 int takePicture(const QCommandLineParser& options) {
@@ -114,7 +129,14 @@ int takePicture(const QCommandLineParser& options) {
   QElapsedTimer settle;
   settle.start();
   waitUntil([&] { return settle.elapsed() > 400; });
-  return save(window.grab(), out);
+  if (options.isSet("hints")) window.greet();
+  if (options.isSet("entry") && !trigger(window, options.value("entry"))) return fail("no such entry");
+  settle.start();
+  waitUntil([&] { return settle.elapsed() > 400; });
+  QWidget* shown = &window;
+  for (QWidget* top : QApplication::topLevelWidgets())
+    if (top->isVisible() && qobject_cast<QDialog*>(top) != nullptr) shown = top;
+  return save(shown->grab(), out);
 }
 
 }  // namespace
@@ -129,15 +151,18 @@ int main(int argc, char** argv) {
     const QApplication application(argc, argv);
     ui::finishApplication();
     QCommandLineParser options;
-    options.addOptions({{"out", "The picture to write.", "FILE"},
-                        {"size", "Size of the window.", "WxH", "1280x800"},
-                        {"panel", "settings, marks, volume or passes.", "NAME", "settings"},
-                        {"find", "Search the settings for this.", "TEXT"},
-                        {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
-                        {"light-at", "As it is at so much of the stored light.", "PERCENT"},
-                        {"slices", "With slices beside the picture."},
-                        {"raw-dialog", "The dialog for files without a header instead of the window."},
-                        {"set", "Override one setting.", "PATH=VALUE"}});
+    options.addOptions(
+        {{"out", "The picture to write.", "FILE"},
+         {"size", "Size of the window.", "WxH", "1280x800"},
+         {"panel", "settings, marks, volume or passes.", "NAME", "settings"},
+         {"find", "Search the settings for this.", "TEXT"},
+         {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
+         {"light-at", "As it is at so much of the stored light.", "PERCENT"},
+         {"slices", "With slices beside the picture."},
+         {"hints", "With the hints of the first start."},
+         {"entry", "After this entry of a menu; a dialog that it opens instead of the window.", "TEXT"},
+         {"raw-dialog", "The dialog for files without a header instead of the window."},
+         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");
     options.addHelpOption();
     options.process(application);
