@@ -41,17 +41,17 @@ TEST_F(WindowTest, AMeshFromTheWindowIsThatOfTheCommand) {
   edit.scene.isosurface.value = 1.5;
   window_->document()->edit(edit);
   for (const QString ending : {"stl", "ply", "obj", "vtp"}) {
-    const QString file = newFile("ball." + ending);
+    const QString file = newFile("mesh." + ending);
     DialogAnswers answers(QMessageBox::Cancel, file);
     ui::MeshDialog* dialog = openedMeshDialog(*window_);
     ASSERT_NE(dialog, nullptr);
     EXPECT_FALSE(dialog->isModal());
     QTest::mouseClick(dialog->start, Qt::LeftButton);
     ASSERT_TRUE(waitUntil([&] { return !dialog->exporting(); }));
-    ASSERT_TRUE(waitUntil([&] { return dialog->text().startsWith("Saved ball."); }))
+    ASSERT_TRUE(waitUntil([&] { return dialog->text().startsWith("Saved mesh."); }))
         << dialog->text().toStdString();
     EXPECT_NE(dialog->text().indexOf("triangles"), -1);
-    EXPECT_TRUE(window_->messageBar()->text().startsWith("Saved ball." + ending));
+    EXPECT_TRUE(window_->messageBar()->text().startsWith("Saved mesh." + ending));
     const std::filesystem::path path = file.toStdString();
     const std::string name = "command." + ending.toStdString();
     ASSERT_EQ(runProgram("mesh phantom:ball:24 --isovalue 1.5 --out " + name, path.parent_path()), 0);

@@ -1,8 +1,8 @@
 // Makes a picture of the real window, for the README and the pages.
 //
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
-//                     [--slices] [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set
-//                     PATH=VALUE]... PATH
+//                     [--slices] [--hints] [--entry TEXT] [--raw-dialog] [--histogram-zoom FACTOR]
+//                     [--light-at PERCENT] [--set PATH=VALUE]... PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
