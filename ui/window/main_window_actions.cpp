@@ -61,7 +61,7 @@ void MainWindow::showHelp() {
   box->setText(R"(
     <style>td { padding: 2px 18px 2px 0; } h4 { margin: 10px 0 4px 0; }</style>
     <h4>Picture</h4>
-    <table>
+    <table width="680">
     <tr><td><b>Left drag</b></td><td>rotate</td></tr>
     <tr><td><b>Middle drag</b>, <b>Shift+left drag</b></td><td>pan</td></tr>
     <tr><td><b>Right drag</b>, <b>wheel</b></td><td>zoom</td></tr>
