@@ -9,6 +9,7 @@
 
 #include "base/number_text.h"
 #include "scene/camera.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
@@ -48,6 +49,15 @@ EmptyPicture noSurface(const std::vector<double>& values, const volume::Grid& gr
           Remedy::isovalue};
 }
 
+// Of a volume that is in view.
+std::optional<EmptyPicture> whatHides(const scene::Scene& scene) {
+  if (!(scene.pieces == scene::Pieces{}))
+    return EmptyPicture{"Every piece of the surface that could be seen here is hidden", Remedy::pieces};
+  if (scene::cutsSurfaces(scene))
+    return EmptyPicture{"The cuts leave nothing of the surface to be seen", Remedy::cuts};
+  return std::nullopt;
+}
+
 // All of the volume on the wrong side of one edge of the picture, or behind the eye.
 EmptyPicture notInView(const scene::Scene& scene, const volume::GridGeometry& geometry, double aspect) {
   const scene::CameraFrame frame = scene::frameOf(scene.camera);
@@ -70,7 +80,7 @@ EmptyPicture notInView(const scene::Scene& scene, const volume::GridGeometry& ge
   if (behind == 8) return {"The camera looks away from the volume", Remedy::view};
   if (behind == 0 && *std::max_element(beyond.begin(), beyond.end()) == 8)
     return {"The volume lies outside the picture", Remedy::view};
-  return {"No surface is seen from here", Remedy::view};
+  return whatHides(scene).value_or(EmptyPicture{"No surface is seen from here", Remedy::view});
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 namespace isolux::render {
 
 struct EmptyPicture {
-  enum class Remedy { none, isovalue, view, opacity };  // what to change
-  std::string reason;                                   // a sentence without its full stop
+  enum class Remedy { none, isovalue, view, opacity, pieces, cuts };  // what to change
+  std::string reason;                                                 // a sentence without its full stop
   Remedy remedy = Remedy::none;
 };
 

@@ -99,7 +99,7 @@ glm::dvec3 normalAt(const Source& source, const DrawnFrame& drawn, std::size_t p
 
 LinearImage topRowFirst(const Texture& texture, const FrameState* faces = nullptr) {
   const glm::ivec2 size(texture.size());
-  LinearImage image{size, texture.readFloats(4)};
+  LinearImage image{.size = size, .rgba = texture.readFloats(4)};
   if (faces) addCutFaces(*faces, image.rgba);
   const auto row = static_cast<std::ptrdiff_t>(size.x) * 4;
   for (std::ptrdiff_t y = 0; y < size.y / 2; ++y)
@@ -114,14 +114,17 @@ LinearImage readLinear(const FrameState& frame) {
   return topRowFirst(frame.images.at(image::color).images[0], &frame);
 }
 
-LinearImage readLinearPicture(const FrameState& frame) {
-  return topRowFirst(frame.images.at(image::linear).images[0]);
+LinearImage readLinearPicture(const FrameState& frame, const DrawnFrame& drawn) {
+  LinearImage picture = topRowFirst(frame.images.at(image::linear).images[0]);
+  picture.transparent = drawn.transparentPicture;
+  return picture;
 }
 
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn) {
   const Gl& gl = *frame.gl;
   ColorImage image;
   image.size = drawn.pictureSize;
+  image.transparent = drawn.transparentPicture;
   const std::size_t row = static_cast<std::size_t>(image.size.x) * 4;
   std::vector<std::uint8_t> flipped(row * static_cast<std::size_t>(image.size.y));
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);

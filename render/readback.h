@@ -17,14 +17,15 @@ struct DrawnFrame {
   glm::ivec2 wholeSize{0}, tileOrigin{0};  // rays: of the picture that the frame is a tile of
   double outward = -1.0;                   // times the gradient: the outward normal
   scene::Field hitField = scene::Field::trilinear;
-  bool layered = false;  // there are surfaces behind transparent ones
-  double scaleMm = 0.0;  // of second derivatives
-  bool lit = false;      // somebody had said what the light is
+  bool layered = false;             // there are surfaces behind transparent ones
+  double scaleMm = 0.0;             // of second derivatives
+  bool lit = false;                 // somebody had said what the light is
+  bool transparentPicture = false;  // picture.transparent
 };
 
 ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
 LinearImage readLinear(const FrameState& frame);
-LinearImage readLinearPicture(const FrameState& frame);
+LinearImage readLinearPicture(const FrameState& frame, const DrawnFrame& drawn);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
 // The surface points of every n-th ray on both axes, with n so that there are at most `most`: spread evenly
 // over the picture. Only those are read back. Of the layer that `frame` draws now; `outward`: DrawnFrame's;

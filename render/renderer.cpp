@@ -279,7 +279,8 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
            scene.hit.field,
            scene::isTransparent(scene),
            scene::derivativesScale(scene),
-           frame.light != nullptr};
+           frame.light != nullptr,
+           scene.picture.transparent};
 }
 
 void Renderer::Parts::plan(const std::vector<PassDeclaration>& declared,
@@ -450,6 +451,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
     const double flat = parts.frame.flatCurvature();
     parts.report.curvature = {measureRange(scene, surface, flat), ridgeThresholds(scene, surface, flat)};
   }
+  if (request.color) parts.report.legend = parts.frame.legend;
   parts.report.surfaceChanged = std::exchange(parts.hitsChanged, false);
   parts.report.milliseconds = millisecondsSince(begin);
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;
@@ -479,7 +481,7 @@ LinearImage Renderer::readLinear() {
 }
 
 LinearImage Renderer::readLinearPicture() {
-  return render::readLinearPicture(parts_->frame);
+  return render::readLinearPicture(parts_->frame, parts_->drawn);
 }
 
 AovImage Renderer::readAov(Aov aov) {

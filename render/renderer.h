@@ -52,7 +52,8 @@ class Renderer {
   ColorImage readColor();
   LinearImage readLinear();
   // The picture as linear float32, not clamped, without legend and dither, one pixel per pixel: the
-  // background behind the look, supersamples averaged, alpha 1. After a request that has `linear`.
+  // background behind the look, supersamples averaged, alpha 1; with picture.transparent premultiplied, and
+  // nothing behind. After a request that has `linear`.
   LinearImage readLinearPicture();
   AovImage readAov(Aov aov);
   // Voxel coordinates of the surface points of the last picture, those behind transparent surfaces too where

@@ -76,14 +76,15 @@ std::size_t pixelsOf(glm::ivec2 size) {
 class Collector {
  public:
   explicit Collector(const FrameRequest& request) : request_(request) {
-    if (request.color) still_.color = {request.size, std::vector<std::uint8_t>(4 * pixelsOf(request.size))};
-    if (request.linear) still_.linear = {request.size, std::vector<float>(4 * pixelsOf(request.size))};
+    if (request.color)
+      still_.color = {request.size, std::vector<std::uint8_t>(4 * pixelsOf(request.size)), false};
+    if (request.linear) still_.linear = {request.size, std::vector<float>(4 * pixelsOf(request.size)), false};
   }
 
   void add(Renderer& renderer, const Tile& tile, const Part& part) {
     const glm::ivec2 whole = request_.size;
-    if (request_.color) paste(renderer.readColor().rgba, tile, part, 4, whole, still_.color.rgba);
-    if (request_.linear) paste(renderer.readLinearPicture().rgba, tile, part, 4, whole, still_.linear.rgba);
+    if (request_.color) addPart(renderer.readColor(), tile, part, still_.color);
+    if (request_.linear) addPart(renderer.readLinearPicture(), tile, part, still_.linear);
     for (std::size_t i = 0; i < request_.aovs.size(); ++i) {
       const AovImage image = renderer.readAov(request_.aovs[i]);
       if (still_.aovs.size() <= i)
@@ -119,6 +120,12 @@ class Collector {
   StillPicture take() { return std::move(still_); }
 
  private:
+  template <class Image>
+  static void addPart(const Image& from, const Tile& tile, const Part& part, Image& whole) {
+    whole.transparent = from.transparent;
+    paste(from.rgba, tile, part, 4, whole.size, whole.rgba);
+  }
+
   FrameRequest request_;
   StillPicture still_;
 };

@@ -295,6 +295,11 @@ struct Picture {
   StillField restHits = StillField::automatic;  // of hits at rest, where hit.field is trilinear
   std::optional<double> exposure;               // stops, of pictures lit by global illumination
   Metering metering = Metering::surface;        // of an automatic exposure: gi/trace/exposure_meter.h
+  // What is written on a finished picture (app/annotation): the ends of the axes at its edges, a length,
+  // which isovalues are shown. The legend is look.legend.
+  bool letters = false, scaleBar = false, isovalue = false;
+  bool transparent = false;  // nothing behind the surface
+  double pixelRatio = 1.0;   // pixels of the picture per pixel that widths are stated in
   bool operator==(const Picture&) const = default;
 };
 

@@ -452,6 +452,24 @@ std::vector<Setting> makeSettings() {
       "picture.metering", ISOLUX_MEMBER(picture.metering),
       "What an automatic exposure fits: the lit surface as it is seen from the front, whatever the view, "
       "or the lights, so that a white surface in the open is nearly white."));
+  add(entry<Scene>(
+      "picture.letters", ISOLUX_MEMBER(picture.letters), noRange, "",
+      "Letters at the edges of the finished picture: which end of the patient's axes, or of the "
+      "world's where the file states no orientation, lies there. The window always shows them."));
+  add(entry<Scene>(
+      "picture.scale_bar", ISOLUX_MEMBER(picture.scaleBar), noRange, "",
+      "A bar of a round length on the finished picture; in perspective it is that of the depth of "
+      "camera.target. The window always shows it."));
+  add(entry<Scene>(
+      "picture.isovalue", ISOLUX_MEMBER(picture.isovalue), noRange, "",
+      "The isovalues of the surfaces that are shown, with their unit, on the finished picture."));
+  add(entry<Scene>(
+      "picture.transparent", ISOLUX_MEMBER(picture.transparent), noRange, "",
+      "The finished picture has no background: its alpha is how much of each pixel is covered."));
+  add(entry<Scene>(
+      "picture.pixel_ratio", ISOLUX_MEMBER(picture.pixelRatio), {0.1, 32}, "pixels",
+      "Pixels of the finished picture for each pixel that widths and lengths of lines and streaks "
+      "are stated in: 2 in a picture twice as large, for the same look."));
   return list;
 }
 

@@ -3,13 +3,10 @@
 
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
+#include "app/mesh/mesh_export.h"
 #include "base/error.h"
-#include "base/memory_budget.h"
-#include "base/number_text.h"
 #include "scene/rules/automatic.h"
-#include "volume/mesh/surface_arrays.h"
-#include "volume/mesh/surface_mesh.h"
-#include "volume/pieces/hidden_pieces.h"
+#include "volume/write/mesh_writer.h"
 
 namespace isolux::app {
 
@@ -23,22 +20,6 @@ struct MeshOptions {
   bool closed = false, json = false;
   std::shared_ptr<SceneOptions> scene;
 };
-
-volume::SurfaceMesh extracted(const MeshOptions& options, const scene::Scene& scene,
-                              const volume::PreparedVolume& prepared, base::Progress& progress) {
-  volume::SurfaceMeshRequest request;
-  request.isovalue = scene.isosurface.value.value();
-  request.inside = scene.isosurface.inside;
-  request.field = scene.hit.field;
-  const auto cubic = prepared.cubicFields->make(request.field, progress);
-  if (cubic && cubic->coefficients) request.coefficients = &*cubic->coefficients;
-  const auto hidden = volume::hiddenOf(scene, *prepared.pieces, progress);
-  request.hidden = volume::hiddenAt(hidden, request.isovalue).voxels;
-  request.closed = options.closed;
-  request.toleranceMm = options.tolerance;
-  request.budgetBytes = base::allowedMemory() / 4;
-  return volume::surfaceMesh(prepared.grid(), request, progress);
-}
 
 ordered_json meshJson(const MeshOptions& options, const scene::Scene& scene,
                       const volume::SurfaceMesh& found) {
@@ -54,13 +35,6 @@ ordered_json meshJson(const MeshOptions& options, const scene::Scene& scene,
   return json;
 }
 
-void printMesh(const volume::SurfaceMesh& found) {
-  std::cout << found.mesh.triangles.size() << " triangles, " << found.mesh.points.size()
-            << " points; no farther from the surface than " << base::shortText(found.largestDistanceMm, 3)
-            << " mm, " << (found.openEdges == 0 ? "closed" : std::to_string(found.openEdges) + " open edges")
-            << '\n';
-}
-
 void runMesh(const MeshOptions& options, base::Progress& progress) {
   const std::filesystem::path out(options.out);
   if (!volume::isMeshName(out))
@@ -74,31 +48,15 @@ void runMesh(const MeshOptions& options, base::Progress& progress) {
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
   volume::SurfaceMesh found;
-  std::vector<volume::PointArray> arrays;
   {
-    progress.report(0.0, "making a mesh");
     const ProgressBar bar(progress);
-    found = extracted(options, scene, *prepared, progress);
-    if (found.mesh.triangles.empty())
-      throw base::Error(base::ErrorKind::input, scene.source.path, "isosurface.value",
-                        "there is no surface at " + base::shortText(scene.isosurface.value.value()) +
-                            ": nothing is written");
-    const bool curvature = out.extension() == ".vtp";
-    if (curvature || out.extension() == ".ply") {
-      prepared->derivativeChoices->complete(scene, progress);
-      arrays = volume::surfaceArrays(*prepared, scene, found.mesh.points, curvature, progress);
-      if (curvature && !scene.color.volume.empty())
-        arrays.push_back(volume::secondValueArray(*prepared, scene, found.mesh.points, progress));
-    }
+    found = exportMesh({out, options.tolerance, options.closed}, scene, *prepared, progress);
   }
-  volume::writeMesh(found.mesh, arrays, out);
   if (options.json)
     std::cout << jsonText(meshJson(options, scene, found));
   else
-    printMesh(found);
-  if (found.astray > 0)
-    printNote(std::to_string(found.astray) +
-              " points lie beside the surface: the spline's is thinner there than its samples'");
+    std::cout << meshText(found) << '\n';
+  if (const std::string warning = meshWarning(found); !warning.empty()) printNote(warning);
   printWarnings(prepared->volume);
 }
 

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "app/annotation/annotation.h"
 #include "app/commands/command.h"
 #include "app/commands/derivative_report.h"
 #include "app/commands/progress_bar.h"
@@ -60,6 +61,7 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
   render::FrameRequest request;
   request.size = pictureSize(options.size, path, *options.scene);
   request.supersampling = scene.picture.supersampling;
+  request.pixelRatio = scene.picture.pixelRatio;
   request.linear = extension == ".exr";
   if (!options.aov.empty()) {
     request.linear = false;
@@ -183,6 +185,7 @@ class RenderRun {
     const scene::Derivatives asked = scene.derivatives;
     scene = scene::resolve(std::move(scene), prepared_->facts);
     request_.supersampling = request_.aovs.empty() ? scene.picture.supersampling : 1;
+    request_.pixelRatio = scene.picture.pixelRatio;
     Drawn drawn;
     {
       progress_.report(0.0, "drawing");
@@ -198,6 +201,8 @@ class RenderRun {
       progress_.report(0.0, "drawing");
       drawn = draw(*renderer_, shown.value_or(scene), request_, options_.repeat, progress_);
       progress_.throwIfStopped();
+      if (request_.color && !request_.linear)
+        annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
       writePicture(drawn.picture, request_, picture.out, scene);
     }
     report(asked, scene, drawn, picture);

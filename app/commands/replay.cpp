@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/annotation/annotation.h"
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
 #include "app/documents/recording.h"
@@ -73,9 +74,12 @@ class FrameMaker {
     completeFields(resolved, *prepared_, false, progress);
     if (!image_ || !(resolved == drawn_)) {
       request_.supersampling = resolved.picture.supersampling;
+      request_.pixelRatio = resolved.picture.pixelRatio;
       lightPicture(light_, *renderer_, resolved, request_, prepared_, progress);
       const scene::Scene shown = atRest(resolved, *prepared_, progress);
-      image_ = render::drawStill(*renderer_, shown, request_, progress).color;
+      render::StillPicture still = render::drawStill(*renderer_, shown, request_, progress);
+      annotate(resolved, *prepared_, still.report, still.color);
+      image_ = std::move(still.color);
       drawn_ = resolved;
     }
     writePng(*image_, file, sessionText(resolved, file.parent_path()));

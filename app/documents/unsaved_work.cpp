@@ -1,6 +1,7 @@
 #include "app/documents/unsaved_work.h"
 
 #include <algorithm>
+#include <array>
 
 #include "scene/settings.h"
 
@@ -11,7 +12,10 @@ UnsavedWork unsavedWork(const scene::Scene& saved, const scene::Scene& now) {
   if (diff.changes.empty()) return UnsavedWork::none;
   const bool viewOnly =
       std::all_of(diff.changes.begin(), diff.changes.end(), [](const scene::SceneChange& change) {
-        return change.path.starts_with("camera.") || change.path == "flow.time";
+        constexpr std::array words{"picture.letters", "picture.scale_bar", "picture.isovalue",
+                                   "picture.transparent", "picture.pixel_ratio"};
+        return change.path.starts_with("camera.") || change.path == "flow.time" ||
+               std::find(words.begin(), words.end(), change.path) != words.end();
       });
   return viewOnly ? UnsavedWork::view : UnsavedWork::work;
 }

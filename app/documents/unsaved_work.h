@@ -8,7 +8,7 @@ namespace isolux::app {
 
 enum class UnsavedWork {
   none,  // the scene is as it was opened or saved
-  view,  // only where it is seen from differs, and the moment of an animated flow
+  view,  // only where it is seen from differs, the moment of an animated flow, and what stands on pictures
   work   // settings that were chosen: isovalue, look, light, source, ...
 };
 UnsavedWork unsavedWork(const scene::Scene& saved, const scene::Scene& now);

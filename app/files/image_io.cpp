@@ -55,7 +55,8 @@ void writeExr(const render::LinearImage* color, const std::vector<render::AovIma
   };
   std::vector<Channel> channels;
   if (color)
-    for (int i = 0; i < 3; ++i) channels.push_back({std::string(1, "RGB"[i]), nullptr, i});
+    for (int i = 0; i < (color->transparent ? 4 : 3); ++i)
+      channels.push_back({std::string(1, "RGBA"[i]), nullptr, i});
   for (const render::AovImage& image : images) {
     for (const render::AovInfo& info : render::aovs()) {
       if (info.aov != image.aov) continue;

@@ -14,11 +14,13 @@ namespace isolux::app {
 constexpr const char* sessionKey = "isolux_session";
 constexpr int kLargestPicture = 16384;  // pixels of an axis, to be drawn
 
-// 8-bit sRGB PNG with the session text in a text chunk ("isolux_session"); empty text: none.
+// 8-bit sRGB PNG (with alpha where the picture is transparent) with the session text in a text chunk
+// ("isolux_session"); empty text: none.
 void writePng(const render::ColorImage& image, const std::filesystem::path& file, const std::string& session);
 // The same file as bytes, for a pipe.
 std::string pngBytes(const render::ColorImage& image, const std::string& session);
-// float32 EXR: channels R G B (linear, as they are) of `color` unless null, and each AOV as "name" or
+// float32 EXR: channels R G B (linear, as they are), and A where it is transparent, of `color` unless null,
+// and each AOV as "name" or
 // "name.channel".
 void writeExr(const render::LinearImage* color, const std::vector<render::AovImage>& aovs,
               const std::filesystem::path& file, const std::string& session);

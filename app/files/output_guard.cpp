@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include <sys/stat.h>
+
 #include "base/error.h"
 #include "base/pending_file.h"
 #include "volume/read/source_files.h"
@@ -12,19 +14,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool sameFile(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error) && !error;
+// Equal for the same file, by whatever name. Empty: nobody knows.
+std::string identityOf(const fs::path& file) {
+  struct stat found {};
+  if (::stat(file.c_str(), &found) == 0)
+    return "#" + std::to_string(found.st_dev) + ":" + std::to_string(found.st_ino);
   // What does not exist yet has no inode, but its folder has.
-  const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
-  const fs::path second = fs::weakly_canonical(fs::absolute(b, error), error);
-  return !error && !first.empty() && first == second;
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(file, error), error);
+  return error ? std::string() : canonical.string();
 }
 
 }  // namespace
 
 void OutputGuard::reads(const fs::path& file, const std::string& role) {
-  if (!file.empty()) read_.push_back({file, role});
+  if (!file.empty()) read_.emplace(identityOf(file), role);
 }
 
 void OutputGuard::readsVolume(const std::string& path, const std::string& role) {
@@ -40,15 +44,14 @@ void OutputGuard::reads(const scene::Scene& scene) {
 
 void OutputGuard::writes(const fs::path& file, const std::string& option) {
   const fs::path written = base::writtenPath(file);
-  for (const Known& known : read_)
-    if (sameFile(written, known.file))
-      throw base::Error(base::ErrorKind::usage, file.string(), option,
-                        "would be written over " + known.role + ", which is read from this file");
-  for (const Known& known : written_)
-    if (sameFile(written, known.file))
-      throw base::Error(base::ErrorKind::usage, file.string(), option,
-                        "is the file of " + known.role + ", too");
-  written_.push_back({written, option});
+  const std::string identity = identityOf(written);
+  if (identity.empty()) return;
+  if (const auto known = read_.find(identity); known != read_.end())
+    throw base::Error(base::ErrorKind::usage, file.string(), option,
+                      "would be written over " + known->second + ", which is read from this file");
+  if (const auto [known, isNew] = written_.emplace(identity, option); !isNew)
+    throw base::Error(base::ErrorKind::usage, file.string(), option,
+                      "is the file of " + known->second + ", too");
 }
 
 }  // namespace isolux::app

@@ -6,8 +6,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
-#include <vector>
 
 #include "scene/scene.h"
 
@@ -23,13 +23,10 @@ class OutputGuard {
   void writes(const std::filesystem::path& file, const std::string& option);
 
  private:
-  struct Known {
-    std::filesystem::path file;  // as given
-    std::string role;
-  };
   void readsVolume(const std::string& path, const std::string& role);
 
-  std::vector<Known> read_, written_;
+  // What they are for, by what tells files apart: a series has thousands.
+  std::map<std::string, std::string> read_, written_;
 };
 
 }  // namespace isolux::app

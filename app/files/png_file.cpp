@@ -82,14 +82,15 @@ bool encode(PngWriter& writer, const render::ColorImage& image) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_init_io(png, writer.stream);
   png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.size.x),
-               static_cast<png_uint_32>(image.size.y), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               static_cast<png_uint_32>(image.size.y), 8,
+               image.transparent ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_compression_level(png, 4);  // a third of the time of zlib's 6, for 8 % more bytes
   png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (!writer.chunks.empty())
     png_set_text(png, writer.info, writer.chunks.data(), static_cast<int>(writer.chunks.size()));
   png_write_info(png, writer.info);
-  png_set_filler(png, 0, PNG_FILLER_AFTER);  // the fourth byte of each pixel is skipped
+  if (!image.transparent) png_set_filler(png, 0, PNG_FILLER_AFTER);  // the fourth byte of a pixel is skipped
   for (int y = 0; y < image.size.y; ++y)
     png_write_row(
         png, image.rgba.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) * 4);
@@ -143,10 +144,12 @@ render::ColorImage readPngFile(const fs::path& file) {
   if ((header.format & PNG_FORMAT_FLAG_COLOR) == 0)
     throwInput(file.string(), "", "a colour picture was expected");
   if (!canHold(file, header)) throwInput(file.string(), "", "truncated: too short for its size in pixels");
+  const bool transparent = (header.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   header.format = PNG_FORMAT_RGBA;
   render::ColorImage image;
   image.size = {static_cast<int>(header.width), static_cast<int>(header.height)};
   image.rgba.assign(PNG_IMAGE_SIZE(header), 255);
+  image.transparent = transparent;
   if (png_image_finish_read(&header, nullptr, image.rgba.data(), 0, nullptr) == 0) cannotRead(file, header);
   return image;
 }

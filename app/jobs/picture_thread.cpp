@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include "base/progress.h"
 #include "base/retire.h"
 #include "render/renderer.h"
 
@@ -22,9 +21,12 @@ struct PictureThread::Work {
   };
   base::Mailbox<Numbered> orders;
   base::Mailbox<Result> results;
-  base::Mailbox<PictureOrder> stillOrders;
+  struct StillOrder {
+    PictureOrder order;
+    std::shared_ptr<base::Progress> progress;
+  };
+  base::Mailbox<StillOrder> stillOrders;
   base::Mailbox<Still> stills;
-  base::Progress stillProgress;
   Context context;
   std::atomic<bool> contextKnown{false}, ending{false};
   std::counting_semaphore<> news{0};
@@ -32,7 +34,7 @@ struct PictureThread::Work {
   void run(render::ContextChoice choice);
   void serve(const std::shared_ptr<const render::Gl>& gl);
   void draw(const Numbered& numbered, const std::shared_ptr<const render::Gl>& gl);
-  void drawStill(const PictureOrder& order, const std::shared_ptr<const render::Gl>& gl);
+  void drawStill(const StillOrder& still, const std::shared_ptr<const render::Gl>& gl);
   render::Renderer& rendererFor(const PictureOrder& order, const std::shared_ptr<const render::Gl>& gl);
 
   std::unique_ptr<render::Renderer> renderer;  // of the thread, as the volume that it draws
@@ -95,10 +97,11 @@ void PictureThread::Work::draw(const Numbered& numbered, const std::shared_ptr<c
   }
 }
 
-void PictureThread::Work::drawStill(const PictureOrder& order, const std::shared_ptr<const render::Gl>& gl) {
+void PictureThread::Work::drawStill(const StillOrder& still, const std::shared_ptr<const render::Gl>& gl) {
+  const PictureOrder& order = still.order;
   try {
     stills.put(std::make_unique<Still>(
-        render::drawStill(rendererFor(order, gl), order.scene, order.request, stillProgress)));
+        render::drawStill(rendererFor(order, gl), order.scene, order.request, *still.progress)));
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();
     if (endingOf(failure) == Ending::unknown) renderer.reset();
@@ -148,7 +151,7 @@ PictureThread::PictureThread(render::ContextChoice choice, Priority priority)
 
 PictureThread::~PictureThread() {
   for (Given& given : given_) given.stop.request_stop();
-  work_->stillProgress.requestStop();
+  stopStill();
   work_->ending.store(true, std::memory_order_release);
   work_->news.release();
   base::retire(std::pair(std::move(work_), std::move(thread_)));
@@ -186,10 +189,21 @@ void PictureThread::drop() {
 }
 
 void PictureThread::drawStill(PictureOrder order) {
-  work_->stillOrders.put(std::make_unique<PictureOrder>(std::move(order)));
+  stillProgress_ = std::make_shared<base::Progress>();
+  order.request.stop = stillProgress_->token();
+  work_->stillOrders.put(
+      std::make_unique<Work::StillOrder>(Work::StillOrder{std::move(order), stillProgress_}));
   for (Given& given : given_) given.stop.request_stop();
   given_.clear();
   work_->news.release();
+}
+
+double PictureThread::stillFraction() const {
+  return stillProgress_ ? stillProgress_->fraction() : 0.0;
+}
+
+void PictureThread::stopStill() {
+  if (stillProgress_) stillProgress_->requestStop();
 }
 
 std::unique_ptr<PictureThread::Still> PictureThread::takeStill() {

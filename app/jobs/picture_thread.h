@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/mailbox.h"
+#include "base/progress.h"
 #include "gi/picture_light.h"
 #include "gi/seen_points.h"
 #include "render/gl/gl_context.h"
@@ -90,6 +91,8 @@ class PictureThread {
   // itself. One at a time.
   void drawStill(PictureOrder order);
   std::unique_ptr<Still> takeStill();
+  double stillFraction() const;  // how far the one that was ordered last is, in tiles
+  void stopStill();              // it ends as soon as it can, with Error{interrupted}
 
  private:
   struct Work;
@@ -100,6 +103,7 @@ class PictureThread {
   };
   std::shared_ptr<Work> work_;
   std::vector<Given> given_;
+  std::shared_ptr<base::Progress> stillProgress_;
   std::uint64_t number_ = 0, dropped_ = 0;
   std::jthread thread_;
 };

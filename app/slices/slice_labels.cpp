@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/annotation/ink.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "render/legend/font.h"
@@ -29,53 +30,6 @@ std::string signedText(double value, int significant) {
 std::string lengthText(double mm) {
   return signedText(std::round(mm * 100.0) / 100.0, 6);
 }
-
-// Coverage of bright ink, and the picture below.
-class Ink {
- public:
-  explicit Ink(glm::ivec2 size)
-      : size_(size), ink_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {}
-
-  void plot(glm::ivec2 p, int coverage) {
-    if (p.x < 0 || p.y < 0 || p.x >= size_.x || p.y >= size_.y) return;
-    std::uint8_t& at = ink_[index(p)];
-    at = std::max(at, static_cast<std::uint8_t>(coverage));
-    low_ = glm::min(low_, p);
-    high_ = glm::max(high_, p);
-  }
-  void fill(glm::ivec2 from, glm::ivec2 to) {  // `to` excluded
-    for (int y = from.y; y < to.y; ++y)
-      for (int x = from.x; x < to.x; ++x) plot({x, y}, 255);
-  }
-  void text(const render::Font& font, const std::string& text, glm::ivec2 origin) {
-    font.draw(text, origin, [this](glm::ivec2 p, int coverage) { plot(p, coverage); });
-  }
-  // A rim of `rim` pixels, then the ink.
-  void blendOver(render::ColorImage& image, int rim) const {
-    const glm::ivec2 from = glm::max(low_ - rim, glm::ivec2(0)), to = glm::min(high_ + rim, size_ - 1);
-    for (int y = from.y; y <= to.y; ++y)
-      for (int x = from.x; x <= to.x; ++x) {
-        int dark = 0;
-        for (int v = std::max(0, y - rim); v <= std::min(size_.y - 1, y + rim); ++v)
-          for (int u = std::max(0, x - rim); u <= std::min(size_.x - 1, x + rim); ++u)
-            dark = std::max<int>(dark, ink_[index({u, v})]);
-        if (dark == 0) continue;
-        std::uint8_t* const pixel = &image.rgba[4 * index({x, y})];
-        const double bright = ink_[index({x, y})] / 255.0;
-        for (int i = 0; i < 3; ++i) {
-          const double below = pixel[i] * (1.0 - 0.75 * dark / 255.0);
-          pixel[i] = static_cast<std::uint8_t>(std::lround(below + bright * (245.0 - below)));
-        }
-      }
-  }
-
- private:
-  std::size_t index(glm::ivec2 p) const {
-    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(p.x);
-  }
-  glm::ivec2 size_, low_{1 << 30}, high_{-1};
-  std::vector<std::uint8_t> ink_;
-};
 
 void drawLetters(const SliceLetters& letters, const render::Font& font, int margin, Ink& ink,
                  glm::ivec2 size) {

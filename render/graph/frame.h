@@ -126,6 +126,7 @@ struct FrameReport {
   bool surfaceChanged = false;
   std::size_t gpuBytes = 0;           // textures and buffers held by the renderer
   std::optional<EmptyPicture> empty;  // nothing is to be seen, and why
+  std::optional<Tile> legend;         // where it stands in the whole picture, if it was drawn
   // Settings that were automatic and followed the surface, and what they were: paths of scene/settings.h.
   std::map<std::string, double> found;
   // What the driver called an error in this frame (render/gl/gl_messages.h): the picture may be wrong.
@@ -135,7 +136,8 @@ struct FrameReport {
 // Row 0 is the top row.
 struct ColorImage {
   glm::ivec2 size{0};
-  std::vector<std::uint8_t> rgba;  // sRGB, opaque
+  std::vector<std::uint8_t> rgba;  // sRGB; alpha is 255, or straight
+  bool transparent = false;        // alpha counts
 };
 struct AovImage {
   Aov aov{};
@@ -147,7 +149,8 @@ struct AovImage {
 // The look before the background lies behind it: linear RGBA, premultiplied by opacity, one texel per ray.
 struct LinearImage {
   glm::ivec2 size{0};
-  std::vector<float> rgba;  // row 0 is the top row
+  std::vector<float> rgba;   // row 0 is the top row
+  bool transparent = false;  // as a finished picture (Renderer::readLinearPicture): alpha counts
 };
 
 }  // namespace isolux::render

@@ -73,25 +73,15 @@ MeasureColors measureColors(const scene::Look& look) {
   return {glm::ivec2(samples, 1), scene::colorMapSamples(look.colormap, samples, info.colors)};
 }
 
-void drawLegendOver(FrameState& frame, const Target& picture, const Legend& legend) {
-  const glm::ivec2 size = frame.request.size;
-  const LegendImage image = drawLegend(legend, std::min(size.y, 2 * size.x));
-  const int margin = marginOf(size);
-  if (image.size.x + 2 * margin > size.x * 7 / 10 || image.size.y + 2 * margin > size.y * 7 / 10) return;
+namespace {
+
+// Into the part of `picture` that starts at `corner` and may reach beyond it.
+void blendByShader(FrameState& frame, const Target& picture, const LegendImage& image, glm::ivec2 corner) {
   const Gl& gl = *frame.gl;
   const Texture texture = Texture::make2D(frame.gl, GL_RGBA8, image.size);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TextureSubImage2D(texture.id(), 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_UNSIGNED_BYTE,
                        image.rgba.data());
-  const scene::LegendCorner wanted = frame.scene->look.legendCorner;
-  const bool unknown = frame.request.tile.has_value() && wanted == scene::LegendCorner::automatic;
-  const glm::ivec2 corner = legendPlace(unknown ? scene::LegendCorner::lower_right : wanted, image.size, size,
-                                        frame.surfacePixels()) -
-                            frame.tileOrigin();
-  const glm::ivec2 drawn = frame.drawnSize();
-  if (corner.x >= drawn.x || corner.y >= drawn.y || corner.x + image.size.x <= 0 ||
-      corner.y + image.size.y <= 0)
-    return;
   Program& p = frame.program("legend.frag.glsl");
   p.setTexture("uLegend", 0, texture);
   p.set("uCorner", corner);
@@ -102,6 +92,58 @@ void drawLegendOver(FrameState& frame, const Target& picture, const Legend& lege
   frame.drawFullscreen(p);
   gl.Disable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ZERO);
+}
+
+// The same where alpha is straight, which blending by OpenGL does not know.
+void blendStraight(const FrameState& frame, const Target& picture, const LegendImage& image,
+                   glm::ivec2 corner) {
+  const volume::Rectangle part =
+      volume::common({glm::ivec2(0), frame.drawnSize()}, volume::Rectangle{corner, image.size});
+  std::vector<float> pixels = picture.images[0].readFloats(4, part);
+  for (std::size_t i = 0; i < pixels.size() / 4; ++i) {
+    const auto width = static_cast<std::size_t>(part.size.x);
+    const glm::ivec2 at =
+        part.low - corner + glm::ivec2(static_cast<int>(i % width), static_cast<int>(i / width));
+    const std::size_t from =
+        (static_cast<std::size_t>(image.size.y - 1 - at.y) * static_cast<std::size_t>(image.size.x) +
+         static_cast<std::size_t>(at.x)) *
+        4;
+    const auto over = [&](std::size_t channel) {
+      return static_cast<float>(image.rgba[from + channel]) / 255.0f;
+    };
+    float* const pixel = &pixels[4 * i];
+    const float below = pixel[3] * (1.0f - over(3)), alpha = over(3) + below;
+    for (std::size_t c = 0; c < 3; ++c) pixel[c] = alpha > 0.0f ? (over(c) + pixel[c] * below) / alpha : 0.0f;
+    pixel[3] = alpha;
+  }
+  const Gl& gl = *frame.gl;
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.TextureSubImage2D(picture.images[0].id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, GL_RGBA,
+                       GL_FLOAT, pixels.data());
+}
+
+}  // namespace
+
+std::optional<Tile> drawLegendOver(FrameState& frame, const Target& picture, const Legend& legend) {
+  const glm::ivec2 size = frame.request.size;
+  const LegendImage image = drawLegend(legend, std::min(size.y, 2 * size.x));
+  const int margin = marginOf(size);
+  if (image.size.x + 2 * margin > size.x * 7 / 10 || image.size.y + 2 * margin > size.y * 7 / 10) return {};
+  const scene::LegendCorner wanted = frame.scene->look.legendCorner;
+  const bool unknown = frame.request.tile.has_value() && wanted == scene::LegendCorner::automatic;
+  const Tile place{legendPlace(unknown ? scene::LegendCorner::lower_right : wanted, image.size, size,
+                               frame.surfacePixels()),
+                   image.size};
+  const glm::ivec2 corner = place.origin - frame.tileOrigin();
+  const glm::ivec2 drawn = frame.drawnSize();
+  if (corner.x >= drawn.x || corner.y >= drawn.y || corner.x + image.size.x <= 0 ||
+      corner.y + image.size.y <= 0)
+    return place;
+  if (frame.scene->picture.transparent)
+    blendStraight(frame, picture, image, corner);
+  else
+    blendByShader(frame, picture, image, corner);
+  return place;
 }
 
 }  // namespace isolux::render

@@ -1,6 +1,8 @@
 // Puts the legend of a scene into its finished picture.
 #pragma once
 
+#include <optional>
+
 #include "render/legend/legend.h"
 #include "render/passes/frame_state.h"
 #include "volume/cast/picture_area.h"
@@ -23,8 +25,9 @@ Legend measureLegend(const scene::Scene& scene, glm::dvec2 range);
 glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture,
                        const std::vector<volume::Rectangle>& surface);
 
-// Blends the legend into a corner of `picture`; nothing where it would cover most of the picture. Of a tile
-// it is not known where the rest of the surface lies: what is automatic is the lower right corner.
-void drawLegendOver(FrameState& frame, const Target& picture, const Legend& legend);
+// Blends the legend into a corner of `picture`, and says where it stands in the whole picture; nothing where
+// it would cover most of that. Of a tile it is not known where the rest of the surface lies: what is
+// automatic is the lower right corner.
+std::optional<Tile> drawLegendOver(FrameState& frame, const Target& picture, const Legend& legend);
 
 }  // namespace isolux::render

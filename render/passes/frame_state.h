@@ -131,6 +131,7 @@ struct FrameState {
   int clippedBits() const;
   // What is drawn of the surface and of cut faces, in pixels of the picture or tile.
   std::vector<volume::Rectangle> surfacePixels() const;
+  std::optional<Tile> legend;  // where it stands in the whole picture; kept with image::picture
 
   // What is drawn in this frame: gradients, of normals; Hessians, with the gradients beside them; and whether
   // those are the gradients of normals, too.

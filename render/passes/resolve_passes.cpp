@@ -13,11 +13,12 @@ namespace {
 
 // The environment is seen behind the surface.
 bool showsEnvironment(const Asked& asked) {
-  return scene::usesGi(asked.scene) && asked.light.background;
+  return scene::usesGi(asked.scene) && asked.light.background && !asked.scene.picture.transparent;
 }
 
 bool environmentIsSeen(const FrameState& frame) {
-  return scene::usesGi(*frame.scene) && frame.light && frame.light->background;
+  return scene::usesGi(*frame.scene) && frame.light && frame.light->background &&
+         !frame.scene->picture.transparent;
 }
 
 // What resolve.frag.glsl reads for the colour behind the surface.
@@ -29,20 +30,22 @@ void setBehind(const FrameState& frame, Program& p) {
   p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
 }
 
-void drawLegendOf(FrameState& frame, const Target& picture) {
+// Where it stands.
+std::optional<Tile> drawLegendOf(FrameState& frame, const Target& picture) {
   const scene::Scene& scene = *frame.scene;
   if (scene::isMeasure(scene.look.mode))
-    drawLegendOver(frame, picture,
-                   measureLegend(scene, measureRange(scene, frame.statistics, frame.flatCurvature())));
-  else if (frame.second)
-    drawLegendOver(frame, picture, secondLegend(frame));
+    return drawLegendOver(frame, picture,
+                          measureLegend(scene, measureRange(scene, frame.statistics, frame.flatCurvature())));
+  if (frame.second) return drawLegendOver(frame, picture, secondLegend(frame));
+  return {};
 }
 
 }  // namespace
 
 void BackgroundPass::declare(Declaring& d) const {
   d.writes(image::background).pictureSize().settings({"look.background_top", "look.background_bottom"});
-  d.notNeeded("the environment is behind the surface");
+  d.notNeeded(d.asked.scene.picture.transparent ? "the picture is transparent"
+                                                : "the environment is behind the surface");
 }
 
 void BackgroundPass::run(FrameState& frame) {
@@ -56,7 +59,7 @@ void BackgroundPass::run(FrameState& frame) {
 void ResolvePass::declare(Declaring& d) const {
   const scene::Scene& scene = d.asked.scene;
   d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend", "look.legend_corner"});
-  d.input("linear picture", d.asked.request.linear);
+  d.input("linear picture", d.asked.request.linear).settings({"picture.transparent"});
   d.input("cut faces are shown", scene::showsCutFaces(scene));
   if (scene::showsCutFaces(scene)) {
     d.reads(image::cutFaces).settings({"slice.level", "slice.width", "slice.map"});
@@ -65,7 +68,7 @@ void ResolvePass::declare(Declaring& d) const {
   if (showsEnvironment(d.asked)) {
     d.input("light", d.asked.light.version).settings({"camera."});
     addExposure(d);
-  } else {
+  } else if (!scene.picture.transparent) {
     d.reads(image::background);
   }
   if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
@@ -79,11 +82,12 @@ void ResolvePass::declare(Declaring& d) const {
 
 void ResolvePass::run(FrameState& frame) {
   Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
-  if (environmentIsSeen(frame))
+  if (environmentIsSeen(frame) || frame.scene->picture.transparent)
     drawAll(frame, target, "");
   else
     drawHits(frame, target);
-  if (!frame.empty() && scene::showsLegend(*frame.scene)) drawLegendOf(frame, target);
+  frame.legend.reset();
+  if (!frame.empty() && scene::showsLegend(*frame.scene)) frame.legend = drawLegendOf(frame, target);
   if (frame.request.linear)
     drawAll(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
             "#define LINEAR\n");
@@ -94,8 +98,9 @@ void ResolvePass::run(FrameState& frame) {
 Program& ResolvePass::prepared(FrameState& frame, const std::string& defines) const {
   const bool environment = environmentIsSeen(frame);
   const bool faces = frame.cutFaceColors != nullptr;
-  Program& p = frame.program(
-      shader, defines + (environment ? "#define ENVIRONMENT\n" : "") + (faces ? "#define CUT_FACES\n" : ""));
+  Program& p = frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : "") +
+                                         (faces ? "#define CUT_FACES\n" : "") +
+                                         (frame.scene->picture.transparent ? "#define TRANSPARENT\n" : ""));
   if (faces) setCutFaces(frame, p, 2);
   if (environment) frame.lighting->setBackground(frame, p, 1);
   p.setTexture("uColor", 0, frame.image(image::color));

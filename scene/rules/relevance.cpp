@@ -148,6 +148,12 @@ constexpr Rule rules[] = {
     {"picture.rest_hits", [](const Scene& s) { return !usesGi(s); },
      "light is stored on the surface that hit.field shows"},
 
+    {"picture.pixel_ratio",
+     [](const Scene& s) {
+       return showsFlow(s) || drawsRidges(s) || s.color.isolines > 0.0 || (!isPlain(s) && drawsContours(s));
+     },
+     "nothing is drawn whose width is stated in pixels"},
+
     {"derivatives.", needsGradient, "this look needs no derivatives"},
     {"derivatives.fetch", [](const Scene& s) { return s.derivatives.field != Field::trilinear; },
      "trilinear derivatives are read in one way only"},

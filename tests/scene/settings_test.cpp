@@ -100,9 +100,10 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
                                 components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
-  [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering] = picture;
+  [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
+                                isovalue, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            9u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 4);
+            9u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 9);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

@@ -1,5 +1,6 @@
 #include "ui/dialogs/reference_dialog.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -132,6 +133,7 @@ void ReferenceDialog::startOrStop() {
       std::make_unique<app::ReferenceJob>(volume_, resolved_, glm::ivec2(width_->value(), height_->value()),
                                           static_cast<std::uint32_t>(samples_->value()), threads_);
   start_->setText(tr("Stop"));
+  left_.begin();
   timer_.start();
 }
 
@@ -142,11 +144,15 @@ void ReferenceDialog::poll() {
     save_->setEnabled(!saving());
     showImage();
   }
-  bar_->setValue(static_cast<int>(std::lround(1000.0 * job_->progress().fraction())));
+  const double fraction = std::clamp(job_->progress().fraction(), 0.0, 1.0);
+  bar_->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
   QString noise;
   if (round_ && round_->noisePart) noise = tr("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
   if (!finished) {
-    tell(noise.isEmpty() ? tr("Tracing …") : tr("Tracing … ") + noise);
+    QStringList said{tr("Tracing …")};
+    for (const QString& part : {noise, left_.text(fraction)})
+      if (!part.isEmpty()) said += part;
+    tell(said.join(" · "));
     return;
   }
   timer_.stop();

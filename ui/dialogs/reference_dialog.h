@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "app/jobs/reference_job.h"
+#include "ui/editors/time_left.h"
 
 class QComboBox;
 class QLabel;
@@ -63,6 +64,7 @@ class ReferenceDialog : public QDialog {
   QLabel *preview_, *text_;
   QProgressBar* bar_;
   QPushButton *start_, *save_;
+  TimeLeft left_;
   QTimer timer_, saveTimer_;
 };
 

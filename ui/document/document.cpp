@@ -120,6 +120,11 @@ void Document::openRaw(const QString& path, const QString& description) {
 }
 
 void Document::openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed) {
+  const QString source = QString::fromStdString(scene.source.path);
+  if (!sessionFile.isEmpty() && !source.startsWith("phantom:") && !QFileInfo::exists(source)) {
+    Q_EMIT volumeMissing(scene, sessionFile);
+    return;
+  }
   pendingOpened_ = sessionFile.isEmpty() ? QString::fromStdString(scene.source.path) : sessionFile;
   pendingSessionFile_ = sessionFile;
   startLoading(scene, After::replaceDocument);
@@ -184,7 +189,7 @@ void Document::finishLoading() {
     announce();  // the widgets show again what holds
     Q_EMIT loadEnded(false);
     if (!job->error()) {
-      Q_EMIT failed(tr("the volume could not be loaded"));
+      Q_EMIT failed(tr("The volume could not be loaded, and no reason was given. The one before is still open."));
     } else if (job->error()->kind() != base::ErrorKind::interrupted) {
       Q_EMIT failed(textOf(*job->error()));
     }
@@ -276,7 +281,7 @@ void Document::commit(const scene::Scene& before, const QString& name) {
       if (!diff.changes.empty()) recorder_->add(diff);
     } catch (const base::Error& error) {
       stopRecording();
-      Q_EMIT failed(tr("recording stopped: ") + textOf(error));
+      Q_EMIT failed(tr("The recording stopped: %1. What was recorded until then is kept.").arg(textOf(error)));
     }
   }
   announce();

@@ -57,6 +57,7 @@ class Document : public QObject {
   void open(const QString& path);
   // Loads scene.source and then shows exactly this scene, with an empty history.
   // completed, where given, says the scene once the volume is there, as app::WindowRequest has it.
+  // Emits volumeMissing where a session names a volume that is not there.
   using CompleteScene = std::function<scene::Scene(const volume::PreparedVolume&)>;
   void openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed = {});
   void openRaw(const QString& path, const QString& description);
@@ -90,6 +91,8 @@ class Document : public QObject {
   void opened(const QString& path);  // for the recent files: a volume or session the user asked for
   void failed(const QString& message);
   void rawDescriptionNeeded(const QString& path);
+  // What a session or picture shows is not where it says: nothing was opened.
+  void volumeMissing(const isolux::scene::Scene& scene, const QString& sessionFile);
 
  private:
   // What to do when the running job has succeeded.

@@ -1,5 +1,6 @@
 #include "ui/document/recent_files.h"
 
+#include <QFileInfo>
 #include <QSettings>
 
 namespace isolux::ui {
@@ -28,6 +29,14 @@ void removeRecentFile(const QString& path) {
 
 void clearRecentFiles() {
   QSettings().remove(key);
+}
+
+QString lastFolder() {
+  return QSettings().value("lastFolder").toString();
+}
+
+void rememberFolder(const QString& file) {
+  QSettings().setValue("lastFolder", QFileInfo(file).absolutePath());
 }
 
 }  // namespace isolux::ui

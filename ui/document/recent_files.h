@@ -10,4 +10,8 @@ void addRecentFile(const QString& path);
 void removeRecentFile(const QString& path);
 void clearRecentFiles();
 
+// Where files were opened and saved last; "": nowhere yet.
+QString lastFolder();
+void rememberFolder(const QString& file);
+
 }  // namespace isolux::ui

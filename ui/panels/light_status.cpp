@@ -76,14 +76,6 @@ QString rateText(double raysPerSecond) {
   return numberText(raysPerSecond, 2) + " rays/s";
 }
 
-QString durationText(double seconds) {
-  if (!(seconds >= 0.0)) return {};
-  if (seconds < 10.0) return numberText(std::max(seconds, 0.1), seconds < 1.0 ? 1 : 2) + " s";
-  if (seconds < 100.0) return QString("%1 s").arg(std::lround(seconds));
-  if (seconds < 6000.0) return QString("%1 min").arg(std::lround(seconds / 60.0));
-  return QString("%1 h").arg(numberText(seconds / 3600.0, 2));
-}
-
 QString unfinishedLightText(const app::LightState& state, bool cancelled) {
   const bool onItsWay = state.phase == Phase::preparing || state.phase == Phase::baking ||
                         state.phase == Phase::paused || cancelled;

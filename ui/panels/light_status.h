@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "app/light/light_controller.h"
+#include "ui/editors/time_left.h"
 
 class QLabel;
 class QProgressBar;
@@ -38,8 +39,7 @@ class LightStatus : public QWidget {
 // none.
 QString unfinishedLightText(const app::LightState& state, bool cancelled);
 
-// "1.2 million rays/s", "45 s", "12 min": as people read them.
+// "1.2 million rays/s": as people read it.
 QString rateText(double raysPerSecond);
-QString durationText(double seconds);
 
 }  // namespace isolux::ui

@@ -7,6 +7,7 @@
 #include "app/jobs/rest_scene.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
+#include "ui/document/picture_wish.h"
 #include "ui/viewport/viewport_overlay.h"
 
 namespace isolux::ui {
@@ -85,6 +86,12 @@ void Viewport::offerRemedy(const std::optional<render::EmptyPicture>& empty) {
     case Remedy::opacity:
       remedy_->setText(tr("Make it opaque"));
       break;
+    case Remedy::pieces:
+      remedy_->setText(tr("Show all pieces"));
+      break;
+    case Remedy::cuts:
+      remedy_->setText(tr("Remove the cuts"));
+      break;
   }
   placeRemedy();
 }
@@ -98,6 +105,11 @@ void Viewport::takeRemedy() {
   Edit edit{scene_, remedy_->text(), {}, false};
   if (offered_ == Remedy::isovalue) edit.scene.isosurface.value.reset();
   if (offered_ == Remedy::opacity) edit.scene.isosurface.opacity = 1.0;
+  if (offered_ == Remedy::pieces) edit.scene.pieces = {};
+  if (offered_ == Remedy::cuts) {
+    edit.scene.clip.planes.clear();
+    edit.scene.clip.box.clear();
+  }
   Q_EMIT edited(edit);
 }
 
@@ -176,8 +188,11 @@ void Viewport::setMachine(const scene::Machine& machine) {
   redraw();
 }
 
-void Viewport::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
-  const bool same = samePictures(resolved_, resolved) && scene.marks != scene_.marks;
+void Viewport::setScene(const scene::Scene& scene, const scene::Scene& asked) {
+  scene::Scene resolved = asked;
+  resolved.picture = asInWindow(resolved.picture);
+  const bool same = samePictures(resolved_, resolved) &&
+                    (scene.marks != scene_.marks || !(scene.picture == scene_.picture));
   const app::Motion motion = motionBetween(resolved_, resolved);
   const bool switchedOn =
       scene::shadingOf(resolved) == scene::Shading::gi && scene::shadingOf(resolved_) != scene::Shading::gi;

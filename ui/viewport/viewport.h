@@ -86,12 +86,21 @@ class Viewport : public QWidget {
   void resetView();
   void toggleProjection();
 
-  // The full picture as the scene asks for it, without letters and scale; `linear`: also as linear float32.
-  // The window goes on living until it is there, but takes no input. Throws base::Error.
-  render::StillPicture picture(bool linear = false);
+  // The full picture as the scene asks for it, with nothing written on it. A dialog says how far it is where
+  // that takes long. Throws base::Error; Error{interrupted} where the user has cancelled.
+  struct StillWish {
+    glm::ivec2 size{0};  // 0: the pixels of the screen, and its ratio
+    double pixelRatio = 1.0;
+    bool linear = false;  // also as linear float32
+    QString what;         // what the dialog says; empty: that a picture is drawn
+  };
+  render::StillPicture picture(const StillWish& wish);
+  render::StillPicture picture() { return picture(StillWish{}); }
+  glm::ivec2 pixelSize() const;                   // of the screen
   const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale
-  bool complete() const;                          // the picture on screen is the full one
-  QString description() const;                    // GL strings, or why there is no picture
+  const std::optional<render::Tile>& legend() const { return legend_; }  // where it stands in them
+  bool complete() const;        // the picture on screen is the full one
+  QString description() const;  // GL strings, or why there is no picture
   const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
 
  Q_SIGNALS:
@@ -137,10 +146,8 @@ class Viewport : public QWidget {
   void orderSoon();
   void order();
   app::PictureOrder orderOf(const render::FrameRequest& request, bool atRest);
-  template <class Done>
-  void wait(const Done& done);
-  void awaitFields();
-  std::unique_ptr<app::PictureThread::Still> awaitStill();
+  void awaitFields(const QString& what);
+  std::unique_ptr<app::PictureThread::Still> awaitStill(const QString& what);
   app::PictureOrder::Hits wantedHits(const render::FrameRequest& request) const;
   bool toldEveryRay() const;  // of this view, at full size
   void poll();
@@ -199,7 +206,6 @@ class Viewport : public QWidget {
   void sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey,
                   bool endsAfterPause);
   std::optional<app::Pick> pickAt(QPointF position) const;
-  glm::ivec2 pixelSize() const;
   scene::WorldAxes axes() const;
 
   app::PictureThread thread_;
@@ -215,6 +221,7 @@ class Viewport : public QWidget {
   // What was ordered last: the same.
   std::uint64_t changes_ = 1, shownChanges_ = 0, orderedChanges_ = 0;
   QImage image_;
+  std::optional<render::Tile> legend_;
   render::FrameRequest shownRequest_, orderedRequest_;
   std::uint64_t orderNumber_ = 0;
   // When the first change came that was not ordered yet, and that is shown by the next painting.

@@ -3,14 +3,13 @@
 #include <cmath>
 #include <utility>
 
-#include <QEventLoop>
-#include <QGuiApplication>
 #include <QPainter>
 #include <QPushButton>
 
 #include "app/jobs/rest_scene.h"
 #include "render/graph/pass.h"
 #include "scene/rules/relevance.h"
+#include "ui/dialogs/waiting.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
 
@@ -222,6 +221,7 @@ void Viewport::put(const app::DrawnPicture& picture) {
   const glm::ivec2 size = picture.color.size;
   image_ = QImage(picture.color.rgba.data(), size.x, size.y, QImage::Format_RGBX8888)
                .convertToFormat(QImage::Format_RGB32);
+  legend_ = picture.report.legend;
   // A draft that comes after a change is shown all the same, so that the view moves.
   shownChanges_ = picture.order == orderNumber_ ? orderedChanges_ : 0;
   shownAtRest_ = picture.order == orderNumber_ && orderedAtRest_;
@@ -318,19 +318,24 @@ void Viewport::pollFields() {
   if (!fieldJob_->isFor(resolved_)) redraw();  // the next one's turn
 }
 
-render::StillPicture Viewport::picture(bool linear) {
+render::StillPicture Viewport::picture(const StillWish& wish) {
   const auto refuse = [](const QString& why) {
     throw base::Error(base::ErrorKind::graphics, "", "", why.toStdString());
   };
   if (!hasContext_ || failed_) refuse(tr("there is no picture to save"));
   if (stillComes_) refuse(tr("another picture is being saved"));
-  awaitFields();
+  const QString what = wish.what.isEmpty() ? tr("Drawing the picture") : wish.what;
+  awaitFields(what);
+  const bool ofScreen = wish.size == glm::ivec2(0);
   render::FrameRequest request;
-  request.size = pixelSize();
+  request.size = ofScreen ? pixelSize() : wish.size;
   request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
-  request.linear = linear;
-  thread_.drawStill(orderOf(request, true));
-  const std::unique_ptr<app::PictureThread::Still> still = awaitStill();
+  request.linear = wish.linear;
+  app::PictureOrder order = orderOf(request, true);
+  if (!ofScreen) order.request.pixelRatio = wish.pixelRatio;
+  order.scene.picture.transparent = scene_.picture.transparent;
+  thread_.drawStill(std::move(order));
+  const std::unique_ptr<app::PictureThread::Still> still = awaitStill(what);
   changed();  // the order that was dropped for it
   if (!still)
     throw base::Error(base::ErrorKind::interrupted, "", "",
@@ -345,46 +350,40 @@ render::StillPicture Viewport::picture(bool linear) {
   }
 }
 
-// Returns when done() holds, or when the program ends.
-template <class Done>
-void Viewport::wait(const Done& done) {
-  QEventLoop loop;
-  QTimer timer;
-  connect(&timer, &QTimer::timeout, &loop, [&] {
-    if (done()) loop.quit();
-  });
-  timer.start(pollTimer_.interval());
-  stillComes_ = true;
-  setDrawing(true);
-  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-  loop.exec(QEventLoop::ExcludeUserInputEvents);
-  QGuiApplication::restoreOverrideCursor();
-  stillComes_ = false;
-  setDrawing(false);
-}
-
 // Throws what ended the job.
-void Viewport::awaitFields() {
+void Viewport::awaitFields(const QString& what) {
   const auto ready = [this] { return !volume_ || app::fieldsAreReady(resolved_, *volume_); };
   if (ready()) return;
-  wait([&] {
-    if (ready()) return true;
-    if (!fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_)))
-      fieldJob_ = std::make_unique<app::FieldJob>(volume_, resolved_);
-    return fieldJob_->finished() && fieldJob_->error();
-  });
+  bool stopped = false;
+  stillComes_ = true;
+  waitFor(window(),
+          {what,
+           [&] {
+             if (ready() || stopped) return true;
+             if (!fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_)))
+               fieldJob_ = std::make_unique<app::FieldJob>(volume_, resolved_);
+             return fieldJob_->finished() && fieldJob_->error();
+           },
+           [this] { return fieldJob_ ? fieldJob_->progress().fraction() : 0.0; }, [&] { stopped = true; }});
+  stillComes_ = false;
   if (ready()) return;
   if (fieldJob_ && fieldJob_->finished() && fieldJob_->error()) throw base::Error(*fieldJob_->error());
   throw base::Error(base::ErrorKind::interrupted, "", "", tr("the picture was not waited for").toStdString());
 }
 
 // Null: the program ends.
-std::unique_ptr<app::PictureThread::Still> Viewport::awaitStill() {
+std::unique_ptr<app::PictureThread::Still> Viewport::awaitStill(const QString& what) {
   std::unique_ptr<app::PictureThread::Still> still;
-  wait([&] {
-    still = thread_.takeStill();
-    return still != nullptr;
-  });
+  stillComes_ = true;
+  setDrawing(true);
+  waitFor(window(), {what,
+                     [&] {
+                       still = thread_.takeStill();
+                       return still != nullptr;
+                     },
+                     [this] { return thread_.stillFraction(); }, [this] { thread_.stopStill(); }});
+  stillComes_ = false;
+  setDrawing(false);
   return still;
 }
 

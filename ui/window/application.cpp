@@ -106,6 +106,7 @@ int openWindow(const app::WindowRequest& request) {
                    Qt::DirectConnection);
   window.show();
   window.open(request);
+  window.greet();
   if (const auto folder = app::stateFolder(); !folder.empty()) window.keepDocument(folder / "autosave");
   return QApplication::exec();
 }

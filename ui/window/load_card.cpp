@@ -52,13 +52,16 @@ void LoadCard::begin(const QString& name) {
   name_ = name;
   stage_->setText(" ");
   bar_->setValue(0);
+  left_.begin();
   place();
   if (!isVisible()) delay_.start();
 }
 
 void LoadCard::report(double fraction, const QString& stage) {
   bar_->setValue(static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * 1000.0)));
-  stage_->setText(stage.isEmpty() ? " " : wordsOf(stage) + " …");
+  const QString rest = left_.text(fraction);
+  const QString doing = stage.isEmpty() ? QString(" ") : tr("%1 …").arg(wordsOf(stage));
+  stage_->setText(rest.isEmpty() ? doing : tr("%1 %2").arg(doing, rest));
 }
 
 void LoadCard::end() {

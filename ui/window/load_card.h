@@ -4,6 +4,8 @@
 #include <QFrame>
 #include <QTimer>
 
+#include "ui/editors/time_left.h"
+
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -32,6 +34,7 @@ class LoadCard : public QFrame {
   QLabel *title_, *stage_;
   QProgressBar* bar_;
   QPushButton* cancel_;
+  TimeLeft left_;
   QTimer delay_;
 };
 

@@ -21,6 +21,7 @@
 #include "scene/settings.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/mark_reports.h"
+#include "ui/document/picture_wish.h"
 #include "ui/document/preferences.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/environment_edit.h"
@@ -33,6 +34,7 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/load_card.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/picture_dot.h"
 #include "ui/window/style.h"
 #include "ui/window/window_layout.h"
 
@@ -41,6 +43,19 @@ namespace isolux::ui {
 namespace {
 constexpr auto openHint = "Open a volume with Ctrl+O, or drop a file or folder here";
 constexpr int panelWidth = 350;  // pixels, at first
+
+// What the user has written on pictures lately, where a new document says nothing of it.
+void writeOnPictures(app::WindowRequest& request) {
+  const auto written = [](scene::Scene scene) {
+    if (scene.picture == asInWindow(scene.picture)) scene.picture = withKeptWords(scene.picture);
+    return scene;
+  };
+  request.scene = written(request.scene);
+  if (request.completed)
+    request.completed = [written, completed = request.completed](const volume::PreparedVolume& volume) {
+      return written(completed(volume));
+    };
+}
 }  // namespace
 
 QSize firstWindowSize(QSize available) {
@@ -62,7 +77,7 @@ MainWindow::MainWindow(QWidget* parent)
       pointedPiece_(new PointedPiece(this)),
       pointedLabel_(new QLabel(this)),
       recordingLabel_(new QLabel(this)),
-      frameLabel_(new QLabel(this)) {
+      pictureDot_(new PictureDot(this)) {
   setAcceptDrops(true);
   setWindowTitle("Isolux[*]");
   resize(firstWindowSize(screen()->availableSize()));
@@ -116,18 +131,14 @@ void MainWindow::makePanels() {
   setDocumentMode(true);
 
   setInk(recordingLabel_, Ink::error);
-  setInk(frameLabel_, Ink::quiet);
-  for (QLabel* label : {recordingLabel_, frameLabel_}) label->setContentsMargins(10, 0, 10, 0);
-  frameLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("00000 ms (draft)")) + 24);
-  frameLabel_->setToolTip(tr("Time for the last picture"));
+  recordingLabel_->setContentsMargins(10, 0, 10, 0);
   pointedLabel_->setContentsMargins(10, 0, 0, 0);
   statusBar()->addWidget(pointedLabel_, 1);
   // The text under the pointer gives way, so that the window can be as narrow as before.
   pointedLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   statusBar()->addPermanentWidget(lightStatus_);
   statusBar()->addPermanentWidget(recordingLabel_);
-  statusBar()->addPermanentWidget(frameLabel_);
+  statusBar()->addPermanentWidget(pictureDot_);
   statusBar()->setSizeGripEnabled(false);
   // Whatever comes and goes in it, the picture above keeps its size.
   statusBar()->setFixedHeight(std::max(28, fontMetrics().height() + 12));
@@ -167,6 +178,7 @@ void MainWindow::connectDocument() {
     viewport_->setHint(openHint);
   });
   connect(document_, &Document::opened, this, [](const QString& path) { addRecentFile(path); });
+  connect(document_, &Document::volumeMissing, this, &MainWindow::askForVolume);
   connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
   connect(loadCard_, &LoadCard::cancelled, document_, &Document::cancelLoading);
 
@@ -183,13 +195,14 @@ void MainWindow::connectDocument() {
   connect(viewport_, &Viewport::menuAsked, this, &MainWindow::showSurfaceMenu);
   connect(pointedPiece_, &PointedPiece::changed, this, &MainWindow::showPointedText);
   connect(viewport_, &Viewport::drawn, this, [this](double milliseconds, bool complete) {
-    frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : tr(" (draft)")));
+    pictureDot_->setDrawn(milliseconds, complete);
     if (awaitsFirstPicture_) {
       awaitsFirstPicture_ = false;
       for (const Docked& docked : panels_) docked.panel->setFirstPicture(document_->secondsSinceRead());
       showState();  // the title names what is on show
     }
   });
+  connect(viewport_, &Viewport::drawing, pictureDot_, &PictureDot::setDrawing);
   connect(isovalue_, &IsovaluePanel::edited, document_, &Document::edit);
   const auto begin = [this] { viewport_->setInteracting(true); };
   const auto end = [this] {
@@ -248,14 +261,16 @@ void MainWindow::open(const app::WindowRequest& request) {
     scene::Machine machine = machine_;
     for (const std::string& assignment : request.machine) scene::applyAssignment(machine, assignment);
     setMachine(machine);
-    scene::Scene scene = request.scene;
+    app::WindowRequest wanted = request;
+    if (request.sessionFile.empty()) writeOnPictures(wanted);
+    scene::Scene scene = wanted.scene;
     const QString path = QString::fromStdString(scene.source.path);
     const bool builtIn = path.startsWith("phantom:");
     if (!builtIn) scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
     const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
                                  !volume::needsRawDescription(scene.source.path);
     if (describesItself) {
-      document_->openScene(scene, QString::fromStdString(request.sessionFile), request.completed);
+      document_->openScene(scene, QString::fromStdString(request.sessionFile), wanted.completed);
     } else {
       chooseRaw(QString::fromStdString(scene.source.path));
     }
@@ -300,6 +315,8 @@ void MainWindow::showState() {
   exportMarks_->setEnabled(!document_->scene().marks.empty());
   presetsMenu_->setEnabled(loaded);
   copyCommand_->setEnabled(loaded);
+  copyPicture_->setEnabled(loaded);
+  mesh_->setEnabled(loaded);
   const bool recording = document_->recording();
   record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);

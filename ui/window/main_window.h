@@ -6,13 +6,16 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QPointer>
 
 #include "app/commands/command_line.h"
 #include "app/interaction/surface_pick.h"
 #include "app/presets/preset.h"
 #include "render/graph/frame.h"
+#include "render/still_picture.h"
 #include "scene/machine.h"
 #include "ui/document/document.h"
+#include "ui/tour/tour.h"
 
 class QActionGroup;
 class QComboBox;
@@ -32,6 +35,9 @@ class MarkReports;
 class MessageBar;
 class Panel;
 class PointedPiece;
+struct PictureChoices;
+struct PictureWish;
+class PictureDot;
 class SliceBoard;
 class Viewport;
 class WindowLayout;
@@ -77,13 +83,18 @@ class MainWindow : public QMainWindow {
   // A shell command that draws the picture as it is saved; empty without a volume.
   QString commandText() const;
 
-  // .png or .exr; tells what was saved, or why not.
+  // .png or .exr, of the size that was chosen last; tells what was saved, or why not.
   bool savePicture(const QString& file, bool withSession = true);
+  bool copyPicture();  // into the clipboard; tells so
   // Marks as .csv or .mrk.json; tells what was saved, or why not.
   bool exportMarks(const QString& file);
   bool importMarks(const QString& file);  // adds those of a .mrk.json
   const MarkReports* marks() const { return marks_; }
   void showPanel(const QString& title);  // in front of the others
+  void greet();                          // three hints, to a user who has not seen them
+  void startTour();                      // Help > Explore
+  Tour* tour() const { return tour_; }   // null: none is running
+  TourCard* greeting() const { return greeting_; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -132,6 +143,7 @@ class MainWindow : public QMainWindow {
   void chooseFile();
   void chooseFolder();
   void chooseRaw(const QString& path);
+  void askForVolume(const scene::Scene& scene, const QString& sessionFile);
   bool saveSession();
   bool saveSessionAs();
   bool saveSessionTo(const QString& file);
@@ -140,6 +152,11 @@ class MainWindow : public QMainWindow {
   void tellRecorded();
   void offerLost();
   void choosePicture();
+  void chooseMesh();
+  QImage previewOf(const PictureChoices& chosen) const;
+  void takeChoices(const PictureChoices& chosen);
+  scene::Scene pictureScene(const PictureWish& wish) const;
+  render::StillPicture finishedPicture(bool linear, const QString& what);
   void tracePicture();
   void toggleRecording();
   void toggleFullScreen(bool on);
@@ -153,6 +170,8 @@ class MainWindow : public QMainWindow {
   void copyCommand();
   void showPreferences();
   void setMachine(const scene::Machine& machine);
+  QRect placeOfMenu(const QAction* menu) const;
+  QRect placeOfTool(const QAction* action) const;
   void showHelp();
   void showAbout();
   // True when there is no unsaved work, or the user has saved or discarded it.
@@ -174,9 +193,10 @@ class MainWindow : public QMainWindow {
     Panel* panel;
   };
   std::vector<Docked> panels_;
-  QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr;
+  QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *copyCommand_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *copyCommand_, *copyPicture_,
+      *mesh_;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;
@@ -186,7 +206,11 @@ class MainWindow : public QMainWindow {
   std::vector<QAction*> views_;
   PointedPiece* pointedPiece_;
   QString pointedText_;  // without the piece
-  QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
+  QLabel *pointedLabel_, *recordingLabel_;
+  PictureDot* pictureDot_;
+  QPointer<Tour> tour_;
+  QPointer<TourCard> greeting_;
+  QPointer<QWidget> help_;
   bool awaitsFirstPicture_ = false;
   bool previewing_ = false;     // the viewport shows a scene that is not the document's
   bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time

@@ -46,14 +46,22 @@ void MainWindow::showPreferences() {
   dialog->show();
 }
 
+// Neither blocks the window: what they say is tried beside them.
 void MainWindow::showHelp() {
-  QMessageBox box(this);
-  box.setWindowTitle(tr("Mouse and keys"));
-  box.setTextFormat(Qt::RichText);
-  box.setText(R"(
+  if (help_) {
+    help_->raise();
+    help_->activateWindow();
+    return;
+  }
+  auto* box = new QMessageBox(this);
+  help_ = box;
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowTitle(tr("Mouse and keys"));
+  box->setTextFormat(Qt::RichText);
+  box->setText(R"(
     <style>td { padding: 2px 18px 2px 0; } h4 { margin: 10px 0 4px 0; }</style>
     <h4>Picture</h4>
-    <table>
+    <table width="680">
     <tr><td><b>Left drag</b></td><td>rotate</td></tr>
     <tr><td><b>Middle drag</b>, <b>Shift+left drag</b></td><td>pan</td></tr>
     <tr><td><b>Right drag</b>, <b>wheel</b></td><td>zoom</td></tr>
@@ -72,35 +80,44 @@ void MainWindow::showHelp() {
     <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>
     <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
     <tr><td><b>P</b>, <b>M</b>, <b>Shift+M</b></td><td>pin, distance, distance along the surface: clicks set points; Backspace takes the last back, Esc ends</td></tr>
+    <tr><td><b>Ctrl+C</b>, <b>Ctrl+E</b></td><td>copy the picture, save it</td></tr>
     <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
     <tr><td><b>F4</b></td><td>picture and slices, slices alone, the picture alone</td></tr>
     <tr><td><b>Ctrl+0</b>, <b>Ctrl+1 …</b>, <b>F6</b></td><td>to the picture, to the panels, to the next part of the window</td></tr>
     <tr><td><b>F11</b>, <b>Esc</b></td><td>full screen, and back</td></tr>
-    </table>
-    <h4>Slices</h4>
-    <table>
+    <tr><td colspan="2"><h4>Slices</h4></td></tr>
     <tr><td><b>Click</b>, <b>drag</b>, <b>arrows</b></td><td>move the crosshair; a click on the surface does, too</td></tr>
     <tr><td><b>Wheel</b>, <b>page keys</b></td><td>a voxel farther</td></tr>
     <tr><td><b>Right drag</b>, <b>right click</b></td><td>level and width; which plane, thick slice, windows of CT</td></tr>
     <tr><td><b>Middle drag</b>, <b>Ctrl+wheel</b>, <b>double click</b></td><td>pan, zoom, the whole</td></tr>
-    </table>
-    <h4>Histogram</h4>
-    <table>
+    <tr><td colspan="2"><h4>Histogram</h4></td></tr>
     <tr><td><b>Drag the line</b></td><td>choose the isovalue</td></tr>
     <tr><td><b>Wheel</b>, <b>arrow keys</b></td><td>fine steps; with Shift ten times larger</td></tr>
     <tr><td><b>Alt+click</b>, <b>right click</b></td><td>one more isosurface there</td></tr>
     <tr><td><b>Double click</b></td><td>suggested isovalue</td></tr>
     <tr><td><b>Ctrl+wheel</b>, <b>middle drag</b></td><td>zoom and move the axis of values</td></tr>
     </table>)");
-  box.exec();
+  box->setModal(false);
+  box->show();
 }
 
 void MainWindow::showAbout() {
-  QMessageBox::about(this, tr("About Isolux"),
-                     tr("<h3>Isolux %1</h3><p>Explore scans and simulations as isosurfaces, drawn "
-                        "directly from the voxels.</p><p>Graphics: %2</p><p>Qt %3</p>")
-                         .arg(QString::fromStdString(std::string(app::version())),
-                              viewport_->description().toHtmlEscaped(), QString(qVersion())));
+  auto* box = new QMessageBox(this);
+  box->setObjectName("about");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowTitle(tr("About Isolux"));
+  box->setIconPixmap(windowIcon().pixmap(64));
+  box->setTextFormat(Qt::RichText);
+  box->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  box->setText(
+      tr("<h3>Isolux %1</h3><p>Explore scans and simulations as isosurfaces, drawn "
+         "directly from the voxels.</p><p><b>Not a medical device: not for diagnosis.</b></p>"
+         "<p>Free software under the <a href=\"https://opensource.org/license/bsd-3-clause\">BSD 3-Clause "
+         "licence</a>, without any warranty.</p><p>Graphics: %2</p><p>Qt %3</p>")
+          .arg(QString::fromStdString(std::string(app::version())), viewport_->description().toHtmlEscaped(),
+               QString(qVersion())));
+  box->setModal(false);
+  box->show();
 }
 
 }  // namespace isolux::ui

@@ -19,6 +19,8 @@
 #include "ui/dialogs/save_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/document_keeper.h"
+#include "ui/document/picture_wish.h"
+#include "ui/document/recent_files.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/file_widget.h"
 #include "ui/panels/light_status.h"
@@ -32,17 +34,6 @@ namespace isolux::ui {
 namespace {
 constexpr auto sessionFilter = QT_TRANSLATE_NOOP("QObject", "Isolux session (*.isolux)");
 constexpr auto recordingFilter = QT_TRANSLATE_NOOP("QObject", "Isolux recording (*.jsonl)");
-constexpr auto pngFilter = QT_TRANSLATE_NOOP("QObject", "PNG, carries the session (*.png)");
-constexpr auto bareFilter = QT_TRANSLATE_NOOP("QObject", "PNG, picture only (*.png)");
-constexpr auto exrFilter = QT_TRANSLATE_NOOP("QObject", "OpenEXR, linear colours (*.exr)");
-
-QString lastFolder() {
-  return QSettings().value("lastFolder").toString();
-}
-
-void rememberFolder(const QString& path) {
-  QSettings().setValue("lastFolder", QFileInfo(path).absolutePath());
-}
 
 bool isFormat(const QString& file, const char* suffix) {
   return QFileInfo(file).suffix().compare(QLatin1String(suffix), Qt::CaseInsensitive) == 0;
@@ -141,7 +132,8 @@ QString MainWindow::proposedFile(const QString& suffix) const {
 }
 
 void MainWindow::tellSaved(const QString& file, const QString& more) {
-  const QString text = tr("Saved ") + QFileInfo(file).fileName() + (more.isEmpty() ? QString() : "; " + more);
+  const QString name = QFileInfo(file).fileName();
+  const QString text = more.isEmpty() ? tr("Saved %1").arg(name) : tr("Saved %1, %2").arg(name, more);
   message_->show(MessageBar::Kind::note, text, showInFolder(file));
 }
 
@@ -166,16 +158,6 @@ bool MainWindow::saveSessionTo(const QString& file) {
   return true;
 }
 
-void MainWindow::choosePicture() {
-  const SaveAnswer answer =
-      askForFileToSave(this, {tr("Save picture"),
-                              proposedFile(".png"),
-                              {QObject::tr(pngFilter), QObject::tr(bareFilter), QObject::tr(exrFilter)}});
-  if (answer.file.isEmpty()) return;
-  rememberFolder(answer.file);
-  savePicture(answer.file, answer.filter != QObject::tr(bareFilter));
-}
-
 void MainWindow::tracePicture() {
   const double ratio = viewport_->devicePixelRatioF();
   scene::Scene resolved = document_->resolvedScene();
@@ -186,31 +168,6 @@ void MainWindow::tracePicture() {
                                      (QSizeF(viewport_->size()) * ratio).toSize(), machine_.threads, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
-}
-
-bool MainWindow::savePicture(const QString& file, bool withSession) {
-  try {
-    const std::filesystem::path path = file.toStdString();
-    if (!isFormat(file, "png") && !isFormat(file, "exr"))
-      base::throwInput(path.filename().string(), "",
-                       tr("is not written: the name of a picture ends in .png or .exr").toStdString());
-    document_->checkOutput(file);
-    const std::string session =
-        withSession ? app::pictureSessionText(document_->shownScene(), path.parent_path()) : std::string();
-    const bool linear = isFormat(file, "exr");
-    const render::StillPicture picture = viewport_->picture(linear);
-    const QString light = unfinishedLightText(light_->state(), light_->cancelled());
-    if (linear) {
-      app::writeExr(&picture.linear, {}, path, session);
-    } else {
-      app::writePng(picture.color, path, session);
-    }
-    tellSaved(file, light);
-    return true;
-  } catch (const base::Error& error) {
-    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
-    return false;
-  }
 }
 
 void MainWindow::toggleRecording() {

@@ -62,6 +62,9 @@ void MainWindow::makeFileMenu() {
   trace_ = newAction(menu, tr("&Path trace picture…"), "", {},
                      tr("Trace every pixel of this view by itself, for a still without stored light"));
   connect(trace_, &QAction::triggered, this, &MainWindow::tracePicture);
+  mesh_ = newAction(menu, tr("Export &mesh…"), "", {},
+                    tr("Write the isosurface as triangles, for printing and simulation"));
+  connect(mesh_, &QAction::triggered, this, &MainWindow::chooseMesh);
   menu->addSeparator();
   record_ = newAction(menu, tr("Start &recording…"), "record", QKeySequence("Ctrl+R"),
                       tr("Record every change, to replay it with `isolux replay`"));
@@ -79,6 +82,12 @@ void MainWindow::makeEditMenu() {
   redo_ = newAction(menu, tr("&Redo"), "redo", QKeySequence::Redo, tr("Redo"));
   connect(redo_, &QAction::triggered, document_, &Document::redo);
   menu->addSeparator();
+  copyPicture_ = newAction(menu, tr("&Copy picture"), "", QKeySequence::Copy,
+                           tr("Copy the picture, as Save picture would save it"));
+  // Only while the picture has the focus: elsewhere it copies text.
+  copyPicture_->setShortcutContext(Qt::WidgetShortcut);
+  viewport_->addAction(copyPicture_);
+  connect(copyPicture_, &QAction::triggered, this, &MainWindow::copyPicture);
   copyCommand_ = newAction(menu, tr("Copy as command &line"), "", QKeySequence("Ctrl+Shift+C"),
                            tr("Copy a shell command that draws this picture"));
   connect(copyCommand_, &QAction::triggered, this, &MainWindow::copyCommand);
@@ -93,7 +102,7 @@ void MainWindow::makeEditMenu() {
 }
 
 void MainWindow::makeViewMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  QMenu* menu = viewMenu_ = menuBar()->addMenu(tr("&View"));
   for (int i = 0; i < scene::standardViewCount; ++i) {
     QAction* action = newAction(menu, "", "", QKeySequence(QString::number(i + 1)), "");
     connect(action, &QAction::triggered, this,
@@ -150,6 +159,8 @@ void MainWindow::nameViews() {
 
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  QAction* explore = newAction(menu, tr("&Explore"), "", {}, tr("A tour of two minutes through the window"));
+  connect(explore, &QAction::triggered, this, &MainWindow::startTour);
   QAction* help =
       newAction(menu, tr("&Mouse and keys"), "", QKeySequence::HelpContents, tr("Mouse and keys"));
   connect(help, &QAction::triggered, this, &MainWindow::showHelp);

@@ -1,11 +1,8 @@
-// The menu Presets of ui/window/main_window.h, and the picture as a command.
-#include <QClipboard>
-#include <QGuiApplication>
+// The menu Presets of ui/window/main_window.h.
 #include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
 
-#include "app/documents/command_text.h"
 #include "app/presets/preset_list.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -71,20 +68,6 @@ void MainWindow::keepPresetAs(const QString& title) {
   } catch (const base::Error& error) {
     message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
   }
-}
-
-QString MainWindow::commandText() const {
-  if (!document_->volume()) return {};
-  // As a picture is saved: in pixels of the screen.
-  const QSize size = (QSizeF(viewport_->size()) * viewport_->devicePixelRatioF()).toSize();
-  const std::string out = proposedFile(".png").section('/', -1).toStdString();
-  return QString::fromStdString(
-      app::renderCommand(document_->shownScene(), machine_, {size.width(), size.height()}, out));
-}
-
-void MainWindow::copyCommand() {
-  QGuiApplication::clipboard()->setText(commandText());
-  message_->show(MessageBar::Kind::note, tr("Copied a command that draws this picture"));
 }
 
 }  // namespace isolux::ui

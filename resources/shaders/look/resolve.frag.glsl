@@ -1,6 +1,6 @@
 // The background behind what is shaded; supersamples averaged in linear light. LINEAR: as that is; otherwise each at
 // most 1, encoded as sRGB, with a dither of one step against banding. NOTHING_ELSE: the background alone. CUT_FACES:
-// faces that cuts lay open are before it.
+// faces that cuts lay open are before it. TRANSPARENT: nothing is behind; straight alpha, with LINEAR premultiplied.
 #include "background.glsl"
 #ifdef ENVIRONMENT
 #include "environment.glsl"
@@ -38,7 +38,11 @@ float noise(uvec2 p) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
+#ifdef TRANSPARENT
+  vec4 covered = vec4(0.0);  // premultiplied
+#else
   vec3 sum = vec3(0.0);
+#endif
   ivec2 rays = uPictureSize * uSupersampling;
   for (int y = 0; y < uSupersampling; ++y)
     for (int x = 0; x < uSupersampling; ++x) {
@@ -52,6 +56,23 @@ void main() {
       vec2 face = texelFetch(uCutFaces, ray, 0).rg;
 #endif
       ray += uTileOrigin * uSupersampling;
+#ifdef TRANSPARENT
+#ifdef CUT_FACES
+      if (face.x >= 0.0) color = vec4(color.rgb + (1.0 - color.a) * faceColor(face.y), 1.0);
+#endif
+#ifndef LINEAR
+      color.rgb = min(color.rgb, vec3(color.a));  // as bright as white, where it covers
+#endif
+      covered += color;
+    }
+  covered /= float(uSupersampling * uSupersampling);
+#ifdef LINEAR
+  oPicture = covered;
+#else
+  float dither = (noise(uvec2(pixel + uTileOrigin)) - 0.5) / 255.0;
+  oPicture = covered.a > 0.0 ? vec4(encoded(covered.rgb / covered.a) + dither, covered.a) : vec4(0.0);
+#endif
+#else
 #ifdef ENVIRONMENT
       vec3 behind = environmentAt((vec2(ray) + 0.5) / vec2(rays));
 #else
@@ -70,5 +91,6 @@ void main() {
     }
   float dither = (noise(uvec2(pixel + uTileOrigin)) - 0.5) / 255.0;
   oPicture = vec4(encoded(sum / float(uSupersampling * uSupersampling)) + dither, 1.0);
+#endif
 #endif
 }

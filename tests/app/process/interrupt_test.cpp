@@ -17,6 +17,7 @@
 #include <csignal>
 
 #include "app/documents/recording.h"
+#include "app/files/image_io.h"
 #include "base/quantiles.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/busy_processes.h"
@@ -168,6 +169,38 @@ TEST_F(Interrupts, EndReplay) {
     }
   }
   interrupt({"replay", "r.jsonl", "--size", "256x256", "--out", "frames"});
+}
+
+// What was drawn before Ctrl-C is there, whole; nothing else is.
+TEST_F(Interrupts, KeepThePicturesOfASeriesThatWereFinished) {
+  const std::vector<Words> series{{"--turntable", "500", "--out", "series"},
+                                  {"--sweep", "isosurface.value=-0.5:0.5:500", "--out", "series/{i}.png"}};
+  for (const Words& what : series) {
+    const fs::path folder = temporaryFolder();
+    fs::create_directory(folder / "series");
+    Words command{"render", "phantom:ball:16", "--size", "64x48", "--set", "look.mode=depth"};
+    command.insert(command.end(), what.begin(), what.end());
+    RunningIsolux running(command, {.folder = folder});
+    const auto drawn = [&] {
+      Words pictures;
+      for (const std::string& name : filesIn(folder / "series"))
+        if (name.ends_with(".png")) pictures.push_back(name);
+      return pictures;
+    };
+    ASSERT_TRUE(test::pollUntil([&] { return drawn().size() >= 3; })) << running.wait().err;
+    running.signal(SIGINT);
+    const RunResult result = running.wait();
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_THAT(partsIn(folder), testing::IsEmpty());
+    const Words pictures = drawn();
+    EXPECT_GE(pictures.size(), 3u);
+    EXPECT_LT(pictures.size(), 500u);
+    for (const std::string& name : pictures) {
+      EXPECT_EQ(app::readPng(folder / "series" / name).size, glm::ivec2(64, 48)) << name;
+      EXPECT_FALSE(app::readSessionText(folder / "series" / name).empty()) << "each can be drawn again";
+    }
+    EXPECT_THAT(filesIn(folder / "series"), testing::Not(testing::Contains("movie.mp4")));
+  }
 }
 
 TEST_F(Interrupts, EndPhantom) {

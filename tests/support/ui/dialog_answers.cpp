@@ -6,7 +6,10 @@
 #include <QApplication>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
+
+#include "ui/dialogs/picture_dialog.h"
 
 namespace isolux::test {
 
@@ -29,6 +32,8 @@ void DialogAnswers::answer() {
     if (overwrites) button = question->button(QMessageBox::No);
     if (button == nullptr) return question->reject();
     QTest::mouseClick(button, Qt::LeftButton);
+  } else if (auto* picture = qobject_cast<ui::PictureDialog*>(dialog)) {
+    QTest::mouseClick(picture->save, Qt::LeftButton);
   } else if (auto* files = qobject_cast<QFileDialog*>(dialog)) {
     auto* name = files->findChild<QLineEdit*>("fileNameEdit");
     proposal_ = name->text();

@@ -10,7 +10,8 @@
 
 namespace isolux::test {
 
-// From its making on: clicks `button` in each question, and gives `file` to each dialog that asks for a name.
+// From its making on: clicks `button` in each question, Save where a picture's size is asked for, and gives
+// `file` to each dialog that asks for a name.
 class DialogAnswers : public QObject {
  public:
   explicit DialogAnswers(QMessageBox::StandardButton button, const QString& file = {});

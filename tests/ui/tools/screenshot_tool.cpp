@@ -2,8 +2,8 @@
 //
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
 //                     [--slices | --slices-alone] [--theme dark|light] [--preferences] [--cut-in-slice]
-//                     [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
-//                     PATH
+//                     [--hints] [--entry TEXT] [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT]
+//                     [--set PATH=VALUE]... PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -12,11 +12,15 @@
 #include <functional>
 #include <string_view>
 
+#include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QDialog>
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QThread>
@@ -64,6 +68,17 @@ int save(const QPixmap& picture, const QString& file) {
   if (!picture.save(file)) return fail(file + " cannot be written");
   std::printf("%s\n", file.toUtf8().constData());
   return 0;
+}
+
+// Triggers the entry of a menu that begins so, keys of the menu left out.
+bool trigger(const ui::MainWindow& window, const QString& entry) {
+  for (QAction* menu : window.menuBar()->actions())
+    for (QAction* action : menu->menu()->actions())
+      if (QString(action->text()).remove('&').startsWith(entry)) {
+        action->trigger();
+        return true;
+      }
+  return false;
 }
 
 int takePicture(const QCommandLineParser& options) {
@@ -137,7 +152,14 @@ int takePicture(const QCommandLineParser& options) {
     waitUntil([&] { return dialog.isVisible(); });
     return save(dialog.grab(), out);
   }
-  return save(window.grab(), out);
+  if (options.isSet("hints")) window.greet();
+  if (options.isSet("entry") && !trigger(window, options.value("entry"))) return fail("no such entry");
+  settle.start();
+  waitUntil([&] { return settle.elapsed() > 400; });
+  QWidget* shown = &window;
+  for (QWidget* top : QApplication::topLevelWidgets())
+    if (top->isVisible() && qobject_cast<QDialog*>(top) != nullptr) shown = top;
+  return save(shown->grab(), out);
 }
 
 }  // namespace
@@ -166,6 +188,8 @@ int main(int argc, char** argv) {
                         {"theme", "Colours of the window: dark or light.", "NAME", "dark"},
                         {"scale", "Size of texts and controls, per cent.", "PERCENT", "100"},
                         {"preferences", "The preferences instead of the window."},
+                        {"hints", "With the hints of the first start."},
+                        {"entry", "After this entry of a menu; a dialog that it opens instead of the window.", "TEXT"},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
                         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");

@@ -65,4 +65,24 @@ TEST_F(EmptyPictureTest, ASurfaceThatIsFullyTransparent) {
   expectTheRemedyHelps();
 }
 
+TEST_F(EmptyPictureTest, PiecesThatAreAllHidden) {
+  ui::Edit edit{window_->document()->scene(), "Pieces", {}, false};
+  edit.scene.pieces.smallest = 1e9;  // mm^3
+  window_->document()->edit(edit);
+  fullPicture(*window_);
+  EXPECT_EQ(said(), "Every piece of the surface that could be seen here is hidden");
+  EXPECT_EQ(remedy()->text(), "Show all pieces");
+  expectTheRemedyHelps();
+}
+
+TEST_F(EmptyPictureTest, CutsThatLeaveNothing) {
+  ui::Edit edit{window_->document()->scene(), "Cut", {}, false};
+  edit.scene.clip.planes = {{glm::dvec3(0.0, 0.0, -1000.0), glm::dvec3(0.0, 0.0, 1.0)}};
+  window_->document()->edit(edit);
+  fullPicture(*window_);
+  EXPECT_EQ(said(), "The cuts leave nothing of the surface to be seen");
+  EXPECT_EQ(remedy()->text(), "Remove the cuts");
+  expectTheRemedyHelps();
+}
+
 }  // namespace isolux::test

@@ -73,7 +73,8 @@ TEST_F(WindowTest, SavingIsProposedBesideTheVolumeByItsName) {
   EXPECT_EQ(answers.proposal(), "ball.isolux");
   EXPECT_EQ(answers.folder(), QFileInfo(volume).absolutePath());
   trigger(*window_, "Save p&icture");
-  EXPECT_EQ(answers.proposal(), "ball.png");
+  EXPECT_TRUE(waitUntil([&] { return answers.proposal() == "ball.png"; }))
+      << answers.proposal().toStdString();
   EXPECT_EQ(answers.folder(), QFileInfo(volume).absolutePath());
 }
 
@@ -91,7 +92,7 @@ TEST_F(WindowTest, APictureIsWrittenInTheFormatOfItsNameOrRefused) {
   EXPECT_EQ(contentOf(file + ".exr").substr(0, 4), "\x76\x2f\x31\x01");
   DialogAnswers answers(QMessageBox::Cancel, file);
   trigger(*window_, "Save p&icture");
-  EXPECT_EQ(barText(*window_), "Saved ball.png");
+  EXPECT_TRUE(waitUntil([&] { return barText(*window_) == "Saved ball.png"; })) << barText(*window_);
   EXPECT_TRUE(QFileInfo::exists(file + ".png"));
 }
 

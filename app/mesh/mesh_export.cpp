@@ -1,0 +1,78 @@
+#include "app/mesh/mesh_export.h"
+
+#include <vector>
+
+#include "base/error.h"
+#include "base/memory_budget.h"
+#include "base/number_text.h"
+#include "volume/mesh/surface_arrays.h"
+#include "volume/pieces/hidden_pieces.h"
+#include "volume/write/mesh_writer.h"
+
+namespace isolux::app {
+
+namespace {
+
+volume::SurfaceMesh extracted(const MeshWish& wish, const scene::Scene& scene,
+                              const volume::PreparedVolume& prepared, base::Progress& progress) {
+  volume::SurfaceMeshRequest request;
+  request.isovalue = scene.isosurface.value.value();
+  request.inside = scene.isosurface.inside;
+  request.field = scene.hit.field;
+  const auto cubic = prepared.cubicFields->make(request.field, progress);
+  if (cubic && cubic->coefficients) request.coefficients = &*cubic->coefficients;
+  const auto hidden = volume::hiddenOf(scene, *prepared.pieces, progress);
+  request.hidden = volume::hiddenAt(hidden, request.isovalue).voxels;
+  request.closed = wish.closed;
+  request.toleranceMm = wish.toleranceMm;
+  request.budgetBytes = base::allowedMemory() / 4;
+  return volume::surfaceMesh(prepared.grid(), request, progress);
+}
+
+std::vector<volume::PointArray> arraysOf(const MeshWish& wish, scene::Scene& scene,
+                                         const volume::PreparedVolume& prepared,
+                                         const volume::SurfaceMesh& found, base::Progress& progress) {
+  const std::string ending = wish.file.extension().string();
+  const bool curvature = ending == ".vtp";
+  if (!curvature && ending != ".ply") return {};
+  prepared.derivativeChoices->complete(scene, progress);
+  std::vector<volume::PointArray> arrays =
+      volume::surfaceArrays(prepared, scene, found.mesh.points, curvature, progress);
+  if (curvature && !scene.color.volume.empty())
+    arrays.push_back(volume::secondValueArray(prepared, scene, found.mesh.points, progress));
+  return arrays;
+}
+
+}  // namespace
+
+volume::SurfaceMesh exportMesh(const MeshWish& wish, scene::Scene resolved,
+                               const volume::PreparedVolume& volume, base::Progress& progress) {
+  if (!volume::isMeshName(wish.file))
+    throw base::Error(base::ErrorKind::usage, wish.file.string(), "",
+                      "the name of a mesh must end in .stl, .ply, .obj or .vtp");
+  progress.report(0.0, "making a mesh");
+  volume::SurfaceMesh found = extracted(wish, resolved, volume, progress);
+  if (found.mesh.triangles.empty())
+    throw base::Error(base::ErrorKind::input, resolved.source.path, "isosurface.value",
+                      "there is no surface at " + base::shortText(resolved.isosurface.value.value()) +
+                          ": nothing is written");
+  const std::vector<volume::PointArray> arrays = arraysOf(wish, resolved, volume, found, progress);
+  progress.throwIfStopped();
+  volume::writeMesh(found.mesh, arrays, wish.file);
+  return found;
+}
+
+std::string meshText(const volume::SurfaceMesh& made) {
+  return std::to_string(made.mesh.triangles.size()) + " triangles, " +
+         std::to_string(made.mesh.points.size()) + " points; no farther from the surface than " +
+         base::shortText(made.largestDistanceMm, 3) + " mm, " +
+         (made.openEdges == 0 ? "closed" : std::to_string(made.openEdges) + " open edges");
+}
+
+std::string meshWarning(const volume::SurfaceMesh& made) {
+  if (made.astray == 0) return {};
+  return std::to_string(made.astray) +
+         " points lie beside the surface: the spline's is thinner there than its samples'";
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,134 @@
+#include "ui/dialogs/mesh_dialog.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "scene/rules/needs.h"
+#include "ui/editors/number_text.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr int meshPollMilliseconds = 50;
+}
+
+MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
+                       QWidget* parent)
+    : QDialog(parent),
+      tolerance(new QDoubleSpinBox(this)),
+      closed(new QCheckBox(tr("&Close the surface where it leaves the volume"), this)),
+      start(new QPushButton(tr("&Export…"), this)),
+      bar(new QProgressBar(this)),
+      volume_(std::move(volume)),
+      resolved_(std::move(resolved)),
+      text_(new QLabel(this)) {
+  setWindowTitle(tr("Export mesh"));
+  tolerance->setRange(0.0, 1000.0);
+  tolerance->setDecimals(3);
+  tolerance->setSingleStep(0.01);
+  tolerance->setSuffix(" mm");
+  tolerance->setSpecialValueText(tr("as the voxels give it"));
+  tolerance->setAccessibleName(tr("Tolerance"));
+  tolerance->setToolTip(tr("Triangles are split until they lie no farther from the surface"));
+  bar->setRange(0, 1000);
+  bar->setTextVisible(false);
+  bar->setFixedHeight(8);
+  bar->setAccessibleName(tr("Progress"));
+  text_->setWordWrap(true);
+  text_->setMinimumWidth(380);
+  start->setDefault(true);
+
+  auto* form = new QFormLayout;
+  const QString unit = QString::fromStdString(volume_->volume.unit);
+  form->addRow(tr("Isovalue"), new QLabel(valueText(resolved_.isosurface.value.value_or(0.0), unit), this));
+  form->addRow(tr("Tolerance"), tolerance);
+  form->addRow(QString(), closed);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  buttons->addWidget(start);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(form);
+  layout->addWidget(text_);
+  layout->addWidget(bar);
+  layout->addLayout(buttons);
+
+  const bool cut = resolved_.isosurface.clipped && scene::cutsSurfaces(resolved_);
+  resolved_.isosurface.clipped = false;
+  const QString what =
+      tr("Triangles of the surface as it is shown, without the pieces that are hidden. A name "
+         "that ends in .stl, .ply, .obj or .vtp says the format; .vtp carries curvature and the "
+         "values of a second volume.");
+  tell(cut ? tr("%1 Cuts are not followed: the whole surface is written.").arg(what) : what);
+  timer_.setInterval(meshPollMilliseconds);
+  connect(&timer_, &QTimer::timeout, this, &MeshDialog::poll);
+  connect(start, &QPushButton::clicked, this, &MeshDialog::startOrStop);
+}
+
+MeshDialog::~MeshDialog() = default;
+
+QString MeshDialog::text() const {
+  return text_->text();
+}
+
+void MeshDialog::tell(const QString& text, bool wrong) {
+  text_->setText(text);
+  text_->setStyleSheet(wrong ? QString("color: %1;").arg(colours::error.name()) : QString());
+}
+
+void MeshDialog::startOrStop() {
+  if (exporting()) {
+    job_->progress().requestStop();
+    return;
+  }
+  const QString file = ask_ ? ask_() : QString();
+  if (!file.isEmpty()) exportTo(file);
+}
+
+void MeshDialog::exportTo(const QString& file) {
+  if (exporting()) return;
+  app::MeshWish wish{file.toStdString(), tolerance->value(), closed->isChecked()};
+  job_ = std::make_unique<app::MeshJob>(volume_, resolved_, std::move(wish));
+  start->setText(tr("Stop"));
+  left_.begin();
+  timer_.start();
+  poll();
+}
+
+void MeshDialog::poll() {
+  const QString file = QString::fromStdString(job_->wish().file.string());
+  const QString name = QFileInfo(file).fileName();
+  if (!job_->finished()) {
+    const double fraction = std::clamp(job_->progress().fraction(), 0.0, 1.0);
+    bar->setValue(static_cast<int>(std::lround(fraction * 1000.0)));
+    const QString rest = left_.text(fraction);
+    tell(rest.isEmpty() ? tr("Making %1 …").arg(name) : tr("Making %1 … %2").arg(name, rest));
+    return;
+  }
+  timer_.stop();
+  start->setText(tr("&Export…"));
+  bar->setValue(0);
+  if (const auto& error = job_->error()) {
+    const bool stopped = error->kind() == base::ErrorKind::interrupted;
+    tell(stopped ? tr("Stopped: nothing was written.") : QString::fromStdString(error->what()), !stopped);
+    return;
+  }
+  bar->setValue(1000);
+  const QString made = QString::fromStdString(app::meshText(job_->made()));
+  const QString warning = QString::fromStdString(app::meshWarning(job_->made()));
+  tell(warning.isEmpty() ? tr("Saved %1: %2.").arg(name, made)
+                         : tr("Saved %1: %2. %3.").arg(name, made, warning));
+  Q_EMIT exported(file, made);
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,169 @@
+#include "ui/dialogs/picture_dialog.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "app/files/image_io.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr std::array factors{1.0, 2.0, 4.0, 0.0};  // in the order of the list; 0: a size of one's own
+constexpr QSize previewSize(400, 280);
+
+QCheckBox* newCheck(const QString& text, bool on, const QString& tip, QBoxLayout* layout) {
+  auto* box = new QCheckBox(text);
+  box->setChecked(on);
+  box->setToolTip(tip);
+  layout->addWidget(box);
+  return box;
+}
+
+QSpinBox* newSide(int pixels, const QString& name) {
+  auto* box = new QSpinBox;
+  box->setRange(1, app::kLargestPicture);
+  box->setValue(pixels);
+  box->setAccessibleName(name);
+  return box;
+}
+
+}  // namespace
+
+PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool hasLegend, QWidget* parent)
+    : QDialog(parent), given_(choices), window_(window) {
+  setWindowTitle(tr("Save picture"));
+  setAttribute(Qt::WA_DeleteOnClose);
+
+  auto* words = new QGroupBox(tr("On the picture"));
+  auto* wordRows = new QVBoxLayout(words);
+  letters =
+      newCheck(tr("&Letters of the axes"), choices.picture.letters,
+               tr("Which side of the patient lies at each edge, as far as the file states it"), wordRows);
+  scaleBar =
+      newCheck(tr("Scale &bar"), choices.picture.scaleBar, tr("A round length in millimetres"), wordRows);
+  isovalue = newCheck(tr("&Isovalue"), choices.picture.isovalue,
+                      tr("The values of the surfaces that are shown, with their unit"), wordRows);
+  legend = newCheck(tr("Le&gend"), choices.legend && hasLegend,
+                    hasLegend ? tr("What the colours stand for; in the window, too")
+                              : tr("The colours of this look stand for no numbers"),
+                    wordRows);
+  legend->setEnabled(hasLegend);
+
+  auto* form = new QGroupBox(tr("Size and background"));
+  auto* formRows = new QVBoxLayout(form);
+  size = new QComboBox;
+  size->setAccessibleName(tr("Size"));
+  const auto times = [&](const QString& name, double factor) {
+    const QSize pixels = PictureWish{factor, {}, true, false}.pixels(window);
+    return QString("%1 – %2 × %3").arg(name).arg(pixels.width()).arg(pixels.height());
+  };
+  size->addItems({times(tr("As in the window"), 1.0), times(tr("2 times"), 2.0), times(tr("4 times"), 4.0),
+                  tr("A size of your own")});
+  const auto at = std::find(factors.begin(), factors.end(), choices.wish.factor);
+  size->setCurrentIndex(at == factors.end() ? 0 : static_cast<int>(at - factors.begin()));
+  width = newSide(choices.wish.size.width(), tr("Width"));
+  height = newSide(choices.wish.size.height(), tr("Height"));
+  auto* sides = new QHBoxLayout;
+  sides->addWidget(width);
+  sides->addWidget(new QLabel("×"));
+  sides->addWidget(height);
+  sides->addWidget(new QLabel(tr("pixels")));
+  sides->addStretch(1);
+  formRows->addWidget(size);
+  formRows->addLayout(sides);
+  transparent = newCheck(tr("&Transparent background"), choices.picture.transparent,
+                         tr("For slides and posters: the surface alone, with soft edges"), formRows);
+
+  auto* file = new QGroupBox(tr("In the file"));
+  auto* fileRows = new QVBoxLayout(file);
+  session =
+      newCheck(tr("Carry the &session"), choices.wish.session,
+               tr("The picture can be opened again as it is now: view, isovalue, look, marks"), fileRows);
+  fullPaths =
+      newCheck(tr("With full &paths"), choices.wish.fullPaths,
+               tr("Names the folders of its files, which may tell who you or the patient are. Without "
+                  "them the picture is opened again on this machine, or beside its volume."),
+               fileRows);
+
+  preview = new QLabel;
+  preview->setObjectName("preview");
+  preview->setAccessibleName(tr("Preview"));
+  preview->setAlignment(Qt::AlignCenter);
+  preview->setMinimumSize(previewSize);
+
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  save = buttons->addButton(tr("&Save…"), QDialogButtonBox::AcceptRole);
+  copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
+  copy->setToolTip(tr("Into the clipboard, without the session"));
+  save->setDefault(true);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(save, &QPushButton::clicked, this, [this] { answer(&PictureDialog::saveAsked); });
+  connect(copy, &QPushButton::clicked, this, [this] { answer(&PictureDialog::copyAsked); });
+
+  auto* left = new QVBoxLayout;
+  for (QGroupBox* box : {words, form, file}) left->addWidget(box);
+  left->addStretch(1);
+  auto* sidesLayout = new QHBoxLayout;
+  sidesLayout->addLayout(left);
+  sidesLayout->addWidget(preview, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(sidesLayout, 1);
+  layout->addWidget(buttons);
+
+  for (QCheckBox* box : {letters, scaleBar, isovalue, legend, transparent, session})
+    connect(box, &QCheckBox::toggled, this, &PictureDialog::showChoices);
+  connect(size, &QComboBox::currentIndexChanged, this, &PictureDialog::showChoices);
+  showChoices();
+}
+
+PictureChoices PictureDialog::choices() const {
+  PictureChoices chosen = given_;
+  chosen.picture.letters = letters->isChecked();
+  chosen.picture.scaleBar = scaleBar->isChecked();
+  chosen.picture.isovalue = isovalue->isChecked();
+  chosen.picture.transparent = transparent->isChecked();
+  if (legend->isEnabled()) chosen.legend = legend->isChecked();
+  chosen.wish.factor = factors.at(static_cast<std::size_t>(size->currentIndex()));
+  chosen.wish.size = {width->value(), height->value()};
+  chosen.wish.session = session->isChecked();
+  chosen.wish.fullPaths = fullPaths->isChecked();
+  return chosen;
+}
+
+void PictureDialog::setPreview(Draw draw) {
+  draw_ = std::move(draw);
+  showChoices();
+}
+
+void PictureDialog::showChoices() {
+  const bool own = factors.at(static_cast<std::size_t>(size->currentIndex())) == 0.0;
+  width->setEnabled(own);
+  height->setEnabled(own);
+  fullPaths->setEnabled(session->isChecked());
+  if (!draw_) return;
+  const qreal ratio = devicePixelRatioF();
+  const QImage whole = draw_(choices());
+  if (whole.isNull()) return;
+  QImage image = whole.scaled(previewSize * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  image.setDevicePixelRatio(ratio);
+  preview->setPixmap(QPixmap::fromImage(image));
+}
+
+void PictureDialog::answer(void (PictureDialog::*asked)(const PictureChoices&)) {
+  const PictureChoices chosen = choices();
+  accept();
+  Q_EMIT(this->*asked)(chosen);
+}
+
+}  // namespace isolux::ui

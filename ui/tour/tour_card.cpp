@@ -1,0 +1,136 @@
+#include "ui/tour/tour_card.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr int cardWidth = 330, cardGap = 14, lineWidthOfFrame = 3;  // pixels
+}
+
+TourCard::TourCard(QWidget* window)
+    : QFrame(window),
+      title_(new QLabel(this)),
+      text_(new QLabel(this)),
+      progress_(new QLabel(this)),
+      next_(new QPushButton(this)),
+      leave_(new QPushButton(this)),
+      frame_(new QWidget(window)) {
+  setObjectName("tourCard");
+  setCursor(Qt::ArrowCursor);
+  setAttribute(Qt::WA_NoMousePropagation);
+  setStyleSheet(QString("#tourCard { background: %1; border: 1px solid %2; border-radius: 8px; }")
+                    .arg(colours::raised.name(), colours::accent.name()));
+  frame_->setObjectName("tourFrame");
+  frame_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  frame_->setAttribute(Qt::WA_StyledBackground);
+  frame_->setStyleSheet(
+      QString("#tourFrame { background: transparent; border: %1px solid %2; border-radius: 6px; }")
+          .arg(lineWidthOfFrame)
+          .arg(colours::accent.name()));
+  frame_->hide();
+  QFont bold = font();
+  bold.setBold(true);
+  bold.setPointSizeF(bold.pointSizeF() + 1.5);
+  title_->setFont(bold);
+  for (QLabel* label : {title_, text_}) label->setWordWrap(true);
+  progress_->setStyleSheet(QString("color: %1").arg(colours::quietText.name()));
+  for (QPushButton* button : {next_, leave_}) button->setFocusPolicy(Qt::TabFocus);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(progress_, 1);
+  buttons->addWidget(leave_);
+  buttons->addWidget(next_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 14, 16, 12);
+  layout->setSpacing(8);
+  layout->addWidget(title_);
+  layout->addWidget(text_);
+  layout->addSpacing(4);
+  layout->addLayout(buttons);
+  hide();
+}
+
+TourCard::~TourCard() {
+  delete frame_;
+}
+
+void TourCard::setButtons(const QString& next, const QString& leave) {
+  next_->setText(next);
+  leave_->setText(leave);
+  leave_->setVisible(!leave.isEmpty());
+}
+
+QString TourCard::title() const {
+  return title_->text();
+}
+
+QString TourCard::text() const {
+  return text_->text();
+}
+
+void TourCard::present(const QString& title, const QString& text, const QString& progress, const QRect& at) {
+  title_->setText(title);
+  text_->setText(text);
+  progress_->setText(progress);
+  setAccessibleName(title);
+  setAccessibleDescription(text);
+  place_ = at;
+  show();
+  place();
+}
+
+void TourCard::presentIn(const QRect& at, const QString& title, const QString& text) {
+  framed_ = false;
+  present(title, text, {}, at);
+}
+
+void TourCard::setPlace(const QRect& at) {
+  if (at == place_) return;
+  place_ = at;
+  place();
+}
+
+// Beside the place where the window has room, else in the place's lower left corner.
+void TourCard::place() {
+  const QRect window = parentWidget()->rect().adjusted(cardGap, cardGap, -cardGap, -cardGap);
+  const int width = std::min(cardWidth, window.width());
+  setFixedWidth(width);
+  const int height = std::max(layout()->totalHeightForWidth(width), layout()->totalMinimumSize().height());
+  resize(width, height);
+  frame_->setVisible(framed_ && !place_.isEmpty());
+  QPoint at = window.center() - QPoint(width / 2, height / 2);
+  if (!framed_) {
+    at = QPoint(place_.left() + cardGap, place_.bottom() - cardGap - height);
+  } else if (!place_.isEmpty()) {
+    frame_->setGeometry(
+        place_.adjusted(-lineWidthOfFrame, -lineWidthOfFrame, lineWidthOfFrame, lineWidthOfFrame) &
+        parentWidget()->rect());
+    frame_->raise();
+    const std::array candidates{QPoint(place_.left(), place_.bottom() + cardGap),
+                                QPoint(place_.left(), place_.top() - cardGap - height),
+                                QPoint(place_.left() - cardGap - width, place_.top()),
+                                QPoint(place_.right() + cardGap, place_.top())};
+    at = QPoint(place_.left() + cardGap, place_.bottom() - cardGap - height);
+    for (QPoint candidate : candidates) {
+      candidate.setX(
+          std::clamp(candidate.x(), window.left(), std::max(window.left(), window.right() - width)));
+      const QRect card(candidate, QSize(width, height));
+      if (!window.contains(card) || card.intersects(place_)) continue;
+      at = candidate;
+      break;
+    }
+  }
+  move(at);
+  raise();
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,211 @@
+// What leaves ui/window/main_window.h: pictures saved, copied and as a command, and meshes.
+#include <chrono>
+#include <future>
+
+#include <QClipboard>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImage>
+
+#include "app/annotation/annotation.h"
+#include "app/documents/command_text.h"
+#include "app/documents/session.h"
+#include "app/files/image_io.h"
+#include "scene/rules/relevance.h"
+#include "ui/dialogs/mesh_dialog.h"
+#include "ui/dialogs/picture_dialog.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/dialogs/waiting.h"
+#include "ui/document/baked_light.h"
+#include "ui/document/picture_wish.h"
+#include "ui/document/recent_files.h"
+#include "ui/panels/light_status.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+
+namespace isolux::ui {
+
+namespace {
+
+QSize sizeOf(glm::ivec2 size) {
+  return {size.x, size.y};
+}
+
+QImage imageOf(const render::ColorImage& image) {
+  const QImage view(image.rgba.data(), image.size.x, image.size.y, qsizetype{4} * image.size.x,
+                    image.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGBX8888);
+  return view.copy();
+}
+
+render::ColorImage colorsOf(const QImage& shown) {
+  const QImage image = shown.convertToFormat(QImage::Format_RGBA8888);
+  render::ColorImage colors{{image.width(), image.height()}, {}, false};
+  for (int y = 0; y < image.height(); ++y)
+    colors.rgba.insert(colors.rgba.end(), image.constScanLine(y),
+                       image.constScanLine(y) + std::ptrdiff_t{4} * image.width());
+  return colors;
+}
+
+bool endsWith(const QString& file, const char* suffix) {
+  return QFileInfo(file).suffix().compare(QLatin1String(suffix), Qt::CaseInsensitive) == 0;
+}
+
+}  // namespace
+
+void MainWindow::choosePicture() {
+  const scene::Scene& scene = document_->scene();
+  const bool hasLegend = scene::whyInactive("look.legend", scene).empty();
+  const PictureChoices choices{keptPictureWish(), scene.picture, scene.look.legend};
+  auto* dialog = new PictureDialog(choices, sizeOf(viewport_->pixelSize()), hasLegend, this);
+  dialog->setPreview([this](const PictureChoices& chosen) { return previewOf(chosen); });
+  connect(dialog, &PictureDialog::saveAsked, this, [this](const PictureChoices& chosen) {
+    takeChoices(chosen);
+    const QString session = chosen.wish.session ? tr(", carries the session") : QString();
+    const QString png = tr("PNG%1 (*.png)").arg(session),
+                  exr = tr("OpenEXR, linear colours%1 (*.exr)").arg(session);
+    const SaveAnswer answer = askForFileToSave(this, {tr("Save picture"), proposedFile(".png"), {png, exr}});
+    if (answer.file.isEmpty()) return;
+    rememberFolder(answer.file);
+    savePicture(answer.file, chosen.wish.session);
+  });
+  connect(dialog, &PictureDialog::copyAsked, this, [this](const PictureChoices& chosen) {
+    takeChoices(chosen);
+    copyPicture();
+  });
+  dialog->open();
+}
+
+// The picture on screen with what is chosen written on it.
+QImage MainWindow::previewOf(const PictureChoices& chosen) const {
+  if (!document_->volume() || viewport_->shown().isNull()) return {};
+  render::ColorImage picture = colorsOf(viewport_->shown());
+  scene::Scene resolved = document_->resolvedScene();
+  resolved.picture = chosen.picture;
+  resolved.picture.transparent = false;
+  render::FrameReport report;
+  report.legend = viewport_->legend();
+  app::annotate(resolved, *document_->volume(), report, picture);
+  return imageOf(picture);
+}
+
+// What is written on the picture is of the document, and a step of undo; its size is the user's.
+void MainWindow::takeChoices(const PictureChoices& chosen) {
+  keepPictureWish(chosen.wish);
+  keepWords(chosen.picture);
+  Edit edit{document_->scene(), tr("Change what stands on pictures"), {}, false};
+  edit.scene.picture.letters = chosen.picture.letters;
+  edit.scene.picture.scaleBar = chosen.picture.scaleBar;
+  edit.scene.picture.isovalue = chosen.picture.isovalue;
+  edit.scene.picture.transparent = chosen.picture.transparent;
+  edit.scene.look.legend = chosen.legend;
+  if (!(edit.scene == document_->scene())) document_->edit(edit);
+}
+
+scene::Scene MainWindow::pictureScene(const PictureWish& wish) const {
+  scene::Scene shown = document_->shownScene();
+  shown.picture.pixelRatio = wish.pixelRatio(sizeOf(viewport_->pixelSize()), viewport_->devicePixelRatioF());
+  return shown;
+}
+
+// Drawn as the kept wish says, with everything on it.
+render::StillPicture MainWindow::finishedPicture(bool linear, const QString& what) {
+  const PictureWish wish = keptPictureWish();
+  const QSize size = wish.pixels(sizeOf(viewport_->pixelSize()));
+  const scene::Scene resolved = document_->resolvedScene();
+  render::StillPicture picture = viewport_->picture(
+      {{size.width(), size.height()}, pictureScene(wish).picture.pixelRatio, linear, what});
+  app::annotate(resolved, *document_->volume(), picture.report, picture.color);
+  return picture;
+}
+
+bool MainWindow::savePicture(const QString& file, bool withSession) {
+  try {
+    const std::filesystem::path path = file.toStdString();
+    const QString name = QFileInfo(file).fileName();
+    if (!endsWith(file, "png") && !endsWith(file, "exr"))
+      base::throwInput(path.filename().string(), "",
+                       "is not written: the name of a picture ends in .png or .exr");
+    document_->checkOutput(file);
+    const PictureWish wish = keptPictureWish();
+    const scene::Scene scene = pictureScene(wish);
+    const auto textOf = wish.fullPaths ? &app::sessionText : &app::pictureSessionText;
+    const std::string session = withSession ? textOf(scene, path.parent_path()) : std::string();
+    const bool linear = endsWith(file, "exr");
+    const render::StillPicture picture = finishedPicture(linear, tr("Saving %1").arg(name));
+    const QString light = unfinishedLightText(light_->state(), light_->cancelled());
+    auto written = std::async(std::launch::async, [&] {
+      if (linear)
+        app::writeExr(&picture.linear, {}, path, session);
+      else
+        app::writePng(picture.color, path, session);
+    });
+    waitFor(this, {tr("Writing %1").arg(name),
+                   [&] { return written.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }});
+    written.get();
+    tellSaved(file, light);
+    return true;
+  } catch (const base::Error& error) {
+    if (error.kind() == base::ErrorKind::interrupted)
+      message_->show(MessageBar::Kind::note, tr("The picture was not saved: it was cancelled"));
+    else
+      message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+bool MainWindow::copyPicture() {
+  if (!document_->volume()) return false;
+  try {
+    const render::StillPicture picture = finishedPicture(false, tr("Copying the picture"));
+    const QString light = unfinishedLightText(light_->state(), light_->cancelled());
+    QGuiApplication::clipboard()->setImage(imageOf(picture.color));
+    const QString size =
+        tr("Copied the picture: %1 × %2 pixels").arg(picture.color.size.x).arg(picture.color.size.y);
+    message_->show(MessageBar::Kind::note, light.isEmpty() ? size : tr("%1, %2").arg(size, light));
+    return true;
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::interrupted)
+      message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+void MainWindow::chooseMesh() {
+  auto* dialog = new MeshDialog(document_->volume(), document_->resolvedScene(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAskName([this] {
+    const SaveAnswer answer =
+        askForFileToSave(this, {tr("Export mesh"),
+                                proposedFile(".stl"),
+                                {tr("STL, for printing (*.stl)"), tr("PLY, with normals (*.ply)"),
+                                 tr("Wavefront OBJ (*.obj)"), tr("VTK, with curvature (*.vtp)")}});
+    if (answer.file.isEmpty()) return QString();
+    try {
+      document_->checkOutput(answer.file);
+    } catch (const base::Error& error) {
+      message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+      return QString();
+    }
+    rememberFolder(answer.file);
+    return answer.file;
+  });
+  connect(dialog, &MeshDialog::exported, this, &MainWindow::tellSaved);
+  dialog->show();
+}
+
+QString MainWindow::commandText() const {
+  if (!document_->volume()) return {};
+  const PictureWish wish = keptPictureWish();
+  const QSize size = wish.pixels(sizeOf(viewport_->pixelSize()));
+  const std::string out = proposedFile(".png").section('/', -1).toStdString();
+  return QString::fromStdString(
+      app::renderCommand(pictureScene(wish), machine_, {size.width(), size.height()}, out));
+}
+
+void MainWindow::copyCommand() {
+  QGuiApplication::clipboard()->setText(commandText());
+  message_->show(MessageBar::Kind::note, tr("Copied a command that draws this picture"));
+}
+
+}  // namespace isolux::ui

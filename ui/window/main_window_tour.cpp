@@ -1,0 +1,124 @@
+// First steps of ui/window/main_window.h: hints at the first start, and the tour (ui/tour).
+#include <memory>
+
+#include <QComboBox>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QToolBar>
+
+#include "ui/panels/isovalue_panel.h"
+#include "ui/slices/slice_board.h"
+#include "ui/tour/tour.h"
+#include "ui/tour/tour_card.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr auto greetedKey = "hints/seen";
+
+QRect placeIn(const QWidget* window, const QWidget* widget) {
+  if (widget == nullptr || !widget->isVisible()) return {};
+  return {widget->mapTo(window, QPoint(0, 0)), widget->size()};
+}
+
+}  // namespace
+
+void MainWindow::greet() {
+  if (QSettings().value(greetedKey, false).toBool()) return;
+  greeting_ = new TourCard(this);
+  greeting_->setButtons(tr("Show me around"), tr("Got it"));
+  const auto present = [this] {
+    if (!greeting_) return;
+    greeting_->presentIn(
+        placeIn(this, viewport_).adjusted(4, 4, -4, -56), tr("Welcome to Isolux"),
+        tr("<ul style='margin-left:-24px'><li>Drag in the picture to turn it; the wheel zooms.</li>"
+           "<li>Drag the line in the histogram below: it says which surface you see.</li>"
+           "<li>Drop a scan or its folder here, or press Ctrl+O, to open your own.</li></ul>"));
+  };
+  const auto leave = [this] {
+    QSettings().setValue(greetedKey, true);
+    if (greeting_) greeting_->deleteLater();
+    greeting_.clear();
+  };
+  connect(greeting_->leaveButton(), &QPushButton::clicked, this, leave);
+  connect(greeting_->nextButton(), &QPushButton::clicked, this, [this, leave] {
+    leave();
+    startTour();
+  });
+  connect(document_, &Document::opened, greeting_, [leave](const QString& path) {
+    if (!path.startsWith("phantom:")) leave();  // found the way
+  });
+  // The window may get its size only now, and docks with it.
+  QMetaObject::invokeMethod(greeting_, present, Qt::QueuedConnection);
+}
+
+// Of the entry of the menu bar.
+QRect MainWindow::placeOfMenu(const QAction* menu) const {
+  const QRect entry = menuBar()->actionGeometry(const_cast<QAction*>(menu));
+  return {menuBar()->mapTo(this, entry.topLeft()), entry.size()};
+}
+
+QRect MainWindow::placeOfTool(const QAction* action) const {
+  for (const QToolBar* bar : findChildren<QToolBar*>())
+    if (const QWidget* button = bar->widgetForAction(const_cast<QAction*>(action));
+        button && button->isVisible())
+      return placeIn(this, button);
+  return {};
+}
+
+void MainWindow::startTour() {
+  if (tour_) return;
+  if (!document_->volume() && !document_->loading()) document_->open("phantom:head");
+  // What a step compares with: the scene at its beginning.
+  const auto before = std::make_shared<scene::Scene>();
+  const auto remember = [this, before] { *before = document_->resolvedScene(); };
+  const auto now = [this] { return document_->resolvedScene(); };
+  std::vector<TourStep> steps;
+  steps.push_back(
+      {tr("Choose the surface"),
+       tr("Drag the bright line in the histogram. All points with this value are the surface that you "
+          "see: in a CT low values are skin, high ones bone."),
+       [this] { return placeIn(this, isovalue_); },
+       [now, before] { return now().isosurface.value != before->isosurface.value; }, remember});
+  steps.push_back(
+      {tr("Turn it"),
+       tr("Drag in the picture with the left button to turn, with the middle one to move it; the wheel "
+          "goes nearer. Keys 1 to 6 show the six sides, R starts over."),
+       [this] { return placeIn(this, viewport_); }, [now, before] { return now().camera != before->camera; },
+       remember});
+  steps.push_back({tr("Choose a look"),
+                   tr("This list says what the colours show: light, curvature, depth, global illumination. "
+                      "L goes to the next one."),
+                   [this] { return placeIn(this, look_); },
+                   [now, before] { return now().look.mode != before->look.mode; }, remember});
+  steps.push_back(
+      {tr("Look inside"),
+       tr("Press F4, or choose View, Slices beside the picture: the outline in each slice is the surface. "
+          "Click in a slice to move the cross."),
+       [this] {
+         return fourUp_->isChecked() ? placeIn(this, slices_) : placeOfMenu(viewMenu_->menuAction());
+       },
+       [this] { return fourUp_->isChecked(); },
+       {}});
+  const auto asked = std::make_shared<bool>(false);
+  steps.push_back(
+      {tr("Keep it"),
+       tr("Save the picture with this button, or Ctrl+E. It carries letters, scale and isovalue, and can "
+          "be opened again as it is now. (Cancel is fine, too.)"),
+       [this] { return placeOfTool(picture_); }, [asked] { return *asked; }, [asked] { *asked = false; }});
+  steps.push_back(
+      {tr("That is all"),
+       tr("Presets start at the right place for a CT or an MR; Ctrl+F finds every setting; F1 lists mouse "
+          "and keys. Everything you do can be undone."),
+       {},
+       {},
+       {}});
+  tour_ = new Tour(this, std::move(steps));
+  connect(picture_, &QAction::triggered, tour_, [asked] { *asked = true; });
+}
+
+}  // namespace isolux::ui

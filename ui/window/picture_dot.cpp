@@ -1,0 +1,56 @@
+#include "ui/window/picture_dot.h"
+
+#include <QPainter>
+
+#include "ui/editors/number_text.h"
+#include "ui/editors/time_left.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+constexpr int dotSide = 9, dotMargin = 10;  // pixels
+}
+
+PictureDot::PictureDot(QWidget* parent) : QWidget(parent) {
+  setObjectName("pictureDot");
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  tell();
+}
+
+QSize PictureDot::sizeHint() const {
+  return {dotSide + 2 * dotMargin, dotSide + 4};
+}
+
+void PictureDot::setDrawn(double milliseconds, bool complete) {
+  milliseconds_ = milliseconds;
+  final_ = complete;
+  tell();
+}
+
+void PictureDot::setDrawing(bool draws) {
+  if (draws == draws_) return;
+  draws_ = draws;
+  tell();
+}
+
+void PictureDot::tell() {
+  const QString state = isFinal() ? tr("The picture is final") : tr("A finer picture is on its way");
+  setToolTip(milliseconds_ < 0.0
+                 ? tr("There is no picture yet")
+                 : tr("%1; the last one took %2").arg(state, durationText(1e-3 * milliseconds_)));
+  setAccessibleName(milliseconds_ < 0.0 ? toolTip() : state);
+  update();
+}
+
+void PictureDot::paintEvent(QPaintEvent*) {
+  if (milliseconds_ < 0.0) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor colour = isFinal() ? colours::quietText : colours::warning;
+  painter.setPen(QPen(colour, 1.5));
+  painter.setBrush(isFinal() ? QBrush(colour) : Qt::NoBrush);
+  painter.drawEllipse(QRectF(0.5 * (width() - dotSide), 0.5 * (height() - dotSide), dotSide, dotSide));
+}
+
+}  // namespace isolux::ui
