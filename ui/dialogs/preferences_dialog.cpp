@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "base/error.h"
+#include "ui/dialogs/privacy_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/value_widgets.h"
 
@@ -41,7 +42,7 @@ QString describe(const scene::MachineSetting& setting) {
 }  // namespace
 
 PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* parent)
-    : QDialog(parent), machine_(machine) {
+    : QDialog(parent), privacy_(new PrivacyBox(this)), machine_(machine) {
   setWindowTitle(tr("Preferences"));
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(14);
@@ -80,6 +81,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   layout->setSpacing(14);
   layout->addLayout(grid);
   layout->addWidget(note);
+  layout->addWidget(privacy_);
   layout->addStretch(1);
   layout->addWidget(buttons);
   setMinimumWidth(440);

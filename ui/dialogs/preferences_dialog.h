@@ -13,6 +13,7 @@ class QLabel;
 
 namespace isolux::ui {
 
+class PrivacyBox;
 class ValueWidget;
 
 class PreferencesDialog : public QDialog {
@@ -23,6 +24,7 @@ class PreferencesDialog : public QDialog {
   const scene::Machine& machine() const { return machine_; }
   ValueWidget* valueWidget(const std::string& path) const;  // null: no such setting
   QCheckBox* automaticBox(const std::string& path) const;   // null: it cannot be automatic
+  PrivacyBox* privacy() const { return privacy_; }
   void restoreDefaults();
 
  Q_SIGNALS:
@@ -38,6 +40,7 @@ class PreferencesDialog : public QDialog {
   void set(const Row& row, const nlohmann::json& value);
   void showRow(const Row& row);
 
+  PrivacyBox* privacy_;
   scene::Machine machine_;
   std::vector<Row> rows_;
 };

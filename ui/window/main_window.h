@@ -13,6 +13,7 @@
 #include "render/graph/frame.h"
 #include "scene/machine.h"
 #include "ui/document/document.h"
+#include "ui/document/recent_files.h"
 
 class QActionGroup;
 class QComboBox;
@@ -25,6 +26,7 @@ namespace isolux::ui {
 
 class BakedLight;
 class DocumentKeeper;
+class FolderOpener;
 class IsovaluePanel;
 class LightStatus;
 class LoadCard;
@@ -32,6 +34,7 @@ class MarkReports;
 class MessageBar;
 class Panel;
 class PointedPiece;
+class RecentPictures;
 class SliceBoard;
 class Viewport;
 
@@ -55,6 +58,13 @@ class MainWindow : public QMainWindow {
   void commitData(QSessionManager& manager);
   // The same without the manager: whether the session may end.
   bool endSession(bool mayAsk);
+
+  // What is in the folder decides: a series of several, which the user chooses, or the folder itself.
+  void openFolder(const QString& folder);
+  void openSeries(const QString& folder, const QString& series);  // asks about unsaved work
+  FolderOpener* folders() const { return folders_; }
+  RecentPictures* recentPictures() const { return recentPictures_; }
+  void applyPrivacy();  // the user's wish has changed (ui/document/privacy.h)
 
   const scene::Machine& machine() const { return machine_; }
   Document* document() const { return document_; }
@@ -116,7 +126,13 @@ class MainWindow : public QMainWindow {
   void showSurfaceMenu(const QPoint& onScreen, const std::optional<app::Pick>& pick);
   void choosePieces(const QString& name, const scene::Pieces& choice);
   QString shapeText(glm::dvec3 worldMm) const;  // curvatures, where they are there already
-  void showRecent();
+  void connectOpening();
+  void openRecent(const RecentFile& file);
+  void noteOpened(const QString& path);
+  void keepShownPicture();    // of what is open, for the recent files
+  void showRecentPictures();  // where no volume is open
+  void browseFolders();
+  void openRequested(const app::WindowRequest& request, const scene::Scene& scene);
 
   void chooseMarksToExport();
   void chooseMarksToImport();
@@ -167,7 +183,8 @@ class MainWindow : public QMainWindow {
   std::vector<Docked> panels_;
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_,
+      *hidePatient_;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;
@@ -176,7 +193,10 @@ class MainWindow : public QMainWindow {
   QByteArray layoutBefore_;               // full screen: which panels were open
   std::vector<QAction*> views_;
   PointedPiece* pointedPiece_;
-  QString pointedText_;  // without the piece
+  FolderOpener* folders_;
+  RecentPictures* recentPictures_;
+  RecentFile shownFile_;  // what is open, as the recent files have it
+  QString pointedText_;   // without the piece
   QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
   bool awaitsFirstPicture_ = false;
   bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time

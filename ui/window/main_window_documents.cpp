@@ -19,6 +19,7 @@
 #include "ui/dialogs/save_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/document_keeper.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/file_widget.h"
 #include "ui/panels/light_status.h"
@@ -59,7 +60,11 @@ std::vector<MessageBar::Answer> showInFolder(const QString& file) {
 // ------------------------------------------------------------------------------------------------
 
 void MainWindow::openPath(const QString& path) {
-  if (mayDiscard()) document_->open(path);
+  if (QFileInfo(path).isDir()) {
+    openFolder(path);
+  } else if (mayDiscard()) {
+    document_->open(path);
+  }
 }
 
 void MainWindow::chooseFile() {
@@ -134,7 +139,8 @@ QString MainWindow::proposedFile(const QString& suffix) const {
   const QString session = document_->sessionFile();
   const QString source = QString::fromStdString(document_->scene().source.path);
   const QString name =
-      QString::fromStdString(app::plainName((session.isEmpty() ? source : session).toStdString()));
+      savedText(QString::fromStdString(app::plainName((session.isEmpty() ? source : session).toStdString())),
+                document_->volume());
   const QString folder = folderBeside(session.isEmpty() ? source : session, lastFolder());
   return (folder.isEmpty() ? QDir::homePath() : folder) + '/' + (name.isEmpty() ? "untitled" : name) + suffix;
 }
@@ -194,8 +200,10 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
       base::throwInput(path.filename().string(), "",
                        tr("is not written: the name of a picture ends in .png or .exr").toStdString());
     document_->checkOutput(file);
-    const std::string session =
-        withSession ? app::pictureSessionText(document_->shownScene(), path.parent_path()) : std::string();
+    const std::string session = withSession
+                                    ? app::pictureSessionText(document_->shownScene(), path.parent_path(),
+                                                              hiddenInSaved(document_->volume()))
+                                    : std::string();
     const bool linear = isFormat(file, "exr");
     const render::StillPicture picture = viewport_->picture(linear);
     const QString light = unfinishedLightText(light_->state(), light_->cancelled());
@@ -245,7 +253,8 @@ bool MainWindow::mayDiscard() {
   QMessageBox box(QMessageBox::Question, "Isolux", {},
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setText(hasSession ? tr("Save the changes to %1?").arg(QFileInfo(file).fileName())
-                         : tr("Save what you did with %1 as a session?").arg(document_->name()));
+                         : tr("Save what you did with %1 as a session?")
+                               .arg(shownText(document_->name(), document_->volume())));
   box.setInformativeText(
       tr("A session keeps the isovalue, the look, the light and the view, not the stored light."));
   box.setDefaultButton(QMessageBox::Save);
@@ -260,6 +269,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   document_->cancelLoading();
+  folders_->cancel();
+  keepShownPicture();
   if (keeper_) keeper_->forget();
   if (!isFullScreen()) QSettings().setValue("window/geometry", saveGeometry());
   event->accept();
@@ -316,11 +327,13 @@ void MainWindow::offerLost() {
     offerLost();
   };
   const auto age = std::chrono::system_clock::now() - lost->time;
-  message_->show(MessageBar::Kind::question,
-                 tr("Continue: %1, %2")
-                     .arg(QString::fromStdString(app::plainName(lost->document.name)),
-                          QString::fromStdString(app::agoText(age))),
-                 {{tr("Restore"), restore}, {tr("Discard"), discard}});
+  message_->show(
+      MessageBar::Kind::question,
+      tr("Continue: %1, %2")
+          .arg(keptPrivacy().hideOnScreen ? tr("anonymous")
+                                          : QString::fromStdString(app::plainName(lost->document.name)),
+               QString::fromStdString(app::agoText(age))),
+      {{tr("Restore"), restore}, {tr("Discard"), discard}});
 }
 
 }  // namespace isolux::ui

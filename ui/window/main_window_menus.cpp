@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -13,7 +12,8 @@
 
 #include "scene/looks.h"
 #include "scene/settings.h"
-#include "ui/document/recent_files.h"
+#include "ui/browser/recent_menu.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/number_text.h"
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
@@ -41,8 +41,14 @@ void MainWindow::makeFileMenu() {
   openFolder_ = newAction(menu, tr("Open &folder (DICOM)…"), "folder", QKeySequence("Ctrl+Shift+O"),
                           tr("Open a folder of DICOM files or numbered images"));
   connect(openFolder_, &QAction::triggered, this, &MainWindow::chooseFolder);
-  recentMenu_ = menu->addMenu(tr("Open &recent"));
-  connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::showRecent);
+  QAction* browse = newAction(menu, tr("&DICOM browser…"), "", QKeySequence("Ctrl+Shift+D"),
+                              tr("Choose among the patients, studies and series of a folder or disc"));
+  connect(browse, &QAction::triggered, this, &MainWindow::browseFolders);
+  auto* recent = new RecentMenu(tr("Open &recent"), menu);
+  recentMenu_ = recent;
+  menu->addMenu(recent);
+  connect(recent, &RecentMenu::chosen, this, &MainWindow::openRecent);
+  connect(recent, &QMenu::aboutToShow, this, &MainWindow::keepShownPicture);
   QMenu* phantoms = menu->addMenu(tr("Open built-in &phantom"));
   phantoms->setToolTipsVisible(true);
   for (const volume::PhantomInfo& phantom : volume::phantoms()) {
@@ -129,6 +135,16 @@ void MainWindow::makeViewMenu() {
                       tr("Axial, coronal and sagittal slice beside the picture"));
   fourUp_->setCheckable(true);
   connect(fourUp_, &QAction::toggled, slices_, &SliceBoard::setFourUp);
+  hidePatient_ = newAction(menu, tr("&Hide the patient’s name"), "", {},
+                           tr("Show name, id and birth date as “anonymous”"));
+  hidePatient_->setCheckable(true);
+  hidePatient_->setChecked(keptPrivacy().hideOnScreen);
+  connect(hidePatient_, &QAction::toggled, this, [this](bool hide) {
+    Privacy privacy = keptPrivacy();
+    privacy.hideOnScreen = hide;
+    keepPrivacy(privacy);
+    applyPrivacy();
+  });
   fullScreen_ = newAction(menu, tr("Full &screen"), "", QKeySequence("F11"), tr("Full screen; Esc ends it"));
   fullScreen_->setCheckable(true);
   connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);
@@ -200,30 +216,6 @@ void MainWindow::makeToolBar() {
   bar->addAction(animate_);
   bar->addSeparator();
   bar->addAction(record_);
-}
-
-void MainWindow::showRecent() {
-  recentMenu_->clear();
-  const QStringList files = recentFiles();
-  for (const QString& file : files) {
-    constexpr int widest = 420;  // pixels
-    const QString name = file.startsWith("phantom:") ? file : QFileInfo(file).fileName();
-    QString shown = recentMenu_->fontMetrics().elidedText(name, Qt::ElideMiddle, widest);
-    QAction* action = recentMenu_->addAction(shown.replace('&', "&&"));
-    action->setToolTip(file);
-    connect(action, &QAction::triggered, this, [this, file] {
-      if (!file.startsWith("phantom:") && !QFileInfo::exists(file)) removeRecentFile(file);
-      openPath(file);
-    });
-  }
-  recentMenu_->setToolTipsVisible(true);
-  if (files.isEmpty()) {
-    recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
-    return;
-  }
-  recentMenu_->addSeparator();
-  connect(recentMenu_->addAction(tr("Clear this list")), &QAction::triggered, this,
-          [] { clearRecentFiles(); });
 }
 
 }  // namespace isolux::ui

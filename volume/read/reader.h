@@ -19,7 +19,6 @@
 #include "scene/world_axes.h"
 #include "volume/grid.h"
 #include "volume/mesh/mesh_distance.h"
-#include "volume/read/patient.h"
 
 namespace isolux::volume {
 
@@ -62,7 +61,6 @@ struct Volume {
   int components = 1, timeSteps = 1;       // what the file offers
   std::optional<double> isovalue;          // the one to show first, where the source knows it
   std::optional<double> noise;             // of a voxel, data units, where the source knows it
-  Patient patient;                         // DICOM: who it is of; named to nobody who did not ask
   std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"
   std::vector<std::string> warnings;  // one line each: converted, resampled, missing voxels, ignored fields
 };
