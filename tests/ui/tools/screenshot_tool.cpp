@@ -1,8 +1,8 @@
 // Makes a picture of the real window, for the README and the pages.
 //
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
-//                     [--slices] [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set
-//                     PATH=VALUE]... PATH
+//                     [--slices] [--raw-dialog] [--browser] [--anonymous] [--histogram-zoom FACTOR]
+//                     [--light-at PERCENT] [--set PATH=VALUE]... PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -20,9 +20,12 @@
 
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "ui/browser/dicom_browser.h"
+#include "ui/browser/series_index.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/mark_reports.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/histogram_slider.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
@@ -66,6 +69,17 @@ int takePicture(const QCommandLineParser& options) {
     ui::RawImportDialog dialog(path);
     dialog.show();
     if (!waitUntil([&] { return !dialog.previewImage().isNull(); })) return fail("no slice to show");
+    return save(dialog.grab(), out);
+  }
+
+  if (options.isSet("anonymous")) ui::keepPrivacy({.hideOnScreen = true, .hideInSaved = true});
+  if (options.isSet("browser")) {
+    ui::SeriesIndex index;
+    ui::DicomBrowser dialog(&index, nullptr);
+    dialog.resize(size[0].toInt(), size[1].toInt());
+    dialog.show();
+    index.start(path);
+    if (!waitUntil([&] { return !index.running() && dialog.picturesComplete(); })) return fail("no list");
     return save(dialog.grab(), out);
   }
 
@@ -137,6 +151,8 @@ int main(int argc, char** argv) {
                         {"light-at", "As it is at so much of the stored light.", "PERCENT"},
                         {"slices", "With slices beside the picture."},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
+                        {"browser", "The DICOM browser on a folder instead of the window."},
+                        {"anonymous", "With patients' names hidden."},
                         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");
     options.addHelpOption();
