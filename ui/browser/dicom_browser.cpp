@@ -227,7 +227,8 @@ void DicomBrowser::showSeries() {
   for (const volume::DicomSeries& series : index_->series()) showOne(series);
   tree_->setSortingEnabled(true);
   filter();
-  if (!tree_->currentItem() && !items_.isEmpty()) tree_->setCurrentItem(items_.begin().value());
+  for (QTreeWidgetItemIterator item(tree_); *item && !tree_->currentItem(); ++item)
+    if (seriesOf(*item)) tree_->setCurrentItem(*item);
   showDetails();
   showSummary();
 }

@@ -3,7 +3,7 @@
 namespace isolux::ui {
 
 SeriesIndex::SeriesIndex(QObject* parent) : QObject(parent) {
-  timer_.setInterval(20);
+  timer_.setInterval(50);
   connect(&timer_, &QTimer::timeout, this, &SeriesIndex::poll);
 }
 

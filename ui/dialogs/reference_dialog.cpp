@@ -189,14 +189,15 @@ bool ReferenceDialog::saveAs(const QString& file) {
   if (!round_ || saving()) return false;
   savedName_ = QFileInfo(file).fileName();
   const std::filesystem::path path = file.toStdString();
-  saving_ = std::async(std::launch::async, [round = round_, resolved = resolved_, path] {
-    try {
-      write(round->image, resolved, hiddenInSaved(volume_), path);
-      return QString();
-    } catch (const std::exception& error) {
-      return QString(error.what());
-    }
-  });
+  saving_ = std::async(std::launch::async,
+                       [round = round_, resolved = resolved_, patient = hiddenInSaved(volume_), path] {
+                         try {
+                           write(round->image, resolved, patient, path);
+                           return QString();
+                         } catch (const std::exception& error) {
+                           return QString(error.what());
+                         }
+                       });
   save_->setEnabled(false);
   tell(tr("Saving ") + savedName_ + " …");
   saveTimer_.start();

@@ -276,6 +276,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   light_->setScene(resolved);
   viewport_->setScene(scene, resolved);
   slices_->setScene(scene, resolved);
+  tellLinked(resolved);
   for (const Docked& docked : panels_) docked.panel->setScene(scene, resolved);
   marks_->setScene(resolved);
   projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);

@@ -64,7 +64,10 @@ class MainWindow : public QMainWindow {
   void openSeries(const QString& folder, const QString& series);  // asks about unsaved work
   FolderOpener* folders() const { return folders_; }
   RecentPictures* recentPictures() const { return recentPictures_; }
-  void applyPrivacy();  // the user's wish has changed (ui/document/privacy.h)
+  MainWindow* newWindow();                       // empty, shown; deletes itself when it is closed
+  void useViewElsewhere();                       // all other windows show their volumes as this one does
+  QAction* linkAction() const { return link_; }  // checked: views of windows where it is go together
+  void applyPrivacy();                           // the user's wish has changed (ui/document/privacy.h)
 
   const scene::Machine& machine() const { return machine_; }
   Document* document() const { return document_; }
@@ -132,6 +135,9 @@ class MainWindow : public QMainWindow {
   void keepShownPicture();    // of what is open, for the recent files
   void showRecentPictures();  // where no volume is open
   void browseFolders();
+  void takeCamera(const MainWindow& other);
+  void tellLinked(const scene::Scene& resolved);
+  void setLinked(bool linked);
   void openRequested(const app::WindowRequest& request, const scene::Scene& scene);
 
   void chooseMarksToExport();
@@ -184,7 +190,7 @@ class MainWindow : public QMainWindow {
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *fourUp_, *copyCommand_,
-      *hidePatient_;
+      *hidePatient_, *link_ = nullptr;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;
@@ -195,8 +201,10 @@ class MainWindow : public QMainWindow {
   PointedPiece* pointedPiece_;
   FolderOpener* folders_;
   RecentPictures* recentPictures_;
-  RecentFile shownFile_;  // what is open, as the recent files have it
-  QString pointedText_;   // without the piece
+  scene::Camera toldCamera_;  // to windows that are linked
+  bool follows_ = false;      // takes over a camera now
+  RecentFile shownFile_;      // what is open, as the recent files have it
+  QString pointedText_;       // without the piece
   QLabel *pointedLabel_, *recordingLabel_, *frameLabel_;
   bool awaitsFirstPicture_ = false;
   bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time

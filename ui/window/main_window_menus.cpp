@@ -1,6 +1,7 @@
 // The menus and the tool bar of ui/window/main_window.h.
 #include <array>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -36,6 +37,9 @@ QAction* MainWindow::newAction(QMenu* menu, const QString& text, const QString& 
 
 void MainWindow::makeFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
+  QAction* another = newAction(menu, tr("&New window"), "", QKeySequence::New,
+                               tr("Open another window, to compare volumes"));
+  connect(another, &QAction::triggered, this, &MainWindow::newWindow);
   open_ = newAction(menu, tr("&Open…"), "open", QKeySequence::Open, tr("Open a volume, session or picture"));
   connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
   openFolder_ = newAction(menu, tr("Open &folder (DICOM)…"), "folder", QKeySequence("Ctrl+Shift+O"),
@@ -75,7 +79,7 @@ void MainWindow::makeFileMenu() {
   connect(record_, &QAction::triggered, this, &MainWindow::toggleRecording);
   menu->addSeparator();
   QAction* quit = newAction(menu, tr("&Quit"), "", QKeySequence::Quit, tr("Quit Isolux"));
-  connect(quit, &QAction::triggered, this, &QWidget::close);
+  connect(quit, &QAction::triggered, qApp, &QApplication::closeAllWindows);
 }
 
 void MainWindow::makeEditMenu() {
@@ -135,6 +139,13 @@ void MainWindow::makeViewMenu() {
                       tr("Axial, coronal and sagittal slice beside the picture"));
   fourUp_->setCheckable(true);
   connect(fourUp_, &QAction::toggled, slices_, &SliceBoard::setFourUp);
+  link_ = newAction(menu, tr("&Link views of windows"), "", {},
+                    tr("The views of all windows where this is checked go together"));
+  link_->setCheckable(true);
+  connect(link_, &QAction::toggled, this, &MainWindow::setLinked);
+  QAction* use = newAction(menu, tr("&Use this view in the other windows"), "", {},
+                           tr("All other windows show their volumes as this one does"));
+  connect(use, &QAction::triggered, this, &MainWindow::useViewElsewhere);
   hidePatient_ = newAction(menu, tr("&Hide the patient’s name"), "", {},
                            tr("Show name, id and birth date as “anonymous”"));
   hidePatient_->setCheckable(true);
