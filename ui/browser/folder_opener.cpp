@@ -19,6 +19,10 @@ FolderOpener::FolderOpener(QWidget* window, Open open)
   });
 }
 
+DicomBrowser* FolderOpener::browser() const {
+  return browser_;
+}
+
 void FolderOpener::look(const QString& folder, Open open) {
   if (browser_) browser_->close();
   folder_ = folder;

@@ -26,7 +26,7 @@ class FolderOpener : public QObject {
   void browse();  // shows the browser with what was looked through last
 
   SeriesIndex* index() const { return index_; }
-  DicomBrowser* browser() const { return browser_; }  // null: not shown
+  DicomBrowser* browser() const;  // null: not shown
 
  Q_SIGNALS:
   void started(const QString& name);

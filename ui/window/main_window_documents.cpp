@@ -14,6 +14,7 @@
 #include "app/documents/session.h"
 #include "app/files/file_names.h"
 #include "app/files/image_io.h"
+#include "ui/browser/folder_opener.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/dialogs/reference_dialog.h"
 #include "ui/dialogs/save_dialog.h"

@@ -163,7 +163,7 @@ TEST_F(DicomBrowserTest, ASingleSeriesOpensAtOnceAndTheMenuShowsIt) {
 TEST_F(DicomBrowserTest, LookingThroughAFolderCanBeCancelled) {
   window_->openPath(QString::fromStdString(disc_.string()));
   ASSERT_TRUE(index()->running());
-  QTest::mouseClick(window_->loadCard()->cancelButton(), Qt::LeftButton);
+  window_->loadCard()->cancelButton()->click();
   EXPECT_FALSE(index()->running());
   QCoreApplication::processEvents();
   EXPECT_EQ(window_->folders()->browser(), nullptr);
