@@ -188,7 +188,7 @@ void DicomBrowser::makeTree() {
   tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   tree_->header()->setStretchLastSection(true);
   const int letter = fontMetrics().horizontalAdvance('0');
-  const int widths[] = {52, 10, 12, 10, 13, 22, 10};
+  const int widths[] = {44, 10, 12, 8, 12, 22, 9};
   for (int column = titleColumn; column < notesColumn; ++column)
     tree_->setColumnWidth(column, widths[column] * letter);
   connect(tree_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
@@ -279,8 +279,6 @@ void DicomBrowser::showOne(const volume::DicomSeries& series) {
     item = new SortedItem(parent);
     item->setData(0, seriesRole, textOf(series.series));
     item->setIcon(titleColumn, emptyPicture(devicePixelRatioF()));
-    for (const Column column : {slicesColumn, sizeColumn, spacingColumn})
-      item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   }
   std::string title = app::titleOf(series);
   if (hide_->isChecked()) title = app::withoutPatient(title, series.patient);
@@ -297,6 +295,7 @@ void DicomBrowser::showOne(const volume::DicomSeries& series) {
   QStringList notes;
   for (const std::string& note : app::shortWarnings(series)) notes += textOf(note);
   item->setText(notesColumn, notes.join(", "));
+  item->setToolTip(notesColumn, notes.join('\n'));
   item->setForeground(notesColumn, series.problem.empty() ? colours::warning : colours::error);
 }
 

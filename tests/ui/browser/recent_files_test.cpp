@@ -2,6 +2,7 @@
 #include "tests/support/ui/window_fixture.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
