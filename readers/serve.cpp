@@ -195,6 +195,21 @@ void answer(Connection& connection, const Abilities& abilities, const Request& r
     case Task::contour:
       if (!abilities.contour) refuseTask();
       return handOver(connection, contoured(connection, abilities, request));
+    case Task::index: {
+      if (!abilities.index) refuseTask();
+      const DicomIndexEnd end = watched(connection, [&](base::Progress& progress) {
+        return abilities.index(
+            request.path, request.skip,
+            [&](const DicomSeries& series) { connection.send(MessageKind::series, encode(series)); },
+            progress);
+      });
+      return connection.send(MessageKind::index, encode(end));
+    }
+    case Task::preview:
+      if (!abilities.preview) refuseTask();
+      return handOver(connection, watched(connection, [&](base::Progress& progress) {
+                        return abilities.preview(request.path, request.options, progress);
+                      }));
     case Task::versions:
       return connection.send(MessageKind::text, abilities.versions());
   }
@@ -234,7 +249,7 @@ int serve(const Abilities& abilities) {
   const std::optional<Error> error = errorOf(connection, abilities, request);
   if (error)
     connection.send(MessageKind::failure, encode(*error));
-  else if (request.task != Task::versions)
+  else if (request.task != Task::versions && request.task != Task::index)
     connection.send(MessageKind::done, {});
   std::_Exit(0);  // no library needs to tidy up
 }

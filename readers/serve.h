@@ -3,8 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "volume/read/process/reader_messages.h"
@@ -21,6 +23,12 @@ struct Abilities {
   // counter-clockwise.
   volume::TriangleMesh (*contour)(std::span<const float> samples, glm::ivec3 dims, base::Progress&) = nullptr;
   volume::DecodedImage (*image)(const std::filesystem::path&, base::Progress&) = nullptr;
+  // The series of a folder, each told as often as more of it is known; a picture of a file's frame.
+  volume::DicomIndexEnd (*index)(const std::filesystem::path& folder, const std::vector<std::string>& skip,
+                                 const std::function<void(const volume::DicomSeries&)>& found,
+                                 base::Progress&) = nullptr;
+  volume::DecodedImage (*preview)(const std::filesystem::path&, const volume::ReadOptions&,
+                                  base::Progress&) = nullptr;
   std::string (*versions)() = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include "app/commands/edge_report.h"
 #include "app/commands/piece_report.h"
 #include "app/commands/progress_bar.h"
+#include "app/commands/series_report.h"
 #include "base/number_text.h"
 #include "base/printable.h"
 #include "scene/rules/automatic.h"
@@ -20,7 +21,7 @@ using volume::PreparedVolume;
 
 struct InfoOptions {
   std::string path;
-  bool json = false, pieces = false, edge = false;
+  bool json = false, pieces = false, edge = false, series = false, anonymous = false;
 };
 
 ordered_json vectorJson(glm::dvec3 v) {
@@ -231,12 +232,17 @@ Command makeInfo(CLI::App& program) {
       "The connected pieces of the isosurface's inside, the largest first: volume, area, bounds");
   parser->add_flag("--edge", options->edge,
                    "Say how far the isosurface lies from the edge of its object, and how clear that is");
+  parser->add_flag("--series", options->series,
+                   "List the DICOM series of a folder or disc, by patient and study, without reading voxels");
+  parser->add_flag("--anonymous", options->anonymous, "With --series: do not name the patients");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux info head.nii.gz --json");
   return {parser, [options, sceneOptions](base::Progress& progress) {
             requireSource(options->path, *sceneOptions);
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
+            if (options->series)
+              return printSeries(scene.source.path, options->json, options->anonymous, progress, std::cout);
             const auto prepared = loadWithProgressBar(scene.source, progress);
             const Measured measured = measuredWithProgressBar(*prepared, scene.derivatives.field, progress);
             ordered_json pieces;

@@ -94,8 +94,9 @@ std::string sessionText(const scene::Scene& scene, const fs::path& folder) {
   return textOf({{"scene", storedScene(scene, folder)}});
 }
 
-std::string pictureSessionText(const scene::Scene& scene, const fs::path& folder) {
-  SharedScene shared = sharedScene(scene, folder);
+std::string pictureSessionText(const scene::Scene& scene, const fs::path& folder,
+                               const volume::Patient& patient) {
+  SharedScene shared = sharedScene(scene, folder, patient);
   json session{{"scene", std::move(shared.scene)}};
   if (!shared.places.empty()) session["places"] = std::move(shared.places);
   return textOf(std::move(session));

@@ -16,8 +16,10 @@ namespace isolux::app {
 constexpr int sessionVersion = 5;
 
 std::string sessionText(const scene::Scene& scene, const std::filesystem::path& folder);
-// For a picture in `folder` that may be given away: names no other folder (app/documents/places.h).
-std::string pictureSessionText(const scene::Scene& scene, const std::filesystem::path& folder);
+// For a picture in `folder` that may be given away: names no other folder (app/documents/places.h), and not
+// the patient (app/documents/anonymous.h).
+std::string pictureSessionText(const scene::Scene& scene, const std::filesystem::path& folder,
+                               const volume::Patient& patient = {});
 // `file` is for error messages. Throws base::Error{input} with the JSON path or byte of the fault.
 scene::Scene parseSession(const std::string& text, const std::string& file, const StoredFolders& folders);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/documents/anonymous.h"
 #include "app/documents/places.h"
 #include "base/error.h"
 
@@ -76,19 +77,19 @@ json storedScene(const scene::Scene& scene, const fs::path& folder) {
   return scene::toJson(stored);
 }
 
-SharedScene sharedScene(const scene::Scene& scene, const fs::path& folder) {
+SharedScene sharedScene(const scene::Scene& scene, const fs::path& folder, const volume::Patient& patient) {
   SharedScene shared{{}, json::object()};
-  scene::Scene named = scene;
+  scene::Scene named = withoutPatient(scene, patient);
   for (const std::string_view path : pathSettings) {
     const scene::Setting& setting = scene::setting(path);
-    const fs::path stored = storedPath(setting.get(scene).get<std::string>(), folder);
-    if (!stored.is_absolute()) {
-      setting.set(named, stored.string());
-      continue;
-    }
-    const std::string token = placeToken(stored);
+    const std::string whole = setting.get(scene).get<std::string>();
+    const fs::path stored = storedPath(whole, folder);
+    const std::string plain = stored.is_absolute() ? stored.filename().string() : stored.string();
+    const std::string name = namesFile(plain) ? withoutPatient(plain, patient) : plain;
+    setting.set(named, name);
+    if (name == stored.string()) continue;
+    const std::string token = placeToken(fs::absolute(whole).lexically_normal());
     if (!token.empty()) shared.places[std::string(path)] = token;
-    setting.set(named, stored.filename().string());
   }
   shared.scene = scene::toJson(named);
   return shared;
@@ -101,7 +102,9 @@ void applyPlaces(scene::Scene& scene, const json& places, const std::string& fil
     const scene::Setting& setting = scene::setting(path);
     const fs::path known = placeOf(token.get<std::string>());
     const fs::path named = setting.get(scene).get<std::string>();
-    if (!known.empty() && known.filename() == named.filename()) setting.set(scene, known.string());
+    const bool hidden = named.string().find(kAnonymous) != std::string::npos;
+    if (!known.empty() && (hidden || known.filename() == named.filename()))
+      setting.set(scene, known.string());
   }
 }
 

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/settings.h"
+#include "volume/read/patient.h"
 
 namespace isolux::app {
 
@@ -37,7 +38,9 @@ struct SharedScene {
   nlohmann::json
       places;  // {"source.path": token, ...}: where such files lie, for this machine (app/documents/places.h)
 };
-SharedScene sharedScene(const scene::Scene& scene, const std::filesystem::path& folder);
+// What names the patient is hidden (app/documents/anonymous.h), in the names of files, too.
+SharedScene sharedScene(const scene::Scene& scene, const std::filesystem::path& folder,
+                        const volume::Patient& patient = {});
 // The paths of `scene`, as sceneFromStored() read them, where this machine knows them better from `places`.
 // Throws base::Error{input} naming `file`.
 void applyPlaces(scene::Scene& scene, const nlohmann::json& places, const std::string& file);

@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -18,8 +17,10 @@
 #include <vtkStringArray.h>
 
 #include "base/error.h"
+#include "readers/dicom/series.h"
 #include "readers/limits.h"
 #include "readers/vtk_messages.h"
+#include "volume/read/dicom/dicom_files.h"
 #include "volume/read/dicom/slice_stack.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/payload.h"
@@ -32,13 +33,6 @@ namespace fs = std::filesystem;
 using base::throwInput;
 
 namespace {
-
-// A frame of the series, by file and number.
-struct Source {
-  const DicomFile* file = nullptr;
-  std::size_t fileIndex = 0, frameIndex = 0;
-  const DicomFrame& frame() const { return file->frames[frameIndex]; }
-};
 
 void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
   auto& progress = *static_cast<base::Progress*>(clientData);
@@ -82,70 +76,9 @@ std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::str
   return files;
 }
 
-// What slices of one volume must share. Directions are compared to 1e-3.
-auto kindOf(const DicomFile& file, const DicomFrame& frame) {
-  const auto key = [](double v) { return std::lround(v * 1000.0); };
-  const glm::dvec3 r = frame.rowDirection, c = frame.columnDirection;
-  return std::tuple(file.columns, file.rows, file.samples, file.bitsAllocated, file.isSigned,
-                    frame.hasPosition, key(frame.spacingXMm), key(frame.spacingYMm),
-                    std::tuple(key(r.x), key(r.y), key(r.z)), std::tuple(key(c.x), key(c.y), key(c.z)));
-}
+}  // namespace
 
-// The largest set of slices that fit together; whole files, so that one decoder run reads them.
-std::vector<DicomFile> keepMajority(std::vector<DicomFile> files, std::vector<std::string>& warnings) {
-  using Kind = decltype(kindOf(files[0], files[0].frames[0]));
-  std::map<Kind, std::size_t> count;
-  for (const DicomFile& file : files)
-    for (const DicomFrame& frame : file.frames) ++count[kindOf(file, frame)];
-  if (count.size() == 1) return files;
-  const auto most = std::max_element(count.begin(), count.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::size_t all = 0;
-  for (const auto& [kind, n] : count) all += n;
-  std::erase_if(files, [&](const DicomFile& file) {
-    return std::none_of(file.frames.begin(), file.frames.end(),
-                        [&](const DicomFrame& frame) { return kindOf(file, frame) == most->first; });
-  });
-  for (const DicomFile& file : files)
-    for (const DicomFrame& frame : file.frames)
-      if (kindOf(file, frame) != most->first)
-        throwInput(file.path.string(), "frames", "the frames of one file differ in orientation or spacing");
-  warnings.push_back(std::to_string(all - most->second) + " of " + std::to_string(all) +
-                     " slices differ in size, type or orientation from the rest and are left out");
-  return files;
-}
-
-SliceStack stackOf(const std::vector<Source>& sources, const std::string& folder,
-                   std::vector<std::string>& warnings) {
-  SlicePlanes planes;
-  const DicomFrame& first = sources.front().frame();
-  const auto spacing = [&](double value, const char* name) {
-    if (value > 0.0) return value;
-    warnings.push_back(std::string(name) + " is missing or not positive; 1 mm assumed");
-    return 1.0;
-  };
-  planes.spacingXMm = spacing(first.spacingXMm, "PixelSpacing along x");
-  planes.spacingYMm = spacing(first.spacingYMm, "PixelSpacing along y");
-  if (sources.size() == 1 || !first.hasPosition)
-    planes.thicknessMm = spacing(first.thicknessMm, "SliceThickness");
-  if (!first.hasPosition) {
-    warnings.push_back(
-        "no slice has a position and an orientation; the order of the instance numbers is used");
-    for (std::size_t i = 0; i < sources.size(); ++i)
-      planes.positionsMm.emplace_back(0.0, 0.0, static_cast<double>(i) * planes.thicknessMm);
-    return stackSlices(planes, folder);
-  }
-  const double lengths = glm::length(first.rowDirection) * glm::length(first.columnDirection);
-  const double cosine = glm::dot(first.rowDirection, first.columnDirection);
-  if (!(lengths > 1e-6) || std::abs(cosine) > 0.01 * lengths)
-    throwInput(folder, "ImageOrientationPatient", "row and column directions are not perpendicular");
-  planes.rowDirection = glm::normalize(first.rowDirection);
-  planes.columnDirection = glm::normalize(first.columnDirection);
-  for (const Source& source : sources) planes.positionsMm.push_back(source.frame().positionMm);
-  return stackSlices(planes, folder);
-}
-
-std::optional<VoxelType> typeOf(vtkDataArray* array) {
+std::optional<VoxelType> voxelTypeOf(vtkDataArray* array) {
   switch (array->GetDataType()) {
     case VTK_CHAR:
     case VTK_SIGNED_CHAR:
@@ -169,7 +102,7 @@ std::optional<VoxelType> typeOf(vtkDataArray* array) {
   }
 }
 
-std::optional<VoxelType> expectedType(const DicomFile& file) {
+std::optional<VoxelType> voxelTypeOf(const DicomFile& file) {
   switch (file.bitsAllocated) {
     case 1:
     case 8:
@@ -185,6 +118,8 @@ std::optional<VoxelType> expectedType(const DicomFile& file) {
   }
 }
 
+namespace {
+
 // One value of `slice` blended with the next one of the stack.
 template <typename T>
 void blendSlices(const T* a, const T* b, double fraction, std::size_t count, T* out) {
@@ -197,7 +132,8 @@ void blendSlices(const T* a, const T* b, double fraction, std::size_t count, T* 
 // The decoded frames in the order of the stack, each rescaled when they differ, resampled when needed.
 class Assembly {
  public:
-  Assembly(const std::vector<Source>& sources, const SliceStack& stack, std::size_t sliceVoxels, bool rescale)
+  Assembly(const std::vector<DicomSource>& sources, const SliceStack& stack, std::size_t sliceVoxels,
+           bool rescale)
       : sources_(sources), stack_(stack), sliceVoxels_(sliceVoxels), rescale_(rescale) {}
 
   template <typename T>
@@ -242,15 +178,16 @@ class Assembly {
     return voxels;
   }
 
-  const std::vector<Source>& sources_;
+  const std::vector<DicomSource>& sources_;
   const SliceStack& stack_;
   std::size_t sliceVoxels_;
   bool rescale_;
 };
 
-// Decodes all files, in their order.
-void decode(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const std::string& folder,
-            const VtkMessages& messages, base::Progress& progress) {
+}  // namespace
+
+void decodeFiles(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const std::string& folder,
+                 const VtkMessages& messages, base::Progress& progress) {
   vtkNew<vtkStringArray> names;
   for (const DicomFile& file : files) names->InsertNextValue(file.path.string());
   vtkNew<vtkCallbackCommand> observer;
@@ -268,15 +205,14 @@ void decode(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const s
                "vtk-dicom refuses it: " + messages.errors().front());
 }
 
-}  // namespace
-
 DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
   progress.report(0.0, "reading");
   const bool isFolder = fs::is_directory(path);
   const fs::path folder = isFolder ? path : (path.has_parent_path() ? path.parent_path() : fs::path("."));
   const std::string name = path.string();
   std::vector<std::string> warnings, choices;
-  std::vector<DicomFile> files = scanDicomFolder(folder, progress, warnings);
+  std::vector<DicomFile> files =
+      scanDicomFolder(folder, isFolder ? kDeepestDicomFolder : 1, progress, warnings);
   std::string wanted = options.series;
   if (!isFolder) {
     const auto same = [&](const DicomFile& file) {
@@ -289,17 +225,14 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
   }
   files = keepMajority(chooseSeries(std::move(files), wanted, name, choices), warnings);
 
-  std::vector<Source> sources;
-  for (std::size_t f = 0; f < files.size(); ++f)
-    for (std::size_t frame = 0; frame < files[f].frames.size(); ++frame)
-      sources.push_back({&files[f], f, frame});
+  const std::vector<DicomSource> sources = sourcesOf(files);
   SliceStack stack = stackOf(sources, name, warnings);
   warnings.insert(warnings.end(), stack.warnings.begin(), stack.warnings.end());
 
   ImageHeader header;
   header.format = "DICOM";
   const DicomFile& first = files.front();
-  const auto type = expectedType(first);
+  const auto type = voxelTypeOf(first);
   if (!type)
     throwInput(first.path.string(), "BitsAllocated",
                std::to_string(first.bitsAllocated) + " bits are not supported");
@@ -324,18 +257,18 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
   allowDecoding(fileBytes);
   const VtkMessages messages;
   vtkNew<vtkDICOMReader> reader;
-  decode(reader, files, name, messages, progress);
+  decodeFiles(reader, files, name, messages, progress);
   vtkImageData* image = reader->GetOutput();
   vtkDataArray* array = image->GetPointData() ? image->GetPointData()->GetScalars() : nullptr;
   const auto sliceVoxels = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
   if (!array || static_cast<std::size_t>(array->GetNumberOfTuples()) != sliceVoxels * sources.size() ||
       array->GetNumberOfComponents() != first.samples)
     throwInput(name, "pixel data", "could not be read whole");
-  const auto decodedType = typeOf(array);
+  const auto decodedType = voxelTypeOf(array);
   if (!decodedType) throwInput(name, "pixel data", "has a type that is not supported");
   header.type = *decodedType;
 
-  const bool sameRescale = std::all_of(sources.begin(), sources.end(), [&](const Source& source) {
+  const bool sameRescale = std::all_of(sources.begin(), sources.end(), [&](const DicomSource& source) {
     return source.frame().slope == sources[0].frame().slope &&
            source.frame().intercept == sources[0].frame().intercept;
   });
@@ -354,7 +287,7 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
                         progress);
   });
   reader->SetOutput(nullptr);  // before the voxels are handed over
-  return {std::move(header), std::move(voxels), first.description, std::move(choices)};
+  return {std::move(header), std::move(voxels), first.description, std::move(choices), first.patient};
 }
 
 }  // namespace isolux::readers

@@ -79,8 +79,37 @@ std::uint64_t bestRatioOf(const std::string& transferSyntax) {
   return 100000;
 }
 
-// Empty series: no image.
-DicomFile headerOf(const fs::path& path) {
+// The first of several ways of writing a name, and of several values.
+std::string personName(vtkDICOMMetaData* meta, vtkDICOMTag tag) {
+  const std::string whole = text(meta, tag);
+  return whole.substr(0, whole.find_first_of("=\\"));
+}
+
+double number(vtkDICOMMetaData* meta, vtkDICOMTag tag) {
+  double value = 0.0;
+  return numbers(meta->Get(tag), 1, &value) ? value : 0.0;
+}
+
+// What lists of series show, and small pictures need.
+void describe(vtkDICOMMetaData* meta, DicomFile& file) {
+  file.patient = {personName(meta, DC::PatientName), text(meta, DC::PatientID),
+                  text(meta, DC::PatientBirthDate)};
+  file.study = text(meta, DC::StudyInstanceUID);
+  file.studyDescription = text(meta, DC::StudyDescription);
+  file.studyDate = text(meta, DC::StudyDate);
+  file.description = text(meta, DC::SeriesDescription);
+  file.date = text(meta, DC::SeriesDate);
+  if (file.date.empty()) file.date = text(meta, DC::AcquisitionDate);
+  file.number = text(meta, DC::SeriesNumber);
+  file.kernel = text(meta, DC::ConvolutionKernel);
+  file.darkIsHigh = text(meta, DC::PhotometricInterpretation) == "MONOCHROME1";
+  file.windowCenter = number(meta, DC::WindowCenter);
+  file.windowWidth = std::max(0.0, number(meta, DC::WindowWidth));
+}
+
+}  // namespace
+
+DicomFile readHeader(const fs::path& path) {
   DicomFile file;
   file.path = path;
   vtkNew<vtkDICOMMetaData> meta;
@@ -92,7 +121,7 @@ DicomFile headerOf(const fs::path& path) {
   if (!parser->GetPixelDataFound()) return file;
   file.series = text(meta, DC::SeriesInstanceUID);
   if (file.series.empty()) file.series = "unknown";
-  file.description = text(meta, DC::SeriesDescription);
+  describe(meta, file);
   file.modality = text(meta, DC::Modality);
   file.transferSyntax = text(meta, DC::TransferSyntaxUID);
   file.columns = integer(meta, DC::Columns, 0);
@@ -130,14 +159,12 @@ DicomFile headerOf(const fs::path& path) {
   return file;
 }
 
-}  // namespace
-
-std::vector<DicomFile> scanDicomFolder(const fs::path& folder, base::Progress& progress,
+std::vector<DicomFile> scanDicomFolder(const fs::path& folder, int depth, base::Progress& progress,
                                        std::vector<std::string>& warnings) {
   std::vector<DicomFile> files;
   int broken = 0;
   std::string firstReason;
-  const std::vector<fs::path> paths = dicomFilesIn(folder);
+  const std::vector<fs::path> paths = dicomFilesIn(folder, depth);
   std::uint64_t bytes = 0;
   for (const fs::path& path : paths) bytes += FileBytes(path).size();
   allowHeaders(paths.size(), bytes);
@@ -146,7 +173,7 @@ std::vector<DicomFile> scanDicomFolder(const fs::path& folder, base::Progress& p
     nowReading(path);
     const VtkMessages messages;
     try {
-      DicomFile file = headerOf(path);
+      DicomFile file = readHeader(path);
       if (!messages.errors().empty()) throwInput(path.string(), "header", messages.errors().front());
       if (!file.frames.empty()) files.push_back(std::move(file));
     } catch (const base::Error& error) {

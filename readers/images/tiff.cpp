@@ -175,7 +175,7 @@ DecodedVolume decodeTiff(const fs::path& path, const ReadOptions& options, base:
   FileVoxels voxels = decodePayload(header, MemoryBytes(path.string(), pixels), openBeside(path), options,
                                     progress, header.warnings);
   std::vector<std::byte>().swap(pixels);  // before the voxels are handed over
-  return {std::move(header), std::move(voxels), {}, {}};
+  return {std::move(header), std::move(voxels), {}, {}, {}};
 }
 
 }  // namespace isolux::readers

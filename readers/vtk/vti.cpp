@@ -85,7 +85,7 @@ DecodedVolume decodeVti(const std::filesystem::path& path, const ReadOptions& op
       header.image, MemoryBytes(name, {static_cast<const std::byte*>(array->GetVoidPointer(0)), bytes}),
       openBeside(path), options, progress, header.image.warnings);
   image->ReleaseData();  // before the voxels are handed over
-  return {std::move(header.image), std::move(voxels), {}, {}};
+  return {std::move(header.image), std::move(voxels), {}, {}, {}};
 }
 
 }  // namespace isolux::readers

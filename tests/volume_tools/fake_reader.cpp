@@ -85,6 +85,20 @@ void endBy(int signal) {
   std::raise(signal);
 }
 
+// Ends at its first files, unless it is told to pass them by.
+void indexFiles(const Request& request) {
+  if (request.path != "/index") endBy(SIGSEGV);
+  for (std::size_t i = request.skip.size(); i < 2; ++i) {
+    send(MessageKind::file, "/index/bad" + std::to_string(i + 1));
+    endBy(SIGSEGV);
+  }
+  DicomSeries series;
+  series.series = "1";
+  series.description = "skipped " + std::to_string(request.skip.size());
+  send(MessageKind::series, encode(series));
+  send(MessageKind::index, encode(DicomIndexEnd{}));
+}
+
 void behave(const std::string& name) {
   DecodedVolume volume = smallVolume();
   if (name == "good") {
@@ -195,6 +209,7 @@ void behave(const std::string& name) {
 int main() {
   const Request request = decodeRequest(receive());
   if (!isolux::readers::endWithParent(request.parent)) return 0;
+  if (request.task == Task::index && request.path.starts_with('/')) indexFiles(request);
   behave(request.path);
   std::_Exit(0);
 }

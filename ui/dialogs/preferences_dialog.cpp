@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "ui/dialogs/appearance_rows.h"
+#include "ui/dialogs/privacy_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/value_widgets.h"
 
@@ -43,7 +44,10 @@ QString describe(const scene::MachineSetting& setting) {
 }  // namespace
 
 PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* parent)
-    : QDialog(parent), machine_(machine), appearance_(new AppearanceRows(this)) {
+    : QDialog(parent),
+      privacy_(new PrivacyBox(this)),
+      machine_(machine),
+      appearance_(new AppearanceRows(this)) {
   setWindowTitle(tr("Preferences"));
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(14);
@@ -86,6 +90,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   layout->addWidget(line);
   layout->addLayout(grid);
   layout->addWidget(note);
+  layout->addWidget(privacy_);
   layout->addStretch(1);
   layout->addWidget(buttons);
   setMinimumWidth(440);

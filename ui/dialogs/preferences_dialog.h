@@ -14,6 +14,7 @@ class QLabel;
 namespace isolux::ui {
 
 class AppearanceRows;
+class PrivacyBox;
 class ValueWidget;
 
 class PreferencesDialog : public QDialog {
@@ -25,6 +26,7 @@ class PreferencesDialog : public QDialog {
   ValueWidget* valueWidget(const std::string& path) const;  // null: no such setting
   QCheckBox* automaticBox(const std::string& path) const;   // null: it cannot be automatic
   AppearanceRows* appearance() const { return appearance_; }
+  PrivacyBox* privacy() const { return privacy_; }
   void restoreDefaults();
 
  Q_SIGNALS:
@@ -40,6 +42,7 @@ class PreferencesDialog : public QDialog {
   void set(const Row& row, const nlohmann::json& value);
   void showRow(const Row& row);
 
+  PrivacyBox* privacy_;
   scene::Machine machine_;
   AppearanceRows* appearance_;
   std::vector<Row> rows_;

@@ -19,6 +19,7 @@
 #include "app/files/image_io.h"
 #include "app/files/reference_image.h"
 #include "ui/dialogs/save_dialog.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/number_text.h"
 #include "ui/window/style.h"
 
@@ -35,8 +36,9 @@ QSpinBox* makeBox(int low, int high, int value, const QString& name, QWidget* pa
   return box;
 }
 
-void write(const gi::ReferenceImage& image, const scene::Scene& resolved, const std::filesystem::path& file) {
-  const std::string session = app::pictureSessionText(resolved, file.parent_path());
+void write(const gi::ReferenceImage& image, const scene::Scene& resolved, const volume::Patient& patient,
+           const std::filesystem::path& file) {
+  const std::string session = app::pictureSessionText(resolved, file.parent_path(), patient);
   const QString name = QString::fromStdString(file.filename().string());
   if (name.endsWith(".png", Qt::CaseInsensitive)) {
     app::writePng(app::screenImage(image, resolved.look), file, session);
@@ -194,14 +196,15 @@ bool ReferenceDialog::saveAs(const QString& file) {
   if (!round_ || saving()) return false;
   savedName_ = QFileInfo(file).fileName();
   const std::filesystem::path path = file.toStdString();
-  saving_ = std::async(std::launch::async, [round = round_, resolved = resolved_, path] {
-    try {
-      write(round->image, resolved, path);
-      return QString();
-    } catch (const std::exception& error) {
-      return QString(error.what());
-    }
-  });
+  saving_ = std::async(std::launch::async,
+                       [round = round_, resolved = resolved_, patient = hiddenInSaved(volume_), path] {
+                         try {
+                           write(round->image, resolved, patient, path);
+                           return QString();
+                         } catch (const std::exception& error) {
+                           return QString(error.what());
+                         }
+                       });
   save_->setEnabled(false);
   tell(tr("Saving ") + savedName_ + " …");
   saveTimer_.start();

@@ -7,8 +7,10 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "app/documents/anonymous.h"
 #include "app/documents/session.h"
 #include "app/files/output_guard.h"
+#include "ui/document/privacy.h"
 
 namespace isolux::ui {
 
@@ -276,7 +278,10 @@ void Document::announce() {
 
 void Document::commit(const scene::Scene& before, const QString& name) {
   if (recorder_) {
-    const scene::SceneDiff diff = scene::difference(before, scene(), name.toStdString());
+    const volume::Patient hidden = hiddenInSaved(volume_);
+    const scene::SceneDiff diff =
+        scene::difference(app::withoutPatient(before, hidden), app::withoutPatient(scene(), hidden),
+                          app::withoutPatient(name.toStdString(), hidden));
     try {
       if (!diff.changes.empty()) recorder_->add(diff);
     } catch (const base::Error& error) {
@@ -386,7 +391,8 @@ bool Document::saveSession(const QString& file) {
 bool Document::startRecording(const QString& file) {
   try {
     checkOutput(file);
-    recorder_ = std::make_unique<app::Recorder>(pathOf(file), shownScene());
+    recorder_ = std::make_unique<app::Recorder>(pathOf(file),
+                                                app::withoutPatient(shownScene(), hiddenInSaved(volume_)));
     recordingFile_ = QFileInfo(file).absoluteFilePath();
   } catch (const base::Error& error) {
     recorder_.reset();

@@ -13,6 +13,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "ui/document/privacy.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/wrapped_text.h"
 #include "ui/panels/source_panel.h"
@@ -178,8 +179,8 @@ void VolumePanel::showFacts() {
   const volume::Grid& grid = *volume.grid;
   const volume::GridGeometry& geometry = grid.geometry();
   const glm::dvec3 spacing = geometry.spacingMm();
-  const auto text = [](std::string_view s) {
-    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+  const auto text = [this](std::string_view s) {
+    return shownText(QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())), volume_);
   };
   name_->setText(text(volume.name));
   format_->setText(text(volume.format));
@@ -232,7 +233,7 @@ void VolumePanel::showChoices() {
   if (severalSeries) {
     for (const std::string& choice : volume_->volume.seriesChoices) {  // "UID<TAB>description, N slices"
       const QString entry = QString::fromStdString(choice);
-      series_->addItem(entry.section('\t', 1), entry.section('\t', 0, 0));
+      series_->addItem(shownText(entry.section('\t', 1), volume_), entry.section('\t', 0, 0));
     }
     const int current = series_->findData(QString::fromStdString(scene_.source.series));
     series_->setCurrentIndex(std::max(0, current));

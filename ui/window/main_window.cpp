@@ -19,11 +19,13 @@
 #include "scene/looks.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
+#include "ui/browser/folder_opener.h"
+#include "ui/browser/recent_menu.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/mark_reports.h"
 #include "ui/document/picture_wish.h"
 #include "ui/document/preferences.h"
-#include "ui/document/recent_files.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/number_text.h"
 #include "ui/panels/isovalue_panel.h"
@@ -75,6 +77,9 @@ MainWindow::MainWindow(QWidget* parent)
       loadCard_(new LoadCard(slices_)),
       lightStatus_(new LightStatus(this)),
       pointedPiece_(new PointedPiece(this)),
+      folders_(new FolderOpener(
+          this, [this](const QString& folder, const QString& series) { openSeries(folder, series); })),
+      recentPictures_(new RecentPictures(viewport_)),
       pointedLabel_(new QLabel(this)),
       recordingLabel_(new QLabel(this)),
       pictureDot_(new PictureDot(this)) {
@@ -92,6 +97,7 @@ MainWindow::MainWindow(QWidget* parent)
   makeHelpMenu();
   makeToolBar();
   connectDocument();
+  connectOpening();
   connectLight();
   connectMarks();
   connectSlices();
@@ -170,14 +176,13 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::loadStarted, this, [this](const QString& name) {
     message_->clear();
     viewport_->setHint({});
-    loadCard_->begin(name);
+    loadCard_->begin(keptPrivacy().hideOnScreen ? tr("a volume") : name);
   });
   connect(document_, &Document::loadProgress, loadCard_, &LoadCard::report);
   connect(document_, &Document::loadEnded, this, [this] {
     loadCard_->end();
     viewport_->setHint(openHint);
   });
-  connect(document_, &Document::opened, this, [](const QString& path) { addRecentFile(path); });
   connect(document_, &Document::volumeMissing, this, &MainWindow::askForVolume);
   connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
   connect(loadCard_, &LoadCard::cancelled, document_, &Document::cancelLoading);
@@ -270,7 +275,7 @@ void MainWindow::open(const app::WindowRequest& request) {
     const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
                                  !volume::needsRawDescription(scene.source.path);
     if (describesItself) {
-      document_->openScene(scene, QString::fromStdString(request.sessionFile), wanted.completed);
+      openRequested(wanted, scene);
     } else {
       chooseRaw(QString::fromStdString(scene.source.path));
     }
@@ -286,6 +291,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   light_->setScene(resolved);
   viewport_->setScene(scene, resolved);
   slices_->setScene(scene, resolved);
+  tellLinked(resolved);
   for (const Docked& docked : panels_) docked.panel->setScene(scene, resolved);
   marks_->setScene(resolved);
   projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);
@@ -298,7 +304,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
 void MainWindow::showState() {
   const bool pictureComes =
       awaitsFirstPicture_ && viewport_->isVisible() && !isMinimized() && !viewport_->problem();
-  const QString name = document_->name();
+  const QString name = shownText(document_->name(), document_->volume());
   if (!pictureComes) setWindowTitle(name.isEmpty() ? "Isolux[*]" : name + "[*] – Isolux");
   setWindowModified(document_->modified());
   const app::History& history = document_->history();

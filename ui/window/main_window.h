@@ -15,6 +15,7 @@
 #include "render/still_picture.h"
 #include "scene/machine.h"
 #include "ui/document/document.h"
+#include "ui/document/recent_files.h"
 #include "ui/tour/tour.h"
 
 class QActionGroup;
@@ -28,6 +29,7 @@ namespace isolux::ui {
 
 class BakedLight;
 class DocumentKeeper;
+class FolderOpener;
 class IsovaluePanel;
 class LightStatus;
 class LoadCard;
@@ -38,6 +40,7 @@ class PointedPiece;
 struct PictureChoices;
 struct PictureWish;
 class PictureDot;
+class RecentPictures;
 class SliceBoard;
 class Viewport;
 class WindowLayout;
@@ -62,6 +65,16 @@ class MainWindow : public QMainWindow {
   void commitData(QSessionManager& manager);
   // The same without the manager: whether the session may end.
   bool endSession(bool mayAsk);
+
+  // What is in the folder decides: a series of several, which the user chooses, or the folder itself.
+  void openFolder(const QString& folder);
+  void openSeries(const QString& folder, const QString& series);  // asks about unsaved work
+  FolderOpener* folders() const { return folders_; }
+  RecentPictures* recentPictures() const { return recentPictures_; }
+  MainWindow* newWindow();                       // empty, shown; deletes itself when it is closed
+  void useViewElsewhere();                       // all other windows show their volumes as this one does
+  QAction* linkAction() const { return link_; }  // checked: views of windows where it is go together
+  void applyPrivacy();                           // the user's wish has changed (ui/document/privacy.h)
 
   const scene::Machine& machine() const { return machine_; }
   Document* document() const { return document_; }
@@ -136,7 +149,16 @@ class MainWindow : public QMainWindow {
   void showSurfaceMenu(const QPoint& onScreen, const std::optional<app::Pick>& pick);
   void choosePieces(const QString& name, const scene::Pieces& choice);
   QString shapeText(glm::dvec3 worldMm) const;  // curvatures, where they are there already
-  void showRecent();
+  void connectOpening();
+  void openRecent(const RecentFile& file);
+  void noteOpened(const QString& path);
+  void keepShownPicture();    // of what is open, for the recent files
+  void showRecentPictures();  // where no volume is open
+  void browseFolders();
+  void takeCamera(const MainWindow& other);
+  void tellLinked(const scene::Scene& resolved);
+  void setLinked(bool linked);
+  void openRequested(const app::WindowRequest& request, const scene::Scene& scene);
 
   void chooseMarksToExport();
   void chooseMarksToImport();
@@ -196,7 +218,7 @@ class MainWindow : public QMainWindow {
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *copyCommand_, *copyPicture_,
-      *mesh_;
+      *mesh_, *hidePatient_, *link_ = nullptr;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;
@@ -205,7 +227,12 @@ class MainWindow : public QMainWindow {
   WindowLayout* layout_;
   std::vector<QAction*> views_;
   PointedPiece* pointedPiece_;
-  QString pointedText_;  // without the piece
+  FolderOpener* folders_;
+  RecentPictures* recentPictures_;
+  scene::Camera toldCamera_;  // to windows that are linked
+  bool follows_ = false;      // takes over a camera now
+  RecentFile shownFile_;      // what is open, as the recent files have it
+  QString pointedText_;       // without the piece
   QLabel *pointedLabel_, *recordingLabel_;
   PictureDot* pictureDot_;
   QPointer<Tour> tour_;

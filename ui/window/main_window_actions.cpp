@@ -6,6 +6,7 @@
 #include "app/version.h"
 #include "scene/looks.h"
 #include "ui/dialogs/preferences_dialog.h"
+#include "ui/dialogs/privacy_box.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/preferences.h"
 #include "ui/panels/settings_panel.h"
@@ -43,6 +44,7 @@ void MainWindow::showPreferences() {
     keepMachine(machine_, machine);
     setMachine(machine);
   });
+  connect(dialog->privacy(), &PrivacyBox::changed, this, &MainWindow::applyPrivacy);
   dialog->show();
 }
 

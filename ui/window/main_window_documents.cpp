@@ -14,12 +14,14 @@
 #include "app/documents/session.h"
 #include "app/files/file_names.h"
 #include "app/files/image_io.h"
+#include "ui/browser/folder_opener.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/dialogs/reference_dialog.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/document_keeper.h"
 #include "ui/document/picture_wish.h"
+#include "ui/document/privacy.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/file_widget.h"
@@ -51,7 +53,11 @@ std::vector<MessageBar::Answer> showInFolder(const QString& file) {
 // ------------------------------------------------------------------------------------------------
 
 void MainWindow::openPath(const QString& path) {
-  if (mayDiscard()) document_->open(path);
+  if (QFileInfo(path).isDir()) {
+    openFolder(path);
+  } else if (mayDiscard()) {
+    document_->open(path);
+  }
 }
 
 void MainWindow::chooseFile() {
@@ -126,7 +132,8 @@ QString MainWindow::proposedFile(const QString& suffix) const {
   const QString session = document_->sessionFile();
   const QString source = QString::fromStdString(document_->scene().source.path);
   const QString name =
-      QString::fromStdString(app::plainName((session.isEmpty() ? source : session).toStdString()));
+      savedText(QString::fromStdString(app::plainName((session.isEmpty() ? source : session).toStdString())),
+                document_->volume());
   const QString folder = folderBeside(session.isEmpty() ? source : session, lastFolder());
   return (folder.isEmpty() ? QDir::homePath() : folder) + '/' + (name.isEmpty() ? "untitled" : name) + suffix;
 }
@@ -203,7 +210,8 @@ bool MainWindow::mayDiscard() {
   QMessageBox box(QMessageBox::Question, "Isolux", {},
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setText(hasSession ? tr("Save the changes to %1?").arg(QFileInfo(file).fileName())
-                         : tr("Save what you did with %1 as a session?").arg(document_->name()));
+                         : tr("Save what you did with %1 as a session?")
+                               .arg(shownText(document_->name(), document_->volume())));
   box.setInformativeText(
       tr("A session keeps the isovalue, the look, the light and the view, not the stored light."));
   box.setDefaultButton(QMessageBox::Save);
@@ -218,6 +226,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   document_->cancelLoading();
+  folders_->cancel();
+  keepShownPicture();
   if (keeper_) keeper_->forget();
   layout_->keep();
   event->accept();
@@ -274,11 +284,13 @@ void MainWindow::offerLost() {
     offerLost();
   };
   const auto age = std::chrono::system_clock::now() - lost->time;
-  message_->show(MessageBar::Kind::question,
-                 tr("Continue: %1, %2")
-                     .arg(QString::fromStdString(app::plainName(lost->document.name)),
-                          QString::fromStdString(app::agoText(age))),
-                 {{tr("Restore"), restore}, {tr("Discard"), discard}});
+  message_->show(
+      MessageBar::Kind::question,
+      tr("Continue: %1, %2")
+          .arg(keptPrivacy().hideOnScreen ? tr("anonymous")
+                                          : QString::fromStdString(app::plainName(lost->document.name)),
+               QString::fromStdString(app::agoText(age))),
+      {{tr("Restore"), restore}, {tr("Discard"), discard}});
 }
 
 }  // namespace isolux::ui

@@ -8,11 +8,13 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/documents/anonymous.h"
 #include "app/files/files.h"
 #include "app/marks/mark_kinds.h"
 #include "app/marks/markups_file.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/document/mark_reports.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/number_text.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/viewport/viewport.h"
@@ -123,7 +125,10 @@ bool MainWindow::exportMarks(const QString& file) {
       base::throwInput(path.filename().string(), "",
                        tr("is not written: marks are saved as .csv or as .mrk.json").toStdString());
     document_->checkOutput(file);
-    const std::vector<scene::Mark>& marks = marks_->marks();
+    scene::Scene named;
+    named.marks = marks_->marks();
+    const std::vector<scene::Mark> marks =
+        app::withoutPatient(named, hiddenInSaved(document_->volume())).marks;
     app::writeTextFile(path, table ? app::marksCsv(marks, marks_->reports()) : app::markupsText(marks));
     tellSaved(file, table && marks_->measuring() ? tr("some marks were still being measured") : "");
     return true;

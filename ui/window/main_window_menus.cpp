@@ -1,9 +1,9 @@
 // The menus and the tool bar of ui/window/main_window.h.
 #include <array>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -13,7 +13,8 @@
 
 #include "scene/looks.h"
 #include "scene/settings.h"
-#include "ui/document/recent_files.h"
+#include "ui/browser/recent_menu.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/number_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/icons.h"
@@ -36,13 +37,22 @@ QAction* MainWindow::newAction(QMenu* menu, const QString& text, const QString& 
 
 void MainWindow::makeFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
+  QAction* another = newAction(menu, tr("&New window"), "", QKeySequence::New,
+                               tr("Open another window, to compare volumes"));
+  connect(another, &QAction::triggered, this, &MainWindow::newWindow);
   open_ = newAction(menu, tr("&Open…"), "open", QKeySequence::Open, tr("Open a volume, session or picture"));
   connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
   openFolder_ = newAction(menu, tr("Open &folder (DICOM)…"), "folder", QKeySequence("Ctrl+Shift+O"),
                           tr("Open a folder of DICOM files or numbered images"));
   connect(openFolder_, &QAction::triggered, this, &MainWindow::chooseFolder);
-  recentMenu_ = menu->addMenu(tr("Open &recent"));
-  connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::showRecent);
+  QAction* browse = newAction(menu, tr("&DICOM browser…"), "", QKeySequence("Ctrl+Shift+D"),
+                              tr("Choose among the patients, studies and series of a folder or disc"));
+  connect(browse, &QAction::triggered, this, &MainWindow::browseFolders);
+  auto* recent = new RecentMenu(tr("Open &recent"), menu);
+  recentMenu_ = recent;
+  menu->addMenu(recent);
+  connect(recent, &RecentMenu::chosen, this, &MainWindow::openRecent);
+  connect(recent, &QMenu::aboutToShow, this, &MainWindow::keepShownPicture);
   QMenu* phantoms = menu->addMenu(tr("Open built-in &phantom"));
   phantoms->setToolTipsVisible(true);
   for (const volume::PhantomInfo& phantom : volume::phantoms()) {
@@ -72,7 +82,7 @@ void MainWindow::makeFileMenu() {
   connect(record_, &QAction::triggered, this, &MainWindow::toggleRecording);
   menu->addSeparator();
   QAction* quit = newAction(menu, tr("&Quit"), "", QKeySequence::Quit, tr("Quit Isolux"));
-  connect(quit, &QAction::triggered, this, &QWidget::close);
+  connect(quit, &QAction::triggered, qApp, &QApplication::closeAllWindows);
 }
 
 void MainWindow::makeEditMenu() {
@@ -133,6 +143,23 @@ void MainWindow::makeViewMenu() {
   connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
   menu->addSeparator();
   layout_->fillMenu(menu);
+  link_ = newAction(menu, tr("&Link views of windows"), "", {},
+                    tr("The views of all windows where this is checked go together"));
+  link_->setCheckable(true);
+  connect(link_, &QAction::toggled, this, &MainWindow::setLinked);
+  QAction* use = newAction(menu, tr("&Use this view in the other windows"), "", {},
+                           tr("All other windows show their volumes as this one does"));
+  connect(use, &QAction::triggered, this, &MainWindow::useViewElsewhere);
+  hidePatient_ = newAction(menu, tr("&Hide the patient’s name"), "", {},
+                           tr("Show name, id and birth date as “anonymous”"));
+  hidePatient_->setCheckable(true);
+  hidePatient_->setChecked(keptPrivacy().hideOnScreen);
+  connect(hidePatient_, &QAction::toggled, this, [this](bool hide) {
+    Privacy privacy = keptPrivacy();
+    privacy.hideOnScreen = hide;
+    keepPrivacy(privacy);
+    applyPrivacy();
+  });
   fullScreen_ = newAction(menu, tr("Full &screen"), "", QKeySequence("F11"), tr("Full screen; Esc ends it"));
   fullScreen_->setCheckable(true);
   connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);
@@ -206,30 +233,6 @@ void MainWindow::makeToolBar() {
   bar->addAction(animate_);
   bar->addSeparator();
   bar->addAction(record_);
-}
-
-void MainWindow::showRecent() {
-  recentMenu_->clear();
-  const QStringList files = recentFiles();
-  for (const QString& file : files) {
-    constexpr int widest = 420;  // pixels
-    const QString name = file.startsWith("phantom:") ? file : QFileInfo(file).fileName();
-    QString shown = recentMenu_->fontMetrics().elidedText(name, Qt::ElideMiddle, widest);
-    QAction* action = recentMenu_->addAction(shown.replace('&', "&&"));
-    action->setToolTip(file);
-    connect(action, &QAction::triggered, this, [this, file] {
-      if (!file.startsWith("phantom:") && !QFileInfo::exists(file)) removeRecentFile(file);
-      openPath(file);
-    });
-  }
-  recentMenu_->setToolTipsVisible(true);
-  if (files.isEmpty()) {
-    recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
-    return;
-  }
-  recentMenu_->addSeparator();
-  connect(recentMenu_->addAction(tr("Clear this list")), &QAction::triggered, this,
-          [] { clearRecentFiles(); });
 }
 
 }  // namespace isolux::ui

@@ -18,6 +18,7 @@
 #include "ui/dialogs/waiting.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/picture_wish.h"
+#include "ui/document/privacy.h"
 #include "ui/document/recent_files.h"
 #include "ui/panels/light_status.h"
 #include "ui/viewport/viewport.h"
@@ -129,8 +130,12 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     document_->checkOutput(file);
     const PictureWish wish = keptPictureWish();
     const scene::Scene scene = pictureScene(wish);
-    const auto textOf = wish.fullPaths ? &app::sessionText : &app::pictureSessionText;
-    const std::string session = withSession ? textOf(scene, path.parent_path()) : std::string();
+    const auto textOf = [&] {
+      return wish.fullPaths
+                 ? app::sessionText(scene, path.parent_path())
+                 : app::pictureSessionText(scene, path.parent_path(), hiddenInSaved(document_->volume()));
+    };
+    const std::string session = withSession ? textOf() : std::string();
     const bool linear = endsWith(file, "exr");
     const render::StillPicture picture = finishedPicture(linear, tr("Saving %1").arg(name));
     const QString light = unfinishedLightText(light_->state(), light_->cancelled());

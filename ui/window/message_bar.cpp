@@ -49,7 +49,7 @@ void MessageBar::show(Kind kind, const QString& text, std::vector<Answer> answer
 
 void MessageBar::present(Message message) {
   shown_ = std::move(message);
-  label_->setText(shown_.text);
+  label_->setText(filter_ ? filter_(shown_.text) : shown_.text);
   makeButtons();
   dress();
   if (shown_.kind == Kind::note) {

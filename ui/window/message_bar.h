@@ -31,6 +31,8 @@ class MessageBar : public QFrame {
   // Replaces the note or error that is shown. A note goes away by itself, an error stays until it is closed
   // or replaced. A question waits until it is answered or closed: notes and errors cover it while they last.
   void show(Kind kind, const QString& text, std::vector<Answer> answers = {});
+  // What each text becomes before it is shown.
+  void setFilter(std::function<QString(const QString&)> filter) { filter_ = std::move(filter); }
   void clear();  // what is shown; a question that was covered is shown again
   QString text() const;
   Kind kind() const { return shown_.kind; }
@@ -64,6 +66,7 @@ class MessageBar : public QFrame {
   Message shown_;
   std::optional<Message> question_;
   QTimer timer_;
+  std::function<QString(const QString&)> filter_;
 };
 
 }  // namespace isolux::ui

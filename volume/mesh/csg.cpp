@@ -14,6 +14,7 @@
 
 #include "volume/field/reconstruct.h"
 #include "volume/parallel_steps.h"
+#include "volume/read/patient.h"
 #include "volume/statistics/histogram.h"
 
 namespace isolux::volume {
@@ -195,6 +196,7 @@ CsgResult combined(const Volume& first, const Volume& second, scene::Csg op,
   Volume& volume = result.volume;
   volume = first;
   volume.grid = std::make_shared<Grid>(combine(f1, sampled, combination, progress));
+  rememberPatient(volume.grid, patientOf(first.grid));
   volume.name = first.name + signOf(op) + second.name;
   volume.format = first.format + signOf(op) + second.format;
   volume.fileType = VoxelType::float32;

@@ -32,14 +32,15 @@ bool isSlice(const fs::path& file) {
          looksLikeDicom(headOf(file, 132));
 }
 
-void addSlicesOf(const fs::path& folder, bool withSubfolders, std::vector<fs::path>& files) {
+void addSlicesOf(const fs::path& folder, int depth, std::vector<fs::path>& files) {
   std::error_code error;
   constexpr auto options = fs::directory_options::skip_permission_denied;
   for (fs::directory_iterator entry(folder, options, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code ignored;
     if (entry->is_regular_file(ignored) && isSlice(entry->path())) files.push_back(entry->path());
-    if (withSubfolders && entry->is_directory(ignored)) addSlicesOf(entry->path(), false, files);
+    if (depth > 0 && entry->is_directory(ignored) && !entry->is_symlink(ignored))
+      addSlicesOf(entry->path(), depth - 1, files);
   }
 }
 
@@ -75,7 +76,7 @@ std::vector<fs::path> filesOfVolume(const std::string& path) {
   if (!file.has_filename()) file = file.parent_path();  // "folder/"
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) {
-    addSlicesOf(file, true, files);
+    addSlicesOf(file, kDeepestDicomFolder, files);
     return files;
   }
   if (path.starts_with("phantom:") || !fs::is_regular_file(file, ignored)) return files;
@@ -85,7 +86,7 @@ std::vector<fs::path> filesOfVolume(const std::string& path) {
     if (fs::is_regular_file(folder / name, ignored)) files.push_back(folder / name);
   addCounterparts(file, files);
   if (lowered(file.extension().string()) == ".dcm" || looksLikeDicom(headOf(file, 132)))
-    addSlicesOf(folder, true, files);
+    addSlicesOf(folder, 1, files);
   return files;
 }
 

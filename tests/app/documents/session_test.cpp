@@ -305,6 +305,26 @@ TEST(Session, OfASharedPictureNamesNoFolderAndFindsItsFilesAgain) {
   EXPECT_EQ(given.light.environment.file, (folder / "elsewhere" / "sky.hdr").string());
 }
 
+TEST(Session, APictureDoesNotNameThePatientAndStillOpens) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directories(folder / "DOE_JANE_ID4711");
+  const OwnStateFolder state;
+  const volume::Patient patient{"DOE^JANE", "ID4711", "19600102"};
+  Scene scene;
+  scene.source.path = (folder / "DOE_JANE_ID4711").string();
+  scene.marks.push_back({.name = "Doe, left", .points = {{1, 2, 3}}});
+  // In a folder of its own, and beside the volume.
+  for (const fs::path& pictures : {folder / "DOE_JANE_ID4711" / "pictures", folder}) {
+    const std::string text = pictureSessionText(scene, pictures, patient);
+    EXPECT_EQ(text.find("DOE"), std::string::npos) << text;
+    EXPECT_EQ(text.find("4711"), std::string::npos) << text;
+    const Scene opened = parseSession(text, "a.png", {pictures});
+    EXPECT_EQ(opened.source.path, scene.source.path);
+    EXPECT_EQ(opened.marks.front().name, "anonymous, left");
+  }
+  EXPECT_NE(pictureSessionText(scene, folder).find("DOE_JANE"), std::string::npos) << "nobody is hidden unasked";
+}
+
 TEST(Session, AnotherVolumeOfTheSameNameBesideThePictureIsNotTaken) {
   const fs::path folder = test::temporaryFolder();
   const OwnStateFolder state;

@@ -2,8 +2,8 @@
 //
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
 //                     [--slices | --slices-alone] [--theme dark|light] [--preferences] [--cut-in-slice]
-//                     [--hints] [--entry TEXT] [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT]
-//                     [--set PATH=VALUE]... PATH
+//                     [--hints] [--entry TEXT] [--raw-dialog] [--browser] [--anonymous]
+//                     [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]... PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -27,10 +27,13 @@
 
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "ui/browser/dicom_browser.h"
+#include "ui/browser/series_index.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/mark_reports.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/histogram_slider.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
@@ -89,6 +92,17 @@ int takePicture(const QCommandLineParser& options) {
     ui::RawImportDialog dialog(path);
     dialog.show();
     if (!waitUntil([&] { return !dialog.previewImage().isNull(); })) return fail("no slice to show");
+    return save(dialog.grab(), out);
+  }
+
+  if (options.isSet("anonymous")) ui::keepPrivacy({.hideOnScreen = true, .hideInSaved = true});
+  if (options.isSet("browser")) {
+    ui::SeriesIndex index;
+    ui::DicomBrowser dialog(&index, nullptr);
+    dialog.resize(size[0].toInt(), size[1].toInt());
+    dialog.show();
+    index.start(path);
+    if (!waitUntil([&] { return !index.running() && dialog.picturesComplete(); })) return fail("no list");
     return save(dialog.grab(), out);
   }
 
@@ -191,6 +205,8 @@ int main(int argc, char** argv) {
                         {"hints", "With the hints of the first start."},
                         {"entry", "After this entry of a menu; a dialog that it opens instead of the window.", "TEXT"},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
+                        {"browser", "The DICOM browser on a folder instead of the window."},
+                        {"anonymous", "With patients' names hidden."},
                         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");
     options.addHelpOption();

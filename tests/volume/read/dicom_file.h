@@ -31,6 +31,8 @@ struct DicomSlice {
   std::string slope = "1", intercept = "-1024";
   std::string syntax = "1.2.840.10008.1.2.1";
   std::string pixels;
+  // Left out where empty.
+  std::string patient, id, birthDate, study = "1.2.3", studyDescription, date, kernel, number;
 };
 
 inline std::string dicom(const DicomSlice& s) {
@@ -39,10 +41,17 @@ inline std::string dicom(const DicomSlice& s) {
                      element(2, 2, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(2, 3, "UI", uid) +
                      element(2, 0x10, "UI", s.syntax);
   meta = element(2, 0, "UL", bytesOf<std::uint32_t>({static_cast<std::uint32_t>(meta.size())})) + meta;
+  const auto known = [](std::uint16_t group, std::uint16_t number, const char* vr, const std::string& value) {
+    return value.empty() ? std::string() : element(group, number, vr, value);
+  };
   std::string data = element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(8, 0x18, "UI", uid) +
-                     element(8, 0x60, "CS", s.modality) + element(8, 0x103e, "LO", s.description) +
-                     element(0x18, 0x50, "DS", s.thickness) + element(0x20, 0xd, "UI", "1.2.3") +
-                     element(0x20, 0xe, "UI", s.series) +
+                     known(8, 0x20, "DA", s.date) + known(8, 0x21, "DA", s.date) +
+                     element(8, 0x60, "CS", s.modality) + known(8, 0x1030, "LO", s.studyDescription) +
+                     element(8, 0x103e, "LO", s.description) + known(0x10, 0x10, "PN", s.patient) +
+                     known(0x10, 0x20, "LO", s.id) + known(0x10, 0x30, "DA", s.birthDate) +
+                     element(0x18, 0x50, "DS", s.thickness) + known(0x18, 0x1210, "SH", s.kernel) +
+                     element(0x20, 0xd, "UI", s.study) + element(0x20, 0xe, "UI", s.series) +
+                     known(0x20, 0x11, "IS", s.number) +
                      element(0x20, 0x13, "IS", std::to_string(s.instance));
   if (!s.position.empty())
     data += element(0x20, 0x32, "DS", s.position) + element(0x20, 0x37, "DS", s.orientation);

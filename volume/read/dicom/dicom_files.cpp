@@ -16,29 +16,40 @@ namespace {
 
 constexpr std::size_t mostFiles = 100000;
 
-// Regular files of the folder and its direct subfolders, sorted; `use` returns false to stop.
-void visitFiles(const fs::path& folder, const std::function<bool(const fs::path&)>& use) {
+struct Visit {
+  const std::function<bool(const fs::path&)>& use;  // false: enough
+  std::size_t count = 0;
+  bool goesOn = true;
+};
+
+// Folder by folder: those in the folder itself first, so that what is at the top is found without looking at
+// all that is below. A subfolder that cannot be listed is passed by.
+void visitFiles(const fs::path& folder, int depth, bool top, Visit& visit) {
   std::error_code error;
   std::vector<fs::path> files, folders;
-  for (const auto& entry :
-       fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
+  for (fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && entry != end; entry.increment(error)) {
     std::error_code ignored;
-    if (entry.is_regular_file(ignored)) files.push_back(entry.path());
-    if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) folders.push_back(entry.path());
-    if (files.size() > mostFiles) throwInput(folder.string(), "", "the folder has more than 100000 files");
+    if (entry->is_regular_file(ignored)) files.push_back(entry->path());
+    if (entry->is_directory(ignored) && !entry->is_symlink(ignored)) folders.push_back(entry->path());
+    if (visit.count + files.size() > mostFiles)
+      throwInput(folder.string(), "", "the folder has more than 100000 files");
   }
-  if (error) throwInput(folder.string(), "", "cannot be listed: " + error.message());
-  std::sort(folders.begin(), folders.end());
-  for (const fs::path& sub : folders)
-    for (const auto& entry :
-         fs::directory_iterator(sub, fs::directory_options::skip_permission_denied, error)) {
-      std::error_code ignored;
-      if (entry.is_regular_file(ignored)) files.push_back(entry.path());
-      if (files.size() > mostFiles) throwInput(folder.string(), "", "the folder has more than 100000 files");
-    }
+  if (error && top) throwInput(folder.string(), "", "cannot be listed: " + error.message());
+  visit.count += files.size();
   std::sort(files.begin(), files.end());
+  std::sort(folders.begin(), folders.end());
   for (const fs::path& file : files)
-    if (!use(file)) return;
+    if (!(visit.goesOn = visit.use(file))) return;
+  for (const fs::path& below : folders) {
+    if (depth > 0) visitFiles(below, depth - 1, false, visit);
+    if (!visit.goesOn) return;
+  }
+}
+
+void visitFiles(const fs::path& folder, int depth, const std::function<bool(const fs::path&)>& use) {
+  Visit visit{use};
+  visitFiles(folder, depth, true, visit);
 }
 
 // Old files lack the mark and begin with their first element at once, of group 2 or 8.
@@ -49,6 +60,8 @@ bool beginsWithElement(std::string_view head) {
   const bool big = byte(0) == 0 && (byte(1) == 2 || byte(1) == 8);
   return little || big;
 }
+
+}  // namespace
 
 bool isDicomFile(const fs::path& path) {
   if (path.filename() == "DICOMDIR") return false;  // an index, without pixels
@@ -61,24 +74,28 @@ bool isDicomFile(const fs::path& path) {
   }
 }
 
-}  // namespace
-
 bool looksLikeDicom(std::string_view head) {
   return head.size() >= 132 && head.substr(128, 4) == "DICM";
 }
 
 bool hasDicomFiles(const fs::path& folder) {
   bool found = false;
-  visitFiles(folder, [&](const fs::path& file) { return !(found = isDicomFile(file)); });
+  visitFiles(folder, kDeepestDicomFolder, [&](const fs::path& file) { return !(found = isDicomFile(file)); });
   return found;
 }
 
-std::vector<fs::path> dicomFilesIn(const fs::path& folder) {
+std::vector<fs::path> filesBelow(const fs::path& folder, int depth) {
   std::vector<fs::path> files;
-  visitFiles(folder, [&](const fs::path& file) {
-    if (isDicomFile(file)) files.push_back(file);
+  visitFiles(folder, depth, [&](const fs::path& file) {
+    files.push_back(file);
     return true;
   });
+  return files;
+}
+
+std::vector<fs::path> dicomFilesIn(const fs::path& folder, int depth) {
+  std::vector<fs::path> files = filesBelow(folder, depth);
+  std::erase_if(files, [](const fs::path& file) { return !isDicomFile(file); });
   return files;
 }
 

@@ -10,11 +10,18 @@ namespace isolux::volume {
 // Does `head` (the first 132 bytes or more) carry the DICOM mark?
 bool looksLikeDicom(std::string_view head);
 
-// True when `folder` or a direct subfolder has a DICOM file. Throws Error{input} for a folder that cannot be
-// listed or has more than 100000 files.
+// How deep subfolders of a folder that is opened are looked at; discs have four or five.
+inline constexpr int kDeepestDicomFolder = 8;
+
+// By its first bytes; false for the index of a disc (DICOMDIR), which has no pixels.
+bool isDicomFile(const std::filesystem::path& file);
+
+// True when `folder` or a subfolder has a DICOM file. Links to folders are not followed. Throws Error{input}
+// for a folder that cannot be listed or has more than 100000 files.
 bool hasDicomFiles(const std::filesystem::path& folder);
 
-// All of them, sorted by path. Throws likewise.
-std::vector<std::filesystem::path> dicomFilesIn(const std::filesystem::path& folder);
+// All files, and all DICOM files, to this depth of subfolders, folder by folder. Throws likewise.
+std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder, int depth);
+std::vector<std::filesystem::path> dicomFilesIn(const std::filesystem::path& folder, int depth);
 
 }  // namespace isolux::volume

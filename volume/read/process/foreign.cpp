@@ -61,6 +61,7 @@ Volume readVolumeBy(const fs::path& program, const fs::path& path, const ReadOpt
   Volume volume = finishVolume(decoded.header, std::move(decoded.voxels), options, progress);
   volume.name = decoded.name;
   volume.seriesChoices = std::move(decoded.seriesChoices);
+  rememberPatient(volume.grid, decoded.patient);
   return volume;
 }
 

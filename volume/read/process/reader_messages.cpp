@@ -1,5 +1,6 @@
 #include "volume/read/process/reader_messages.h"
 
+#include <array>
 #include <limits>
 
 #include "volume/read/process/wire.h"
@@ -8,11 +9,31 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::size_t mostWarnings = 10000, mostSeries = 1000000;
+constexpr std::size_t mostWarnings = 10000, mostSeries = 1000000, mostSkippedFiles = 1000;
 constexpr std::uint64_t mostPoints = std::uint64_t{1} << 31, mostTriangles = std::uint64_t{1} << 30;
 
 VoxelType typeOf(const FileVoxels& voxels) {
   return static_cast<VoxelType>(voxels.index());
+}
+
+void putPatient(WireWriter& wire, const Patient& patient) {
+  for (const std::string* text : {&patient.name, &patient.id, &patient.birthDate})
+    wire.put(std::string_view(*text));
+}
+
+Patient takePatient(WireReader& wire) {
+  Patient patient;
+  for (std::string* text : {&patient.name, &patient.id, &patient.birthDate}) *text = wire.text();
+  return patient;
+}
+
+// The texts of a series, in the order in which they are sent.
+template <class Series>
+auto textsOf(Series& series) {
+  return std::array{&series.study,    &series.studyDescription, &series.studyDate,
+                    &series.series,   &series.description,      &series.date,
+                    &series.modality, &series.kernel,           &series.number,
+                    &series.folder,   &series.problem,          &series.middleFile};
 }
 
 }  // namespace
@@ -25,6 +46,7 @@ std::string encode(const Request& request) {
   wire.put(static_cast<std::int64_t>(request.options.component));
   wire.put(static_cast<std::int64_t>(request.options.timeStep));
   wire.put(static_cast<std::uint64_t>(request.options.budgetBytes));
+  wire.put(request.skip);
   for (int axis = 0; axis < 3; ++axis) wire.put(static_cast<std::int64_t>(request.contourDims[axis]));
   wire.put(static_cast<std::int64_t>(request.parent));
   return wire.bytes();
@@ -33,12 +55,13 @@ std::string encode(const Request& request) {
 Request decodeRequest(std::string_view body) {
   WireReader wire(body);
   Request request;
-  request.task = static_cast<Task>(wire.number(1, 5));
+  request.task = static_cast<Task>(wire.number(1, static_cast<std::uint64_t>(Task::preview)));
   request.path = wire.text();
   request.options.series = wire.text();
   request.options.component = static_cast<int>(static_cast<std::int64_t>(wire.number()));
   request.options.timeStep = static_cast<int>(static_cast<std::int64_t>(wire.number()));
   request.options.budgetBytes = static_cast<std::size_t>(wire.number());
+  request.skip = wire.texts(mostSkippedFiles);
   for (int axis = 0; axis < 3; ++axis) request.contourDims[axis] = static_cast<int>(wire.number(0, 1u << 24));
   request.parent = static_cast<int>(wire.number());
   wire.end();
@@ -80,6 +103,7 @@ std::string encode(const DecodedVolume& volume) {
   wire.put(header.warnings);
   wire.put(std::string_view(volume.name));
   wire.put(volume.seriesChoices);
+  putPatient(wire, volume.patient);
   wire.put(static_cast<std::uint64_t>(typeOf(volume.voxels)));
   return wire.bytes();
 }
@@ -104,6 +128,7 @@ DecodedVolume decodeVolume(std::string_view body) {
   header.warnings = wire.texts(mostWarnings);
   volume.name = wire.text();
   volume.seriesChoices = wire.texts(mostSeries);
+  volume.patient = takePatient(wire);
   const auto type = static_cast<VoxelType>(wire.number(0, lastType));
   wire.end();
   if (!usableAffine(header.worldFromVoxel)) throwBadAnswer("spacing or orientation is degenerate");
@@ -142,6 +167,51 @@ ImageSize decodeImage(std::string_view body) {
   if (width * height > static_cast<std::uint64_t>(kMostImagePixels))
     throwBadAnswer("an image is larger than one may be");
   return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::string encode(const DicomSeries& series) {
+  WireWriter wire;
+  putPatient(wire, series.patient);
+  for (const std::string* text : textsOf(series)) wire.put(std::string_view(*text));
+  for (const std::int64_t number : {series.columns, series.rows, series.slices, series.timeSteps})
+    wire.put(number);
+  for (int axis = 0; axis < 3; ++axis) wire.put(series.spacingMm[axis]);
+  wire.put(series.warnings);
+  wire.put(static_cast<std::int64_t>(series.middleFrame));
+  return wire.bytes();
+}
+
+DicomSeries decodeSeries(std::string_view body) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 31;
+  WireReader wire(body);
+  DicomSeries series;
+  series.patient = takePatient(wire);
+  for (std::string* text : textsOf(series)) *text = wire.text();
+  for (std::int64_t* number : {&series.columns, &series.rows, &series.slices, &series.timeSteps})
+    *number = static_cast<std::int64_t>(wire.number(0, most));
+  for (int axis = 0; axis < 3; ++axis) series.spacingMm[axis] = wire.finite();
+  series.warnings = wire.texts(mostWarnings);
+  series.middleFrame = static_cast<int>(wire.number(0, 65535));
+  wire.end();
+  return series;
+}
+
+std::string encode(const DicomIndexEnd& end) {
+  WireWriter wire;
+  for (const std::int64_t number : {end.files, end.dicomFiles, end.unreadable}) wire.put(number);
+  wire.put(std::string_view(end.firstReason));
+  return wire.bytes();
+}
+
+DicomIndexEnd decodeIndexEnd(std::string_view body) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 31;
+  WireReader wire(body);
+  DicomIndexEnd end;
+  for (std::int64_t* number : {&end.files, &end.dicomFiles, &end.unreadable})
+    *number = static_cast<std::int64_t>(wire.number(0, most));
+  end.firstReason = wire.text();
+  wire.end();
+  return end;
 }
 
 std::uint64_t bulkBytes(const DecodedVolume& announced) {

@@ -15,13 +15,14 @@
 
 #include "base/error.h"
 #include "volume/mesh/triangle_mesh.h"
+#include "volume/read/dicom/dicom_series.h"
 #include "volume/read/input/convert.h"
 #include "volume/read/input/image_header.h"
 
 namespace isolux::volume {
 
 inline constexpr std::uint64_t kMessageMark =
-    0x32525855'4c4f5349;  // "ISOLUXR2": the last digit is the version
+    0x33525855'4c4f5349;  // "ISOLUXR3": the last digit is the version
 inline constexpr std::size_t kMessageHeadBytes = 24;
 inline constexpr std::uint64_t kLongestMessage = std::uint64_t{64} << 20;
 
@@ -35,16 +36,20 @@ enum class MessageKind : std::uint64_t {
   mesh,      // reader: counts of a mesh
   image,     // reader: size of an image
   text,      // reader: versions of its libraries; its last word
+  series,    // reader: a DicomSeries that it has found, or knows more of
+  index,     // reader: a DicomIndexEnd, when it has looked at all files; its last word
   done       // reader: the shared memory is filled; its last word
 };
 
 // contour: of samples that the program puts into the shared memory.
-enum class Task : std::uint64_t { volume = 1, mesh, image, versions, contour };
+// index: of the DICOM series of a folder; preview: a small image of one frame of a DICOM file.
+enum class Task : std::uint64_t { volume = 1, mesh, image, versions, contour, index, preview };
 
 struct Request {
   Task task = Task::volume;
   std::string path;
-  ReadOptions options;        // series, component, timeStep and budgetBytes only
+  ReadOptions options;            // series, component, timeStep and budgetBytes only
+  std::vector<std::string> skip;  // files that an index passes by
   glm::ivec3 contourDims{0};  // of a contour's samples: float32, x fastest; the surface is where they are 0
   int parent = 0;             // process number of the program: a reader must not outlive it
 };
@@ -55,6 +60,7 @@ struct DecodedVolume {
   FileVoxels voxels;   // of the chosen component and time step
   std::string name;
   std::vector<std::string> seriesChoices;
+  Patient patient;
 };
 
 // Linear RGB, row by row, row 0 at the top.
@@ -73,6 +79,8 @@ base::Error decodeError(std::string_view body);
 std::string encode(const DecodedVolume& volume);
 std::string encode(const TriangleMesh& mesh);
 std::string encode(const DecodedImage& image);
+std::string encode(const DicomSeries& series);
+std::string encode(const DicomIndexEnd& end);
 
 // What the shared memory will hold is announced, not there yet: `voxels` is empty, of its type.
 struct MeshCounts {
@@ -84,6 +92,8 @@ struct ImageSize {
 DecodedVolume decodeVolume(std::string_view body);
 MeshCounts decodeMesh(std::string_view body);
 ImageSize decodeImage(std::string_view body);
+DicomSeries decodeSeries(std::string_view body);
+DicomIndexEnd decodeIndexEnd(std::string_view body);
 
 // Bytes of shared memory for what is announced.
 std::uint64_t bulkBytes(const DecodedVolume& announced);

@@ -220,8 +220,8 @@ ReaderProcess::Message ReaderProcess::next() {
   return message;
 }
 
-std::string ReaderProcess::expect(MessageKind kind) {
-  return named([&]() -> std::string {
+ReaderProcess::Message ReaderProcess::expectEither(MessageKind one, MessageKind other) {
+  return named([&]() -> Message {
     for (;;) {
       Message message = next();
       if (message.kind == MessageKind::progress) {
@@ -235,8 +235,8 @@ std::string ReaderProcess::expect(MessageKind kind) {
         continue;
       }
       if (message.kind == MessageKind::failure) throw decodeError(message.body);
-      if (message.kind != kind) throwBadAnswer("is none to what was asked");
-      return std::move(message.body);
+      if (message.kind != one && message.kind != other) throwBadAnswer("is none to what was asked");
+      return message;
     }
   });
 }

@@ -59,7 +59,9 @@ class ReaderProcess {
   ReaderProcess& operator=(const ReaderProcess&) = delete;
 
   // The body of the next message, which must be of this kind; progress is passed on, failures are thrown.
-  std::string expect(MessageKind kind);
+  std::string expect(MessageKind kind) { return expectEither(kind, kind).body; }
+  // One of two kinds, where what comes next is the reader's choice.
+  Message expectEither(MessageKind one, MessageKind other);
   // What `decode` makes of that body; its errors name the file.
   template <typename Decode>
   auto announced(MessageKind kind, Decode&& decode) {
