@@ -1,5 +1,5 @@
 // The settings of the machine: memory, threads, how quick pictures in motion are. What is changed applies at
-// once.
+// once; the language at the next start.
 #pragma once
 
 #include <vector>
@@ -9,6 +9,8 @@
 #include "scene/machine.h"
 
 class QCheckBox;
+class QComboBox;
+class QGridLayout;
 class QLabel;
 
 namespace isolux::ui {
@@ -23,6 +25,7 @@ class PreferencesDialog : public QDialog {
   const scene::Machine& machine() const { return machine_; }
   ValueWidget* valueWidget(const std::string& path) const;  // null: no such setting
   QCheckBox* automaticBox(const std::string& path) const;   // null: it cannot be automatic
+  QComboBox* languageBox() const { return language_; }
   void restoreDefaults();
 
  Q_SIGNALS:
@@ -37,9 +40,11 @@ class PreferencesDialog : public QDialog {
   };
   void set(const Row& row, const nlohmann::json& value);
   void showRow(const Row& row);
+  void addLanguage(QGridLayout* grid);
 
   scene::Machine machine_;
   std::vector<Row> rows_;
+  QComboBox* language_;
 };
 
 }  // namespace isolux::ui

@@ -67,7 +67,7 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
   resize(820, 640);
   preview_->setAlignment(Qt::AlignCenter);
   preview_->setMinimumSize(320, 240);
-  preview_->setStyleSheet(tr("background: %1;").arg(colours::base.name()));
+  preview_->setStyleSheet(QString("background: %1;").arg(colours::base.name()));
   preview_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   text_->setWordWrap(true);
   bar_->setRange(0, 1000);
@@ -145,7 +145,7 @@ void ReferenceDialog::poll() {
   QString noise;
   if (round_ && round_->noisePart) noise = tr("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
   if (!finished) {
-    tell(noise.isEmpty() ? tr("Tracing …") : tr("Tracing … ") + noise);
+    tell(noise.isEmpty() ? tr("Tracing …") : tr("Tracing … %1").arg(noise));
     return;
   }
   timer_.stop();
@@ -196,7 +196,7 @@ bool ReferenceDialog::saveAs(const QString& file) {
     }
   });
   save_->setEnabled(false);
-  tell(tr("Saving ") + savedName_ + " …");
+  tell(tr("Saving %1 …").arg(savedName_));
   saveTimer_.start();
   return true;
 }
@@ -206,7 +206,7 @@ void ReferenceDialog::pollSaving() {
   saveTimer_.stop();
   const QString problem = saving_.get();
   save_->setEnabled(round_ != nullptr);
-  tell(problem.isEmpty() ? tr("Saved as ") + savedName_ : problem, !problem.isEmpty());
+  tell(problem.isEmpty() ? tr("Saved as %1").arg(savedName_) : problem, !problem.isEmpty());
 }
 
 }  // namespace isolux::ui

@@ -14,6 +14,7 @@
 
 #include "app/files/state_folder.h"
 #include "app/version.h"
+#include "ui/language/language.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
 #include "ui/window/style.h"
@@ -93,6 +94,7 @@ int openWindow(const app::WindowRequest& request) {
   const QApplication application(argc, argv);
   finishApplication();
 
+  setLanguage(keptLanguage());
   MainWindow window;
   QObject::connect(&application, &QGuiApplication::commitDataRequest, &window, &MainWindow::commitData,
                    Qt::DirectConnection);

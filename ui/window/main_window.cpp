@@ -39,7 +39,8 @@
 namespace isolux::ui {
 
 namespace {
-constexpr auto openHint = "Open a volume with Ctrl+O, or drop a file or folder here";
+constexpr auto openHint =
+    QT_TRANSLATE_NOOP("QObject", "Open a volume with Ctrl+O, or drop a file or folder here");
 constexpr int panelWidth = 350;  // pixels, at first
 }  // namespace
 
@@ -79,7 +80,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectMarks();
   setMachine(keptMachine());
   showScene(document_->scene(), document_->resolvedScene());
-  viewport_->setHint(openHint);
+  viewport_->setHint(QObject::tr(openHint));
   showState();
   viewport_->setFocus();
   const QByteArray geometry = QSettings().value("window/geometry").toByteArray();
@@ -116,7 +117,7 @@ void MainWindow::makePanels() {
   recordingLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::error.name()));
   frameLabel_->setStyleSheet(QString("color: %1; padding: 0 10px;").arg(colours::quietText.name()));
   frameLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("00000 ms (draft)")) + 24);
+  frameLabel_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 ms (draft)").arg("00000")) + 24);
   frameLabel_->setToolTip(tr("Time for the last picture"));
   pointedLabel_->setContentsMargins(10, 0, 0, 0);
   statusBar()->addWidget(pointedLabel_, 1);
@@ -146,7 +147,7 @@ void MainWindow::connectDocument() {
       message_->show(MessageBar::Kind::note,
                      tr("%1 (%2 in the Volume panel)")
                          .arg(QString::fromStdString(volume->volume.warnings.front()))
-                         .arg(count == 1 ? QString("also") : tr("all %1 notes").arg(count)));
+                         .arg(count == 1 ? tr("also") : tr("all %1 notes").arg(count)));
     }
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
@@ -161,7 +162,7 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::loadProgress, loadCard_, &LoadCard::report);
   connect(document_, &Document::loadEnded, this, [this] {
     loadCard_->end();
-    viewport_->setHint(openHint);
+    viewport_->setHint(QObject::tr(openHint));
   });
   connect(document_, &Document::opened, this, [](const QString& path) { addRecentFile(path); });
   connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
@@ -183,7 +184,7 @@ void MainWindow::connectDocument() {
   connect(viewport_, &Viewport::menuAsked, this, &MainWindow::showSurfaceMenu);
   connect(pointedPiece_, &PointedPiece::changed, this, &MainWindow::showPointedText);
   connect(viewport_, &Viewport::drawn, this, [this](double milliseconds, bool complete) {
-    frameLabel_->setText(QString("%1 ms%2").arg(numberText(milliseconds, 3), complete ? "" : tr(" (draft)")));
+    frameLabel_->setText((complete ? tr("%1 ms") : tr("%1 ms (draft)")).arg(numberText(milliseconds, 3)));
     if (awaitsFirstPicture_) {
       awaitsFirstPicture_ = false;
       for (const Docked& docked : panels_) docked.panel->setFirstPicture(document_->secondsSinceRead());
@@ -289,8 +290,10 @@ void MainWindow::showState() {
   const app::History& history = document_->history();
   undo_->setEnabled(history.canUndo());
   redo_->setEnabled(history.canRedo());
-  undo_->setText(history.canUndo() ? tr("&Undo ") + QString::fromStdString(history.undoName()) : tr("&Undo"));
-  redo_->setText(history.canRedo() ? tr("&Redo ") + QString::fromStdString(history.redoName()) : tr("&Redo"));
+  undo_->setText(history.canUndo() ? tr("&Undo %1").arg(QString::fromStdString(history.undoName()))
+                                   : tr("&Undo"));
+  redo_->setText(history.canRedo() ? tr("&Redo %1").arg(QString::fromStdString(history.redoName()))
+                                   : tr("&Redo"));
   const bool loaded = document_->volume() != nullptr;
   for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
     action->setEnabled(loaded);
@@ -340,9 +343,9 @@ void MainWindow::showPointedText() {
   pointedLabel_->setText(piece.isEmpty() ? pointedText_ : pointedText_ + "      " + piece);
 }
 
-void MainWindow::showPanel(const QString& title) {
+void MainWindow::showPanel(const QString& name) {
   for (const Docked& docked : panels_) {
-    if (docked.dock->windowTitle().compare(title, Qt::CaseInsensitive) != 0) continue;
+    if (docked.dock->objectName().compare(name, Qt::CaseInsensitive) != 0) continue;
     docked.dock->show();
     docked.dock->raise();
   }

@@ -82,7 +82,8 @@ class MainWindow : public QMainWindow {
   bool exportMarks(const QString& file);
   bool importMarks(const QString& file);  // adds those of a .mrk.json
   const MarkReports* marks() const { return marks_; }
-  void showPanel(const QString& title);  // in front of the others
+  static const char* helpText();        // HTML, English: mouse and keys
+  void showPanel(const QString& name);  // in front of the others
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;

@@ -8,6 +8,8 @@
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/preferences.h"
+#include "ui/language/sentences.h"
+#include "ui/language/translated.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -50,7 +52,12 @@ void MainWindow::showHelp() {
   QMessageBox box(this);
   box.setWindowTitle(tr("Mouse and keys"));
   box.setTextFormat(Qt::RichText);
-  box.setText(R"(
+  box.setText(translatedCells(texts::help, helpText()));
+  box.exec();
+}
+
+const char* MainWindow::helpText() {
+  return R"(
     <style>td { padding: 2px 18px 2px 0; } h4 { margin: 10px 0 4px 0; }</style>
     <h4>Picture</h4>
     <table>
@@ -77,8 +84,7 @@ void MainWindow::showHelp() {
     <tr><td><b>Wheel</b>, <b>arrow keys</b></td><td>fine steps; with Shift ten times larger</td></tr>
     <tr><td><b>Double click</b></td><td>suggested isovalue</td></tr>
     <tr><td><b>Ctrl+wheel</b>, <b>middle drag</b></td><td>zoom and move the axis of values</td></tr>
-    </table>)");
-  box.exec();
+    </table>)";
 }
 
 void MainWindow::showAbout() {

@@ -2,7 +2,7 @@
 //
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
 //                     [--slices] [--raw-dialog] [--histogram-zoom FACTOR] [--light-at PERCENT] [--set
-//                     PATH=VALUE]... PATH
+//                     PATH=VALUE]... [--language en|de] [--preferences] PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -20,10 +20,12 @@
 
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/mark_reports.h"
 #include "ui/editors/histogram_slider.h"
+#include "ui/language/language.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/slices/slice_board.h"
@@ -66,6 +68,10 @@ int takePicture(const QCommandLineParser& options) {
     ui::RawImportDialog dialog(path);
     dialog.show();
     if (!waitUntil([&] { return !dialog.previewImage().isNull(); })) return fail("no slice to show");
+    return save(dialog.grab(), out);
+  }
+  if (options.isSet("preferences")) {
+    ui::PreferencesDialog dialog({}, nullptr);
     return save(dialog.grab(), out);
   }
 
@@ -137,11 +143,14 @@ int main(int argc, char** argv) {
                         {"light-at", "As it is at so much of the stored light.", "PERCENT"},
                         {"slices", "With slices beside the picture."},
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
+                        {"language", "en or de.", "NAME", "en"},
+                        {"preferences", "The dialog of preferences instead of the window."},
                         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");
     options.addHelpOption();
     options.process(application);
     if (!options.isSet("out")) return fail("--out FILE is missing");
+    ui::setLanguage(ui::spokenOf({options.value("language")}));
     return takePicture(options);
   } catch (const std::exception& error) {
     return fail(error.what());
