@@ -37,7 +37,7 @@ bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // nu
 QString fieldNote(const app::FieldJob& job) {
   if (job.finished() && job.error()) return QString::fromStdString(job.error()->what());
   return QObject::tr("Preparing the volume (%1): %2 %; until then another field is shown")
-      .arg(translated(texts::words, plainWordsOf(job.progress().stage()).toStdString()))
+      .arg(translated(texts::words, job.progress().stage()))
       .arg(std::lround(100.0 * job.progress().fraction()));
 }
 

@@ -34,7 +34,8 @@ class Collector {
   void add(const char* context, std::string_view text) {
     if (!text.empty()) texts_.emplace(context, text);
   }
-  void add(const char* context, const QString& text) { add(context, text.toStdString()); }
+  void add(const char* context, const char* text) { add(context, std::string_view(text)); }
+  void add(const char* context, const QString& text) { add(context, std::string_view(text.toStdString())); }
   void addWords(std::string_view identifier) {
     add(ui::texts::words, ui::plainWordsOf(QString::fromStdString(std::string(identifier))));
   }
@@ -106,6 +107,7 @@ void addStages(Collector& all) {
       const std::string source = text.str();
       for (std::sregex_iterator match(source.begin(), source.end(), report), end; match != end; ++match) {
         all.addWords((*match)[1].str());
+        all.add(ui::texts::words, (*match)[1].str());
         ++found;
       }
     }

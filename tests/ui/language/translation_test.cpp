@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QMenuBar>
@@ -135,7 +136,6 @@ TEST(TranslationTest, HasEveryTextOfTheLists) {
 
 TEST(TranslationTest, EveryEntryIsFinishedAndFitsItsText) {
   EXPECT_GT(german().size(), 1000U);
-  const QRegularExpression space("^\\s*|\\s*$");
   for (const Entry& entry : german()) {
     SCOPED_TRACE(nameOf(entry) + " -> \"" + entry.translation.toStdString() + '"');
     EXPECT_EQ(entry.type.toStdString(), "");
