@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>Hits and derivatives computed by</source>
-        <translation>Treffer und Ableitungen berechnet</translation>
+        <translation>Treffer und Ableitungen durch</translation>
     </message>
     <message>
         <source>Default: %1</source>
@@ -89,11 +89,11 @@
     </message>
     <message>
         <source>1 mark</source>
-        <translation>1 Markierung</translation>
+        <translation>1 Marke</translation>
     </message>
     <message>
         <source>%1 marks</source>
-        <translation>%1 Markierungen</translation>
+        <translation>%1 Marken</translation>
     </message>
     <message>
         <source>One colour</source>
@@ -161,11 +161,11 @@
     </message>
     <message>
         <source>Settings</source>
-        <translation>Einstellungen</translation>
+        <translation>Optionen</translation>
     </message>
     <message>
         <source>Marks</source>
-        <translation>Markierungen</translation>
+        <translation>Marken</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>Passes</source>
-        <translation>Durchgänge</translation>
+        <translation>Ablauf</translation>
     </message>
     <message>
         <source>Look</source>
@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>It is tried again when something changes: undo the last step, or choose other settings.</source>
-        <translation>Bei der nächsten Änderung folgt ein neuer Versuch: den letzten Schritt rückgängig machen oder andere Einstellungen wählen.</translation>
+        <translation>Bei der nächsten Änderung folgt ein neuer Versuch: den letzten Schritt rückgängig machen oder andere Optionen wählen.</translation>
     </message>
     <message>
         <source>Open a volume with Ctrl+O, or drop a file or folder here</source>
@@ -413,7 +413,7 @@
     </message>
     <message>
         <source>Marks for 3D Slicer (*.mrk.json)</source>
-        <translation>Markierungen für 3D Slicer (*.mrk.json)</translation>
+        <translation>Marken für 3D Slicer (*.mrk.json)</translation>
     </message>
     <message>
         <source>Table of what they say (*.csv)</source>
@@ -635,7 +635,7 @@
     </message>
     <message>
         <source>find a setting</source>
-        <translation>Einstellung suchen</translation>
+        <translation>Option suchen</translation>
     </message>
     <message>
         <source>fine steps; with Shift ten times larger</source>
@@ -1097,15 +1097,15 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     </message>
     <message>
         <source>&amp;List of marks</source>
-        <translation>&amp;Liste der Markierungen</translation>
+        <translation>&amp;Liste der Marken</translation>
     </message>
     <message>
         <source>Show the panel of marks</source>
-        <translation>Die Liste der Markierungen zeigen</translation>
+        <translation>Die Liste der Marken zeigen</translation>
     </message>
     <message>
         <source>E&amp;xport marks…</source>
-        <translation>Markierungen &amp;exportieren …</translation>
+        <translation>Marken &amp;exportieren …</translation>
     </message>
     <message>
         <source>As a table (CSV) or for 3D Slicer (.mrk.json)</source>
@@ -1113,11 +1113,11 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     </message>
     <message>
         <source>&amp;Import marks…</source>
-        <translation>Markierungen &amp;importieren …</translation>
+        <translation>Marken &amp;importieren …</translation>
     </message>
     <message>
         <source>Marks of 3D Slicer (.mrk.json)</source>
-        <translation>Markierungen von 3D Slicer (.mrk.json)</translation>
+        <translation>Marken von 3D Slicer (.mrk.json)</translation>
     </message>
     <message>
         <source>      κ₁ %1, κ₂ %2 /mm (confidence %3)</source>
@@ -1125,19 +1125,19 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     </message>
     <message>
         <source>is not written: marks are saved as .csv or as .mrk.json</source>
-        <translation>wird nicht geschrieben: Markierungen werden als .csv oder als .mrk.json gespeichert</translation>
+        <translation>wird nicht geschrieben: Marken werden als .csv oder als .mrk.json gespeichert</translation>
     </message>
     <message>
         <source>some marks were still being measured</source>
-        <translation>einige Markierungen wurden noch gemessen</translation>
+        <translation>einige Marken wurden noch gemessen</translation>
     </message>
     <message>
         <source>1 mark of %1</source>
-        <translation>1 Markierung aus %1</translation>
+        <translation>1 Marke aus %1</translation>
     </message>
     <message>
         <source>%1 marks of %2</source>
-        <translation>%1 Markierungen aus %2</translation>
+        <translation>%1 Marken aus %2</translation>
     </message>
     <message>
         <source>left out: %1</source>
@@ -1145,15 +1145,15 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     </message>
     <message>
         <source>Import marks</source>
-        <translation>Markierungen importieren</translation>
+        <translation>Marken importieren</translation>
     </message>
     <message>
         <source>Export marks</source>
-        <translation>Markierungen exportieren</translation>
+        <translation>Marken exportieren</translation>
     </message>
     <message>
         <source>Marks of 3D Slicer (*.mrk.json *.json);;All files (*)</source>
-        <translation>Markierungen von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
+        <translation>Marken von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -1249,15 +1249,15 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     </message>
     <message>
         <source>&amp;Find a setting</source>
-        <translation>Einstellung &amp;suchen</translation>
+        <translation>Option &amp;suchen</translation>
     </message>
     <message>
         <source>Find a setting by its name</source>
-        <translation>Eine Einstellung nach ihrem Namen suchen</translation>
+        <translation>Eine Option nach ihrem Namen suchen</translation>
     </message>
     <message>
         <source>&amp;Preferences …</source>
-        <translation>&amp;Voreinstellungen …</translation>
+        <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
         <source>Memory, threads and speed: settings of this machine</source>
@@ -1468,11 +1468,11 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
     <message>
         <source>What the mark says</source>
-        <translation>Messwerte der Markierung</translation>
+        <translation>Messwerte der Marke</translation>
     </message>
     <message>
         <source>Colour of the mark</source>
-        <translation>Farbe der Markierung</translation>
+        <translation>Farbe der Marke</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -1480,7 +1480,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
     <message>
         <source>Delete the chosen marks (Del)</source>
-        <translation>Gewählte Markierungen löschen (Entf)</translation>
+        <translation>Gewählte Marken löschen (Entf)</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -1488,7 +1488,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
     <message>
         <source>Copy what all marks say as text</source>
-        <translation>Messwerte aller Markierungen als Text kopieren</translation>
+        <translation>Messwerte aller Marken als Text kopieren</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -1496,7 +1496,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
     <message>
         <source>Save the marks as a table (CSV) or for 3D Slicer (.mrk.json)</source>
-        <translation>Markierungen als Tabelle (CSV) oder für 3D Slicer (.mrk.json) speichern</translation>
+        <translation>Marken als Tabelle (CSV) oder für 3D Slicer (.mrk.json) speichern</translation>
     </message>
     <message>
         <source>Import…</source>
@@ -1504,7 +1504,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
     <message>
         <source>Open marks of 3D Slicer (.mrk.json)</source>
-        <translation>Markierungen von 3D Slicer (.mrk.json) öffnen</translation>
+        <translation>Marken von 3D Slicer (.mrk.json) öffnen</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -1516,7 +1516,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
     <message>
         <source>Mark</source>
-        <translation>Markierung</translation>
+        <translation>Marke</translation>
     </message>
     <message>
         <source>Says</source>
@@ -1524,7 +1524,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
     <message>
         <source>Marks</source>
-        <translation>Markierungen</translation>
+        <translation>Marken</translation>
     </message>
     <message>
         <source>Double click: another name; the box: shown in the picture</source>
@@ -1540,19 +1540,19 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
     <message>
         <source>Rename mark</source>
-        <translation>Markierung umbenennen</translation>
+        <translation>Marke umbenennen</translation>
     </message>
     <message>
         <source>Colour marks</source>
-        <translation>Markierungen färben</translation>
+        <translation>Marken färben</translation>
     </message>
     <message>
         <source>Delete mark</source>
-        <translation>Markierung löschen</translation>
+        <translation>Marke löschen</translation>
     </message>
     <message>
         <source>Delete marks</source>
-        <translation>Markierungen löschen</translation>
+        <translation>Marken löschen</translation>
     </message>
 </context>
 <context>
@@ -1791,7 +1791,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     <name>isolux::ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation>Voreinstellungen</translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>auto</source>
@@ -2059,12 +2059,12 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     <message>
         <source>No setting is called that.
 Memory, threads and the speed in motion are in Edit, Preferences.</source>
-        <translation>Keine Einstellung heißt so.
-Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Voreinstellungen.</translation>
+        <translation>Keine Option heißt so.
+Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellungen.</translation>
     </message>
     <message>
         <source>Find a setting</source>
-        <translation>Einstellung suchen</translation>
+        <translation>Option suchen</translation>
     </message>
     <message>
         <source>Nothing to set here: %1</source>
@@ -3291,7 +3291,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Voreinstel
     </message>
     <message>
         <source>How much brighter the ambient light is from above the picture than from below.</source>
-        <translation>Wie viel heller das Umgebungslicht von oben im Bild ist als von unten.</translation>
+        <translation>Wie viel heller das Grundlicht von oben im Bild ist als von unten.</translation>
     </message>
     <message>
         <source>How much of the surface&apos;s own colour is covered.</source>
@@ -3968,7 +3968,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Voreinstel
     </message>
     <message>
         <source>Ambient</source>
-        <translation>Umgebungslicht</translation>
+        <translation>Grundlicht</translation>
     </message>
     <message>
         <source>Ambient variation</source>
@@ -4952,7 +4952,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Voreinstel
     </message>
     <message>
         <source>ambient</source>
-        <translation>Umgebungslicht</translation>
+        <translation>Grundlicht</translation>
     </message>
     <message>
         <source>ambient variation</source>
