@@ -40,8 +40,12 @@ std::string wrongPoints(const scene::Mark& mark) {
 }
 
 std::string freshName(MarkKind kind, std::span<const scene::Mark> marks) {
+  return freshName(markKind(kind).title, marks);
+}
+
+std::string freshName(const std::string& title, std::span<const scene::Mark> marks) {
   for (std::size_t number = 1;; ++number) {
-    const std::string name = markKind(kind).title + (" " + std::to_string(number));
+    const std::string name = title + ' ' + std::to_string(number);
     if (std::none_of(marks.begin(), marks.end(), [&](const auto& mark) { return mark.name == name; }))
       return name;
   }

@@ -23,7 +23,8 @@ const MarkKindInfo& markKind(scene::MarkKind kind);
 // Empty where the mark has as many points as its kind needs; else a sentence fragment: "an angle needs ...".
 std::string wrongPoints(const scene::Mark& mark);
 
-// The first "Distance 3" that none of the marks is called.
+// The first "Distance 3" that none of the marks is called; `title` is the word before the number.
+std::string freshName(const std::string& title, std::span<const scene::Mark> marks);
 std::string freshName(scene::MarkKind kind, std::span<const scene::Mark> marks);
 
 }  // namespace isolux::app

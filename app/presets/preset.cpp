@@ -133,6 +133,12 @@ std::string presetText(const Preset& preset) {
                    {"set", preset.settings}});
 }
 
+std::vector<std::string> needReasons() {
+  std::vector<std::string> list;
+  for (const NeedInfo& info : kNeeds) list.emplace_back(info.reason);
+  return list;
+}
+
 std::string whyNot(const Preset& preset, const volume::PreparedVolume& volume, bool isovalueGiven) {
   const bool patient = volume.facts.axes == scene::WorldAxes::anatomical;
   for (const PresetNeed need : preset.needs) {

@@ -49,6 +49,8 @@ bool belongsToVolume(const std::string& path);
 // pieces.
 bool resetByPreset(const std::string& path);
 
+// All that whyNot() can answer, for who translates.
+std::vector<std::string> needReasons();
 // Why the preset says nothing of this volume, a clause; empty: it applies. Needs of Hounsfield units do not
 // count where `isovalueGiven`: somebody says the isovalue himself.
 std::string whyNot(const Preset& preset, const volume::PreparedVolume& volume, bool isovalueGiven = false);

@@ -305,4 +305,11 @@ std::string_view whyInactive(std::string_view path, const Scene& scene) {
   return {};
 }
 
+std::vector<std::string_view> inactiveReasons() {
+  std::vector<std::string_view> list;
+  for (const Rule& rule : rules) list.push_back(rule.otherwise);
+  for (const ItemRule& rule : itemRules) list.push_back(rule.otherwise);
+  return list;
+}
+
 }  // namespace isolux::scene

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "scene/rules/needs.h"
 #include "scene/scene.h"
@@ -14,5 +15,7 @@ namespace isolux::scene {
 // Empty when the setting of this path acts, that is, when changing it can change the picture, the memory or
 // the time it takes; else one clause that says why not: "hits are exact". `scene` may have automatic members.
 std::string_view whyInactive(std::string_view path, const Scene& scene);
+// All that it can answer, for who translates.
+std::vector<std::string_view> inactiveReasons();
 
 }  // namespace isolux::scene

@@ -3,6 +3,7 @@
 #include <map>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFrame>
 #include <QGridLayout>
@@ -17,6 +18,8 @@
 #include "ui/dialogs/privacy_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/value_widgets.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace isolux::ui {
 
@@ -36,9 +39,9 @@ QString labelOf(const scene::SettingInfo& setting) {
 
 QString describe(const scene::MachineSetting& setting) {
   const nlohmann::json value = setting.defaultValue();
-  return QString::fromStdString(
-      setting.meaning + "\n\n" + setting.path + QObject::tr("\nDefault: ").toStdString() +
-      (value.is_string() ? value.get<std::string>() : value.dump()) + ' ' + setting.unit);
+  const QString text = QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
+  return translated(texts::settings, setting.meaning) + "\n\n" + QString::fromStdString(setting.path) + '\n' +
+         QObject::tr("Default: %1").arg(text + ' ' + translated(texts::units, setting.unit));
 }
 
 }  // namespace
@@ -47,7 +50,8 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
     : QDialog(parent),
       privacy_(new PrivacyBox(this)),
       machine_(machine),
-      appearance_(new AppearanceRows(this)) {
+      appearance_(new AppearanceRows(this)),
+      language_(new QComboBox(this)) {
   setWindowTitle(tr("Preferences"));
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(14);
@@ -62,7 +66,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
     grid->addWidget(row.label, line, 0);
     grid->addWidget(row.value, line, 1);
     if (setting.mayBeAutomatic) {
-      row.automatic = new QCheckBox("auto", this);
+      row.automatic = new QCheckBox(tr("auto"), this);
       grid->addWidget(row.automatic, line, 2);
     }
     rows_.push_back(row);
@@ -73,6 +77,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
       });
     showRow(row);
   }
+  addLanguage(grid);
   grid->setColumnStretch(1, 1);
 
   auto* note = new QLabel(tr("Of this machine: sessions and recordings do not carry them."), this);
@@ -94,6 +99,31 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   layout->addStretch(1);
   layout->addWidget(buttons);
   setMinimumWidth(440);
+}
+
+void PreferencesDialog::addLanguage(QGridLayout* grid) {
+  auto* label = new QLabel(tr("Language"), this);
+  label->setBuddy(language_);
+  language_->setAccessibleName(label->text());
+  // Each in itself, so that who has chosen a foreign one finds back.
+  language_->addItem(tr("As the system"), static_cast<int>(Language::system));
+  language_->addItem("English", static_cast<int>(Language::english));
+  language_->addItem("Deutsch", static_cast<int>(Language::german));
+  language_->setCurrentIndex(language_->findData(static_cast<int>(keptLanguage())));
+  const QString tip = tr("Of the window; it changes when Isolux is started again.");
+  for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(language_)})
+    widget->setToolTip(tip);
+  auto* hint = new QLabel(tip, this);
+  hint->setWordWrap(true);
+  hint->hide();
+  const int line = grid->rowCount();
+  grid->addWidget(label, line, 0);
+  grid->addWidget(language_, line, 1);
+  grid->addWidget(hint, line + 1, 0, 1, 2);
+  connect(language_, &QComboBox::currentIndexChanged, this, [this, hint] {
+    keepLanguage(static_cast<Language>(language_->currentData().toInt()));
+    hint->show();
+  });
 }
 
 void PreferencesDialog::set(const Row& row, const nlohmann::json& value) {
@@ -121,6 +151,7 @@ void PreferencesDialog::showRow(const Row& row) {
 
 void PreferencesDialog::restoreDefaults() {
   appearance_->restoreDefaults();
+  language_->setCurrentIndex(0);
   if (machine_ == scene::Machine{}) return;
   machine_ = {};
   for (const Row& row : rows_) showRow(row);

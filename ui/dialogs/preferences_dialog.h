@@ -1,5 +1,5 @@
-// How the window looks, and the settings of the machine: memory, threads, how quick pictures in motion are.
-// What is changed applies at once.
+// How the window looks and which language it speaks, and the settings of the machine: memory, threads, how
+// quick pictures in motion are. What is changed applies at once; the language at the next start.
 #pragma once
 
 #include <vector>
@@ -9,6 +9,8 @@
 #include "scene/machine.h"
 
 class QCheckBox;
+class QComboBox;
+class QGridLayout;
 class QLabel;
 
 namespace isolux::ui {
@@ -27,6 +29,7 @@ class PreferencesDialog : public QDialog {
   QCheckBox* automaticBox(const std::string& path) const;   // null: it cannot be automatic
   AppearanceRows* appearance() const { return appearance_; }
   PrivacyBox* privacy() const { return privacy_; }
+  QComboBox* languageBox() const { return language_; }
   void restoreDefaults();
 
  Q_SIGNALS:
@@ -41,11 +44,13 @@ class PreferencesDialog : public QDialog {
   };
   void set(const Row& row, const nlohmann::json& value);
   void showRow(const Row& row);
+  void addLanguage(QGridLayout* grid);
 
   PrivacyBox* privacy_;
   scene::Machine machine_;
   AppearanceRows* appearance_;
   std::vector<Row> rows_;
+  QComboBox* language_;
 };
 
 }  // namespace isolux::ui

@@ -83,7 +83,7 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
       slice_(new QSlider(Qt::Horizontal, this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)),
       guesses_(volume::guessRaw(QFileInfo(file).fileName().toStdString(), fileBytes_)) {
-  setWindowTitle(tr("Open raw file – ") + QFileInfo(file).fileName());
+  setWindowTitle(tr("Open raw file – %1").arg(QFileInfo(file).fileName()));
   auto* intro = new QLabel(tr("<b>%1</b> has no header that Isolux knows. How are its voxels stored?")
                                .arg(QFileInfo(file).fileName().toHtmlEscaped()),
                            this);
@@ -100,16 +100,16 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
     dims_[i] = new QSpinBox(this);
     dims_[i]->setRange(1, 65536);
     dims_[i]->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    dims_[i]->setAccessibleName(tr("Voxels along ") + axes[i]);
+    dims_[i]->setAccessibleName(tr("Voxels along %1").arg(axes[i]));
     dims_[i]->setMinimumWidth(64);
     spacing_[i] = new NumberSpinBox(this);
     spacing_[i]->setRange(1e-6, 1e6);
     spacing_[i]->setValue(1.0);
-    spacing_[i]->setAccessibleName(tr("Spacing along ") + axes[i]);
+    spacing_[i]->setAccessibleName(tr("Spacing along %1").arg(axes[i]));
     spacing_[i]->setMinimumWidth(64);
   }
   header_->setRange(0, 1 << 30);
-  header_->setSuffix(" bytes");
+  header_->setSuffix(' ' + tr("bytes"));
   header_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   size_->setWordWrap(true);
   size_->setMinimumHeight(2 * fontMetrics().height() + 4);
@@ -217,13 +217,13 @@ void RawImportDialog::describedAnew() {
   QString text = tr("%1 bytes described, the file has %2.").arg(grouped(needed), grouped(fileBytes_));
   Ink ink = Ink::quiet;
   if (needed == fileBytes_) {
-    text += tr(" They match.");
+    text += ' ' + tr("They match.");
     ink = Ink::good;
   } else if (needed < fileBytes_) {
-    text += tr(" The last %1 would be ignored.").arg(grouped(fileBytes_ - needed));
+    text += ' ' + tr("The last %1 would be ignored.").arg(grouped(fileBytes_ - needed));
     ink = Ink::warning;
   } else {
-    text += tr(" %1 are missing.").arg(grouped(needed - fileBytes_));
+    text += ' ' + tr("%1 are missing.").arg(grouped(needed - fileBytes_));
     ink = Ink::error;
   }
   size_->setText(text);

@@ -206,7 +206,7 @@ bool ReferenceDialog::saveAs(const QString& file) {
                          }
                        });
   save_->setEnabled(false);
-  tell(tr("Saving ") + savedName_ + " …");
+  tell(tr("Saving %1 …").arg(savedName_));
   saveTimer_.start();
   return true;
 }
@@ -216,7 +216,7 @@ void ReferenceDialog::pollSaving() {
   saveTimer_.stop();
   const QString problem = saving_.get();
   save_->setEnabled(round_ != nullptr);
-  tell(problem.isEmpty() ? tr("Saved as ") + savedName_ : problem, !problem.isEmpty());
+  tell(problem.isEmpty() ? tr("Saved as %1").arg(savedName_) : problem, !problem.isEmpty());
 }
 
 }  // namespace isolux::ui

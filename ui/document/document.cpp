@@ -28,7 +28,7 @@ QString textOf(const base::Error& error) {
 // As short as a title bar wants it.
 QString shortName(const std::string& path) {
   const QString text = QString::fromStdString(path);
-  if (text.startsWith("phantom:")) return text.mid(8).section(':', 0, 0) + " phantom";
+  if (text.startsWith("phantom:")) return QObject::tr("%1 phantom").arg(text.mid(8).section(':', 0, 0));
   return QFileInfo(QDir::cleanPath(text)).fileName();
 }
 
@@ -200,7 +200,7 @@ void Document::finishLoading() {
   const scene::Scene before = scene();
   const VolumePointer volume = job->volume();
   loadedSource_ = job->source();
-  QString name = tr("Open ") + shortName(loadedSource_.path);
+  QString name = tr("Open %1").arg(shortName(loadedSource_.path));
   if (after_ == After::replaceDocument) {
     completePending(*volume);
     replaceDocument();
@@ -332,7 +332,7 @@ void Document::endGesture() {
 void Document::undo() {
   if (!history_.canUndo()) return;
   const scene::Scene before = scene();
-  const QString name = tr("Undo ") + QString::fromStdString(history_.undoName());
+  const QString name = tr("Undo %1").arg(QString::fromStdString(history_.undoName()));
   history_.seal();
   history_.undo();
   commit(before, name);
@@ -342,7 +342,7 @@ void Document::undo() {
 void Document::redo() {
   if (!history_.canRedo()) return;
   const scene::Scene before = scene();
-  const QString name = tr("Redo ") + QString::fromStdString(history_.redoName());
+  const QString name = tr("Redo %1").arg(QString::fromStdString(history_.redoName()));
   history_.seal();
   history_.redo();
   commit(before, name);

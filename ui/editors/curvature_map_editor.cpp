@@ -262,21 +262,21 @@ void CurvatureMapView::paintAxes(QPainter& painter) const {
   painter.setFont(small);
   painter.setPen(colours::quietText);
   const double line = QFontMetricsF(small).height();
-  const auto beside = [&](double kappa2, const char* text) {
+  const auto beside = [&](double kappa2, const QString& text) {
     const double y = std::clamp(positionOf({1.0, kappa2}).y() - 0.5 * line, area.top(), area.bottom() - line);
     painter.drawText(QRectF(area.right() + radius + 5.0, y, right, line), Qt::AlignLeft | Qt::AlignVCenter,
                      text);
   };
-  const auto below = [&](double kappa1, const char* text, Qt::Alignment side) {
+  const auto below = [&](double kappa1, const QString& text, Qt::Alignment side) {
     const double x = positionOf({kappa1, -1.0}).x();
     const double from = side == Qt::AlignLeft ? x : side == Qt::AlignRight ? x - 60.0 : x - 30.0;
     painter.drawText(QRectF(from, area.bottom() + radius + 3.0, 60.0, line), side | Qt::AlignTop, text);
   };
-  beside(1.0, "cap");
-  beside(0.0, "ridge");
-  beside(-1.0, "saddle");
-  below(-1.0, "cup", Qt::AlignLeft);
-  below(0.0, "valley", Qt::AlignHCenter);
+  beside(1.0, tr("cap"));
+  beside(0.0, tr("ridge"));
+  beside(-1.0, tr("saddle"));
+  below(-1.0, tr("cup"), Qt::AlignLeft);
+  below(0.0, tr("valley"), Qt::AlignHCenter);
   painter.setPen(colours::text);
   painter.drawText(QRectF(area.left(), area.bottom() + radius + 5.0 + line, area.width(), line),
                    Qt::AlignCenter, "κ₁  →");

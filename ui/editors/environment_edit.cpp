@@ -6,6 +6,7 @@
 
 #include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
+#include "ui/language/translated.h"
 
 namespace isolux::ui {
 
@@ -18,8 +19,7 @@ void showGi(scene::Scene& scene) {
 }  // namespace
 
 QString whyItCannotTurn(const scene::Scene& scene) {
-  const std::string_view why = scene::whyInactive("light.environment.rotation", scene);
-  return QString::fromUtf8(why.data(), static_cast<qsizetype>(why.size()));
+  return translated(texts::reasons, scene::whyInactive("light.environment.rotation", scene));
 }
 
 Edit environmentTurned(const scene::Scene& scene, const glm::dvec4& rotation, scene::WorldAxes axes) {

@@ -27,7 +27,7 @@ FileWidget::FileWidget(QWidget* parent)
   layout->setSpacing(4);
   layout->addWidget(line_, 1);
   layout->addWidget(choose_);
-  line_->setPlaceholderText("none");
+  line_->setPlaceholderText(tr("none"));
   line_->setMinimumWidth(60);
   choose_->setIcon(icon("open"));
   choose_->setIconSize({16, 16});

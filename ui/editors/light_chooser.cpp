@@ -47,7 +47,7 @@ LightChooser::LightChooser(QWidget* parent) : QWidget(parent) {
     const QString name =
         wordsOf(QString::fromUtf8(light.name.data(), static_cast<qsizetype>(light.name.size())));
     button->setText(name);
-    button->setAccessibleName(tr("Light: ") + name);
+    button->setAccessibleName(tr("Light: %1").arg(name));
     button->setToolTip(name + ": " + meaningOf(light.value));
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({thumbnailPixels, thumbnailPixels});

@@ -4,11 +4,14 @@
 #include <cmath>
 
 #include <QHash>
+#include <QObject>
+
+#include "ui/language/translated.h"
 
 namespace isolux::ui {
 
 QString numberText(double value, int significant) {
-  if (!std::isfinite(value)) return std::isnan(value) ? "missing" : value > 0 ? "∞" : "−∞";
+  if (!std::isfinite(value)) return std::isnan(value) ? QObject::tr("missing") : value > 0 ? "∞" : "−∞";
   if (value == 0.0) return "0";
   const double magnitude = std::abs(value);
   if (magnitude < 1e-4 || magnitude >= 1e9) return QString::number(value, 'g', significant);
@@ -27,16 +30,16 @@ QString valueText(double value, const QString& unit, int significant) {
 }
 
 QString bytesText(double bytes) {
-  const char* units[] = {"bytes", "kB", "MB", "GB", "TB"};
+  const char* units[] = {QT_TRANSLATE_NOOP("QObject", "bytes"), "kB", "MB", "GB", "TB"};
   int unit = 0;
   while (bytes >= 1000.0 && unit < 4) {
     bytes /= 1000.0;
     ++unit;
   }
-  return numberText(bytes, unit == 0 ? 6 : 3) + ' ' + units[unit];
+  return numberText(bytes, unit == 0 ? 6 : 3) + ' ' + (unit == 0 ? QObject::tr(units[0]) : units[unit]);
 }
 
-QString wordsOf(const QString& identifier) {
+QString plainWordsOf(const QString& identifier) {
   // Names of people, signs, and colours joined by a dash.
   static const QHash<QString, QString> special = {{"blinn_phong", "Blinn-Phong"},
                                                   {"gi", "Global illumination"},
@@ -53,6 +56,10 @@ QString wordsOf(const QString& identifier) {
   words.replace('_', ' ');
   if (!words.isEmpty()) words[0] = words[0].toUpper();
   return words;
+}
+
+QString wordsOf(const QString& identifier) {
+  return translated(texts::words, plainWordsOf(identifier).toStdString());
 }
 
 }  // namespace isolux::ui

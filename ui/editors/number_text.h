@@ -11,7 +11,8 @@ QString numberText(double value, int significant = 6);
 QString valueText(double value, const QString& unit, int significant = 6);
 // "1.2 kB", "34 MB".
 QString bytesText(double bytes);
-// "blinn_phong" -> "Blinn phong".
+// "cubic_interpolating" -> "Cubic interpolating", in the window's language.
 QString wordsOf(const QString& identifier);
+QString plainWordsOf(const QString& identifier);  // as the translations know it
 
 }  // namespace isolux::ui

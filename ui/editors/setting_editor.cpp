@@ -10,29 +10,23 @@
 #include "base/error.h"
 #include "scene/rules/relevance.h"
 #include "ui/editors/number_text.h"
+#include "ui/language/translated.h"
 #include "ui/window/icons.h"
 
 namespace isolux::ui {
 
 namespace {
-QString nameOf(const scene::Setting& setting) {
-  const QString path = QString::fromStdString(setting.path);
-  // The lamps and the further isosurfaces have the same members: the group tells them apart.
-  const QString group = path.section('.', 0, 0);
-  const QString name = path.section('.', 1).replace('_', ' ').replace('.', ' ');
-  return group.back().isDigit() ? group + ' ' + name : name;
-}
-
 QString describe(const scene::Setting& setting) {
-  QString text = QString::fromStdString(setting.meaning) + "\n\n" + QString::fromStdString(setting.path);
+  QString text = translated(texts::settings, setting.meaning) + "\n\n" + QString::fromStdString(setting.path);
   if (setting.type == scene::SettingType::number || setting.type == scene::SettingType::integer) {
     text += QString(" = %1 … %2 ").arg(numberText(setting.minimum), numberText(setting.maximum)) +
-            QString::fromStdString(setting.unit);
+            translated(texts::units, setting.unit);
   }
   const nlohmann::json value = setting.defaultValue();
   if (setting.type == scene::SettingType::points) return text;
-  return text.trimmed() + QObject::tr("\nDefault: ") +
-         QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
+  return text.trimmed() + '\n' +
+         QObject::tr("Default: %1")
+             .arg(QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump()));
 }
 
 // Rows do not jump.
@@ -54,7 +48,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   layout->addWidget(value_, 1);
   if (setting.mayBeAutomatic) {
     keepPlaceWhenHidden(value_);
-    automatic_ = new QCheckBox("auto", this);
+    automatic_ = new QCheckBox(tr("auto"), this);
     automatic_->setToolTip(tr("Chosen by itself"));
     layout->addWidget(automatic_);
     connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
@@ -66,7 +60,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   reset_->setIconSize({14, 14});
   reset_->setAutoRaise(true);
   reset_->setToolTip(tr("Back to the default"));
-  reset_->setAccessibleName(tr("Reset ") + nameOf(setting));
+  reset_->setAccessibleName(tr("Reset %1").arg(nameOf(setting)));
   keepPlaceWhenHidden(reset_);
   layout->addWidget(reset_);
   description_ = describe(setting);
@@ -76,7 +70,8 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   connect(value_, &ValueWidget::changed, this,
           [this](bool endsAfterPause) { send(value_->value(), endsAfterPause); });
   connect(value_, &ValueWidget::refused, this, [this](const QString& why) {
-    const QString text = wordsOf(nameOf(setting_)) + ": " + why;
+    QString text = nameOf(setting_) + ": " + why;
+    text[0] = text[0].toUpper();
     QToolTip::showText(value_->mapToGlobal(QPoint(0, value_->height() / 2)), text, value_);
     Q_EMIT failed(text);
   });
@@ -124,11 +119,11 @@ nlohmann::json SettingEditor::seenValue() const {
 
 void SettingEditor::explain() {
   const std::string_view reason = scene::whyInactive(setting_.path, resolved_);
-  const QString why = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size()));
+  const QString why = translated(texts::reasons, reason);
   if (why == whyInactive_) return;
   whyInactive_ = why;
   setEnabled(why.isEmpty());
-  setToolTip(why.isEmpty() ? description_ : tr("Does nothing now: ") + why + ".\n\n" + description_);
+  setToolTip(why.isEmpty() ? description_ : tr("Does nothing now: %1.").arg(why) + "\n\n" + description_);
 }
 
 bool SettingEditor::isWide() const {
@@ -146,7 +141,7 @@ void SettingEditor::resetToDefault() {
 void SettingEditor::send(const nlohmann::json& value, bool endsAfterPause) {
   // A gesture of one widget is one step; a single choice is a step of its own.
   const bool gesture = dragging_ || endsAfterPause;
-  Edit edit{scene_, tr("Change ") + nameOf(setting_),
+  Edit edit{scene_, tr("Change %1").arg(nameOf(setting_)),
             gesture ? QString::fromStdString(setting_.path) : QString(), endsAfterPause};
   shown_ = nullptr;  // whatever comes back is shown
   try {

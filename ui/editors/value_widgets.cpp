@@ -22,6 +22,7 @@
 #include "ui/editors/number_text.h"
 #include "ui/editors/planes_widget.h"
 #include "ui/editors/rotation_widget.h"
+#include "ui/language/translated.h"
 
 namespace isolux::ui {
 
@@ -42,7 +43,7 @@ QString suffixOf(const SettingInfo& setting) {
   if (setting.unit == "degrees") return "°";
   if (setting.unit.empty() || setting.unit.size() > 4) return {};  // long ones stand in the tooltip
   const bool rate = setting.unit.starts_with("1/");                // "5 /s"
-  return ' ' + QString::fromStdString(rate ? setting.unit.substr(1) : setting.unit);
+  return ' ' + translated(texts::units, rate ? setting.unit.substr(1) : setting.unit);
 }
 
 // A wheel turned over a panel scrolls it and changes nothing, unless the widget has the focus.
@@ -210,7 +211,7 @@ class MarksWidget : public ValueWidget {
   }
   void showValue(const json& value) override {
     shown_ = value;
-    count_->setText(QString("%1 mark%2").arg(value.size()).arg(value.size() == 1 ? "" : "s"));
+    count_->setText(value.size() == 1 ? QObject::tr("1 mark") : QObject::tr("%1 marks").arg(value.size()));
   }
   json value() const override { return shown_; }
 

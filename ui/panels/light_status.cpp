@@ -31,7 +31,8 @@ QString percentText(double fraction) {  // 100 % only when it is done
 QString progressText(const app::LightState& state) {
   QStringList parts{percentText(fractionOf(state.counters))};
   if (state.counters.raysPerSecond > 0.0) parts += rateText(state.counters.raysPerSecond);
-  if (state.counters.secondsLeft > 0.0) parts += durationText(state.counters.secondsLeft) + " left";
+  if (state.counters.secondsLeft > 0.0)
+    parts += QObject::tr("%1 left").arg(durationText(state.counters.secondsLeft));
   return parts.join(" · ");
 }
 
@@ -43,9 +44,9 @@ QString stateText(const app::LightState& state, bool cancelled) {
     case Phase::preparing:
       return QObject::tr("Light: preparing");
     case Phase::baking:
-      return QObject::tr("Light: ") + progressText(state);
+      return QObject::tr("Light: %1").arg(progressText(state));
     case Phase::paused:
-      return QObject::tr("Light paused at ") + percentText(fractionOf(state.counters));
+      return QObject::tr("Light paused at %1").arg(percentText(fractionOf(state.counters)));
     case Phase::finished:
       return QObject::tr("Light complete");
     case Phase::failed:
@@ -56,24 +57,24 @@ QString stateText(const app::LightState& state, bool cancelled) {
 
 QString whyText(const app::LightState& state) {
   if (state.error) return QString::fromStdString(state.error->what());
-  QString text = QObject::tr("Stored: ") + QString::fromStdString(state.mode);
+  QString text = QObject::tr("Stored: %1").arg(QString::fromStdString(state.mode));
   if (!state.choice.reason.empty())
     text += "\n" + QString::fromStdString(state.choice.reason).replace("; ", ";\n");
   const gi::BakeCounters& counters = state.counters;
   if (counters.texelsLit > 0)
-    text +=
-        QObject::tr("\n%1 texels lit, %2 million rays in %3")
-            .arg(counters.texelsLit)
-            .arg(numberText(static_cast<double>(counters.rays) * 1e-6, 3), durationText(counters.seconds));
+    text += '\n' + QObject::tr("%1 texels lit, %2 million rays in %3")
+                       .arg(counters.texelsLit)
+                       .arg(numberText(static_cast<double>(counters.rays) * 1e-6, 3),
+                            durationText(counters.seconds));
   return text;
 }
 
 }  // namespace
 
 QString rateText(double raysPerSecond) {
-  if (raysPerSecond >= 1e6) return numberText(raysPerSecond * 1e-6, 2) + QObject::tr(" million rays/s");
-  if (raysPerSecond >= 1e3) return numberText(raysPerSecond * 1e-3, 2) + QObject::tr(" thousand rays/s");
-  return numberText(raysPerSecond, 2) + " rays/s";
+  if (raysPerSecond >= 1e6) return QObject::tr("%1 million rays/s").arg(numberText(raysPerSecond * 1e-6, 2));
+  if (raysPerSecond >= 1e3) return QObject::tr("%1 thousand rays/s").arg(numberText(raysPerSecond * 1e-3, 2));
+  return QObject::tr("%1 rays/s").arg(numberText(raysPerSecond, 2));
 }
 
 QString unfinishedLightText(const app::LightState& state, bool cancelled) {
@@ -82,7 +83,7 @@ QString unfinishedLightText(const app::LightState& state, bool cancelled) {
   if (!onItsWay || state.phase == Phase::off) return {};
   // While it is prepared nothing is counted yet: no texel is there.
   const double fraction = state.phase == Phase::preparing ? 0.0 : fractionOf(state.counters);
-  return fraction < 1.0 ? QObject::tr("light was at ") + percentText(fraction) : QString();
+  return fraction < 1.0 ? QObject::tr("light was at %1").arg(percentText(fraction)) : QString();
 }
 
 LightStatus::LightStatus(QWidget* parent)

@@ -17,6 +17,7 @@
 
 #include "app/marks/mark_kinds.h"
 #include "ui/editors/color_button.h"
+#include "ui/language/mark_text.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
@@ -170,12 +171,11 @@ void MarksPanel::showRow(QTreeWidgetItem* item, std::size_t mark) {
   item->setCheckState(nameColumn, shown.shown ? Qt::Checked : Qt::Unchecked);
   item->setToolTip(nameColumn, tr("Double click: another name; the box: shown in the picture"));
   const bool known = mark < reports_.size();
-  const QString says = known ? QString::fromStdString(app::summaryText(reports_[mark])) : QString("…");
+  const QString says = known ? markSummary(reports_[mark]) : QString("…");
   const bool doubtful = known && (!reports_[mark].notes.empty() || !reports_[mark].problem.empty());
   item->setText(valueColumn, doubtful ? "⚠ " + says : says);
   item->setForeground(valueColumn, doubtful ? colours::warning : colours::text);
-  const std::string all = known ? app::fullText(shown, reports_[mark]) : std::string();
-  item->setToolTip(valueColumn, QString::fromStdString(all).trimmed());
+  item->setToolTip(valueColumn, known ? markText(shown, reports_[mark]).trimmed() : QString());
 }
 
 void MarksPanel::tellChosen() {
@@ -203,15 +203,15 @@ void MarksPanel::showDetails() {
   const auto mark = static_cast<std::size_t>(row);
   colour_->showColour(scene_.marks[mark].color);
   const app::MarkReport report = mark < reports_.size() ? reports_[mark] : app::MarkReport{};
-  const QString text = QString::fromStdString(app::fullText(scene_.marks[mark], report)).trimmed();
+  const QString text = markText(scene_.marks[mark], report).trimmed();
   if (text != details_->toPlainText()) details_->setPlainText(text);
 }
 
 QString MarksPanel::text() const {
-  std::string text;
+  QString text;
   for (std::size_t i = 0; i < scene_.marks.size() && i < reports_.size(); ++i)
-    text += app::fullText(scene_.marks[i], reports_[i]);
-  return QString::fromStdString(text);
+    text += markText(scene_.marks[i], reports_[i]);
+  return text;
 }
 
 void MarksPanel::itemEdited(QTreeWidgetItem* item, int column) {
@@ -222,7 +222,8 @@ void MarksPanel::itemEdited(QTreeWidgetItem* item, int column) {
   const bool shown = item->checkState(nameColumn) == Qt::Checked;
   if (column == nameColumn && shown != mark.shown) {
     mark.shown = shown;
-    send(std::move(marks), (shown ? tr("Show ") : tr("Hide ")) + QString::fromStdString(mark.name));
+    const QString name = QString::fromStdString(mark.name);
+    send(std::move(marks), shown ? tr("Show %1").arg(name) : tr("Hide %1").arg(name));
   } else if (const std::string name = item->text(nameColumn).trimmed().toStdString();
              column == nameColumn && name != mark.name && !name.empty()) {
     mark.name = name;

@@ -6,6 +6,7 @@
 #include <QObject>
 
 #include "ui/editors/number_text.h"
+#include "ui/language/translated.h"
 
 namespace isolux::ui {
 
@@ -98,7 +99,7 @@ QString environmentLabel(const QString& name) {
 }
 
 QString lampLabel(const QString& lamp, const QString& name) {
-  if (name == "shown") return QObject::tr("Lamp ") + lamp;
+  if (name == "shown") return QObject::tr("Lamp %1").arg(lamp);
   return name == "color" ? QObject::tr("Colour") : wordsOf(name);
 }
 
@@ -114,7 +115,7 @@ std::vector<PanelGroup> panelGroups() {
   }
   for (const scene::Setting& setting : scene::settings()) {
     if (!entryOf(setting).empty()) continue;
-    const QString title = wordsOf(QString::fromStdString(prefixOf(setting)).chopped(1));
+    const QString title = plainWordsOf(QString::fromStdString(prefixOf(setting)).chopped(1));
     auto found = std::find_if(result.begin(), result.end(), [&](const auto& g) { return g.title == title; });
     if (found == result.end()) found = result.insert(result.end(), {title, false, {}});
     found->settings.push_back(&setting);
@@ -126,7 +127,7 @@ RowLabel labelOf(const scene::Setting& setting) {
   const QString path = QString::fromStdString(setting.path), name = path.section('.', 1);
   // The further isosurfaces share a group: a check box for each, its details below it.
   if (path.startsWith("isosurface") && path[10].isDigit()) {
-    if (name == "shown") return {QObject::tr("Isosurface ") + path[10], false};
+    if (name == "shown") return {QObject::tr("Isosurface %1").arg(path[10]), false};
     return {name == "albedo" ? QObject::tr("Colour") : wordsOf(name), true};
   }
   if (path.startsWith("lamp")) return {lampLabel(path.mid(4, 1), name), name != "shown"};
@@ -137,10 +138,10 @@ RowLabel labelOf(const scene::Setting& setting) {
   if (path == "gi.sh_order") return {QObject::tr("SH order"), false};
   if (path == "gi.sh_window") return {QObject::tr("SH window"), false};
   if (path == "look.curvature_points") return {QObject::tr("Colours of κ₁ and κ₂"), false};
-  QString words = wordsOf(name);
+  QString words = plainWordsOf(name);
   words.replace("color", "colour").replace("Color", "Colour");
-  if (words == "Colourmap") words = QObject::tr("Colour map");
-  return {words, false};
+  if (words == "Colourmap") words = "Colour map";
+  return {translated(texts::words, words.toStdString()), false};
 }
 
 }  // namespace isolux::ui

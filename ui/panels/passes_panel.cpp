@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/editors/number_text.h"
+#include "ui/language/translated.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
@@ -140,7 +141,7 @@ void PassesPanel::showPasses() {
     QFont bold = font();
     bold.setWeight(ran ? QFont::DemiBold : QFont::Normal);
     item->setFont(nameColumn, bold);
-    item->setText(stateColumn, render::nameOf(pass.state));
+    item->setText(stateColumn, translated(texts::passes, render::nameOf(pass.state)));
     item->setText(timeColumn, ran ? timeText(pass.milliseconds) : "–");
     item->setText(memoryColumn, pass.bytes > 0 ? bytesText(static_cast<double>(pass.bytes)) : "–");
     for (int column = 0; column < columns; ++column)
@@ -148,10 +149,10 @@ void PassesPanel::showPasses() {
     const auto last = lastTimes_.find(pass.name);
     item->setToolTip(timeColumn, ran || last == lastTimes_.end()
                                      ? QString()
-                                     : tr("Took ") + timeText(last->second) + tr(" when it last ran"));
-    const QString where =
-        pass.onProcessor && pass.state != render::PassState::skipped ? tr("on the processor: ") : "";
-    const QString reason = where + QString::fromStdString(pass.reason);
+                                     : tr("Took %1 when it last ran").arg(timeText(last->second)));
+    QString reason = QString::fromStdString(pass.reason);
+    if (pass.onProcessor && pass.state != render::PassState::skipped)
+      reason = tr("on the processor: %1").arg(reason);
     item->child(0)->setText(nameColumn, reason);
     item->child(0)->setToolTip(nameColumn, reason);
   }
@@ -165,7 +166,7 @@ QString PassesPanel::repeats() const {
 
 QString PassesPanel::summary() const {
   QStringList lines;
-  lines += tr("Graphics memory: ") + bytesText(static_cast<double>(report_.gpuBytes));
+  lines += tr("Graphics memory: %1").arg(bytesText(static_cast<double>(report_.gpuBytes)));
   if (report_.blocksTotal > 0) {
     const double part =
         100.0 * static_cast<double>(report_.blocksActive) / static_cast<double>(report_.blocksTotal);

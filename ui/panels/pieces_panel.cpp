@@ -268,19 +268,19 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
   const volume::Piece& piece = found_.pieces->list()[id];
   if (id >= found_.measures.size()) {
     item->setText(boxColumn, {});
-    item->setText(volumeColumn, "about " + numberText(piece.volumeMm3, 3));
+    item->setText(volumeColumn, tr("about %1").arg(numberText(piece.volumeMm3, 3)));
     return;
   }
   const volume::PieceMeasure& measure = found_.measures[id];
   const volume::Measured& volume = measure.surface.volumeMm3;
   item->setText(volumeColumn, withErrorText(volume));
   item->setText(boxColumn, boxText(measure.bounds));
-  QString tip = tr("Volume ") + withErrorText(volume) + tr(" mm³") + tr("\nArea ") +
-                withErrorText(measure.surface.areaMm2) + tr(" mm²") +
-                QString("\n%1 voxels").arg(piece.voxels);
-  if (measure.surface.open()) tip += tr("\nGoes on beyond the data: both are of what lies within");
-  if (!shown) tip += tr("\nHidden");
-  for (int column = 0; column < pieceColumns; ++column) item->setToolTip(column, tip);
+  QStringList tip{tr("Volume %1 mm³").arg(withErrorText(volume)),
+                  tr("Area %1 mm²").arg(withErrorText(measure.surface.areaMm2)),
+                  tr("%1 voxels").arg(piece.voxels)};
+  if (measure.surface.open()) tip += tr("Goes on beyond the data: both are of what lies within");
+  if (!shown) tip += tr("Hidden");
+  for (int column = 0; column < pieceColumns; ++column) item->setToolTip(column, tip.join('\n'));
 }
 
 QString PiecesPanel::state() const {
@@ -304,12 +304,12 @@ void PiecesPanel::showState() {
   const QString where = valueText(found_.pieces->isovalue(), unit);
   const std::size_t count = found_.pieces->list().size();
   if (count == 0) {
-    heading_->setText(tr("No voxel is inside at ") + where + tr(": move the isovalue."));
+    heading_->setText(tr("No voxel is inside at %1: move the isovalue.").arg(where));
     return;
   }
   const std::vector<bool> shown = volume::shownPieces(*found_.pieces, scene_.pieces);
   const auto hidden = std::count(shown.begin(), shown.end(), false);
-  QString text = count == 1 ? tr("One piece at ") + where : tr("%1 pieces at %2").arg(count).arg(where);
+  QString text = count == 1 ? tr("One piece at %1").arg(where) : tr("%1 pieces at %2").arg(count).arg(where);
   if (hidden > 0) text += tr(", %1 hidden").arg(hidden);
   const bool several = std::any_of(resolved_.extraIsosurfaces.begin(), resolved_.extraIsosurfaces.end(),
                                    [](const auto& extra) { return extra.shown; });
@@ -341,9 +341,9 @@ glm::dvec3 PiecesPanel::seedOf(std::size_t id) const {
   return found_.seedsMm[id];
 }
 
-QString PiecesPanel::nameOf(const QString& what, const std::vector<std::size_t>& ids) const {
-  return ids.size() == 1 ? QString("%1 piece %2").arg(what).arg(ids.front())
-                         : QString("%1 %2 pieces").arg(what).arg(ids.size());
+QString PiecesPanel::nameOf(const QString& one, const QString& several,
+                            const std::vector<std::size_t>& ids) const {
+  return ids.size() == 1 ? one.arg(ids.front()) : several.arg(ids.size());
 }
 
 void PiecesPanel::choose(const QString& name, const scene::Pieces& choice) {
@@ -357,22 +357,25 @@ void PiecesPanel::toggle(QTreeWidgetItem* item, int column) {
   const auto id = static_cast<std::size_t>(list_->indexOfTopLevelItem(item));
   if (!measured()) return showRows();  // as it was
   if (item->checkState(idColumn) == Qt::Unchecked)
-    choose(nameOf(tr("Hide"), {id}), app::withHidden(scene_.pieces, {seedOf(id)}));
+    choose(tr("Hide piece %1").arg(id), app::withHidden(scene_.pieces, {seedOf(id)}));
   else
-    choose(nameOf(tr("Show"), {id}),
+    choose(tr("Show piece %1").arg(id),
            app::withShown(scene_.pieces, *found_.pieces, static_cast<std::uint32_t>(id), seedOf(id)));
 }
 
 void PiecesPanel::hideSelected() {
   std::vector<glm::dvec3> seeds;
   for (const std::size_t id : selected()) seeds.push_back(seedOf(id));
-  if (!seeds.empty()) choose(nameOf(tr("Hide"), selected()), app::withHidden(scene_.pieces, seeds));
+  if (!seeds.empty())
+    choose(nameOf(tr("Hide piece %1"), tr("Hide %1 pieces"), selected()),
+           app::withHidden(scene_.pieces, seeds));
 }
 
 void PiecesPanel::isolateSelected() {
   std::vector<glm::dvec3> seeds;
   for (const std::size_t id : selected()) seeds.push_back(seedOf(id));
-  if (!seeds.empty()) choose(nameOf(tr("Show only"), selected()), app::onlyThese(seeds));
+  if (!seeds.empty())
+    choose(nameOf(tr("Show only piece %1"), tr("Show only %1 pieces"), selected()), app::onlyThese(seeds));
 }
 
 void PiecesPanel::centreSelected() {

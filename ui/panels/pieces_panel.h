@@ -54,7 +54,7 @@ class PiecesPanel : public Panel {
   void enableButtons();
   std::vector<std::size_t> selected() const;  // ids
   glm::dvec3 seedOf(std::size_t id) const;
-  QString nameOf(const QString& what, const std::vector<std::size_t>& ids) const;
+  QString nameOf(const QString& one, const QString& several, const std::vector<std::size_t>& ids) const;
   void choose(const QString& name, const scene::Pieces& choice);
   void toggle(QTreeWidgetItem* item, int column);
   void hideSelected();

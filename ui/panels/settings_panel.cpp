@@ -11,7 +11,9 @@
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/environment_preview.h"
 #include "ui/editors/light_chooser.h"
+#include "ui/editors/number_text.h"
 #include "ui/editors/setting_editor.h"
+#include "ui/language/translated.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
@@ -23,8 +25,10 @@ constexpr int settleMilliseconds = 600;  // after the last turn of a wheel
 
 QString wordsToSearch(const scene::Setting& setting, const QString& label, const QString& group) {
   QString words = group + ' ' + label + ' ' + QString::fromStdString(setting.path) + ' ' +
-                  QString::fromStdString(setting.meaning) + ' ' + QString::fromStdString(setting.unit);
-  for (const std::string& choice : setting.choices) words += ' ' + QString::fromStdString(choice);
+                  QString::fromStdString(setting.meaning) + ' ' +
+                  translated(texts::settings, setting.meaning) + ' ' + QString::fromStdString(setting.unit);
+  for (const std::string& choice : setting.choices)
+    words += ' ' + QString::fromStdString(choice) + ' ' + wordsOf(QString::fromStdString(choice));
   words.replace('_', ' ');
   return words.toLower().replace("colour", "color");
 }
@@ -194,7 +198,7 @@ void SettingsPanel::showGroup(Group& group) {
   group.header->setVisible(!searching() || anyFound);
   group.header->setEnabled(searching() || anyUseful);
   group.header->setToolTip(
-      anyUseful ? QString() : tr("Nothing to set here: ") + group.rows.front().editor->whyInactive());
+      anyUseful ? QString() : tr("Nothing to set here: %1").arg(group.rows.front().editor->whyInactive()));
   group.header->setChecked(open);
   group.header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
   group.box->setVisible(open);
@@ -265,7 +269,7 @@ void SettingsPanel::focusSearch() {
 
 void SettingsPanel::setGroupOpen(const QString& title, bool open) {
   for (Group& group : groups_) {
-    if (group.header->text() != title) continue;
+    if (group.header->objectName() != title) continue;
     group.open = open;
     showGroup(group);
   }

@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "ui/editors/setting_editor.h"
+#include "ui/language/translated.h"
 
 namespace isolux::ui {
 
@@ -53,7 +54,7 @@ void SourcePanel::show(const scene::Scene& scene, const VolumePointer& volume) {
 
 void SourcePanel::chooseSecond() {
   QStringList filters;
-  for (const std::string& filter : volume::fileFilters()) filters += QString::fromStdString(filter);
+  for (const std::string& filter : volume::fileFilters()) filters += translatedFilter(filter);
   const QString folder = QFileInfo(QString::fromStdString(scene_.source.path)).absolutePath();
   const QString path =
       QFileDialog::getOpenFileName(this, tr("Choose the second volume"), folder, filters.join(";;"));

@@ -187,9 +187,9 @@ void VolumePanel::showFacts() {
   dims_->setText(triple(glm::dvec3(grid.dims()), 9));
   QString type = text(volume::nameOf(volume.fileType));
   if (volume.fileType != grid.storedType())
-    type += tr(", kept as ") + text(volume::nameOf(grid.storedType()));
+    type = tr("%1, kept as %2").arg(type, text(volume::nameOf(grid.storedType())));
   if (grid.slope() != 1.0 || grid.intercept() != 0.0) {
-    type += tr("\nvalue = %1 · stored").arg(numberText(grid.slope(), shownDigits));
+    type += '\n' + tr("value = %1 · stored").arg(numberText(grid.slope(), shownDigits));
     if (grid.intercept() != 0.0) {
       type += QString(" %1 %2").arg(grid.intercept() < 0.0 ? "−" : "+",
                                     numberText(std::abs(grid.intercept()), shownDigits));
@@ -201,16 +201,17 @@ void VolumePanel::showFacts() {
   spacing_->setToolTip(triple(spacing, allDigits) + " mm");
   extent_->setText(triple(extent, shownDigits) + " mm");
   extent_->setToolTip(triple(extent, allDigits) + " mm");
-  axes_->setText(axesText(geometry.directions(), volume.axes) +
-                 (geometry.leftHanded() ? tr("; left-handed") : "") +
-                 (volume.axes == scene::WorldAxes::anatomical ? "" : tr("\norientation not stated")));
+  QString axes = axesText(geometry.directions(), volume.axes);
+  if (geometry.leftHanded()) axes = tr("%1; left-handed").arg(axes);
+  if (volume.axes != scene::WorldAxes::anatomical) axes += '\n' + tr("orientation not stated");
+  axes_->setText(axes);
   const auto range = [&](int digits) {
     return numberText(grid.minimum(), digits) + " … " + valueText(grid.maximum(), text(volume.unit), digits);
   };
   range_->setText(range(shownDigits));
   range_->setToolTip(range(allDigits));
   facts_->setRowVisible(missing_, grid.missingCount() > 0);
-  missing_->setText(QString("%1 voxels").arg(grid.missingCount()));
+  missing_->setText(tr("%1 voxels").arg(grid.missingCount()));
   memory_->setText(bytesText(static_cast<double>(grid.bytes())));
   time_->setText(tr("read %1 s, prepared %2 s")
                      .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2)));

@@ -15,10 +15,10 @@ constexpr int pointerRestMilliseconds = 250, piecePollMilliseconds = 50;
 
 QString volumeText(double mm3) {
   constexpr double wholeFrom = 1000.0;
-  if (mm3 < wholeFrom || mm3 >= 1e15) return valueText(mm3, QObject::tr("mm³"), 3);
+  if (mm3 < wholeFrom || mm3 >= 1e15) return valueText(mm3, "mm³", 3);
   QString digits = QString::number(std::llround(mm3));
   for (qsizetype at = digits.size() - 3; at > 0; at -= 3) digits.insert(at, QChar(0x202F));  // narrow space
-  return digits + QObject::tr(" mm³");
+  return digits + " mm³";
 }
 
 PointedPiece::PointedPiece(QObject* parent) : QObject(parent) {
@@ -47,10 +47,10 @@ QString PointedPiece::text() const {
   const std::uint32_t id = volume::pieceOfSurface(*pieces, pick_->voxel);
   if (id == volume::Pieces::kNone) return {};
   const volume::Piece& piece = pieces->list()[id];
-  const QString whose = id == 0 ? tr("the largest of %1") : "of %1";
+  const QString whose = id == 0 ? tr("the largest of %1") : tr("of %1");
   return tr("piece %1 (%2): %3")
       .arg(QString::number(id), whose.arg(pieces->list().size()),
-           pieces->hasVolume() ? volumeText(piece.volumeMm3) : QString("%1 voxels").arg(piece.voxels));
+           pieces->hasVolume() ? volumeText(piece.volumeMm3) : tr("%1 voxels").arg(piece.voxels));
 }
 
 void PointedPiece::find() {

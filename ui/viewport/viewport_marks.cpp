@@ -6,6 +6,7 @@
 
 #include "app/jobs/rest_scene.h"
 #include "app/marks/mark_kinds.h"
+#include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
 
@@ -78,7 +79,7 @@ void Viewport::showMarks() {
     shapes.push_back(app::markShape(mark, report));
   }
   overlay_->setMarks(std::move(shapes),
-                     tool_ ? whatToClick(*tool_) + tr(".  Backspace: one back; Esc ends") : QString());
+                     tool_ ? tr("%1.  Backspace: one back; Esc ends").arg(whatToClick(*tool_)) : QString());
 }
 
 // A few milliseconds at a time: the rest in the next turns of the event loop.
@@ -120,8 +121,13 @@ void Viewport::placePoint(QPointF position, bool more) {
   placingAt_.reset();
   const app::MarkKindInfo& info = app::markKind(*tool_);
   if (placing_.size() >= info.most || (placing_.size() >= info.fewest && !more)) {
-    Edit edit{scene_, tr("Add ") + QString(info.title).toLower(), {}, false};
-    edit.scene.marks.push_back({*tool_, app::freshName(*tool_, scene_.marks), std::move(placing_)});
+    Edit edit{scene_,
+              tr("Add %1").arg(translated(texts::marks, QString(info.title).toLower().toStdString())),
+              {},
+              false};
+    edit.scene.marks.push_back(
+        {*tool_, app::freshName(translated(texts::marks, info.title).toStdString(), scene_.marks),
+         std::move(placing_)});
     if (!slices_.outlines.empty()) edit.scene.slice.position = pick->worldMm;
     placing_.clear();
     Q_EMIT edited(edit);

@@ -13,6 +13,7 @@
 #include "app/interaction/turning.h"
 #include "scene/rules/environment.h"
 #include "ui/editors/environment_edit.h"
+#include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
 
@@ -33,7 +34,7 @@ void Viewport::applyStandardView(scene::StandardView view) {
   if (!volume_) return;
   const scene::VolumeFacts& facts = volume_->facts;
   turnTo(scene::standardView(resolved_.camera, view, facts.axes, facts.boundsMinMm, facts.boundsMaxMm),
-         (scene::standardViewName(view, facts.axes) + " view").c_str());
+         tr("%1 view").arg(translated(texts::views, scene::standardViewName(view, facts.axes))));
 }
 
 void Viewport::fitView() {
@@ -80,7 +81,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
       if (!(modifiers & Qt::ShiftModifier)) {
         drag_ = Drag::zoom;
       } else if (const QString why = whyItCannotTurn(resolved_); !why.isEmpty()) {
-        Q_EMIT noted(tr("The environment is not turned: ") + why);
+        Q_EMIT noted(tr("The environment is not turned: %1").arg(why));
         return;
       } else {
         drag_ = Drag::environment;

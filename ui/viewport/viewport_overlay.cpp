@@ -226,7 +226,8 @@ void ViewportOverlay::paintScale(QPainter& painter) const {
   const double lengthMm = base::niceBelow(140.0 * pixelMm);
   const double length = lengthMm / pixelMm;
   // In perspective a length holds at one depth only: that of the centre of rotation.
-  const QString text = valueText(lengthMm, "mm") + (perspective ? tr(" at the centre") : "");
+  const QString text =
+      perspective ? tr("%1 at the centre").arg(valueText(lengthMm, "mm")) : valueText(lengthMm, "mm");
 
   const double left = 18.5, bottom = height() - 20.5;
   QPainterPath bar;

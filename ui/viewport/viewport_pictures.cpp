@@ -10,6 +10,8 @@
 #include "render/graph/pass.h"
 #include "scene/rules/relevance.h"
 #include "ui/dialogs/waiting.h"
+#include "ui/language/sentences.h"
+#include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
 
@@ -39,7 +41,7 @@ bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // nu
 QString fieldNote(const app::FieldJob& job) {
   if (job.finished() && job.error()) return QString::fromStdString(job.error()->what());
   return QObject::tr("Preparing the volume (%1): %2 %; until then another field is shown")
-      .arg(job.progress().stage())
+      .arg(translated(texts::words, job.progress().stage()))
       .arg(std::lround(100.0 * job.progress().fraction()));
 }
 
@@ -60,16 +62,16 @@ QString reasonOf(const std::exception_ptr& failure) {
   } catch (const std::bad_alloc&) {
     return QObject::tr("there is not enough memory for this picture");
   } catch (const std::exception& error) {
-    return QObject::tr("a mistake in Isolux itself: ") + error.what();
+    return QObject::tr("a mistake in Isolux itself: %1").arg(error.what());
   } catch (...) {
     return QObject::tr("a mistake in Isolux itself");
   }
 }
 
-const QString needsOpenGl =
-    QObject::tr("Isolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.");
-const QString comesBack =
-    QObject::tr("It is tried again when something changes: undo the last step, or choose other settings.");
+constexpr auto needsOpenGl =
+    QT_TRANSLATE_NOOP("QObject", "Isolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.");
+constexpr auto comesBack = QT_TRANSLATE_NOOP(
+    "QObject", "It is tried again when something changes: undo the last step, or choose other settings.");
 }  // namespace
 
 void Viewport::takeContext() {
@@ -77,7 +79,7 @@ void Viewport::takeContext() {
   if (context == nullptr) return;
   if (context->failure) {
     pollTimer_.stop();
-    fail(reasonOf(context->failure), needsOpenGl);
+    fail(reasonOf(context->failure), QObject::tr(needsOpenGl));
     return;
   }
   hasContext_ = true;
@@ -214,7 +216,7 @@ void Viewport::poll() {
   if (auto* const picture = std::get_if<app::DrawnPicture>(&*result))
     put(*picture);
   else if (const auto& failure = std::get<app::FailedPicture>(*result); failure.order == orderNumber_)
-    fail(reasonOf(failure.reason), comesBack);
+    fail(reasonOf(failure.reason), QObject::tr(comesBack));
 }
 
 void Viewport::put(const app::DrawnPicture& picture) {
@@ -260,7 +262,7 @@ void Viewport::showed(const app::DrawnPicture& picture, std::uint64_t view) {
     refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
   const bool empty = report.empty && !fieldsPending_;
   overlay_->setNote(fieldsPending_ && fieldJob_ && fieldJob_->isFor(resolved_) ? fieldNote(*fieldJob_)
-                    : empty ? QString::fromStdString(report.empty->reason)
+                    : empty ? translatedSentence(report.empty->reason)
                             : missingNote(report.bricks));
   offerRemedy(empty ? report.empty : std::nullopt);
   if (bricksPending_ || lightPending_) orderSoon();  // the next picture gets further

@@ -15,6 +15,7 @@
 #include "app/files/state_folder.h"
 #include "app/version.h"
 #include "ui/document/preferences.h"
+#include "ui/language/language.h"
 #include "ui/theme/focus_ring.h"
 #include "ui/theme/interface_scale.h"
 #include "ui/viewport/viewport.h"
@@ -99,6 +100,7 @@ int openWindow(const app::WindowRequest& request) {
   const QApplication application(argc, argv);
   finishApplication();
 
+  setLanguage(keptLanguage());
   MainWindow window;
   constexpr int turnMilliseconds = 150;  // views that are asked for by name
   window.viewport()->setTurnMilliseconds(turnMilliseconds);

@@ -79,7 +79,7 @@ void LoadCard::place() {
   const int width = std::min(420, std::max(200, parent->width() - 40));
   const int height = sizeHint().height();
   const int forTitle = width - 60 - cancel_->sizeHint().width();
-  title_->setText(title_->fontMetrics().elidedText(tr("Opening ") + name_, Qt::ElideMiddle, forTitle));
+  title_->setText(title_->fontMetrics().elidedText(tr("Opening %1").arg(name_), Qt::ElideMiddle, forTitle));
   setGeometry((parent->width() - width) / 2, parent->height() - height - 60, width, height);
 }
 

@@ -43,7 +43,8 @@
 namespace isolux::ui {
 
 namespace {
-constexpr auto openHint = "Open a volume with Ctrl+O, or drop a file or folder here";
+constexpr auto openHint =
+    QT_TRANSLATE_NOOP("QObject", "Open a volume with Ctrl+O, or drop a file or folder here");
 constexpr int panelWidth = 350;  // pixels, at first
 
 // What the user has written on pictures lately, where a new document says nothing of it.
@@ -104,7 +105,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectLooks();
   setMachine(keptMachine());
   showScene(document_->scene(), document_->resolvedScene());
-  viewport_->setHint(openHint);
+  viewport_->setHint(QObject::tr(openHint));
   showState();
   viewport_->setFocus();
   layout_->restore();
@@ -166,7 +167,7 @@ void MainWindow::connectDocument() {
       message_->show(MessageBar::Kind::note,
                      tr("%1 (%2 in the Volume panel)")
                          .arg(QString::fromStdString(volume->volume.warnings.front()))
-                         .arg(count == 1 ? QString("also") : tr("all %1 notes").arg(count)));
+                         .arg(count == 1 ? tr("also") : tr("all %1 notes").arg(count)));
     }
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
@@ -181,7 +182,7 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::loadProgress, loadCard_, &LoadCard::report);
   connect(document_, &Document::loadEnded, this, [this] {
     loadCard_->end();
-    viewport_->setHint(openHint);
+    viewport_->setHint(QObject::tr(openHint));
   });
   connect(document_, &Document::volumeMissing, this, &MainWindow::askForVolume);
   connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
@@ -310,8 +311,10 @@ void MainWindow::showState() {
   const app::History& history = document_->history();
   undo_->setEnabled(history.canUndo());
   redo_->setEnabled(history.canRedo());
-  undo_->setText(history.canUndo() ? tr("&Undo ") + QString::fromStdString(history.undoName()) : tr("&Undo"));
-  redo_->setText(history.canRedo() ? tr("&Redo ") + QString::fromStdString(history.redoName()) : tr("&Redo"));
+  undo_->setText(history.canUndo() ? tr("&Undo %1").arg(QString::fromStdString(history.undoName()))
+                                   : tr("&Undo"));
+  redo_->setText(history.canRedo() ? tr("&Redo %1").arg(QString::fromStdString(history.redoName()))
+                                   : tr("&Redo"));
   const bool loaded = document_->volume() != nullptr;
   for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
     action->setEnabled(loaded);
@@ -363,9 +366,9 @@ void MainWindow::showPointedText() {
   pointedLabel_->setText(piece.isEmpty() ? pointedText_ : pointedText_ + "      " + piece);
 }
 
-void MainWindow::showPanel(const QString& title) {
+void MainWindow::showPanel(const QString& name) {
   for (const Docked& docked : panels_) {
-    if (docked.dock->windowTitle().compare(title, Qt::CaseInsensitive) != 0) continue;
+    if (docked.dock->objectName().compare(name, Qt::CaseInsensitive) != 0) continue;
     docked.dock->show();
     docked.dock->raise();
   }

@@ -103,7 +103,8 @@ class MainWindow : public QMainWindow {
   bool exportMarks(const QString& file);
   bool importMarks(const QString& file);  // adds those of a .mrk.json
   const MarkReports* marks() const { return marks_; }
-  void showPanel(const QString& title);  // in front of the others
+  static const char* helpText();        // HTML, English: mouse and keys
+  void showPanel(const QString& name);  // in front of the others
   void greet();                          // three hints, to a user who has not seen them
   void startTour();                      // Help > Explore
   Tour* tour() const { return tour_; }   // null: none is running

@@ -9,6 +9,8 @@
 #include "ui/dialogs/privacy_box.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/preferences.h"
+#include "ui/language/sentences.h"
+#include "ui/language/translated.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -60,7 +62,13 @@ void MainWindow::showHelp() {
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setWindowTitle(tr("Mouse and keys"));
   box->setTextFormat(Qt::RichText);
-  box->setText(R"(
+  box->setText(translatedCells(texts::help, helpText()));
+  box->setModal(false);
+  box->show();
+}
+
+const char* MainWindow::helpText() {
+  return R"(
     <style>td { padding: 2px 18px 2px 0; } h4 { margin: 10px 0 4px 0; }</style>
     <h4>Picture</h4>
     <table width="680">
@@ -98,9 +106,7 @@ void MainWindow::showHelp() {
     <tr><td><b>Alt+click</b>, <b>right click</b></td><td>one more isosurface there</td></tr>
     <tr><td><b>Double click</b></td><td>suggested isovalue</td></tr>
     <tr><td><b>Ctrl+wheel</b>, <b>middle drag</b></td><td>zoom and move the axis of values</td></tr>
-    </table>)");
-  box->setModal(false);
-  box->show();
+    </table>)";
 }
 
 void MainWindow::showAbout() {

@@ -25,6 +25,8 @@
 #include "ui/document/recent_files.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/file_widget.h"
+#include "ui/language/sentences.h"
+#include "ui/language/translated.h"
 #include "ui/panels/light_status.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -63,12 +65,12 @@ void MainWindow::openPath(const QString& path) {
 void MainWindow::chooseFile() {
   QStringList filters, patterns;
   for (const std::string& filter : volume::fileFilters()) {
-    const QString text = QString::fromStdString(filter);
+    const QString text = translatedFilter(filter);
     filters += text;
     const QString inside = text.section('(', -1).section(')', 0, 0);
     if (inside != "*") patterns += inside;
   }
-  filters.prepend(tr("Volumes, sessions and pictures (") + patterns.join(' ') + tr(" *.isolux *.png)"));
+  filters.prepend(tr("Volumes, sessions and pictures (%1)").arg(patterns.join(' ') + " *.isolux *.png"));
   filters += {QObject::tr(sessionFilter), tr("Raw voxels (*.raw *.bin *.img *.dat)"), tr("All files (*)")};
   filters.removeDuplicates();
   const QString path = QFileDialog::getOpenFileName(this, tr("Open"), lastFolder(), filters.join(";;"));
@@ -135,7 +137,8 @@ QString MainWindow::proposedFile(const QString& suffix) const {
       savedText(QString::fromStdString(app::plainName((session.isEmpty() ? source : session).toStdString())),
                 document_->volume());
   const QString folder = folderBeside(session.isEmpty() ? source : session, lastFolder());
-  return (folder.isEmpty() ? QDir::homePath() : folder) + '/' + (name.isEmpty() ? "untitled" : name) + suffix;
+  return (folder.isEmpty() ? QDir::homePath() : folder) + '/' + (name.isEmpty() ? tr("untitled") : name) +
+         suffix;
 }
 
 void MainWindow::tellSaved(const QString& file, const QString& more) {
@@ -289,7 +292,7 @@ void MainWindow::offerLost() {
       tr("Continue: %1, %2")
           .arg(keptPrivacy().hideOnScreen ? tr("anonymous")
                                           : QString::fromStdString(app::plainName(lost->document.name)),
-               QString::fromStdString(app::agoText(age))),
+               translatedSentence(app::agoText(age))),
       {{tr("Restore"), restore}, {tr("Discard"), discard}});
 }
 

@@ -142,8 +142,10 @@ bool MainWindow::importMarks(const QString& file) {
   try {
     const app::ReadMarks read = app::readMarkups(file.toStdString());
     const auto count = read.marks.size();
-    QString text = tr("%1 mark%2 of %3").arg(count).arg(count == 1 ? "" : "s", QFileInfo(file).fileName());
-    if (!read.notes.empty()) text += tr("; left out: ") + QString::fromStdString(read.notes.front());
+    const QString name = QFileInfo(file).fileName();
+    QString text = count == 1 ? tr("1 mark of %1").arg(name) : tr("%1 marks of %2").arg(count).arg(name);
+    if (!read.notes.empty())
+      text += "; " + tr("left out: %1").arg(QString::fromStdString(read.notes.front()));
     if (count > 0) {
       Edit edit{document_->scene(), tr("Import marks"), {}, false};
       edit.scene.marks.insert(edit.scene.marks.end(), read.marks.begin(), read.marks.end());

@@ -16,6 +16,7 @@
 #include "ui/browser/recent_menu.h"
 #include "ui/document/privacy.h"
 #include "ui/editors/number_text.h"
+#include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
@@ -58,7 +59,7 @@ void MainWindow::makeFileMenu() {
   for (const volume::PhantomInfo& phantom : volume::phantoms()) {
     const QString name = QString::fromStdString(std::string(phantom.name));
     QAction* action = phantoms->addAction(wordsOf(name));
-    action->setToolTip(QString::fromStdString(std::string(phantom.meaning)));
+    action->setToolTip(translated(texts::phantoms, phantom.meaning));
     connect(action, &QAction::triggered, this, [this, name] { openPath("phantom:" + name); });
   }
   menu->addSeparator();
@@ -175,8 +176,8 @@ void MainWindow::nameViews() {
   for (int i = 0; i < scene::standardViewCount; ++i) {
     QAction* action = views_[static_cast<std::size_t>(i)];
     const auto view = static_cast<scene::StandardView>(i);
-    const QString name = QString::fromStdString(scene::standardViewName(view, axes));
-    action->setText(axes == scene::WorldAxes::anatomical ? "&" + name : tr("From ") + name);
+    const QString name = translated(texts::views, scene::standardViewName(view, axes));
+    action->setText(axes == scene::WorldAxes::anatomical ? "&" + name : tr("From %1").arg(name));
     action->setIconText(QString::fromStdString(scene::standardViewMark(view, axes)));
     action->setToolTip(tr("From %1 (%2)")
                            .arg(axes == scene::WorldAxes::anatomical ? name.toLower() : name,
@@ -221,8 +222,7 @@ void MainWindow::makeToolBar() {
   look_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   for (const scene::LookInfo& look : scene::looks()) {
     look_->addItem(wordsOf(QString::fromStdString(std::string(look.name))));
-    look_->setItemData(look_->count() - 1, QString::fromStdString(std::string(look.meaning)),
-                       Qt::ToolTipRole);
+    look_->setItemData(look_->count() - 1, translated(texts::looks, look.meaning), Qt::ToolTipRole);
   }
   look_->setMaxVisibleItems(look_->count());
   connect(look_, &QComboBox::currentIndexChanged, this, &MainWindow::chooseLook);

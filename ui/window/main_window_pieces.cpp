@@ -30,7 +30,7 @@ void MainWindow::showSurfaceMenu(const QPoint& onScreen, const std::optional<app
   };
   if (seed) {
     const QString what = pointedPiece_->text();
-    if (!what.isEmpty()) menu->addSection("P" + what.mid(1));
+    if (!what.isEmpty()) menu->addSection(what[0].toUpper() + what.mid(1));
     add(tr("&Hide this piece"), tr("Hide piece"), app::withHidden(before, {*seed}));
     add(tr("Show &only this piece"), tr("Show only one piece"), app::onlyThese({*seed}));
     menu->addSeparator();

@@ -4,6 +4,7 @@
 #include <QMenuBar>
 
 #include "app/presets/preset_list.h"
+#include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
@@ -23,12 +24,12 @@ void MainWindow::showPresets() {
   const VolumePointer volume = document_->volume();
   if (!volume) return;
   const auto add = [&](const app::Preset& preset) {
-    QString title = QString::fromStdString(preset.title);
+    QString title = translated(texts::presets, preset.title);
     QAction* const action = presetsMenu_->addAction(title.replace('&', "&&"));
     const std::string reason = app::whyNot(preset, *volume);
     action->setEnabled(reason.empty());
-    action->setToolTip(reason.empty() ? QString::fromStdString(preset.meaning)
-                                      : tr("Does not apply: %1").arg(QString::fromStdString(reason)));
+    action->setToolTip(reason.empty() ? translated(texts::presets, preset.meaning)
+                                      : tr("Does not apply: %1").arg(translated(texts::presets, reason)));
     connect(action, &QAction::triggered, this, [this, preset] { applyPreset(preset); });
   };
   for (const app::Preset& preset : app::builtInPresets()) add(preset);
@@ -47,7 +48,7 @@ void MainWindow::applyPreset(const app::Preset& preset) {
   if (!volume) return;
   document_->endGesture();
   document_->edit({app::withPreset(document_->scene(), preset, *volume),
-                   tr("Preset ") + QString::fromStdString(preset.title),
+                   tr("Preset %1").arg(translated(texts::presets, preset.title)),
                    {},
                    false});
 }

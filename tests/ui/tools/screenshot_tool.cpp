@@ -3,7 +3,8 @@
 //   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
 //                     [--slices | --slices-alone] [--theme dark|light] [--preferences] [--cut-in-slice]
 //                     [--hints] [--entry TEXT] [--raw-dialog] [--browser] [--anonymous]
-//                     [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]... PATH
+//                     [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
+//                     [--language en|de] PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -35,6 +36,7 @@
 #include "ui/document/mark_reports.h"
 #include "ui/document/privacy.h"
 #include "ui/editors/histogram_slider.h"
+#include "ui/language/language.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/presets/looks_panel.h"
@@ -207,12 +209,14 @@ int main(int argc, char** argv) {
                         {"raw-dialog", "The dialog for files without a header instead of the window."},
                         {"browser", "The DICOM browser on a folder instead of the window."},
                         {"anonymous", "With patients' names hidden."},
+                        {"language", "en or de.", "NAME", "en"},
                         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");
     options.addHelpOption();
     options.process(application);
     ui::applyTheme(options.value("theme") == "light" ? ui::Theme::light : ui::Theme::dark);
     if (!options.isSet("out")) return fail("--out FILE is missing");
+    ui::setLanguage(ui::spokenOf({options.value("language")}));
     return takePicture(options);
   } catch (const std::exception& error) {
     return fail(error.what());

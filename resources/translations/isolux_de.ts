@@ -1,0 +1,5686 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Graphics memory</source>
+        <translation>Grafikspeicher</translation>
+    </message>
+    <message>
+        <source>Volume on the graphics card</source>
+        <translation>Volumen auf der Grafikkarte</translation>
+    </message>
+    <message>
+        <source>Threads that compute light</source>
+        <translation>Threads für die Lichtberechnung</translation>
+    </message>
+    <message>
+        <source>Coarser pictures in motion</source>
+        <translation>Gröbere Bilder bei Bewegung</translation>
+    </message>
+    <message>
+        <source>Time of a picture in motion</source>
+        <translation>Zeit je Bild bei Bewegung</translation>
+    </message>
+    <message>
+        <source>Hits and derivatives computed by</source>
+        <translation>Treffer und Ableitungen durch</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Vorgabe: %1</translation>
+    </message>
+    <message>
+        <source> big endian</source>
+        <translation> Big-Endian</translation>
+    </message>
+    <message>
+        <source>, header %1 bytes</source>
+        <translation>, Kopf %1 Byte</translation>
+    </message>
+    <message>
+        <source>is not written: the name of a picture ends in .png or .exr</source>
+        <translation>wird nicht geschrieben: Der Name eines Bildes endet auf .png oder .exr</translation>
+    </message>
+    <message>
+        <source>%1 phantom</source>
+        <translation>Phantom %1</translation>
+    </message>
+    <message>
+        <source>Turn environment</source>
+        <translation>Umgebung drehen</translation>
+    </message>
+    <message>
+        <source>Choose light probe</source>
+        <translation>Umgebungsbild wählen</translation>
+    </message>
+    <message>
+        <source>Choose light</source>
+        <translation>Licht wählen</translation>
+    </message>
+    <message>
+        <source>a large soft light from the upper left, a weak one at the right, and a rim from behind</source>
+        <translation>ein großes weiches Licht von links oben, ein schwaches von rechts und ein Streiflicht von hinten</translation>
+    </message>
+    <message>
+        <source>daylight through one window at the left of a room</source>
+        <translation>Tageslicht durch ein Fenster links im Raum</translation>
+    </message>
+    <message>
+        <source>a cloudy sky: soft light from above</source>
+        <translation>bedeckter Himmel: weiches Licht von oben</translation>
+    </message>
+    <message>
+        <source>a low warm sun at the left under a blue sky</source>
+        <translation>tiefe, warme Sonne links unter blauem Himmel</translation>
+    </message>
+    <message>
+        <source>%1 is out of range (%2 … %3)</source>
+        <translation>%1 liegt außerhalb des Bereichs (%2 … %3)</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Byte</translation>
+    </message>
+    <message>
+        <source>1 mark</source>
+        <translation>1 Marke</translation>
+    </message>
+    <message>
+        <source>%1 marks</source>
+        <translation>%1 Marken</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Eine Farbe</translation>
+    </message>
+    <message>
+        <source>not measured: %1</source>
+        <translation>nicht gemessen: %1</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>Hinweis: %1</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>Light stopped</source>
+        <translation>Licht angehalten</translation>
+    </message>
+    <message>
+        <source>Light: preparing</source>
+        <translation>Licht: wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Light: %1</source>
+        <translation>Licht: %1</translation>
+    </message>
+    <message>
+        <source>Light paused at %1</source>
+        <translation>Licht pausiert bei %1</translation>
+    </message>
+    <message>
+        <source>Light complete</source>
+        <translation>Licht fertig</translation>
+    </message>
+    <message>
+        <source>No light</source>
+        <translation>Kein Licht</translation>
+    </message>
+    <message>
+        <source>Stored: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1 texels lit, %2 million rays in %3</source>
+        <translation>%1 Texel beleuchtet, %2 Millionen Strahlen in %3</translation>
+    </message>
+    <message>
+        <source>%1 million rays/s</source>
+        <translation>%1 Mio. Strahlen/s</translation>
+    </message>
+    <message>
+        <source>%1 thousand rays/s</source>
+        <translation>%1 Tsd. Strahlen/s</translation>
+    </message>
+    <message>
+        <source>%1 rays/s</source>
+        <translation>%1 Strahlen/s</translation>
+    </message>
+    <message>
+        <source>light was at %1</source>
+        <translation>Licht war bei %1</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Ablauf</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Strömung</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Lamps</source>
+        <translation>Lampen</translation>
+    </message>
+    <message>
+        <source>Global illumination</source>
+        <translation>Globale Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Texture and fog</source>
+        <translation>Textur und Nebel</translation>
+    </message>
+    <message>
+        <source>Isosurface</source>
+        <translation>Isofläche</translation>
+    </message>
+    <message>
+        <source>More isosurfaces</source>
+        <translation>Weitere Isoflächen</translation>
+    </message>
+    <message>
+        <source>Hit</source>
+        <translation>Treffer</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Ableitungen</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Light probe</source>
+        <translation>Umgebungsbild</translation>
+    </message>
+    <message>
+        <source>Sky colour</source>
+        <translation>Himmelsfarbe</translation>
+    </message>
+    <message>
+        <source>Built-in light</source>
+        <translation>Eingebautes Licht</translation>
+    </message>
+    <message>
+        <source>Shown behind</source>
+        <translation>Als Hintergrund</translation>
+    </message>
+    <message>
+        <source>Lamp %1</source>
+        <translation>Lampe %1</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Isosurface %1</source>
+        <translation>Isofläche %1</translation>
+    </message>
+    <message>
+        <source>Colour from</source>
+        <translation>Farbe aus</translation>
+    </message>
+    <message>
+        <source>SH order</source>
+        <translation>SH-Ordnung</translation>
+    </message>
+    <message>
+        <source>SH window</source>
+        <translation>SH-Fenster</translation>
+    </message>
+    <message>
+        <source>Colours of κ₁ and κ₂</source>
+        <translation>Farben von κ₁ und κ₂</translation>
+    </message>
+    <message>
+        <source>, %1 × %1 rays per pixel</source>
+        <translation>, %1 × %1 Strahlen je Pixel</translation>
+    </message>
+    <message>
+        <source> (%1° off)</source>
+        <translation> (um %1° gekippt)</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Angiography</source>
+        <translation>Angiographie</translation>
+    </message>
+    <message>
+        <source>Axial slice</source>
+        <translation>Axiale Schicht</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Koronale Schicht</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Sagittale Schicht</translation>
+    </message>
+    <message>
+        <source>Pin: click on the surface</source>
+        <translation>Pin: auf die Oberfläche klicken</translation>
+    </message>
+    <message>
+        <source>Distance: click two points; with Shift, more follow</source>
+        <translation>Abstand: zwei Punkte anklicken; mit Umschalt folgen weitere</translation>
+    </message>
+    <message>
+        <source>Along the surface: click two points; with Shift, more follow</source>
+        <translation>Entlang der Oberfläche: zwei Punkte anklicken; mit Umschalt folgen weitere</translation>
+    </message>
+    <message>
+        <source>Angle: click three points, the middle one second; with Shift at the third, two lines of two</source>
+        <translation>Winkel: drei Punkte anklicken, den mittleren als zweiten; mit Umschalt beim dritten zwei Geraden aus je zwei Punkten</translation>
+    </message>
+    <message>
+        <source>Circle: click three points</source>
+        <translation>Kreis: drei Punkte anklicken</translation>
+    </message>
+    <message>
+        <source>Thickness: click on the surface</source>
+        <translation>Dicke: auf die Oberfläche klicken</translation>
+    </message>
+    <message>
+        <source>Piece: click on one</source>
+        <translation>Teil: eines anklicken</translation>
+    </message>
+    <message>
+        <source>Preparing the volume (%1): %2 %; until then another field is shown</source>
+        <translation>Volumen wird vorbereitet (%1): %2 %; bis dahin wird ein anderes Feld gezeigt</translation>
+    </message>
+    <message>
+        <source>Loading: %1 % of the picture is missing</source>
+        <translation>Laden: %1 % des Bildes fehlen</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view</source>
+        <translation>%1 % des Bildes fehlen: memory.gpu_budget_mb ist für diese Ansicht zu klein</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this picture</source>
+        <translation>der Speicher reicht für dieses Bild nicht aus</translation>
+    </message>
+    <message>
+        <source>a mistake in Isolux itself: %1</source>
+        <translation>ein Fehler in Isolux selbst: %1</translation>
+    </message>
+    <message>
+        <source>a mistake in Isolux itself</source>
+        <translation>ein Fehler in Isolux selbst</translation>
+    </message>
+    <message>
+        <source>Isolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.</source>
+        <translation>Isolux braucht OpenGL 4.5. `isolux doctor` sagt, was dieser Rechner bietet.</translation>
+    </message>
+    <message>
+        <source>It is tried again when something changes: undo the last step, or choose other settings.</source>
+        <translation>Bei der nächsten Änderung folgt ein neuer Versuch: den letzten Schritt rückgängig machen oder andere Optionen wählen.</translation>
+    </message>
+    <message>
+        <source>Open a volume with Ctrl+O, or drop a file or folder here</source>
+        <translation>Ein Volumen mit Strg+O öffnen oder eine Datei oder einen Ordner hierher ziehen</translation>
+    </message>
+    <message>
+        <source>Isolux session (*.isolux)</source>
+        <translation>Isolux-Sitzung (*.isolux)</translation>
+    </message>
+    <message>
+        <source>Isolux recording (*.jsonl)</source>
+        <translation>Isolux-Aufzeichnung (*.jsonl)</translation>
+    </message>
+    <message>
+        <source>PNG, carries the session (*.png)</source>
+        <translation>PNG, enthält die Sitzung (*.png)</translation>
+    </message>
+    <message>
+        <source>PNG, picture only (*.png)</source>
+        <translation>PNG, nur das Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>OpenEXR, linear colours (*.exr)</source>
+        <translation>OpenEXR, lineare Farben (*.exr)</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Raw voxels (*.raw *.bin *.img *.dat)</source>
+        <translation>Rohe Voxel (*.raw *.bin *.img *.dat)</translation>
+    </message>
+    <message>
+        <source>Marks for 3D Slicer (*.mrk.json)</source>
+        <translation>Marken für 3D Slicer (*.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Table of what they say (*.csv)</source>
+        <translation>Tabelle der Messwerte (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>&amp;Pin</translation>
+    </message>
+    <message>
+        <source>Keep a point of the surface: position, value, curvature, edge</source>
+        <translation>Einen Punkt der Oberfläche festhalten: Position, Wert, Krümmung, Kante</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Abstand</translation>
+    </message>
+    <message>
+        <source>Straight from point to point</source>
+        <translation>Gerade von Punkt zu Punkt</translation>
+    </message>
+    <message>
+        <source>Along the &amp;surface</source>
+        <translation>Entlang der &amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>The shortest way along the surface</source>
+        <translation>Der kürzeste Weg entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>At the second of three points, or between two lines</source>
+        <translation>Am zweiten von drei Punkten oder zwischen zwei Geraden</translation>
+    </message>
+    <message>
+        <source>&amp;Circle</source>
+        <translation>&amp;Kreis</translation>
+    </message>
+    <message>
+        <source>Through three points: radius and centre</source>
+        <translation>Durch drei Punkte: Radius und Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness</source>
+        <translation>&amp;Dicke</translation>
+    </message>
+    <message>
+        <source>From the surface through the inside</source>
+        <translation>Von der Oberfläche durch das Innere</translation>
+    </message>
+    <message>
+        <source>Pi&amp;ece</source>
+        <translation>&amp;Teil</translation>
+    </message>
+    <message>
+        <source>Volume and area of the connected piece</source>
+        <translation>Volumen und Fläche des zusammenhängenden Teils</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>files</name>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>DICOM</source>
+        <translation>DICOM</translation>
+    </message>
+    <message>
+        <source>MetaImage</source>
+        <translation>MetaImage</translation>
+    </message>
+    <message>
+        <source>NIfTI</source>
+        <translation>NIfTI</translation>
+    </message>
+    <message>
+        <source>NRRD</source>
+        <translation>NRRD</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Roh</translation>
+    </message>
+    <message>
+        <source>TIFF</source>
+        <translation>TIFF</translation>
+    </message>
+    <message>
+        <source>Triangle meshes</source>
+        <translation>Dreiecksnetze</translation>
+    </message>
+    <message>
+        <source>VTK</source>
+        <translation>VTK</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumen</translation>
+    </message>
+</context>
+<context>
+    <name>help</name>
+    <message>
+        <source>&lt;b&gt;1 2 3 4 5 6&lt;/b&gt;</source>
+        <translation>&lt;b&gt;1 2 3 4 5 6&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+F&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+F&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+left drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+Ziehen links&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+wheel&lt;/b&gt;, &lt;b&gt;middle drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+Mausrad&lt;/b&gt;, &lt;b&gt;Ziehen Mitte&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Double click&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Doppelklick&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag the line&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Linie ziehen&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F11&lt;/b&gt;, &lt;b&gt;Esc&lt;/b&gt;</source>
+        <translation>&lt;b&gt;F11&lt;/b&gt;, &lt;b&gt;Esc&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F4&lt;/b&gt;</source>
+        <translation>&lt;b&gt;F4&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;L&lt;/b&gt;, &lt;b&gt;Shift+L&lt;/b&gt;</source>
+        <translation>&lt;b&gt;L&lt;/b&gt;, &lt;b&gt;Umschalt+L&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Lamp handles&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Griffe der Lampen&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Left drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen links&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Middle drag&lt;/b&gt;, &lt;b&gt;Shift+left drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen Mitte&lt;/b&gt;, &lt;b&gt;Umschalt+Ziehen links&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;P&lt;/b&gt;, &lt;b&gt;M&lt;/b&gt;, &lt;b&gt;Shift+M&lt;/b&gt;</source>
+        <translation>&lt;b&gt;P&lt;/b&gt;, &lt;b&gt;M&lt;/b&gt;, &lt;b&gt;Umschalt+M&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;R&lt;/b&gt;, &lt;b&gt;F&lt;/b&gt;, &lt;b&gt;O&lt;/b&gt;</source>
+        <translation>&lt;b&gt;R&lt;/b&gt;, &lt;b&gt;F&lt;/b&gt;, &lt;b&gt;O&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Right click&lt;/b&gt;, &lt;b&gt;menu key&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Rechtsklick&lt;/b&gt;, &lt;b&gt;Menütaste&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Right drag&lt;/b&gt;, &lt;b&gt;wheel&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen rechts&lt;/b&gt;, &lt;b&gt;Mausrad&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Shift+right drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Umschalt+Ziehen rechts&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Space&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Leertaste&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Wheel&lt;/b&gt;, &lt;b&gt;arrow keys&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Mausrad&lt;/b&gt;, &lt;b&gt;Pfeiltasten&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>centre on the point of the surface</source>
+        <translation>auf den Punkt der Oberfläche zentrieren</translation>
+    </message>
+    <message>
+        <source>choose the isovalue</source>
+        <translation>Isowert wählen</translation>
+    </message>
+    <message>
+        <source>drag; with Ctrl, or by the wheel, nearer and farther (global illumination)</source>
+        <translation>ziehen; mit Strg oder dem Mausrad näher und ferner (globale Beleuchtung)</translation>
+    </message>
+    <message>
+        <source>find a setting</source>
+        <translation>Option suchen</translation>
+    </message>
+    <message>
+        <source>fine steps; with Shift ten times larger</source>
+        <translation>feine Schritte; mit Umschalt zehnmal größer</translation>
+    </message>
+    <message>
+        <source>from anterior, posterior, left, right, superior, inferior (front, back, +X, −X, up, down where the file states no orientation)</source>
+        <translation>von anterior, posterior, links, rechts, superior, inferior (vorn, hinten, +X, −X, oben, unten, wo die Datei keine Orientierung angibt)</translation>
+    </message>
+    <message>
+        <source>full screen, and back</source>
+        <translation>Vollbild und zurück</translation>
+    </message>
+    <message>
+        <source>hide or keep the piece of the surface under the pointer</source>
+        <translation>das Teil der Oberfläche unter dem Zeiger ausblenden oder behalten</translation>
+    </message>
+    <message>
+        <source>let the flow move, or stand still</source>
+        <translation>Strömung bewegen oder anhalten</translation>
+    </message>
+    <message>
+        <source>next and previous look</source>
+        <translation>nächste und vorige Darstellung</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>pin, distance, distance along the surface: clicks set points; Backspace takes the last back, Esc ends</source>
+        <translation>Pin, Abstand, Abstand entlang der Oberfläche: Klicks setzen Punkte; die Rücktaste nimmt den letzten zurück, Esc beendet</translation>
+    </message>
+    <message>
+        <source>reset the view, fit the volume, orthographic</source>
+        <translation>Ansicht zurücksetzen, Volumen einpassen, orthographisch</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>rollen</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>slices beside the picture: click or drag moves the crosshair, the wheel steps, right drag changes level and width, Ctrl+wheel zooms</source>
+        <translation>Schichten neben dem Bild: Klicken oder Ziehen bewegt das Fadenkreuz, das Mausrad blättert, Ziehen rechts ändert Fensterlage und -breite, Strg+Mausrad zoomt</translation>
+    </message>
+    <message>
+        <source>suggested isovalue</source>
+        <translation>vorgeschlagener Isowert</translation>
+    </message>
+    <message>
+        <source>turn the light probe (global illumination)</source>
+        <translation>das Umgebungsbild drehen (globale Beleuchtung)</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomen</translation>
+    </message>
+    <message>
+        <source>zoom and move the axis of values</source>
+        <translation>die Achse der Werte zoomen und verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::CurvatureMapEditor</name>
+    <message>
+        <source>Colour of the selected point</source>
+        <translation>Farbe des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>Add a point (double click on the map)</source>
+        <translation>Punkt hinzufügen (Doppelklick auf die Skala)</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the selected point (Delete)</source>
+        <translation>Gewählten Punkt entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Remove the selected point</source>
+        <translation>Gewählten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>%1 of the selected point, in parts of the range</source>
+        <translation>%1 des gewählten Punktes, als Anteil des Bereichs</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::CurvatureMapView</name>
+    <message>
+        <source>Colour map of the principal curvatures</source>
+        <translation>Farbskala der Hauptkrümmungen</translation>
+    </message>
+    <message>
+        <source>cap</source>
+        <translation>Kuppe</translation>
+    </message>
+    <message>
+        <source>ridge</source>
+        <translation>Grat</translation>
+    </message>
+    <message>
+        <source>saddle</source>
+        <translation>Sattel</translation>
+    </message>
+    <message>
+        <source>cup</source>
+        <translation>Mulde</translation>
+    </message>
+    <message>
+        <source>valley</source>
+        <translation>Tal</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::Document</name>
+    <message>
+        <source>is a recording: isolux replay %1 --out FOLDER makes pictures of it</source>
+        <translation>ist eine Aufzeichnung: isolux replay %1 --out ORDNER macht Bilder daraus</translation>
+    </message>
+    <message>
+        <source>Keep the volume</source>
+        <translation>Volumen behalten</translation>
+    </message>
+    <message>
+        <source>the volume could not be loaded</source>
+        <translation>das Volumen konnte nicht geladen werden</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>recording stopped: %1</source>
+        <translation>Aufzeichnung beendet: %1</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Pause flow</source>
+        <translation>Strömung anhalten</translation>
+    </message>
+    <message>
+        <source>Animate flow</source>
+        <translation>Strömung bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::DocumentKeeper</name>
+    <message>
+        <source>The document cannot be autosaved: %1</source>
+        <translation>Das Dokument kann nicht automatisch gesichert werden: %1</translation>
+    </message>
+    <message>
+        <source>The recording %1 holds what was done until then; it is not continued</source>
+        <translation>Die Aufzeichnung %1 enthält alles bis dahin; sie wird nicht fortgesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::EnvironmentPreview</name>
+    <message>
+        <source>Light probe</source>
+        <translation>Umgebungsbild</translation>
+    </message>
+    <message>
+        <source>Drag to turn the environment about the vertical axis. The cross is where you look.</source>
+        <translation>Ziehen dreht die Umgebung um die senkrechte Achse. Das Kreuz zeigt die Blickrichtung.</translation>
+    </message>
+    <message>
+        <source>Loading the environment …</source>
+        <translation>Umgebung wird geladen …</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::FileWidget</name>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a light probe</source>
+        <translation>Umgebungsbild wählen</translation>
+    </message>
+    <message>
+        <source>Light probes (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
+        <translation>Umgebungsbilder (*.hdr *.exr);;Bilder (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::HistogramSlider</name>
+    <message>
+        <source>Isovalue on the histogram</source>
+        <translation>Isowert im Histogramm</translation>
+    </message>
+    <message>
+        <source>The histogram of the volume appears here</source>
+        <translation>Hier erscheint das Histogramm des Volumens</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::IsovaluePanel</name>
+    <message>
+        <source>Isovalue</source>
+        <translation>Isowert</translation>
+    </message>
+    <message>
+        <source>The surface is where the volume has this value.
+
+Drag the line on the histogram (counts are logarithmic).
+Wheel or arrow keys: fine steps (Shift: ten times larger)
+Double click: suggested isovalue
+Ctrl+wheel: zoom the axis, middle drag: move it</source>
+        <translation>Die Oberfläche liegt dort, wo das Volumen diesen Wert hat.
+
+Die Linie im Histogramm ziehen (Häufigkeiten sind logarithmisch).
+Mausrad oder Pfeiltasten: feine Schritte (Umschalt: zehnmal größer)
+Doppelklick: vorgeschlagener Isowert
+Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</translation>
+    </message>
+    <message>
+        <source>The exact isovalue. Arrow keys change it by the step of the histogram.</source>
+        <translation>Der genaue Isowert. Pfeiltasten ändern ihn um den Schritt des Histogramms.</translation>
+    </message>
+    <message>
+        <source>Suggested</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>Back to the isovalue found from the histogram (also: double click on the histogram)</source>
+        <translation>Zurück zum Isowert, der aus dem Histogramm folgt (auch: Doppelklick auf das Histogramm)</translation>
+    </message>
+    <message>
+        <source>Whole range</source>
+        <translation>Ganzer Bereich</translation>
+    </message>
+    <message>
+        <source>Show the whole range of values again</source>
+        <translation>Wieder den ganzen Wertebereich zeigen</translation>
+    </message>
+    <message>
+        <source>Set isovalue</source>
+        <translation>Isowert setzen</translation>
+    </message>
+    <message>
+        <source>Suggested isovalue</source>
+        <translation>Vorgeschlagener Isowert</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::LightChooser</name>
+    <message>
+        <source>Light: %1</source>
+        <translation>Licht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::LightStatus</name>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Stop computing light; what there is stays</source>
+        <translation>Lichtberechnung beenden; Vorhandenes bleibt</translation>
+    </message>
+    <message>
+        <source>Stop computing light</source>
+        <translation>Lichtberechnung beenden</translation>
+    </message>
+    <message>
+        <source>Go on computing light</source>
+        <translation>Lichtberechnung fortsetzen</translation>
+    </message>
+    <message>
+        <source>Pause computing light</source>
+        <translation>Lichtberechnung pausieren</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::LoadCard</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::MainWindow</name>
+    <message>
+        <source>%1 ms (draft)</source>
+        <translation>%1 ms (Entwurf)</translation>
+    </message>
+    <message>
+        <source>Time for the last picture</source>
+        <translation>Zeit für das letzte Bild</translation>
+    </message>
+    <message>
+        <source>%1 (%2 in the Volume panel)</source>
+        <translation>%1 (%2 im Reiter Volumen)</translation>
+    </message>
+    <message>
+        <source>also</source>
+        <translation>auch</translation>
+    </message>
+    <message>
+        <source>all %1 notes</source>
+        <translation>alle %1 Hinweise</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Light is now stored so that the environment may turn: it is computed once more, then turning costs nothing</source>
+        <translation>Das Licht wird nun so gespeichert, dass sich die Umgebung drehen darf: Es wird noch einmal berechnet, danach kostet das Drehen nichts</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Stop &amp;recording</source>
+        <translation>Aufzeichnung &amp;beenden</translation>
+    </message>
+    <message>
+        <source>Start &amp;recording…</source>
+        <translation>Aufzeichnung &amp;beginnen …</translation>
+    </message>
+    <message>
+        <source>● Recording</source>
+        <translation>● Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1   %2   %3 mm      voxel %4, %5, %6      value %7</source>
+        <translation>%1   %2   %3 mm      Voxel %4, %5, %6      Wert %7</translation>
+    </message>
+    <message>
+        <source>Change look</source>
+        <translation>Darstellung ändern</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>About Isolux</source>
+        <translation>Über Isolux</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Isolux %1&lt;/h3&gt;&lt;p&gt;Explore scans and simulations as isosurfaces, drawn directly from the voxels.&lt;/p&gt;&lt;p&gt;Graphics: %2&lt;/p&gt;&lt;p&gt;Qt %3&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Isolux %1&lt;/h3&gt;&lt;p&gt;Scans und Simulationen als Isoflächen erkunden, direkt aus den Voxeln gezeichnet.&lt;/p&gt;&lt;p&gt;Grafik: %2&lt;/p&gt;&lt;p&gt;Qt %3&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Volumes, sessions and pictures (%1)</source>
+        <translation>Volumen, Sitzungen und Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Save session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>is not written: the name of a picture ends in .png or .exr</source>
+        <translation>wird nicht geschrieben: Der Name eines Bildes endet auf .png oder .exr</translation>
+    </message>
+    <message>
+        <source>Record into</source>
+        <translation>Aufzeichnen in</translation>
+    </message>
+    <message>
+        <source>isolux replay %1 --out FOLDER makes pictures of it</source>
+        <translation>isolux replay %1 --out ORDNER macht Bilder daraus</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1?</source>
+        <translation>Änderungen an %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Save what you did with %1 as a session?</source>
+        <translation>Die Arbeit an %1 als Sitzung speichern?</translation>
+    </message>
+    <message>
+        <source>A session keeps the isovalue, the look, the light and the view, not the stored light.</source>
+        <translation>Eine Sitzung enthält Isowert, Darstellung, Licht und Ansicht, nicht das gespeicherte Licht.</translation>
+    </message>
+    <message>
+        <source>An autosave could not be read. It is kept as %1</source>
+        <translation>Eine automatische Sicherung war nicht lesbar. Sie bleibt erhalten als %1</translation>
+    </message>
+    <message>
+        <source>Continue: %1, %2</source>
+        <translation>Fortsetzen: %1, %2</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;List of marks</source>
+        <translation>&amp;Liste der Marken</translation>
+    </message>
+    <message>
+        <source>Show the panel of marks</source>
+        <translation>Die Liste der Marken zeigen</translation>
+    </message>
+    <message>
+        <source>E&amp;xport marks…</source>
+        <translation>Marken &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>As a table (CSV) or for 3D Slicer (.mrk.json)</source>
+        <translation>Als Tabelle (CSV) oder für 3D Slicer (.mrk.json)</translation>
+    </message>
+    <message>
+        <source>&amp;Import marks…</source>
+        <translation>Marken &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>Marks of 3D Slicer (.mrk.json)</source>
+        <translation>Marken von 3D Slicer (.mrk.json)</translation>
+    </message>
+    <message>
+        <source>      κ₁ %1, κ₂ %2 /mm (confidence %3)</source>
+        <translation>      κ₁ %1, κ₂ %2 /mm (Konfidenz %3)</translation>
+    </message>
+    <message>
+        <source>is not written: marks are saved as .csv or as .mrk.json</source>
+        <translation>wird nicht geschrieben: Marken werden als .csv oder als .mrk.json gespeichert</translation>
+    </message>
+    <message>
+        <source>some marks were still being measured</source>
+        <translation>einige Marken wurden noch gemessen</translation>
+    </message>
+    <message>
+        <source>1 mark of %1</source>
+        <translation>1 Marke aus %1</translation>
+    </message>
+    <message>
+        <source>%1 marks of %2</source>
+        <translation>%1 Marken aus %2</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>Import marks</source>
+        <translation>Marken importieren</translation>
+    </message>
+    <message>
+        <source>Export marks</source>
+        <translation>Marken exportieren</translation>
+    </message>
+    <message>
+        <source>Marks of 3D Slicer (*.mrk.json *.json);;All files (*)</source>
+        <translation>Marken von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a volume, session or picture</source>
+        <translation>Volumen, Sitzung oder Bild öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;folder (DICOM)…</source>
+        <translation>&amp;Ordner öffnen (DICOM) …</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files or numbered images</source>
+        <translation>Ordner mit DICOM-Dateien oder nummerierten Bildern öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open built-in &amp;phantom</source>
+        <translation>Eingebautes &amp;Phantom öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>Sitzung &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as…</source>
+        <translation>Sitzung speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the session elsewhere</source>
+        <translation>Sitzung an anderem Ort speichern</translation>
+    </message>
+    <message>
+        <source>Save p&amp;icture…</source>
+        <translation>B&amp;ild speichern …</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Path trace picture…</source>
+        <translation>Bild mit Pfad&amp;verfolgung …</translation>
+    </message>
+    <message>
+        <source>Trace every pixel of this view by itself, for a still without stored light</source>
+        <translation>Jedes Pixel dieser Ansicht für sich verfolgen, für ein Standbild ohne gespeichertes Licht</translation>
+    </message>
+    <message>
+        <source>Record every change, to replay it with `isolux replay`</source>
+        <translation>Jede Änderung aufzeichnen, um sie mit `isolux replay` abzuspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Be&amp;enden</translation>
+    </message>
+    <message>
+        <source>Quit Isolux</source>
+        <translation>Isolux beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Copy as command &amp;line</source>
+        <translation>Als &amp;Befehlszeile kopieren</translation>
+    </message>
+    <message>
+        <source>Copy a shell command that draws this picture</source>
+        <translation>Einen Befehl kopieren, der dieses Bild zeichnet</translation>
+    </message>
+    <message>
+        <source>&amp;Find a setting</source>
+        <translation>Option &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Find a setting by its name</source>
+        <translation>Eine Option nach ihrem Namen suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences …</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Memory, threads and speed: settings of this machine</source>
+        <translation>Speicher, Threads und Tempo: Einstellungen dieses Rechners</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Reset view</source>
+        <translation>Ansicht &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset the view</source>
+        <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit volume</source>
+        <translation>Volumen &amp;einpassen</translation>
+    </message>
+    <message>
+        <source>Fit the volume into the picture</source>
+        <translation>Das Volumen in das Bild einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Orthographisch</translation>
+    </message>
+    <message>
+        <source>Switch between perspective and orthographic</source>
+        <translation>Zwischen perspektivisch und orthographisch wechseln</translation>
+    </message>
+    <message>
+        <source>&amp;Next look</source>
+        <translation>&amp;Nächste Darstellung</translation>
+    </message>
+    <message>
+        <source>Next look</source>
+        <translation>Nächste Darstellung</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious look</source>
+        <translation>&amp;Vorige Darstellung</translation>
+    </message>
+    <message>
+        <source>Previous look</source>
+        <translation>Vorige Darstellung</translation>
+    </message>
+    <message>
+        <source>&amp;Animate the flow</source>
+        <translation>Strömung &amp;bewegen</translation>
+    </message>
+    <message>
+        <source>Let the flow move, or stand still</source>
+        <translation>Strömung bewegen oder anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Slices beside the picture</source>
+        <translation>Schi&amp;chten neben dem Bild</translation>
+    </message>
+    <message>
+        <source>Axial, coronal and sagittal slice beside the picture</source>
+        <translation>Axiale, koronale und sagittale Schicht neben dem Bild</translation>
+    </message>
+    <message>
+        <source>Full &amp;screen</source>
+        <translation>Vollbil&amp;d</translation>
+    </message>
+    <message>
+        <source>Full screen; Esc ends it</source>
+        <translation>Vollbild; Esc beendet es</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>Von %1</translation>
+    </message>
+    <message>
+        <source>From %1 (%2)</source>
+        <translation>Von %1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Isolux</source>
+        <translation>&amp;Über Isolux</translation>
+    </message>
+    <message>
+        <source>Version and graphics</source>
+        <translation>Version und Grafik</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Pins and measurements: P, M, Shift+M</source>
+        <translation>Pins und Messungen: P, M, Umschalt+M</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>What the picture shows (L, Shift+L: next and previous)</source>
+        <translation>Was das Bild zeigt (L, Umschalt+L: nächste und vorige)</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Diese Liste leeren</translation>
+    </message>
+    <message>
+        <source>&amp;Hide this piece</source>
+        <translation>Dieses Teil &amp;ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide piece</source>
+        <translation>Teil ausblenden</translation>
+    </message>
+    <message>
+        <source>Show &amp;only this piece</source>
+        <translation>&amp;Nur dieses Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Show only one piece</source>
+        <translation>Nur ein Teil zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the largest piece</source>
+        <translation>Größtes Teil &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece</source>
+        <translation>Größtes Teil behalten</translation>
+    </message>
+    <message>
+        <source>Show &amp;all pieces</source>
+        <translation>A&amp;lle Teile zeigen</translation>
+    </message>
+    <message>
+        <source>Show all pieces</source>
+        <translation>Alle Teile zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;List the pieces</source>
+        <translation>Teile auf&amp;listen</translation>
+    </message>
+    <message>
+        <source>&amp;Presets</source>
+        <translation>V&amp;orlagen</translation>
+    </message>
+    <message>
+        <source>Show what a preset is named for</source>
+        <translation>Zeigen, wonach eine Vorlage benannt ist</translation>
+    </message>
+    <message>
+        <source>Does not apply: %1</source>
+        <translation>Nicht anwendbar: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>Als Vorlage &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>Vorlage %1</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Als Vorlage speichern</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>Name der Vorlage:</translation>
+    </message>
+    <message>
+        <source>Copied a command that draws this picture</source>
+        <translation>Ein Befehl, der dieses Bild zeichnet, ist kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::MarksPanel</name>
+    <message>
+        <source>Nothing is marked yet.
+
+The Measure menu has pins (P), distances (M), ways along the surface (Shift+M), angles, circles, thicknesses and pieces: choose one, then click on the surface.</source>
+        <translation>Noch ist nichts markiert.
+
+Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umschalt+M), Winkel, Kreise, Dicken und Teile: eines wählen, dann auf die Oberfläche klicken.</translation>
+    </message>
+    <message>
+        <source>Measuring …</source>
+        <translation>Messung läuft …</translation>
+    </message>
+    <message>
+        <source>What the mark says</source>
+        <translation>Messwerte der Marke</translation>
+    </message>
+    <message>
+        <source>Colour of the mark</source>
+        <translation>Farbe der Marke</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen marks (Del)</source>
+        <translation>Gewählte Marken löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy what all marks say as text</source>
+        <translation>Messwerte aller Marken als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Export …</translation>
+    </message>
+    <message>
+        <source>Save the marks as a table (CSV) or for 3D Slicer (.mrk.json)</source>
+        <translation>Marken als Tabelle (CSV) oder für 3D Slicer (.mrk.json) speichern</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Import …</translation>
+    </message>
+    <message>
+        <source>Open marks of 3D Slicer (.mrk.json)</source>
+        <translation>Marken von 3D Slicer (.mrk.json) öffnen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop measuring</source>
+        <translation>Messung anhalten</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation>Messwert</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Double click: another name; the box: shown in the picture</source>
+        <translation>Doppelklick: anderer Name; das Kästchen: im Bild sichtbar</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Rename mark</source>
+        <translation>Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>Colour marks</source>
+        <translation>Marken färben</translation>
+    </message>
+    <message>
+        <source>Delete mark</source>
+        <translation>Marke löschen</translation>
+    </message>
+    <message>
+        <source>Delete marks</source>
+        <translation>Marken löschen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::PassesPanel</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Noch kein Bild</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the table, to paste it into a text or a spreadsheet</source>
+        <translation>Die Tabelle kopieren, um sie in einen Text oder eine Tabellenkalkulation einzufügen</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Passes of the last picture</source>
+        <translation>Durchgänge des letzten Bildes</translation>
+    </message>
+    <message>
+        <source>Took %1 when it last ran</source>
+        <translation>Brauchte zuletzt %1</translation>
+    </message>
+    <message>
+        <source>on the processor: %1</source>
+        <translation>auf dem Prozessor: %1</translation>
+    </message>
+    <message>
+        <source>Shown again once since: every pass cached, nothing ran.</source>
+        <translation>Seither einmal wieder gezeigt: alles zwischengespeichert, nichts neu berechnet.</translation>
+    </message>
+    <message>
+        <source>Shown again %1 times since: every pass cached, nothing ran.</source>
+        <translation>Seither %1-mal wieder gezeigt: alles zwischengespeichert, nichts neu berechnet.</translation>
+    </message>
+    <message>
+        <source>Graphics memory: %1</source>
+        <translation>Grafikspeicher: %1</translation>
+    </message>
+    <message>
+        <source>Active blocks: %1 of %2 (%3 %)</source>
+        <translation>Aktive Blöcke: %1 von %2 (%3 %)</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::PiecesPanel</name>
+    <message>
+        <source>Keep the largest</source>
+        <translation>Größte behalten</translation>
+    </message>
+    <message>
+        <source>Not below</source>
+        <translation>Nicht unter</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Volume, mm³</source>
+        <translation>Volumen, mm³</translation>
+    </message>
+    <message>
+        <source>Box, mm</source>
+        <translation>Quader, mm</translation>
+    </message>
+    <message>
+        <source>Pieces of the isosurface, the largest first</source>
+        <translation>Teile der Isofläche, das größte zuerst</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide the pieces that are marked in the list</source>
+        <translation>Die in der Liste gewählten Teile ausblenden</translation>
+    </message>
+    <message>
+        <source>Show only</source>
+        <translation>Nur diese</translation>
+    </message>
+    <message>
+        <source>Hide all but the marked ones</source>
+        <translation>Alle außer den gewählten ausblenden</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Move the marked piece to the middle of the picture (double click)</source>
+        <translation>Das gewählte Teil in die Bildmitte rücken (Doppelklick)</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Show every piece again</source>
+        <translation>Wieder alle Teile zeigen</translation>
+    </message>
+    <message>
+        <source>… and %1 smaller ones</source>
+        <translation>… und %1 kleinere</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>Volume %1 mm³</source>
+        <translation>Volumen %1 mm³</translation>
+    </message>
+    <message>
+        <source>Area %1 mm²</source>
+        <translation>Fläche %1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>Goes on beyond the data: both are of what lies within</source>
+        <translation>Reicht über die Daten hinaus: beides gilt für den Teil darin</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>The connected pieces of the isosurface are listed here: open a volume.</source>
+        <translation>Hier stehen die zusammenhängenden Teile der Isofläche: ein Volumen öffnen.</translation>
+    </message>
+    <message>
+        <source>Finding pieces … %1 %</source>
+        <translation>Teile werden gesucht … %1 %</translation>
+    </message>
+    <message>
+        <source>No voxel is inside at %1: move the isovalue.</source>
+        <translation>Bei %1 liegt kein Voxel innen: den Isowert verschieben.</translation>
+    </message>
+    <message>
+        <source>One piece at %1</source>
+        <translation>Ein Teil bei %1</translation>
+    </message>
+    <message>
+        <source>%1 pieces at %2</source>
+        <translation>%1 Teile bei %2</translation>
+    </message>
+    <message>
+        <source>, %1 hidden</source>
+        <translation>, %1 ausgeblendet</translation>
+    </message>
+    <message>
+        <source> (of the first isosurface)</source>
+        <translation> (der ersten Isofläche)</translation>
+    </message>
+    <message>
+        <source> – measuring …</source>
+        <translation> – Messung läuft …</translation>
+    </message>
+    <message>
+        <source>Hide piece %1</source>
+        <translation>Teil %1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Show piece %1</source>
+        <translation>Teil %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide %1 pieces</source>
+        <translation>%1 Teile ausblenden</translation>
+    </message>
+    <message>
+        <source>Show only piece %1</source>
+        <translation>Nur Teil %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show only %1 pieces</source>
+        <translation>Nur %1 Teile zeigen</translation>
+    </message>
+    <message>
+        <source>Centre on piece</source>
+        <translation>Auf Teil zentrieren</translation>
+    </message>
+    <message>
+        <source>Show all pieces</source>
+        <translation>Alle Teile zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::PointedPiece</name>
+    <message>
+        <source>the largest of %1</source>
+        <translation>das größte von %1</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>piece %1 (%2): %3</source>
+        <translation>Teil %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>Of this machine: sessions and recordings do not carry them.</source>
+        <translation>Für diesen Rechner: Sitzungen und Aufzeichnungen enthalten sie nicht.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Of the window; it changes when Isolux is started again.</source>
+        <translation>Des Fensters; sie wechselt beim nächsten Start von Isolux.</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::RawImportDialog</name>
+    <message>
+        <source>Open raw file – %1</source>
+        <translation>Rohdatei öffnen – %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; has no header that Isolux knows. How are its voxels stored?</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; hat keinen Kopf, den Isolux kennt. Wie sind die Voxel gespeichert?</translation>
+    </message>
+    <message>
+        <source>nothing fits by name or size</source>
+        <translation>nichts passt nach Name oder Größe</translation>
+    </message>
+    <message>
+        <source>choose …</source>
+        <translation>wählen …</translation>
+    </message>
+    <message>
+        <source>little endian</source>
+        <translation>Little-Endian</translation>
+    </message>
+    <message>
+        <source>big endian</source>
+        <translation>Big-Endian</translation>
+    </message>
+    <message>
+        <source>Voxels along %1</source>
+        <translation>Voxel entlang %1</translation>
+    </message>
+    <message>
+        <source>Spacing along %1</source>
+        <translation>Voxelabstand entlang %1</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Byte</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytefolge</translation>
+    </message>
+    <message>
+        <source>Header</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Spacing, mm</source>
+        <translation>Voxelabstand, mm</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>slice 9999 of 9999</source>
+        <translation>Schicht 9999 von 9999</translation>
+    </message>
+    <message>
+        <source>%1 bytes described, the file has %2.</source>
+        <translation>%1 Byte beschrieben, die Datei hat %2.</translation>
+    </message>
+    <message>
+        <source>They match.</source>
+        <translation>Das passt.</translation>
+    </message>
+    <message>
+        <source>The last %1 would be ignored.</source>
+        <translation>Die letzten %1 blieben unbeachtet.</translation>
+    </message>
+    <message>
+        <source>%1 are missing.</source>
+        <translation>%1 fehlen.</translation>
+    </message>
+    <message>
+        <source>slice %1 of %2</source>
+        <translation>Schicht %1 von %2</translation>
+    </message>
+    <message>
+        <source>This slice lies beyond the end of the file.</source>
+        <translation>Diese Schicht liegt hinter dem Ende der Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::ReferenceDialog</name>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Paths per pixel</source>
+        <translation>Pfade je Pixel</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Path traced picture</source>
+        <translation>Bild mit Pfadverfolgung</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Noise (white: 10 % or more)</source>
+        <translation>Rauschen (weiß: 10 % oder mehr)</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Every pixel is traced by itself, without stored light. Twice as many paths take twice the time; four times as many halve the noise.</source>
+        <translation>Jedes Pixel wird für sich verfolgt, ohne gespeichertes Licht. Doppelt so viele Pfade brauchen doppelt so lange; viermal so viele halbieren das Rauschen.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>noise %1 %</source>
+        <translation>Rauschen %1 %</translation>
+    </message>
+    <message>
+        <source>Tracing …</source>
+        <translation>Berechnung läuft …</translation>
+    </message>
+    <message>
+        <source>Tracing … %1</source>
+        <translation>Berechnung läuft … %1</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Save path traced picture</source>
+        <translation>Bild mit Pfadverfolgung speichern</translation>
+    </message>
+    <message>
+        <source>OpenEXR, linear colours, irradiance and variance (*.exr)</source>
+        <translation>OpenEXR, lineare Farben, Bestrahlungsstärke und Varianz (*.exr)</translation>
+    </message>
+    <message>
+        <source>PNG, carries the session (*.png)</source>
+        <translation>PNG, enthält die Sitzung (*.png)</translation>
+    </message>
+    <message>
+        <source>Saving %1 …</source>
+        <translation>%1 wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::RotationWidget</name>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>About the vertical axis, counterclockwise as seen from above</source>
+        <translation>Um die senkrechte Achse, von oben gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>How high the middle of the light probe stands above the horizon</source>
+        <translation>Wie hoch die Mitte des Umgebungsbildes über dem Horizont steht</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>About the direction of the middle of the light probe</source>
+        <translation>Um die Richtung der Mitte des Umgebungsbildes</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::SettingEditor</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>Chosen by itself</source>
+        <translation>Wird selbsttätig gewählt</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>Zurück zur Vorgabe</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Does nothing now: %1.</source>
+        <translation>Wirkt gerade nicht: %1.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::SettingsPanel</name>
+    <message>
+        <source>No setting is called that.
+Memory, threads and the speed in motion are in Edit, Preferences.</source>
+        <translation>Keine Option heißt so.
+Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Find a setting</source>
+        <translation>Option suchen</translation>
+    </message>
+    <message>
+        <source>Nothing to set here: %1</source>
+        <translation>Hier ist nichts einzustellen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::SliceView</name>
+    <message>
+        <source>Move crosshair</source>
+        <translation>Fadenkreuz bewegen</translation>
+    </message>
+    <message>
+        <source>Change level and width</source>
+        <translation>Fensterlage und -breite ändern</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::SourcePanel</name>
+    <message>
+        <source>Mesh voxels</source>
+        <translation>Voxel des Netzes</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>Verknüpfen</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Zweites</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Its isovalue</source>
+        <translation>Sein Isowert</translation>
+    </message>
+    <message>
+        <source>Choose the second volume</source>
+        <translation>Das zweite Volumen wählen</translation>
+    </message>
+    <message>
+        <source>Choose second volume</source>
+        <translation>Zweites Volumen wählen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::Viewport</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Suggested isovalue</source>
+        <translation>Vorgeschlagener Isowert</translation>
+    </message>
+    <message>
+        <source>Reset view</source>
+        <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Make it opaque</source>
+        <translation>Deckend machen</translation>
+    </message>
+    <message>
+        <source>%1.  Backspace: one back; Esc ends</source>
+        <translation>%1.  Rücktaste: einen zurück; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 view</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Fit view</source>
+        <translation>Ansicht einpassen</translation>
+    </message>
+    <message>
+        <source>Orthographic view</source>
+        <translation>Orthographische Ansicht</translation>
+    </message>
+    <message>
+        <source>Perspective view</source>
+        <translation>Perspektivische Ansicht</translation>
+    </message>
+    <message>
+        <source>The environment is not turned: %1</source>
+        <translation>Die Umgebung wird nicht gedreht: %1</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Centre on point</source>
+        <translation>Auf Punkt zentrieren</translation>
+    </message>
+    <message>
+        <source>Lamp %1: drag its outline to make it larger or smaller</source>
+        <translation>Lampe %1: am Umriss ziehen, um sie zu vergrößern oder zu verkleinern</translation>
+    </message>
+    <message>
+        <source>Lamp %1: drag to move it; with Ctrl, or by the wheel, nearer and farther</source>
+        <translation>Lampe %1: ziehen, um sie zu bewegen; mit Strg oder dem Mausrad näher und ferner</translation>
+    </message>
+    <message>
+        <source>Resize lamp %1</source>
+        <translation>Größe von Lampe %1 ändern</translation>
+    </message>
+    <message>
+        <source>Move lamp %1</source>
+        <translation>Lampe %1 bewegen</translation>
+    </message>
+    <message>
+        <source>there is no picture to save</source>
+        <translation>es gibt kein Bild zu speichern</translation>
+    </message>
+    <message>
+        <source>another picture is being saved</source>
+        <translation>ein anderes Bild wird gerade gespeichert</translation>
+    </message>
+    <message>
+        <source>the picture was not waited for</source>
+        <translation>auf das Bild wurde nicht gewartet</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::ViewportOverlay</name>
+    <message>
+        <source>%1 at the centre</source>
+        <translation>%1 in der Mitte</translation>
+    </message>
+    <message>
+        <source>The picture cannot be drawn</source>
+        <translation>Das Bild kann nicht gezeichnet werden</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::VolumePanel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Voxelabstand</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Fehlend</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Notes of the reader</source>
+        <translation>Hinweise beim Lesen</translation>
+    </message>
+    <message>
+        <source>Choose series</source>
+        <translation>Serie wählen</translation>
+    </message>
+    <message>
+        <source>Choose component</source>
+        <translation>Komponente wählen</translation>
+    </message>
+    <message>
+        <source>Choose time step</source>
+        <translation>Zeitschritt wählen</translation>
+    </message>
+    <message>
+        <source>read %1 s, prepared %2 s; picture %3 s after reading</source>
+        <translation>gelesen %1 s, vorbereitet %2 s; Bild %3 s nach dem Lesen</translation>
+    </message>
+    <message>
+        <source>%1, kept as %2</source>
+        <translation>%1, gehalten als %2</translation>
+    </message>
+    <message>
+        <source>value = %1 · stored</source>
+        <translation>Wert = %1 · gespeichert</translation>
+    </message>
+    <message>
+        <source>%1; left-handed</source>
+        <translation>%1; linkshändig</translation>
+    </message>
+    <message>
+        <source>orientation not stated</source>
+        <translation>Orientierung nicht angegeben</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>read %1 s, prepared %2 s</source>
+        <translation>gelesen %1 s, vorbereitet %2 s</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source> of 0 … %1</source>
+        <translation> von 0 … %1</translation>
+    </message>
+</context>
+<context>
+    <name>looks</name>
+    <message>
+        <source>a light surface whose hollows are dark, as if dirt had gathered there</source>
+        <translation>eine helle Oberfläche mit dunklen Vertiefungen, als hätte sich dort Schmutz gesammelt</translation>
+    </message>
+    <message>
+        <source>both principal curvatures at once: hue is the kind of shape, grey is flat</source>
+        <translation>beide Hauptkrümmungen zugleich: der Farbton ist die Art der Form, Grau ist flach</translation>
+    </message>
+    <message>
+        <source>cool where the surface is turned away from the light, warm where it faces it</source>
+        <translation>kalt, wo die Oberfläche vom Licht abgewandt ist, warm, wo sie ihm zugewandt ist</translation>
+    </message>
+    <message>
+        <source>how far outside the surface the edge of the object lies: negative is within; grey has none</source>
+        <translation>wie weit außerhalb der Oberfläche die Kante des Objekts liegt: negativ ist innerhalb; Grau hat keine</translation>
+    </message>
+    <message>
+        <source>how strongly the surface is curved, whatever its shape</source>
+        <translation>wie stark die Oberfläche gekrümmt ist, gleich welcher Form</translation>
+    </message>
+    <message>
+        <source>streaks along the directions of curvature</source>
+        <translation>Streifen längs der Krümmungsrichtungen</translation>
+    </message>
+    <message>
+        <source>the distance from the viewer, in even steps of lightness</source>
+        <translation>die Entfernung vom Betrachter, in gleichmäßigen Helligkeitsstufen</translation>
+    </message>
+    <message>
+        <source>the kind of shape whatever its size: -1 cup, 0 saddle, 1 cap</source>
+        <translation>die Art der Form, gleich welcher Größe: -1 Mulde, 0 Sattel, 1 Kuppe</translation>
+    </message>
+    <message>
+        <source>the larger principal curvature</source>
+        <translation>die größere Hauptkrümmung</translation>
+    </message>
+    <message>
+        <source>the mean of both principal curvatures</source>
+        <translation>das Mittel beider Hauptkrümmungen</translation>
+    </message>
+    <message>
+        <source>the outward normal as a colour, world axes</source>
+        <translation>die äußere Normale als Farbe, Achsen des Raums</translation>
+    </message>
+    <message>
+        <source>the product of both: positive on domes and in cups, negative on saddles</source>
+        <translation>das Produkt beider: positiv auf Kuppen und in Mulden, negativ auf Sätteln</translation>
+    </message>
+    <message>
+        <source>the smaller principal curvature</source>
+        <translation>die kleinere Hauptkrümmung</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s own colour in stored global illumination</source>
+        <translation>die eigene Farbe der Oberfläche in gespeicherter globaler Beleuchtung</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s own colour with a highlight</source>
+        <translation>die eigene Farbe der Oberfläche mit Glanzlicht</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s own colour, matt</source>
+        <translation>die eigene Farbe der Oberfläche, matt</translation>
+    </message>
+</context>
+<context>
+    <name>marks</name>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Pin</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>piece</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>pin</source>
+        <translation>Pin</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation>Dicke</translation>
+    </message>
+</context>
+<context>
+    <name>passes</name>
+    <message>
+        <source>cached</source>
+        <translation>behalten</translation>
+    </message>
+    <message>
+        <source>ran</source>
+        <translation>berechnet</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>entfallen</translation>
+    </message>
+</context>
+<context>
+    <name>phantoms</name>
+    <message>
+        <source>CT-like head: skin, skull, teeth, brain, eyes, airways; a bead on the patient&apos;s left ear</source>
+        <translation>CT-ähnlicher Kopf: Haut, Schädel, Zähne, Gehirn, Augen, Atemwege; eine Kugel am linken Ohr des Patienten</translation>
+    </message>
+    <message>
+        <source>a sheet thinner than a voxel</source>
+        <translation>ein Blatt, dünner als ein Voxel</translation>
+    </message>
+    <message>
+        <source>half a ball, cut obliquely into parallel sheets and gaps of two voxels each</source>
+        <translation>eine halbe Kugel, schräg in parallele Blätter und Lücken von je zwei Voxeln geschnitten</translation>
+    </message>
+    <message>
+        <source>height below a hyperbolic paraboloid</source>
+        <translation>Höhe unter einem hyperbolischen Paraboloid</translation>
+    </message>
+    <message>
+        <source>signed distance to a ball</source>
+        <translation>vorzeichenbehafteter Abstand zu einer Kugel</translation>
+    </message>
+    <message>
+        <source>signed distance to a tilted plane</source>
+        <translation>vorzeichenbehafteter Abstand zu einer geneigten Ebene</translation>
+    </message>
+    <message>
+        <source>signed distance to a torus round the z axis</source>
+        <translation>vorzeichenbehafteter Abstand zu einem Torus um die z-Achse</translation>
+    </message>
+    <message>
+        <source>signed distance to an endless cylinder along z</source>
+        <translation>vorzeichenbehafteter Abstand zu einem endlosen Zylinder längs z</translation>
+    </message>
+    <message>
+        <source>six interlocking rings of wire with a smooth profile 1.4 voxels wide</source>
+        <translation>sechs verschlungene Drahtringe mit glattem Profil, 1,4 Voxel breit</translation>
+    </message>
+    <message>
+        <source>smooth random field with white noise</source>
+        <translation>glattes Zufallsfeld mit weißem Rauschen</translation>
+    </message>
+    <message>
+        <source>the reconstruction test signal of Marschner and Lobb</source>
+        <translation>das Testsignal für Rekonstruktion von Marschner und Lobb</translation>
+    </message>
+    <message>
+        <source>the triply periodic gyroid, four periods per edge</source>
+        <translation>der dreifach periodische Gyroid, vier Perioden je Kante</translation>
+    </message>
+    <message>
+        <source>two balls that touch in one point, where the gradient vanishes</source>
+        <translation>zwei Kugeln, die sich in einem Punkt berühren, wo der Gradient verschwindet</translation>
+    </message>
+</context>
+<context>
+    <name>presets</name>
+    <message>
+        <source>A level of a computed field.</source>
+        <translation>Ein Niveau eines berechneten Felds.</translation>
+    </message>
+    <message>
+        <source>Bone through transparent skin, which is densest where it is seen from the side.</source>
+        <translation>Knochen durch durchsichtige Haut, die dort am dichtesten ist, wo sie von der Seite gesehen wird.</translation>
+    </message>
+    <message>
+        <source>CT bone</source>
+        <translation>CT Knochen</translation>
+    </message>
+    <message>
+        <source>CT lung and airways</source>
+        <translation>CT Lunge und Atemwege</translation>
+    </message>
+    <message>
+        <source>CT skin</source>
+        <translation>CT Haut</translation>
+    </message>
+    <message>
+        <source>CT skin over bone</source>
+        <translation>CT Haut über Knochen</translation>
+    </message>
+    <message>
+        <source>CT teeth and metal</source>
+        <translation>CT Zähne und Metall</translation>
+    </message>
+    <message>
+        <source>CT vessels with contrast</source>
+        <translation>CT Gefäße mit Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>Distance field</source>
+        <translation>Abstandsfeld</translation>
+    </message>
+    <message>
+        <source>Enamel and metal in a CT, within a faint hull of bone.</source>
+        <translation>Zahnschmelz und Metall in einem CT, in einer schwachen Hülle aus Knochen.</translation>
+    </message>
+    <message>
+        <source>Lungs and airways in a CT: the border of the air within the body.</source>
+        <translation>Lunge und Atemwege in einem CT: die Grenze der Luft im Körper.</translation>
+    </message>
+    <message>
+        <source>MR brain</source>
+        <translation>MR Gehirn</translation>
+    </message>
+    <message>
+        <source>MR skin</source>
+        <translation>MR Haut</translation>
+    </message>
+    <message>
+        <source>MR vessels</source>
+        <translation>MR Gefäße</translation>
+    </message>
+    <message>
+        <source>Microscopy</source>
+        <translation>Mikroskopie</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Stained structures of a microscope&apos;s stack, in green on black.</source>
+        <translation>Gefärbte Strukturen eines Mikroskopstapels, grün auf schwarz.</translation>
+    </message>
+    <message>
+        <source>The largest bright structure of a T1 scan: white matter, where the scalp does not touch it or was removed.</source>
+        <translation>Die größte helle Struktur einer T1-Aufnahme: weiße Substanz, wo die Kopfhaut sie nicht berührt oder entfernt wurde.</translation>
+    </message>
+    <message>
+        <source>The outer skin in a CT, with the room&apos;s air left out.</source>
+        <translation>Die äußere Haut in einem CT, ohne die Luft des Raums.</translation>
+    </message>
+    <message>
+        <source>The outer skin in a magnetic resonance scan.</source>
+        <translation>Die äußere Haut in einer Magnetresonanzaufnahme.</translation>
+    </message>
+    <message>
+        <source>The skeleton in a CT, in ivory under soft light.</source>
+        <translation>Das Skelett in einem CT, elfenbeinfarben in weichem Licht.</translation>
+    </message>
+    <message>
+        <source>The surface of a mesh or distance field: where the distance is 0, coloured by mean curvature.</source>
+        <translation>Die Fläche eines Netzes oder Abstandsfelds: wo der Abstand 0 ist, gefärbt nach mittlerer Krümmung.</translation>
+    </message>
+    <message>
+        <source>Vessels filled with contrast agent in a CT, with the bone that is as dense.</source>
+        <translation>Mit Kontrastmittel gefüllte Gefäße in einem CT, mit dem Knochen, der ebenso dicht ist.</translation>
+    </message>
+    <message>
+        <source>Vessels in a time-of-flight angiography.</source>
+        <translation>Gefäße in einer Time-of-Flight-Angiographie.</translation>
+    </message>
+    <message>
+        <source>its file does not state where a patient lies</source>
+        <translation>seine Datei gibt nicht an, wie ein Patient liegt</translation>
+    </message>
+    <message>
+        <source>its file states where a patient lies: this is a scan of one</source>
+        <translation>seine Datei gibt an, wie ein Patient liegt: dies ist eine Aufnahme von einem</translation>
+    </message>
+    <message>
+        <source>its values are Hounsfield units: this is a CT</source>
+        <translation>seine Werte sind Hounsfield-Einheiten: dies ist ein CT</translation>
+    </message>
+    <message>
+        <source>its values are not Hounsfield units</source>
+        <translation>seine Werte sind keine Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>its values are not distances in mm</source>
+        <translation>seine Werte sind keine Abstände in mm</translation>
+    </message>
+</context>
+<context>
+    <name>reasons</name>
+    <message>
+        <source>a sky of one colour has no bright places</source>
+        <translation>ein einfarbiger Himmel hat keine hellen Stellen</translation>
+    </message>
+    <message>
+        <source>a sky of one colour looks the same however it is turned</source>
+        <translation>ein einfarbiger Himmel sieht gedreht gleich aus</translation>
+    </message>
+    <message>
+        <source>a sky of one colour may change anyway</source>
+        <translation>ein einfarbiger Himmel darf sich ohnehin ändern</translation>
+    </message>
+    <message>
+        <source>colours do not stand for numbers in this look</source>
+        <translation>Farben stehen in dieser Darstellung nicht für Zahlen</translation>
+    </message>
+    <message>
+        <source>contours have no strength</source>
+        <translation>Konturen haben keine Stärke</translation>
+    </message>
+    <message>
+        <source>depth is the same from either side</source>
+        <translation>die Tiefe ist von beiden Seiten gleich</translation>
+    </message>
+    <message>
+        <source>derivatives at a scale are read by single voxels</source>
+        <translation>Ableitungen mit Skala werden Voxel für Voxel gelesen</translation>
+    </message>
+    <message>
+        <source>every isosurface is opaque</source>
+        <translation>alle Isoflächen sind deckend</translation>
+    </message>
+    <message>
+        <source>gi.mode is direct light only</source>
+        <translation>gi.mode ist nur direktes Licht</translation>
+    </message>
+    <message>
+        <source>gi.mode says what is stored</source>
+        <translation>gi.mode sagt, was gespeichert wird</translation>
+    </message>
+    <message>
+        <source>hits are exact</source>
+        <translation>Treffer sind exakt</translation>
+    </message>
+    <message>
+        <source>hits are sampled</source>
+        <translation>Treffer sind abgetastet</translation>
+    </message>
+    <message>
+        <source>hits are those of a spline already</source>
+        <translation>Treffer sind schon die eines Splines</translation>
+    </message>
+    <message>
+        <source>isosurfaces have the reflectances given</source>
+        <translation>Isoflächen haben die angegebenen Reflexionsgrade</translation>
+    </message>
+    <message>
+        <source>light is stored on the surface that hit.field shows</source>
+        <translation>Licht ist auf der Fläche gespeichert, die hit.field zeigt</translation>
+    </message>
+    <message>
+        <source>no bounces are traced</source>
+        <translation>es werden keine Reflexionen verfolgt</translation>
+    </message>
+    <message>
+        <source>no box cuts anything</source>
+        <translation>kein Quader schneidet etwas weg</translation>
+    </message>
+    <message>
+        <source>no flow is drawn: the look is not flow and flow.strength is 0</source>
+        <translation>es wird keine Strömung gezeichnet: die Darstellung ist nicht Strömung, und flow.strength ist 0</translation>
+    </message>
+    <message>
+        <source>no irradiance is stored</source>
+        <translation>es wird keine Bestrahlungsstärke gespeichert</translation>
+    </message>
+    <message>
+        <source>no isolines are drawn</source>
+        <translation>es werden keine Isolinien gezeichnet</translation>
+    </message>
+    <message>
+        <source>no isosurface is shown</source>
+        <translation>keine Isofläche wird gezeigt</translation>
+    </message>
+    <message>
+        <source>no legend is drawn</source>
+        <translation>es wird keine Legende gezeichnet</translation>
+    </message>
+    <message>
+        <source>no light is stored</source>
+        <translation>es wird kein Licht gespeichert</translation>
+    </message>
+    <message>
+        <source>no second volume is combined with the first</source>
+        <translation>kein zweites Volumen ist mit dem ersten verknüpft</translation>
+    </message>
+    <message>
+        <source>no transfer is stored</source>
+        <translation>es wird kein Transfer gespeichert</translation>
+    </message>
+    <message>
+        <source>nothing is cut away</source>
+        <translation>nichts ist weggeschnitten</translation>
+    </message>
+    <message>
+        <source>nothing is shown of the second volume</source>
+        <translation>vom zweiten Volumen wird nichts gezeigt</translation>
+    </message>
+    <message>
+        <source>only Blinn-Phong shading has a highlight</source>
+        <translation>nur Blinn-Phong-Schattierung hat ein Glanzlicht</translation>
+    </message>
+    <message>
+        <source>only local shading has this light</source>
+        <translation>nur lokale Schattierung hat dieses Licht</translation>
+    </message>
+    <message>
+        <source>paths end before that bounce</source>
+        <translation>Pfade enden vor dieser Reflexion</translation>
+    </message>
+    <message>
+        <source>ridge and valley lines have no strength</source>
+        <translation>Grat- und Tallinien haben keine Stärke</translation>
+    </message>
+    <message>
+        <source>several isosurfaces are shown</source>
+        <translation>mehrere Isoflächen werden gezeigt</translation>
+    </message>
+    <message>
+        <source>slices have no thickness</source>
+        <translation>Schichten haben keine Dicke</translation>
+    </message>
+    <message>
+        <source>texels are not chosen by isovalue</source>
+        <translation>Texel werden nicht nach dem Isowert gewählt</translation>
+    </message>
+    <message>
+        <source>that isosurface is not shown</source>
+        <translation>diese Isofläche wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>that lamp is off</source>
+        <translation>diese Lampe ist aus</translation>
+    </message>
+    <message>
+        <source>the albedo comes from a colour map</source>
+        <translation>die Albedo kommt aus einer Farbskala</translation>
+    </message>
+    <message>
+        <source>the exposure is set</source>
+        <translation>die Belichtung ist gesetzt</translation>
+    </message>
+    <message>
+        <source>the highlight has no strength</source>
+        <translation>das Glanzlicht hat keine Stärke</translation>
+    </message>
+    <message>
+        <source>the key light brightens nothing</source>
+        <translation>das Hauptlicht erhellt nichts</translation>
+    </message>
+    <message>
+        <source>the lamp has a position</source>
+        <translation>die Lampe hat eine Position</translation>
+    </message>
+    <message>
+        <source>the lamp is distant</source>
+        <translation>die Lampe ist fern</translation>
+    </message>
+    <message>
+        <source>the lamp is no sphere</source>
+        <translation>die Lampe ist keine Kugel</translation>
+    </message>
+    <message>
+        <source>the lamp is not distant</source>
+        <translation>die Lampe ist nicht fern</translation>
+    </message>
+    <message>
+        <source>the look is not curvature 2D</source>
+        <translation>die Darstellung ist nicht κ₁ und κ₂</translation>
+    </message>
+    <message>
+        <source>the look shows accessibility at full strength</source>
+        <translation>die Darstellung zeigt Zugänglichkeit in voller Stärke</translation>
+    </message>
+    <message>
+        <source>the look shows flow at full strength</source>
+        <translation>die Darstellung zeigt Strömung in voller Stärke</translation>
+    </message>
+    <message>
+        <source>the samples near the isovalue are no denser than the others</source>
+        <translation>die Abtastung nahe dem Isowert ist nicht dichter als sonst</translation>
+    </message>
+    <message>
+        <source>the second volume&apos;s colours have no strength</source>
+        <translation>die Farben des zweiten Volumens haben keine Stärke</translation>
+    </message>
+    <message>
+        <source>the shading is not global illumination</source>
+        <translation>die Schattierung ist nicht globale Beleuchtung</translation>
+    </message>
+    <message>
+        <source>the shading is not tone</source>
+        <translation>die Schattierung ist nicht Warm-Kalt</translation>
+    </message>
+    <message>
+        <source>the source is not a triangle mesh</source>
+        <translation>die Quelle ist kein Dreiecksnetz</translation>
+    </message>
+    <message>
+        <source>there are no ghosts</source>
+        <translation>es gibt keine Rauschflächen</translation>
+    </message>
+    <message>
+        <source>there is a light probe</source>
+        <translation>es gibt ein Umgebungsbild</translation>
+    </message>
+    <message>
+        <source>there is a sky of one colour</source>
+        <translation>es gibt einen einfarbigen Himmel</translation>
+    </message>
+    <message>
+        <source>there is no fog</source>
+        <translation>es gibt keinen Nebel</translation>
+    </message>
+    <message>
+        <source>there is no second volume</source>
+        <translation>es gibt kein zweites Volumen</translation>
+    </message>
+    <message>
+        <source>there is no texture</source>
+        <translation>es gibt keine Textur</translation>
+    </message>
+    <message>
+        <source>this look does not show one number in colour</source>
+        <translation>diese Darstellung zeigt keine einzelne Zahl in Farbe</translation>
+    </message>
+    <message>
+        <source>this look does not show the surface&apos;s own colour</source>
+        <translation>diese Darstellung zeigt die eigene Farbe der Oberfläche nicht</translation>
+    </message>
+    <message>
+        <source>this look is a shading itself, or shows a raw quantity</source>
+        <translation>diese Darstellung ist selbst eine Schattierung oder zeigt eine rohe Größe</translation>
+    </message>
+    <message>
+        <source>this look needs no curvature</source>
+        <translation>diese Darstellung braucht keine Krümmung</translation>
+    </message>
+    <message>
+        <source>this look needs no derivatives</source>
+        <translation>diese Darstellung braucht keine Ableitungen</translation>
+    </message>
+    <message>
+        <source>this look shows a raw quantity, with nothing laid over it</source>
+        <translation>diese Darstellung zeigt eine rohe Größe, über der nichts liegt</translation>
+    </message>
+    <message>
+        <source>this look shows no edges</source>
+        <translation>diese Darstellung zeigt keine Kanten</translation>
+    </message>
+    <message>
+        <source>this shading does not take its brightness from the key light</source>
+        <translation>diese Schattierung nimmt ihre Helligkeit nicht vom Hauptlicht</translation>
+    </message>
+    <message>
+        <source>trilinear derivatives are read in one way only</source>
+        <translation>trilineare Ableitungen werden nur auf eine Weise gelesen</translation>
+    </message>
+    <message>
+        <source>trilinear derivatives have no scale</source>
+        <translation>trilineare Ableitungen haben keine Skala</translation>
+    </message>
+</context>
+<context>
+    <name>sentences</name>
+    <message>
+        <source>There is no surface: an axis of the volume has one voxel only</source>
+        <translation>Es gibt keine Oberfläche: eine Achse des Volumens hat nur ein Voxel</translation>
+    </message>
+    <message>
+        <source>There is no surface: every voxel is missing</source>
+        <translation>Es gibt keine Oberfläche: alle Voxel fehlen</translation>
+    </message>
+    <message>
+        <source>No surface at %1: the values lie between %2 and %3</source>
+        <translation>Keine Oberfläche bei %1: die Werte liegen zwischen %2 und %3</translation>
+    </message>
+    <message>
+        <source>The camera looks away from the volume</source>
+        <translation>Die Kamera blickt vom Volumen weg</translation>
+    </message>
+    <message>
+        <source>The volume lies outside the picture</source>
+        <translation>Das Volumen liegt außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>No surface is seen from here</source>
+        <translation>Von hier ist keine Oberfläche zu sehen</translation>
+    </message>
+    <message>
+        <source>Every isosurface is fully transparent</source>
+        <translation>Alle Isoflächen sind völlig durchsichtig</translation>
+    </message>
+    <message>
+        <source>The isosurface is fully transparent</source>
+        <translation>Die Isofläche ist völlig durchsichtig</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>%1 min ago</source>
+        <translation>vor %1 min</translation>
+    </message>
+    <message>
+        <source>%1 h ago</source>
+        <translation>vor %1 h</translation>
+    </message>
+    <message>
+        <source>%1 days ago</source>
+        <translation>vor %1 Tagen</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>straight %1 %2</source>
+        <translation>gerade %1 %2</translation>
+    </message>
+    <message>
+        <source>along surface</source>
+        <translation>entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>along surface %1 %2</source>
+        <translation>entlang der Oberfläche %1 %2</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>centre %1</source>
+        <translation>Mittelpunkt %1</translation>
+    </message>
+    <message>
+        <source>ray</source>
+        <translation>Strahl</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>piece</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>surface distance</source>
+        <translation>Abstand zur Oberfläche</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation>Konfidenz</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>edge offset</source>
+        <translation>Kantenversatz</translation>
+    </message>
+    <message>
+        <source>edge strength</source>
+        <translation>Kantenstärke</translation>
+    </message>
+    <message>
+        <source>the point does not lie on the surface: there is none within three voxels of it</source>
+        <translation>der Punkt liegt nicht auf der Oberfläche: im Umkreis von drei Voxeln ist keine</translation>
+    </message>
+    <message>
+        <source>point %1 does not lie on the surface: there is none within three voxels of it</source>
+        <translation>Punkt %1 liegt nicht auf der Oberfläche: im Umkreis von drei Voxeln ist keine</translation>
+    </message>
+    <message>
+        <source>the point lies %1 mm off the surface</source>
+        <translation>der Punkt liegt %1 mm neben der Oberfläche</translation>
+    </message>
+    <message>
+        <source>point %1 lies %2 mm off the surface</source>
+        <translation>Punkt %1 liegt %2 mm neben der Oberfläche</translation>
+    </message>
+    <message>
+        <source>no isosurface of %1 within three voxels of the point</source>
+        <translation>keine Isofläche von %1 im Umkreis von drei Voxeln um den Punkt</translation>
+    </message>
+    <message>
+        <source>no isosurface of %1 within three voxels of point %2</source>
+        <translation>keine Isofläche von %1 im Umkreis von drei Voxeln um Punkt %2</translation>
+    </message>
+    <message>
+        <source>the point lies outside the volume or beside missing voxels</source>
+        <translation>der Punkt liegt außerhalb des Volumens oder neben fehlenden Voxeln</translation>
+    </message>
+    <message>
+        <source>no way along the surface leads from point %1 to point %2</source>
+        <translation>entlang der Oberfläche führt kein Weg von Punkt %1 zu Punkt %2</translation>
+    </message>
+    <message>
+        <source>two of the points lie in one place</source>
+        <translation>zwei der Punkte liegen an einer Stelle</translation>
+    </message>
+    <message>
+        <source>the points lie on a line</source>
+        <translation>die Punkte liegen auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>the inside does not end within the data behind the point</source>
+        <translation>das Innere endet hinter dem Punkt nicht innerhalb der Daten</translation>
+    </message>
+    <message>
+        <source>the point lies in no piece of isovalue %1</source>
+        <translation>der Punkt liegt in keinem Teil zum Isowert %1</translation>
+    </message>
+    <message>
+        <source>the piece goes on beyond the data: it is open</source>
+        <translation>das Teil reicht über die Daten hinaus: es ist offen</translation>
+    </message>
+    <message>
+        <source>not enough memory</source>
+        <translation>zu wenig Speicher</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>settings</name>
+    <message>
+        <source>A point, a distant lamp, or a luminous sphere.</source>
+        <translation>Ein Punkt, eine ferne Lampe oder eine leuchtende Kugel.</translation>
+    </message>
+    <message>
+        <source>A second volume that colours the surface by its values there, as source.path; empty takes none.</source>
+        <translation>Ein zweites Volumen, dessen Werte die Oberfläche färben, wie source.path; leer nimmt keines.</translation>
+    </message>
+    <message>
+        <source>A solid texture, carved from rather than wrapped around the surface; varies the albedo.</source>
+        <translation>Eine Festkörpertextur, aus der die Oberfläche wie geschnitzt ist; variiert die Albedo.</translation>
+    </message>
+    <message>
+        <source>Along the direction of the larger or of the smaller principal curvature.</source>
+        <translation>Längs der Richtung der größeren oder der kleineren Hauptkrümmung.</translation>
+    </message>
+    <message>
+        <source>Anti-aliasing of a picture at rest.</source>
+        <translation>Kantenglättung eines ruhenden Bildes.</translation>
+    </message>
+    <message>
+        <source>Background at the bottom of the picture.</source>
+        <translation>Hintergrund am unteren Rand des Bildes.</translation>
+    </message>
+    <message>
+        <source>Background at the top of the picture.</source>
+        <translation>Hintergrund am oberen Rand des Bildes.</translation>
+    </message>
+    <message>
+        <source>Bands of spherical harmonics of stored transfer; more follow sharper light.</source>
+        <translation>Bänder der Kugelflächenfunktionen des gespeicherten Transfers; mehr folgen schärferem Licht.</translation>
+    </message>
+    <message>
+        <source>Brightness of a second, white light at the eye.</source>
+        <translation>Helligkeit eines zweiten, weißen Lichts am Auge.</translation>
+    </message>
+    <message>
+        <source>Brightness of a white surface at the volume&apos;s centre that faces the lamp.</source>
+        <translation>Helligkeit einer weißen Fläche in der Mitte des Volumens, die der Lampe zugewandt ist.</translation>
+    </message>
+    <message>
+        <source>Brightness of pictures lit by global illumination; auto is by picture.metering.</source>
+        <translation>Helligkeit von Bildern mit globaler Beleuchtung; auto richtet sich nach picture.metering.</translation>
+    </message>
+    <message>
+        <source>Brightness of the light.</source>
+        <translation>Helligkeit des Lichts.</translation>
+    </message>
+    <message>
+        <source>Colour of contour lines.</source>
+        <translation>Farbe der Konturlinien.</translation>
+    </message>
+    <message>
+        <source>Colour of ridges.</source>
+        <translation>Farbe der Grate.</translation>
+    </message>
+    <message>
+        <source>Colour of the lamp.</source>
+        <translation>Farbe der Lampe.</translation>
+    </message>
+    <message>
+        <source>Colour of the light.</source>
+        <translation>Farbe des Lichts.</translation>
+    </message>
+    <message>
+        <source>Colour of valleys.</source>
+        <translation>Farbe der Täler.</translation>
+    </message>
+    <message>
+        <source>Colours of a measure; auto takes a diverging map for what has a sign, else viridis.</source>
+        <translation>Farben eines Maßes; auto nimmt eine divergierende Skala für Maße mit Vorzeichen, sonst Viridis.</translation>
+    </message>
+    <message>
+        <source>Curvature from which on a ridge or valley is drawn; auto from the surface&apos;s own values.</source>
+        <translation>Krümmung, von der an ein Grat oder Tal gezeichnet wird; auto aus den Werten der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Damps high bands of the environment against ringing.</source>
+        <translation>Dämpft hohe Bänder der Umgebung gegen Überschwingen.</translation>
+    </message>
+    <message>
+        <source>Darkens what is hollow, by curvature, as if dirt had gathered there.</source>
+        <translation>Dunkelt Hohles nach der Krümmung ab, als hätte sich dort Schmutz gesammelt.</translation>
+    </message>
+    <message>
+        <source>Diameter of a distant lamp as seen from the volume; the sun has 0.53, 0 gives hard shadows.</source>
+        <translation>Durchmesser einer fernen Lampe, vom Volumen aus gesehen; die Sonne hat 0.53, 0 gibt harte Schatten.</translation>
+    </message>
+    <message>
+        <source>Diffuse reflections on a light&apos;s way to a texel; 0 is direct light only.</source>
+        <translation>Diffuse Reflexionen auf dem Weg des Lichts zu einem Texel; 0 ist nur direktes Licht.</translation>
+    </message>
+    <message>
+        <source>Draws a legend with units where colours stand for numbers.</source>
+        <translation>Zeichnet eine Legende mit Einheiten, wo Farben für Zahlen stehen.</translation>
+    </message>
+    <message>
+        <source>Draws one more isosurface of the same volume.</source>
+        <translation>Zeichnet eine weitere Isofläche desselben Volumens.</translation>
+    </message>
+    <message>
+        <source>Draws the first surface twice more, transparent, at its isovalue plus and minus this many times the noise: how far noise may move it; 0 draws none.</source>
+        <translation>Zeichnet die erste Fläche zweimal zusätzlich, durchsichtig, beim Isowert plus und minus so viele Male dem Rauschen: wie weit Rauschen sie verschieben kann; 0 zeichnet keine.</translation>
+    </message>
+    <message>
+        <source>Exponent of the highlight; larger is smaller and sharper.</source>
+        <translation>Exponent des Glanzlichts; größer ist kleiner und schärfer.</translation>
+    </message>
+    <message>
+        <source>Fills where the first surface&apos;s curve would lie at its isovalue plus and minus this many times the noise; 0 fills nothing.</source>
+        <translation>Füllt den Bereich, in dem die Kurve der ersten Fläche beim Isowert plus und minus so viele Male dem Rauschen läge; 0 füllt nichts.</translation>
+    </message>
+    <message>
+        <source>From this bounce on paths end at random, with the probability that light is absorbed.</source>
+        <translation>Von dieser Reflexion an enden Pfade zufällig, mit der Wahrscheinlichkeit, dass Licht absorbiert wird.</translation>
+    </message>
+    <message>
+        <source>Graphics memory that the voxels may use.</source>
+        <translation>Grafikspeicher, den die Voxel belegen dürfen.</translation>
+    </message>
+    <message>
+        <source>How a second volume is combined with the first, as solids on one grid.</source>
+        <translation>Wie ein zweites Volumen mit dem ersten verknüpft wird, als Körper auf einem Gitter.</translation>
+    </message>
+    <message>
+        <source>How cubic derivatives read the volume: by the texture unit&apos;s linear filter, whose weights many GPUs round to 8 bits, or by single voxels weighted in float.</source>
+        <translation>Wie kubische Ableitungen das Volumen lesen: mit dem linearen Filter der Textureinheit, dessen Gewichte viele GPUs auf 8 Bit runden, oder Voxel für Voxel mit Gleitkommagewichten.</translation>
+    </message>
+    <message>
+        <source>How densely a ray is sampled; method sampled only.</source>
+        <translation>Wie dicht ein Strahl abgetastet wird; nur bei Verfahren Abgetastet.</translation>
+    </message>
+    <message>
+        <source>How far along the normal, each way, the edge of the object is looked for; auto takes what the spacing and the scale ask for.</source>
+        <translation>Wie weit längs der Normalen in beide Richtungen nach der Kante des Objekts gesucht wird; auto richtet sich nach Voxelabstand und Skala.</translation>
+    </message>
+    <message>
+        <source>How far the gradient at an edge must stand out of what noise makes of gradients; weaker ones are no edges.</source>
+        <translation>Wie weit der Gradient an einer Kante aus dem herausragen muss, was Rauschen aus Gradienten macht; schwächere sind keine Kanten.</translation>
+    </message>
+    <message>
+        <source>How far values reach from black to white there; auto is found from the volume.</source>
+        <translation>Wie weit Werte dort von Schwarz bis Weiß reichen; auto folgt aus dem Volumen.</translation>
+    </message>
+    <message>
+        <source>How finely a triangle mesh becomes a distance field: voxels along its longest axis.</source>
+        <translation>Wie fein ein Dreiecksnetz zum Abstandsfeld wird: Voxel entlang seiner längsten Achse.</translation>
+    </message>
+    <message>
+        <source>How finely light is stored.</source>
+        <translation>Wie fein Licht gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>How long a picture in motion may take.</source>
+        <translation>Wie lange ein Bild bei Bewegung dauern darf.</translation>
+    </message>
+    <message>
+        <source>How many connected pieces of each isosurface are shown, the largest first; 0 shows all.</source>
+        <translation>Wie viele zusammenhängende Teile jeder Isofläche gezeigt werden, das größte zuerst; 0 zeigt alle.</translation>
+    </message>
+    <message>
+        <source>How many crossings along a ray are composited at most, where surfaces are transparent.</source>
+        <translation>Wie viele Durchtritte längs eines Strahls höchstens überlagert werden, wo Flächen durchsichtig sind.</translation>
+    </message>
+    <message>
+        <source>How many times denser the samples are near the isovalue; method sampled only.</source>
+        <translation>Wie viel dichter die Abtastung nahe dem Isowert ist; nur bei Verfahren Abgetastet.</translation>
+    </message>
+    <message>
+        <source>How much brighter the ambient light is from above the picture than from below.</source>
+        <translation>Wie viel heller das Grundlicht von oben im Bild ist als von unten.</translation>
+    </message>
+    <message>
+        <source>How much of the surface&apos;s own colour is covered.</source>
+        <translation>Wie viel von der eigenen Farbe der Oberfläche überdeckt wird.</translation>
+    </message>
+    <message>
+        <source>How much of what lies behind that surface it hides; 1 hides all.</source>
+        <translation>Wie viel diese Fläche von dem verdeckt, was hinter ihr liegt; 1 verdeckt alles.</translation>
+    </message>
+    <message>
+        <source>How much of what lies behind the surface it hides; 1 hides all.</source>
+        <translation>Wie viel die Oberfläche von dem verdeckt, was hinter ihr liegt; 1 verdeckt alles.</translation>
+    </message>
+    <message>
+        <source>How much of what lies behind them those two surfaces hide.</source>
+        <translation>Wie viel diese zwei Flächen von dem verdecken, was hinter ihnen liegt.</translation>
+    </message>
+    <message>
+        <source>How much the far end of the volume fades.</source>
+        <translation>Wie stark das ferne Ende des Volumens verblasst.</translation>
+    </message>
+    <message>
+        <source>How often the pattern passes in a second.</source>
+        <translation>Wie oft das Muster in einer Sekunde durchläuft.</translation>
+    </message>
+    <message>
+        <source>How rays find the surface: equidistant samples with refinement, or the first root of the interpolant in every cell.</source>
+        <translation>Wie Strahlen die Oberfläche finden: gleichabständige Abtastung mit Verfeinerung oder die erste Nullstelle des Interpolanten in jeder Zelle.</translation>
+    </message>
+    <message>
+        <source>How stored light is read between texels; weighted favours texels whose normal fits, and takes the noise out along their isosurfaces.</source>
+        <translation>Wie gespeichertes Licht zwischen Texeln gelesen wird; gewichtet bevorzugt Texel mit passender Normale und nimmt das Rauschen längs ihrer Isoflächen heraus.</translation>
+    </message>
+    <message>
+        <source>How the box is turned about its centre.</source>
+        <translation>Wie der Quader um seine Mitte gedreht ist.</translation>
+    </message>
+    <message>
+        <source>How thick slices are, half before and half behind their plane; 0 shows the plane itself.</source>
+        <translation>Wie dick Schichten sind, zur Hälfte vor und hinter ihrer Ebene; 0 zeigt die Ebene selbst.</translation>
+    </message>
+    <message>
+        <source>How to read a file without a header: &quot;WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]&quot;.</source>
+        <translation>Wie eine Datei ohne Kopf zu lesen ist: „BxHxT TYP [little|big] [spacing x,y,z] [header BYTES]“.</translation>
+    </message>
+    <message>
+        <source>How to read it, as source.raw.</source>
+        <translation>Wie es zu lesen ist, wie source.raw.</translation>
+    </message>
+    <message>
+        <source>Its isovalue; auto spreads the further isovalues from the first toward the maximum.</source>
+        <translation>Ihr Isowert; auto verteilt die weiteren Isowerte vom ersten zum Maximum hin.</translation>
+    </message>
+    <message>
+        <source>Length of a streak.</source>
+        <translation>Länge eines Streifens.</translation>
+    </message>
+    <message>
+        <source>Lets the streaks move, in the window.</source>
+        <translation>Lässt die Streifen im Fenster wandern.</translation>
+    </message>
+    <message>
+        <source>Lets the strength rise from nothing at the lower end of the map to its value at the upper end.</source>
+        <translation>Lässt die Stärke von null am unteren Ende der Skala bis zu ihrem Wert am oberen Ende steigen.</translation>
+    </message>
+    <message>
+        <source>Light from everywhere, as a fraction of the albedo.</source>
+        <translation>Licht von überall, als Anteil der Albedo.</translation>
+    </message>
+    <message>
+        <source>Lines of equal values this far apart; 0 draws none.</source>
+        <translation>Linien gleicher Werte in diesem Abstand; 0 zeichnet keine.</translation>
+    </message>
+    <message>
+        <source>Mode curvature_2d: control points [kappa1, kappa2, r, g, b] of the colour map, kappas in parts of the range; auto is hue by the kind of shape and saturation by how curved it is.</source>
+        <translation>Darstellung curvature_2d: Stützpunkte [kappa1, kappa2, r, g, b] der Farbskala, Kappas als Anteile des Bereichs; auto ist der Farbton nach der Form und die Sättigung nach der Stärke der Krümmung.</translation>
+    </message>
+    <message>
+        <source>More have less noise: four times as many halve it.</source>
+        <translation>Mehr haben weniger Rauschen: viermal so viele halbieren es.</translation>
+    </message>
+    <message>
+        <source>Multiplies the environment&apos;s radiance by 2 to this power.</source>
+        <translation>Multipliziert die Strahldichte der Umgebung mit 2 hoch diesem Wert.</translation>
+    </message>
+    <message>
+        <source>Multiplies the surface&apos;s own colour where its inner side is seen; white is no tint.</source>
+        <translation>Multipliziert die eigene Farbe der Oberfläche, wo ihre Innenseite zu sehen ist; Weiß tönt nicht.</translation>
+    </message>
+    <message>
+        <source>Numbers in which irradiance is kept on the graphics card: 4 or 8 bytes per texel.</source>
+        <translation>Zahlen, in denen die Bestrahlungsstärke auf der Grafikkarte liegt: 4 oder 8 Byte je Texel.</translation>
+    </message>
+    <message>
+        <source>Of a luminous sphere; larger gives softer shadows; auto is a tenth of the volume.</source>
+        <translation>Einer leuchtenden Kugel; größer gibt weichere Schatten; auto ist ein Zehntel des Volumens.</translation>
+    </message>
+    <message>
+        <source>On average: those that vary more get more. A texel&apos;s bits are rounded up to 32.</source>
+        <translation>Im Mittel: was mehr schwankt, bekommt mehr. Die Bits eines Texels werden auf 32 aufgerundet.</translation>
+    </message>
+    <message>
+        <source>Pictures in motion shrink until they are quick enough; the full picture follows at rest.</source>
+        <translation>Bilder bei Bewegung werden kleiner, bis sie schnell genug sind; in Ruhe folgt das volle Bild.</translation>
+    </message>
+    <message>
+        <source>Pieces that enclose less than this are not shown.</source>
+        <translation>Teile, die weniger umschließen, werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Regula falsi steps after a sampled hit; method sampled only.</source>
+        <translation>Regula-falsi-Schritte nach einem abgetasteten Treffer; nur bei Verfahren Abgetastet.</translation>
+    </message>
+    <message>
+        <source>Ridges and valleys that are shorter are left out; auto is the radius of the least curvature that is drawn.</source>
+        <translation>Kürzere Grate und Täler werden ausgelassen; auto ist der Radius der geringsten gezeichneten Krümmung.</translation>
+    </message>
+    <message>
+        <source>Samples closer to the isovalue than this are near; auto is what the volume&apos;s values change by from one sample to the next; method sampled only.</source>
+        <translation>Näher als dies am Isowert gilt als nahe; auto ist die Änderung der Werte von einem Abtastpunkt zum nächsten; nur bei Verfahren Abgetastet.</translation>
+    </message>
+    <message>
+        <source>Shows the environment behind the surface.</source>
+        <translation>Zeigt die Umgebung hinter der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Shows the largest value within this distance below the surface; 0 shows that of the surface itself.</source>
+        <translation>Zeigt den größten Wert bis zu dieser Tiefe unter der Oberfläche; 0 zeigt den der Oberfläche selbst.</translation>
+    </message>
+    <message>
+        <source>Size of the noise&apos;s grains.</source>
+        <translation>Korngröße des Rauschens.</translation>
+    </message>
+    <message>
+        <source>Size of the solid texture&apos;s features; auto is a tenth of the volume.</source>
+        <translation>Größe der Muster der Festkörpertextur; auto ist ein Zehntel des Volumens.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise of a voxel, which the confidence in curvature is measured against; auto estimates it from the volume.</source>
+        <translation>Standardabweichung des Rauschens eines Voxels, an der die Konfidenz der Krümmung gemessen wird; auto schätzt sie aus dem Volumen.</translation>
+    </message>
+    <message>
+        <source>Stored transfer is compressed to at most this many principal components.</source>
+        <translation>Gespeicherter Transfer wird auf höchstens so viele Hauptkomponenten verdichtet.</translation>
+    </message>
+    <message>
+        <source>Streaks along the directions of curvature, over any look.</source>
+        <translation>Streifen längs der Krümmungsrichtungen, über jeder Darstellung.</translation>
+    </message>
+    <message>
+        <source>Strength of ridge and valley lines: where the surface is most curved, across the line.</source>
+        <translation>Stärke der Grat- und Tallinien: wo die Oberfläche quer zur Linie am stärksten gekrümmt ist.</translation>
+    </message>
+    <message>
+        <source>Strength of suggestive contours: where a silhouette would appear from nearby.</source>
+        <translation>Stärke der angedeuteten Konturen: wo ein Umriss aus einem nahen Blickwinkel erschiene.</translation>
+    </message>
+    <message>
+        <source>Strength of the highlight.</source>
+        <translation>Stärke des Glanzlichts.</translation>
+    </message>
+    <message>
+        <source>Strength of the light&apos;s hard shadow, found by a second exact ray from each point.</source>
+        <translation>Stärke des harten Schattens des Lichts, gefunden durch einen zweiten exakten Strahl von jedem Punkt.</translation>
+    </message>
+    <message>
+        <source>Strength of the silhouette lines; auto is 0.5 under tone shading, else none.</source>
+        <translation>Stärke der Umrisslinien; auto ist 0.5 bei Warm-Kalt-Schattierung, sonst keine.</translation>
+    </message>
+    <message>
+        <source>Switches on a lamp of global illumination.</source>
+        <translation>Schaltet eine Lampe der globalen Beleuchtung ein.</translation>
+    </message>
+    <message>
+        <source>The SeriesInstanceUID to take from a DICOM folder; empty takes the series with most slices.</source>
+        <translation>Die SeriesInstanceUID, die aus einem DICOM-Ordner genommen wird; leer nimmt die Serie mit den meisten Schichten.</translation>
+    </message>
+    <message>
+        <source>The colour map over its values; auto is viridis.</source>
+        <translation>Die Farbskala über seinen Werten; auto ist Viridis.</translation>
+    </message>
+    <message>
+        <source>The colour map over the isovalue; auto is viridis.</source>
+        <translation>Die Farbskala über dem Isowert; auto ist Viridis.</translation>
+    </message>
+    <message>
+        <source>The diffuse reflectance of that surface.</source>
+        <translation>Der diffuse Reflexionsgrad dieser Fläche.</translation>
+    </message>
+    <message>
+        <source>The diffuse reflectance of the surface.</source>
+        <translation>Der diffuse Reflexionsgrad der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The direction that points up in the picture; auto is superior (y for meshes), or anterior (the front) when looking along it.</source>
+        <translation>Die Richtung, die im Bild nach oben zeigt; auto ist superior (y bei Netzen) oder anterior (vorn), wenn entlang davon geblickt wird.</translation>
+    </message>
+    <message>
+        <source>The directions of a texel&apos;s paths: scrambled Sobol points, Roberts&apos; R2 with a shift for each texel, or independent random numbers.</source>
+        <translation>Die Richtungen der Pfade eines Texels: verwürfelte Sobol-Punkte, Roberts’ R2 mit einer Verschiebung je Texel oder unabhängige Zufallszahlen.</translation>
+    </message>
+    <message>
+        <source>The environment will be turned or exchanged: gi.mode auto then stores light so that this costs nothing anew.</source>
+        <translation>Die Umgebung wird gedreht oder getauscht: gi.mode auto speichert das Licht dann so, dass dies nichts neu kostet.</translation>
+    </message>
+    <message>
+        <source>The isovalue at the lower end of that map; auto is the volume&apos;s minimum.</source>
+        <translation>Der Isowert am unteren Ende dieser Skala; auto ist das Minimum des Volumens.</translation>
+    </message>
+    <message>
+        <source>The isovalue at the upper end of that map; auto is the volume&apos;s maximum.</source>
+        <translation>Der Isowert am oberen Ende dieser Skala; auto ist das Maximum des Volumens.</translation>
+    </message>
+    <message>
+        <source>The isovalue of the second volume&apos;s surface, in its own units; auto takes the suggested one.</source>
+        <translation>Der Isowert der Oberfläche des zweiten Volumens, in dessen Einheiten; auto nimmt den vorgeschlagenen.</translation>
+    </message>
+    <message>
+        <source>The isovalue; auto takes the one suggested by the histogram.</source>
+        <translation>Der Isowert; auto nimmt den, den das Histogramm vorschlägt.</translation>
+    </message>
+    <message>
+        <source>The isovalues of interest, low and high; auto is a twentieth of the volume&apos;s range about the isovalue.</source>
+        <translation>Die wichtigen Isowerte, von und bis; auto ist ein Zwanzigstel des Wertebereichs um den Isowert.</translation>
+    </message>
+    <message>
+        <source>The light probe around everything, equirectangular, its first row up: .hdr, .exr, ...; empty is none.</source>
+        <translation>Das Umgebungsbild rings um alles, äquirektangular, die erste Zeile oben: .hdr, .exr, ...; leer ist keines.</translation>
+    </message>
+    <message>
+        <source>The light where there is neither a light probe nor a sky of one colour.</source>
+        <translation>Das Licht, wo es weder ein Umgebungsbild noch einen einfarbigen Himmel gibt.</translation>
+    </message>
+    <message>
+        <source>The measure at the lower end of the colour map; auto from the surface&apos;s own values.</source>
+        <translation>Das Maß am unteren Ende der Farbskala; auto aus den Werten der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The measure at the upper end of the colour map; auto from the surface&apos;s own values.</source>
+        <translation>Das Maß am oberen Ende der Farbskala; auto aus den Werten der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The part of the directions that is drawn from the environment instead of the surface; auto is 0.75 under a light probe, 0.5 with more than one bounce.</source>
+        <translation>Der Anteil der Richtungen, der nach der Umgebung statt nach der Oberfläche gewählt wird; auto ist 0.75 unter einem Umgebungsbild, 0.5 bei mehr als einer Reflexion.</translation>
+    </message>
+    <message>
+        <source>The point looked at and turned about; auto is the centre of the volume.</source>
+        <translation>Der Punkt, auf den geblickt und um den gedreht wird; auto ist die Mitte des Volumens.</translation>
+    </message>
+    <message>
+        <source>The radiance of a sky of one colour, where there is no light probe; auto is none.</source>
+        <translation>Die Strahldichte eines einfarbigen Himmels, wo es kein Umgebungsbild gibt; auto ist keiner.</translation>
+    </message>
+    <message>
+        <source>The reconstruction its values are taken from.</source>
+        <translation>Die Rekonstruktion, aus der seine Werte stammen.</translation>
+    </message>
+    <message>
+        <source>The reconstruction that gradients and curvature come from: trilinear, the tri-cubic B-spline, or the B-spline that passes through the samples.</source>
+        <translation>Die Rekonstruktion, aus der Gradienten und Krümmung stammen: trilinear, der trikubische B-Spline oder der B-Spline durch die Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>The reconstruction that slices and cut faces show between the voxels.</source>
+        <translation>Die Rekonstruktion, die Schichten und Schnittflächen zwischen den Voxeln zeigen.</translation>
+    </message>
+    <message>
+        <source>The reconstruction whose surface is hit: trilinear; the tri-cubic B-spline, which is the smoothest and shrinks what is thin until it is gone; or the B-spline that passes through the samples, which holds wires, twigs and vessels together where trilinear hits draw beads.</source>
+        <translation>Die Rekonstruktion, deren Fläche getroffen wird: trilinear; der trikubische B-Spline, der am glattesten ist und Dünnes schrumpfen lässt, bis es fort ist; oder der B-Spline durch die Abtastwerte, der Drähte, Zweige und Gefäße zusammenhält, wo trilineare Treffer Perlen zeichnen.</translation>
+    </message>
+    <message>
+        <source>The reconstruction whose surface pictures at rest show where hit.field is trilinear: the same, or the B-spline that passes through the samples; auto takes that where more than a tenth of the visible surface lies over a tenth of a voxel beside it. Deferred images (--aov) and stored light keep hit.field.</source>
+        <translation>Die Rekonstruktion, deren Fläche ruhende Bilder zeigen, wo hit.field trilinear ist: dieselbe oder der B-Spline durch die Abtastwerte; auto nimmt diesen, wo mehr als ein Zehntel der sichtbaren Oberfläche über ein Zehntel Voxel daneben liegt. Einzelbilder (--aov) und gespeichertes Licht bleiben bei hit.field.</translation>
+    </message>
+    <message>
+        <source>The same for the normals of shading and contours.</source>
+        <translation>Dasselbe für die Normalen von Schattierung und Konturen.</translation>
+    </message>
+    <message>
+        <source>The scale of curvature, lines and flow: standard deviation of the Gaussian that the volume is smoothed with before second derivatives are taken, the same in all directions; 0 smooths nothing, auto chooses by the noise.</source>
+        <translation>Die Skala von Krümmung, Linien und Strömung: Standardabweichung der Gauß-Glättung des Volumens vor den zweiten Ableitungen, in allen Richtungen gleich; 0 glättet nicht, auto wählt nach dem Rauschen.</translation>
+    </message>
+    <message>
+        <source>The second volume, as source.path. A phantom without SIZE is made on the first volume&apos;s grid.</source>
+        <translation>Das zweite Volumen, wie source.path. Ein Phantom ohne GRÖSSE entsteht auf dem Gitter des ersten.</translation>
+    </message>
+    <message>
+        <source>The shading under the modes that give a colour: the curvature maps, accessibility and flow; gi is stored global illumination.</source>
+        <translation>Die Schattierung unter den Darstellungen, die eine Farbe geben: Krümmungen, Zugänglichkeit und Strömung; gi ist gespeicherte globale Beleuchtung.</translation>
+    </message>
+    <message>
+        <source>The value at the lower end of the map; auto is found from what the surface shows.</source>
+        <translation>Der Wert am unteren Ende der Skala; auto folgt aus dem, was die Oberfläche zeigt.</translation>
+    </message>
+    <message>
+        <source>The value at the upper end of the map; auto is found from what the surface shows.</source>
+        <translation>Der Wert am oberen Ende der Skala; auto folgt aus dem, was die Oberfläche zeigt.</translation>
+    </message>
+    <message>
+        <source>The value shown as middle grey in slices and on cut faces; auto is found from the volume.</source>
+        <translation>Der Wert, der in Schichten und auf Schnittflächen mittelgrau erscheint; auto folgt aus dem Volumen.</translation>
+    </message>
+    <message>
+        <source>The volume as one texture, or as bricks of which only those needed are resident; auto takes one texture where it fits.</source>
+        <translation>Das Volumen als eine Textur oder als Blöcke, von denen nur die nötigen geladen sind; auto nimmt eine Textur, wo sie passt.</translation>
+    </message>
+    <message>
+        <source>The volume: a file, a DICOM folder, a triangle mesh, or phantom:NAME[:SIZE].</source>
+        <translation>Das Volumen: eine Datei, ein DICOM-Ordner, ein Dreiecksnetz oder phantom:NAME[:GRÖSSE].</translation>
+    </message>
+    <message>
+        <source>The width of the isosurfaces&apos; curves in slices; 0 draws none.</source>
+        <translation>Die Breite der Kurven der Isoflächen in Schichten; 0 zeichnet keine.</translation>
+    </message>
+    <message>
+        <source>Their colour map; auto is gray.</source>
+        <translation>Ihre Farbskala; auto ist Grau.</translation>
+    </message>
+    <message>
+        <source>Their width.</source>
+        <translation>Ihre Breite.</translation>
+    </message>
+    <message>
+        <source>Threads that compute light; auto is one per core.</source>
+        <translation>Threads, die Licht berechnen; auto ist einer je Kern.</translation>
+    </message>
+    <message>
+        <source>Tilts the environment before it is turned: raises the light that comes from the front.</source>
+        <translation>Kippt die Umgebung vor dem Drehen: hebt das Licht, das von vorn kommt.</translation>
+    </message>
+    <message>
+        <source>Tone shading: the colour of what faces away from the light.</source>
+        <translation>Warm-Kalt-Schattierung: die Farbe dessen, was vom Licht abgewandt ist.</translation>
+    </message>
+    <message>
+        <source>Tone shading: the colour of what faces the light.</source>
+        <translation>Warm-Kalt-Schattierung: die Farbe dessen, was dem Licht zugewandt ist.</translation>
+    </message>
+    <message>
+        <source>Toward a distant lamp, world axes; any length but zero.</source>
+        <translation>Zu einer fernen Lampe hin, Achsen des Raums; jede Länge außer null.</translation>
+    </message>
+    <message>
+        <source>Toward the light, in camera axes (right, up, toward the viewer) or world axes; any length but zero.</source>
+        <translation>Zum Licht hin, in Achsen der Kamera (rechts, oben, zum Betrachter) oder des Raums; jede Länge außer null.</translation>
+    </message>
+    <message>
+        <source>Turns the environment about the vertical: counterclockwise from above.</source>
+        <translation>Dreht die Umgebung um die Senkrechte: von oben gesehen gegen den Uhrzeigersinn.</translation>
+    </message>
+    <message>
+        <source>Turns the environment from its own axes to the world&apos;s, before azimuth and elevation.</source>
+        <translation>Dreht die Umgebung von ihren eigenen Achsen zu denen des Raums, vor Azimut und Höhenwinkel.</translation>
+    </message>
+    <message>
+        <source>Two opposite corners &quot;x,y,z; x,y,z&quot; of a box outside which everything is cut away; none cuts nothing.</source>
+        <translation>Zwei gegenüberliegende Ecken „x,y,z; x,y,z“ eines Quaders, außerhalb dessen alles weggeschnitten wird; keiner schneidet nichts.</translation>
+    </message>
+    <message>
+        <source>Up to six planes &quot;px,py,pz nx,ny,nz; ...&quot;, a point and a normal each: what lies on the side that the normal points to is cut away.</source>
+        <translation>Bis zu sechs Ebenen „px,py,pz nx,ny,nz; ...“, je ein Punkt und eine Normale: Was auf der Seite liegt, zu der die Normale zeigt, wird weggeschnitten.</translation>
+    </message>
+    <message>
+        <source>Vertical field of view; an orthographic picture is as high as this at the target&apos;s distance.</source>
+        <translation>Senkrechter Bildwinkel; ein orthographisches Bild ist so hoch wie dieser in der Entfernung des Ziels.</translation>
+    </message>
+    <message>
+        <source>What a thick slice shows of the values along its normal.</source>
+        <translation>Was eine dicke Schicht von den Werten längs ihrer Normalen zeigt.</translation>
+    </message>
+    <message>
+        <source>What an automatic exposure fits: the lit surface as it is seen from the front, whatever the view, or the lights, so that a white surface in the open is nearly white.</source>
+        <translation>Wonach sich eine automatische Belichtung richtet: nach der beleuchteten Oberfläche von vorn, wie auch immer die Ansicht ist, oder nach den Lichtern, so dass eine weiße Fläche im Freien fast weiß ist.</translation>
+    </message>
+    <message>
+        <source>What computes hits and derivatives of pictures: the graphics card, or the processor (exact hits only); auto takes the processor where OpenGL is software.</source>
+        <translation>Was Treffer und Ableitungen der Bilder berechnet: die Grafikkarte oder der Prozessor (nur exakte Treffer); auto nimmt den Prozessor, wo OpenGL Software ist.</translation>
+    </message>
+    <message>
+        <source>What cut faces show: nothing, the voxels&apos; values where the inside was cut, or the values of the whole face.</source>
+        <translation>Was Schnittflächen zeigen: nichts, die Werte der Voxel, wo das Innere geschnitten wurde, oder die Werte der ganzen Fläche.</translation>
+    </message>
+    <message>
+        <source>What distant things fade to; auto is the background.</source>
+        <translation>Wohin Fernes verblasst; auto ist der Hintergrund.</translation>
+    </message>
+    <message>
+        <source>What is marked and measured: a list of {kind, name, points, color, shown}.</source>
+        <translation>Was markiert und gemessen ist: eine Liste aus {kind, name, points, color, shown}.</translation>
+    </message>
+    <message>
+        <source>What is stored of the light: irradiance (static light), transfer (spherical harmonics: the environment may move), vicinity (a sky of one colour, no bounces), shadow (no bounces); auto takes the least that the scene needs.</source>
+        <translation>Was vom Licht gespeichert wird: Bestrahlungsstärke (festes Licht), Transfer (Kugelflächenfunktionen: die Umgebung darf sich bewegen), Nachbarschaft (einfarbiger Himmel, keine Reflexionen), Schatten (keine Reflexionen); auto nimmt das Geringste, was die Szene braucht.</translation>
+    </message>
+    <message>
+        <source>What the picture shows: the surface under a shading, or a measure of it in colour.</source>
+        <translation>Was das Bild zeigt: die Oberfläche unter einer Schattierung oder ein Maß von ihr in Farbe.</translation>
+    </message>
+    <message>
+        <source>Where a point or sphere is; auto is above the volume, toward the front and the left.</source>
+        <translation>Wo ein Punkt oder eine Kugel ist; auto ist über dem Volumen, vorn und links.</translation>
+    </message>
+    <message>
+        <source>Where texels are lit: each on its own isosurface, so that light is there for every isovalue, or where the shown isosurface passes it, which is more exact and of one isovalue; auto is shown with gi.extent=view. Where several isosurfaces are shown, texels are lit on their own.</source>
+        <translation>Wo Texel beleuchtet werden: jedes auf seiner eigenen Isofläche, so dass für jeden Isowert Licht da ist, oder wo die gezeigte Isofläche an ihm vorbeigeht, was genauer ist und für einen Isowert gilt; auto ist bei gi.extent=view die gezeigte. Bei mehreren gezeigten Isoflächen werden Texel auf ihren eigenen beleuchtet.</translation>
+    </message>
+    <message>
+        <source>Where the animation stands.</source>
+        <translation>Wo die Animation steht.</translation>
+    </message>
+    <message>
+        <source>Where the legend stands; auto is the corner that shows least of the surface.</source>
+        <translation>Wo die Legende steht; auto ist die Ecke, die am wenigsten von der Oberfläche zeigt.</translation>
+    </message>
+    <message>
+        <source>Where the three slices meet; auto is the centre of the volume.</source>
+        <translation>Wo sich die drei Schichten treffen; auto ist die Mitte des Volumens.</translation>
+    </message>
+    <message>
+        <source>Where the viewer is; auto looks from the front, slightly above, at the whole volume.</source>
+        <translation>Wo der Betrachter ist; auto blickt von vorn, leicht von oben, auf das ganze Volumen.</translation>
+    </message>
+    <message>
+        <source>Whether distant things look smaller.</source>
+        <translation>Ob Fernes kleiner aussieht.</translation>
+    </message>
+    <message>
+        <source>Whether isosurfaces have the reflectances given, or those of a colour map over the isovalue.</source>
+        <translation>Ob Isoflächen die angegebenen Reflexionsgrade haben oder die einer Farbskala über dem Isowert.</translation>
+    </message>
+    <message>
+        <source>Whether planes and box of clip. cut that surface, too.</source>
+        <translation>Ob Ebenen und Quader von clip. auch diese Fläche schneiden.</translation>
+    </message>
+    <message>
+        <source>Whether planes and box of clip. cut the first surface, too.</source>
+        <translation>Ob Ebenen und Quader von clip. auch die erste Fläche schneiden.</translation>
+    </message>
+    <message>
+        <source>Whether ridge and valley lines are as wide in the picture or on the surface.</source>
+        <translation>Ob die Breite der Grat- und Tallinien im Bild oder auf der Oberfläche gilt.</translation>
+    </message>
+    <message>
+        <source>Whether the light moves with the viewer or stays with the volume.</source>
+        <translation>Ob das Licht mit dem Betrachter wandert oder beim Volumen bleibt.</translation>
+    </message>
+    <message>
+        <source>Whether the patient&apos;s right is on the left of axial and coronal slices (radiological), or on the right.</source>
+        <translation>Ob die rechte Seite des Patienten in axialen und koronalen Schichten links liegt (radiologisch) oder rechts.</translation>
+    </message>
+    <message>
+        <source>Which component of a file with several per voxel; -1 is their magnitude.</source>
+        <translation>Welche Komponente einer Datei mit mehreren je Voxel; -1 ist ihr Betrag.</translation>
+    </message>
+    <message>
+        <source>Which of its components, as source.component.</source>
+        <translation>Welche seiner Komponenten, wie source.component.</translation>
+    </message>
+    <message>
+        <source>Which of its time steps, as source.time_step.</source>
+        <translation>Welcher seiner Zeitschritte, wie source.time_step.</translation>
+    </message>
+    <message>
+        <source>Which side of the isovalue is solid; the normal points away from it.</source>
+        <translation>Welche Seite des Isowerts fest ist; die Normale zeigt von ihr weg.</translation>
+    </message>
+    <message>
+        <source>Which texels are lit: all, those that isovalues of gi.band can show, or those that are seen.</source>
+        <translation>Welche Texel beleuchtet werden: alle, jene, die Isowerte von gi.band zeigen können, oder jene, die zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>Which time step of a file with several.</source>
+        <translation>Welcher Zeitschritt einer Datei mit mehreren.</translation>
+    </message>
+    <message>
+        <source>Width of contour lines, the same all over the picture.</source>
+        <translation>Breite der Konturlinien, im ganzen Bild gleich.</translation>
+    </message>
+    <message>
+        <source>Width of ridge and valley lines, in the unit of look.ridge_width_unit.</source>
+        <translation>Breite der Grat- und Tallinien, in der Einheit von look.ridge_width_unit.</translation>
+    </message>
+    <message>
+        <source>World points; pieces that hold one of them are not shown.</source>
+        <translation>Punkte im Raum; Teile, die einen davon enthalten, werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>World points; where there are any, only pieces that hold one of them are shown.</source>
+        <translation>Punkte im Raum; gibt es welche, werden nur Teile gezeigt, die einen davon enthalten.</translation>
+    </message>
+</context>
+<context>
+    <name>units</name>
+    <message>
+        <source>/mm</source>
+        <translation>/mm</translation>
+    </message>
+    <message>
+        <source>/mm, 1/mm² or 1</source>
+        <translation>/mm, 1/mm² oder 1</translation>
+    </message>
+    <message>
+        <source>/s</source>
+        <translation>/s</translation>
+    </message>
+    <message>
+        <source>1/mm</source>
+        <translation>1/mm</translation>
+    </message>
+    <message>
+        <source>1/mm, 1/mm² or 1</source>
+        <translation>1/mm, 1/mm² oder 1</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>1/s</translation>
+    </message>
+    <message>
+        <source>MiB</source>
+        <translation>MiB</translation>
+    </message>
+    <message>
+        <source>bits per number</source>
+        <translation>Bit je Zahl</translation>
+    </message>
+    <message>
+        <source>bounces</source>
+        <translation>Reflexionen</translation>
+    </message>
+    <message>
+        <source>data units</source>
+        <translation>Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>its data units</source>
+        <translation>Einheiten seiner Daten</translation>
+    </message>
+    <message>
+        <source>linear RGB</source>
+        <translation>lineares RGB</translation>
+    </message>
+    <message>
+        <source>linear RGB radiance</source>
+        <translation>Strahldichte in linearem RGB</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mm³</source>
+        <translation>mm³</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>numbers per texel</source>
+        <translation>Zahlen je Texel</translation>
+    </message>
+    <message>
+        <source>paths per texel</source>
+        <translation>Pfade je Texel</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>pixels or mm</source>
+        <translation>Pixel oder mm</translation>
+    </message>
+    <message>
+        <source>quaternion w,x,y,z</source>
+        <translation>Quaternion w,x,y,z</translation>
+    </message>
+    <message>
+        <source>rays per pixel and axis</source>
+        <translation>Strahlen je Pixel und Achse</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>samples per voxel</source>
+        <translation>Abtastungen je Voxel</translation>
+    </message>
+    <message>
+        <source>standard deviations</source>
+        <translation>Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>standard deviations of the noise</source>
+        <translation>Standardabweichungen des Rauschens</translation>
+    </message>
+    <message>
+        <source>stops</source>
+        <translation>Blendenstufen</translation>
+    </message>
+    <message>
+        <source>texels per voxel and axis</source>
+        <translation>Texel je Voxel und Achse</translation>
+    </message>
+    <message>
+        <source>voxels</source>
+        <translation>Voxel</translation>
+    </message>
+</context>
+<context>
+    <name>views</name>
+    <message>
+        <source>+X</source>
+        <translation>+X</translation>
+    </message>
+    <message>
+        <source>+Y</source>
+        <translation>+Y</translation>
+    </message>
+    <message>
+        <source>+Z</source>
+        <translation>+Z</translation>
+    </message>
+    <message>
+        <source>Anterior</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>Inferior</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>−X</source>
+        <translation>−X</translation>
+    </message>
+    <message>
+        <source>−Y</source>
+        <translation>−Y</translation>
+    </message>
+    <message>
+        <source>−Z</source>
+        <translation>−Z</translation>
+    </message>
+</context>
+<context>
+    <name>words</name>
+    <message>
+        <source>Above</source>
+        <translation>Darüber</translation>
+    </message>
+    <message>
+        <source>Accessibility</source>
+        <translation>Zugänglichkeit</translation>
+    </message>
+    <message>
+        <source>Ambient</source>
+        <translation>Grundlicht</translation>
+    </message>
+    <message>
+        <source>Ambient variation</source>
+        <translation>Verlauf von oben</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>Background bottom</source>
+        <translation>Hintergrund unten</translation>
+    </message>
+    <message>
+        <source>Background top</source>
+        <translation>Hintergrund oben</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation>Darunter</translation>
+    </message>
+    <message>
+        <source>Blinn-Phong</source>
+        <translation>Blinn-Phong</translation>
+    </message>
+    <message>
+        <source>Blue–orange</source>
+        <translation>Blau–orange</translation>
+    </message>
+    <message>
+        <source>Bounces</source>
+        <translation>Reflexionen</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Box rotation</source>
+        <translation>Drehung des Quaders</translation>
+    </message>
+    <message>
+        <source>Bricks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <source>Building blocks</source>
+        <translation>Blöcke werden gebildet</translation>
+    </message>
+    <message>
+        <source>Built-in light</source>
+        <translation>Eingebautes Licht</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Cap</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <source>Checker</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Clipped</source>
+        <translation>Geschnitten</translation>
+    </message>
+    <message>
+        <source>Closest isovalue</source>
+        <translation>Nächster Isowert</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour from</source>
+        <translation>Farbe aus</translation>
+    </message>
+    <message>
+        <source>Colour high</source>
+        <translation>Farbe oben</translation>
+    </message>
+    <message>
+        <source>Colour low</source>
+        <translation>Farbe unten</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>Colours of κ₁ and κ₂</source>
+        <translation>Farben von κ₁ und κ₂</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>Component bits</source>
+        <translation>Bits je Komponente</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>Contour colour</source>
+        <translation>Konturfarbe</translation>
+    </message>
+    <message>
+        <source>Contour width</source>
+        <translation>Konturbreite</translation>
+    </message>
+    <message>
+        <source>Contours</source>
+        <translation>Konturen</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Convention</source>
+        <translation>Konvention</translation>
+    </message>
+    <message>
+        <source>Cool–warm</source>
+        <translation>Kalt–warm</translation>
+    </message>
+    <message>
+        <source>Counting values</source>
+        <translation>Werte werden gezählt</translation>
+    </message>
+    <message>
+        <source>Cpu</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>Csg</source>
+        <translation>Verknüpfung</translation>
+    </message>
+    <message>
+        <source>Csg path</source>
+        <translation>Zweites Volumen</translation>
+    </message>
+    <message>
+        <source>Csg value</source>
+        <translation>Zweiter Isowert</translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation>Kubisch</translation>
+    </message>
+    <message>
+        <source>Cubic interpolating</source>
+        <translation>Kubisch interpolierend</translation>
+    </message>
+    <message>
+        <source>Curvedness</source>
+        <translation>Krümmungsstärke</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Directional</source>
+        <translation>Fern</translation>
+    </message>
+    <message>
+        <source>Edge offset</source>
+        <translation>Kantenversatz</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>Environment share</source>
+        <translation>Anteil der Umgebung</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>Auge</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Fetch</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Strömung</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>Fog colour</source>
+        <translation>Nebelfarbe</translation>
+    </message>
+    <message>
+        <source>Fov</source>
+        <translation>Bildwinkel</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Voll</translation>
+    </message>
+    <message>
+        <source>Gaussian curvature</source>
+        <translation>Gaußsche Krümmung</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Rauschflächen</translation>
+    </message>
+    <message>
+        <source>Ghost opacity</source>
+        <translation>Deckkraft der Rauschflächen</translation>
+    </message>
+    <message>
+        <source>Global illumination</source>
+        <translation>Globale Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Gpu</source>
+        <translation>Grafikkarte</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Körnung</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Gyroid</source>
+        <translation>Gyroid</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Halbe Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation>Kopflicht</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Inferno</source>
+        <translation>Inferno</translation>
+    </message>
+    <message>
+        <source>Inner tint</source>
+        <translation>Tönung innen</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>Intersection</source>
+        <translation>Schnittmenge</translation>
+    </message>
+    <message>
+        <source>Irradiance</source>
+        <translation>Bestrahlungsstärke</translation>
+    </message>
+    <message>
+        <source>Isoline width</source>
+        <translation>Breite der Isolinien</translation>
+    </message>
+    <message>
+        <source>Isolines</source>
+        <translation>Isolinien</translation>
+    </message>
+    <message>
+        <source>Isosurface 2</source>
+        <translation>Isofläche 2</translation>
+    </message>
+    <message>
+        <source>Isosurface 3</source>
+        <translation>Isofläche 3</translation>
+    </message>
+    <message>
+        <source>Isosurface 4</source>
+        <translation>Isofläche 4</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Lambert</source>
+        <translation>Lambert</translation>
+    </message>
+    <message>
+        <source>Lamp 1</source>
+        <translation>Lampe 1</translation>
+    </message>
+    <message>
+        <source>Lamp 2</source>
+        <translation>Lampe 2</translation>
+    </message>
+    <message>
+        <source>Lamp 3</source>
+        <translation>Lampe 3</translation>
+    </message>
+    <message>
+        <source>Lattice scale</source>
+        <translation>Gitterfeinheit</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Legend corner</source>
+        <translation>Ecke der Legende</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Fensterlage</translation>
+    </message>
+    <message>
+        <source>Light probe</source>
+        <translation>Umgebungsbild</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Lichter</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Low</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Lower left</source>
+        <translation>Unten links</translation>
+    </message>
+    <message>
+        <source>Lower right</source>
+        <translation>Unten rechts</translation>
+    </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Phantom wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation>Marmor</translation>
+    </message>
+    <message>
+        <source>Marschner lobb</source>
+        <translation>Marschner-Lobb</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean curvature</source>
+        <translation>Mittlere Krümmung</translation>
+    </message>
+    <message>
+        <source>Measuring distances</source>
+        <translation>Abstände werden gemessen</translation>
+    </message>
+    <message>
+        <source>Mesh voxels</source>
+        <translation>Voxel des Netzes</translation>
+    </message>
+    <message>
+        <source>Metering</source>
+        <translation>Belichtung nach</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Bewegt sich</translation>
+    </message>
+    <message>
+        <source>Near factor</source>
+        <translation>Faktor nahe dem Isowert</translation>
+    </message>
+    <message>
+        <source>Near threshold</source>
+        <translation>Schwelle der Nähe</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>Neurological</source>
+        <translation>Neurologisch</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Noise band</source>
+        <translation>Rauschband</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Normal scale</source>
+        <translation>Skala der Normalen</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Only</source>
+        <translation>Nur diese</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>Orthographisch</translation>
+    </message>
+    <message>
+        <source>Overcast</source>
+        <translation>Bedeckt</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektivisch</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Purple–green</source>
+        <translation>Lila–grün</translation>
+    </message>
+    <message>
+        <source>R11g11b10</source>
+        <translation>R11G11B10</translation>
+    </message>
+    <message>
+        <source>R2</source>
+        <translation>R2</translation>
+    </message>
+    <message>
+        <source>Radiological</source>
+        <translation>Radiologisch</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufällig</translation>
+    </message>
+    <message>
+        <source>Range high</source>
+        <translation>Bereich bis</translation>
+    </message>
+    <message>
+        <source>Range low</source>
+        <translation>Bereich von</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Abtastrate</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Rohdaten</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Refinements</source>
+        <translation>Verfeinerungen</translation>
+    </message>
+    <message>
+        <source>Rest hits</source>
+        <translation>Treffer in Ruhe</translation>
+    </message>
+    <message>
+        <source>Ridge colour</source>
+        <translation>Farbe der Grate</translation>
+    </message>
+    <message>
+        <source>Ridge length</source>
+        <translation>Länge der Grate</translation>
+    </message>
+    <message>
+        <source>Ridge threshold</source>
+        <translation>Schwelle der Grate</translation>
+    </message>
+    <message>
+        <source>Ridge width</source>
+        <translation>Breite der Grate</translation>
+    </message>
+    <message>
+        <source>Ridge width unit</source>
+        <translation>Einheit der Breite</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>Grate und Täler</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Roulette depth</source>
+        <translation>Roulette ab</translation>
+    </message>
+    <message>
+        <source>SH order</source>
+        <translation>SH-Ordnung</translation>
+    </message>
+    <message>
+        <source>SH window</source>
+        <translation>SH-Fenster</translation>
+    </message>
+    <message>
+        <source>Saddle</source>
+        <translation>Sattel</translation>
+    </message>
+    <message>
+        <source>Same</source>
+        <translation>Dieselbe</translation>
+    </message>
+    <message>
+        <source>Sampled</source>
+        <translation>Abgetastet</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Pfade</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchweite</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Shape index</source>
+        <translation>Formindex</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Blätter</translation>
+    </message>
+    <message>
+        <source>Shininess</source>
+        <translation>Glanzschärfe</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Shown behind</source>
+        <translation>Als Hintergrund</translation>
+    </message>
+    <message>
+        <source>Sky colour</source>
+        <translation>Himmelsfarbe</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>Slab mode</source>
+        <translation>Art der dicken Schicht</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinstes</translation>
+    </message>
+    <message>
+        <source>Sobol owen</source>
+        <translation>Sobol-Owen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>Spectral</source>
+        <translation>Spektral</translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <translation>Glanz</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>Suggestive contours</source>
+        <translation>Angedeutete Konturen</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Abend</translation>
+    </message>
+    <message>
+        <source>Supersampling</source>
+        <translation>Überabtastung</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Texels</source>
+        <translation>Texel</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Texture scale</source>
+        <translation>Größe der Textur</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Tone</source>
+        <translation>Warm-Kalt</translation>
+    </message>
+    <message>
+        <source>Tone cool</source>
+        <translation>Kalter Ton</translation>
+    </message>
+    <message>
+        <source>Tone warm</source>
+        <translation>Warmer Ton</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>Torus</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfer</translation>
+    </message>
+    <message>
+        <source>Tricubic</source>
+        <translation>Trikubisch</translation>
+    </message>
+    <message>
+        <source>Trilinear</source>
+        <translation>Trilinear</translation>
+    </message>
+    <message>
+        <source>Two balls</source>
+        <translation>Zwei Kugeln</translation>
+    </message>
+    <message>
+        <source>Union</source>
+        <translation>Vereinigung</translation>
+    </message>
+    <message>
+        <source>Unlit</source>
+        <translation>Unbeleuchtet</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Upper left</source>
+        <translation>Oben links</translation>
+    </message>
+    <message>
+        <source>Upper right</source>
+        <translation>Oben rechts</translation>
+    </message>
+    <message>
+        <source>Valley colour</source>
+        <translation>Farbe der Täler</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Vicinity</source>
+        <translation>Nachbarschaft</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>Gewichtet</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Fensterbreite</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Wires</source>
+        <translation>Drähte</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>accessibility</source>
+        <translation>Zugänglichkeit</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>Anpassung bei Bewegung</translation>
+    </message>
+    <message>
+        <source>albedo</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>albedo high</source>
+        <translation>Farbe oben</translation>
+    </message>
+    <message>
+        <source>albedo low</source>
+        <translation>Farbe unten</translation>
+    </message>
+    <message>
+        <source>albedo map</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>albedo source</source>
+        <translation>Farbe aus</translation>
+    </message>
+    <message>
+        <source>ambient</source>
+        <translation>Grundlicht</translation>
+    </message>
+    <message>
+        <source>ambient variation</source>
+        <translation>Verlauf von oben</translation>
+    </message>
+    <message>
+        <source>animate</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>background bottom</source>
+        <translation>Hintergrund unten</translation>
+    </message>
+    <message>
+        <source>background top</source>
+        <translation>Hintergrund oben</translation>
+    </message>
+    <message>
+        <source>band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>Darunter</translation>
+    </message>
+    <message>
+        <source>bounces</source>
+        <translation>Reflexionen</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>box rotation</source>
+        <translation>Drehung des Quaders</translation>
+    </message>
+    <message>
+        <source>building blocks</source>
+        <translation>Blöcke werden gebildet</translation>
+    </message>
+    <message>
+        <source>cap</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>Geschnitten</translation>
+    </message>
+    <message>
+        <source>color</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>colormap</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>component bits</source>
+        <translation>Bits je Komponente</translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>contour color</source>
+        <translation>Konturfarbe</translation>
+    </message>
+    <message>
+        <source>contour width</source>
+        <translation>Konturbreite</translation>
+    </message>
+    <message>
+        <source>contours</source>
+        <translation>Konturen</translation>
+    </message>
+    <message>
+        <source>contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>convention</source>
+        <translation>Konvention</translation>
+    </message>
+    <message>
+        <source>counting values</source>
+        <translation>Werte werden gezählt</translation>
+    </message>
+    <message>
+        <source>csg</source>
+        <translation>Verknüpfung</translation>
+    </message>
+    <message>
+        <source>csg path</source>
+        <translation>Zweites Volumen</translation>
+    </message>
+    <message>
+        <source>csg value</source>
+        <translation>Zweiter Isowert</translation>
+    </message>
+    <message>
+        <source>curvature points</source>
+        <translation>Farben von κ₁ und κ₂</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>environment azimuth</source>
+        <translation>Umgebung: Azimut</translation>
+    </message>
+    <message>
+        <source>environment builtin</source>
+        <translation>Umgebung: Eingebautes Licht</translation>
+    </message>
+    <message>
+        <source>environment constant</source>
+        <translation>Umgebung: Himmelsfarbe</translation>
+    </message>
+    <message>
+        <source>environment elevation</source>
+        <translation>Umgebung: Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>environment exposure</source>
+        <translation>Umgebung: Belichtung</translation>
+    </message>
+    <message>
+        <source>environment file</source>
+        <translation>Umgebung: Umgebungsbild</translation>
+    </message>
+    <message>
+        <source>environment moves</source>
+        <translation>Umgebung: Bewegt sich</translation>
+    </message>
+    <message>
+        <source>environment rotation</source>
+        <translation>Umgebung: Drehung</translation>
+    </message>
+    <message>
+        <source>environment share</source>
+        <translation>Anteil der Umgebung</translation>
+    </message>
+    <message>
+        <source>environment visible</source>
+        <translation>Umgebung: Als Hintergrund</translation>
+    </message>
+    <message>
+        <source>executor</source>
+        <translation>Rechenwerk</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>extent</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>Auge</translation>
+    </message>
+    <message>
+        <source>fade</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>fetch</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>fog</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>fog color</source>
+        <translation>Nebelfarbe</translation>
+    </message>
+    <message>
+        <source>fov</source>
+        <translation>Bildwinkel</translation>
+    </message>
+    <message>
+        <source>ghost</source>
+        <translation>Rauschflächen</translation>
+    </message>
+    <message>
+        <source>ghost opacity</source>
+        <translation>Deckkraft der Rauschflächen</translation>
+    </message>
+    <message>
+        <source>gpu budget mb</source>
+        <translation>Grafikspeicher</translation>
+    </message>
+    <message>
+        <source>grain</source>
+        <translation>Körnung</translation>
+    </message>
+    <message>
+        <source>headlight</source>
+        <translation>Kopflicht</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>inner tint</source>
+        <translation>Tönung innen</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>isoline width</source>
+        <translation>Breite der Isolinien</translation>
+    </message>
+    <message>
+        <source>isolines</source>
+        <translation>Isolinien</translation>
+    </message>
+    <message>
+        <source>isosurface2 albedo</source>
+        <translation>Isofläche 2: Farbe</translation>
+    </message>
+    <message>
+        <source>isosurface2 clipped</source>
+        <translation>Isofläche 2: Geschnitten</translation>
+    </message>
+    <message>
+        <source>isosurface2 opacity</source>
+        <translation>Isofläche 2: Deckkraft</translation>
+    </message>
+    <message>
+        <source>isosurface2 shown</source>
+        <translation>Isofläche 2: Gezeigt</translation>
+    </message>
+    <message>
+        <source>isosurface2 value</source>
+        <translation>Isofläche 2: Wert</translation>
+    </message>
+    <message>
+        <source>isosurface3 albedo</source>
+        <translation>Isofläche 3: Farbe</translation>
+    </message>
+    <message>
+        <source>isosurface3 clipped</source>
+        <translation>Isofläche 3: Geschnitten</translation>
+    </message>
+    <message>
+        <source>isosurface3 opacity</source>
+        <translation>Isofläche 3: Deckkraft</translation>
+    </message>
+    <message>
+        <source>isosurface3 shown</source>
+        <translation>Isofläche 3: Gezeigt</translation>
+    </message>
+    <message>
+        <source>isosurface3 value</source>
+        <translation>Isofläche 3: Wert</translation>
+    </message>
+    <message>
+        <source>isosurface4 albedo</source>
+        <translation>Isofläche 4: Farbe</translation>
+    </message>
+    <message>
+        <source>isosurface4 clipped</source>
+        <translation>Isofläche 4: Geschnitten</translation>
+    </message>
+    <message>
+        <source>isosurface4 opacity</source>
+        <translation>Isofläche 4: Deckkraft</translation>
+    </message>
+    <message>
+        <source>isosurface4 shown</source>
+        <translation>Isofläche 4: Gezeigt</translation>
+    </message>
+    <message>
+        <source>isosurface4 value</source>
+        <translation>Isofläche 4: Wert</translation>
+    </message>
+    <message>
+        <source>keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>lamp1 angle</source>
+        <translation>Lampe 1: Winkel</translation>
+    </message>
+    <message>
+        <source>lamp1 color</source>
+        <translation>Lampe 1: Farbe</translation>
+    </message>
+    <message>
+        <source>lamp1 direction</source>
+        <translation>Lampe 1: Richtung</translation>
+    </message>
+    <message>
+        <source>lamp1 intensity</source>
+        <translation>Lampe 1: Helligkeit</translation>
+    </message>
+    <message>
+        <source>lamp1 kind</source>
+        <translation>Lampe 1: Art</translation>
+    </message>
+    <message>
+        <source>lamp1 position</source>
+        <translation>Lampe 1: Position</translation>
+    </message>
+    <message>
+        <source>lamp1 radius</source>
+        <translation>Lampe 1: Radius</translation>
+    </message>
+    <message>
+        <source>lamp1 shown</source>
+        <translation>Lampe 1: Gezeigt</translation>
+    </message>
+    <message>
+        <source>lamp2 angle</source>
+        <translation>Lampe 2: Winkel</translation>
+    </message>
+    <message>
+        <source>lamp2 color</source>
+        <translation>Lampe 2: Farbe</translation>
+    </message>
+    <message>
+        <source>lamp2 direction</source>
+        <translation>Lampe 2: Richtung</translation>
+    </message>
+    <message>
+        <source>lamp2 intensity</source>
+        <translation>Lampe 2: Helligkeit</translation>
+    </message>
+    <message>
+        <source>lamp2 kind</source>
+        <translation>Lampe 2: Art</translation>
+    </message>
+    <message>
+        <source>lamp2 position</source>
+        <translation>Lampe 2: Position</translation>
+    </message>
+    <message>
+        <source>lamp2 radius</source>
+        <translation>Lampe 2: Radius</translation>
+    </message>
+    <message>
+        <source>lamp2 shown</source>
+        <translation>Lampe 2: Gezeigt</translation>
+    </message>
+    <message>
+        <source>lamp3 angle</source>
+        <translation>Lampe 3: Winkel</translation>
+    </message>
+    <message>
+        <source>lamp3 color</source>
+        <translation>Lampe 3: Farbe</translation>
+    </message>
+    <message>
+        <source>lamp3 direction</source>
+        <translation>Lampe 3: Richtung</translation>
+    </message>
+    <message>
+        <source>lamp3 intensity</source>
+        <translation>Lampe 3: Helligkeit</translation>
+    </message>
+    <message>
+        <source>lamp3 kind</source>
+        <translation>Lampe 3: Art</translation>
+    </message>
+    <message>
+        <source>lamp3 position</source>
+        <translation>Lampe 3: Position</translation>
+    </message>
+    <message>
+        <source>lamp3 radius</source>
+        <translation>Lampe 3: Radius</translation>
+    </message>
+    <message>
+        <source>lamp3 shown</source>
+        <translation>Lampe 3: Gezeigt</translation>
+    </message>
+    <message>
+        <source>lattice scale</source>
+        <translation>Gitterfeinheit</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>legend corner</source>
+        <translation>Ecke der Legende</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Fensterlage</translation>
+    </message>
+    <message>
+        <source>list</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>making the phantom</source>
+        <translation>Phantom wird erzeugt</translation>
+    </message>
+    <message>
+        <source>map</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>measuring distances</source>
+        <translation>Abstände werden gemessen</translation>
+    </message>
+    <message>
+        <source>mesh voxels</source>
+        <translation>Voxel des Netzes</translation>
+    </message>
+    <message>
+        <source>metering</source>
+        <translation>Belichtung nach</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>motion target</source>
+        <translation>Bilddauer bei Bewegung</translation>
+    </message>
+    <message>
+        <source>near factor</source>
+        <translation>Faktor nahe dem Isowert</translation>
+    </message>
+    <message>
+        <source>near threshold</source>
+        <translation>Schwelle der Nähe</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>noise band</source>
+        <translation>Rauschband</translation>
+    </message>
+    <message>
+        <source>normal scale</source>
+        <translation>Skala der Normalen</translation>
+    </message>
+    <message>
+        <source>only</source>
+        <translation>Nur diese</translation>
+    </message>
+    <message>
+        <source>opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>preparing</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>range high</source>
+        <translation>Bereich bis</translation>
+    </message>
+    <message>
+        <source>range low</source>
+        <translation>Bereich von</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Abtastrate</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>Rohdaten</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>refinements</source>
+        <translation>Verfeinerungen</translation>
+    </message>
+    <message>
+        <source>rest hits</source>
+        <translation>Treffer in Ruhe</translation>
+    </message>
+    <message>
+        <source>ridge color</source>
+        <translation>Farbe der Grate</translation>
+    </message>
+    <message>
+        <source>ridge length</source>
+        <translation>Länge der Grate</translation>
+    </message>
+    <message>
+        <source>ridge threshold</source>
+        <translation>Schwelle der Grate</translation>
+    </message>
+    <message>
+        <source>ridge width</source>
+        <translation>Breite der Grate</translation>
+    </message>
+    <message>
+        <source>ridge width unit</source>
+        <translation>Einheit der Breite</translation>
+    </message>
+    <message>
+        <source>ridges</source>
+        <translation>Grate und Täler</translation>
+    </message>
+    <message>
+        <source>roulette depth</source>
+        <translation>Roulette ab</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Pfade</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>Suchweite</translation>
+    </message>
+    <message>
+        <source>sequence</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>sh order</source>
+        <translation>SH-Ordnung</translation>
+    </message>
+    <message>
+        <source>sh window</source>
+        <translation>SH-Fenster</translation>
+    </message>
+    <message>
+        <source>shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>shininess</source>
+        <translation>Glanzschärfe</translation>
+    </message>
+    <message>
+        <source>slab</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>slab mode</source>
+        <translation>Art der dicken Schicht</translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation>Kleinstes</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>specular</source>
+        <translation>Glanz</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>suggestive contours</source>
+        <translation>Angedeutete Konturen</translation>
+    </message>
+    <message>
+        <source>supersampling</source>
+        <translation>Überabtastung</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>texels</source>
+        <translation>Texel</translation>
+    </message>
+    <message>
+        <source>texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>texture scale</source>
+        <translation>Größe der Textur</translation>
+    </message>
+    <message>
+        <source>threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>tone cool</source>
+        <translation>Kalter Ton</translation>
+    </message>
+    <message>
+        <source>tone warm</source>
+        <translation>Warmer Ton</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>valley color</source>
+        <translation>Farbe der Täler</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Fensterbreite</translation>
+    </message>
+    <message>
+        <source>κ₁ (larger curvature)</source>
+        <translation>κ₁ (größere Krümmung)</translation>
+    </message>
+    <message>
+        <source>κ₁ and κ₂</source>
+        <translation>κ₁ und κ₂</translation>
+    </message>
+    <message>
+        <source>κ₂ (smaller curvature)</source>
+        <translation>κ₂ (kleinere Krümmung)</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,123 @@
+#include "ui/language/sentences.h"
+
+#include <utility>
+#include <vector>
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr const char* sentences[] = {
+    // why a picture is empty
+    QT_TRANSLATE_NOOP("sentences", "There is no surface: an axis of the volume has one voxel only"),
+    QT_TRANSLATE_NOOP("sentences", "There is no surface: every voxel is missing"),
+    QT_TRANSLATE_NOOP("sentences", "No surface at %1: the values lie between %2 and %3"),
+    QT_TRANSLATE_NOOP("sentences", "The camera looks away from the volume"),
+    QT_TRANSLATE_NOOP("sentences", "The volume lies outside the picture"),
+    QT_TRANSLATE_NOOP("sentences", "No surface is seen from here"),
+    QT_TRANSLATE_NOOP("sentences", "Every isosurface is fully transparent"),
+    QT_TRANSLATE_NOOP("sentences", "The isosurface is fully transparent"),
+    // how long ago an autosave was written
+    QT_TRANSLATE_NOOP("sentences", "%1 s ago"), QT_TRANSLATE_NOOP("sentences", "%1 min ago"),
+    QT_TRANSLATE_NOOP("sentences", "%1 h ago"), QT_TRANSLATE_NOOP("sentences", "%1 days ago"),
+    // what marks measure
+    QT_TRANSLATE_NOOP("sentences", "straight"), QT_TRANSLATE_NOOP("sentences", "straight %1 %2"),
+    QT_TRANSLATE_NOOP("sentences", "along surface"), QT_TRANSLATE_NOOP("sentences", "along surface %1 %2"),
+    QT_TRANSLATE_NOOP("sentences", "angle"), QT_TRANSLATE_NOOP("sentences", "radius"),
+    QT_TRANSLATE_NOOP("sentences", "centre %1"), QT_TRANSLATE_NOOP("sentences", "ray"),
+    QT_TRANSLATE_NOOP("sentences", "ball"), QT_TRANSLATE_NOOP("sentences", "volume"),
+    QT_TRANSLATE_NOOP("sentences", "area"), QT_TRANSLATE_NOOP("sentences", "piece"),
+    QT_TRANSLATE_NOOP("sentences", "pieces"), QT_TRANSLATE_NOOP("sentences", "surface"),
+    QT_TRANSLATE_NOOP("sentences", "surface distance"), QT_TRANSLATE_NOOP("sentences", "value"),
+    QT_TRANSLATE_NOOP("sentences", "confidence"), QT_TRANSLATE_NOOP("sentences", "scale"),
+    QT_TRANSLATE_NOOP("sentences", "edge offset"), QT_TRANSLATE_NOOP("sentences", "edge strength"),
+    // why they do not, or doubtfully
+    QT_TRANSLATE_NOOP("sentences",
+                      "the point does not lie on the surface: there is none within three voxels of it"),
+    QT_TRANSLATE_NOOP("sentences",
+                      "point %1 does not lie on the surface: there is none within three voxels of it"),
+    QT_TRANSLATE_NOOP("sentences", "the point lies %1 mm off the surface"),
+    QT_TRANSLATE_NOOP("sentences", "point %1 lies %2 mm off the surface"),
+    QT_TRANSLATE_NOOP("sentences", "no isosurface of %1 within three voxels of the point"),
+    QT_TRANSLATE_NOOP("sentences", "no isosurface of %1 within three voxels of point %2"),
+    QT_TRANSLATE_NOOP("sentences", "the point lies outside the volume or beside missing voxels"),
+    QT_TRANSLATE_NOOP("sentences", "no way along the surface leads from point %1 to point %2"),
+    QT_TRANSLATE_NOOP("sentences", "two of the points lie in one place"),
+    QT_TRANSLATE_NOOP("sentences", "the points lie on a line"),
+    QT_TRANSLATE_NOOP("sentences", "the inside does not end within the data behind the point"),
+    QT_TRANSLATE_NOOP("sentences", "the point lies in no piece of isovalue %1"),
+    QT_TRANSLATE_NOOP("sentences", "the piece goes on beyond the data: it is open"),
+    QT_TRANSLATE_NOOP("sentences", "not enough memory"), QT_TRANSLATE_NOOP("sentences", "stopped")};
+
+struct Pattern {
+  const char* text;
+  QRegularExpression matches;
+};
+
+const std::vector<Pattern>& patterns() {
+  static const std::vector<Pattern> list = [] {
+    std::vector<Pattern> made;
+    for (const char* const text : sentences) {
+      QString expression = QRegularExpression::escape(QString::fromUtf8(text));
+      for (const char* const place : {"\\%1", "\\%2", "\\%3"}) expression.replace(place, "(.+?)");
+      made.push_back({text, QRegularExpression(QRegularExpression::anchoredPattern(expression),
+                                               QRegularExpression::DotMatchesEverythingOption)});
+    }
+    return made;
+  }();
+  return list;
+}
+
+QRegularExpressionMatchIterator cellsIn(const QString& html) {
+  static const QRegularExpression cell("<(td|h4)>(.*?)</\\1>");
+  return cell.globalMatch(html);
+}
+
+}  // namespace
+
+QString translatedSentence(std::string_view english) {
+  const QString text = QString::fromUtf8(english.data(), static_cast<qsizetype>(english.size()));
+  for (const Pattern& pattern : patterns()) {
+    const QRegularExpressionMatch match = pattern.matches.match(text);
+    if (!match.hasMatch()) continue;
+    const QString translation = QCoreApplication::translate("sentences", pattern.text);
+    switch (match.lastCapturedIndex()) {
+      case 1:
+        return translation.arg(match.captured(1));
+      case 2:
+        return translation.arg(match.captured(1), match.captured(2));
+      case 3:
+        return translation.arg(match.captured(1), match.captured(2), match.captured(3));
+      default:
+        return translation;
+    }
+  }
+  return text;
+}
+
+std::span<const char* const> knownSentences() {
+  return sentences;
+}
+
+QString translatedCells(const char* context, const QString& html) {
+  QString text;
+  qsizetype done = 0;
+  for (auto cells = cellsIn(html); cells.hasNext();) {
+    const QRegularExpressionMatch cell = cells.next();
+    text += html.mid(done, cell.capturedStart(2) - done) +
+            QCoreApplication::translate(context, cell.captured(2).toUtf8().constData());
+    done = cell.capturedEnd(2);
+  }
+  return text + html.mid(done);
+}
+
+QStringList cellsOf(const QString& html) {
+  QStringList list;
+  for (auto cells = cellsIn(html); cells.hasNext();) list += cells.next().captured(2);
+  return list;
+}
+
+}  // namespace isolux::ui

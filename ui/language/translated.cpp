@@ -1,0 +1,34 @@
+#include "ui/language/translated.h"
+
+#include <algorithm>
+#include <string>
+
+#include <QCoreApplication>
+
+namespace isolux::ui {
+
+QString translated(const char* context, std::string_view english) {
+  if (english.empty()) return {};
+  return QCoreApplication::translate(context, std::string(english).c_str());
+}
+
+QString translatedFilter(std::string_view filter) {
+  const std::size_t patterns = std::min(filter.rfind(" ("), filter.size());
+  const std::string_view rest = filter.substr(patterns);
+  return translated(texts::files, filter.substr(0, patterns)) +
+         QString::fromUtf8(rest.data(), static_cast<qsizetype>(rest.size()));
+}
+
+QString plainNameOf(const scene::SettingInfo& setting) {
+  const QString path = QString::fromStdString(setting.path);
+  // The lamps and the further isosurfaces have the same members: the group tells them apart.
+  const QString group = path.section('.', 0, 0);
+  const QString name = path.section('.', 1).replace('_', ' ').replace('.', ' ');
+  return group.back().isDigit() ? group + ' ' + name : name;
+}
+
+QString nameOf(const scene::SettingInfo& setting) {
+  return translated(texts::words, plainNameOf(setting).toStdString());
+}
+
+}  // namespace isolux::ui
