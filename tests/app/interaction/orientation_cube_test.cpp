@@ -21,7 +21,7 @@ scene::Camera cameraFrom(glm::dvec3 eye, glm::dvec3 up = {0.0, 0.0, 1.0}) {
 
 TEST(OrientationCube, AFaceGivesTheViewInWhichItIsSeenAlone) {
   for (const auto axes : {scene::WorldAxes::anatomical, scene::WorldAxes::zUp, scene::WorldAxes::yUp})
-    for (const glm::dvec3 eye : {glm::dvec3(300.0, -200.0, 150.0), glm::dvec3(-100.0, 250.0, -220.0)}) {
+    for (const glm::dvec3& eye : {glm::dvec3(300.0, -200.0, 150.0), glm::dvec3(-100.0, 250.0, -220.0)}) {
       const scene::Camera camera = cameraFrom(eye, upOf(axes));
       const auto faces = app::cubeFaces(frameOf(camera), axes, 17.0);
       ASSERT_EQ(faces.size(), 3u);

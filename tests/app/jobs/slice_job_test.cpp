@@ -91,19 +91,20 @@ TEST(SliceJob, ThrownAwayEndsByItself) {
   EXPECT_TRUE(pollUntil([&] { return watched.expired(); }));
 }
 
+// Ends the process: 0 where the picture is there.
+[[noreturn]] void drawWithoutThreads() {
+  const app::SliceOrder order = orderOf(phantom("ball", 16), {64, 64});
+  const rlimit one{1, 1};
+  if (::setrlimit(RLIMIT_NPROC, &one) != 0 || ::setuid(61234) != 0) std::_Exit(7);
+  const app::SliceJob job(order);
+  std::_Exit(job.finished() && !job.error() && job.picture().size.x == 64 ? 0 : 8);
+}
+
 // Where the system gives no thread the picture is drawn all the same.
 TEST(SliceJobDeathTest, ARefusedThreadIsNoCrash) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can become a user whose threads are counted alone";
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(
-      {
-        const app::SliceOrder order = orderOf(phantom("ball", 16), {64, 64});
-        const rlimit one{1, 1};
-        if (::setrlimit(RLIMIT_NPROC, &one) != 0 || ::setuid(61234) != 0) std::_Exit(7);
-        const app::SliceJob job(order);
-        std::_Exit(job.finished() && !job.error() && job.picture().size.x == 64 ? 0 : 8);
-      },
-      testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(drawWithoutThreads(), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(SliceChoice, PlanesCrossWhereBothHold) {
   const auto cut = app::chosenPlane({.kind = SliceChoice::Kind::cut}, scene, geometry, axes);
   const auto line = app::crossingLine(picture, *cut);
   ASSERT_TRUE(line);
-  for (const glm::dvec2 end : *line) {
+  for (const glm::dvec2& end : *line) {
     const glm::dvec3 world = picture.at(end);
     EXPECT_NEAR(world.y, 7.0, 1e-9);
     EXPECT_NEAR(glm::dot(world - cut->pointMm, cut->normal()), 0.0, 1e-9);
