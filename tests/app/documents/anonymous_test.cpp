@@ -32,7 +32,7 @@ TEST(Anonymous, HidesNamesBeyondAscii) {
 TEST(Anonymous, NamesOfMarksAreHiddenAndPathsStay) {
   scene::Scene scene;
   scene.source.path = "/scans/DOE/ct";
-  scene.marks.push_back({.name = "Doe: left"});
+  scene.marks.push_back({.name = "Doe: left", .points = {{1, 2, 3}}});
   const scene::Scene hidden = withoutPatient(scene, jane);
   EXPECT_EQ(hidden.marks.front().name, "anonymous: left");
   EXPECT_EQ(hidden.source.path, scene.source.path);

@@ -322,7 +322,8 @@ TEST(Session, APictureDoesNotNameThePatientAndStillOpens) {
     EXPECT_EQ(opened.source.path, scene.source.path);
     EXPECT_EQ(opened.marks.front().name, "anonymous, left");
   }
-  EXPECT_NE(pictureSessionText(scene, folder).find("DOE_JANE"), std::string::npos) << "nobody is hidden unasked";
+  EXPECT_NE(pictureSessionText(scene, folder).find("DOE_JANE"), std::string::npos)
+      << "nobody is hidden unasked";
 }
 
 TEST(Session, AnotherVolumeOfTheSameNameBesideThePictureIsNotTaken) {
