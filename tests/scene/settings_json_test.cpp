@@ -7,11 +7,13 @@
 
 #include "base/error.h"
 #include "scene/settings.h"
+#include "tests/scene/random_scene.h"
 
 namespace isolux::scene {
 namespace {
 
 using nlohmann::json;
+using test::randomScene;
 using testing::HasSubstr;
 
 template <class Body>
@@ -23,64 +25,6 @@ std::string errorOf(Body body) {
   }
   ADD_FAILURE() << "no base::Error was thrown";
   return {};
-}
-
-double randomIn(double low, double high, std::mt19937_64& random) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-// A scene with every setting at random.
-Scene randomScene(std::mt19937_64& random) {
-  Scene scene;
-  for (const Setting& s : settings()) {
-    const auto number = [&] { return randomIn(s.minimum, s.maximum, random); };
-    switch (s.type) {
-      case SettingType::number:
-        s.set(scene, number());
-        break;
-      case SettingType::integer:
-        s.set(scene, std::floor(number()));
-        break;
-      case SettingType::text:
-        s.set(scene, "text \"with\" ünïcode \\ " + std::to_string(random() % 1000));
-        break;
-      case SettingType::choice:
-        s.set(scene, s.choices[random() % s.choices.size()]);
-        break;
-      case SettingType::pair: {
-        const double a = number(), b = number();
-        s.set(scene, {std::min(a, b), std::max(a, b)});
-        break;
-      }
-      case SettingType::vector:
-        s.set(scene, {number(), number(), number()});
-        break;
-      case SettingType::quaternion:
-        s.set(scene, {number(), number(), number(), number()});
-        break;
-      case SettingType::toggle:
-        s.set(scene, random() % 2 == 0);
-        break;
-      case SettingType::positions:
-        s.set(scene, json::array({{number(), number(), number()}, {number(), number(), number()}}));
-        break;
-      case SettingType::planes:
-        s.set(scene, json::array({{number(), number(), number(), 1.0, number(), number()}}));
-        break;
-      case SettingType::marks:
-        s.set(scene, json::array({{{"kind", "angle"},
-                                   {"name", "b"},
-                                   {"points", {{number(), number(), number()}}},
-                                   {"color", {0.25, 0.5, 1.0}},
-                                   {"shown", true}}}));
-        break;
-      case SettingType::points:
-        s.set(scene, json::array({{number(), number(), 0.25, 0.5, 1.0}, {-1, 1, 0, 0, std::abs(number())}}));
-        break;
-    }
-    if (s.mayBeAutomatic && random() % 4 == 0) s.set(scene, "auto");
-  }
-  return scene;
 }
 
 TEST(SceneJson, DefaultsRoundTrip) {

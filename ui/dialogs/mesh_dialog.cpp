@@ -83,7 +83,7 @@ QString MeshDialog::text() const {
 
 void MeshDialog::tell(const QString& text, bool wrong) {
   text_->setText(text);
-  text_->setStyleSheet(wrong ? QString("color: %1;").arg(colours::error.name()) : QString());
+  setInk(text_, wrong ? Ink::error : Ink::normal);
 }
 
 void MeshDialog::startOrStop() {

@@ -27,22 +27,16 @@ TourCard::TourCard(QWidget* window)
   setObjectName("tourCard");
   setCursor(Qt::ArrowCursor);
   setAttribute(Qt::WA_NoMousePropagation);
-  setStyleSheet(QString("#tourCard { background: %1; border: 1px solid %2; border-radius: 8px; }")
-                    .arg(colours::raised.name(), colours::accent.name()));
   frame_->setObjectName("tourFrame");
   frame_->setAttribute(Qt::WA_TransparentForMouseEvents);
   frame_->setAttribute(Qt::WA_StyledBackground);
-  frame_->setStyleSheet(
-      QString("#tourFrame { background: transparent; border: %1px solid %2; border-radius: 6px; }")
-          .arg(lineWidthOfFrame)
-          .arg(colours::accent.name()));
   frame_->hide();
   QFont bold = font();
   bold.setBold(true);
   bold.setPointSizeF(bold.pointSizeF() + 1.5);
   title_->setFont(bold);
   for (QLabel* label : {title_, text_}) label->setWordWrap(true);
-  progress_->setStyleSheet(QString("color: %1").arg(colours::quietText.name()));
+  setInk(progress_, Ink::quiet);
   for (QPushButton* button : {next_, leave_}) button->setFocusPolicy(Qt::TabFocus);
 
   auto* buttons = new QHBoxLayout;

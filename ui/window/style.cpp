@@ -140,6 +140,8 @@ constexpr auto sheet = R"(
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QDialogButtonBox QPushButton { min-width: 76px; padding: 4px 10px; }
     #loadCard { background: @window; border: 1px solid @border; border-radius: 8px; }
+    #tourCard { background: @raised; border: 1px solid @accent; border-radius: 8px; }
+    #tourFrame { background: transparent; border: 3px solid @accent; border-radius: 6px; }
     #messageBar { background: @noteArea; border: 0; border-left: 4px solid @accent; border-bottom: 1px solid @border; }
     #messageBar[error="true"] { background: @errorArea; border-left-color: @error; }
     #messageBar QTextEdit { background: transparent; }

@@ -190,11 +190,9 @@ TEST_F(FirstVisitTest, GoesThroughWhatTheWindowIsForAndComesBackToTheSamePicture
   EXPECT_GE(reports[2].quantities[0].value + 0.5,
             glm::distance(scene().marks[2].points[0], scene().marks[2].points[1]));
 
-  step("cut", [&] {
-    ui::Edit edit{scene(), "Cut", {}, false};
-    edit.scene.clip.planes = {{scene().marks[0].points[0] - glm::dvec3(0.0, 0.0, 20.0), {0.0, 0.0, 1.0}}};
-    window_->document()->edit(edit);
-  });
+  step("cut", [&] { trigger("Axial plane"); });
+  ASSERT_EQ(scene().clip.planes.size(), 1u);
+  EXPECT_FALSE(viewport()->cutShapes().empty());
   step(
       "four_up", [&] { QTest::keyClick(window_.get(), Qt::Key_F4); },
       [&] {
@@ -205,8 +203,8 @@ TEST_F(FirstVisitTest, GoesThroughWhatTheWindowIsForAndComesBackToTheSamePicture
         return true;
       });
   step("piece", [&] {
-    QTest::keyClick(window_.get(), Qt::Key_F4);
-    window_->document()->undo();  // the cut
+    for (int i = 0; i < 2; ++i) QTest::keyClick(window_.get(), Qt::Key_F4);  // past the slices alone
+    trigger("Remove all cuts");
     window_->showPanel("Pieces");
     auto* const panel = window_->panel<ui::PiecesPanel>();
     auto* const list = panel->findChild<QTreeWidget*>();
