@@ -392,18 +392,6 @@
         <translation>Isolux-Aufzeichnung (*.jsonl)</translation>
     </message>
     <message>
-        <source>PNG, carries the session (*.png)</source>
-        <translation>PNG, enthält die Sitzung (*.png)</translation>
-    </message>
-    <message>
-        <source>PNG, picture only (*.png)</source>
-        <translation>PNG, nur das Bild (*.png)</translation>
-    </message>
-    <message>
-        <source>OpenEXR, linear colours (*.exr)</source>
-        <translation>OpenEXR, lineare Farben (*.exr)</translation>
-    </message>
-    <message>
         <source>Show in folder</source>
         <translation>Im Ordner zeigen</translation>
     </message>
@@ -476,10 +464,6 @@
         <translation>Volumen und Fläche des zusammenhängenden Teils</translation>
     </message>
     <message>
-        <source>Clip</source>
-        <translation>Schnitte</translation>
-    </message>
-    <message>
         <source>Edge</source>
         <translation>Kante</translation>
     </message>
@@ -490,6 +474,150 @@
     <message>
         <source>Slice</source>
         <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>anonymous</source>
+        <translation>anonym</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>Stile</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Move crosshair</source>
+        <translation>Fadenkreuz bewegen</translation>
+    </message>
+    <message>
+        <source>Add an isosurface at the value here, %1</source>
+        <translation>Isofläche beim Wert an dieser Stelle hinzufügen, %1</translation>
+    </message>
+    <message>
+        <source>Add isosurface</source>
+        <translation>Isofläche hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change level and width</source>
+        <translation>Fensterlage und -breite ändern</translation>
+    </message>
+    <message>
+        <source>Level and width</source>
+        <translation>Fensterlage und -breite</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Schnitt %1</translation>
+    </message>
+    <message>
+        <source>Oblique…</source>
+        <translation>Schräg …</translation>
+    </message>
+    <message>
+        <source>Thick slice</source>
+        <translation>Dicke Schicht</translation>
+    </message>
+    <message>
+        <source>Change thick slice</source>
+        <translation>Dicke Schicht ändern</translation>
+    </message>
+    <message>
+        <source>The plane alone</source>
+        <translation>Nur die Ebene</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Convention</source>
+        <translation>Konvention</translation>
+    </message>
+    <message>
+        <source>Radiological: the patient&apos;s right on the left</source>
+        <translation>Radiologisch: rechte Seite des Patienten links</translation>
+    </message>
+    <message>
+        <source>Neurological: the patient&apos;s left on the left</source>
+        <translation>Neurologisch: linke Seite des Patienten links</translation>
+    </message>
+    <message>
+        <source>Change convention</source>
+        <translation>Konvention ändern</translation>
+    </message>
+    <message>
+        <source>Isocontours</source>
+        <translation>Isokonturen</translation>
+    </message>
+    <message>
+        <source>Change isocontours</source>
+        <translation>Isokonturen ändern</translation>
+    </message>
+    <message>
+        <source>Show the whole slice</source>
+        <translation>Ganze Schicht zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Picture alone</source>
+        <translation>Nur das &amp;Bild</translation>
+    </message>
+    <message>
+        <source>The picture without slices</source>
+        <translation>Das Bild ohne Schichten</translation>
+    </message>
+    <message>
+        <source>Picture and &amp;slices</source>
+        <translation>Bild und &amp;Schichten</translation>
+    </message>
+    <message>
+        <source>Axial, coronal and sagittal slice beside the picture</source>
+        <translation>Axiale, koronale und sagittale Schicht neben dem Bild</translation>
+    </message>
+    <message>
+        <source>Slices &amp;alone</source>
+        <translation>&amp;Nur Schichten</translation>
+    </message>
+    <message>
+        <source>The three slices without the picture</source>
+        <translation>Die drei Schichten ohne das Bild</translation>
     </message>
 </context>
 <context>
@@ -682,10 +810,6 @@
         <translation>drehen</translation>
     </message>
     <message>
-        <source>slices beside the picture: click or drag moves the crosshair, the wheel steps, right drag changes level and width, Ctrl+wheel zooms</source>
-        <translation>Schichten neben dem Bild: Klicken oder Ziehen bewegt das Fadenkreuz, das Mausrad blättert, Ziehen rechts ändert Fensterlage und -breite, Strg+Mausrad zoomt</translation>
-    </message>
-    <message>
         <source>suggested isovalue</source>
         <translation>vorgeschlagener Isowert</translation>
     </message>
@@ -700,6 +824,145 @@
     <message>
         <source>zoom and move the axis of values</source>
         <translation>die Achse der Werte zoomen und verschieben</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Alt+click&lt;/b&gt;, &lt;b&gt;right click&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Alt+Klick&lt;/b&gt;, &lt;b&gt;Rechtsklick&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Arrows&lt;/b&gt;, &lt;b&gt;Shift+arrows&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Pfeile&lt;/b&gt;, &lt;b&gt;Umschalt+Pfeile&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;C&lt;/b&gt;, &lt;b&gt;Shift+C&lt;/b&gt;, &lt;b&gt;Shift+X&lt;/b&gt;</source>
+        <translation>&lt;b&gt;C&lt;/b&gt;, &lt;b&gt;Umschalt+C&lt;/b&gt;, &lt;b&gt;Umschalt+X&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click on the cube&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Klick auf den Würfel&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt;, &lt;b&gt;drag&lt;/b&gt;, &lt;b&gt;arrows&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Klick&lt;/b&gt;, &lt;b&gt;Ziehen&lt;/b&gt;, &lt;b&gt;Pfeile&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+0&lt;/b&gt;, &lt;b&gt;Ctrl+1 …&lt;/b&gt;, &lt;b&gt;F6&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+0&lt;/b&gt;, &lt;b&gt;Strg+1 …&lt;/b&gt;, &lt;b&gt;F6&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+C&lt;/b&gt;, &lt;b&gt;Ctrl+E&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+C&lt;/b&gt;, &lt;b&gt;Strg+E&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+left, right&lt;/b&gt;, &lt;b&gt;+ −&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+links, rechts&lt;/b&gt;, &lt;b&gt;+ −&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Handles of cuts&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Griffe der Schnitte&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Middle drag&lt;/b&gt;, &lt;b&gt;Ctrl+wheel&lt;/b&gt;, &lt;b&gt;double click&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen (Mitte)&lt;/b&gt;, &lt;b&gt;Strg+Rad&lt;/b&gt;, &lt;b&gt;Doppelklick&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Right drag&lt;/b&gt;, &lt;b&gt;right click&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen (rechts)&lt;/b&gt;, &lt;b&gt;Rechtsklick&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Wheel&lt;/b&gt;, &lt;b&gt;page keys&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Rad&lt;/b&gt;, &lt;b&gt;Bildtasten&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>a voxel farther</source>
+        <translation>ein Voxel weiter</translation>
+    </message>
+    <message>
+        <source>copy the picture, save it</source>
+        <translation>Bild kopieren, speichern</translation>
+    </message>
+    <message>
+        <source>cut: plane facing the viewer, flip the last plane, remove all cuts</source>
+        <translation>schneiden: Ebene senkrecht zur Blickrichtung, letzte Ebene umkehren, alle Schnitte entfernen</translation>
+    </message>
+    <message>
+        <source>drag to move or turn planes and box; with Ctrl to axes; Esc puts it back; right click for more</source>
+        <translation>ziehen bewegt oder dreht Ebenen und Quader; mit Strg auf Achsen; Esc stellt zurück; Rechtsklick für mehr</translation>
+    </message>
+    <message>
+        <source>from that side</source>
+        <translation>von dieser Seite</translation>
+    </message>
+    <message>
+        <source>level and width; which plane, thick slice, windows of CT</source>
+        <translation>Fensterlage und -breite; welche Ebene, dicke Schicht, CT-Fenster</translation>
+    </message>
+    <message>
+        <source>move the crosshair; a click on the surface does, too</source>
+        <translation>Fadenkreuz bewegen; ein Klick auf die Fläche auch</translation>
+    </message>
+    <message>
+        <source>one more isosurface there</source>
+        <translation>dort eine weitere Isofläche</translation>
+    </message>
+    <message>
+        <source>pan, zoom, the whole</source>
+        <translation>verschieben, vergrößern, das Ganze</translation>
+    </message>
+    <message>
+        <source>picture and slices, slices alone, the picture alone</source>
+        <translation>Bild und Schichten, nur Schichten, nur das Bild</translation>
+    </message>
+    <message>
+        <source>roll by 5 degrees, zoom</source>
+        <translation>um 5 Grad rollen, vergrößern</translation>
+    </message>
+    <message>
+        <source>to the picture, to the panels, to the next part of the window</source>
+        <translation>zum Bild, zu den Feldern, zum nächsten Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>turn by 5 degrees, pan</source>
+        <translation>um 5 Grad drehen, verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::AppearanceRows</name>
+    <message>
+        <source>From the next start of Isolux on.</source>
+        <translation>Ab dem nächsten Start von Isolux.</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s own background is a setting of the scene.</source>
+        <translation>Der Hintergrund des Bildes selbst ist eine Option der Szene.</translation>
+    </message>
+    <message>
+        <source>Size of texts and controls</source>
+        <translation>Größe von Texten und Bedienelementen</translation>
+    </message>
+    <message>
+        <source>Beside the scale of the screen itself.</source>
+        <translation>Zusätzlich zur Skalierung des Bildschirms.</translation>
     </message>
 </context>
 <context>
@@ -757,6 +1020,388 @@
     </message>
 </context>
 <context>
+    <name>isolux::ui::CutMenu</name>
+    <message>
+        <source>Show &amp;handles</source>
+        <translation>&amp;Griffe zeigen</translation>
+    </message>
+    <message>
+        <source>Planes and box have handles in the picture, to drag</source>
+        <translation>Ebenen und Quader haben im Bild Griffe zum Ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all cuts</source>
+        <translation>Alle Schnitte &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Nothing is cut away any more</source>
+        <translation>Nichts wird mehr weggeschnitten</translation>
+    </message>
+    <message>
+        <source>A plane through the crosshair, or the middle of what is looked at; what lies before it is cut away</source>
+        <translation>Eine Ebene durch das Fadenkreuz oder die Mitte des Betrachteten; was davor liegt, wird weggeschnitten</translation>
+    </message>
+    <message>
+        <source>Plane facing the &amp;viewer</source>
+        <translation>Ebene senkrecht zur &amp;Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Plane &amp;through three points</source>
+        <translation>Ebene durch &amp;drei Punkte</translation>
+    </message>
+    <message>
+        <source>Through the points of the mark that is chosen in the list, or the last three points that were marked</source>
+        <translation>Durch die Punkte der in der Liste gewählten Marke oder die drei zuletzt markierten Punkte</translation>
+    </message>
+    <message>
+        <source>&amp;Box</source>
+        <translation>&amp;Quader</translation>
+    </message>
+    <message>
+        <source>What lies outside the box is cut away</source>
+        <translation>Was außerhalb des Quaders liegt, wird weggeschnitten</translation>
+    </message>
+    <message>
+        <source>&amp;Flip the last plane</source>
+        <translation>Letzte Ebene &amp;umkehren</translation>
+    </message>
+    <message>
+        <source>The other side of the plane is cut away</source>
+        <translation>Die andere Seite der Ebene wird weggeschnitten</translation>
+    </message>
+    <message>
+        <source>Flip plane %1</source>
+        <translation>Ebene %1 umkehren</translation>
+    </message>
+    <message>
+        <source>Plane &amp;%1</source>
+        <translation>Ebene &amp;%1</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Align to the nearest &amp;axis</source>
+        <translation>An der nächsten &amp;Achse ausrichten</translation>
+    </message>
+    <message>
+        <source>Its normal becomes an axis of the world</source>
+        <translation>Ihre Normale wird eine Achse der Welt</translation>
+    </message>
+    <message>
+        <source>Align plane %1</source>
+        <translation>Ebene %1 ausrichten</translation>
+    </message>
+    <message>
+        <source>Turn to the &amp;viewer</source>
+        <translation>Zum &amp;Betrachter drehen</translation>
+    </message>
+    <message>
+        <source>Its normal points to the viewer</source>
+        <translation>Ihre Normale zeigt zum Betrachter</translation>
+    </message>
+    <message>
+        <source>Turn plane %1 to the viewer</source>
+        <translation>Ebene %1 zum Betrachter drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>The plane cuts nothing any more</source>
+        <translation>Die Ebene schneidet nichts mehr weg</translation>
+    </message>
+    <message>
+        <source>Bo&amp;x</source>
+        <translation>Qua&amp;der</translation>
+    </message>
+    <message>
+        <source>&amp;Align to the axes</source>
+        <translation>An den &amp;Achsen ausrichten</translation>
+    </message>
+    <message>
+        <source>The box is not turned any more</source>
+        <translation>Der Quader ist nicht mehr gedreht</translation>
+    </message>
+    <message>
+        <source>Align the box</source>
+        <translation>Quader ausrichten</translation>
+    </message>
+    <message>
+        <source>The box cuts nothing any more</source>
+        <translation>Der Quader schneidet nichts mehr weg</translation>
+    </message>
+    <message>
+        <source>Cut f&amp;aces show</source>
+        <translation>Schnitt&amp;flächen zeigen</translation>
+    </message>
+    <message>
+        <source>Change cut faces</source>
+        <translation>Schnittflächen ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Nothing</source>
+        <translation>&amp;Nichts</translation>
+    </message>
+    <message>
+        <source>The cut stays open: inner sides of surfaces are seen</source>
+        <translation>Der Schnitt bleibt offen: Innenseiten der Flächen sind zu sehen</translation>
+    </message>
+    <message>
+        <source>The values &amp;inside</source>
+        <translation>Die Werte &amp;innen</translation>
+    </message>
+    <message>
+        <source>Values of the voxels where the inside of a surface was cut</source>
+        <translation>Werte der Voxel, wo das Innere einer Fläche geschnitten ist</translation>
+    </message>
+    <message>
+        <source>The &amp;whole slice</source>
+        <translation>Die &amp;ganze Schicht</translation>
+    </message>
+    <message>
+        <source>Values of the voxels on the whole face</source>
+        <translation>Werte der Voxel auf der ganzen Schnittfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Surfaces that are cut</source>
+        <translation>&amp;Flächen, die geschnitten werden</translation>
+    </message>
+    <message>
+        <source>Isosurface &amp;%1</source>
+        <translation>Isofläche &amp;%1</translation>
+    </message>
+    <message>
+        <source>Whether planes and box cut this surface</source>
+        <translation>Ob Ebenen und Quader diese Fläche schneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Axial plane</source>
+        <translation>&amp;Axiale Ebene</translation>
+    </message>
+    <message>
+        <source>Plane across &amp;Z</source>
+        <translation>Ebene quer zu &amp;Z</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal plane</source>
+        <translation>&amp;Koronale Ebene</translation>
+    </message>
+    <message>
+        <source>Plane across &amp;Y</source>
+        <translation>Ebene quer zu &amp;Y</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal plane</source>
+        <translation>&amp;Sagittale Ebene</translation>
+    </message>
+    <message>
+        <source>Plane across &amp;X</source>
+        <translation>Ebene quer zu &amp;X</translation>
+    </message>
+    <message>
+        <source>Open a volume first.</source>
+        <translation>Erst ein Volumen öffnen.</translation>
+    </message>
+    <message>
+        <source>There are %1 planes, as many as can be: remove one first.</source>
+        <translation>Es gibt schon %1 Ebenen, mehr gehen nicht: erst eine entfernen.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut: add a plane or a box first.</source>
+        <translation>Nichts ist geschnitten: erst eine Ebene oder einen Quader hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Mark three points first, with the tools of the Measure menu.</source>
+        <translation>Erst drei Punkte markieren, mit den Werkzeugen des Menüs Messen.</translation>
+    </message>
+    <message>
+        <source>There is a box already: drag its faces.</source>
+        <translation>Es gibt schon einen Quader: an seinen Seiten ziehen.</translation>
+    </message>
+    <message>
+        <source>There is no plane.</source>
+        <translation>Es gibt keine Ebene.</translation>
+    </message>
+    <message>
+        <source>The box is not turned.</source>
+        <translation>Der Quader ist nicht gedreht.</translation>
+    </message>
+    <message>
+        <source>Plane facing the viewer</source>
+        <translation>Ebene senkrecht zur Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Plane through three points</source>
+        <translation>Ebene durch drei Punkte</translation>
+    </message>
+    <message>
+        <source>The three points lie on a line, and many planes go through a line: mark another point beside it.</source>
+        <translation>Die drei Punkte liegen auf einer Geraden, durch die viele Ebenen gehen: einen weiteren Punkt daneben markieren.</translation>
+    </message>
+    <message>
+        <source>Remove plane %1</source>
+        <translation>Ebene %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Remove the box</source>
+        <translation>Quader entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all cuts</source>
+        <translation>Alle Schnitte entfernen</translation>
+    </message>
+    <message>
+        <source>Cut isosurface %1</source>
+        <translation>Isofläche %1 schneiden</translation>
+    </message>
+    <message>
+        <source>Do not cut isosurface %1</source>
+        <translation>Isofläche %1 nicht schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::DicomBrowser</name>
+    <message>
+        <source>&amp;Hide who the patients are</source>
+        <translation>&amp;Patienten anonymisieren</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>DICOM browser</source>
+        <translation>DICOM-Übersicht</translation>
+    </message>
+    <message>
+        <source>Search patients, descriptions, dates, modalities</source>
+        <translation>Patienten, Beschreibungen, Daten, Modalitäten suchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Ordner …</translation>
+    </message>
+    <message>
+        <source>Look through another folder or disc</source>
+        <translation>Einen anderen Ordner oder Datenträger durchsehen</translation>
+    </message>
+    <message>
+        <source>Names, ids and birth dates are shown as “anonymous”, here and in the window</source>
+        <translation>Namen, Kennungen und Geburtsdaten erscheinen hier und im Fenster als „anonym“</translation>
+    </message>
+    <message>
+        <source>Patients, studies and series</source>
+        <translation>Patienten, Studien und Serien</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Kernel</source>
+        <translation>Kernel</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Look through a folder or disc</source>
+        <translation>Einen Ordner oder Datenträger durchsehen</translation>
+    </message>
+    <message>
+        <source>anonymous %1</source>
+        <translation>anonym %1</translation>
+    </message>
+    <message>
+        <source>No name</source>
+        <translation>Ohne Namen</translation>
+    </message>
+    <message>
+        <source>id %1</source>
+        <translation>Kennung %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geboren %1</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Cannot be opened: %1</source>
+        <translation>Kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>Evenly spaced slices; nothing to note.</source>
+        <translation>Gleichmäßig verteilte Schichten; keine Hinweise.</translation>
+    </message>
+    <message>
+        <source>(folder hidden)</source>
+        <translation>(Ordner verborgen)</translation>
+    </message>
+    <message>
+        <source>%1 series of %2 patients</source>
+        <translation>Serien: %1, Patienten: %2</translation>
+    </message>
+    <message>
+        <source>Choose a folder or disc with DICOM files.</source>
+        <translation>Einen Ordner oder Datenträger mit DICOM-Dateien wählen.</translation>
+    </message>
+    <message>
+        <source>No DICOM images in this folder.</source>
+        <translation>Keine DICOM-Bilder in diesem Ordner.</translation>
+    </message>
+    <message>
+        <source>still looking</source>
+        <translation>noch nicht alles durchgesehen</translation>
+    </message>
+    <message>
+        <source>not all could be read</source>
+        <translation>nicht alles war lesbar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files could not be read</source>
+        <translation>%1 von %2 Dateien waren nicht lesbar</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::Document</name>
     <message>
         <source>is a recording: isolux replay %1 --out FOLDER makes pictures of it</source>
@@ -767,16 +1412,8 @@
         <translation>Volumen behalten</translation>
     </message>
     <message>
-        <source>the volume could not be loaded</source>
-        <translation>das Volumen konnte nicht geladen werden</translation>
-    </message>
-    <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
-    </message>
-    <message>
-        <source>recording stopped: %1</source>
-        <translation>Aufzeichnung beendet: %1</translation>
     </message>
     <message>
         <source>Undo %1</source>
@@ -794,16 +1431,24 @@
         <source>Animate flow</source>
         <translation>Strömung bewegen</translation>
     </message>
+    <message>
+        <source>The volume could not be loaded, and no reason was given. The one before is still open.</source>
+        <translation>Das Volumen konnte nicht geladen werden; ein Grund ist nicht bekannt. Das vorige ist weiter offen.</translation>
+    </message>
+    <message>
+        <source>The recording stopped: %1. What was recorded until then is kept.</source>
+        <translation>Die Aufzeichnung endete: %1. Was bis dahin aufgezeichnet war, bleibt erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::DocumentKeeper</name>
     <message>
-        <source>The document cannot be autosaved: %1</source>
-        <translation>Das Dokument kann nicht automatisch gesichert werden: %1</translation>
-    </message>
-    <message>
         <source>The recording %1 holds what was done until then; it is not continued</source>
         <translation>Die Aufzeichnung %1 enthält alles bis dahin; sie wird nicht fortgesetzt</translation>
+    </message>
+    <message>
+        <source>The document cannot be autosaved: %1. Save the session; autosaving is tried again every minute.</source>
+        <translation>Das Dokument kann nicht selbsttätig gesichert werden: %1. Bitte die Sitzung speichern; das Sichern wird jede Minute wieder versucht.</translation>
     </message>
 </context>
 <context>
@@ -850,26 +1495,24 @@
         <source>The histogram of the volume appears here</source>
         <translation>Hier erscheint das Histogramm des Volumens</translation>
     </message>
+    <message>
+        <source>Add an isosurface at %1</source>
+        <translation>Isofläche bei %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Suggested isovalue</source>
+        <translation>Vorgeschlagener Isowert</translation>
+    </message>
+    <message>
+        <source>Whole range</source>
+        <translation>Ganzer Bereich</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::IsovaluePanel</name>
     <message>
         <source>Isovalue</source>
         <translation>Isowert</translation>
-    </message>
-    <message>
-        <source>The surface is where the volume has this value.
-
-Drag the line on the histogram (counts are logarithmic).
-Wheel or arrow keys: fine steps (Shift: ten times larger)
-Double click: suggested isovalue
-Ctrl+wheel: zoom the axis, middle drag: move it</source>
-        <translation>Die Oberfläche liegt dort, wo das Volumen diesen Wert hat.
-
-Die Linie im Histogramm ziehen (Häufigkeiten sind logarithmisch).
-Mausrad oder Pfeiltasten: feine Schritte (Umschalt: zehnmal größer)
-Doppelklick: vorgeschlagener Isowert
-Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</translation>
     </message>
     <message>
         <source>The exact isovalue. Arrow keys change it by the step of the histogram.</source>
@@ -898,6 +1541,38 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     <message>
         <source>Suggested isovalue</source>
         <translation>Vorgeschlagener Isowert</translation>
+    </message>
+    <message>
+        <source>The surface is where the volume has this value.
+
+Drag the line on the histogram (counts are logarithmic).
+Wheel or arrow keys: fine steps (Shift: ten times larger)
+Double click: suggested isovalue
+Alt+click or right click: one more isosurface there
+Ctrl+wheel: zoom the axis, middle drag: move it</source>
+        <translation>Die Fläche liegt dort, wo das Volumen diesen Wert hat.
+
+Die Linie im Histogramm ziehen (die Anzahlen sind logarithmisch).
+Rad oder Pfeiltasten: feine Schritte (Umschalt: zehnmal größer)
+Doppelklick: vorgeschlagener Isowert
+Alt+Klick oder Rechtsklick: dort eine weitere Isofläche
+Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translation>
+    </message>
+    <message>
+        <source>Add surface</source>
+        <translation>Fläche hinzufügen</translation>
+    </message>
+    <message>
+        <source>One more isosurface: outside those there are, where the histogram suggests one (also: Alt+click on the histogram)</source>
+        <translation>Eine weitere Isofläche: außerhalb der vorhandenen, wo das Histogramm eine vorschlägt (auch: Alt+Klick ins Histogramm)</translation>
+    </message>
+    <message>
+        <source>There are %1 isosurfaces already</source>
+        <translation>Es gibt schon %1 Isoflächen</translation>
+    </message>
+    <message>
+        <source>Add isosurface</source>
+        <translation>Isofläche hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -940,17 +1615,60 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
     </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1 …</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::LooksPanel</name>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>Stile</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Shift of the preset&apos;s isovalues</source>
+        <translation>Verschiebung der Isowerte der Vorlage</translation>
+    </message>
+    <message>
+        <source>Does not apply: %1</source>
+        <translation>Nicht anwendbar: %1</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>Vorlage %1</translation>
+    </message>
+    <message>
+        <source>Look %1</source>
+        <translation>Darstellung %1</translation>
+    </message>
+    <message>
+        <source>Adds to the isovalues of %1</source>
+        <translation>Wird zu den Isowerten von %1 addiert</translation>
+    </message>
+    <message>
+        <source>Choose a preset: its isovalues can then be shifted</source>
+        <translation>Eine Vorlage wählen: dann lassen sich ihre Isowerte verschieben</translation>
+    </message>
+    <message>
+        <source>Shift preset %1</source>
+        <translation>Vorlage %1 verschieben</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::MainWindow</name>
-    <message>
-        <source>%1 ms (draft)</source>
-        <translation>%1 ms (Entwurf)</translation>
-    </message>
-    <message>
-        <source>Time for the last picture</source>
-        <translation>Zeit für das letzte Bild</translation>
-    </message>
     <message>
         <source>%1 (%2 in the Volume panel)</source>
         <translation>%1 (%2 im Reiter Volumen)</translation>
@@ -962,10 +1680,6 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     <message>
         <source>all %1 notes</source>
         <translation>alle %1 Hinweise</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
     </message>
     <message>
         <source>Light is now stored so that the environment may turn: it is computed once more, then turning costs nothing</source>
@@ -1016,10 +1730,6 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
         <translation>Über Isolux</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Isolux %1&lt;/h3&gt;&lt;p&gt;Explore scans and simulations as isosurfaces, drawn directly from the voxels.&lt;/p&gt;&lt;p&gt;Graphics: %2&lt;/p&gt;&lt;p&gt;Qt %3&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Isolux %1&lt;/h3&gt;&lt;p&gt;Scans und Simulationen als Isoflächen erkunden, direkt aus den Voxeln gezeichnet.&lt;/p&gt;&lt;p&gt;Grafik: %2&lt;/p&gt;&lt;p&gt;Qt %3&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Volumes, sessions and pictures (%1)</source>
         <translation>Volumen, Sitzungen und Bilder (%1)</translation>
     </message>
@@ -1050,10 +1760,6 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     <message>
         <source>Save picture</source>
         <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>is not written: the name of a picture ends in .png or .exr</source>
-        <translation>wird nicht geschrieben: Der Name eines Bildes endet auf .png oder .exr</translation>
     </message>
     <message>
         <source>Record into</source>
@@ -1316,14 +2022,6 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
         <translation>Strömung bewegen oder anhalten</translation>
     </message>
     <message>
-        <source>&amp;Slices beside the picture</source>
-        <translation>Schi&amp;chten neben dem Bild</translation>
-    </message>
-    <message>
-        <source>Axial, coronal and sagittal slice beside the picture</source>
-        <translation>Axiale, koronale und sagittale Schicht neben dem Bild</translation>
-    </message>
-    <message>
         <source>Full &amp;screen</source>
         <translation>Vollbil&amp;d</translation>
     </message>
@@ -1374,14 +2072,6 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     <message>
         <source>Look</source>
         <translation>Darstellung</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Noch nichts</translation>
-    </message>
-    <message>
-        <source>Clear this list</source>
-        <translation>Diese Liste leeren</translation>
     </message>
     <message>
         <source>&amp;Hide this piece</source>
@@ -1450,6 +2140,246 @@ Strg+Mausrad: Achse zoomen, mit der mittleren Taste ziehen: verschieben</transla
     <message>
         <source>Copied a command that draws this picture</source>
         <translation>Ein Befehl, der dieses Bild zeichnet, ist kopiert</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>ein Volumen</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Isolux %1&lt;/h3&gt;&lt;p&gt;Explore scans and simulations as isosurfaces, drawn directly from the voxels.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device: not for diagnosis.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Free software under the &lt;a href=&quot;https://opensource.org/license/bsd-3-clause&quot;&gt;BSD 3-Clause licence&lt;/a&gt;, without any warranty.&lt;/p&gt;&lt;p&gt;Graphics: %2&lt;/p&gt;&lt;p&gt;Qt %3&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Isolux %1&lt;/h3&gt;&lt;p&gt;Scans und Simulationen als Isoflächen erkunden, gezeichnet direkt aus den Voxeln.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Kein Medizinprodukt: nicht zur Diagnose.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Freie Software unter der &lt;a href=&quot;https://opensource.org/license/bsd-3-clause&quot;&gt;BSD-3-Klausel-Lizenz&lt;/a&gt;, ohne jede Gewährleistung.&lt;/p&gt;&lt;p&gt;Grafik: %2&lt;/p&gt;&lt;p&gt;Qt %3&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Schneiden</translation>
+    </message>
+    <message>
+        <source>Saved %1, %2</source>
+        <translation>%1 gespeichert, %2</translation>
+    </message>
+    <message>
+        <source>anonymous</source>
+        <translation>anonym</translation>
+    </message>
+    <message>
+        <source>Take over the view</source>
+        <translation>Ansicht übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;New window</source>
+        <translation>&amp;Neues Fenster</translation>
+    </message>
+    <message>
+        <source>Open another window, to compare volumes</source>
+        <translation>Ein weiteres Fenster öffnen, um Volumen zu vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;DICOM browser…</source>
+        <translation>&amp;DICOM-Übersicht …</translation>
+    </message>
+    <message>
+        <source>Choose among the patients, studies and series of a folder or disc</source>
+        <translation>Unter den Patienten, Studien und Serien eines Ordners oder Datenträgers wählen</translation>
+    </message>
+    <message>
+        <source>Export &amp;mesh…</source>
+        <translation>&amp;Netz exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the isosurface as triangles, for printing and simulation</source>
+        <translation>Die Isofläche als Dreiecke schreiben, für Druck und Simulation</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the picture, as Save picture would save it</source>
+        <translation>Das Bild kopieren, wie Bild speichern es speichern würde</translation>
+    </message>
+    <message>
+        <source>&amp;Link views of windows</source>
+        <translation>Ansichten der Fenster &amp;koppeln</translation>
+    </message>
+    <message>
+        <source>The views of all windows where this is checked go together</source>
+        <translation>Die Ansichten aller Fenster, in denen dies gewählt ist, bewegen sich gemeinsam</translation>
+    </message>
+    <message>
+        <source>&amp;Use this view in the other windows</source>
+        <translation>Diese Ansicht in den anderen Fenstern &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>All other windows show their volumes as this one does</source>
+        <translation>Alle anderen Fenster zeigen ihr Volumen wie dieses</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the patient’s name</source>
+        <translation>&amp;Patientennamen verbergen</translation>
+    </message>
+    <message>
+        <source>Show name, id and birth date as “anonymous”</source>
+        <translation>Name, Kennung und Geburtsdatum als „anonym“ zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Explore</source>
+        <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>A tour of two minutes through the window</source>
+        <translation>In zwei Minuten durch das Fenster</translation>
+    </message>
+    <message>
+        <source>It is the one in %1</source>
+        <translation>Es ist die Datei in %1</translation>
+    </message>
+    <message>
+        <source>Find it…</source>
+        <translation>Suchen …</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Wo ist %1?</translation>
+    </message>
+    <message>
+        <source>%1 shows %2, which is neither where it was nor beside it. Where is it now?</source>
+        <translation>%1 zeigt %2; das liegt weder am früheren Ort noch daneben. Wo ist es jetzt?</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>ein Ordner</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>, carries the session</source>
+        <translation>, enthält die Sitzung</translation>
+    </message>
+    <message>
+        <source>PNG%1 (*.png)</source>
+        <translation>PNG%1 (*.png)</translation>
+    </message>
+    <message>
+        <source>OpenEXR, linear colours%1 (*.exr)</source>
+        <translation>OpenEXR, lineare Farben%1 (*.exr)</translation>
+    </message>
+    <message>
+        <source>Change what stands on pictures</source>
+        <translation>Beschriftung von Bildern ändern</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>The picture was not saved: it was cancelled</source>
+        <translation>Das Bild wurde nicht gespeichert: abgebrochen</translation>
+    </message>
+    <message>
+        <source>Copying the picture</source>
+        <translation>Das Bild wird kopiert</translation>
+    </message>
+    <message>
+        <source>Copied the picture: %1 × %2 pixels</source>
+        <translation>Bild kopiert: %1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Export mesh</source>
+        <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>STL, for printing (*.stl)</source>
+        <translation>STL, zum Drucken (*.stl)</translation>
+    </message>
+    <message>
+        <source>PLY, with normals (*.ply)</source>
+        <translation>PLY, mit Normalen (*.ply)</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ (*.obj)</source>
+        <translation>Wavefront OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>VTK, with curvature (*.vtp)</source>
+        <translation>VTK, mit Krümmung (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Move crosshair</source>
+        <translation>Fadenkreuz bewegen</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Rundgang beginnen</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>Verstanden</translation>
+    </message>
+    <message>
+        <source>Welcome to Isolux</source>
+        <translation>Willkommen bei Isolux</translation>
+    </message>
+    <message>
+        <source>&lt;ul style=&apos;margin-left:-24px&apos;&gt;&lt;li&gt;Drag in the picture to turn it; the wheel zooms.&lt;/li&gt;&lt;li&gt;Drag the line in the histogram below: it says which surface you see.&lt;/li&gt;&lt;li&gt;Drop a scan or its folder here, or press Ctrl+O, to open your own.&lt;/li&gt;&lt;/ul&gt;</source>
+        <translation>&lt;ul style=&apos;margin-left:-24px&apos;&gt;&lt;li&gt;Im Bild ziehen, um es zu drehen; das Rad vergrößert.&lt;/li&gt;&lt;li&gt;Die Linie im Histogramm darunter ziehen: sie sagt, welche Fläche zu sehen ist.&lt;/li&gt;&lt;li&gt;Einen eigenen Scan oder seinen Ordner hierher ziehen, oder Strg+O.&lt;/li&gt;&lt;/ul&gt;</translation>
+    </message>
+    <message>
+        <source>Choose the surface</source>
+        <translation>Die Fläche wählen</translation>
+    </message>
+    <message>
+        <source>Drag the bright line in the histogram. All points with this value are the surface that you see: in a CT low values are skin, high ones bone.</source>
+        <translation>Die helle Linie im Histogramm ziehen. Alle Punkte mit diesem Wert bilden die sichtbare Fläche: im CT sind niedrige Werte Haut, hohe Knochen.</translation>
+    </message>
+    <message>
+        <source>Turn it</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Drag in the picture with the left button to turn, with the middle one to move it; the wheel goes nearer. Keys 1 to 6 show the six sides, R starts over.</source>
+        <translation>Im Bild mit der linken Taste ziehen, um zu drehen, mit der mittleren, um zu verschieben; das Rad geht näher heran. Die Tasten 1 bis 6 zeigen die sechs Seiten, R beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>Choose a look</source>
+        <translation>Eine Darstellung wählen</translation>
+    </message>
+    <message>
+        <source>This list says what the colours show: light, curvature, depth, global illumination. L goes to the next one.</source>
+        <translation>Diese Liste sagt, was die Farben zeigen: Licht, Krümmung, Tiefe, globale Beleuchtung. L geht zur nächsten.</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Hineinsehen</translation>
+    </message>
+    <message>
+        <source>Press F4, or choose View, Layout: the outline in each slice is the surface. Click in a slice to move the cross.</source>
+        <translation>F4 drücken, oder Ansicht, Anordnung wählen: die Linie in jeder Schicht ist die Fläche. Ein Klick in eine Schicht bewegt das Kreuz.</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Save the picture with this button, or Ctrl+E. It carries letters, scale and isovalue, and can be opened again as it is now. (Cancel is fine, too.)</source>
+        <translation>Das Bild mit diesem Knopf oder Strg+E speichern. Es trägt Buchstaben, Maßstab und Isowert und lässt sich wieder so öffnen, wie es jetzt ist. (Abbrechen geht auch.)</translation>
+    </message>
+    <message>
+        <source>That is all</source>
+        <translation>Das ist alles</translation>
+    </message>
+    <message>
+        <source>Presets start at the right place for a CT or an MR; Ctrl+F finds every setting; F1 lists mouse and keys. Everything you do can be undone.</source>
+        <translation>Vorlagen beginnen für CT oder MR an der richtigen Stelle; Strg+F findet jede Option; F1 zeigt Maus und Tasten. Alles lässt sich rückgängig machen.</translation>
     </message>
 </context>
 <context>
@@ -1556,10 +2486,96 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
 </context>
 <context>
+    <name>isolux::ui::MeshDialog</name>
+    <message>
+        <source>&amp;Close the surface where it leaves the volume</source>
+        <translation>Die Fläche am Rand des Volumens &amp;schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Export mesh</source>
+        <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>as the voxels give it</source>
+        <translation>wie die Voxel sie geben</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Triangles are split until they lie no farther from the surface</source>
+        <translation>Dreiecke werden geteilt, bis sie nicht weiter von der Fläche entfernt sind</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Isovalue</source>
+        <translation>Isowert</translation>
+    </message>
+    <message>
+        <source>Triangles of the surface as it is shown, without the pieces that are hidden. A name that ends in .stl, .ply, .obj or .vtp says the format; .vtp carries curvature and the values of a second volume.</source>
+        <translation>Dreiecke der gezeigten Fläche, ohne verborgene Teile. Die Endung .stl, .ply, .obj oder .vtp bestimmt das Format; .vtp enthält Krümmung und die Werte eines zweiten Volumens.</translation>
+    </message>
+    <message>
+        <source>%1 Cuts are not followed: the whole surface is written.</source>
+        <translation>%1 Schnitte werden nicht beachtet: die ganze Fläche wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Making %1 …</source>
+        <translation>%1 wird erstellt …</translation>
+    </message>
+    <message>
+        <source>Making %1 … %2</source>
+        <translation>%1 wird erstellt … %2</translation>
+    </message>
+    <message>
+        <source>Stopped: nothing was written.</source>
+        <translation>Angehalten: nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2.</source>
+        <translation>%1 gespeichert: %2.</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2. %3.</source>
+        <translation>%1 gespeichert: %2. %3.</translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::MessageBar</name>
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::ObliqueDialog</name>
+    <message>
+        <source>Oblique slice</source>
+        <translation>Schräge Schicht</translation>
+    </message>
+    <message>
+        <source>Through (mm)</source>
+        <translation>Durch (mm)</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>The crosshair moves to the point; the plane stands across the normal there and follows the crosshair.</source>
+        <translation>Das Fadenkreuz rückt auf den Punkt; die Ebene steht dort senkrecht zur Normalen und folgt dem Fadenkreuz.</translation>
     </message>
 </context>
 <context>
@@ -1619,6 +2635,152 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     <message>
         <source>Active blocks: %1 of %2 (%3 %)</source>
         <translation>Aktive Blöcke: %1 von %2 (%3 %)</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::PictureDialog</name>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>On the picture</source>
+        <translation>Auf dem Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Letters of the axes</source>
+        <translation>&amp;Buchstaben der Achsen</translation>
+    </message>
+    <message>
+        <source>Which side of the patient lies at each edge, as far as the file states it</source>
+        <translation>Welche Seite des Patienten an jedem Rand liegt, soweit die Datei es angibt</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>A round length in millimetres</source>
+        <translation>Eine runde Länge in Millimetern</translation>
+    </message>
+    <message>
+        <source>&amp;Isovalue</source>
+        <translation>&amp;Isowert</translation>
+    </message>
+    <message>
+        <source>The values of the surfaces that are shown, with their unit</source>
+        <translation>Die Werte der gezeigten Flächen mit ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>Le&amp;gende</translation>
+    </message>
+    <message>
+        <source>What the colours stand for; in the window, too</source>
+        <translation>Wofür die Farben stehen; auch im Fenster</translation>
+    </message>
+    <message>
+        <source>The colours of this look stand for no numbers</source>
+        <translation>Die Farben dieser Darstellung stehen nicht für Zahlen</translation>
+    </message>
+    <message>
+        <source>Size and background</source>
+        <translation>Größe und Hintergrund</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>2 times</source>
+        <translation>2-fach</translation>
+    </message>
+    <message>
+        <source>4 times</source>
+        <translation>4-fach</translation>
+    </message>
+    <message>
+        <source>A size of your own</source>
+        <translation>Eigene Größe</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>&amp;Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>For slides and posters: the surface alone, with soft edges</source>
+        <translation>Für Folien und Poster: nur die Fläche, mit weichen Rändern</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
+    <message>
+        <source>Carry the &amp;session</source>
+        <translation>&amp;Sitzung mitgeben</translation>
+    </message>
+    <message>
+        <source>The picture can be opened again as it is now: view, isovalue, look, marks</source>
+        <translation>Das Bild lässt sich wieder so öffnen, wie es jetzt ist: Ansicht, Isowert, Darstellung, Marken</translation>
+    </message>
+    <message>
+        <source>With full &amp;paths</source>
+        <translation>Mit vollen &amp;Pfaden</translation>
+    </message>
+    <message>
+        <source>Names the folders of its files, which may tell who you or the patient are. Without them the picture is opened again on this machine, or beside its volume.</source>
+        <translation>Nennt die Ordner der Dateien, die verraten können, wer der Patient ist. Ohne sie lässt sich das Bild auf diesem Rechner wieder öffnen, oder neben seinem Volumen.</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>Sp&amp;eichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Into the clipboard, without the session</source>
+        <translation>In die Zwischenablage, ohne die Sitzung</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::PictureDot</name>
+    <message>
+        <source>The picture is final</source>
+        <translation>Das Bild ist fertig</translation>
+    </message>
+    <message>
+        <source>A finer picture is on its way</source>
+        <translation>Ein feineres Bild entsteht</translation>
+    </message>
+    <message>
+        <source>There is no picture yet</source>
+        <translation>Noch gibt es kein Bild</translation>
+    </message>
+    <message>
+        <source>%1; the last one took %2</source>
+        <translation>%1; das letzte brauchte %2</translation>
     </message>
 </context>
 <context>
@@ -1769,6 +2931,49 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
 </context>
 <context>
+    <name>isolux::ui::PlanesWidget</name>
+    <message>
+        <source>Add a plane</source>
+        <translation>Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>The last plane once more, or one across the z axis through the origin; the Cut menu puts planes through what is seen</source>
+        <translation>Die letzte Ebene noch einmal, oder eine quer zur z-Achse durch den Ursprung; das Menü Schneiden legt Ebenen durch das Gezeigte</translation>
+    </message>
+    <message>
+        <source>%1 at</source>
+        <translation>%1 bei</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Plane %1, %2 of its point, mm</source>
+        <translation>Ebene %1, %2 ihres Punktes, mm</translation>
+    </message>
+    <message>
+        <source>Plane %1, %2 of its normal</source>
+        <translation>Ebene %1, %2 ihrer Normalen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove plane %1</source>
+        <translation>Ebene %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Flip plane %1: the other side is cut away</source>
+        <translation>Ebene %1 umkehren: die andere Seite wird weggeschnitten</translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::PointedPiece</name>
     <message>
         <source>the largest of %1</source>
@@ -1812,6 +3017,29 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     <message>
         <source>Of the window; it changes when Isolux is started again.</source>
         <translation>Des Fensters; sie wechselt beim nächsten Start von Isolux.</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::PrivacyBox</name>
+    <message>
+        <source>The patient’s name, id and birth date</source>
+        <translation>Name, Kennung und Geburtsdatum des Patienten</translation>
+    </message>
+    <message>
+        <source>Hide on the &amp;screen</source>
+        <translation>Auf dem &amp;Bildschirm verbergen</translation>
+    </message>
+    <message>
+        <source>Hide in what is sa&amp;ved: pictures, marks, recordings</source>
+        <translation>In &amp;Gespeichertem verbergen: Bilder, Marken, Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>In titles, the Volume panel, the DICOM browser and the recent files</source>
+        <translation>In Titeln, im Volumenfeld, in der DICOM-Übersicht und bei den zuletzt geöffneten Dateien</translation>
+    </message>
+    <message>
+        <source>In the sessions that pictures carry, exported marks, recordings and proposed names of files. Sessions saved as such name the files that they open.</source>
+        <translation>In den Sitzungen, die Bilder enthalten, in exportierten Marken, Aufzeichnungen und vorgeschlagenen Dateinamen. Als solche gespeicherte Sitzungen nennen die Dateien, die sie öffnen.</translation>
     </message>
 </context>
 <context>
@@ -1910,6 +3138,24 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     </message>
 </context>
 <context>
+    <name>isolux::ui::RecentMenu</name>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Diese Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::RecentPictures</name>
+    <message>
+        <source>Opened last</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::ReferenceDialog</name>
     <message>
         <source>Width</source>
@@ -1966,10 +3212,6 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     <message>
         <source>Tracing …</source>
         <translation>Berechnung läuft …</translation>
-    </message>
-    <message>
-        <source>Tracing … %1</source>
-        <translation>Berechnung läuft … %1</translation>
     </message>
     <message>
         <source>Stopped</source>
@@ -2070,6 +3312,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <source>Nothing to set here: %1</source>
         <translation>Hier ist nichts einzustellen: %1</translation>
     </message>
+    <message>
+        <source>Settings of the scene</source>
+        <translation>Optionen der Szene</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::SliceView</name>
@@ -2082,8 +3328,16 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Fensterlage und -breite ändern</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
+        <source>Oblique slice</source>
+        <translation>Schräge Schicht</translation>
+    </message>
+    <message>
+        <source>Slice of cut %1</source>
+        <translation>Schicht von Schnitt %1</translation>
+    </message>
+    <message>
+        <source>Move cut</source>
+        <translation>Schnitt bewegen</translation>
     </message>
 </context>
 <context>
@@ -2115,6 +3369,124 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>Choose second volume</source>
         <translation>Zweites Volumen wählen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::SurfaceList</name>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isoflächen</translation>
+    </message>
+    <message>
+        <source>Whether the isosurface is shown</source>
+        <translation>Ob die Isofläche gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Its name</source>
+        <translation>Ihr Name</translation>
+    </message>
+    <message>
+        <source>Its isovalue; arrow keys change it by the step of the histogram</source>
+        <translation>Ihr Isowert; Pfeiltasten ändern ihn um die Schrittweite des Histogramms</translation>
+    </message>
+    <message>
+        <source>See-through where it faces you, dense where it is seen from the side</source>
+        <translation>Durchsichtig, wo sie zum Betrachter zeigt, dicht, wo sie von der Seite zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Remove this isosurface from the list</source>
+        <translation>Diese Isofläche aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Show isosurface</source>
+        <translation>Isofläche zeigen</translation>
+    </message>
+    <message>
+        <source>Hide isosurface</source>
+        <translation>Isofläche verbergen</translation>
+    </message>
+    <message>
+        <source>Colour of isosurface</source>
+        <translation>Farbe der Isofläche</translation>
+    </message>
+    <message>
+        <source>Rename isosurface</source>
+        <translation>Isofläche umbenennen</translation>
+    </message>
+    <message>
+        <source>Set isovalue</source>
+        <translation>Isowert setzen</translation>
+    </message>
+    <message>
+        <source>Opacity of isosurface</source>
+        <translation>Deckkraft der Isofläche</translation>
+    </message>
+    <message>
+        <source>See through isosurface</source>
+        <translation>Isofläche durchsichtig</translation>
+    </message>
+    <message>
+        <source>Do not see through isosurface</source>
+        <translation>Isofläche nicht durchsichtig</translation>
+    </message>
+    <message>
+        <source>Remove isosurface</source>
+        <translation>Isofläche entfernen</translation>
+    </message>
+    <message>
+        <source>%1 is shown</source>
+        <translation>%1 wird gezeigt</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Name von %1</translation>
+    </message>
+    <message>
+        <source>Isovalue of %1</source>
+        <translation>Isowert von %1</translation>
+    </message>
+    <message>
+        <source>Opacity of %1</source>
+        <translation>Deckkraft von %1</translation>
+    </message>
+    <message>
+        <source>Opacity: %1 %</source>
+        <translation>Deckkraft: %1 %</translation>
+    </message>
+    <message>
+        <source>%1 is see-through where it faces you</source>
+        <translation>%1 ist durchsichtig, wo sie zum Betrachter zeigt</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::Tour</name>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -2210,6 +3582,58 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>the picture was not waited for</source>
         <translation>auf das Bild wurde nicht gewartet</translation>
+    </message>
+    <message>
+        <source>Show all pieces</source>
+        <translation>Alle Teile zeigen</translation>
+    </message>
+    <message>
+        <source>Remove the cuts</source>
+        <translation>Schnitte entfernen</translation>
+    </message>
+    <message>
+        <source>Plane %1: drag to turn it; with Ctrl, to the axes and halfway between</source>
+        <translation>Ebene %1: ziehen, um sie zu drehen; mit Strg auf die Achsen und halbwegs dazwischen</translation>
+    </message>
+    <message>
+        <source>Plane %1: drag, or turn the wheel, to move it along its normal; right click for more</source>
+        <translation>Ebene %1: ziehen oder am Rad drehen, um sie längs ihrer Normalen zu bewegen; Rechtsklick für mehr</translation>
+    </message>
+    <message>
+        <source>Box: drag to turn it; with Ctrl, about one of its axes; right click for more</source>
+        <translation>Quader: ziehen, um ihn zu drehen; mit Strg um eine seiner Achsen; Rechtsklick für mehr</translation>
+    </message>
+    <message>
+        <source>Box: drag this face, or turn the wheel, to move it</source>
+        <translation>Quader: diese Seite ziehen oder am Rad drehen, um sie zu bewegen</translation>
+    </message>
+    <message>
+        <source>Box: drag to move it parallel to the screen; right click for more</source>
+        <translation>Quader: ziehen, um ihn parallel zum Bildschirm zu bewegen; Rechtsklick für mehr</translation>
+    </message>
+    <message>
+        <source>Turn plane %1</source>
+        <translation>Ebene %1 drehen</translation>
+    </message>
+    <message>
+        <source>Move plane %1</source>
+        <translation>Ebene %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Turn the box</source>
+        <translation>Quader drehen</translation>
+    </message>
+    <message>
+        <source>Move a face of the box</source>
+        <translation>Seite des Quaders bewegen</translation>
+    </message>
+    <message>
+        <source>Move the box</source>
+        <translation>Quader bewegen</translation>
+    </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Das Bild wird gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -2332,6 +3756,45 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source> of 0 … %1</source>
         <translation> von 0 … %1</translation>
+    </message>
+    <message>
+        <source>About the volume</source>
+        <translation>Über das Volumen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::WindowLayout</name>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>&amp;Anordnung</translation>
+    </message>
+    <message>
+        <source>&amp;Next layout</source>
+        <translation>&amp;Nächste Anordnung</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>&amp;Float the panel in front</source>
+        <translation>Vorderes Feld &amp;lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Go to</source>
+        <translation>&amp;Gehe zu</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>&amp;Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>&amp;Nächster Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>P&amp;revious part of the window</source>
+        <translation>&amp;Voriger Teil des Fensters</translation>
     </message>
 </context>
 <context>
@@ -2541,10 +4004,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Ein Niveau eines berechneten Felds.</translation>
     </message>
     <message>
-        <source>Bone through transparent skin, which is densest where it is seen from the side.</source>
-        <translation>Knochen durch durchsichtige Haut, die dort am dichtesten ist, wo sie von der Seite gesehen wird.</translation>
-    </message>
-    <message>
         <source>CT bone</source>
         <translation>CT Knochen</translation>
     </message>
@@ -2651,6 +4110,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>its values are not distances in mm</source>
         <translation>seine Werte sind keine Abstände in mm</translation>
+    </message>
+    <message>
+        <source>Bone through skin that is transparent where it faces the viewer and dense where it is seen from the side.</source>
+        <translation>Knochen durch Haut, die zum Betrachter hin durchsichtig und von der Seite gesehen dicht ist.</translation>
     </message>
 </context>
 <context>
@@ -2926,6 +4389,18 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>trilinear derivatives have no scale</source>
         <translation>trilineare Ableitungen haben keine Skala</translation>
+    </message>
+    <message>
+        <source>nothing is drawn whose width is stated in pixels</source>
+        <translation>nichts wird gezeichnet, dessen Breite in Pixeln angegeben ist</translation>
+    </message>
+    <message>
+        <source>that surface has no opacity</source>
+        <translation>diese Fläche hat keine Deckkraft</translation>
+    </message>
+    <message>
+        <source>the surface has no opacity</source>
+        <translation>die Fläche hat keine Deckkraft</translation>
     </message>
 </context>
 <context>
@@ -3340,10 +4815,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>How to read it, as source.raw.</source>
         <translation>Wie es zu lesen ist, wie source.raw.</translation>
-    </message>
-    <message>
-        <source>Its isovalue; auto spreads the further isovalues from the first toward the maximum.</source>
-        <translation>Ihr Isowert; auto verteilt die weiteren Isowerte vom ersten zum Maximum hin.</translation>
     </message>
     <message>
         <source>Length of a streak.</source>
@@ -3780,6 +5251,46 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>World points; where there are any, only pieces that hold one of them are shown.</source>
         <translation>Punkte im Raum; gibt es welche, werden nur Teile gezeigt, die einen davon enthalten.</translation>
+    </message>
+    <message>
+        <source>A bar of a round length on the finished picture; in perspective it is that of the depth of camera.target. The window always shows it.</source>
+        <translation>Ein Maßstab von runder Länge auf dem fertigen Bild; in der Perspektive gilt er in der Tiefe von camera.target. Das Fenster zeigt ihn immer.</translation>
+    </message>
+    <message>
+        <source>Its isovalue; auto takes the next suggestion of the histogram outside the first surface, or inside where there is none.</source>
+        <translation>Ihr Isowert; auto nimmt den nächsten Vorschlag des Histogramms außerhalb der ersten Fläche, oder innerhalb, wo es keinen gibt.</translation>
+    </message>
+    <message>
+        <source>Letters at the edges of the finished picture: which end of the patient&apos;s axes, or of the world&apos;s where the file states no orientation, lies there. The window always shows them.</source>
+        <translation>Buchstaben an den Rändern des fertigen Bildes: welches Ende der Achsen des Patienten dort liegt, oder der Welt, wo die Datei keine Orientierung angibt. Das Fenster zeigt sie immer.</translation>
+    </message>
+    <message>
+        <source>Pixels of the finished picture for each pixel that widths and lengths of lines and streaks are stated in: 2 in a picture twice as large, for the same look.</source>
+        <translation>Pixel des fertigen Bildes für jedes Pixel, in dem Breiten und Längen von Linien und Streifen angegeben sind: 2 in einem doppelt so großen Bild, das gleich aussehen soll.</translation>
+    </message>
+    <message>
+        <source>The finished picture has no background: its alpha is how much of each pixel is covered.</source>
+        <translation>Das fertige Bild hat keinen Hintergrund: sein Alpha ist der bedeckte Teil jedes Pixels.</translation>
+    </message>
+    <message>
+        <source>The isovalues of the surfaces that are shown, with their unit, on the finished picture.</source>
+        <translation>Die Isowerte der gezeigten Flächen mit ihrer Einheit auf dem fertigen Bild.</translation>
+    </message>
+    <message>
+        <source>Times that opacity where the surface faces the viewer.</source>
+        <translation>Das Vielfache dieser Deckkraft, wo die Fläche zum Betrachter zeigt.</translation>
+    </message>
+    <message>
+        <source>Times the opacity where the surface faces the viewer; where it is seen edge on it keeps its opacity.</source>
+        <translation>Das Vielfache der Deckkraft, wo die Fläche zum Betrachter zeigt; von der Kante gesehen behält sie ihre Deckkraft.</translation>
+    </message>
+    <message>
+        <source>What that surface is called.</source>
+        <translation>Wie diese Fläche heißt.</translation>
+    </message>
+    <message>
+        <source>What the surface is called in lists and at its line on the histogram.</source>
+        <translation>Wie die Fläche in Listen und an ihrer Linie im Histogramm heißt.</translation>
     </message>
 </context>
 <context>
@@ -5681,6 +7192,94 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>κ₂ (smaller curvature)</source>
         <translation>κ₂ (kleinere Krümmung)</translation>
+    </message>
+    <message>
+        <source>Facing opacity</source>
+        <translation>Deckkraft von vorn</translation>
+    </message>
+    <message>
+        <source>Isovalue</source>
+        <translation>Isowert</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>Buchstaben</translation>
+    </message>
+    <message>
+        <source>Looking for series</source>
+        <translation>Serien werden gesucht</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Pixel ratio</source>
+        <translation>Pixelverhältnis</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>facing opacity</source>
+        <translation>Deckkraft von vorn</translation>
+    </message>
+    <message>
+        <source>isosurface2 facing opacity</source>
+        <translation>Isofläche 2: Deckkraft von vorn</translation>
+    </message>
+    <message>
+        <source>isosurface2 name</source>
+        <translation>Isofläche 2: Name</translation>
+    </message>
+    <message>
+        <source>isosurface3 facing opacity</source>
+        <translation>Isofläche 3: Deckkraft von vorn</translation>
+    </message>
+    <message>
+        <source>isosurface3 name</source>
+        <translation>Isofläche 3: Name</translation>
+    </message>
+    <message>
+        <source>isosurface4 facing opacity</source>
+        <translation>Isofläche 4: Deckkraft von vorn</translation>
+    </message>
+    <message>
+        <source>isosurface4 name</source>
+        <translation>Isofläche 4: Name</translation>
+    </message>
+    <message>
+        <source>isovalue</source>
+        <translation>Isowert</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>Buchstaben</translation>
+    </message>
+    <message>
+        <source>looking for series</source>
+        <translation>Serien werden gesucht</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>pixel ratio</source>
+        <translation>Pixelverhältnis</translation>
+    </message>
+    <message>
+        <source>scale bar</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation>durchsichtig</translation>
     </message>
 </context>
 </TS>

@@ -63,8 +63,7 @@ void Tour::next() {
 void Tour::end() {
   if (std::exchange(ended_, true)) return;
   timer_.stop();
-  card_->hide();
-  card_->frame()->hide();
+  card_->leave();
   Q_EMIT ended(step_ + 1 == steps_.size());
   deleteLater();
 }

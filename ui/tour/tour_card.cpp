@@ -87,6 +87,11 @@ void TourCard::presentIn(const QRect& at, const QString& title, const QString& t
   present(title, text, {}, at);
 }
 
+void TourCard::leave() {
+  hide();
+  if (QWidget* const frame = frame_; frame != nullptr) frame->hide();
+}
+
 void TourCard::setPlace(const QRect& at) {
   if (at == place_) return;
   place_ = at;
@@ -95,20 +100,22 @@ void TourCard::setPlace(const QRect& at) {
 
 // Beside the place where the window has room, else in the place's lower left corner.
 void TourCard::place() {
+  QWidget* const frame = frame_;
+  if (frame == nullptr) return;  // the window goes
   const QRect window = parentWidget()->rect().adjusted(cardGap, cardGap, -cardGap, -cardGap);
   const int width = std::min(cardWidth, window.width());
   setFixedWidth(width);
   const int height = std::max(layout()->totalHeightForWidth(width), layout()->totalMinimumSize().height());
   resize(width, height);
-  frame_->setVisible(framed_ && !place_.isEmpty());
+  frame->setVisible(framed_ && !place_.isEmpty());
   QPoint at = window.center() - QPoint(width / 2, height / 2);
   if (!framed_) {
     at = QPoint(place_.left() + cardGap, place_.bottom() - cardGap - height);
   } else if (!place_.isEmpty()) {
-    frame_->setGeometry(
+    frame->setGeometry(
         place_.adjusted(-lineWidthOfFrame, -lineWidthOfFrame, lineWidthOfFrame, lineWidthOfFrame) &
         parentWidget()->rect());
-    frame_->raise();
+    frame->raise();
     const std::array candidates{QPoint(place_.left(), place_.bottom() + cardGap),
                                 QPoint(place_.left(), place_.top() - cardGap - height),
                                 QPoint(place_.left() - cardGap - width, place_.top()),

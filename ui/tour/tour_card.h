@@ -26,7 +26,7 @@ class TourCard : public QFrame {
   QString text() const;
   QPushButton* nextButton() const { return next_; }
   QPushButton* leaveButton() const { return leave_; }
-  QWidget* frame() const { return frame_; }
+  void leave();  // hides card and frame
 
  private:
   void place();

@@ -29,7 +29,8 @@ QRect placeIn(const QWidget* window, const QWidget* widget) {
 
 void MainWindow::greet() {
   if (QSettings().value(greetedKey, false).toBool()) return;
-  greeting_ = new TourCard(this);
+  auto* const card = new TourCard(this);
+  greeting_ = card;
   greeting_->setButtons(tr("Show me around"), tr("Got it"));
   const auto present = [this] {
     if (!greeting_) return;
@@ -44,16 +45,16 @@ void MainWindow::greet() {
     if (greeting_) greeting_->deleteLater();
     greeting_.clear();
   };
-  connect(greeting_->leaveButton(), &QPushButton::clicked, this, leave);
-  connect(greeting_->nextButton(), &QPushButton::clicked, this, [this, leave] {
+  connect(card->leaveButton(), &QPushButton::clicked, this, leave);
+  connect(card->nextButton(), &QPushButton::clicked, this, [this, leave] {
     leave();
     startTour();
   });
-  connect(document_, &Document::opened, greeting_, [leave](const QString& path) {
+  connect(document_, &Document::opened, card, [leave](const QString& path) {
     if (!path.startsWith("phantom:")) leave();  // found the way
   });
   // The window may get its size only now, and docks with it.
-  QMetaObject::invokeMethod(greeting_, present, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(card, present, Qt::QueuedConnection);
 }
 
 // Of the entry of the menu bar.
@@ -97,12 +98,12 @@ void MainWindow::startTour() {
                    [now, before] { return now().look.mode != before->look.mode; }, remember});
   steps.push_back(
       {tr("Look inside"),
-       tr("Press F4, or choose View, Slices beside the picture: the outline in each slice is the surface. "
-          "Click in a slice to move the cross."),
+       tr("Press F4, or choose View, Layout: the outline in each slice is the surface. Click in a slice to "
+          "move the cross."),
        [this] {
-         return fourUp_->isChecked() ? placeIn(this, slices_) : placeOfMenu(viewMenu_->menuAction());
+         return slices_->slicesShown() ? placeIn(this, slices_) : placeOfMenu(viewMenu_->menuAction());
        },
-       [this] { return fourUp_->isChecked(); },
+       [this] { return slices_->slicesShown(); },
        {}});
   const auto asked = std::make_shared<bool>(false);
   steps.push_back(

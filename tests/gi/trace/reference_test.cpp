@@ -319,7 +319,11 @@ TEST_F(ReferencePicture, TheNearestSurfaceHasItsOwnColour) {
       scene_.hit.field = field;
       scene_.camera.projection = projection;
       scene_.isosurface.albedo = glm::dvec3(0.25);
-      scene_.extraIsosurfaces[0] = {true, -4.0, glm::dvec3(0.75), 1.0};  // outside the first
+      scene_.extraIsosurfaces[0] = {.shown = true,
+                                    .name = {},
+                                    .value = -4.0,
+                                    .albedo = glm::dvec3(0.75),
+                                    .opacity = 1.0};  // outside the first
       scene_.picture.exposure = 0.0;
       use(test::phantom("ball", 40));
       const ReferenceImage image = draw(16);
@@ -335,7 +339,8 @@ TEST_F(ReferencePicture, TheNearestSurfaceHasItsOwnColour) {
 }
 
 TEST_F(ReferencePicture, TransparentSurfacesAreRefused) {
-  scene_.extraIsosurfaces[0] = {true, -4.0, glm::dvec3(0.75), 0.5};
+  scene_.extraIsosurfaces[0] = {
+      .shown = true, .name = {}, .value = -4.0, .albedo = glm::dvec3(0.75), .opacity = 0.5};
   use(test::phantom("ball", 16));
   try {
     (void)make();

@@ -279,7 +279,8 @@ TEST_P(CutsGlTest, TransparentSurfacesLieBeforeTheFace) {
   scene::Scene scene = view({0, 0, 50});
   scene.clip.planes = {{middle(), {0, 0, 1}}};
   scene.isosurface.albedo = {0.0, 0.0, 0.0};
-  scene.extraIsosurfaces[0] = {true, 85.0, glm::dvec3(0.0), 0.5, false};
+  scene.extraIsosurfaces[0] = {
+      .shown = true, .name = {}, .value = 85.0, .albedo = glm::dvec3(0.0), .opacity = 0.5, .clipped = false};
   scene.slice.level = 0.0;
   scene.slice.width = 1.0;  // the face is white
   const std::size_t pixel = static_cast<std::size_t>(4 * (kSize.y / 2 * kSize.x + kSize.x / 2));

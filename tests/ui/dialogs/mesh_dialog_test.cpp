@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <QAction>
 #include <QFileInfo>
@@ -22,8 +23,9 @@ namespace isolux::test {
 namespace {
 
 std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::ostringstream content;
+  content << std::ifstream(file, std::ios::binary).rdbuf();
+  return content.str();
 }
 
 ui::MeshDialog* openedMeshDialog(ui::MainWindow& window) {

@@ -1,6 +1,8 @@
 // The first start: hints once, and a tour that goes on when the user has done what it says.
 #include "tests/support/ui/window_fixture.h"
 
+#include <stdexcept>
+
 #include <QAction>
 #include <QComboBox>
 #include <QPointer>
@@ -20,6 +22,16 @@ namespace isolux::test {
 
 namespace {
 
+template <class Object>
+Object& existing(Object* object) {
+  if (object == nullptr) throw std::logic_error("it is not there");
+  return *object;
+}
+
+bool isThere(const QWidget* widget) {
+  return widget != nullptr && widget->isVisible();
+}
+
 class TourTest : public WindowTest {
  protected:
   void SetUp() override {
@@ -33,7 +45,7 @@ class TourTest : public WindowTest {
     WindowTest::TearDown();
   }
   bool comesTo(std::size_t step) {
-    return waitUntil([&] { return window_->tour() && window_->tour()->step() == step; });
+    return waitUntil([&] { return window_->tour() != nullptr && existing(window_->tour()).step() == step; });
   }
 };
 
@@ -41,20 +53,20 @@ class TourTest : public WindowTest {
 
 TEST_F(TourTest, HintsAreShownOnceAndLeadToTheTour) {
   window_->greet();
-  ASSERT_TRUE(waitUntil([&] { return window_->greeting() && window_->greeting()->isVisible(); }));
+  ASSERT_TRUE(waitUntil([&] { return isThere(window_->greeting()); }));
   QPointer<ui::TourCard> card = window_->greeting();
   EXPECT_TRUE(window_->viewport()
                   ->rect()
                   .translated(window_->viewport()->mapTo(window_.get(), QPoint()))
-                  .contains(card->geometry()));
-  QTest::mouseClick(card->leaveButton(), Qt::LeftButton);
+                  .contains(existing(window_->greeting()).geometry()));
+  QTest::mouseClick(existing(window_->greeting()).leaveButton(), Qt::LeftButton);
   ASSERT_TRUE(waitUntil([&] { return card.isNull(); }));
   window_->greet();
   EXPECT_EQ(window_->greeting(), nullptr) << "once";
   QSettings().remove("hints");
   window_->greet();
-  ASSERT_TRUE(waitUntil([&] { return window_->greeting() && window_->greeting()->isVisible(); }));
-  QTest::mouseClick(window_->greeting()->nextButton(), Qt::LeftButton);
+  ASSERT_TRUE(waitUntil([&] { return isThere(window_->greeting()); }));
+  QTest::mouseClick(existing(window_->greeting()).nextButton(), Qt::LeftButton);
   EXPECT_NE(window_->tour(), nullptr);
   window_->greet();
   EXPECT_EQ(window_->greeting(), nullptr);
@@ -64,13 +76,14 @@ TEST_F(TourTest, EachStepWaitsForTheRealControl) {
   window_->startTour();
   ASSERT_NE(window_->tour(), nullptr);
   QPointer<ui::Tour> tour = window_->tour();
-  ui::TourCard* card = tour->card();
-  EXPECT_TRUE(card->isVisible());
-  EXPECT_TRUE(card->frame()->isVisible());
+  ui::TourCard* card = existing(window_->tour()).card();
+  EXPECT_TRUE(isThere(card));
+  const QWidget& frame = existing(window_->findChild<QWidget*>("tourFrame"));
+  EXPECT_TRUE(isThere(&frame));
   // The frame stands about the widget, and the card beside it.
   const QRect histogram(window_->isovaluePanel()->mapTo(window_.get(), QPoint()),
                         window_->isovaluePanel()->size());
-  EXPECT_TRUE(card->frame()->geometry().intersects(histogram));
+  EXPECT_TRUE(frame.geometry().intersects(histogram));
   EXPECT_FALSE(card->geometry().intersects(histogram));
 
   QTest::keyClick(window_->isovaluePanel()->slider(), Qt::Key_PageUp);
@@ -84,11 +97,9 @@ TEST_F(TourTest, EachStepWaitsForTheRealControl) {
   ASSERT_TRUE(comesTo(4));
   QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
   ASSERT_TRUE(comesTo(5));
-  QPointer<ui::PictureDialog> dialog = window_->findChild<ui::PictureDialog*>();
-  ASSERT_FALSE(dialog.isNull());
-  dialog->reject();
+  existing(window_->findChild<ui::PictureDialog*>()).reject();
   bool complete = false;
-  QObject::connect(tour, &ui::Tour::ended, [&](bool whole) { complete = whole; });
+  QObject::connect(window_->tour(), &ui::Tour::ended, [&](bool whole) { complete = whole; });
   EXPECT_EQ(card->nextButton()->text(), "Done");
   QTest::mouseClick(card->nextButton(), Qt::LeftButton);
   EXPECT_TRUE(complete);
@@ -101,8 +112,8 @@ TEST_F(TourTest, StepsCanBeSkippedAndTheTourBeLeftByEscape) {
   window_->startTour();
   QPointer<ui::Tour> tour = window_->tour();
   const scene::Scene before = window_->document()->scene();
-  QTest::mouseClick(tour->card()->nextButton(), Qt::LeftButton);
-  EXPECT_EQ(tour->step(), 1u);
+  QTest::mouseClick(existing(window_->tour()).card()->nextButton(), Qt::LeftButton);
+  EXPECT_EQ(existing(window_->tour()).step(), 1u);
   window_->viewport()->setFocus();
   QTest::keyClick(window_->viewport(), Qt::Key_Escape);
   ASSERT_TRUE(waitUntil([&] { return tour.isNull(); }));

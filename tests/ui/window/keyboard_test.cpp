@@ -98,8 +98,10 @@ TEST_F(KeyboardTest, EachStopOfTheTabKeyShowsWhereItIs) {
         std::string(stop->metaObject()->className()) + ' ' + stop->objectName().toStdString() + ' ' +
         QAccessible::queryAccessibleInterface(stop)->text(QAccessible::Name).toStdString();
     ASSERT_EQ(ring->target(), stop) << name;
-    ASSERT_TRUE(waitUntil([&] { return ring->ring() && ring->ring()->isVisible(); }, 2000)) << name;
-    const QRect place = ring->ring()->geometry();
+    const QWidget* frame = nullptr;
+    ASSERT_TRUE(waitUntil([&] { return (frame = ring->ring()) != nullptr && frame->isVisible(); }, 2000))
+        << name;
+    const QRect place = frame->geometry();
     const QImage seen = window_->grab(place).toImage();
     const double ratio = seen.devicePixelRatio();
     int accented = 0;

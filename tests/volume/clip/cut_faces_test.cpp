@@ -105,7 +105,8 @@ TEST(CutFaces, FollowWhatIsInsideOpaqueAndCut) {
   const Ray ray = ball.ray(ball.middle + glm::dvec3(0, 0, 30), ball.middle);
   ball.scene.isosurface.opacity = 0.9;
   EXPECT_FALSE(ball.faces().at(ray));
-  ball.scene.extraIsosurfaces[0] = {true, 70.0, glm::dvec3(0.5), 1.0, true};
+  ball.scene.extraIsosurfaces[0] = {
+      .shown = true, .name = {}, .value = 70.0, .albedo = glm::dvec3(0.5), .opacity = 1.0};
   EXPECT_TRUE(ball.faces().at(ray));
   ball.scene.extraIsosurfaces[0].clipped = false;
   EXPECT_FALSE(ball.faces().at(ray));

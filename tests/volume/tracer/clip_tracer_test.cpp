@@ -14,7 +14,8 @@ constexpr std::uint64_t kRays = 20000;
 scene::Scene cutScene(double size) {
   scene::Scene scene;
   scene.isosurface.value = 0.1;
-  scene.extraIsosurfaces[0] = {true, -0.5, glm::dvec3(0.5), 1.0, false};
+  scene.extraIsosurfaces[0] = {
+      .shown = true, .name = {}, .value = -0.5, .albedo = glm::dvec3(0.5), .opacity = 1.0, .clipped = false};
   scene.clip.planes = {{glm::dvec3(0.5 * size), {0.3, -0.2, 1.0}}};
   scene.clip.box = {glm::dvec3(0.1 * size), glm::dvec3(0.9 * size, 0.8 * size, 0.9 * size)};
   return scene;
