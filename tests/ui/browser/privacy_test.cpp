@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QMenuBar>
+#include <QPushButton>
 
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
@@ -14,6 +15,7 @@
 #include "tests/support/test_data.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "tests/volume/read/dicom_disc.h"
+#include "ui/dialogs/picture_dialog.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/privacy_box.h"
 #include "ui/document/privacy.h"
@@ -116,6 +118,10 @@ TEST_F(PrivacyTest, MarksRecordingsAndProposedNamesNameNobody) {
   }
   DialogAnswers answers(QMessageBox::Cancel);
   action("Save p&icture")->trigger();
+  const auto* const dialog = window_->findChild<ui::PictureDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  for (QPushButton* button : dialog->findChildren<QPushButton*>())
+    if (button->text() == "&Save…") button->click();
   EXPECT_EQ(answers.proposal(), "anonymous.png");
 }
 

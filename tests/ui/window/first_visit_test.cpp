@@ -249,6 +249,7 @@ TEST_F(FirstVisitTest, GoesThroughWhatTheWindowIsForAndComesBackToTheSamePicture
   const QImage after = fullPicture(*window_);
   if (const char* pictures = std::getenv("ISOLUX_VISIT_PICTURES")) {
     before.save(QString(pictures) + "/before.png");
+    QFile::copy(session, QString(pictures) + "/skull.isolux");
     after.save(QString(pictures) + "/after.png");
   }
   EXPECT_EQ(differingPixels(before, after, 0), 0.0);

@@ -157,10 +157,10 @@ TEST_F(KeyboardTest, KeysLeadToThePanelsAndBack) {
     };
   };
   EXPECT_TRUE(waitUntil(within("Settings")));
-  QTest::keyClick(window_.get(), Qt::Key_3, Qt::ControlModifier);
+  QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
   EXPECT_TRUE(waitUntil(within("Volume")));
   EXPECT_FALSE(window_->findChild<QDockWidget*>("Volume")->visibleRegion().isEmpty());
-  QTest::keyClick(window_.get(), Qt::Key_3, Qt::ControlModifier);
+  QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
   EXPECT_TRUE(window_->viewport()->hasFocus()) << "again: back to the picture";
   std::set<QWidget*> parts;
   for (int i = 0; i < 8; ++i) {
