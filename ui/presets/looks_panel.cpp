@@ -17,6 +17,7 @@
 #include "app/presets/preset_list.h"
 #include "ui/editors/number_spin_box.h"
 #include "ui/editors/number_text.h"
+#include "ui/language/translated.h"
 #include "ui/presets/thumbnail_painter.h"
 #include "ui/window/style.h"
 
@@ -39,8 +40,8 @@ QLabel* headingOf(const QString& text, QWidget* parent) {
 }
 
 QString titleOf(const app::Thumbnail& one) {
-  const QString title = QString::fromStdString(one.title);
-  return one.kind == app::Thumbnail::Kind::look ? wordsOf(title) : title;
+  return one.kind == app::Thumbnail::Kind::look ? wordsOf(QString::fromStdString(one.title))
+                                                : translated(texts::presets, one.title);
 }
 
 }  // namespace
@@ -208,8 +209,10 @@ void LooksPanel::fillLists() {
       item->setData(placeRole, static_cast<qulonglong>(i));
       item->setFlags(one.why.empty() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags);
       item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
-      item->setToolTip(one.why.empty() ? QString::fromStdString(one.meaning)
-                                       : tr("Does not apply: %1").arg(QString::fromStdString(one.why)));
+      item->setToolTip(
+          one.why.empty() ? translated(one.kind == app::Thumbnail::Kind::look ? texts::looks : texts::presets,
+                                       one.meaning)
+                          : tr("Does not apply: %1").arg(translated(texts::presets, one.why)));
       item->setSizeHint(list->gridSize());
       if (!one.why.empty()) item->setIcon(nothing);
       showPicture(static_cast<int>(i));
@@ -283,8 +286,9 @@ void LooksPanel::showShift() {
   for (QWidget* widget : std::initializer_list<QWidget*>{shiftLabel_, shift_, shiftBox_}) {
     widget->setEnabled(applied.has_value());
     widget->setToolTip(
-        applied ? tr("Adds to the isovalues of %1").arg(QString::fromStdString(list_[applied->index].title))
-                : tr("Choose a preset: its isovalues can then be shifted"));
+        applied
+            ? tr("Adds to the isovalues of %1").arg(translated(texts::presets, list_[applied->index].title))
+            : tr("Choose a preset: its isovalues can then be shifted"));
   }
   const double shift = applied ? applied->shift : 0.0;
   const QSignalBlocker noShift(shift_);
@@ -298,7 +302,7 @@ void LooksPanel::sendShift(double shift, bool endsAfterPause) {
   if (!volume_ || !shifted_ || *shifted_ >= list_.size()) return;
   const app::Preset& preset = list_[*shifted_];
   Q_EMIT edited({app::withPreset(scene_, preset, *volume_, shift),
-                 tr("Shift preset %1").arg(QString::fromStdString(preset.title)), "preset shift",
+                 tr("Shift preset %1").arg(translated(texts::presets, preset.title)), "preset shift",
                  endsAfterPause});
 }
 

@@ -113,12 +113,14 @@ void paintBoxKnobs(QPainter& painter, const app::CutShape& shape, const std::opt
 
 void paintCuts(QPainter& painter, const std::vector<app::CutShape>& shapes,
                const std::optional<app::CutGrip>& grip) {
+  painter.save();
   for (const app::CutShape& shape : shapes) paintOutline(painter, shape, grip && grip->plane == shape.plane);
   for (const app::CutShape& shape : shapes)
     if (shape.plane == 0)
       paintBoxKnobs(painter, shape, grip);
     else
       paintPlaneKnobs(painter, shape, grip);
+  painter.restore();
 }
 
 }  // namespace isolux::ui

@@ -89,6 +89,14 @@ class TextAnswer : public QObject {
 
 class FirstVisitTest : public WindowTest {
  protected:
+  void SetUp() override {  // the preset is not kept among the user's
+    ::setenv("XDG_CONFIG_HOME", temporaryFolder().c_str(), 1);
+    WindowTest::SetUp();
+  }
+  void TearDown() override {
+    WindowTest::TearDown();
+    ::unsetenv("XDG_CONFIG_HOME");
+  }
   ui::Viewport* viewport() { return window_->viewport(); }
   const scene::Scene& scene() { return window_->document()->scene(); }
 
