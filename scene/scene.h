@@ -46,8 +46,8 @@ struct Isosurface {
   std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
   double opacity = 1.0;
   double facingOpacity = 1.0;  // times opacity where the surface faces the viewer: scene/opacity.h
-  int layers = 8;       // crossings composited behind one another where surfaces are transparent
-  bool clipped = true;  // by Clip
+  int layers = 8;              // crossings composited behind one another where surfaces are transparent
+  bool clipped = true;         // by Clip
   // The same surface at its isovalue plus and minus this many deviations of the noise, transparent; 0: none.
   double ghost = 0.0;
   double ghostOpacity = 0.3;

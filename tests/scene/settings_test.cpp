@@ -74,7 +74,8 @@ TEST(Settings, CoversEveryMemberOfScene) {
       source;
   [[maybe_unused]] const auto& [name, value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
                                 opacity, facing, layers, clipped, ghost, ghostOpacity] = isosurface;
-  [[maybe_unused]] const auto& [shown, name2, value2, albedo2, opacity2, facing2, clipped2] = extraIsosurfaces[0];
+  [[maybe_unused]] const auto& [shown, name2, value2, albedo2, opacity2, facing2, clipped2] =
+      extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [keep, smallest, hidden, only] = pieces;

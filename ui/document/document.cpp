@@ -191,7 +191,8 @@ void Document::finishLoading() {
     announce();  // the widgets show again what holds
     Q_EMIT loadEnded(false);
     if (!job->error()) {
-      Q_EMIT failed(tr("The volume could not be loaded, and no reason was given. The one before is still open."));
+      Q_EMIT failed(
+          tr("The volume could not be loaded, and no reason was given. The one before is still open."));
     } else if (job->error()->kind() != base::ErrorKind::interrupted) {
       Q_EMIT failed(textOf(*job->error()));
     }
@@ -286,7 +287,8 @@ void Document::commit(const scene::Scene& before, const QString& name) {
       if (!diff.changes.empty()) recorder_->add(diff);
     } catch (const base::Error& error) {
       stopRecording();
-      Q_EMIT failed(tr("The recording stopped: %1. What was recorded until then is kept.").arg(textOf(error)));
+      Q_EMIT failed(
+          tr("The recording stopped: %1. What was recorded until then is kept.").arg(textOf(error)));
     }
   }
   announce();

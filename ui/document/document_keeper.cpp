@@ -52,7 +52,10 @@ void DocumentKeeper::forget() {
 
 void DocumentKeeper::tellProblem() {
   const auto problem = file_.problem();
-  if (problem && !told_) Q_EMIT failed(tr("The document cannot be autosaved: %1. Save the session; autosaving is tried again every minute.").arg(problem->what()));
+  if (problem && !told_)
+    Q_EMIT failed(
+        tr("The document cannot be autosaved: %1. Save the session; autosaving is tried again every minute.")
+            .arg(problem->what()));
   told_ = problem.has_value();
 }
 

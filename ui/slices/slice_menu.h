@@ -1,4 +1,5 @@
-// The menu of a slice: one more isosurface, which plane it shows, level and width for kinds of tissue, thick slab, convention.
+// The menu of a slice: one more isosurface, which plane it shows, level and width for kinds of tissue, thick
+// slab, convention.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -77,7 +77,7 @@ class Viewport : public QWidget {
   // Whether planes and box have handles; while a tool for marks is chosen they have none.
   void setCutHandles(bool shown);
   const std::vector<app::CutShape>& cutShapes() const { return cuts_; }  // that are shown
-  void setSlices(SlicesInPicture slices);  // that are shown beside the picture
+  void setSlices(SlicesInPicture slices);                                // that are shown beside the picture
   // Views that are asked for by name are turned to in this time, which no edit shows; 0: at once.
   void setTurnMilliseconds(int milliseconds) { turnMilliseconds_ = milliseconds; }
 

@@ -182,9 +182,9 @@ app::PictureOrder Viewport::orderOf(const render::FrameRequest& request, bool at
   return picture;
 }
 
-// Light is wanted first where it is seen. A view that keeps turning is told a few times a second. At rest every
-// ray counts: a texel that only one of a pixel's rays looks up would be there or not by where one has been
-// before, and the same view another picture.
+// Light is wanted first where it is seen. A view that keeps turning is told a few times a second. At rest
+// every ray counts: a texel that only one of a pixel's rays looks up would be there or not by where one has
+// been before, and the same view another picture.
 app::PictureOrder::Hits Viewport::wantedHits(const render::FrameRequest& request) const {
   using Hits = app::PictureOrder::Hits;
   if (!volume_ || scene::shadingOf(resolved_) != scene::Shading::gi) return Hits::none;

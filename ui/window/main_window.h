@@ -105,9 +105,9 @@ class MainWindow : public QMainWindow {
   const MarkReports* marks() const { return marks_; }
   static const char* helpText();        // HTML, English: mouse and keys
   void showPanel(const QString& name);  // in front of the others
-  void greet();                          // three hints, to a user who has not seen them
-  void startTour();                      // Help > Explore
-  Tour* tour() const { return tour_; }   // null: none is running
+  void greet();                         // three hints, to a user who has not seen them
+  void startTour();                     // Help > Explore
+  Tour* tour() const { return tour_; }  // null: none is running
   TourCard* greeting() const { return greeting_; }
 
  protected:

@@ -121,7 +121,7 @@ TEST(RelevanceOfPasses, WhatActsOnALookChangesAPass) {
     for (const scene::Setting& setting : scene::settings()) {
       const std::string group = setting.path.substr(0, setting.path.find('.'));
       if (group != "look" && group != "flow" && group != "light" && group != "isosurface") continue;
-      if (setting.path == "flow.animate") continue;  // the window's: it moves flow.time
+      if (setting.path == "flow.animate") continue;     // the window's: it moves flow.time
       if (setting.path == "isosurface.name") continue;  // what lists say
       // These reach the renderer as another gi::PictureLight (render::LightState).
       if (setting.path.starts_with("light.environment.")) continue;

@@ -192,25 +192,26 @@ int main(int argc, char** argv) {
     const QApplication application(argc, argv);
     ui::finishApplication();
     QCommandLineParser options;
-    options.addOptions({{"out", "The picture to write.", "FILE"},
-                        {"size", "Size of the window.", "WxH", "1280x800"},
-                        {"panel", "settings, looks, marks, volume, pieces or passes.", "NAME", "settings"},
-                        {"find", "Search the settings for this.", "TEXT"},
-                        {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
-                        {"light-at", "As it is at so much of the stored light.", "PERCENT"},
-                        {"slices", "With slices beside the picture."},
-                        {"slices-alone", "Slices without the picture."},
-                        {"cut-in-slice", "The sagittal slice shows the first cut."},
-                        {"theme", "Colours of the window: dark or light.", "NAME", "dark"},
-                        {"scale", "Size of texts and controls, per cent.", "PERCENT", "100"},
-                        {"preferences", "The preferences instead of the window."},
-                        {"hints", "With the hints of the first start."},
-                        {"entry", "After this entry of a menu; a dialog that it opens instead of the window.", "TEXT"},
-                        {"raw-dialog", "The dialog for files without a header instead of the window."},
-                        {"browser", "The DICOM browser on a folder instead of the window."},
-                        {"anonymous", "With patients' names hidden."},
-                        {"language", "en or de.", "NAME", "en"},
-                        {"set", "Override one setting.", "PATH=VALUE"}});
+    options.addOptions(
+        {{"out", "The picture to write.", "FILE"},
+         {"size", "Size of the window.", "WxH", "1280x800"},
+         {"panel", "settings, looks, marks, volume, pieces or passes.", "NAME", "settings"},
+         {"find", "Search the settings for this.", "TEXT"},
+         {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
+         {"light-at", "As it is at so much of the stored light.", "PERCENT"},
+         {"slices", "With slices beside the picture."},
+         {"slices-alone", "Slices without the picture."},
+         {"cut-in-slice", "The sagittal slice shows the first cut."},
+         {"theme", "Colours of the window: dark or light.", "NAME", "dark"},
+         {"scale", "Size of texts and controls, per cent.", "PERCENT", "100"},
+         {"preferences", "The preferences instead of the window."},
+         {"hints", "With the hints of the first start."},
+         {"entry", "After this entry of a menu; a dialog that it opens instead of the window.", "TEXT"},
+         {"raw-dialog", "The dialog for files without a header instead of the window."},
+         {"browser", "The DICOM browser on a folder instead of the window."},
+         {"anonymous", "With patients' names hidden."},
+         {"language", "en or de.", "NAME", "en"},
+         {"set", "Override one setting.", "PATH=VALUE"}});
     options.addPositionalArgument("PATH", "What to open.");
     options.addHelpOption();
     options.process(application);
