@@ -32,12 +32,26 @@ QString shortName(const std::string& path) {
   return QFileInfo(QDir::cleanPath(text)).fileName();
 }
 
+// What is of the volume before, its values, its places and who knows it by which name.
 void makeAutomatic(scene::Scene& scene) {
   scene.isosurface.value.reset();
+  scene.isosurface.name.clear();
+  for (scene::ExtraIsosurface& extra : scene.extraIsosurfaces) {
+    extra.value.reset();
+    extra.name.clear();
+  }
   scene.camera.eye.reset();
   scene.camera.target.reset();
   scene.camera.up.reset();
-  scene.marks.clear();  // they are of the volume before
+  scene.clip.planes.clear();
+  scene.clip.box.clear();
+  scene.clip.boxRotation = scene::Clip{}.boxRotation;
+  scene.pieces.hidden.clear();
+  scene.pieces.only.clear();
+  scene.slice.position.reset();
+  scene.slice.level.reset();
+  scene.slice.width.reset();
+  scene.marks.clear();
 }
 }  // namespace
 
@@ -82,7 +96,7 @@ double Document::secondsSinceRead() const {
 // ---- Opening
 // ------------------------------------------------------------------------------------------------
 
-void Document::open(const QString& path) {
+void Document::open(const QString& path, const QString& series) {
   try {
     const bool builtIn = path.startsWith("phantom:");
     const QString absolute = builtIn ? path : QDir::cleanPath(QFileInfo(path).absoluteFilePath());
@@ -105,6 +119,7 @@ void Document::open(const QString& path) {
     scene::Scene next = scene();
     next.source = {};
     next.source.path = absolute.toStdString();
+    next.source.series = series.toStdString();
     makeAutomatic(next);
     openScene(next, {});
   } catch (const base::Error& error) {

@@ -53,8 +53,10 @@ class Document : public QObject {
   double secondsSinceRead() const;
 
   // A volume, DICOM folder, "phantom:NAME[:SIZE]", session, or picture that carries a session. Keeps the
-  // look, makes isovalue and camera automatic. Emits rawDescriptionNeeded for a file without a known header.
-  void open(const QString& path);
+  // look; makes isovalues and camera automatic and leaves out cuts, hidden pieces, marks and what else is of
+  // the volume before. `series`: of a DICOM folder with several. Emits rawDescriptionNeeded for a file
+  // without a known header.
+  void open(const QString& path, const QString& series = {});
   // Loads scene.source and then shows exactly this scene, with an empty history.
   // completed, where given, says the scene once the volume is there, as app::WindowRequest has it.
   // Emits volumeMissing where a session names a volume that is not there.

@@ -183,6 +183,7 @@ class Viewport : public QWidget {
   std::optional<app::CutGrip> cutUnder(QPointF position) const;
   void showCuts();
   void hoverAt(QPointF position);
+  void showNoGrip();
   void hoverCut(const std::optional<app::CutGrip>& grip);
   static QString cutTip(const app::CutGrip& grip);
   void takeCut();

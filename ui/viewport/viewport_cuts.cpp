@@ -33,11 +33,7 @@ void Viewport::hoverCut(const std::optional<app::CutGrip>& grip) {
   if (grip == cutGrip_) return;
   cutGrip_ = grip;
   if (!grip) {
-    if (tool_)
-      setCursor(Qt::CrossCursor);
-    else
-      unsetCursor();
-    setToolTip({});
+    showNoGrip();
   } else {
     setCursor(Qt::OpenHandCursor);
     setToolTip(cutTip(*grip));

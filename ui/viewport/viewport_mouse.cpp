@@ -282,15 +282,20 @@ void Viewport::hoverAt(QPointF position) {
   if (cut) hoverCut(cut);
 }
 
+// The pointer is over no handle.
+void Viewport::showNoGrip() {
+  if (tool_)
+    setCursor(Qt::CrossCursor);
+  else
+    unsetCursor();
+  setToolTip({});
+}
+
 void Viewport::hover(const std::optional<app::LampGrip>& grip) {
   if (grip == grip_ && drag_ == Drag::none && grip.has_value() == !toolTip().isEmpty()) return;
   grip_ = grip;
   if (!grip) {
-    if (tool_)
-      setCursor(Qt::CrossCursor);
-    else
-      unsetCursor();
-    setToolTip({});
+    showNoGrip();
   } else if (grip->part == app::LampPart::ring) {
     setCursor(Qt::SizeAllCursor);
     setToolTip(tr("Lamp %1: drag its outline to make it larger or smaller").arg(grip->lamp));

@@ -17,23 +17,6 @@
 
 namespace isolux::ui {
 
-namespace {
-
-// Another volume in the place of the scene's: what was of that one is automatic again.
-scene::Scene withSeries(scene::Scene scene, const QString& folder, const QString& series) {
-  scene.source = {};
-  scene.source.path = folder.toStdString();
-  scene.source.series = series.toStdString();
-  scene.isosurface.value.reset();
-  scene.camera.eye.reset();
-  scene.camera.target.reset();
-  scene.camera.up.reset();
-  scene.marks.clear();
-  return scene;
-}
-
-}  // namespace
-
 void MainWindow::connectOpening() {
   connect(folders_, &FolderOpener::started, this, [this](const QString& name) {
     message_->clear();
@@ -66,11 +49,7 @@ void MainWindow::openFolder(const QString& folder) {
 }
 
 void MainWindow::openSeries(const QString& folder, const QString& series) {
-  if (!mayDiscard()) return;
-  if (series.isEmpty())
-    document_->open(folder);
-  else
-    document_->openScene(withSeries(document_->scene(), folder, series), {});
+  if (mayDiscard()) document_->open(folder, series);
 }
 
 // At the start. A folder that says no series may hold several.

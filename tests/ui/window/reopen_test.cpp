@@ -96,4 +96,27 @@ TEST_F(ReopenTest, TheFileOnShowIsShownAgainUnderItsStoredLight) {
   EXPECT_GT(blocksActive_, 0u);
 }
 
+// Cuts, hidden pieces, values and names are of the volume before; the look is the user's.
+TEST_F(ReopenTest, AnotherVolumeIsShownWhole) {
+  ui::Edit edit{window_->document()->scene(), "Change", {}, false};
+  edit.scene.look.mode = scene::LookMode::tone;
+  edit.scene.isosurface.name = "Skin";
+  edit.scene.extraIsosurfaces[0].shown = true;
+  edit.scene.extraIsosurfaces[0].value = 1e6;
+  edit.scene.clip.planes = {{glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0)}};
+  edit.scene.clip.box = {glm::dvec3(-1.0), glm::dvec3(1.0)};
+  edit.scene.pieces.hidden = {glm::dvec3(0.0)};
+  edit.scene.slice.position = glm::dvec3(500.0);
+  edit.scene.slice.width = 1.0;
+  window_->document()->edit(edit);
+  ASSERT_TRUE(window_->document()->saveSession(newFile("ball.isolux")));  // or opening asks
+  ASSERT_TRUE(load(*window_, "phantom:torus:32"));
+  scene::Scene expected;
+  expected.source.path = "phantom:torus:32";
+  expected.look.mode = scene::LookMode::tone;
+  expected.extraIsosurfaces[0].shown = true;
+  expected.picture = window_->document()->scene().picture;
+  EXPECT_TRUE(window_->document()->scene() == expected) << scene::toJson(window_->document()->scene()).dump();
+}
+
 }  // namespace isolux::test
