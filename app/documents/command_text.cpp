@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/number_text.h"
+#include "scene/rules/needs.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -55,6 +56,7 @@ std::string renderCommand(const scene::Scene& scene, const scene::Machine& machi
   const scene::MachineSetting* const executor = scene::machineSetting("picture.executor");
   if (executor != nullptr && machine.executor != scene::Machine{}.executor)
     add(executor->path, executor->get(machine));
+  if (scene::usesGi(scene)) line += " --light-around";  // as in the window
   return line + " --size " + std::to_string(size.x) + "x" + std::to_string(size.y) + " --out " +
          shellWord(out);
 }

@@ -76,7 +76,7 @@ base::Error described(const std::exception_ptr& failure) {
 
 struct LightController::Parts {
   explicit Parts(Options options)
-      : threads(options.threads), planner(options.background, options.innerSides) {}
+      : threads(options.threads), planner(options.background, options.innerSides, options.around) {}
 
   // What the planner thread has to do; guarded by `mutex`.
   mutable std::mutex mutex;

@@ -43,6 +43,7 @@ class LightController {
     bool background = false;                    // bake politely: gi::LightBake::Options
     std::optional<int> threads = std::nullopt;  // scene::Machine::threads
     bool innerSides = true;                     // lit where they are seen; else their light is local
+    bool around = false;  // light around what is seen, too, as always in the background: less noise at rims
   };
   explicit LightController(Options options);
   ~LightController();  // stops all work without waiting for its end: base/retire.h

@@ -42,9 +42,10 @@ struct LightPlan {
 
 class LightPlanner {
  public:
-  // `innerSides`: light of inner sides is planned, too.
-  explicit LightPlanner(bool background, bool innerSides = true)
-      : background_(background), innerSides_(innerSides) {}
+  // `innerSides`: light of inner sides is planned, too. `around`: so is light around what is seen, that the
+  // filter of what is seen reads; always in the background.
+  explicit LightPlanner(bool background, bool innerSides = true, bool around = false)
+      : background_(background), innerSides_(innerSides), around_(around || background) {}
   void setThreads(std::optional<int> threads) { threads_ = threads; }  // of the next plan
   // Where texels are lit while gi.texels is automatic and the volume the same: as those of a file that was
   // read.
@@ -112,7 +113,7 @@ class LightPlanner {
   void publish();
   int reach() const;
 
-  bool background_, innerSides_;
+  bool background_, innerSides_, around_;
   std::optional<scene::GiTexels> texelsOfFile_;
   std::optional<int> threads_;
   scene::Scene scene_;

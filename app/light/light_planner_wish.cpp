@@ -58,8 +58,8 @@ void LightPlanner::wish(Side& side, const std::vector<glm::vec3>& hits, scene::G
   const gi::LatticeGeometry& lattice = (side.sky.bake ? side.sky : side.lamps).bake->lattice()->geometry();
   const std::vector<gi::WantedBlock> visible = gi::texelsAround(lattice, hits, reach());
   std::vector<gi::WantedBlock> nearby;
-  // A command asks for its picture alone; a viewer moves on.
-  if (background_) nearby = gi::texelsBeside(lattice, visible, 2);
+  // A command asks for its picture alone, unless told otherwise; a viewer moves on.
+  if (around_) nearby = gi::texelsBeside(lattice, visible, 2);
   Asked asked{extent, reach(), scene_.hit.field, {}, behind};
   if (extent == scene::GiExtent::band) asked.band = scene_.gi.band.value();
   for (Part* part : {&side.sky, &side.lamps}) {
