@@ -196,7 +196,8 @@ bool ReferenceDialog::saveAs(const QString& file) {
   if (!round_ || saving()) return false;
   savedName_ = QFileInfo(file).fileName();
   const std::filesystem::path path = file.toStdString();
-  saving_ = std::async(std::launch::async,
+  // Where the system has no thread to give, get() writes.
+  saving_ = std::async(std::launch::async | std::launch::deferred,
                        [round = round_, resolved = resolved_, patient = hiddenInSaved(volume_), path] {
                          try {
                            write(round->image, resolved, patient, path);
@@ -212,7 +213,7 @@ bool ReferenceDialog::saveAs(const QString& file) {
 }
 
 void ReferenceDialog::pollSaving() {
-  if (saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  if (saving_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) return;
   saveTimer_.stop();
   const QString problem = saving_.get();
   save_->setEnabled(round_ != nullptr);

@@ -139,14 +139,15 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     const bool linear = endsWith(file, "exr");
     const render::StillPicture picture = finishedPicture(linear, tr("Saving %1").arg(name));
     const QString light = unfinishedLightText(light_->state(), light_->cancelled());
-    auto written = std::async(std::launch::async, [&] {
+    // Where the system has no thread to give, get() writes.
+    auto written = std::async(std::launch::async | std::launch::deferred, [&] {
       if (linear)
         app::writeExr(&picture.linear, {}, path, session);
       else
         app::writePng(picture.color, path, session);
     });
     waitFor(this, {tr("Writing %1").arg(name),
-                   [&] { return written.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }});
+                   [&] { return written.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }});
     written.get();
     tellSaved(file, light);
     return true;
