@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Remakes the pictures of docs/gallery.md and docs/scans.md: docs/make_gallery.sh BIN [NAME] (./dev gallery calls it). The
+# Remakes the pictures of docs/gallery.md, docs/scans.md and docs/papers.md: docs/make_gallery.sh BIN [NAME] (./dev gallery calls it). The
 # commands are those of the pages themselves: this runs their sh blocks, in order. NAME: only pictures whose file name contains it.
 # Scans and meshes come from ISOLUX_DATA, else ../shared/data; pictures whose data is missing are left as they are.
 set -euo pipefail
@@ -31,6 +31,6 @@ isolux() {  # what the page's commands call
   mv "$out" "$pictures/"
 }
 
-blocks=$(awk '/^```sh$/ {inside = 1; next} /^```$/ {inside = 0} inside' gallery.md scans.md)
+blocks=$(awk '/^```sh$/ {inside = 1; next} /^```$/ {inside = 0} inside' gallery.md scans.md papers.md)
 cd "$work"
 eval "$blocks"
