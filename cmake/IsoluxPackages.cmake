@@ -21,7 +21,7 @@ if(ISOLUX_BENCH)  # what Isolux is compared with
 endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_modules})
 find_package(DICOM REQUIRED)  # vtk-dicom
-find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Svg)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Svg Charts)
 
 # Third-party headers are not ours to warn about.
 add_library(isolux_glm INTERFACE)

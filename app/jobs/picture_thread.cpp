@@ -1,13 +1,10 @@
 #include "app/jobs/picture_thread.h"
 
-#include <sched.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <system_error>
 #include <utility>
 
+#include "app/jobs/give_way.h"
 #include "base/retire.h"
 #include "render/renderer.h"
 
@@ -44,14 +41,6 @@ struct PictureThread::Work {
 namespace {
 
 enum class Ending { stopped, refused, unknown };
-
-// As the threads that compute light: a tenth of a processor that somebody else wants.
-void giveWay() {
-  constexpr int nice = 10;
-  const sched_param none{};
-  sched_setscheduler(0, SCHED_BATCH, &none);
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nice);
-}
 
 // After anything but an Error nobody knows what state the renderer is in.
 Ending endingOf(const std::exception_ptr& failure) {

@@ -1,5 +1,6 @@
 #include "ui/panels/panel.h"
 
+#include "ui/accuracy/accuracy_panel.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/panels/passes_panel.h"
 #include "ui/panels/pieces_panel.h"
@@ -21,7 +22,8 @@ constexpr PanelInfo panelTable[] = {{QT_TRANSLATE_NOOP("QObject", "Settings"), m
                                     {QT_TRANSLATE_NOOP("QObject", "Marks"), makePanel<MarksPanel>},
                                     {QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
                                     {QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
-                                    {QT_TRANSLATE_NOOP("QObject", "Passes"), makePanel<PassesPanel>}};
+                                    {QT_TRANSLATE_NOOP("QObject", "Passes"), makePanel<PassesPanel>},
+                                    {QT_TRANSLATE_NOOP("QObject", "Accuracy"), makePanel<AccuracyPanel>}};
 
 }  // namespace
 

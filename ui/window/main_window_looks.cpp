@@ -1,6 +1,7 @@
-// The panel of looks and presets of ui/window/main_window.h: what it previews is shown, and nothing is
-// edited.
+// The panels of ui/window/main_window.h that draw pictures of their own, of looks and of what accuracy costs:
+// what is previewed is shown, and nothing is edited.
 #include "scene/rules/automatic.h"
+#include "ui/accuracy/accuracy_panel.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -11,6 +12,7 @@ void MainWindow::connectLooks() {
   auto* const looks = panel<LooksPanel>();
   connect(looks, &LooksPanel::previewed, this, &MainWindow::preview);
   connect(viewport_, &Viewport::drawing, looks, &LooksPanel::setDrawing);
+  connect(viewport_, &Viewport::drawing, panel<AccuracyPanel>(), &AccuracyPanel::setDrawing);
 }
 
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {

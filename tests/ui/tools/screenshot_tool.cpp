@@ -1,6 +1,6 @@
 // Makes a picture of the real window, for the README and the pages.
 //
-//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes] [--find TEXT]
+//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes|accuracy] [--find TEXT]
 //                     [--slices | --slices-alone] [--theme dark|light] [--preferences] [--cut-in-slice]
 //                     [--hints] [--entry TEXT] [--raw-dialog] [--browser] [--anonymous]
 //                     [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
@@ -37,6 +37,7 @@
 #include "ui/document/privacy.h"
 #include "ui/editors/histogram_slider.h"
 #include "ui/language/language.h"
+#include "ui/accuracy/accuracy_panel.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/presets/looks_panel.h"
@@ -144,8 +145,12 @@ int takePicture(const QCommandLineParser& options) {
     const auto* const looks = window.panel<ui::LooksPanel>();
     return !looks->isVisible() || (looks->painter().drawnCount() > 0 && looks->painter().complete());
   };
+  const auto measured = [&] {
+    const auto* const accuracy = window.panel<ui::AccuracyPanel>();
+    return !accuracy->isVisible() || accuracy->visibleRegion().isEmpty() || accuracy->complete();
+  };
   const auto drawn = [&] {
-    return !window.light()->changing() &&
+    return measured() && !window.light()->changing() &&
            (window.viewport()->complete() || !window.viewport()->isVisible()) &&
            !window.marks()->measuring() && sliced() && pictured();
   };
@@ -195,7 +200,7 @@ int main(int argc, char** argv) {
     options.addOptions(
         {{"out", "The picture to write.", "FILE"},
          {"size", "Size of the window.", "WxH", "1280x800"},
-         {"panel", "settings, looks, marks, volume, pieces or passes.", "NAME", "settings"},
+         {"panel", "settings, looks, marks, volume, pieces, passes or accuracy.", "NAME", "settings"},
          {"find", "Search the settings for this.", "TEXT"},
          {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
          {"light-at", "As it is at so much of the stored light.", "PERCENT"},

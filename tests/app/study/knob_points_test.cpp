@@ -1,0 +1,91 @@
+// The points of a plot of error against cost, and the knobs that act in a scene.
+#include "app/study/knob_points.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "scene/settings.h"
+
+namespace isolux::app {
+namespace {
+
+const Knob& knobNamed(const std::string& name) {
+  static std::vector<Knob> found;
+  found = parseKnobs(name);
+  return found.front();
+}
+
+std::vector<std::string> namesOf(const std::vector<Knob>& list) {
+  std::vector<std::string> names;
+  for (const Knob& knob : list) names.emplace_back(knob.name);
+  return names;
+}
+
+bool has(const std::vector<Knob>& list, const std::string& name) {
+  for (const std::string& each : namesOf(list))
+    if (each == name) return true;
+  return false;
+}
+
+TEST(KnobPoints, TheFrontIsWhatNothingBeatsInBoth) {
+  std::vector<KnobPoint> points = {{"dear and exact", 8.0, 0.0}, {"cheap", 1.0, 0.5},
+                                   {"as dear, worse", 8.0, 0.1}, {"beaten", 3.0, 0.6},
+                                   {"between", 2.0, 0.1},        {"twin", 2.0, 0.1}};
+  markFront(points);
+  const std::vector<bool> expected = {true, true, false, false, true, true};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_EQ(points[i].onFront, expected[i]) << points[i].value;
+}
+
+TEST(KnobPoints, TellTheDefaultAndThePresentAndLeaveOutWhatHasNoError) {
+  KnobStudy study{.knob = knobNamed("derivatives_field"), .settings = {}, .plot = {}};
+  const double errors[] = {3.0, 0.5, std::numeric_limits<double>::quiet_NaN()};
+  for (std::size_t i = 0; i < 3; ++i) {
+    StudySetting setting;
+    setting.value = study.knob.values[i];
+    setting.isDefault = setting.value == defaultValue(study.knob);
+    setting.passMilliseconds["gradient"] = 1.0 + static_cast<double>(i);
+    Errors judged;
+    judged.normalDegrees.rms = errors[i];
+    setting.fieldErrors = judged;
+    study.settings.push_back(setting);
+  }
+  scene::Scene scene;
+  scene.derivatives.field = scene::Field::trilinear;
+  const std::vector<KnobPoint> points = pointsOf(study, scene, {});
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].value, "trilinear");
+  EXPECT_TRUE(points[0].isPresent && !points[0].isDefault);
+  EXPECT_EQ(points[0].error, 3.0);
+  EXPECT_EQ(points[0].cost, 1.0);
+  EXPECT_TRUE(points[1].isDefault && !points[1].isPresent);
+}
+
+TEST(KnobPoints, SamplingsKnobsActWhereHitsAreSampledAndLightsWhereLightIsRead) {
+  scene::Scene scene;
+  EXPECT_FALSE(has(actingKnobs(scene, {}), "rate"));
+  EXPECT_FALSE(has(actingKnobs(scene, {}), "samples"));
+  EXPECT_TRUE(has(actingKnobs(scene, {}), "method"));
+  scene.hit.method = scene::HitMethod::sampled;
+  EXPECT_TRUE(has(actingKnobs(scene, {}), "rate"));
+  scene.look.mode = scene::LookMode::gi;
+  EXPECT_TRUE(has(actingKnobs(scene, {}), "samples"));
+}
+
+TEST(KnobPoints, AKnobChangesItsSettingAloneAndItsDefaultStaysAutomatic) {
+  const scene::Scene scene;
+  for (const Knob& knob : knobs()) {
+    EXPECT_EQ(withKnobAt(knob, defaultValue(knob), scene, {}), scene) << knob.name;
+    for (const char* const value : knob.values) {
+      const scene::Scene turnedOne = withKnobAt(knob, value, scene, {});
+      const scene::SceneDiff changed = scene::difference(scene, turnedOne, "");
+      EXPECT_LE(changed.changes.size(), 1u) << knob.name << ' ' << value;
+      for (const scene::SceneChange& change : changed.changes) EXPECT_EQ(change.path, knob.setting);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isolux::app

@@ -1,0 +1,287 @@
+#include "ui/accuracy/accuracy_panel.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "scene/settings.h"
+#include "ui/accuracy/accuracy_chart.h"
+#include "ui/language/translated.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int accuracyRestMilliseconds = 1500, accuracyPollMilliseconds = 100;
+constexpr glm::ivec2 measuredPixels{160, 120};
+constexpr int measuredFrames = 3;
+
+// What a study of any knob is of: the scene with all of them at their defaults.
+scene::Scene withoutKnobs(scene::Scene scene) {
+  for (const app::Knob& knob : app::knobs()) {
+    const scene::Setting& setting = scene::setting(knob.setting);
+    setting.set(scene, setting.defaultValue());
+  }
+  scene.marks.clear();
+  scene.picture = {};
+  return scene;
+}
+
+QString costText(const app::Knob& knob) {
+  switch (knob.cost) {
+    case app::Cost::passes:
+      break;
+    case app::Cost::bakeSeconds:
+      return AccuracyPanel::tr("time to compute the light, s");
+    case app::Cost::lookupMilliseconds:
+      return AccuracyPanel::tr("time to read the light, ms");
+    case app::Cost::gpuMegabytes:
+      return AccuracyPanel::tr("graphics memory, MiB");
+  }
+  return AccuracyPanel::tr("time of these passes, ms");
+}
+
+QString errorText(const app::Knob& knob) {
+  switch (knob.measure) {
+    case app::Measure::hits:
+      return AccuracyPanel::tr("error of the depth, voxels");
+    case app::Measure::shape:
+      return AccuracyPanel::tr("error of the normal, degrees");
+    case app::Measure::scale:
+      return AccuracyPanel::tr("relative error of the curvature");
+    case app::Measure::light:
+      break;
+  }
+  return AccuracyPanel::tr("relative error of the light");
+}
+
+}  // namespace
+
+AccuracyPanel::AccuracyPanel(QWidget* parent)
+    : Panel(parent),
+      knobs_(new QComboBox(this)),
+      chart_(new AccuracyChart(this)),
+      state_(new QLabel(this)),
+      meaning_(new QLabel(this)),
+      key_(new QLabel(tr("Square: the present setting. Ring: the default. Dashed line: no other value is as "
+                         "accurate in less time. Click a point to use it."),
+                      this)) {
+  knobs_->setAccessibleName(tr("Setting that trades accuracy for time"));
+  for (QLabel* label : {state_, meaning_, key_}) label->setWordWrap(true);
+  for (QLabel* label : {state_, key_}) setInk(label, Ink::quiet);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 10, 12, 12);
+  layout->setSpacing(8);
+  layout->addWidget(knobs_);
+  layout->addWidget(meaning_);
+  layout->addWidget(chart_, 1);
+  layout->addWidget(key_);
+  layout->addWidget(state_);
+  connect(knobs_, &QComboBox::currentIndexChanged, this, &AccuracyPanel::showKnob);
+  connect(chart_, &AccuracyChart::chosen, this, &AccuracyPanel::choose);
+  restTimer_.setSingleShot(true);
+  restTimer_.setInterval(accuracyRestMilliseconds);
+  connect(&restTimer_, &QTimer::timeout, this, &AccuracyPanel::measure);
+  pollTimer_.setInterval(accuracyPollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &AccuracyPanel::poll);
+  showKnob();
+}
+
+// ---- What is told
+// ------------------------------------------------------------------------------------------------
+
+void AccuracyPanel::setVolume(const VolumePointer& volume) {
+  drop();
+  volume_ = volume;
+  measured_.clear();
+  acting_.clear();
+  trouble_.clear();
+  listKnobs();
+}
+
+void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene&) {
+  scene_ = scene;
+  if (!isSeen()) {
+    drop();
+    return;
+  }
+  scene::Scene subject = withoutKnobs(scene);
+  if (!(subject == subject_)) {
+    subject_ = std::move(subject);
+    trouble_.clear();
+    drop();
+  }
+  listKnobs();
+  measureSoon();
+}
+
+void AccuracyPanel::setDrawing(bool draws) {
+  drawing_ = draws;
+  if (!isSeen()) return;
+  if (draws)
+    drop();
+  else
+    measureSoon();
+}
+
+bool AccuracyPanel::isSeen() const {
+  return isVisible() && !visibleRegion().isEmpty();
+}
+
+// A tab that comes to the front is painted.
+void AccuracyPanel::paintEvent(QPaintEvent* event) {
+  Panel::paintEvent(event);
+  if (job_ || restTimer_.isActive() || !volume_) return;
+  subject_ = withoutKnobs(scene_);
+  if (acting_.empty()) listKnobs();
+  measureSoon();
+}
+
+void AccuracyPanel::hideEvent(QHideEvent* event) {
+  Panel::hideEvent(event);
+  drop();
+}
+
+void AccuracyPanel::listKnobs() {
+  std::vector<app::Knob> acting;
+  if (volume_) acting = app::actingKnobs(scene_, volume_->facts);
+  const auto sameNames = [](const app::Knob& a, const app::Knob& b) {
+    return std::string_view(a.name) == b.name;
+  };
+  if (!std::equal(acting.begin(), acting.end(), acting_.begin(), acting_.end(), sameNames)) {
+    const QString before = knobs_->currentData().toString();
+    acting_ = std::move(acting);
+    const QSignalBlocker block(knobs_);
+    knobs_->clear();
+    for (const app::Knob& each : acting_)
+      knobs_->addItem(nameOf(scene::setting(each.setting)), QString(each.name));
+    if (const int at = knobs_->findData(before); at >= 0) knobs_->setCurrentIndex(at);
+  }
+  showKnob();
+}
+
+// ---- Measuring
+// ------------------------------------------------------------------------------------------------
+
+std::vector<app::Knob> AccuracyPanel::missing() const {
+  std::vector<app::Knob> list;
+  for (const app::Knob& each : acting_) {
+    const auto found = measured_.find(each.name);
+    if (found == measured_.end() || !(found->second.of == subject_)) list.push_back(each);
+  }
+  const std::string first = knobs_->currentData().toString().toStdString();  // what is looked at
+  std::stable_partition(list.begin(), list.end(), [&](const app::Knob& each) { return first == each.name; });
+  return list;
+}
+
+bool AccuracyPanel::complete() const {
+  return volume_ && !acting_.empty() && missing().empty();
+}
+
+void AccuracyPanel::measureSoon() {
+  if (isSeen() && volume_ && !drawing_ && !job_ && trouble_.isEmpty() && !missing().empty())
+    restTimer_.start();
+  showState();
+}
+
+void AccuracyPanel::measure() {
+  if (!isSeen() || !volume_ || drawing_ || job_) return;
+  std::vector<app::Knob> wanted = missing();
+  if (wanted.empty()) return;
+  scene::Machine machine;
+  machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
+  job_ = std::make_unique<app::StudyJob>(
+      app::StudyJob::Subject{volume_, subject_, machine, std::move(wanted), measuredPixels, measuredFrames});
+  ++jobsBegun_;
+  pollTimer_.start();
+  showState();
+}
+
+void AccuracyPanel::drop() {
+  restTimer_.stop();
+  pollTimer_.stop();
+  job_.reset();
+  showState();
+}
+
+void AccuracyPanel::poll() {
+  if (!job_) return pollTimer_.stop();
+  const bool finished = job_->finished();
+  std::vector<app::KnobStudy> found = job_->take();
+  for (app::KnobStudy& study : found) {
+    const std::string name = study.knob.name;
+    measured_.insert_or_assign(name, Measured{std::move(study), subject_});
+  }
+  if (finished) {
+    if (job_->error()) trouble_ = QString::fromStdString(job_->error()->what());
+    job_.reset();
+    pollTimer_.stop();
+  }
+  if (!found.empty())
+    showKnob();
+  else
+    showState();
+}
+
+// ---- What is shown
+// ------------------------------------------------------------------------------------------------
+
+const app::Knob* AccuracyPanel::knob() const {
+  const int at = knobs_->currentIndex();
+  return at < 0 || at >= static_cast<int>(acting_.size()) ? nullptr : &acting_[static_cast<std::size_t>(at)];
+}
+
+void AccuracyPanel::showKnob() {
+  const app::Knob* const shown = knob();
+  knobs_->setVisible(shown != nullptr);
+  key_->setVisible(shown != nullptr);
+  meaning_->setVisible(shown != nullptr);
+  if (shown) {
+    meaning_->setText(translated(texts::settings, scene::setting(shown->setting).meaning));
+    const auto found = measured_.find(shown->name);
+    std::vector<app::KnobPoint> points;
+    if (found != measured_.end()) points = app::pointsOf(found->second.study, scene_, volume_->facts);
+    chart_->show(std::move(points), costText(*shown), errorText(*shown));
+  } else {
+    chart_->show({}, {}, {});
+  }
+  showState();
+}
+
+QString AccuracyPanel::state() const {
+  return state_->text();
+}
+
+void AccuracyPanel::showState() {
+  if (!volume_) return state_->setText(tr("What accuracy costs in time is shown here: open a volume."));
+  if (!trouble_.isEmpty()) return state_->setText(trouble_);
+  const app::Knob* const shown = knob();
+  const auto found = shown ? measured_.find(shown->name) : measured_.end();
+  const bool stale = found != measured_.end() && !(found->second.of == subject_);
+  QString text = job_ ? tr("Measuring … %1 %").arg(qRound(100.0 * job_->progress().fraction()))
+                 : missing().empty() ? QString()
+                                     : tr("Measured when the window rests");
+  if (found != measured_.end()) {
+    if (!text.isEmpty()) text += ". ";
+    text += stale ? tr("The plot is of an earlier view or scene")
+                  : tr("Measured on the processor in %1 × %2 pixels of this view, against double precision")
+                        .arg(measuredPixels.x)
+                        .arg(measuredPixels.y);
+    if (!found->second.study.skipped.empty()) text = QString::fromStdString(found->second.study.skipped);
+  }
+  state_->setText(text);
+}
+
+void AccuracyPanel::choose(const QString& value) {
+  const app::Knob* const shown = knob();
+  if (!shown || !volume_) return;
+  Edit edit{scene_, tr("Change %1").arg(nameOf(scene::setting(shown->setting))), {}, false};
+  edit.scene = app::withKnobAt(*shown, value.toStdString(), scene_, volume_->facts);
+  if (!(edit.scene == scene_)) Q_EMIT edited(edit);
+}
+
+}  // namespace isolux::ui
