@@ -619,6 +619,10 @@
         <source>The three slices without the picture</source>
         <translation>Die drei Schichten ohne das Bild</translation>
     </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -928,6 +932,92 @@
     <message>
         <source>turn by 5 degrees, pan</source>
         <translation>um 5 Grad drehen, verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::AccuracyChart</name>
+    <message>
+        <source>Error against time</source>
+        <translation>Fehler über der Zeit</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The present setting</source>
+        <translation>Die jetzige Einstellung</translation>
+    </message>
+    <message>
+        <source>The default</source>
+        <translation>Die Vorgabe</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::AccuracyPanel</name>
+    <message>
+        <source>time to compute the light, s</source>
+        <translation>Zeit für die Lichtberechnung, s</translation>
+    </message>
+    <message>
+        <source>time to read the light, ms</source>
+        <translation>Zeit zum Lesen des Lichts, ms</translation>
+    </message>
+    <message>
+        <source>graphics memory, MiB</source>
+        <translation>Grafikspeicher, MiB</translation>
+    </message>
+    <message>
+        <source>time of these passes, ms</source>
+        <translation>Zeit dieser Schritte, ms</translation>
+    </message>
+    <message>
+        <source>error of the depth, voxels</source>
+        <translation>Fehler der Tiefe, Voxel</translation>
+    </message>
+    <message>
+        <source>error of the normal, degrees</source>
+        <translation>Fehler der Normale, Grad</translation>
+    </message>
+    <message>
+        <source>relative error of the curvature</source>
+        <translation>relativer Fehler der Krümmung</translation>
+    </message>
+    <message>
+        <source>relative error of the light</source>
+        <translation>relativer Fehler des Lichts</translation>
+    </message>
+    <message>
+        <source>Square: the present setting. Ring: the default. Dashed line: no other value is as accurate in less time. Click a point to use it.</source>
+        <translation>Quadrat: die jetzige Einstellung. Ring: die Vorgabe. Gestrichelt: Kein anderer Wert ist in weniger Zeit so genau. Ein Klick auf einen Punkt übernimmt ihn.</translation>
+    </message>
+    <message>
+        <source>Setting that trades accuracy for time</source>
+        <translation>Option, die Genauigkeit gegen Zeit tauscht</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time is shown here: open a volume.</source>
+        <translation>Hier steht, was Genauigkeit an Zeit kostet: ein Volumen öffnen.</translation>
+    </message>
+    <message>
+        <source>Measuring … %1 %</source>
+        <translation>Messung … %1 %</translation>
+    </message>
+    <message>
+        <source>Measured when the window rests</source>
+        <translation>Gemessen wird, wenn das Fenster ruht</translation>
+    </message>
+    <message>
+        <source>The plot is of an earlier view or scene</source>
+        <translation>Das Diagramm gilt für eine frühere Ansicht oder Szene</translation>
+    </message>
+    <message>
+        <source>Measured on the processor in %1 × %2 pixels of this view, against double precision</source>
+        <translation>Auf dem Prozessor in %1 × %2 Pixeln dieser Ansicht gemessen, gegen doppelte Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
     </message>
 </context>
 <context>
@@ -7280,6 +7370,86 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>transparent</source>
         <translation>durchsichtig</translation>
+    </message>
+    <message>
+        <source>Bands of spherical harmonics</source>
+        <translation>Bänder der Kugelfunktionen</translation>
+    </message>
+    <message>
+        <source>Bits per component, on average</source>
+        <translation>Bit je Komponente, im Mittel</translation>
+    </message>
+    <message>
+        <source>Components of compressed transfer</source>
+        <translation>Komponenten des komprimierten Transfers</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Fetches of the derivatives</source>
+        <translation>Zugriffe der Ableitungen</translation>
+    </message>
+    <message>
+        <source>Field of the derivatives</source>
+        <translation>Feld der Ableitungen</translation>
+    </message>
+    <message>
+        <source>Field that is hit</source>
+        <translation>Feld, das getroffen wird</translation>
+    </message>
+    <message>
+        <source>Hit method</source>
+        <translation>Treffermethode</translation>
+    </message>
+    <message>
+        <source>Interpolation between texels</source>
+        <translation>Interpolation zwischen Texeln</translation>
+    </message>
+    <message>
+        <source>Near factor r1/r0</source>
+        <translation>Nahfaktor r1/r0</translation>
+    </message>
+    <message>
+        <source>Near threshold, times automatic</source>
+        <translation>Nahschwelle, Vielfaches der automatischen</translation>
+    </message>
+    <message>
+        <source>Numbers on the graphics card</source>
+        <translation>Zahlen auf der Grafikkarte</translation>
+    </message>
+    <message>
+        <source>Part of directions from the environment</source>
+        <translation>Anteil der Richtungen aus der Umgebung</translation>
+    </message>
+    <message>
+        <source>Paths per texel</source>
+        <translation>Pfade je Texel</translation>
+    </message>
+    <message>
+        <source>Rate, samples per voxel</source>
+        <translation>Rate, Abtastungen je Voxel</translation>
+    </message>
+    <message>
+        <source>Refinement steps</source>
+        <translation>Verfeinerungsschritte</translation>
+    </message>
+    <message>
+        <source>Scale, times the mean spacing</source>
+        <translation>Skala, Vielfaches des mittleren Voxelabstands</translation>
+    </message>
+    <message>
+        <source>Texels per voxel and axis</source>
+        <translation>Texel je Voxel und Achse</translation>
+    </message>
+    <message>
+        <source>Where texels are lit</source>
+        <translation>Wo Texel beleuchtet werden</translation>
+    </message>
+    <message>
+        <source>Window of spherical harmonics</source>
+        <translation>Fenster der Kugelfunktionen</translation>
     </message>
 </context>
 </TS>

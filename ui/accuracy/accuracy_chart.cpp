@@ -44,6 +44,13 @@ void ink(QAbstractAxis* axis, const QString& title) {
   axis->setTitleFont(font);
 }
 
+QString shownValue(const std::string& value) {
+  const auto text = QString::fromStdString(value);
+  bool isNumber = false;
+  text.toDouble(&isNumber);
+  return isNumber ? text : wordsOf(text);
+}
+
 // 1, 2 or 5 times a power of ten.
 double roundStep(double range) {
   const double power = std::pow(10.0, std::floor(std::log10(range / 4.0)));
@@ -136,7 +143,7 @@ void AccuracyChart::rebuild() {
     series->attachAxis(error);
   }
   for (const app::KnobPoint& point : points_) {
-    auto* label = new QGraphicsSimpleTextItem(QString::fromStdString(point.value), chart());
+    auto* label = new QGraphicsSimpleTextItem(shownValue(point.value), chart());
     label->setBrush(colours::text);
     labels_ += label;
   }
@@ -200,7 +207,7 @@ void AccuracyChart::mouseMoveEvent(QMouseEvent* event) {
   setCursor(point ? Qt::PointingHandCursor : Qt::ArrowCursor);
   if (!point) return setToolTip({});
   const app::KnobPoint& of = points_[*point];
-  QStringList lines{QString::fromStdString(of.value), tr("%1: %2").arg(costLabel_, numberText(of.cost, 3)),
+  QStringList lines{shownValue(of.value), tr("%1: %2").arg(costLabel_, numberText(of.cost, 3)),
                     tr("%1: %2").arg(errorLabel_, numberText(of.error, 3))};
   if (of.isPresent) lines += tr("The present setting");
   if (of.isDefault) lines += tr("The default");

@@ -9,6 +9,7 @@
 
 #include "scene/settings.h"
 #include "ui/accuracy/accuracy_chart.h"
+#include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/window/style.h"
 
@@ -29,6 +30,10 @@ scene::Scene withoutKnobs(scene::Scene scene) {
   scene.marks.clear();
   scene.picture = {};
   return scene;
+}
+
+QString labelOf(const app::Knob& knob) {
+  return wordsOf(QString(knob.label));
 }
 
 QString costText(const app::Knob& knob) {
@@ -157,8 +162,7 @@ void AccuracyPanel::listKnobs() {
     acting_ = std::move(acting);
     const QSignalBlocker block(knobs_);
     knobs_->clear();
-    for (const app::Knob& each : acting_)
-      knobs_->addItem(nameOf(scene::setting(each.setting)), QString(each.name));
+    for (const app::Knob& each : acting_) knobs_->addItem(labelOf(each), QString(each.name));
     if (const int at = knobs_->findData(before); at >= 0) knobs_->setCurrentIndex(at);
   }
   showKnob();

@@ -17,13 +17,14 @@ Panel* makePanel(QWidget* parent) {
   return new P(parent);
 }
 
-constexpr PanelInfo panelTable[] = {{QT_TRANSLATE_NOOP("QObject", "Settings"), makePanel<SettingsPanel>},
-                                    {QT_TRANSLATE_NOOP("QObject", "Looks"), makePanel<LooksPanel>},
-                                    {QT_TRANSLATE_NOOP("QObject", "Marks"), makePanel<MarksPanel>},
-                                    {QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
-                                    {QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
-                                    {QT_TRANSLATE_NOOP("QObject", "Passes"), makePanel<PassesPanel>},
-                                    {QT_TRANSLATE_NOOP("QObject", "Accuracy"), makePanel<AccuracyPanel>}};
+constexpr PanelInfo panelTable[] = {
+    {QT_TRANSLATE_NOOP("QObject", "Settings"), makePanel<SettingsPanel>},
+    {QT_TRANSLATE_NOOP("QObject", "Looks"), makePanel<LooksPanel>},
+    {QT_TRANSLATE_NOOP("QObject", "Marks"), makePanel<MarksPanel>},
+    {QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
+    {QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
+    {QT_TRANSLATE_NOOP("QObject", "Passes"), makePanel<PassesPanel>},
+    {QT_TRANSLATE_NOOP("QObject", "Accuracy"), makePanel<AccuracyPanel>, false}};
 
 }  // namespace
 

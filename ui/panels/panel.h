@@ -41,6 +41,7 @@ class Panel : public QWidget {
 struct PanelInfo {
   const char* title;  // on its tab and in the View menu
   Panel* (*make)(QWidget* parent);
+  bool atFirst = true;  // shown before the user has chosen; the rest waits in the View menu
 };
 
 // From left to right; the first is in front when the window opens.

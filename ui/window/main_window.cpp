@@ -131,6 +131,7 @@ void MainWindow::makePanels() {
     if (!panels_.empty()) tabifyDockWidget(panels_.back().dock, dock);
     panels_.push_back({dock, panel});
     layout_->addDock(dock);
+    dock->setVisible(info.atFirst);
   }
   panels_.front().dock->raise();
   resizeDocks({panels_.front().dock}, {panelWidth}, Qt::Horizontal);

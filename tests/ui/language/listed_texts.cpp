@@ -1,5 +1,6 @@
 #include "tests/ui/language/listed_texts.h"
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -8,6 +9,7 @@
 
 #include "app/marks/mark_kinds.h"
 #include "app/presets/preset_list.h"
+#include "app/study/study_knobs.h"
 #include "render/graph/frame.h"
 #include "scene/camera.h"
 #include "scene/looks.h"
@@ -51,6 +53,14 @@ void addSetting(Collector& all, const scene::SettingInfo& setting) {
   if (setting.unit.starts_with("1/")) all.add(ui::texts::units, setting.unit.substr(1));  // "5 /s"
   all.add(ui::texts::words, ui::plainNameOf(setting));
   for (const std::string& choice : setting.choices) all.addWords(choice);
+}
+
+void addKnobs(Collector& all) {
+  for (const app::Knob& knob : app::knobs()) {
+    all.addWords(knob.label);
+    for (const std::string value : knob.values)
+      if (!std::isdigit(static_cast<unsigned char>(value.front()))) all.addWords(value);
+  }
 }
 
 void addSettings(Collector& all) {
@@ -119,6 +129,7 @@ void addStages(Collector& all) {
 Texts listedTexts() {
   Collector all;
   addSettings(all);
+  addKnobs(all);
   addWhatIsShown(all);
   addOfTheWindow(all);
   addStages(all);
