@@ -1,0 +1,133 @@
+// Bounds of what a picture shows, judged by the view in double precision (app/study/surface_truth.h, which
+// knows nothing of them): they hold, and they are no larger than they need be.
+#include "app/accuracy/picture_errors.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "app/jobs/field_job.h"
+#include "app/study/surface_truth.h"
+#include "base/quantiles.h"
+#include "tests/render/gl_fixture.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+using scene::Scene;
+
+// Of one quantity: pixels that were judged, and those where the error is at most the bound.
+struct Kept {
+  std::vector<double> errors, bounds;
+  std::size_t held = 0;
+
+  void add(double error, double bound) {
+    errors.push_back(error);
+    bounds.push_back(bound);
+    if (error <= bound) ++held;
+  }
+  double share() const { return static_cast<double>(held) / static_cast<double>(errors.size()); }
+  double medianError() const { return base::median(errors); }
+  double medianBound() const { return base::median(bounds); }
+  double ratio() const { return medianBound() / medianError(); }
+};
+
+struct Judged {
+  Kept depth, normal, curvature;
+  std::size_t seen = 0, uncertain = 0;
+  std::size_t wrong = 0;  // certain, and yet another answer than the truth
+};
+
+class PictureErrorsGlTest : public test::ExecutorsGlTest {
+ protected:
+  struct Drawn {
+    DrawnHits hits;
+    std::vector<float> normal, kappa;
+  };
+  Drawn draw(const std::shared_ptr<const volume::PreparedVolume>& volume, const Scene& scene,
+             glm::ivec2 size) {
+    using render::Aov;
+    render::FrameRequest request;
+    request.size = size;
+    request.color = false;
+    request.aovs = {Aov::depth, Aov::voxel, Aov::normal, Aov::kappa};
+    renderer_->setVolume(volume);
+    renderer_->render(scene, request);
+    return {{size, renderer_->readAov(Aov::depth).values, renderer_->readAov(Aov::voxel).values},
+            renderer_->readAov(Aov::normal).values,
+            renderer_->readAov(Aov::kappa).values};
+  }
+
+  Judged judge(const std::shared_ptr<const volume::PreparedVolume>& volume, Scene scene,
+               glm::ivec2 size = {256, 256}) {
+    base::Progress progress;
+    scene = scene::resolve(scene, volume->facts);
+    completeFields(scene, *volume, true, progress);
+    const Drawn drawn = draw(volume, scene, size);
+    const PictureErrors bounds = pictureErrors(*volume, scene, drawn.hits, progress);
+    SurfaceTruth truth(volume, scene, size);
+    const TrueSurface surface = truth.of(scene.hit.field, scene.derivatives, progress);
+    Judged judged;
+    for (std::size_t i = 0; i < surface.hits.size(); ++i) {
+      const TrueHit& hit = surface.hits[i];
+      const float depth = drawn.hits.depthMm[i];
+      if (!std::isnan(depth)) ++judged.seen;
+      if (!bounds.certain[i]) {
+        ++judged.uncertain;
+        EXPECT_TRUE(std::isinf(bounds.depthMm[i]));
+        continue;
+      }
+      if (hit.hit != !std::isnan(depth)) ++judged.wrong;
+      if (!hit.hit || std::isnan(depth)) continue;
+      judged.depth.add(std::abs(static_cast<double>(depth) - hit.depthMm), bounds.depthMm[i]);
+      const TrueShape& shape = surface.shapes[i];
+      const glm::dvec3 n(drawn.normal[3 * i], drawn.normal[3 * i + 1], drawn.normal[3 * i + 2]);
+      if (shape.normal != glm::dvec3(0.0) && !std::isnan(n.x))
+        judged.normal.add(angleDegrees(n, shape.normal), bounds.normalDegrees[i]);
+      const float* const kappa = &drawn.kappa[2 * i];
+      if (!std::isnan(bounds.curvature[i]) && !std::isnan(kappa[0]))
+        judged.curvature.add(
+            std::max(std::abs(kappa[0] - shape.kappa1), std::abs(kappa[1] - shape.kappa2)),
+            bounds.curvature[i]);
+    }
+    return judged;
+  }
+
+  static void print(const std::string& name, const Judged& judged) {
+    std::printf("%-22s seen %6zu uncertain %4zu wrong %zu\n", name.c_str(), judged.seen, judged.uncertain,
+                judged.wrong);
+    const auto line = [](const char* what, const Kept& kept) {
+      std::printf("  %-9s held %.4f %%, median error %.3g, bound %.3g, ratio %.2f\n", what,
+                  100.0 * kept.share(), kept.medianError(), kept.medianBound(), kept.ratio());
+    };
+    line("depth", judged.depth);
+    line("normal", judged.normal);
+    line("curvature", judged.curvature);
+  }
+
+  static void expectKept(const std::string& name, const Judged& judged) {
+    SCOPED_TRACE(name);
+    print(name, judged);
+    EXPECT_GT(judged.seen, 5000u);
+    EXPECT_EQ(judged.wrong, 0u);
+    EXPECT_LT(static_cast<double>(judged.uncertain), 0.01 * static_cast<double>(judged.seen));
+    EXPECT_GE(judged.depth.share(), 0.999);
+    EXPECT_GE(judged.normal.share(), 0.999);
+    EXPECT_GE(judged.curvature.share(), 0.95);
+    EXPECT_LE(judged.depth.ratio(), 10.0);
+    EXPECT_LE(judged.normal.ratio(), 10.0);
+    EXPECT_LE(judged.curvature.ratio(), 10.0);
+  }
+};
+ISOLUX_ON_BOTH_EXECUTORS(PictureErrorsGlTest);
+
+TEST_P(PictureErrorsGlTest, HoldOnPhantomsAndAreUseful) {
+  for (const char* const name : {"gyroid", "torus", "head"})
+    expectKept(name, judge(test::phantom(name, 64), Scene{}));
+}
+
+}  // namespace
+}  // namespace isolux::app
