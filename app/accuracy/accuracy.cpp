@@ -1,5 +1,6 @@
 #include "app/accuracy/accuracy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,8 +16,14 @@ BoundSpread boundSpreadOf(const std::vector<float>& image, const std::vector<std
   std::vector<double> bounds;
   for (std::size_t i = 0; i < image.size(); ++i)
     if (certain[i] && !std::isnan(image[i])) bounds.push_back(static_cast<double>(image[i]));
-  if (bounds.empty()) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  if (bounds.empty())
+    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   return {base::quantile(bounds, 0.5), base::quantile(bounds, 0.99)};
+}
+
+bool anyOnProcessor(const render::FrameReport& report) {
+  return std::any_of(report.passes.begin(), report.passes.end(),
+                     [](const render::PassReport& pass) { return pass.onProcessor; });
 }
 
 }  // namespace
@@ -51,9 +58,10 @@ PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
   hits.color = false;
   hits.aovs = {render::Aov::depth, render::Aov::voxel};
   render::StillPicture picture = render::drawStill(renderer, drawn, hits, progress);
-  return pictureErrors(
-      volume, drawn,
-      {request.size, std::move(picture.aovs[0].values), std::move(picture.aovs[1].values)}, progress);
+  return pictureErrors(volume, drawn,
+                       {request.size, std::move(picture.aovs[0].values), std::move(picture.aovs[1].values),
+                        anyOnProcessor(picture.report)},
+                       progress);
 }
 
 }  // namespace isolux::app

@@ -12,9 +12,9 @@ struct BoundSpread {
 };
 
 struct Accuracy {
-  std::size_t pixels = 0;     // of the picture
-  std::size_t seen = 0;       // that show a surface, or may
-  std::size_t uncertain = 0;  // whose answer may change by a jump
+  std::size_t pixels = 0;                                            // of the picture
+  std::size_t seen = 0;                                              // that show a surface, or may
+  std::size_t uncertain = 0;                                         // whose answer may change by a jump
   BoundSpread depthMm, normalDegrees, curvature, relativeCurvature;  // curvature: 1/mm
   BoundSpread normalNoiseDegrees, curvatureNoise;                    // at kNoiseLevel
 

@@ -112,18 +112,17 @@ class PictureJudge {
     const double depth = drawn_.depthMm[pixel];
     if (std::isnan(depth) || !hit.certain) return refuse(pixel, out);
     const auto width = static_cast<std::size_t>(drawn_.size.x);
-    const volume::Ray ray = rayAt(
-        {static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
+    const volume::Ray ray =
+        rayAt({static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
     const auto pointAt = [&](double t) { return ray.origin + t * ray.direction; };
     const glm::dvec3 drawnVoxel(drawn_.voxel[3 * pixel], drawn_.voxel[3 * pixel + 1],
                                 drawn_.voxel[3 * pixel + 2]);
-    std::array<glm::dvec3, 4> ends{hit.voxel + hit.rounding.shift, pointAt(hit.first), pointAt(hit.last),
-                                   drawnVoxel};
+    const std::array<glm::dvec3, 3> ends{pointAt(hit.first), pointAt(hit.last), drawnVoxel};
     // Samples at steps are elsewhere than the arithmetic alone would put them.
     const bool elsewhere = std::abs(depth - hit.t) > hit.bound;
     if (elsewhere) hit.bound = std::abs(depth - hit.t);
     out.depthMm[pixel] = roundedUp(hit.bound);
-    const std::span<const glm::dvec3> used(ends.data(), elsewhere ? 4 : 3);
+    const std::span<const glm::dvec3> used(ends.data(), elsewhere ? 3 : 2);
     judgeShape(pixel, hit, used, out);
   }
   static void refuse(std::size_t pixel, PictureErrors& out) {
@@ -137,25 +136,28 @@ class PictureJudge {
     return viewRay(volume_.grid().geometry(), frame_, ndc, aspect_, view_.rayStartMm);
   }
 
-  ShapeFields fieldsOf(const scene::Scene& scene, double scaleMm, double noise, const scene::NoiseModel& model,
-                       base::Progress& progress) const {
+  ShapeFields fieldsOf(const scene::Scene& scene, double scaleMm, double noise,
+                       const scene::NoiseModel& model, base::Progress& progress) const {
     const scene::Field field = scene.derivatives.field;
     const auto cubic = volume_.cubicFields->make(field, progress);
     const auto scaled = volume_.cubicFields->make(field, scaleMm, progress);
-    return {cubic, scaled,
+    return {cubic,
+            scaled,
             {volume_.grid(), field, cubic && cubic->coefficients ? &*cubic->coefficients : nullptr,
              scaled.get(), scene.derivatives.fetch,
-             scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0},
+             scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0, drawn_.onProcessor},
             volume::curvatureScale(volume_.grid().geometry(), field, noise, model.correlation, scaleMm)};
   }
 
   void judgeShape(std::size_t pixel, const volume::HitEnclosure& hit, std::span<const glm::dvec3> ends,
                   PictureErrors& out) const {
-    const glm::dvec3& deviation = hit.rounding.deviation;
-    const volume::ShapeBound normal = volume::boundShape(normals_->shape, hit.voxel, ends, deviation);
-    const volume::ShapeBound shape = normals_->scaled == curvature_->scaled
-                                         ? normal
-                                         : volume::boundShape(curvature_->shape, hit.voxel, ends, deviation);
+    const glm::dvec3 shifted = hit.voxel + hit.rounding.shift, &deviation = hit.rounding.deviation;
+    const volume::ShapeBound normal =
+        volume::boundShape(normals_->shape, hit.voxel, shifted, ends, deviation);
+    const volume::ShapeBound shape =
+        normals_->scaled == curvature_->scaled
+            ? normal
+            : volume::boundShape(curvature_->shape, hit.voxel, shifted, ends, deviation);
     if (normal.at.normal != glm::dvec3(0.0)) {
       out.normalDegrees[pixel] = roundedUp(normal.normalDegrees);
       const double turn = kNoiseDeviationsOfPlane * normals_->noise.gradientNoise / normal.at.gradient;
@@ -165,9 +167,9 @@ class PictureJudge {
     out.curvature[pixel] = roundedUp(shape.curvature);
     out.curvatureNoise[pixel] =
         static_cast<float>(kNoiseDeviations * curvature_->noise.hessianNoise / shape.at.gradient);
-    out.relativeCurvature[pixel] = static_cast<float>(
-        shape.curvature /
-        std::max({std::abs(shape.at.kappa1), std::abs(shape.at.kappa2), curvature_->noise.flatCurvature}));
+    out.relativeCurvature[pixel] =
+        static_cast<float>(shape.curvature / std::max({std::abs(shape.at.kappa1), std::abs(shape.at.kappa2),
+                                                       curvature_->noise.flatCurvature}));
   }
 
   const volume::PreparedVolume& volume_;
@@ -190,11 +192,11 @@ class PictureJudge {
 PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::Scene& scene,
                             const DrawnHits& drawn, base::Progress& progress) {
   ++runs;
-  const std::size_t count =
-      static_cast<std::size_t>(drawn.size.x) * static_cast<std::size_t>(drawn.size.y);
+  const std::size_t count = static_cast<std::size_t>(drawn.size.x) * static_cast<std::size_t>(drawn.size.y);
   PictureErrors out{drawn.size, {}, {}, {}, {}, {}, {}, std::vector<std::uint8_t>(count, 1)};
-  for (std::vector<float>* const image : {&out.depthMm, &out.normalDegrees, &out.curvature,
-                                          &out.normalNoiseDegrees, &out.curvatureNoise, &out.relativeCurvature})
+  for (std::vector<float>* const image :
+       {&out.depthMm, &out.normalDegrees, &out.curvature, &out.normalNoiseDegrees, &out.curvatureNoise,
+        &out.relativeCurvature})
     image->assign(count, kNone);
   if (volume.grid().dims().x < 2 || volume.grid().dims().y < 2 || volume.grid().dims().z < 2) return out;
 

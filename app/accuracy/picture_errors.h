@@ -19,6 +19,7 @@ namespace isolux::app {
 struct DrawnHits {
   glm::ivec2 size{0};
   std::vector<float> depthMm, voxel;  // voxel: x, y, z
+  bool onProcessor = false;           // render::PassReport
 };
 
 // Row 0 at the top. Infinite where the answer is not certain; NaN where there is no surface, and where a
@@ -28,8 +29,9 @@ struct PictureErrors {
   std::vector<float> depthMm, normalDegrees, curvature;  // curvature: of kappa1 and kappa2, 1/mm
   // What noise makes of them beside, at kNoiseLevel of its distribution: of another scan of the same.
   std::vector<float> normalNoiseDegrees, curvatureNoise;
-  std::vector<float> relativeCurvature;  // curvature / max(|kappa1|, |kappa2|, flat); volume/field/curvature.h
-  std::vector<std::uint8_t> certain;     // 0 also where a ray misses a surface by no more than a rounding
+  std::vector<float>
+      relativeCurvature;              // curvature / max(|kappa1|, |kappa2|, flat); volume/field/curvature.h
+  std::vector<std::uint8_t> certain;  // 0 also where a ray misses a surface by no more than a rounding
 };
 inline constexpr double kNoiseLevel = 0.95;
 

@@ -257,7 +257,7 @@ class RenderRun {
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   render::FrameRequest request_;
-  WantedImages images_;  // of --aov
+  WantedImages images_;      // of --aov
   bool readsLight_ = false;  // of a file, before the volume's first picture
 };
 

@@ -29,8 +29,8 @@ std::uint64_t peakBytes() {
 
 ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& request,
                         const volume::PreparedVolume& prepared, const render::ContextDescription& context,
-                        const Drawn& drawn, const LightController& light,
-                        const DerivativeFacts& derivatives, const std::optional<Accuracy>& accuracy) {
+                        const Drawn& drawn, const LightController& light, const DerivativeFacts& derivatives,
+                        const std::optional<Accuracy>& accuracy) {
   ordered_json passes = ordered_json::array();
   for (const render::PassReport& pass : drawn.picture.report.passes)
     passes.push_back({{"name", pass.name},

@@ -28,9 +28,9 @@ struct RoundingCounts {
   double gradientOfSamples, hessianOfSamples;
 };
 RoundingCounts countsOf(const DerivedShape& shape) {
-  if (shape.scaled) return {-2, 3, 2.5, 4.0, 0.25, 0.6};
-  if (shape.field == scene::Field::trilinear) return {0, 1, 2.0, 4.0, 1.0, 2.0};
-  return {-1, 2, 2.5, 5.0, 0.4, 1.2};
+  if (shape.scaled) return {-2, 3, 2.0, 3.0, 1.5, 4.0};
+  if (shape.field == scene::Field::trilinear) return {0, 1, 2.0, 4.0, 3.0, 6.0};
+  return {-1, 2, 2.0, 4.0, 2.0, 6.0};
 }
 
 // Root mean squares of the samples of a lookup: about the first of the cell, and themselves where they are
@@ -60,7 +60,8 @@ SampleSizes sizesOf(const DerivedShape& shape, const RoundingCounts& counts, con
         size += value * value;
         ++count;
       }
-  const bool rounded = !coefficients && !std::holds_alternative<std::vector<float>>(grid.voxels());
+  const bool rounded =
+      !shape.exactSamples && !coefficients && !std::holds_alternative<std::vector<float>>(grid.voxels());
   const double slope = std::abs(grid.slope()), n = std::max(count, 1);
   return {slope * std::sqrt(spread / n), rounded ? slope * std::sqrt(size / n) : 0.0};
 }
@@ -107,6 +108,8 @@ ShapeAt shapeAt(const DerivedShape& shape, const glm::dvec3& voxel) {
   out.gradient = glm::length(gradient);
   out.bend = std::sqrt(glm::dot(hessian[0], hessian[0]) + glm::dot(hessian[1], hessian[1]) +
                        glm::dot(hessian[2], hessian[2]));
+  const glm::dvec3 turned = hessian * out.normal;
+  out.lean = glm::length(turned - glm::dot(turned, out.normal) * out.normal);
   return out;
 }
 
@@ -126,25 +129,26 @@ ShapeRounding shapeRounding(const DerivedShape& shape, const glm::dvec3& voxel, 
   const double ofTurn = std::hypot(gradient / at.gradient, 2.0 * kFloatRounding);
   ShapeRounding out;
   out.normal = ofTurn;
-  // |dkappa| <= |dH|/|g| in the tangent plane, 2 |H| dn/|g| by its turning, kappa d|g|/|g|; and the roundings
-  // of the 2x2 form.
+  // |dkappa| <= |dH|/|g| in the tangent plane, 2 |lean| dn/|g| by its turning, kappa d|g|/|g|; and the
+  // roundings of the 2x2 form.
   const double most = std::max(std::abs(at.kappa1), std::abs(at.kappa2)), form = at.bend / at.gradient;
-  out.curvature = std::hypot(std::hypot(hessian / at.gradient, 2.0 * form * ofTurn),
+  out.curvature = std::hypot(std::hypot(hessian / at.gradient, 2.0 * at.lean / at.gradient * ofTurn),
                              std::hypot(most * gradient / at.gradient, 3.0 * kFloatRounding * form));
   return out;
 }
 
-ShapeBound boundShape(const DerivedShape& shape, const glm::dvec3& voxel, std::span<const glm::dvec3> ends,
-                      const glm::dvec3& deviation) {
+ShapeBound boundShape(const DerivedShape& shape, const glm::dvec3& voxel, const glm::dvec3& shifted,
+                      std::span<const glm::dvec3> ends, const glm::dvec3& deviation) {
   ShapeBound out;
   out.at = shapeAt(shape, voxel);
+  const ShapeChange known = changeOf(out.at, shapeAt(shape, shifted));
   ShapeChange along{0.0, 0.0};
   for (const glm::dvec3& end : ends) {
     const ShapeChange change = changeOf(out.at, shapeAt(shape, end));
     along = {std::max(along.angle, change.angle), std::max(along.curvature, change.curvature)};
   }
   // Toward the nearer face of the cell: where derivatives jump, it is there.
-  double angle2 = 0.0, curvature2 = 0.0;
+  double angle2 = along.angle * along.angle, curvature2 = along.curvature * along.curvature;
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 beside = voxel;
     const double step = kErrorLevel * deviation[axis];
@@ -154,12 +158,11 @@ ShapeBound boundShape(const DerivedShape& shape, const glm::dvec3& voxel, std::s
     curvature2 += change.curvature * change.curvature;
   }
   const ShapeRounding rounding = shapeRounding(shape, voxel, out.at);
-  const double angle = along.angle + std::hypot(std::sqrt(angle2), kErrorLevel * rounding.normal);
+  const double angle = known.angle + std::hypot(std::sqrt(angle2), kErrorLevel * rounding.normal);
   const double curvature =
-      along.curvature + std::hypot(std::sqrt(curvature2), kErrorLevel * rounding.curvature);
+      known.curvature + std::hypot(std::sqrt(curvature2), kErrorLevel * rounding.curvature);
   const bool hasNormal = out.at.normal != glm::dvec3(0.0);
-  out.normalDegrees =
-      hasNormal ? std::min(angle, std::numbers::pi) * (180.0 / std::numbers::pi) : kInfinite;
+  out.normalDegrees = hasNormal ? std::min(angle, std::numbers::pi) * (180.0 / std::numbers::pi) : kInfinite;
   if (!(angle < std::numbers::pi)) out.normalDegrees = kInfinite;
   out.curvature = out.at.hasCurvature ? curvature : kInfinite;
   return out;

@@ -24,7 +24,8 @@ struct DerivedShape {
   const Coefficients* coefficients = nullptr;
   const ScaledField* scaled = nullptr;
   scene::Fetch fetch = scene::Fetch::exact;
-  double outward = -1.0;  // volume/field/curvature.h
+  double outward = -1.0;     // volume/field/curvature.h
+  bool exactSamples = true;  // the processor's; texture units round integers
 };
 
 struct ShapeAt {
@@ -33,6 +34,8 @@ struct ShapeAt {
   bool hasCurvature = false;
   double gradient = 0.0;  // |world gradient|, data units per mm
   double bend = 0.0;      // |world Hessian|, data units per mm^2
+  double lean =
+      0.0;  // the tangential part of Hessian times normal: how fast |gradient| changes along the surface
 };
 // As the passes `gradient`, `hessian` and `curvature`: next to missing voxels the cell's own gradient, and no
 // curvature. voxel: voxel coordinates. Any thread.
@@ -45,15 +48,16 @@ struct ShapeRounding {
 };
 ShapeRounding shapeRounding(const DerivedShape& shape, const glm::dvec3& voxel, const ShapeAt& at);
 
-// How far shapes of single precision may be from that at `voxel`: where the point may be drawn (`ends`, as
-// many as given), at distances of `deviation` along each axis (voxels, root mean squares), and by rounding;
-// kErrorLevel of what is random. Infinite where there is no shape on one of the ways.
+// How far shapes of single precision may be from that at `voxel`. What is known: at `shifted`, added as it
+// is. What is random, as the root of squares: at the farthest of `ends`, where the hit may be along its ray;
+// at distances of `deviation` along each axis (voxels, root mean squares); by rounding; kErrorLevel of each.
+// Infinite where there is no shape on one of the ways.
 struct ShapeBound {
   double normalDegrees = 0.0;
   double curvature = 0.0;  // 1/mm, of each of kappa1 and kappa2
   ShapeAt at;
 };
-ShapeBound boundShape(const DerivedShape& shape, const glm::dvec3& voxel, std::span<const glm::dvec3> ends,
-                      const glm::dvec3& deviation);
+ShapeBound boundShape(const DerivedShape& shape, const glm::dvec3& voxel, const glm::dvec3& shifted,
+                      std::span<const glm::dvec3> ends, const glm::dvec3& deviation);
 
 }  // namespace isolux::volume

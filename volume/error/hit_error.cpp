@@ -16,7 +16,8 @@ namespace isolux::volume {
 namespace {
 
 // Roundings of the field along a stretch, in parts of the largest corner (coefficient) less the isovalue:
-// three interpolations of two roundings, the mean of the middle ones, de Casteljau; of degree 9 twice as many.
+// three interpolations of two roundings, the mean of the middle ones, de Casteljau; of degree 9 twice as
+// many.
 constexpr double kTrilinearRoundings = 3.0, kCubicRoundings = 6.0;
 constexpr double kRootTolerance = 1e-6 / 3.0;  // regula falsi ends at 1e-6 of a stretch: its deviation
 // An enclosure may be so many times as wide as the slope at the hit says before it is a jump.
@@ -153,9 +154,8 @@ RayRounding rayRounding(const PictureRays& rays, glm::dvec2 fragment, const Ray&
   // Of unit length the direction is but for three roundings; t at the cell's ends, between them, and as
   // handed on.
   const double ofLength = rays.orthographic ? 0.0 : 3.0 * squared(along);
-  out.depthDeviation =
-      std::sqrt(squared(kFloatRounding) * (ofLength + 2.0 * squared(along) + squared(t)) +
-                squared(kRootTolerance / glm::length(exact.direction)));
+  out.depthDeviation = std::sqrt(squared(kFloatRounding) * (ofLength + 2.0 * squared(along) + squared(t)) +
+                                 squared(kRootTolerance / glm::length(exact.direction)));
   return out;
 }
 
@@ -167,9 +167,9 @@ HitEnclosure encloseHit(const HitSource& source, std::span<const RaySurface> sur
   out.hit = at.has_value();
   if (!at) {
     out.fieldError = fieldErrorElsewhere;
-    out.certain = !(fieldErrorElsewhere > 0.0) ||
-                  (!nearestCrossing(source, surfaces, ray, -fieldErrorElsewhere) &&
-                   !nearestCrossing(source, surfaces, ray, fieldErrorElsewhere));
+    out.certain =
+        !(fieldErrorElsewhere > 0.0) || (!nearestCrossing(source, surfaces, ray, -fieldErrorElsewhere) &&
+                                         !nearestCrossing(source, surfaces, ray, fieldErrorElsewhere));
     return out;
   }
   const RaySurface& surface = surfaces[at->surface];
@@ -180,11 +180,9 @@ HitEnclosure encloseHit(const HitSource& source, std::span<const RaySurface> sur
   out.rounding = rayRounding(rays, fragment, ray, startMm, at->t);
   const double ofField = (source.cubic ? kCubicRoundings : kTrilinearRoundings) *
                          spreadAbout(source, at->voxel, surface.isovalue);
-  const double ofValue =
-      kFloatRounding * std::hypot(ofField, texelSize(source.grid, surface.isovalue));
-  out.fieldError =
-      std::abs(glm::dot(out.gradient, out.rounding.shift)) +
-      kErrorLevel * std::hypot(glm::length(out.gradient * out.rounding.deviation), ofValue);
+  const double ofValue = kFloatRounding * std::hypot(ofField, texelSize(source.grid, surface.isovalue));
+  out.fieldError = std::abs(glm::dot(out.gradient, out.rounding.shift)) +
+                   kErrorLevel * std::hypot(glm::length(out.gradient * out.rounding.deviation), ofValue);
 
   const double voxelsPerMm = glm::length(ray.direction);
   const double slope = std::abs(glm::dot(out.gradient, ray.direction));

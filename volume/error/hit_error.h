@@ -24,9 +24,9 @@ namespace isolux::volume {
 // Root mean square of one rounding to single precision, parts of the number: half a unit in the last place,
 // uniform, over mantissas that are logarithmically uniform: 2^-24 sqrt(1/3 * 3/8 / ln 2).
 inline constexpr double kFloatRounding = 0.425 * 0x1p-24;
-// Bounds are this many root mean squares of the sum of all roundings. What is known of it (the rounding of
-// the camera) is added as it is.
-inline constexpr double kErrorLevel = 4.0;
+// Bounds are this many root mean squares of the sum of all roundings: 99.9 % of a normal distribution. What
+// is known of it (the rounding of the camera) is added as it is.
+inline constexpr double kErrorLevel = 3.3;
 
 // Where float arithmetic puts the point t mm along a ray.
 struct RayRounding {
@@ -58,13 +58,13 @@ struct HitEnclosure {
   // False where the answer may change by a jump: it grazes, or misses by less than a rounding, another
   // crossing or a missing voxel is as near, or the ends of the enclosure are no continuous way apart.
   bool certain = true;
-  double t = 0.0;                // mm, in double precision
+  double t = 0.0;                  // mm, in double precision
   double first = 0.0, last = 0.0;  // mm: of every answer
-  double bound = 0.0;            // mm: how far a drawn depth may be from t; infinite where not certain
-  double fieldError = 0.0;       // e, data units
-  double isovalue = 0.0;         // of what is hit
+  double bound = 0.0;              // mm: how far a drawn depth may be from t; infinite where not certain
+  double fieldError = 0.0;         // e, data units
+  double isovalue = 0.0;           // of what is hit
   glm::dvec3 voxel{0.0}, gradient{0.0};  // data units per voxel, of the field that is hit
-  RayRounding rounding;          // at t
+  RayRounding rounding;                  // at t
 };
 
 // `ray`: voxel coordinates, t in mm. fieldErrorElsewhere: e for rays that hit nothing (fieldError of those

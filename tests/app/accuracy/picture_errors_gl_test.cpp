@@ -2,6 +2,7 @@
 // knows nothing of them): they hold, and they are no larger than they need be.
 #include "app/accuracy/picture_errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -56,7 +57,8 @@ class PictureErrorsGlTest : public test::ExecutorsGlTest {
     request.aovs = {Aov::depth, Aov::voxel, Aov::normal, Aov::kappa};
     renderer_->setVolume(volume);
     renderer_->render(scene, request);
-    return {{size, renderer_->readAov(Aov::depth).values, renderer_->readAov(Aov::voxel).values},
+    return {{size, renderer_->readAov(Aov::depth).values, renderer_->readAov(Aov::voxel).values,
+             GetParam() == std::string("cpu")},
             renderer_->readAov(Aov::normal).values,
             renderer_->readAov(Aov::kappa).values};
   }
@@ -89,9 +91,8 @@ class PictureErrorsGlTest : public test::ExecutorsGlTest {
         judged.normal.add(angleDegrees(n, shape.normal), bounds.normalDegrees[i]);
       const float* const kappa = &drawn.kappa[2 * i];
       if (!std::isnan(bounds.curvature[i]) && !std::isnan(kappa[0]))
-        judged.curvature.add(
-            std::max(std::abs(kappa[0] - shape.kappa1), std::abs(kappa[1] - shape.kappa2)),
-            bounds.curvature[i]);
+        judged.curvature.add(std::max(std::abs(kappa[0] - shape.kappa1), std::abs(kappa[1] - shape.kappa2)),
+                             bounds.curvature[i]);
     }
     return judged;
   }
@@ -127,6 +128,56 @@ ISOLUX_ON_BOTH_EXECUTORS(PictureErrorsGlTest);
 TEST_P(PictureErrorsGlTest, HoldOnPhantomsAndAreUseful) {
   for (const char* const name : {"gyroid", "torus", "head"})
     expectKept(name, judge(test::phantom(name, 64), Scene{}));
+}
+
+TEST_P(PictureErrorsGlTest, HoldOnScans) {
+  ISOLUX_NEEDS_DATA();
+  const auto scan = [&](const char* file, double isovalue) {
+    Scene scene;
+    scene.source.path = (test::dataFolder() / "volumes" / file).string();
+    scene.isosurface.value = isovalue;
+    base::Progress progress;
+    expectKept(file, judge(volume::loadVolume(scene.source, progress), scene, {192, 192}));
+  };
+  scan("ct_head_pitch.nii.gz", 200.0);
+  scan("engine.nii.gz", 80.0);
+  scan("tooth.mhd", 620.0);
+}
+
+// Rays that run along a ridge whose top is within a rounding of the isovalue: whether they hit is chance.
+TEST_P(PictureErrorsGlTest, WhereRoundingDecidesThePixelSaysSo) {
+  constexpr int n = 16;
+  const volume::GridGeometry geometry = test::unitGeometry({n, n, n});
+  const auto volume =
+      test::prepared(test::gridOfVoxels(geometry, [](glm::dvec3 p) { return 0.5 - std::abs(p.x - 8.0); }));
+  const auto uncertainAt = [&](double isovalue) {
+    Scene scene;
+    scene.isosurface.value = isovalue;
+    scene.derivatives.field = scene::Field::trilinear;
+    scene.camera.projection = scene::Projection::orthographic;
+    scene.camera.eye = glm::dvec3(8.0, 7.5, -50.0);
+    scene.camera.target = glm::dvec3(8.0, 7.5, 7.5);
+    scene.camera.up = glm::dvec3(0.0, 1.0, 0.0);
+    scene.camera.fov = 10.0;
+    scene = scene::resolve(scene, volume->facts);
+    base::Progress progress;
+    completeFields(scene, *volume, true, progress);
+    const Drawn drawn = draw(volume, scene, {33, 33});  // the middle column looks along x = 8
+    const PictureErrors bounds = pictureErrors(*volume, scene, drawn.hits, progress);
+    return std::count(bounds.certain.begin(), bounds.certain.end(), 0);
+  };
+  EXPECT_GT(uncertainAt(0.5 - 1e-9), 0);  // those rays run along the ridge
+  EXPECT_EQ(uncertainAt(0.6), 0);         // nothing is near
+}
+
+TEST_P(PictureErrorsGlTest, SamplesAtStepsAreBoundedToo) {
+  Scene scene;
+  scene.hit.method = scene::HitMethod::sampled;
+  scene.hit.refinements = 1;
+  const Judged judged = judge(test::phantom("torus", 64), scene);
+  print("sampled", judged);
+  EXPECT_GE(judged.depth.share(), 0.999);
+  EXPECT_EQ(judged.wrong, 0u);
 }
 
 }  // namespace
