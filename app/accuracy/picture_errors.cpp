@@ -79,9 +79,10 @@ class PictureJudge {
         aspect_(static_cast<double>(drawn.size.x) / drawn.size.y),
         view_(scene.camera, aspect_, volume.grid().geometry()),
         rays_(view_.rays(drawn.size, glm::ivec2(0))),
+        sampled_(scene.hit.method == scene::HitMethod::sampled),
         isovalues_(seenIsovalues(scene)),
         cubic_(volume.cubicFields->make(scene.hit.field, progress)),
-        source_{volume.grid(), *volume.blocks, scene.hit.field, cubic_.get()},
+        source_{volume.grid(), *volume.blocks, scene.hit.field, cubic_.get(), drawn.onProcessor},
         hidden_(volume::hiddenOf(scene, *volume.pieces, progress)),
         cut_(scene, volume.grid().geometry()) {
     if (scene::showsCutFaces(scene)) faces_.emplace(volume.grid(), *volume.cubicFields, scene, hidden_);
@@ -117,13 +118,14 @@ class PictureJudge {
     const auto pointAt = [&](double t) { return ray.origin + t * ray.direction; };
     const glm::dvec3 drawnVoxel(drawn_.voxel[3 * pixel], drawn_.voxel[3 * pixel + 1],
                                 drawn_.voxel[3 * pixel + 2]);
-    const std::array<glm::dvec3, 3> ends{pointAt(hit.first), pointAt(hit.last), drawnVoxel};
+    const std::array<glm::dvec3, 2> ends{pointAt(hit.t + hit.randomPart * (hit.first - hit.t)),
+                                         pointAt(hit.t + hit.randomPart * (hit.last - hit.t))};
     // Samples at steps are elsewhere than the arithmetic alone would put them.
     const bool elsewhere = std::abs(depth - hit.t) > hit.bound;
     if (elsewhere) hit.bound = std::abs(depth - hit.t);
     out.depthMm[pixel] = roundedUp(hit.bound);
-    const std::span<const glm::dvec3> used(ends.data(), elsewhere ? 3 : 2);
-    judgeShape(pixel, hit, used, out);
+    if (sampled_ || elsewhere) hit.shifted = drawnVoxel;
+    judgeShape(pixel, hit, ends, out);
   }
   static void refuse(std::size_t pixel, PictureErrors& out) {
     out.certain[pixel] = 0;
@@ -151,7 +153,7 @@ class PictureJudge {
 
   void judgeShape(std::size_t pixel, const volume::HitEnclosure& hit, std::span<const glm::dvec3> ends,
                   PictureErrors& out) const {
-    const glm::dvec3 shifted = hit.voxel + hit.rounding.shift, &deviation = hit.rounding.deviation;
+    const glm::dvec3 &shifted = hit.shifted, &deviation = hit.rounding.deviation;
     const volume::ShapeBound normal =
         volume::boundShape(normals_->shape, hit.voxel, shifted, ends, deviation);
     const volume::ShapeBound shape =
@@ -178,6 +180,7 @@ class PictureJudge {
   double aspect_;
   render::ViewUniforms view_;
   volume::PictureRays rays_;
+  bool sampled_;
   std::vector<double> isovalues_;
   std::shared_ptr<const volume::CubicField> cubic_;
   volume::HitSource source_;

@@ -28,13 +28,13 @@ struct RoundingCounts {
   double gradientOfSamples, hessianOfSamples;
 };
 RoundingCounts countsOf(const DerivedShape& shape) {
-  if (shape.scaled) return {-2, 3, 2.0, 3.0, 1.5, 4.0};
-  if (shape.field == scene::Field::trilinear) return {0, 1, 2.0, 4.0, 3.0, 6.0};
-  return {-1, 2, 2.0, 4.0, 2.0, 6.0};
+  if (shape.scaled) return {-2, 3, 2.0, 3.0, 0.0, 0.0};
+  if (shape.field == scene::Field::trilinear) return {0, 1, 2.0, 4.0, 1.5, 3.0};
+  return {-1, 2, 2.0, 4.0, 0.6, 1.8};
 }
 
 // Root mean squares of the samples of a lookup: about the first of the cell, and themselves where they are
-// rounded before anything is taken off (integers become texels of [-1, 1]).
+// rounded before anything is taken off (integers become texels of [0, 1]).
 struct SampleSizes {
   double spread = 0.0, size = 0.0;
 };
@@ -49,6 +49,7 @@ SampleSizes sizesOf(const DerivedShape& shape, const RoundingCounts& counts, con
   const glm::ivec3 cell =
       glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(last - 1, glm::ivec3(0)));
   const double reference = sample(cell);
+  const double lowest = lowestStored(grid);
   double spread = 0.0, size = 0.0;
   int count = 0;
   for (int z = counts.before; z <= counts.behind; ++z)
@@ -57,7 +58,7 @@ SampleSizes sizesOf(const DerivedShape& shape, const RoundingCounts& counts, con
         const double value = sample(glm::clamp(cell + glm::ivec3(x, y, z), glm::ivec3(0), last));
         if (!std::isfinite(value)) continue;
         spread += (value - reference) * (value - reference);
-        size += value * value;
+        size += (value - lowest) * (value - lowest);
         ++count;
       }
   const bool rounded =

@@ -86,11 +86,14 @@ double spreadAbout(const HitSource& source, const glm::dvec3& voxel, double isov
   return spread;
 }
 
-// What float texels are rounded in parts of: the value less what is taken off before (value_scaling.h).
-double texelSize(const Grid& grid, double isovalue) {
-  if (!std::holds_alternative<std::vector<float>>(grid.voxels()))
-    return std::abs(isovalue - grid.intercept());
+// What texels and the isovalue are rounded in parts of, data units: the value less what is taken off before
+// (value_scaling.h); of integers in texture units less the lowest that their type has.
+double texelSize(const HitSource& source, double isovalue) {
+  const Grid& grid = source.grid;
   const double slope = grid.slope(), stored = (isovalue - grid.intercept()) / slope;
+  if (!std::holds_alternative<std::vector<float>>(grid.voxels()))
+    return std::abs(slope) *
+           (source.onProcessor ? std::abs(stored) : std::sqrt(2.0) * std::abs(stored - lowestStored(grid)));
   const double a = (grid.minimum() - grid.intercept()) / slope,
                b = (grid.maximum() - grid.intercept()) / slope;
   const ValueScaling scaling = scalingOf(std::min(a, b), std::max(a, b));
@@ -124,8 +127,17 @@ bool isOneCrossing(const FoundCrossing& at, const std::optional<FoundCrossing>& 
 
 }  // namespace
 
+double lowestStored(const Grid& grid) {
+  return std::visit(
+      [](const auto& voxels) {
+        using Stored = typename std::decay_t<decltype(voxels)>::value_type;
+        return std::is_integral_v<Stored> ? static_cast<double>(std::numeric_limits<Stored>::lowest()) : 0.0;
+      },
+      grid.voxels());
+}
+
 RayRounding rayRounding(const PictureRays& rays, glm::dvec2 fragment, const Ray& exact, double startMm,
-                        double t) {
+                        double t, bool onProcessor) {
   const glm::dvec2 picture(rays.picture), half(rays.halfExtent);
   const glm::dvec2 ndc = fragment / picture * 2.0 - 1.0, plane = ndc * half;
   const glm::dvec3 right(rays.right), up(rays.up), forward(rays.forward), eye(rays.eye);
@@ -146,10 +158,9 @@ RayRounding rayRounding(const PictureRays& rays, glm::dvec2 fragment, const Ray&
   const double reach = rays.orthographic ? 1.0 : startDepth + along / length;
   glm::dvec3 sum = reach * reach * ofOffset + 2.0 * squared(point);
   if (rays.orthographic || startDepth != 0.0) sum += squared(origin);
-  if (!rays.orthographic)
-    sum += squared(along / length * (forward + offset)) + 2.0 * squared(along * direction);
-  else
-    sum += squared(along * direction);
+  const glm::dvec3 ofProduct = squared(along * direction);
+  if (!rays.orthographic) sum += squared(along / length * (forward + offset)) + ofProduct;
+  if (!onProcessor) sum += ofProduct;
   out.deviation = kFloatRounding * glm::sqrt(sum);
   // Of unit length the direction is but for three roundings; t at the cell's ends, between them, and as
   // handed on.
@@ -177,12 +188,14 @@ HitEnclosure encloseHit(const HitSource& source, std::span<const RaySurface> sur
   out.voxel = at->voxel;
   out.isovalue = surface.isovalue;
   out.gradient = fieldAt(source, at->voxel).gradient;
-  out.rounding = rayRounding(rays, fragment, ray, startMm, at->t);
+  out.rounding = rayRounding(rays, fragment, ray, startMm, at->t, source.onProcessor);
   const double ofField = (source.cubic ? kCubicRoundings : kTrilinearRoundings) *
                          spreadAbout(source, at->voxel, surface.isovalue);
-  const double ofValue = kFloatRounding * std::hypot(ofField, texelSize(source.grid, surface.isovalue));
-  out.fieldError = std::abs(glm::dot(out.gradient, out.rounding.shift)) +
-                   kErrorLevel * std::hypot(glm::length(out.gradient * out.rounding.deviation), ofValue);
+  const double ofValue = kFloatRounding * std::hypot(ofField, texelSize(source, surface.isovalue));
+  const double known = std::abs(glm::dot(out.gradient, out.rounding.shift));
+  out.fieldError =
+      known + kErrorLevel * std::hypot(glm::length(out.gradient * out.rounding.deviation), ofValue);
+  out.randomPart = out.fieldError > 0.0 ? 1.0 - known / out.fieldError : 1.0;
 
   const double voxelsPerMm = glm::length(ray.direction);
   const double slope = std::abs(glm::dot(out.gradient, ray.direction));
@@ -194,6 +207,10 @@ HitEnclosure encloseHit(const HitSource& source, std::span<const RaySurface> sur
     out.first = std::min(out.first, end->t);
     out.last = std::max(out.last, end->t);
   }
+  const double back = -glm::dot(out.gradient, out.rounding.shift) / glm::dot(out.gradient, ray.direction);
+  out.shifted =
+      out.voxel + out.rounding.shift +
+      std::clamp(std::isnan(back) ? 0.0 : back, out.first - out.t, out.last - out.t) * ray.direction;
   out.bound = std::max(out.t - out.first, out.last - out.t) + kErrorLevel * out.rounding.depthDeviation;
   const glm::dvec3 reach = glm::abs(out.rounding.shift) + kErrorLevel * out.rounding.deviation +
                            out.bound * glm::abs(ray.direction);

@@ -37,7 +37,7 @@ struct RayRounding {
 // fragment: centre of the pixel, in pixels from the lower left corner of the whole picture. exact: the same
 // ray in double precision, which starts `startMm` along it (ViewUniforms::rayStartMm, orthographic views).
 RayRounding rayRounding(const PictureRays& rays, glm::dvec2 fragment, const Ray& exact, double startMm,
-                        double t);
+                        double t, bool onProcessor);
 
 // What is hit. cubic: of the field, null for the trilinear one.
 struct HitSource {
@@ -45,6 +45,7 @@ struct HitSource {
   const MinMaxBlocks& blocks;  // of the trilinear field
   scene::Field field = scene::Field::trilinear;
   const CubicField* cubic = nullptr;
+  bool onProcessor = false;  // which multiplies and adds in one rounding, and has integers as they are
 };
 // An isosurface, and between which t of this ray it is not cut away.
 struct RaySurface {
@@ -52,6 +53,9 @@ struct RaySurface {
   HiddenPieces hidden{};
   double begin = -std::numeric_limits<double>::infinity(), end = std::numeric_limits<double>::infinity();
 };
+
+// Of the type of integers; 0 of floats. Texture units have them from 0 to 1.
+double lowestStored(const Grid& grid);
 
 struct HitEnclosure {
   bool hit = false;
@@ -62,6 +66,8 @@ struct HitEnclosure {
   double first = 0.0, last = 0.0;  // mm: of every answer
   double bound = 0.0;              // mm: how far a drawn depth may be from t; infinite where not certain
   double fieldError = 0.0;         // e, data units
+  double randomPart = 1.0;         // of e: without what the rounded camera makes of it
+  glm::dvec3 shifted{0.0};         // voxels: the crossing of the ray with the rounded camera
   double isovalue = 0.0;           // of what is hit
   glm::dvec3 voxel{0.0}, gradient{0.0};  // data units per voxel, of the field that is hit
   RayRounding rounding;                  // at t
