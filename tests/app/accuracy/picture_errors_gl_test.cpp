@@ -178,6 +178,33 @@ TEST_P(PictureErrorsGlTest, WhereRoundingDecidesThePixelSaysSo) {
   EXPECT_EQ(uncertainAt(0.6), 0);         // nothing is near
 }
 
+// A wall across the view, and a missing voxel in it: rays along the border of its cells see the wall or
+// nothing.
+TEST_P(PictureErrorsGlTest, BesideAGapThePixelSaysSo) {
+  const auto uncertain = [&](bool gap) {
+    const auto volume =
+        test::prepared(test::gridOfVoxels(test::unitGeometry({32, 32, 32}), [gap](glm::dvec3 p) {
+          return gap && p == glm::dvec3(15.0, 15.0, 11.0) ? std::nan("") : p.z;
+        }));
+    Scene scene;
+    scene.isosurface.value = 10.25;
+    scene.camera.projection = scene::Projection::orthographic;
+    scene.camera.eye = glm::dvec3(14.0 - 1e-6, 15.5, -100.0);  // the middle column is that border
+    scene.camera.target = glm::dvec3(14.0 - 1e-6, 15.5, 15.5);
+    scene.camera.up = glm::dvec3(0.0, 1.0, 0.0);
+    scene.camera.fov = 5.0;
+    scene = scene::resolve(scene, volume->facts);
+    base::Progress progress;
+    completeFields(scene, *volume, true, progress);
+    const Drawn drawn = draw(volume, scene, {65, 65});
+    const PictureErrors bounds = pictureErrors(*volume, scene, drawn.hits, progress);
+    return std::count(bounds.certain.begin(), bounds.certain.end(), 0);
+  };
+  EXPECT_EQ(uncertain(false), 0);
+  EXPECT_GE(uncertain(true), 6);
+  EXPECT_LE(uncertain(true), 30);  // of 4225
+}
+
 TEST_P(PictureErrorsGlTest, SamplesAtStepsAreBoundedToo) {
   Scene scene;
   scene.hit.method = scene::HitMethod::sampled;
