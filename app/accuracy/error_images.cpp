@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/error.h"
+
 namespace isolux::app {
 
 namespace {
@@ -30,22 +32,25 @@ const std::vector<ErrorImageInfo>& errorImages() {
 
 std::string imageNames() {
   std::string names;
-  for (const render::AovInfo& info : render::aovs()) names += std::string(info.name) + ",";
-  for (const ErrorImageInfo& info : errorImages()) names += std::string(info.name) + ",";
-  names.pop_back();
-  return names;
+  for (const render::AovInfo& info : render::aovs()) names += std::string(info.name) + ", ";
+  for (const ErrorImageInfo& info : errorImages()) names += std::string(info.name) + ", ";
+  return names.substr(0, names.size() - 2);
 }
 
 WantedImages parseImageList(const std::string& text) {
   WantedImages wanted;
   std::string others, name;
   for (std::istringstream list(text); std::getline(list, name, ',');) {
-    const auto found = std::find_if(errorImages().begin(), errorImages().end(),
-                                    [&](const ErrorImageInfo& info) { return name == info.name; });
-    if (found == errorImages().end())
+    const auto isNamed = [&](const auto& info) { return name == info.name; };
+    const auto found = std::find_if(errorImages().begin(), errorImages().end(), isNamed);
+    if (found == errorImages().end()) {
+      if (std::none_of(render::aovs().begin(), render::aovs().end(), isNamed))
+        throw base::Error(base::ErrorKind::usage, "", "--aov",
+                          "unknown image '" + name + "'; known: " + imageNames());
       others += (others.empty() ? "" : ",") + name;
-    else if (std::find(wanted.errors.begin(), wanted.errors.end(), found->image) == wanted.errors.end())
+    } else if (std::find(wanted.errors.begin(), wanted.errors.end(), found->image) == wanted.errors.end()) {
       wanted.errors.push_back(found->image);
+    }
   }
   if (!others.empty() || wanted.errors.empty()) wanted.aovs = render::parseAovList(others);
   return wanted;
