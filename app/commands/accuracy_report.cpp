@@ -44,7 +44,7 @@ nlohmann::ordered_json accuracyJson(const Accuracy& accuracy) {
 std::string accuracyLine(const Accuracy& accuracy) {
   std::string line = "accuracy of 99 % of what is seen: ";
   if (accuracy.seen == accuracy.uncertain)
-    line += "nothing is seen for certain, ";
+    line += accuracy.seen == 0 ? "nothing is seen, " : "nothing is seen for certain, ";
   else
     line += figure("depth", accuracy.depthMm.most99, " mm") +
             figure("normal", accuracy.normalDegrees.most99, " degrees") +

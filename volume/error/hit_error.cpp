@@ -125,6 +125,18 @@ bool isOneCrossing(const FoundCrossing& at, const std::optional<FoundCrossing>& 
          width * voxelsPerMm <= kWideVoxels;
 }
 
+// What rounding makes of the field at the hit: `out` from its gradient to its randomPart.
+void roundField(const HitSource& source, double isovalue, HitEnclosure& out) {
+  out.gradient = fieldAt(source, out.voxel).gradient;
+  const double ofField =
+      (source.cubic ? kCubicRoundings : kTrilinearRoundings) * spreadAbout(source, out.voxel, isovalue);
+  const double ofValue = kFloatRounding * std::hypot(ofField, texelSize(source, isovalue));
+  const double known = std::abs(glm::dot(out.gradient, out.rounding.shift));
+  out.fieldError =
+      known + kErrorLevel * std::hypot(glm::length(out.gradient * out.rounding.deviation), ofValue);
+  out.randomPart = out.fieldError > 0.0 ? 1.0 - known / out.fieldError : 1.0;
+}
+
 }  // namespace
 
 double lowestStored(const Grid& grid) {
@@ -187,15 +199,8 @@ HitEnclosure encloseHit(const HitSource& source, std::span<const RaySurface> sur
   out.t = out.first = out.last = at->t;
   out.voxel = at->voxel;
   out.isovalue = surface.isovalue;
-  out.gradient = fieldAt(source, at->voxel).gradient;
   out.rounding = rayRounding(rays, fragment, ray, startMm, at->t, source.onProcessor);
-  const double ofField = (source.cubic ? kCubicRoundings : kTrilinearRoundings) *
-                         spreadAbout(source, at->voxel, surface.isovalue);
-  const double ofValue = kFloatRounding * std::hypot(ofField, texelSize(source, surface.isovalue));
-  const double known = std::abs(glm::dot(out.gradient, out.rounding.shift));
-  out.fieldError =
-      known + kErrorLevel * std::hypot(glm::length(out.gradient * out.rounding.deviation), ofValue);
-  out.randomPart = out.fieldError > 0.0 ? 1.0 - known / out.fieldError : 1.0;
+  roundField(source, surface.isovalue, out);
 
   const double voxelsPerMm = glm::length(ray.direction);
   const double slope = std::abs(glm::dot(out.gradient, ray.direction));
