@@ -122,6 +122,7 @@ class PictureJudge {
                                          pointAt(hit.t + hit.randomPart * (hit.last - hit.t))};
     // Samples at steps are elsewhere than the arithmetic alone would put them.
     const bool elsewhere = std::abs(depth - hit.t) > hit.bound;
+    out.elsewhere[pixel] = elsewhere ? 1 : 0;
     if (elsewhere) hit.bound = std::abs(depth - hit.t);
     out.depthMm[pixel] = roundedUp(hit.bound);
     if (sampled_ || elsewhere) hit.shifted = drawnVoxel;
@@ -196,7 +197,15 @@ PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::S
                             const DrawnHits& drawn, base::Progress& progress) {
   ++runs;
   const std::size_t count = static_cast<std::size_t>(drawn.size.x) * static_cast<std::size_t>(drawn.size.y);
-  PictureErrors out{drawn.size, {}, {}, {}, {}, {}, {}, std::vector<std::uint8_t>(count, 1)};
+  PictureErrors out{drawn.size,
+                    {},
+                    {},
+                    {},
+                    {},
+                    {},
+                    {},
+                    std::vector<std::uint8_t>(count, 1),
+                    std::vector<std::uint8_t>(count, 0)};
   for (std::vector<float>* const image :
        {&out.depthMm, &out.normalDegrees, &out.curvature, &out.normalNoiseDegrees, &out.curvatureNoise,
         &out.relativeCurvature})

@@ -32,6 +32,9 @@ struct PictureErrors {
   std::vector<float>
       relativeCurvature;              // curvature / max(|kappa1|, |kappa2|, flat); volume/field/curvature.h
   std::vector<std::uint8_t> certain;  // 0 also where a ray misses a surface by no more than a rounding
+  // 1 where the hit was drawn further away than arithmetic alone explains (samples at steps): its distance is
+  // the bound there.
+  std::vector<std::uint8_t> elsewhere;
 };
 inline constexpr double kNoiseLevel = 0.95;
 

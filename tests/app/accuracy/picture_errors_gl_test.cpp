@@ -40,7 +40,8 @@ struct Kept {
 struct Judged {
   Kept depth, normal, curvature;
   std::size_t seen = 0, uncertain = 0;
-  std::size_t wrong = 0;  // certain, and yet another answer than the truth
+  std::size_t elsewhere = 0;  // drawn further away than the arithmetic allows
+  std::size_t wrong = 0;      // certain, and yet another answer than the truth
 };
 
 class PictureErrorsGlTest : public test::ExecutorsGlTest {
@@ -84,6 +85,7 @@ class PictureErrorsGlTest : public test::ExecutorsGlTest {
         continue;
       }
       if (hit.hit != !std::isnan(depth)) ++judged.wrong;
+      judged.elsewhere += bounds.elsewhere[i];
       if (!hit.hit || std::isnan(depth)) continue;
       judged.depth.add(std::abs(static_cast<double>(depth) - hit.depthMm), bounds.depthMm[i]);
       const TrueShape& shape = surface.shapes[i];
@@ -113,6 +115,7 @@ class PictureErrorsGlTest : public test::ExecutorsGlTest {
     ASSERT_GT(judged.seen, 2000u) << name;
     SCOPED_TRACE(textOf(name, judged));
     EXPECT_EQ(judged.wrong, 0u);
+    EXPECT_LE(static_cast<double>(judged.elsewhere), 0.001 * static_cast<double>(judged.seen));
     EXPECT_LT(static_cast<double>(judged.uncertain), 0.01 * static_cast<double>(judged.seen));
     EXPECT_GE(judged.depth.share(), 0.999);
     EXPECT_GE(judged.normal.share(), 0.999);
