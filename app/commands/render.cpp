@@ -6,7 +6,10 @@
 
 #include <unistd.h>
 
+#include "app/accuracy/accuracy.h"
+#include "app/accuracy/error_images.h"
 #include "app/annotation/annotation.h"
+#include "app/commands/accuracy_report.h"
 #include "app/commands/command.h"
 #include "app/commands/derivative_report.h"
 #include "app/commands/progress_bar.h"
@@ -38,7 +41,7 @@ struct RenderOptions {
   std::vector<std::string> paths;
   std::string light, out, aov, stats, sweep;
   std::optional<std::string> size;
-  bool explain = false, lightAround = false;
+  bool explain = false, lightAround = false, accuracy = false;
   int repeat = 0, turntable = 0;
   double fps = 24.0;
   std::shared_ptr<render::ContextChoice> context;
@@ -65,7 +68,8 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
   request.linear = extension == ".exr";
   if (!options.aov.empty()) {
     request.linear = false;
-    request.aovs = render::parseAovList(options.aov);
+    request.aovs = parseImageList(options.aov).aovs;
+    if (request.aovs.empty()) request.aovs = {render::Aov::hit};  // errors alone are asked for
     if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
     request.color = false;
     request.supersampling = 1;
@@ -93,7 +97,8 @@ Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::
 }
 
 void writePicture(const render::StillPicture& picture, const render::FrameRequest& request,
-                  const std::string& name, const scene::Scene& scene) {
+                  const std::string& name, const scene::Scene& scene, const WantedImages& images,
+                  const PictureErrors& errors) {
   if (name == kStandardOutput) {
     const std::string bytes = pngBytes(picture.color, sessionText(scene, fs::current_path()));
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -103,8 +108,10 @@ void writePicture(const render::StillPicture& picture, const render::FrameReques
   const std::string session = sessionText(scene, out.parent_path());
   if (out.extension() == ".png")
     writePng(picture.color, out, session);
-  else
+  else if (images.errors.empty())
     writeExr(request.linear ? &picture.linear : nullptr, picture.aovs, out, session);
+  else
+    writeExr(errors.size, channelsOf(picture.aovs, images, errors), out, session);
 }
 
 void checkRenderOutputs(const RenderOptions& options, const RenderPlan& plan) {
@@ -140,6 +147,7 @@ class RenderRun {
     renderer_->setVolume(prepared_);
     readsLight_ = !options_.light.empty();
     request_ = requestOf(options_, path, asked, pictures.pictures.front().out);
+    if (!options_.aov.empty()) images_ = parseImageList(options_.aov);
     const scene::Scene base = startingScene(path);
     for (const PlannedPicture& picture : pictures.pictures) {
       progress_.throwIfStopped();
@@ -187,6 +195,7 @@ class RenderRun {
     request_.supersampling = request_.aovs.empty() ? scene.picture.supersampling : 1;
     request_.pixelRatio = scene.picture.pixelRatio;
     Drawn drawn;
+    std::optional<PictureErrors> errors;
     {
       progress_.report(0.0, "drawing");
       const ProgressBar bar(progress_);
@@ -201,27 +210,30 @@ class RenderRun {
       progress_.report(0.0, "drawing");
       drawn = draw(*renderer_, shown.value_or(scene), request_, options_.repeat, progress_);
       progress_.throwIfStopped();
+      if (options_.accuracy || !images_.errors.empty())
+        errors = measureErrors(*renderer_, shown.value_or(scene), request_, *prepared_, progress_);
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
-      writePicture(drawn.picture, request_, picture.out, scene);
+      writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}));
     }
-    report(asked, scene, drawn, picture);
+    report(asked, scene, drawn, picture, errors ? std::optional(accuracyOf(*errors)) : std::nullopt);
   }
 
   void report(const scene::Derivatives& asked, const scene::Scene& scene, const Drawn& drawn,
-              const PlannedPicture& picture) {
+              const PlannedPicture& picture, const std::optional<Accuracy>& accuracy) {
     if (!picture.stats.empty() || options_.explain) {
       const DerivativeFacts derivatives =
           derivativeFacts(*renderer_, asked, scene, request_, drawn.picture.report, *prepared_);
       if (!picture.stats.empty())
         writeTextFile(picture.stats, jsonText(renderJson(scene, request_, *prepared_, context_->description(),
-                                                         drawn, light_, derivatives)));
+                                                         drawn, light_, derivatives, accuracy)));
       if (options_.explain) {
         printPasses(drawn.picture.report);
         printDerivatives(derivatives);
         printRest(scene, *prepared_);
         printBake(light_.state());
         printExposure(scene, light_.light().get());
+        if (accuracy) std::printf("%s\n", accuracyLine(*accuracy).c_str());
       }
     }
     for (const std::string& warning : light_.state().warnings) printNote(warning);
@@ -245,6 +257,7 @@ class RenderRun {
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   render::FrameRequest request_;
+  WantedImages images_;      // of --aov
   bool readsLight_ = false;  // of a file, before the volume's first picture
 };
 
@@ -277,17 +290,17 @@ Command makeRender(CLI::App& program) {
       ->add_option("--size", options->size,
                    "Pixels; default: those of the .png that the session comes from, else 1024x768")
       ->type_name("WxH");
-  std::string known;
-  for (const render::AovInfo& info : render::aovs())
-    known += (known.empty() ? "" : ",") + std::string(info.name);
   parser
       ->add_option("--aov", options->aov,
-                   "Write these deferred images to the .exr instead of the colours: " + known)
+                   "Write these deferred images to the .exr instead of the colours: " + imageNames())
       ->type_name("LIST");
   parser
       ->add_option("--stats", options->stats,
                    "Write what was computed and what it cost as JSON (docs/commands.md)")
       ->type_name("FILE");
+  parser->add_flag("--accuracy", options->accuracy,
+                   "Bound the errors of depth, normal and curvature of each pixel: in --stats, and a line of "
+                   "--explain");
   parser
       ->add_option("--light", options->light,
                    "Take stored light from this file of `isolux bake`; what is missing is baked")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/commands/accuracy_report.h"
 #include "app/commands/command.h"
 #include "app/light/light_report.h"
 #include "app/version.h"
@@ -28,8 +29,8 @@ std::uint64_t peakBytes() {
 
 ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& request,
                         const volume::PreparedVolume& prepared, const render::ContextDescription& context,
-                        const Drawn& drawn, const LightController& light,
-                        const DerivativeFacts& derivatives) {
+                        const Drawn& drawn, const LightController& light, const DerivativeFacts& derivatives,
+                        const std::optional<Accuracy>& accuracy) {
   ordered_json passes = ordered_json::array();
   for (const render::PassReport& pass : drawn.picture.report.passes)
     passes.push_back({{"name", pass.name},
@@ -59,6 +60,7 @@ ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& r
   json["hits"] = restJson(scene, prepared);
   json["bake"] = bakeJson(light.state());
   json["exposure"] = exposureJson(scene, light.light().get());
+  json["accuracy"] = accuracy ? accuracyJson(*accuracy) : ordered_json(nullptr);
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["data_hash"] = base::hexText(prepared.grid().hash());

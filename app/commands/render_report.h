@@ -1,6 +1,7 @@
 // What `isolux render` says of a picture: --stats, --explain and notes.
 #pragma once
 
+#include "app/accuracy/accuracy.h"
 #include "app/commands/derivative_report.h"
 #include "app/light/light_controller.h"
 #include "render/gl/gl_context.h"
@@ -17,10 +18,12 @@ struct Drawn {
 };
 
 // docs/commands.md has the keys. `scene`: as it was drawn, but for the hits of pictures at rest.
+// accuracy: none where nobody asked for it.
 nlohmann::ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& request,
                                   const volume::PreparedVolume& prepared,
                                   const render::ContextDescription& context, const Drawn& drawn,
-                                  const LightController& light, const DerivativeFacts& derivatives);
+                                  const LightController& light, const DerivativeFacts& derivatives,
+                                  const std::optional<Accuracy>& accuracy);
 
 void printPasses(const render::FrameReport& report);
 // Notes on stderr about a picture that has been written.

@@ -1,0 +1,67 @@
+#include "app/accuracy/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/jobs/field_job.h"
+#include "base/quantiles.h"
+#include "render/still_picture.h"
+
+namespace isolux::app {
+
+namespace {
+
+BoundSpread boundSpreadOf(const std::vector<float>& image, const std::vector<std::uint8_t>& certain) {
+  std::vector<double> bounds;
+  for (std::size_t i = 0; i < image.size(); ++i)
+    if (certain[i] && !std::isnan(image[i])) bounds.push_back(static_cast<double>(image[i]));
+  if (bounds.empty())
+    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  return {base::quantile(bounds, 0.5), base::quantile(bounds, 0.99)};
+}
+
+bool anyOnProcessor(const render::FrameReport& report) {
+  return std::any_of(report.passes.begin(), report.passes.end(),
+                     [](const render::PassReport& pass) { return pass.onProcessor; });
+}
+
+}  // namespace
+
+double Accuracy::uncertainShare() const {
+  return pixels > 0 ? static_cast<double>(uncertain) / static_cast<double>(pixels) : 0.0;
+}
+
+Accuracy accuracyOf(const PictureErrors& errors) {
+  Accuracy accuracy;
+  accuracy.pixels = errors.certain.size();
+  for (std::size_t i = 0; i < errors.certain.size(); ++i) {
+    if (!std::isnan(errors.depthMm[i])) ++accuracy.seen;
+    if (!errors.certain[i]) ++accuracy.uncertain;
+  }
+  const auto spread = [&](const std::vector<float>& image) { return boundSpreadOf(image, errors.certain); };
+  accuracy.depthMm = spread(errors.depthMm);
+  accuracy.normalDegrees = spread(errors.normalDegrees);
+  accuracy.curvature = spread(errors.curvature);
+  accuracy.relativeCurvature = spread(errors.relativeCurvature);
+  accuracy.normalNoiseDegrees = spread(errors.normalNoiseDegrees);
+  accuracy.curvatureNoise = spread(errors.curvatureNoise);
+  return accuracy;
+}
+
+PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
+                            const render::FrameRequest& request, const volume::PreparedVolume& volume,
+                            base::Progress& progress) {
+  completeFields(drawn, volume, true, progress);
+  render::FrameRequest hits;
+  hits.size = request.size;
+  hits.color = false;
+  hits.aovs = {render::Aov::depth, render::Aov::voxel};
+  render::StillPicture picture = render::drawStill(renderer, drawn, hits, progress);
+  return pictureErrors(volume, drawn,
+                       {request.size, std::move(picture.aovs[0].values), std::move(picture.aovs[1].values),
+                        anyOnProcessor(picture.report)},
+                       progress);
+}
+
+}  // namespace isolux::app

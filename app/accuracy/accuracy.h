@@ -1,0 +1,32 @@
+// What is said of the accuracy of a whole picture, and drawing what it takes to say it.
+#pragma once
+
+#include "app/accuracy/picture_errors.h"
+#include "render/renderer.h"
+
+namespace isolux::app {
+
+// The middle of a bound over the pixels that have one, and what 99 % of them do not exceed; NaN without any.
+struct BoundSpread {
+  double median = 0.0, most99 = 0.0;
+};
+
+struct Accuracy {
+  std::size_t pixels = 0;                                            // of the picture
+  std::size_t seen = 0;                                              // that show a surface, or may
+  std::size_t uncertain = 0;                                         // whose answer may change by a jump
+  BoundSpread depthMm, normalDegrees, curvature, relativeCurvature;  // curvature: 1/mm
+  BoundSpread normalNoiseDegrees, curvatureNoise;                    // at kNoiseLevel
+
+  double uncertainShare() const;  // of the picture's pixels
+};
+Accuracy accuracyOf(const PictureErrors& errors);
+
+// Bounds of the picture of `drawn` (as it was drawn; what of its derivatives is automatic is filled in here):
+// its rays are cast again, one through the centre of each pixel. Throws as render::drawStill() and
+// pictureErrors().
+PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
+                            const render::FrameRequest& request, const volume::PreparedVolume& volume,
+                            base::Progress& progress);
+
+}  // namespace isolux::app

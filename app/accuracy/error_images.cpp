@@ -1,0 +1,81 @@
+#include "app/accuracy/error_images.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace isolux::app {
+
+namespace {
+
+const std::vector<float>& valuesOf(ErrorImage image, const PictureErrors& errors) {
+  switch (image) {
+    case ErrorImage::depth:
+      return errors.depthMm;
+    case ErrorImage::normal:
+      return errors.normalDegrees;
+    case ErrorImage::kappa:
+      break;
+  }
+  return errors.curvature;
+}
+
+}  // namespace
+
+const std::vector<ErrorImageInfo>& errorImages() {
+  static const std::vector<ErrorImageInfo> images{{ErrorImage::depth, "error_depth"},
+                                                  {ErrorImage::normal, "error_normal"},
+                                                  {ErrorImage::kappa, "error_kappa"}};
+  return images;
+}
+
+std::string imageNames() {
+  std::string names;
+  for (const render::AovInfo& info : render::aovs()) names += std::string(info.name) + ", ";
+  for (const ErrorImageInfo& info : errorImages()) names += std::string(info.name) + ", ";
+  return names.substr(0, names.size() - 2);
+}
+
+WantedImages parseImageList(const std::string& text) {
+  WantedImages wanted;
+  std::string others, name;
+  for (std::istringstream list(text); std::getline(list, name, ',');) {
+    const auto isNamed = [&](const auto& info) { return name == info.name; };
+    const auto found = std::find_if(errorImages().begin(), errorImages().end(), isNamed);
+    if (found == errorImages().end()) {
+      if (std::none_of(render::aovs().begin(), render::aovs().end(), isNamed))
+        throw base::Error(base::ErrorKind::usage, "", "--aov",
+                          "unknown image '" + name + "'; known: " + imageNames());
+      others += (others.empty() ? "" : ",") + name;
+    } else if (std::find(wanted.errors.begin(), wanted.errors.end(), found->image) == wanted.errors.end()) {
+      wanted.errors.push_back(found->image);
+    }
+  }
+  if (!others.empty() || wanted.errors.empty()) wanted.aovs = render::parseAovList(others);
+  return wanted;
+}
+
+std::vector<FloatChannel> channelsOf(const std::vector<render::AovImage>& drawn, const WantedImages& wanted,
+                                     const PictureErrors& errors) {
+  std::vector<FloatChannel> channels;
+  for (const render::AovImage& image : drawn) {
+    if (std::find(wanted.aovs.begin(), wanted.aovs.end(), image.aov) == wanted.aovs.end()) continue;
+    const auto info = std::find_if(render::aovs().begin(), render::aovs().end(),
+                                   [&](const render::AovInfo& known) { return known.aov == image.aov; });
+    const auto count = static_cast<std::size_t>(image.channels);
+    for (std::size_t c = 0; c < count; ++c) {
+      const std::string suffix = info->channels.at(c);
+      FloatChannel channel{suffix.empty() ? info->name : info->name + ("." + suffix), {}};
+      channel.values.reserve(image.values.size() / count);
+      for (std::size_t i = c; i < image.values.size(); i += count) channel.values.push_back(image.values[i]);
+      channels.push_back(std::move(channel));
+    }
+  }
+  for (const ErrorImage image : wanted.errors)
+    for (const ErrorImageInfo& info : errorImages())
+      if (info.image == image) channels.push_back({info.name, valuesOf(image, errors)});
+  return channels;
+}
+
+}  // namespace isolux::app

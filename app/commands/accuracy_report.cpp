@@ -1,0 +1,56 @@
+#include "app/commands/accuracy_report.h"
+
+#include <cmath>
+
+#include "base/number_text.h"
+#include "volume/error/hit_error.h"
+
+namespace isolux::app {
+
+namespace {
+
+nlohmann::ordered_json finiteOrNull(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json spreadJson(const BoundSpread& spread) {
+  return {{"median", finiteOrNull(spread.median)}, {"most_99", finiteOrNull(spread.most99)}};
+}
+
+std::string figure(const char* what, double bound, const char* unit) {
+  if (std::isnan(bound)) return "";
+  return std::string(what) + (std::isinf(bound) ? " not bounded" : " ± " + base::shortText(bound, 2) + unit) +
+         ", ";
+}
+
+}  // namespace
+
+nlohmann::ordered_json accuracyJson(const Accuracy& accuracy) {
+  return {{"pixels", accuracy.pixels},
+          {"seen", accuracy.seen},
+          {"not_certain", accuracy.uncertain},
+          {"not_certain_share", accuracy.uncertainShare()},
+          {"level", volume::kErrorLevel},
+          {"depth_mm", spreadJson(accuracy.depthMm)},
+          {"normal_degrees", spreadJson(accuracy.normalDegrees)},
+          {"kappa_per_mm", spreadJson(accuracy.curvature)},
+          {"kappa_relative", spreadJson(accuracy.relativeCurvature)},
+          {"noise",
+           {{"level", kNoiseLevel},
+            {"normal_degrees", spreadJson(accuracy.normalNoiseDegrees)},
+            {"kappa_per_mm", spreadJson(accuracy.curvatureNoise)}}}};
+}
+
+std::string accuracyLine(const Accuracy& accuracy) {
+  std::string line = "accuracy of 99 % of what is seen: ";
+  if (accuracy.seen == accuracy.uncertain)
+    line += accuracy.seen == 0 ? "nothing is seen, " : "nothing is seen for certain, ";
+  else
+    line += figure("depth", accuracy.depthMm.most99, " mm") +
+            figure("normal", accuracy.normalDegrees.most99, " degrees") +
+            figure("curvature", accuracy.curvature.most99, " 1/mm") +
+            figure("noise turns normals by", accuracy.normalNoiseDegrees.most99, " degrees");
+  return line + base::shortText(100.0 * accuracy.uncertainShare(), 2) + " % of pixels are not certain";
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,80 @@
+// isolux render --accuracy and --aov error_*: what is said, what is written, and that nothing runs unasked.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/accuracy/error_images.h"
+#include "base/error.h"
+#include "tests/app/commands/run_isolux.h"
+#include "tests/support/test_data.h"
+
+namespace isolux::app {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+test::RunResult render(const std::filesystem::path& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> line{"render", "phantom:torus:32", "--size", "96x80", "--stats", "s.json"};
+  line.insert(line.end(), more.begin(), more.end());
+  const test::RunResult result = test::runIsolux(line, {.folder = folder});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  return result;
+}
+
+TEST(AccuracyCommandGl, StatsAndExplainSayTheSame) {
+  const auto folder = test::temporaryFolder();
+  const test::RunResult result = render(folder, {"--out", "a.png", "--accuracy", "--explain"});
+  const json accuracy = json::parse(test::contentOf(folder / "s.json"))["accuracy"];
+  EXPECT_EQ(accuracy["pixels"], 96 * 80);
+  EXPECT_GT(accuracy["seen"], 500);
+  for (const char* const bound : {"depth_mm", "normal_degrees", "kappa_per_mm", "kappa_relative"}) {
+    EXPECT_GT(accuracy[bound]["median"].get<double>(), 0.0) << bound;
+    EXPECT_LE(accuracy[bound]["median"], accuracy[bound]["most_99"]) << bound;
+  }
+  EXPECT_LT(accuracy["depth_mm"]["most_99"].get<double>(), 1e-2);
+  EXPECT_LT(accuracy["not_certain_share"].get<double>(), 0.01);
+  EXPECT_THAT(result.out, HasSubstr("accuracy of 99 % of what is seen: depth ± "));
+  EXPECT_THAT(result.out, HasSubstr("% of pixels are not certain"));
+}
+
+TEST(AccuracyCommandGl, NothingRunsUnasked) {
+  const auto folder = test::temporaryFolder();
+  const std::size_t before = pictureErrorRuns();
+  ASSERT_EQ(test::callIsolux({"render", "phantom:torus:32", "--size", "96x80", "--out", "a.png", "--explain",
+                              "--stats", "s.json"},
+                             folder)
+                .exitCode,
+            0);
+  EXPECT_EQ(pictureErrorRuns(), before);
+  EXPECT_TRUE(json::parse(test::contentOf(folder / "s.json"))["accuracy"].is_null());
+  ASSERT_EQ(
+      test::callIsolux(
+          {"render", "phantom:torus:32", "--size", "96x80", "--out", "a.exr", "--aov", "error_depth"}, folder)
+          .exitCode,
+      0);
+  EXPECT_EQ(pictureErrorRuns(), before + 1);
+}
+
+TEST(AccuracyCommandGl, ErrorsAreChannelsOfTheFile) {
+  const WantedImages wanted = parseImageList("error_normal,depth,error_depth,normal");
+  const std::vector<render::Aov> aovs{render::Aov::depth, render::Aov::normal};
+  EXPECT_EQ(wanted.aovs, aovs);
+  PictureErrors errors;
+  errors.size = {1, 1};
+  errors.depthMm = {0.5f};
+  errors.normalDegrees = {0.25f};
+  const std::vector<FloatChannel> channels = channelsOf(
+      {{render::Aov::depth, {1, 1}, 1, {7.0f}}, {render::Aov::normal, {1, 1}, 3, {1.0f, 2.0f, 3.0f}}}, wanted,
+      errors);
+  std::vector<std::string> names;
+  for (const FloatChannel& channel : channels) names.push_back(channel.name);
+  EXPECT_THAT(names, testing::ElementsAre("depth", "normal.x", "normal.y", "normal.z", "error_normal",
+                                          "error_depth"));
+  EXPECT_EQ(channels[2].values, std::vector<float>{2.0f});
+  EXPECT_EQ(channels[4].values, errors.normalDegrees);
+  EXPECT_THROW(parseImageList("error_nothing"), base::Error);
+}
+
+}  // namespace
+}  // namespace isolux::app
