@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <string_view>
 
+#include "app/study/picture_study.h"
 #include "base/quantiles.h"
 #include "render/graph/pass.h"
 
@@ -39,6 +40,7 @@ struct LightStudio::Alternative {
   std::vector<double> bakes{}, lookups{}, frames{};  // seconds; ms
   LightCost cost{};
   std::vector<float> irradiance{};
+  ComparedPicture picture{};
 };
 
 LightStudio::LightStudio(render::Renderer& renderer, SurfaceTruth& truth,
@@ -116,6 +118,10 @@ std::vector<float> LightStudio::draw(Alternative& alternative) {
   for (std::size_t i = 0; i < hits_.size(); ++i)
     if (!hits_[i].hit || !isFirstCrossing(static_cast<double>(depthMm[i]), hits_[i]))
       irradiance[3 * i] = std::numeric_limits<float>::quiet_NaN();
+  request.color = request.linear = true;
+  request.aovs.clear();
+  renderer_.render(alternative.scene, request);
+  alternative.picture = comparedPicture(renderer_.readLinearPicture());
   return irradiance;
 }
 
@@ -167,17 +173,24 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
     }
   renderer_.setLight(nullptr);
 
+  const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
+    return a.value == pictureReference(knob);
+  });
   for (Alternative& alternative : alternatives) {
     StudySetting setting;
     setting.value = alternative.value;
     setting.isDefault = alternative.value == defaultValue(knob);
     setting.frameMilliseconds = base::median(alternative.frames);
+    setting.frameTimes = alternative.frames;
     alternative.cost.bakeSeconds =
         bakes ? base::median(alternative.bakes) : std::numeric_limits<double>::quiet_NaN();
     alternative.cost.lookupMilliseconds = base::median(alternative.lookups);
+    alternative.cost.bakeTimes = alternative.bakes;
+    alternative.cost.lookupTimes = alternative.lookups;
     setting.light = alternative.cost;
     setting.errors.pixels = hits_.size();
     setting.errors.light = lightErrorsOf(alternative.irradiance, truth);
+    setting.errors.picture = pictureErrorsOf(alternative.picture, reference->picture);
     result.settings.push_back(std::move(setting));
   }
   return result;

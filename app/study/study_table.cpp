@@ -1,6 +1,7 @@
 #include "app/study/study_table.h"
 
 #include <cmath>
+#include <ostream>
 
 #include "base/number_text.h"
 
@@ -11,8 +12,47 @@ std::string tableNumber(double value, int digits) {
   return base::shortText(value, digits);
 }
 
+std::string tableTime(const TimeSpread& spread) {
+  if (!std::isfinite(spread.median)) return "–";
+  return tableNumber(spread.median) + " (" + tableNumber(spread.low) + "–" + tableNumber(spread.high) + ')';
+}
+
 std::string markedValue(const StudySetting& setting) {
-  return setting.isDefault ? "**" + setting.value + "** (default)" : setting.value;
+  if (setting.isDefault) return "**" + setting.value + "** (default)";
+  return setting.settingDefault ? setting.value + " (default where sampled)" : setting.value;
+}
+
+std::string costText(const Knob& knob, double cost) {
+  const char* unit = " ms";
+  if (knob.cost == Cost::bakeSeconds) unit = " s";
+  if (knob.cost == Cost::gpuMegabytes) unit = " MiB";
+  return tableNumber(cost) + unit;
+}
+
+std::string errorText(const Panel& panel, double error) {
+  return tableNumber(panel.shown * error) + panel.unit;
+}
+
+void writeTable(std::ostream& out, const KnobStudy& study, const std::vector<TableColumn>& columns) {
+  out << "| " << study.knob.label;
+  for (const TableColumn& column : columns) out << " | " << column.head;
+  out << " |\n|---|";
+  for (std::size_t i = 0; i < columns.size(); ++i) out << "---:|";
+  out << '\n';
+  for (const StudySetting& setting : study.settings) {
+    out << "| " << markedValue(setting);
+    for (const TableColumn& column : columns) out << " | " << column.cell(setting);
+    out << " |\n";
+  }
+}
+
+std::vector<TableColumn> pictureColumns(const Knob& knob) {
+  const std::string reference = pictureReference(knob);
+  const std::string against = reference.empty() ? "256 rays" : '`' + reference + '`';
+  return {{"FLIP to " + against,
+           [](const StudySetting& setting) { return tableNumber(setting.errors.picture.flip, 2); }},
+          {"RMS, of 255",
+           [](const StudySetting& setting) { return tableNumber(255.0 * setting.errors.picture.rms, 2); }}};
 }
 
 }  // namespace isolux::app
