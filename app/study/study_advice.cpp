@@ -81,6 +81,7 @@ const StudySetting* bestOf(const Rows& rows, const Allowed& allowed, const Bette
 
 // How much dearer: "2.4 times the cost".
 std::string timesTheCost(const Comparing& by, const StudySetting& a, const StudySetting& b) {
+  if (sameTime(by.cost(a), by.cost(b))) return "about the same cost";
   return tableNumber(by.cost(a).median / by.cost(b).median, 2) + " times the cost";
 }
 
@@ -181,6 +182,24 @@ std::string shadowAdvice(const KnobStudy& study, const Comparing& by) {
          " in mean FLIP. Shadow rays are exact: no setting trades their accuracy for time.";
 }
 
+std::string scaleAdvice(const KnobStudy& study, const Comparing& by, const StudySetting& now) {
+  const std::string leave = "Leave " + quotedSetting(study) + " at " + quoted(now.value) + ", which takes " +
+                            tableNumber(now.scale.value().scaleMm) + " mm here: ";
+  if (!study.knowsTruth)
+    return leave +
+           "a larger scale lets less noise through, but smooths away shape, which this table cannot count "
+           "for "
+           "a scan.";
+  const StudySetting* best = &now;
+  for (const StudySetting& row : study.settings)
+    if (by.moreAccurate(row, *best)) best = &row;
+  if (best == &now) return leave + "no other is clearly more accurate with this noise.";
+  return leave +
+         "it follows the noise of the phantom itself, not that which this study adds. With that noise " +
+         quoted(best->value) + " times the mean spacing is the most accurate, with " + by.errorOf(*best) +
+         " instead of " + by.errorOf(now) + ", at " + timesTheCost(by, *best, now) + '.';
+}
+
 }  // namespace
 
 std::string adviceOf(const KnobStudy& study) {
@@ -191,12 +210,7 @@ std::string adviceOf(const KnobStudy& study) {
   if (!now || !std::isfinite(by.error(*now))) return "Nothing can be said: no pixel has a " + by.noun() + '.';
   if (study.knob.field)
     if (std::string text = fieldAdvice(study, by, *now); !text.empty()) return text;
-  if (study.knob.measure == Measure::scale && !study.knowsTruth)
-    return "Leave " + quotedSetting(study) + " at " + quoted(now->value) + ", which takes " +
-           tableNumber(now->scale.value().scaleMm) +
-           " mm here: a larger scale lets less noise through, but smooths away shape, which this table "
-           "cannot "
-           "count for a scan.";
+  if (study.knob.measure == Measure::scale) return scaleAdvice(study, by, *now);
   Rows rows;
   for (const StudySetting& row : study.settings) rows.push_back(&row);
   return capitalized(choiceAmong(by, quotedSetting(study), rows, *now));

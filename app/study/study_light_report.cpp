@@ -32,7 +32,8 @@ const char* costHead(const Knob& knob) {
   return knob.cost == Cost::gpuMegabytes ? "GPU, MiB" : "lookup, ms (quartiles)";
 }
 
-std::vector<TableColumn> lightColumns(const Knob& knob) {
+std::vector<TableColumn> lightColumns(const KnobStudy& study) {
+  const Knob& knob = study.knob;
   std::vector<TableColumn> columns{{costHead(knob), [&knob](const StudySetting& setting) {
                                       return tableTime(costSpread(knob, setting, panelsOf(knob)[0]));
                                     }}};
@@ -46,7 +47,7 @@ std::vector<TableColumn> lightColumns(const Knob& knob) {
   add("RMSE, % of mean E", [](const LightErrors& e) { return withError(e, e.rmse, e.rmseStandardError); });
   add("bias, %", [](const LightErrors& e) { return withError(e, e.bias, e.biasStandardError); });
   add("largest, %", [](const LightErrors& e) { return percent(e.relative(e.maximum)); });
-  const std::vector<TableColumn> picture = pictureColumns(knob);
+  const std::vector<TableColumn> picture = pictureColumns(study);
   columns.insert(columns.end(), picture.begin(), picture.end());
   return columns;
 }
@@ -97,7 +98,7 @@ void writeLightTable(std::ostream& out, const KnobStudy& study) {
       << " paths each, at most " << study.truthBounces << (study.truthBounces == 1 ? " bounce" : " bounces")
       << ": mean E " << tableNumber(first.mean, 4) << ", standard error of a pixel "
       << percent(first.relative(first.truthNoise), 2) << " % of it.\n\n";
-  writeTable(out, study, lightColumns(study.knob));
+  writeTable(out, study, lightColumns(study));
 }
 
 void writeLightReach(std::ostream& out, const std::vector<KnobStudy>& studies) {

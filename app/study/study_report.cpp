@@ -152,7 +152,7 @@ void writeKnobTable(std::ostream& out, const KnobStudy& study) {
 
 void reachLine(std::ostream& out, const KnobStudy& study) {
   const Panel& panel = panelsOf(study.knob)[0];
-  out << "\nThe cheapest with a " << panel.noun << " of at most ";
+  out << "\nThe cheapest whose " << panel.noun << " is at most ";
   bool first = true;
   for (const double error : errorsToReach(study.knob.measure)) {
     const StudySetting* const setting = cheapest(study, error);

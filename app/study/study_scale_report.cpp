@@ -47,8 +47,8 @@ void writeScaleTable(std::ostream& out, const KnobStudy& study) {
       {"normal RMS, °", [](const StudySetting& s) { return tableNumber(s.errors.noise.normalDegrees.rms); }},
       {"no confidence, %",
        [](const StudySetting& s) { return tableNumber(100.0 * s.scale.value().unknown); }}};
-  const std::vector<TableColumn> picture = pictureColumns(study.knob);
-  columns.insert(columns.end(), picture.begin(), picture.begin() + 1);
+  const std::vector<TableColumn> picture = pictureColumns(study);
+  columns.insert(columns.end(), picture.begin(), picture.end());
   writeTable(out, study, columns);
 }
 

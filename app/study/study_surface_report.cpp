@@ -41,7 +41,8 @@ void append(std::vector<TableColumn>& columns, const std::vector<TableColumn>& m
   columns.insert(columns.end(), more.begin(), more.end());
 }
 
-std::vector<TableColumn> surfaceColumns(const Knob& knob) {
+std::vector<TableColumn> surfaceColumns(const KnobStudy& study) {
+  const Knob& knob = study.knob;
   const auto& panels = panelsOf(knob);
   std::vector<TableColumn> columns{
       {"frame, ms", [](const StudySetting& setting) { return tableNumber(setting.frameMilliseconds); }}};
@@ -53,12 +54,13 @@ std::vector<TableColumn> surfaceColumns(const Knob& knob) {
   addTime(panels[0]);
   if (panels[0].passes != panels[1].passes) addTime(panels[1]);
   append(columns, errorColumns(knob.measure, ownErrors));
-  append(columns, pictureColumns(knob));
+  append(columns, pictureColumns(study));
   return columns;
 }
 
 // Of a knob that is judged by the picture alone.
-std::vector<TableColumn> wholePictureColumns(const Knob& knob) {
+std::vector<TableColumn> wholePictureColumns(const KnobStudy& study) {
+  const Knob& knob = study.knob;
   std::vector<TableColumn> columns{{"frame, ms (quartiles)", [&knob](const StudySetting& setting) {
                                       return tableTime(costSpread(knob, setting, panelsOf(knob)[0]));
                                     }}};
@@ -72,7 +74,7 @@ std::vector<TableColumn> wholePictureColumns(const Knob& knob) {
     columns.push_back({"edges RMS, of 255", [](const StudySetting& setting) {
                          return tableNumber(255.0 * setting.errors.picture.edgeRms);
                        }});
-  append(columns, pictureColumns(knob));
+  append(columns, pictureColumns(study));
   return columns;
 }
 
@@ -85,12 +87,12 @@ void fieldTable(std::ostream& out, const KnobStudy& study) {
 }  // namespace
 
 void writeSurfaceTables(std::ostream& out, const KnobStudy& study) {
-  writeTable(out, study, surfaceColumns(study.knob));
+  writeTable(out, study, surfaceColumns(study));
   if (study.knob.field) fieldTable(out, study);
 }
 
 void writePictureTable(std::ostream& out, const KnobStudy& study) {
-  writeTable(out, study, wholePictureColumns(study.knob));
+  writeTable(out, study, wholePictureColumns(study));
 }
 
 }  // namespace isolux::app

@@ -1,5 +1,6 @@
 #include "app/study/study_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -46,8 +47,12 @@ void writeTable(std::ostream& out, const KnobStudy& study, const std::vector<Tab
   }
 }
 
-std::vector<TableColumn> pictureColumns(const Knob& knob) {
-  const std::string reference = pictureReference(knob);
+std::vector<TableColumn> pictureColumns(const KnobStudy& study) {
+  // A look that does not show what the knob changes has one picture, and no columns.
+  if (std::all_of(study.settings.begin(), study.settings.end(),
+                  [](const StudySetting& setting) { return setting.errors.picture.rms == 0.0; }))
+    return {};
+  const std::string reference = pictureReference(study.knob);
   const std::string against = reference.empty() ? "256 rays" : '`' + reference + '`';
   return {{"FLIP to " + against,
            [](const StudySetting& setting) { return tableNumber(setting.errors.picture.flip, 2); }},

@@ -27,7 +27,8 @@ struct TableColumn {
 };
 // A row per setting, its value first.
 void writeTable(std::ostream& out, const KnobStudy& study, const std::vector<TableColumn>& columns);
-// FLIP and root mean square of the whole picture, in steps of 255; their heads say against what.
-std::vector<TableColumn> pictureColumns(const Knob& knob);
+// FLIP and root mean square of the whole picture, in steps of 255; their heads say against what. None where
+// all rows have the same picture.
+std::vector<TableColumn> pictureColumns(const KnobStudy& study);
 
 }  // namespace isolux::app

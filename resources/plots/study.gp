@@ -19,8 +19,8 @@ own = "#004b76"
 other = "#7d3a63"
 steps = "0.001 0.002 0.005 0.01 0.02 0.05 0.1 0.2 0.5 1 2 5 10 20 50 100 200 500 1000 2000 5000 10000"
 # An error of 0 stands at the lower end of its axis; what is not a number, nowhere.
-shown(e, p) = e > 0 ? e : (e == 0 ? bottoms[p] : NaN)
-none(e, p) = e == 0 ? bottoms[p] : NaN
+shown(e, p) = e > 0 ? e : (e == 0 ? 1.0005 * bottoms[p] : NaN)
+none(e, p) = e == 0 ? 1.0005 * bottoms[p] : NaN
 some(e) = e > 0 ? e : NaN
 do for [p = 1:2] {
   # Not x and y: those are variables of plot itself.
@@ -56,7 +56,7 @@ do for [p = 1:2] {
   }
   set xlabel xlabels[p]
   set ylabel ylabels[p] offset 0.5,0
-  if (p == 1) { set key at screen 0.985,0.895 right top horizontal samplen 1 font ",11" maxrows 1 } else { unset key }
+  if (p == 1) { set key at screen 0.985,0.985 right top samplen 1 font ",11" } else { unset key }
   plot for [i = 0:comparison + fields] $data index i using time:(shown(column(error), p)):time + 1:time + 2 \
            with xerrorbars lc rgb "#9a9a9a" lw 1.2 pt 0 notitle, \
        for [k = 1:(p == 1 ? bars : 0)] $data index 0 using time:(some(column(error))):11 with yerrorbars lc rgb "#9db8d8" lw 1.5 pt 0 notitle, \
