@@ -82,7 +82,7 @@ const LightTruth& LightStudio::truthOf(const scene::Scene& lit, int bounces, bas
       .first->second;
 }
 
-void LightStudio::bake(Alternative& alternative, bool anew, base::Progress& progress) {
+void LightStudio::bake(Alternative& alternative, bool anew, bool timed, base::Progress& progress) {
   if (anew) {
     scene::Scene dark = alternative.scene;
     dark.gi.mode = scene::GiMode::off;
@@ -100,7 +100,7 @@ void LightStudio::bake(Alternative& alternative, bool anew, base::Progress& prog
   alternative.cost.latticeBytes = 0;
   for (const auto& lattice : {alternative.light->sky, alternative.light->lamps})
     if (lattice) alternative.cost.latticeBytes += lattice->bytes();
-  if (!anew) return;
+  if (!timed) return;
   alternative.bakes.push_back(state.counters.seconds);
   alternative.cost.rays = state.counters.rays;
 }
@@ -166,7 +166,9 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
   for (int round = 0; round < rounds; ++round)
     for (Alternative& alternative : alternatives) {
       progress.report(bounded(begin, to, done++ / steps), bakes || round == 0 ? "baking light" : "measuring");
-      if (bakes || round == 0) bake(alternative, bakes, progress);
+      // The first anew: light of the knob before may be better than is asked for, and would be kept.
+      const bool first = round == 0 && &alternative == &alternatives.front();
+      if (bakes || round == 0) bake(alternative, bakes || first, bakes, progress);
       if (round == 0) alternative.irradiance = draw(alternative);
       time(alternative, frames, progress);
       if (bakes) alternative.light.reset();

@@ -111,12 +111,17 @@ std::string choiceAmong(const Comparing& by, const std::string& setting, const R
             by.errorOf(*next) + ", at " + timesTheCost(by, *next, now);
   else
     text += "no other value is more accurate than its " + by.errorOf(now);
-  if (const StudySetting* const less = bestOf(
-          rows, [&](const StudySetting& row) { return by.cheaper(row, now); }, lessError))
+  const auto worthIt = [&](const StudySetting& row) {
+    return by.cheaper(row, now) && by.error(row) <= 4.0 * by.error(now);
+  };
+  const bool some = bestOf(
+      rows, [&](const StudySetting& row) { return by.cheaper(row, now); }, lessError);
+  if (const StudySetting* const less = bestOf(rows, worthIt, lessError))
     text += "; " + quoted(less->value) + " is cheaper (" + by.costOf(*less) + " instead of " +
             by.costOf(now) + "), with " + by.errorOf(*less);
   else
-    text += ", and none costs clearly less";
+    text += some ? "; what costs clearly less is more than four times as far off"
+                 : ", and none costs clearly less";
   return text + '.';
 }
 

@@ -19,9 +19,10 @@ own = "#004b76"
 other = "#7d3a63"
 steps = "0.001 0.002 0.005 0.01 0.02 0.05 0.1 0.2 0.5 1 2 5 10 20 50 100 200 500 1000 2000 5000 10000"
 # An error of 0 stands at the lower end of its axis; what is not a number, nowhere.
-shown(e, p) = e > 0 ? e : (e == 0 ? 1.0005 * bottoms[p] : NaN)
-none(e, p) = e == 0 ? 1.0005 * bottoms[p] : NaN
+shown(e, p) = e > 0 ? e : (e == 0 ? bottoms[p] : NaN)
+none(e, p) = e == 0 ? bottoms[p] : NaN
 some(e) = e > 0 ? e : NaN
+placed(e, p) = e > 0 ? e : bottoms[p]  # of labels: gnuplot 5.4 crashes where none of them has a place
 do for [p = 1:2] {
   # Not x and y: those are variables of plot itself.
   time = 4 * p - 1
@@ -46,7 +47,7 @@ do for [p = 1:2] {
   set xrange [from : to]
   if (joined) { middle = to }  # labels to the right of every point of a line
   set logscale y
-  set yrange [bottoms[p] : tops[p]]
+  set yrange [0.9999 * bottoms[p] : 1.0001 * tops[p]]
   set format y "%g"
   if (tops[p] > 150 * bottoms[p]) {
     set ytics autofreq font ",11"
@@ -69,13 +70,21 @@ do for [p = 1:2] {
        for [k = 1:zeros * comparison] $data index 1 using time:(none(column(error), p)) with points ls 3 pt 11 ps 1.4 notitle, \
        for [i = 0:comparison + fields] $data index i using time:($2 == 1 ? shown(column(error), p) : NaN) with points ls 4 notitle, \
        NaN with points ls 4 title "default", \
-       for [i = 0:1] $data index 0 every 2::i using time:(shown(column(error), p)):(column(time) <= middle ? strcol(1) : "") \
-           with labels left offset 0.9,0.7 - 1.4 * i * (1 - zeros) font ",11" tc rgb own notitle, \
-       for [i = 0:1] $data index 0 every 2::i using time:(shown(column(error), p)):(column(time) > middle ? strcol(1) : "") \
-           with labels right offset -0.9,0.7 - 1.4 * i * (1 - zeros) font ",11" tc rgb own notitle, \
-       for [i = 0:2 * fields - 1] $data index 1 every 2::i using time:(shown(column(error), p)):(column(time) <= middle ? strcol(1) : "") \
-           with labels left offset 0.9,0.7 - 1.4 * i * (1 - zeros) font ",11" tc rgb other notitle, \
-       for [i = 0:2 * fields - 1] $data index 1 every 2::i using time:(shown(column(error), p)):(column(time) > middle ? strcol(1) : "") \
-           with labels right offset -0.9,0.7 - 1.4 * i * (1 - zeros) font ",11" tc rgb other notitle
+       for [i = 0:1] $data index 0 every 2::i using time:(placed(column(error), p)):(column(time) <= middle && column(error) > 0 ? strcol(1) : "") \
+           with labels left offset 0.9,0.7 - 1.4 * i font ",11" tc rgb own notitle, \
+       for [i = 0:1] $data index 0 every 2::i using time:(placed(column(error), p)):(column(time) > middle && column(error) > 0 ? strcol(1) : "") \
+           with labels right offset -0.9,0.7 - 1.4 * i font ",11" tc rgb own notitle, \
+       for [i = 0:2 * zeros - 1] $data index 0 every 2::i using time:(placed(column(error), p)):(column(time) <= middle && column(error) == 0 ? strcol(1) : "") \
+           with labels left offset 0.9,0.7 + 0.9 * i font ",11" tc rgb own notitle, \
+       for [i = 0:2 * zeros - 1] $data index 0 every 2::i using time:(placed(column(error), p)):(column(time) > middle && column(error) == 0 ? strcol(1) : "") \
+           with labels right offset -0.9,0.7 + 0.9 * i font ",11" tc rgb own notitle, \
+       for [i = 0:2 * fields - 1] $data index 1 every 2::i using time:(placed(column(error), p)):(column(time) <= middle && column(error) > 0 ? strcol(1) : "") \
+           with labels left offset 0.9,0.7 - 1.4 * i font ",11" tc rgb other notitle, \
+       for [i = 0:2 * fields - 1] $data index 1 every 2::i using time:(placed(column(error), p)):(column(time) > middle && column(error) > 0 ? strcol(1) : "") \
+           with labels right offset -0.9,0.7 - 1.4 * i font ",11" tc rgb other notitle, \
+       for [i = 0:2 * zeros * fields - 1] $data index 1 every 2::i using time:(placed(column(error), p)):(column(time) <= middle && column(error) == 0 ? strcol(1) : "") \
+           with labels left offset 0.9,0.7 + 0.9 * i font ",11" tc rgb other notitle, \
+       for [i = 0:2 * zeros * fields - 1] $data index 1 every 2::i using time:(placed(column(error), p)):(column(time) > middle && column(error) == 0 ? strcol(1) : "") \
+           with labels right offset -0.9,0.7 + 0.9 * i font ",11" tc rgb other notitle
 }
 unset multiplot

@@ -171,7 +171,9 @@ TEST_P(BaselineGlTest, ThePictureIsItsBaseline) {
 
 TEST_P(BaselineGlTest, ASmallChangeIsNoRounding) {
   const Case& c = GetParam();
-  const PictureDifference difference = differenceOf(draw(c, {c.smallChange}), app::readPng(fileOf(c)));
+  const render::ColorImage picture = draw(c, {c.smallChange}), baseline = app::readPng(fileOf(c));
+  const PictureDifference difference = differenceOf(picture, baseline);
+  RecordProperty("flip", std::to_string(flipOf(baseline, picture)));
   EXPECT_FALSE(mayBeRounding(difference))
       << c.name << " with " << c.smallChange << ": " << difference.mean << " steps of 255 in the mean, "
       << 100.0 * difference.visible << " % of the pixels visibly";
