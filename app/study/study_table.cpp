@@ -10,6 +10,7 @@ namespace isolux::app {
 
 std::string tableNumber(double value, int digits) {
   if (!std::isfinite(value)) return "–";
+  if (std::abs(value) >= 1000.0 && std::abs(value) < 1e6) return std::to_string(std::lround(value));
   return base::shortText(value, digits);
 }
 
