@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/study/study.h"
-#include "app/study/study_plot.h"
+#include "app/study_report/study_plot.h"
 #include "base/error.h"
 #include "scene/settings.h"
 #include "tests/app/commands/run_isolux.h"

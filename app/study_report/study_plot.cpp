@@ -1,4 +1,4 @@
-#include "app/study/study_plot.h"
+#include "app/study_report/study_plot.h"
 
 #include <algorithm>
 #include <cmath>

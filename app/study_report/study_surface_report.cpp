@@ -1,8 +1,8 @@
-#include "app/study/study_surface_report.h"
+#include "app/study_report/study_surface_report.h"
 
 #include <ostream>
 
-#include "app/study/study_table.h"
+#include "app/study_report/study_table.h"
 
 namespace isolux::app {
 

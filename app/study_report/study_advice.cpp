@@ -1,9 +1,9 @@
-#include "app/study/study_advice.h"
+#include "app/study_report/study_advice.h"
 
 #include <cmath>
 #include <vector>
 
-#include "app/study/study_table.h"
+#include "app/study_report/study_table.h"
 
 namespace isolux::app {
 

@@ -1,10 +1,10 @@
-#include "app/study/study_light_report.h"
+#include "app/study_report/study_light_report.h"
 
 #include <algorithm>
 #include <cmath>
 #include <ostream>
 
-#include "app/study/study_table.h"
+#include "app/study_report/study_table.h"
 
 namespace isolux::app {
 

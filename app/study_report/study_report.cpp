@@ -1,4 +1,4 @@
-#include "app/study/study_report.h"
+#include "app/study_report/study_report.h"
 
 #include <array>
 #include <cmath>
@@ -10,11 +10,11 @@
 
 #include "app/files/files.h"
 #include "app/files/json_text.h"
-#include "app/study/study_advice.h"
-#include "app/study/study_light_report.h"
-#include "app/study/study_scale_report.h"
-#include "app/study/study_surface_report.h"
-#include "app/study/study_table.h"
+#include "app/study_report/study_advice.h"
+#include "app/study_report/study_light_report.h"
+#include "app/study_report/study_scale_report.h"
+#include "app/study_report/study_surface_report.h"
+#include "app/study_report/study_table.h"
 #include "app/version.h"
 #include "base/number_text.h"
 #include "scene/settings.h"

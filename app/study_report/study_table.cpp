@@ -1,4 +1,4 @@
-#include "app/study/study_table.h"
+#include "app/study_report/study_table.h"
 
 #include <algorithm>
 #include <cmath>

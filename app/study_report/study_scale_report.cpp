@@ -1,11 +1,11 @@
-#include "app/study/study_scale_report.h"
+#include "app/study_report/study_scale_report.h"
 
 #include <ostream>
 
 #include <nlohmann/json.hpp>
 
 #include "app/study/scale_study.h"
-#include "app/study/study_table.h"
+#include "app/study_report/study_table.h"
 
 namespace isolux::app {
 

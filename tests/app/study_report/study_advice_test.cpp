@@ -1,5 +1,5 @@
 // What a table says to do, of rows made by hand.
-#include "app/study/study_advice.h"
+#include "app/study_report/study_advice.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
