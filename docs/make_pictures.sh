@@ -34,7 +34,7 @@ study() {
   rm "$out/accuracy/$name/study.json"
 }
 mkdir -p "$out/accuracy"
-surface=(--repeat 15 --knobs rate,near_factor,near_threshold,refinements,method,hit_field,derivatives_field,fetch)
+surface=(--repeat 15 --knobs rate,near_factor,near_threshold,refinements,method,hit_field,derivatives_field,fetch,supersampling,shadow)
 study head phantom:head "${surface[@]}"
 study gyroid phantom:gyroid:128 "${surface[@]}"
 if [ -d "$data/volumes" ]; then

@@ -6,8 +6,8 @@
 #include "app/files/files.h"
 #include "app/process/external_program.h"
 #include "app/study/study.h"
-#include "app/study/study_plot.h"
-#include "app/study/study_report.h"
+#include "app/study_report/study_plot.h"
+#include "app/study_report/study_report.h"
 #include "base/error.h"
 
 namespace isolux::app {

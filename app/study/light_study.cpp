@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <string_view>
 
+#include "app/study/picture_study.h"
 #include "base/quantiles.h"
 #include "render/graph/pass.h"
 
@@ -39,6 +40,7 @@ struct LightStudio::Alternative {
   std::vector<double> bakes{}, lookups{}, frames{};  // seconds; ms
   LightCost cost{};
   std::vector<float> irradiance{};
+  ComparedPicture picture{};
 };
 
 LightStudio::LightStudio(render::Renderer& renderer, SurfaceTruth& truth,
@@ -80,7 +82,7 @@ const LightTruth& LightStudio::truthOf(const scene::Scene& lit, int bounces, bas
       .first->second;
 }
 
-void LightStudio::bake(Alternative& alternative, bool anew, base::Progress& progress) {
+void LightStudio::bake(Alternative& alternative, bool anew, bool timed, base::Progress& progress) {
   if (anew) {
     scene::Scene dark = alternative.scene;
     dark.gi.mode = scene::GiMode::off;
@@ -98,7 +100,7 @@ void LightStudio::bake(Alternative& alternative, bool anew, base::Progress& prog
   alternative.cost.latticeBytes = 0;
   for (const auto& lattice : {alternative.light->sky, alternative.light->lamps})
     if (lattice) alternative.cost.latticeBytes += lattice->bytes();
-  if (!anew) return;
+  if (!timed) return;
   alternative.bakes.push_back(state.counters.seconds);
   alternative.cost.rays = state.counters.rays;
 }
@@ -116,6 +118,10 @@ std::vector<float> LightStudio::draw(Alternative& alternative) {
   for (std::size_t i = 0; i < hits_.size(); ++i)
     if (!hits_[i].hit || !isFirstCrossing(static_cast<double>(depthMm[i]), hits_[i]))
       irradiance[3 * i] = std::numeric_limits<float>::quiet_NaN();
+  request.color = request.linear = true;
+  request.aovs.clear();
+  renderer_.render(alternative.scene, request);
+  alternative.picture = comparedPicture(renderer_.readLinearPicture());
   return irradiance;
 }
 
@@ -160,24 +166,33 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
   for (int round = 0; round < rounds; ++round)
     for (Alternative& alternative : alternatives) {
       progress.report(bounded(begin, to, done++ / steps), bakes || round == 0 ? "baking light" : "measuring");
-      if (bakes || round == 0) bake(alternative, bakes, progress);
+      // The first anew: light of the knob before may be better than is asked for, and would be kept.
+      const bool first = round == 0 && &alternative == &alternatives.front();
+      if (bakes || round == 0) bake(alternative, bakes || first, bakes, progress);
       if (round == 0) alternative.irradiance = draw(alternative);
       time(alternative, frames, progress);
       if (bakes) alternative.light.reset();
     }
   renderer_.setLight(nullptr);
 
+  const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
+    return a.value == pictureReference(knob);
+  });
   for (Alternative& alternative : alternatives) {
     StudySetting setting;
     setting.value = alternative.value;
     setting.isDefault = alternative.value == defaultValue(knob);
     setting.frameMilliseconds = base::median(alternative.frames);
+    setting.frameTimes = alternative.frames;
     alternative.cost.bakeSeconds =
         bakes ? base::median(alternative.bakes) : std::numeric_limits<double>::quiet_NaN();
     alternative.cost.lookupMilliseconds = base::median(alternative.lookups);
+    alternative.cost.bakeTimes = alternative.bakes;
+    alternative.cost.lookupTimes = alternative.lookups;
     setting.light = alternative.cost;
     setting.errors.pixels = hits_.size();
     setting.errors.light = lightErrorsOf(alternative.irradiance, truth);
+    setting.errors.picture = pictureErrorsOf(alternative.picture, reference->picture);
     result.settings.push_back(std::move(setting));
   }
   return result;

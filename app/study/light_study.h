@@ -35,7 +35,8 @@ class LightStudio {
   struct Alternative;
   void prepareHits(base::Progress& progress);
   const LightTruth& truthOf(const scene::Scene& lit, int bounces, base::Progress& progress);
-  void bake(Alternative& alternative, bool anew, base::Progress& progress);
+  // anew: nothing of earlier light is kept; timed: what it takes counts.
+  void bake(Alternative& alternative, bool anew, bool timed, base::Progress& progress);
   // E of every pixel; NaN where the picture does not show the truth's first crossing.
   std::vector<float> draw(Alternative& alternative);
   void time(Alternative& alternative, int frames, base::Progress& progress);

@@ -6,56 +6,12 @@
 #include "app/jobs/field_job.h"
 #include "app/study/light_study.h"
 #include "app/study/light_truth.h"
+#include "app/study/picture_study.h"
 #include "app/study/scale_study.h"
 #include "base/error.h"
 #include "base/quantiles.h"
 
 namespace isolux::app {
-
-double milliseconds(const StudySetting& setting, const Panel& panel) {
-  double sum = 0.0;
-  for (const char* const pass : panel.passes)
-    if (const auto found = setting.passMilliseconds.find(pass); found != setting.passMilliseconds.end())
-      sum += found->second;
-  return sum;
-}
-
-double costOf(const Knob& knob, const StudySetting& setting, const Panel& panel) {
-  switch (knob.cost) {
-    case Cost::passes:
-      break;
-    case Cost::bakeSeconds:
-      return setting.light.value().bakeSeconds;
-    case Cost::lookupMilliseconds:
-      return setting.light.value().lookupMilliseconds;
-    case Cost::gpuMegabytes:
-      return static_cast<double>(setting.light.value().gpuBytes) / (1024.0 * 1024.0);
-  }
-  return milliseconds(setting, panel);
-}
-
-const Errors& judged(const StudySetting& setting) {
-  return setting.fieldErrors ? *setting.fieldErrors : setting.errors;
-}
-
-const StudySetting* cheapest(const KnobStudy& study, double error) {
-  const Panel& panel = panelsOf(study.knob)[0];
-  const StudySetting* best = nullptr;
-  for (const StudySetting& setting : study.settings) {
-    if (setting.comparison || !(panel.error(judged(setting)) <= error)) continue;
-    if (!best || costOf(study.knob, setting, panel) < costOf(study.knob, *best, panel)) best = &setting;
-  }
-  return best;
-}
-
-const std::array<double, 3>& errorsToReach(Measure measure) {
-  static constexpr std::array<double, 3> voxels{0.1, 0.01, 0.001}, degrees{1.0, 0.1, 0.01},
-      partsOfMean{0.05, 0.02, 0.01};
-  if (measure == Measure::light) return partsOfMean;
-  static constexpr std::array<double, 3> partsOfCurvature{0.5, 0.2, 0.1};
-  if (measure == Measure::scale) return partsOfCurvature;
-  return measure == Measure::hits ? voxels : degrees;
-}
 
 struct Studio::Alternative {
   std::string value;
@@ -64,6 +20,7 @@ struct Studio::Alternative {
   std::vector<double> frames{};
   std::map<std::string, std::vector<double>> passes{};
   DrawnImages images{};
+  ComparedPicture picture{};
 };
 
 Studio::Studio(const std::shared_ptr<const render::Gl>& gl,
@@ -122,6 +79,14 @@ DrawnImages Studio::imagesOf(const scene::Scene& scene) {
           renderer_.readAov(render::Aov::curvature_confidence).values};
 }
 
+ComparedPicture Studio::pictureOf(const scene::Scene& scene) {
+  render::FrameRequest request;
+  request.size = size_;
+  request.linear = true;
+  renderer_.render(scene, request);
+  return comparedPicture(renderer_.readLinearPicture());
+}
+
 void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& progress, double from,
                      double to) {
   const double frames = static_cast<double>(alternatives.size()) * (repeat_ + 1);
@@ -131,7 +96,10 @@ void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& pro
       progress.throwIfStopped();
       completeFields(alternative.scene, *volume_, true, progress);
       drawOnce(alternative, round > 0);  // the first round warms up, and its pictures are compared
-      if (round == 0) alternative.images = imagesOf(alternative.scene);
+      if (round == 0) {
+        alternative.images = imagesOf(alternative.scene);
+        alternative.picture = pictureOf(alternative.scene);
+      }
       progress.report(from + (to - from) * ++done / frames, "measuring");
     }
 }
@@ -170,8 +138,14 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   };
   StudySetting setting;
   setting.value = alternative.value;
-  setting.isDefault = !alternative.comparison && alternative.value == defaultValue(knob);
+  // A knob of sampled hits has no effect in what the program does by default, where hits are exact.
+  const bool chosen = !alternative.comparison && alternative.value == defaultValue(knob);
+  const bool sampled = knob.sampled && scene::Scene{}.hit.method == scene::HitMethod::exact;
+  setting.isDefault = sampled ? alternative.comparison : chosen;
+  setting.settingDefault = sampled && chosen;
   setting.comparison = alternative.comparison;
+  setting.frameTimes = alternative.frames;
+  setting.passTimes = alternative.passes;
   setting.frameMilliseconds = base::median(alternative.frames);
   for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = base::median(times);
   if (knob.measure == Measure::scale) {
@@ -186,15 +160,25 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   return setting;
 }
 
+KnobStudy Studio::studyLight(const Knob& knob, base::Progress& progress, double from, double to) {
+  if (!light_)
+    light_ = std::make_unique<LightStudio>(renderer_, truth_, volume_, scene_, machine_, size_, repeat_);
+  return light_->study(knob, progress, from, to);
+}
+
+KnobStudy Studio::studyPicture(const Knob& knob, base::Progress& progress, double from, double to) {
+  if (!picture_) picture_ = std::make_unique<PictureStudio>(renderer_, volume_, scene_, size_, repeat_);
+  return picture_->study(knob, progress, from, to);
+}
+
 KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from, double to) {
-  if (knob.measure == Measure::light) {
+  const bool light = knob.measure == Measure::light;
+  if (light || knob.measure == Measure::edges || knob.measure == Measure::shadow) {
     KnobStudy skipped{.knob = knob, .settings = {}, .plot = {}, .skipped = whyWithoutEffect(knob, scene_)};
     if (!skipped.skipped.empty()) return skipped;
     requireSurface(turned(knob, knob.values.front(), scene_, volume_->facts), progress);
-    if (!light_)
-      light_ = std::make_unique<LightStudio>(renderer_, truth_, volume_, scene_, machine_, size_, repeat_);
     drawnField_.reset();
-    return light_->study(knob, progress, from, to);
+    return light ? studyLight(knob, progress, from, to) : studyPicture(knob, progress, from, to);
   }
   std::vector<Alternative> alternatives;
   for (const char* const value : knob.values)
@@ -202,14 +186,20 @@ KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from,
   if (knob.sampled) {
     scene::Scene exact = alternatives.front().scene;
     exact.hit.method = scene::HitMethod::exact;
-    alternatives.push_back({"exact hits", true, std::move(exact)});
+    alternatives.push_back({kExactHits, true, std::move(exact)});
   }
   requireSurface(alternatives.front().scene, progress);
   const double measured = from + 0.6 * (to - from);
   measure(alternatives, progress, from, measured);
   KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
+  result.eightBitVoxels = volume::bytesOf(volume_->grid().storedType()) == 1;
+  const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
+    return a.value == pictureReference(knob);
+  });
   for (const Alternative& alternative : alternatives) {
     result.settings.push_back(judge(knob, alternative, progress));
+    if (reference != alternatives.end())
+      result.settings.back().errors.picture = pictureErrorsOf(alternative.picture, reference->picture);
     const double part =
         static_cast<double>(result.settings.size()) / static_cast<double>(alternatives.size());
     progress.report(measured + (to - measured) * part, "comparing");

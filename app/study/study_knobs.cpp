@@ -91,6 +91,7 @@ std::string defaultValue(const Knob& knob) {
 }
 
 std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene) {
+  if (knob.measure == Measure::shadow) return std::string(scene::whyInactive(knob.setting, scene));
   if (knob.measure != Measure::light) return {};
   const scene::Scene lit = litScene(knob, scene);
   if (knob.transfer && scene::hasOneColor(scene.light.environment) && scene.gi.mode != scene::GiMode::off)
@@ -101,6 +102,7 @@ std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene) {
 double effortOf(const Knob& knob, const scene::Scene& scene) {
   if (!whyWithoutEffect(knob, scene).empty()) return 0.01;
   const auto values = static_cast<double>(knob.values.size());
+  if (knob.measure == Measure::edges) return 10.0 * values;
   if (knob.measure != Measure::light) return values;
   return knob.cost == Cost::bakeSeconds ? 6.0 * values : 2.0 * values;
 }

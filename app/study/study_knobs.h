@@ -11,17 +11,20 @@
 
 namespace isolux::app {
 
-// What a knob trades for time or memory: where the surface is, how it is bent, what noise makes of that, or
-// how it is lit.
-enum class Measure { hits, shape, scale, light };
-// What it costs: the time of passes; of light, tracing it, reading it, or keeping it.
-enum class Cost { passes, bakeSeconds, lookupMilliseconds, gpuMegabytes };
+// What a knob trades for time or memory: where the surface is, how it is bent, what noise makes of that, how
+// it is lit, how smooth edges of the picture are, or whether the key light throws a shadow.
+enum class Measure { hits, shape, scale, light, edges, shadow };
+// What it costs: the time of passes, or of the whole frame; of light, tracing it, reading it, or keeping it.
+enum class Cost { passes, frameMilliseconds, bakeSeconds, lookupMilliseconds, gpuMegabytes };
 
 // An error that is shown against what it costs.
 struct Panel {
   const char *key, *label;          // "depth_rms_voxels"; with unit, for tables and plots
   std::vector<const char*> passes;  // render/graph/pass.h; of the cost that is their time
   double (*error)(const Errors&);
+  const char* noun;    // what is wrong, in sentences: "depth error"
+  const char* unit;    // "voxels", " %"
+  double shown = 1.0;  // times this in that unit
 };
 struct Knob;
 // What a knob is plotted by; the first decides which setting reaches an error.
@@ -53,7 +56,12 @@ scene::Scene turned(const Knob& knob, const std::string& value, scene::Scene sce
 // The one of its values that the default scene has; "" for none.
 std::string defaultValue(const Knob& knob);
 
-// Why a knob of light has no effect in this scene, as one clause; "" where it has, and for other knobs.
+// The value, or comparison, whose picture those of the others are compared with; of the rays per pixel "",
+// which have a picture of their own for that (app/study/picture_study.h).
+std::string pictureReference(const Knob& knob);
+inline constexpr const char* kExactHits = "exact hits";
+
+// Why a knob of light or shadow has no effect in this scene, as one clause; "" where it has, and for others.
 std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene);
 // How long studying it takes, roughly, in arbitrary units: parts of a progress bar.
 double effortOf(const Knob& knob, const scene::Scene& scene);

@@ -1,59 +1,9 @@
-// The knobs, and what each is judged by.
+// The knobs.
+#include <map>
+
 #include "app/study/study_knobs.h"
-#include "render/graph/pass.h"
 
 namespace isolux::app {
-
-namespace pass = render::pass;
-
-const std::array<Panel, 2>& panelsOf(const Knob& knob) {
-  static const std::array<Panel, 2> hits{Panel{"depth_rms_voxels",
-                                               "depth error, RMS, voxels",
-                                               {pass::cast, pass::refine},
-                                               [](const Errors& errors) { return errors.depthVoxels.rms; }},
-                                         Panel{"missed_ppm",
-                                               "missed pixels, ppm of the picture",
-                                               {pass::cast, pass::refine},
-                                               [](const Errors& errors) { return errors.missedPpm(); }}};
-  static const std::array<Panel, 2> shape{
-      Panel{"normal_rms_degrees",
-            "normal error, RMS, degrees",
-            {pass::gradient},
-            [](const Errors& errors) { return errors.normalDegrees.rms; }},
-      Panel{"curvature_median_relative",
-            "relative curvature error, median",
-            {pass::hessian},
-            [](const Errors& errors) { return errors.curvature.median; }}};
-  static const std::array<Panel, 2> scale{
-      Panel{"noise_curvature_median_relative",
-            "relative curvature error by noise and scale, median",
-            {pass::hessian},
-            [](const Errors& errors) { return errors.noise.curvature.median; }},
-      Panel{"noise_normal_rms_degrees",
-            "normal error by noise and scale, RMS, degrees",
-            {pass::hessian},
-            [](const Errors& errors) { return errors.noise.normalDegrees.rms; }}};
-  static const std::array<Panel, 2> light{
-      Panel{"irradiance_rmse_relative",
-            "relative error of irradiance, RMSE",
-            {pass::irradiance},
-            [](const Errors& errors) { return errors.light.relative(errors.light.rmse); }},
-      Panel{"irradiance_99_relative",
-            "relative error of irradiance, 99 %",
-            {pass::irradiance},
-            [](const Errors& errors) { return errors.light.relative(errors.light.most99); }}};
-  switch (knob.measure) {
-    case Measure::hits:
-      return hits;
-    case Measure::shape:
-      return shape;
-    case Measure::scale:
-      return scale;
-    case Measure::light:
-      break;
-  }
-  return light;
-}
 
 namespace {
 
@@ -107,6 +57,23 @@ const std::vector<Knob>& surfaceKnobs() {
        false,
        false,
        {"0", "0.5", "0.7", "1", "1.4", "2", "2.8", "4", "auto"}},
+      {"supersampling",
+       "picture.supersampling",
+       "rays per pixel and axis",
+       Measure::edges,
+       false,
+       false,
+       {"1", "2", "3", "4"},
+       Cost::frameMilliseconds,
+       true},
+      {"shadow",
+       "look.shadow",
+       "strength of the key light's shadow",
+       Measure::shadow,
+       false,
+       false,
+       {"0", "1"},
+       Cost::frameMilliseconds},
   };
   return list;
 }
@@ -233,6 +200,29 @@ std::vector<Knob> allKnobs() {
 }
 
 }  // namespace
+
+std::string pictureReference(const Knob& knob) {
+  if (knob.sampled) return kExactHits;
+  if (knob.field) return "cubic_interpolating";
+  static const std::map<std::string, std::string> references{{"method", "exact"},
+                                                             {"fetch", "exact"},
+                                                             {"derivatives_scale", "auto"},
+                                                             {"shadow", "1"},
+                                                             {"samples", "256"},
+                                                             {"sequence", "sobol_owen"},
+                                                             {"environment_share", "auto"},
+                                                             {"bounces", "8"},
+                                                             {"lattice_scale", "2"},
+                                                             {"texels", "auto"},
+                                                             {"precision", "half"},
+                                                             {"interpolation", "weighted"},
+                                                             {"sh_order", "8"},
+                                                             {"sh_window", "0"},
+                                                             {"components", "75"},
+                                                             {"component_bits", "8"}};
+  const auto found = references.find(knob.name);
+  return found == references.end() ? std::string() : found->second;
+}
 
 const std::vector<Knob>& knobs() {
   static const std::vector<Knob> list = allKnobs();

@@ -77,7 +77,7 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
     EXPECT_TRUE(result.contains(key)) << key;
   EXPECT_EQ(result["complete"], true);
   EXPECT_EQ(result["volume"]["data_hash"].get<std::string>().size(), 16u);
-  ASSERT_EQ(result["knobs"].size(), 21u);
+  ASSERT_EQ(result["knobs"].size(), 23u);
   for (const json& knob : result["knobs"]) {
     if (knob.contains("skipped")) {
       EXPECT_THAT(knob["skipped"].get<std::string>(), HasSubstr("one colour"));
@@ -89,8 +89,20 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
       const std::string name = knob["name"].get<std::string>() + " " + setting["value"].get<std::string>();
       defaults += setting["default"] == true;
       EXPECT_GT(setting["frame_milliseconds"], 0.0) << name;
+      EXPECT_LE(setting["frame_milliseconds_quartiles"][0], setting["frame_milliseconds"]) << name;
+      EXPECT_GE(setting["picture"]["flip_mean"], 0.0) << name;
+      EXPECT_LT(setting["picture"]["flip_mean"], 0.8) << name;
+      EXPECT_EQ(setting["picture"]["flip_mean"] == 0.0, setting["picture"]["rms"] == 0.0) << name;
+      EXPECT_EQ(setting["default"], name == knob["name"].get<std::string>() + " exact hits" ||
+                                        (!knob["settings"].back()["comparison"].get<bool>() &&
+                                         setting["setting_default"] == true))
+          << name;
       if (knob.contains("truth")) {
         expectLight(setting, name);
+        continue;
+      }
+      if (knob["name"] == "supersampling" || knob["name"] == "shadow") {
+        EXPECT_GT(setting["pass_milliseconds"].value("cast", 0.0), 0.0) << name;
         continue;
       }
       for (const char* pass : {"cast", "gradient", "hessian"})
@@ -105,9 +117,10 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
     }
     EXPECT_EQ(defaults, 1) << knob["name"];
     EXPECT_EQ(knob["reach"].size(), 3u);
+    EXPECT_THAT(knob["advice"].get<std::string>(), testing::EndsWith(".")) << knob["name"];
   }
   const std::string text = contentOf(folder / "d" / "study.md");
-  EXPECT_THAT(text, HasSubstr("| **2** (default) |"));
+  EXPECT_THAT(text, HasSubstr("| **exact hits** (default) |"));
   EXPECT_THAT(text, HasSubstr("## derivatives_field (`derivatives.field`)"));
   EXPECT_THAT(text, HasSubstr("Not studied: the sky has one colour"));
   EXPECT_THAT(text, HasSubstr("| `gi.samples` |"));
@@ -192,6 +205,28 @@ TEST(StudyCommandGl, TheErrorsAreThoseOfTheSettings) {
   const json& cubic = settingOf(result, 4, "cubic");
   EXPECT_GT(cubic["field_errors"]["normal_degrees"]["rms"], 1.0);
   EXPECT_LT(cubic["errors"]["normal_degrees"]["rms"], 0.1);
+}
+
+// More rays are nearer to very many; a shadow is seen, and its pass runs.
+TEST(StudyCommandGl, EdgesAndShadowsAreJudgedByThePicture) {
+  const json result =
+      study(test::temporaryFolder(), {"phantom:gyroid:32", "--size", "64x64", "--knobs",
+                                      "supersampling,shadow", "--set", "light.direction=-1,1,0.4"});
+  double before = 1.0, flipBefore = 1.0;
+  for (const char* rays : {"1", "2", "4"}) {
+    const json& picture = settingOf(result, 0, rays)["picture"];
+    EXPECT_GT(picture["edge_pixels"], 50) << rays;
+    EXPECT_LT(picture["edge_pixels"], 64 * 64) << rays;
+    EXPECT_GT(picture["edge_rms"], picture["rms"]) << rays;
+    EXPECT_LT(picture["edge_rms"], 0.75 * before) << rays;
+    EXPECT_LT(picture["flip_mean"], flipBefore) << rays;
+    before = picture["edge_rms"];
+    flipBefore = picture["flip_mean"];
+  }
+  EXPECT_EQ(settingOf(result, 1, "1")["picture"]["flip_mean"], 0.0);
+  EXPECT_GT(settingOf(result, 1, "0")["picture"]["flip_mean"], 0.01);
+  EXPECT_GT(settingOf(result, 1, "1")["pass_milliseconds"].value("shadow", 0.0), 0.0);
+  EXPECT_FALSE(settingOf(result, 1, "0")["pass_milliseconds"].contains("shadow"));
 }
 
 TEST(StudyCommandGl, PlotsWhenGnuplotIsThere) {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/study/study.h"
-#include "app/study/study_plot.h"
+#include "app/study_report/study_plot.h"
 #include "base/error.h"
 #include "scene/settings.h"
 #include "tests/app/commands/run_isolux.h"
@@ -123,6 +123,18 @@ TEST(StudyKnobs, EachHasItsDefaultAmongItsValues) {
   }
 }
 
+TEST(StudyKnobs, PicturesAreComparedWithOneOfTheRows) {
+  for (const Knob& knob : knobs()) {
+    const std::string reference = pictureReference(knob);
+    if (knob.measure == Measure::edges)
+      EXPECT_EQ(reference, "") << "a picture of its own";
+    else if (knob.sampled)
+      EXPECT_EQ(reference, kExactHits);
+    else
+      EXPECT_THAT(knob.values, testing::Contains(testing::StrEq(reference))) << knob.name;
+  }
+}
+
 TEST(StudyKnobs, ATurnedSceneDiffersInThatSettingAlone) {
   const scene::VolumeFacts facts{.boundsMaxMm = glm::dvec3(9.0), .maximum = 5.0, .typicalStep = 8.0};
   scene::Scene scene;
@@ -196,6 +208,10 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
   for (const char* knob : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
     EXPECT_THAT(why(knob, plain), HasSubstr("one colour")) << knob;
   EXPECT_EQ(why("rate", plain), "");
+  EXPECT_EQ(why("shadow", plain), "");
+  EXPECT_EQ(why("supersampling", plain), "");
+  plain.light.intensity = 0.0;
+  EXPECT_THAT(why("shadow", plain), HasSubstr("key light"));
   probe.gi.mode = scene::GiMode::off;
   for (const char* knob : {"samples", "bounces", "interpolation", "sh_order", "precision"})
     EXPECT_THAT(why(knob, probe), HasSubstr("stored")) << knob;
@@ -208,9 +224,12 @@ KnobStudy madeStudy() {
   const auto add = [&](const char* value, double time, double rms, bool comparison) {
     StudySetting setting;
     setting.value = value;
-    setting.isDefault = setting.value == "2";
+    setting.isDefault = comparison;
+    setting.settingDefault = setting.value == "2";
     setting.comparison = comparison;
     setting.passMilliseconds = {{"cast", time}, {"refine", 1.0}};
+    setting.passTimes = {{"cast", {time - 0.1, time, time + 0.1, time + 0.2}},
+                         {"refine", {1.0, 1.0, 1.0, 1.0}}};
     setting.errors.pixels = 100;
     setting.errors.depthVoxels.rms = rms;
     study.settings.push_back(setting);
@@ -222,22 +241,53 @@ KnobStudy madeStudy() {
   return study;
 }
 
-TEST(StudyReach, IsTheCheapestOfTheKnobItself) {
-  const KnobStudy study = madeStudy();
+TEST(StudyReach, IsTheCheapestOfAllRows) {
+  KnobStudy study = madeStudy();
+  EXPECT_EQ(cheapest(study, 0.5)->value, "exact hits") << "cheaper than every rate";
+  EXPECT_EQ(cheapest(study, 1e-9)->value, "exact hits");
+  study.settings.pop_back();
   EXPECT_EQ(cheapest(study, 0.5)->value, "1");
   EXPECT_EQ(cheapest(study, 0.1)->value, "4") << "cheaper than the less accurate 2, by these times";
-  EXPECT_EQ(cheapest(study, 0.001), nullptr) << "exact hits are a comparison, no rate";
+  EXPECT_EQ(cheapest(study, 0.001), nullptr);
   EXPECT_DOUBLE_EQ(milliseconds(study.settings[0], panelsOf(study.knob)[0]), 3.0);
+}
+
+TEST(StudyReach, OfTimesThatTheirSpreadDoesNotTellApartTheMoreAccurateWins) {
+  KnobStudy study = madeStudy();
+  study.settings.pop_back();
+  // Medians 3 and 4 ms; quartiles 2.9 to 4.1 of the first, 4 to 4.1 of the last.
+  study.settings[0].passTimes["refine"] = std::vector<double>(5, 1.0);
+  study.settings[0].passTimes["cast"] = {1.9, 1.9, 2.0, 3.1, 3.1};
+  EXPECT_EQ(cheapest(study, 0.5)->value, "4");
+  study.settings[0].passTimes["cast"] = {1.9, 1.9, 2.0, 2.1, 2.1};
+  EXPECT_EQ(cheapest(study, 0.5)->value, "1");
+}
+
+TEST(StudyTimes, SpreadIsOfThePassesOfAFrameTogether) {
+  StudySetting setting;
+  setting.passMilliseconds = {{"cast", 2.0}, {"refine", 5.0}};
+  setting.passTimes = {{"cast", {1.0, 2.0, 3.0}}, {"refine", {6.0, 5.0, 4.0}}, {"other", {9.0, 9.0, 99.0}}};
+  const Knob knob = parseKnobs("rate")[0];
+  const TimeSpread spread = costSpread(knob, setting, panelsOf(knob)[0]);
+  EXPECT_EQ(spread.low, 7.0);
+  EXPECT_EQ(spread.high, 7.0);
+  const TimeSpread alone = spreadOfTimes({8.0, 1.0, 2.0, 3.0, 4.0});
+  EXPECT_EQ(alone.median, 3.0);
+  EXPECT_EQ(alone.low, 2.0);
+  EXPECT_EQ(alone.high, 4.0);
+  EXPECT_FALSE(sameTime({1.0, 0.9, 1.1}, {1.3, 1.2, 1.4}));
+  EXPECT_TRUE(sameTime({1.0, 0.9, 1.25}, {1.3, 1.2, 1.4}));
 }
 
 TEST(StudyPlot, HasEveryPointAndMarksTheDefault) {
   const std::string script = plotScript(madeStudy(), "it's", ".part");
   EXPECT_THAT(script, HasSubstr("title = 'hit.rate of it''s'"));
-  EXPECT_THAT(script, HasSubstr("1\t0\t3\t0.2\t3\t"));
-  EXPECT_THAT(script, HasSubstr("2\t1\t5\t0.05\t5\t"));
-  EXPECT_THAT(script, HasSubstr("\n\n\nexact hits\t0\t2\t")) << "in a block of its own";
-  EXPECT_THAT(script, testing::Not(HasSubstr("\t0\t2\t0\t")))
-      << "no error is no point of a log axis: it is lifted";
+  EXPECT_THAT(script, HasSubstr("\n1\t0\t3\t3\t3.1\t0.2\t3\t"));
+  EXPECT_THAT(script, HasSubstr("\n2\t0\t5\t5\t5.1\t0.05\t5\t")) << "what is not done by default";
+  EXPECT_THAT(script, HasSubstr("\n\n\nexact hits\t1\t2\t2\t2.1\t0\t")) << "in a block of its own";
+  EXPECT_THAT(script, HasSubstr("zeros = 1"));
+  EXPECT_THAT(script, HasSubstr("bottoms[2] = [0.001, 0.01]")) << "below the least error that is not 0";
+  EXPECT_THAT(script, HasSubstr("tops[2] = [1, 1]"));
 }
 
 KnobStudy madeLightStudy(const char* knob) {
@@ -271,10 +321,10 @@ TEST(StudyPlot, OfLightHasItsCostAndStandardError) {
   std::string script = plotScript(madeLightStudy("samples"), "ct", ".part");
   EXPECT_THAT(script, HasSubstr("bars = 1"));
   EXPECT_THAT(script, HasSubstr("joined = 1"));
-  EXPECT_THAT(script, HasSubstr("a\t0\t8\t0.045\t8\t0.135\t0.01\n"));
+  EXPECT_THAT(script, HasSubstr("a\t0\t8\t8\t8\t0.045\t8\t8\t8\t0.135\t0.01\n"));
   EXPECT_THAT(script, HasSubstr("time to bake what the view shows, s"));
   script = plotScript(madeLightStudy("component_bits"), "ct", ".part");
-  EXPECT_THAT(script, HasSubstr("a\t0\t4\t0.045\t4\t"));
+  EXPECT_THAT(script, HasSubstr("a\t0\t4\t4\t4\t0.045\t4\t"));
   EXPECT_THAT(script, HasSubstr("MiB"));
 }
 

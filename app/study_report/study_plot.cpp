@@ -1,7 +1,8 @@
-#include "app/study/study_plot.h"
+#include "app/study_report/study_plot.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "app/process/gnuplot.h"
@@ -15,6 +16,8 @@ constexpr std::string_view kTruth = "cubic_interpolating";
 
 std::string costLabel(const Knob& knob, const Panel& panel) {
   switch (knob.cost) {
+    case Cost::frameMilliseconds:
+      return "time of a frame, ms";
     case Cost::bakeSeconds:
       return "time to bake what the view shows, s";
     case Cost::gpuMegabytes:
@@ -28,24 +31,37 @@ std::string costLabel(const Knob& knob, const Panel& panel) {
   return "time of " + passes + ", ms";
 }
 
-// The height of "no error" on a logarithmic axis: below every error that is not 0.
-double heightOfZero(const KnobStudy& study, const Panel& panel) {
-  double least = 1.0;
+// Of a logarithmic axis of errors.
+struct ErrorAxis {
+  double bottom = 0.01, top = 1.0;  // powers of ten
+  bool zeros = false;               // some error is 0: drawn at the bottom, which then no other reaches
+};
+
+ErrorAxis axisOf(const KnobStudy& study, const Panel& panel) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  ErrorAxis axis;
   for (const StudySetting& setting : study.settings)
-    for (const Errors* errors : {&setting.errors, &judged(setting)})
-      if (const double error = panel.error(*errors); error > 0.0) least = std::min(least, error);
-  return 0.3 * least;
+    for (const Errors* errors : {&setting.errors, &judged(setting)}) {
+      const double error = panel.error(*errors);
+      axis.zeros = axis.zeros || error == 0.0;
+      if (!(error > 0.0)) continue;
+      least = std::min(least, error);
+      most = std::max(most, error);
+    }
+  if (most == 0.0) return axis;
+  axis.bottom = std::pow(10.0, std::floor(std::log10(least / (axis.zeros ? 3.0 : 1.5))));
+  axis.top = std::pow(10.0, std::ceil(std::log10(2.0 * most)));
+  return axis;
 }
 
 void row(std::ostream& out, const Knob& knob, const StudySetting& setting, const Errors& errors,
-         const std::array<double, 2>& zeros) {
-  const auto& panels = panelsOf(knob);
-  out << setting.value << '\t' << (setting.isDefault ? 1 : 0);
-  for (std::size_t p = 0; p < panels.size(); ++p) {
-    const double error = panels[p].error(errors);
-    out << '\t' << costOf(knob, setting, panels[p]) << '\t';
-    if (std::isfinite(error))
-      out << std::max(error, zeros[p]);
+         const std::string& label) {
+  out << label << '\t' << (setting.isDefault ? 1 : 0);
+  for (const Panel& panel : panelsOf(knob)) {
+    const TimeSpread cost = costSpread(knob, setting, panel);
+    out << '\t' << cost.median << '\t' << cost.low << '\t' << cost.high << '\t';
+    if (const double error = panel.error(errors); std::isfinite(error))
+      out << error;
     else
       out << "NaN";
   }
@@ -66,14 +82,14 @@ bool hasPoints(const KnobStudy& study, const Panel& panel) {
 std::string plotScript(const KnobStudy& study, const std::string& subject, const std::string& picture) {
   const Knob& knob = study.knob;
   const auto& panels = panelsOf(knob);
-  const std::array<double, 2> zeros{heightOfZero(study, panels[0]), heightOfZero(study, panels[1])};
+  const std::array<ErrorAxis, 2> axes{axisOf(study, panels[0]), axisOf(study, panels[1])};
   std::ostringstream own, other;  // a knob has exact hits beside it, or other errors, or neither
   bool comparison = false, fields = false;
   for (const StudySetting& setting : study.settings) {
-    row(setting.comparison ? other : own, knob, setting, setting.errors, zeros);
-    // Its own truth: the same point again.
-    if (setting.fieldErrors && setting.value != kTruth)
-      row(other, knob, setting, *setting.fieldErrors, zeros);
+    row(setting.comparison ? other : own, knob, setting, setting.errors, setting.value);
+    // Its own truth: the same point again, whose label stands there.
+    if (setting.fieldErrors)
+      row(other, knob, setting, *setting.fieldErrors, setting.value == kTruth ? "" : setting.value);
     comparison = comparison || setting.comparison;
     fields = fields || setting.fieldErrors.has_value();
   }
@@ -85,7 +101,9 @@ std::string plotScript(const KnobStudy& study, const std::string& subject, const
       << "\ncomparison = " << comparison << "\nfields = " << fields << "\narray xlabels[2] = ["
       << gnuplotText(costLabel(knob, panels[0])) << ", " << gnuplotText(costLabel(knob, panels[1]))
       << "]\narray ylabels[2] = [" << gnuplotText(panels[0].label) << ", " << gnuplotText(panels[1].label)
-      << "]\narray zeros[2] = [" << zeros[0] << ", " << zeros[1] << "]\n$data << END_OF_DATA\n";
+      << "]\narray bottoms[2] = [" << axes[0].bottom << ", " << axes[1].bottom << "]\narray tops[2] = ["
+      << axes[0].top << ", " << axes[1].top << "]\nzeros = " << (axes[0].zeros || axes[1].zeros)
+      << "\n$data << END_OF_DATA\n";
   out << own.str() << "\n\n" << other.str();
   out << "END_OF_DATA\n" << studyPlotScript;
   return out.str();

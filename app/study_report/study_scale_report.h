@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/study/study.h"
+#include "app/study/study_results.h"
 
 namespace isolux::app {
 

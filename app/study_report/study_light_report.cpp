@@ -1,10 +1,10 @@
-#include "app/study/study_light_report.h"
+#include "app/study_report/study_light_report.h"
 
 #include <algorithm>
 #include <cmath>
 #include <ostream>
 
-#include "app/study/study_table.h"
+#include "app/study_report/study_table.h"
 
 namespace isolux::app {
 
@@ -27,17 +27,50 @@ std::string withError(const LightErrors& errors, double value, double standardEr
   return percent(errors.relative(value)) + " ± " + percent(errors.relative(standardError), 2);
 }
 
+const char* costHead(const Knob& knob) {
+  if (knob.cost == Cost::bakeSeconds) return "bake, s (quartiles)";
+  return knob.cost == Cost::gpuMegabytes ? "GPU, MiB" : "lookup, ms (quartiles)";
+}
+
+std::vector<TableColumn> lightColumns(const KnobStudy& study) {
+  const Knob& knob = study.knob;
+  std::vector<TableColumn> columns{{costHead(knob), [&knob](const StudySetting& setting) {
+                                      return tableTime(costSpread(knob, setting, panelsOf(knob)[0]));
+                                    }}};
+  if (knob.cost == Cost::gpuMegabytes)
+    columns[0].cell = [&knob](const StudySetting& setting) {
+      return tableNumber(costOf(knob, setting, panelsOf(knob)[0]));
+    };
+  const auto add = [&](const char* head, auto text) {
+    columns.push_back({head, [text](const StudySetting& setting) { return text(setting.errors.light); }});
+  };
+  add("RMSE, % of mean E", [](const LightErrors& e) { return withError(e, e.rmse, e.rmseStandardError); });
+  add("bias, %", [](const LightErrors& e) { return withError(e, e.bias, e.biasStandardError); });
+  add("largest, %", [](const LightErrors& e) { return percent(e.relative(e.maximum)); });
+  const std::vector<TableColumn> picture = pictureColumns(study);
+  columns.insert(columns.end(), picture.begin(), picture.end());
+  return columns;
+}
+
 bool isLight(const KnobStudy& study) {
   return study.knob.measure == Measure::light && !study.settings.empty();
 }
 
 }  // namespace
 
+ordered_json quartilesJson(const std::vector<double>& times) {
+  if (times.empty()) return nullptr;
+  const TimeSpread spread = spreadOfTimes(times);
+  return {spread.low, spread.high};
+}
+
 ordered_json lightCostJson(const LightCost& cost) {
   return {{"bake_seconds", cost.bakeSeconds},
+          {"bake_seconds_quartiles", quartilesJson(cost.bakeTimes)},
           {"rays", cost.rays},
           {"texels", cost.texels},
           {"lookup_milliseconds", cost.lookupMilliseconds},
+          {"lookup_milliseconds_quartiles", quartilesJson(cost.lookupTimes)},
           {"lattice_bytes", cost.latticeBytes},
           {"gpu_bytes", cost.gpuBytes}};
 }
@@ -59,41 +92,13 @@ ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size) {
           {"maximum_pixel", {place.x, place.y}}};
 }
 
-std::string costText(const Knob& knob, double cost) {
-  const char* unit = " ms";
-  if (knob.cost == Cost::bakeSeconds) unit = " s";
-  if (knob.cost == Cost::gpuMegabytes) unit = " MiB";
-  return tableNumber(cost) + unit;
-}
-
-void writeLightTable(std::ostream& out, const KnobStudy& study, glm::ivec2 size) {
+void writeLightTable(std::ostream& out, const KnobStudy& study) {
   const LightErrors& first = study.settings.front().errors.light;
   out << "Against path tracing at " << first.pixels << " pixels, " << study.truthSamples
       << " paths each, at most " << study.truthBounces << (study.truthBounces == 1 ? " bounce" : " bounces")
       << ": mean E " << tableNumber(first.mean, 4) << ", standard error of a pixel "
       << percent(first.relative(first.truthNoise), 2) << " % of it.\n\n";
-  // Values that share a bake have no time of their own.
-  const bool bakes = study.knob.cost == Cost::bakeSeconds;
-  out << "| " << study.knob.label << (bakes ? " | bake, s | Mrays" : "")
-      << " | texels | lattice, MiB | GPU, MiB | lookup, ms | RMSE, % of mean E | bias, % | 99 %, % | "
-         "largest, % | z of it | at pixel |\n|---|"
-      << (bakes ? "---:|---:|" : "") << "---:|---:|---:|---:|---:|---:|---:|---:|---:|---|\n";
-  for (const StudySetting& setting : study.settings) {
-    const LightCost& cost = setting.light.value();
-    const LightErrors& errors = setting.errors.light;
-    const glm::ivec2 place = placeOf(errors.maximumPixel, size);
-    out << "| " << markedValue(setting) << " | ";
-    if (bakes)
-      out << tableNumber(cost.bakeSeconds) << " | " << tableNumber(1e-6 * static_cast<double>(cost.rays))
-          << " | ";
-    out << cost.texels << " | " << tableNumber(static_cast<double>(cost.latticeBytes) / kMebi) << " | "
-        << tableNumber(static_cast<double>(cost.gpuBytes) / kMebi) << " | "
-        << tableNumber(cost.lookupMilliseconds) << " | "
-        << withError(errors, errors.rmse, errors.rmseStandardError) << " | "
-        << withError(errors, errors.bias, errors.biasStandardError) << " | "
-        << percent(errors.relative(errors.most99)) << " | " << percent(errors.relative(errors.maximum))
-        << " | " << tableNumber(errors.maximumZ) << " | " << place.x << ", " << place.y << " |\n";
-  }
+  writeTable(out, study, lightColumns(study));
 }
 
 void writeLightReach(std::ostream& out, const std::vector<KnobStudy>& studies) {

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/study/study.h"
+#include "app/study/study_results.h"
 
 namespace isolux::app {
 
@@ -15,10 +15,10 @@ nlohmann::ordered_json lightCostJson(const LightCost& cost);
 // `size` of the picture, for the place of the largest error.
 nlohmann::ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size);
 // What was compared with what, then a row per value.
-void writeLightTable(std::ostream& out, const KnobStudy& study, glm::ivec2 size);
+void writeLightTable(std::ostream& out, const KnobStudy& study);
 // Which value of each knob of light is the cheapest to reach an error. Nothing without such knobs.
 void writeLightReach(std::ostream& out, const std::vector<KnobStudy>& studies);
-// A cost with its unit: "1.2 s".
-std::string costText(const Knob& knob, double cost);
+// [25 %, 75 %]; null without times.
+nlohmann::ordered_json quartilesJson(const std::vector<double>& times);
 
 }  // namespace isolux::app

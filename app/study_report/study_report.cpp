@@ -1,4 +1,4 @@
-#include "app/study/study_report.h"
+#include "app/study_report/study_report.h"
 
 #include <array>
 #include <cmath>
@@ -10,9 +10,11 @@
 
 #include "app/files/files.h"
 #include "app/files/json_text.h"
-#include "app/study/study_light_report.h"
-#include "app/study/study_scale_report.h"
-#include "app/study/study_table.h"
+#include "app/study_report/study_advice.h"
+#include "app/study_report/study_light_report.h"
+#include "app/study_report/study_scale_report.h"
+#include "app/study_report/study_surface_report.h"
+#include "app/study_report/study_table.h"
 #include "app/version.h"
 #include "base/number_text.h"
 #include "scene/settings.h"
@@ -55,27 +57,51 @@ ordered_json errorsJson(const Errors& errors) {
           {"curvature_relative", spreadJson(errors.curvature)}};
 }
 
-ordered_json settingJson(const StudySetting& setting, glm::ivec2 size) {
-  if (setting.light)
-    return {{"value", setting.value},
-            {"default", setting.isDefault},
-            {"frame_milliseconds", setting.frameMilliseconds},
-            {"light", lightCostJson(*setting.light)},
-            {"errors", lightErrorsJson(setting.errors.light, size)}};
-  if (setting.scale)
-    return {{"value", setting.value},
-            {"default", setting.isDefault},
-            {"frame_milliseconds", setting.frameMilliseconds},
-            {"pass_milliseconds", setting.passMilliseconds},
-            {"scale", scaleJson(setting)}};
+ordered_json pictureJson(const PictureErrors& errors) {
+  ordered_json json{{"flip_mean", errors.flip}, {"rms", errors.rms}};
+  if (errors.edgePixels > 0) json.update({{"edge_rms", errors.edgeRms}, {"edge_pixels", errors.edgePixels}});
+  return json;
+}
+
+ordered_json settingJson(const Knob& knob, const StudySetting& setting, glm::ivec2 size) {
   ordered_json json{{"value", setting.value},
                     {"default", setting.isDefault},
+                    {"setting_default", setting.isDefault || setting.settingDefault},
                     {"comparison", setting.comparison},
                     {"frame_milliseconds", setting.frameMilliseconds},
-                    {"pass_milliseconds", setting.passMilliseconds},
-                    {"errors", errorsJson(setting.errors)}};
+                    {"frame_milliseconds_quartiles", quartilesJson(setting.frameTimes)},
+                    {"picture", pictureJson(setting.errors.picture)}};
+  if (setting.light) {
+    json["light"] = lightCostJson(*setting.light);
+    json["errors"] = lightErrorsJson(setting.errors.light, size);
+    return json;
+  }
+  json["pass_milliseconds"] = setting.passMilliseconds;
+  for (const auto& [name, times] : setting.passTimes)
+    json["pass_milliseconds_quartiles"][name] = quartilesJson(times);
+  if (setting.scale)
+    json["scale"] = scaleJson(setting);
+  else if (knob.measure == Measure::hits || knob.measure == Measure::shape)
+    json["errors"] = errorsJson(setting.errors);
   if (setting.fieldErrors) json["field_errors"] = errorsJson(*setting.fieldErrors);
   return json;
+}
+
+ordered_json truthJson(const KnobStudy& study) {
+  switch (study.knob.measure) {
+    case Measure::light:
+      return {{"truth", {{"samples", study.truthSamples}, {"bounces", study.truthBounces}}}};
+    case Measure::scale:
+      return {{"added_noise", study.addedNoise}, {"compared_with", study.knowsTruth ? "phantom" : "itself"}};
+    case Measure::hits:
+    case Measure::shape:
+      return {{"passes", panelsOf(study.knob)[0].passes},
+              {"method", study.knob.sampled ? "sampled" : "as in the scene"}};
+    case Measure::edges:
+    case Measure::shadow:
+      break;
+  }
+  return ordered_json::object();
 }
 
 ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
@@ -86,93 +112,69 @@ ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
     json["settings"] = ordered_json::array();
     return json;
   }
-  if (study.knob.measure == Measure::light)
-    json["truth"] = {{"samples", study.truthSamples}, {"bounces", study.truthBounces}};
-  else if (study.knob.measure == Measure::scale)
-    json.update(
-        {{"added_noise", study.addedNoise}, {"compared_with", study.knowsTruth ? "phantom" : "itself"}});
-  else
-    json.update(
-        {{"passes", panels[0].passes}, {"method", study.knob.sampled ? "sampled" : "as in the scene"}});
+  json.update(truthJson(study));
+  const std::string reference = pictureReference(study.knob);
+  json["picture_reference"] = reference.empty() ? "256 rays per pixel" : reference;
   json["settings"] = ordered_json::array();
-  for (const StudySetting& setting : study.settings) json["settings"].push_back(settingJson(setting, size));
+  for (const StudySetting& setting : study.settings)
+    json["settings"].push_back(settingJson(study.knob, setting, size));
   json["reach"] = ordered_json::array();
   for (const double error : errorsToReach(study.knob.measure)) {
     const StudySetting* const setting = cheapest(study, error);
     ordered_json reach{{"error", panels[0].key}, {"at_most", error}};
     reach["value"] = setting ? ordered_json(setting->value) : ordered_json();
+    if (setting) reach["comparison"] = setting->comparison;
     json["reach"].push_back(reach);
   }
+  json["advice"] = adviceOf(study);
+  if (const std::string note = noteOf(study); !note.empty()) json["note"] = note;
   if (!study.plot.empty()) json["plot"] = study.plot;
   return json;
 }
 
 // ---- Markdown
 
-std::string passNames(const Panel& panel) {
-  std::string names;
-  for (const char* const pass : panel.passes) names += (names.empty() ? "" : " + ") + std::string(pass);
-  return names;
-}
-
-void errorCells(std::ostream& out, const Errors& errors) {
-  out << errors.missed << " | " << errors.invented << " | " << errors.undecided << " | "
-      << tableNumber(errors.depthVoxels.median) << " | " << tableNumber(errors.depthVoxels.rms) << " | "
-      << tableNumber(errors.depthVoxels.most99) << " | " << tableNumber(errors.depthVoxels.maximum) << " | "
-      << tableNumber(errors.depthMm.rms) << " | " << tableNumber(errors.normalDegrees.rms) << " | "
-      << tableNumber(100.0 * errors.curvature.median) << " | " << tableNumber(100.0 * errors.curvature.most99)
-      << " |\n";
-}
-
-constexpr const char* kErrorHeads =
-    "missed | invented | undecided | depth median, voxels | RMS | 99 % | largest | depth RMS, mm | normal "
-    "RMS, ° | "
-    "curvature median, % | 99 % |\n";
-constexpr const char* kErrorRule = "---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-
-void table(std::ostream& out, const KnobStudy& study) {
-  const auto& panels = panelsOf(study.knob);
-  const bool twice = panels[0].passes != panels[1].passes;
-  out << "| " << study.knob.label << " | frame, ms | " << passNames(panels[0]) << ", ms | ";
-  if (twice) out << passNames(panels[1]) << ", ms | ";
-  out << kErrorHeads << "|---|---:|---:|" << (twice ? "---:|" : "") << kErrorRule;
-  for (const StudySetting& setting : study.settings) {
-    out << "| " << markedValue(setting) << " | " << tableNumber(setting.frameMilliseconds) << " | "
-        << tableNumber(milliseconds(setting, panels[0])) << " | ";
-    if (twice) out << tableNumber(milliseconds(setting, panels[1])) << " | ";
-    errorCells(out, setting.errors);
+void writeKnobTable(std::ostream& out, const KnobStudy& study) {
+  switch (study.knob.measure) {
+    case Measure::light:
+      return writeLightTable(out, study);
+    case Measure::scale:
+      return writeScaleTable(out, study);
+    case Measure::edges:
+    case Measure::shadow:
+      return writePictureTable(out, study);
+    case Measure::hits:
+    case Measure::shape:
+      break;
   }
-}
-
-void fieldTable(std::ostream& out, const KnobStudy& study) {
-  out << "\nAgainst `cubic_interpolating` in double precision, the field that passes through every "
-         "sample:\n\n| "
-      << study.knob.label << " | " << kErrorHeads << "|---|" << kErrorRule;
-  for (const StudySetting& setting : study.settings)
-    if (setting.fieldErrors) {
-      out << "| " << markedValue(setting) << " | ";
-      errorCells(out, *setting.fieldErrors);
-    }
+  writeSurfaceTables(out, study);
 }
 
 void reachLine(std::ostream& out, const KnobStudy& study) {
   const Panel& panel = panelsOf(study.knob)[0];
-  out << "\nThe cheapest with a " << panel.label << ", of at most ";
+  out << "\nThe cheapest whose " << panel.noun << " is at most ";
   bool first = true;
   for (const double error : errorsToReach(study.knob.measure)) {
     const StudySetting* const setting = cheapest(study, error);
-    out << (first ? "" : "; ") << base::shortestText(error) << ": ";
+    out << (first ? "" : "; ") << errorText(panel, error) << ": ";
     first = false;
-    if (!setting)
+    if (!setting) {
       out << "none";
-    else if (setting->light)
-      out << '`' << setting->value << "` (" << costText(study.knob, costOf(study.knob, *setting, panel))
-          << ')';
-    else
-      out << '`' << setting->value << "` (" << tableNumber(milliseconds(*setting, panel)) << " ms"
-          << (setting->scale ? "" : ", " + std::to_string(judged(*setting).missed) + " missed") << ')';
+      continue;
+    }
+    out << '`' << setting->value << "` (" << costText(study.knob, costOf(study.knob, *setting, panel));
+    if (study.knob.measure == Measure::hits) out << ", " << judged(*setting).missed << " missed";
+    out << ')';
   }
   out << ".\n";
+}
+
+void closing(std::ostream& out, const KnobStudy& study) {
+  // Of a scan more smoothing is always less error, of what can be counted.
+  const bool blind = study.knob.measure == Measure::scale && !study.knowsTruth;
+  if (study.knob.measure != Measure::shadow && !blind) reachLine(out, study);
+  if (const std::string note = noteOf(study); !note.empty()) out << '\n' << note << '\n';
+  out << "\n**What to do.** " << adviceOf(study) << '\n';
 }
 
 }  // namespace
@@ -194,6 +196,9 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
   json["size"] = {subject.size.x, subject.size.y};
   json["repeat"] = subject.repeat;
   json["units"] = {{"milliseconds", "ms, median"},
+                   {"quartiles", "the same unit, 25 and 75 %"},
+                   {"flip_mean", "1, mean FLIP at 67 pixels per degree"},
+                   {"rms, edge_rms", "1, sRGB values in parts of the full range"},
                    {"ppm", "parts per million of the picture's pixels"},
                    {"depth_voxels", "voxels along the ray"},
                    {"depth_mm", "mm along the ray"},
@@ -216,10 +221,10 @@ std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStu
       << subject.size.y << ". " << subject.context.renderer << ", " << processorName() << "; medians of "
       << subject.repeat << " frames of each setting in turns.\n"
       << "Errors of surfaces are against double precision on the same fields, those of light against path "
-         "tracing. "
-         "Undecided: pixels whose answer hangs on "
-         "the "
-         "rounding of the ray.\n";
+         "tracing. FLIP: how different a picture looks, 0 to 1 (mean). Quartiles: half of all measured times "
+         "lie "
+         "between; rows whose quartiles overlap are taken to cost the same. study.json has all other "
+         "figures.\n";
   if (!complete) out << "\n*Not complete: the study was stopped, or is still running.*\n";
   for (const KnobStudy& study : studies) {
     out << "\n## " << study.knob.name << " (`" << study.knob.setting << "`)\n\n";
@@ -227,14 +232,8 @@ std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStu
       out << "Not studied: " << study.skipped << ".\n";
       continue;
     }
-    if (study.knob.measure == Measure::light)
-      writeLightTable(out, study, subject.size);
-    else if (study.knob.measure == Measure::scale)
-      writeScaleTable(out, study);
-    else
-      table(out, study);
-    if (study.knob.field) fieldTable(out, study);
-    reachLine(out, study);
+    writeKnobTable(out, study);
+    closing(out, study);
     if (!study.plot.empty()) out << "\n![" << study.knob.label << "](" << study.plot << ")\n";
   }
   writeLightReach(out, studies);

@@ -1,12 +1,11 @@
-#include "app/study/study_scale_report.h"
+#include "app/study_report/study_scale_report.h"
 
 #include <ostream>
 
 #include <nlohmann/json.hpp>
 
 #include "app/study/scale_study.h"
-#include "app/study/study_table.h"
-#include "render/graph/pass.h"
+#include "app/study_report/study_table.h"
 
 namespace isolux::app {
 
@@ -36,22 +35,21 @@ void writeScaleTable(std::ostream& out, const KnobStudy& study) {
            "the same scale, as far as another scan of the same would differ. What smoothing takes from the "
            "shape is not among "
            "them.";
-  out << "\n\n| " << study.knob.label
-      << " | scale, mm | field, s | hessian, ms | frame, ms | curvature median, % | 99 % | normal RMS, ° | "
-         "99 % | no confidence, % |\n"
-         "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-  for (const StudySetting& setting : study.settings) {
-    const ScaleCost& cost = setting.scale.value();
-    const NoiseErrors& errors = setting.errors.noise;
-    const auto hessian = setting.passMilliseconds.find(render::pass::hessian);
-    out << "| " << markedValue(setting) << " | " << tableNumber(cost.scaleMm) << " | "
-        << tableNumber(cost.buildSeconds) << " | "
-        << (hessian == setting.passMilliseconds.end() ? "–" : tableNumber(hessian->second)) << " | "
-        << tableNumber(setting.frameMilliseconds) << " | " << tableNumber(100.0 * errors.curvature.median)
-        << " | " << tableNumber(100.0 * errors.curvature.most99) << " | "
-        << tableNumber(errors.normalDegrees.rms) << " | " << tableNumber(errors.normalDegrees.most99) << " | "
-        << tableNumber(100.0 * cost.unknown) << " |\n";
-  }
+  out << "\n\n";
+  const Panel& panel = panelsOf(study.knob)[0];
+  std::vector<TableColumn> columns{
+      {"scale, mm", [](const StudySetting& s) { return tableNumber(s.scale.value().scaleMm); }},
+      {"field, s", [](const StudySetting& s) { return tableNumber(s.scale.value().buildSeconds); }},
+      {"hessian, ms (quartiles)",
+       [&](const StudySetting& s) { return tableTime(costSpread(study.knob, s, panel)); }},
+      {"curvature median, %",
+       [](const StudySetting& s) { return tableNumber(100.0 * s.errors.noise.curvature.median); }},
+      {"normal RMS, °", [](const StudySetting& s) { return tableNumber(s.errors.noise.normalDegrees.rms); }},
+      {"no confidence, %",
+       [](const StudySetting& s) { return tableNumber(100.0 * s.scale.value().unknown); }}};
+  const std::vector<TableColumn> picture = pictureColumns(study);
+  columns.insert(columns.end(), picture.begin(), picture.end());
+  writeTable(out, study, columns);
 }
 
 }  // namespace isolux::app

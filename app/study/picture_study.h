@@ -1,0 +1,46 @@
+// The knobs that are judged by the picture of the scene's look alone.
+//
+// `supersampling`: against the same picture with kReferenceBlock x kReferenceBlock times its pixels, each of
+// 4 x 4 rays, averaged in linear light: 256 rays per pixel; an edge is where colours within a pixel of that
+// differ (kEdgeContrast). `shadow`: the key light's, on against off; its rays are exact, and no setting
+// trades their accuracy, so what is told is what it costs and what it changes.
+#pragma once
+
+#include <memory>
+
+#include "app/compare/compared_picture.h"
+#include "app/study/study_results.h"
+#include "base/progress.h"
+#include "render/renderer.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::app {
+
+inline constexpr int kReferenceBlock = 4;
+inline constexpr double kEdgeContrast = 0.1;  // luma of sRGB values, in parts of the full range
+
+// FLIP and root mean square over the whole picture; the edges' figures stay NaN.
+PictureErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPicture& reference);
+
+class PictureStudio {
+ public:
+  // As Studio's.
+  PictureStudio(render::Renderer& renderer, std::shared_ptr<const volume::PreparedVolume> volume,
+                scene::Scene scene, glm::ivec2 size, int repeat);
+
+  // A knob of edges or shadow that has an effect in this scene. Throws Error{interrupted, memory}.
+  KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
+
+ private:
+  struct Alternative;
+  void draw(Alternative& alternative, bool timed);
+  ComparedPicture manyRays(const scene::Scene& scene, base::Progress& progress);
+
+  render::Renderer& renderer_;
+  std::shared_ptr<const volume::PreparedVolume> volume_;
+  scene::Scene scene_;
+  glm::ivec2 size_;
+  int repeat_;
+};
+
+}  // namespace isolux::app

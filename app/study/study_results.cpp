@@ -1,0 +1,125 @@
+#include "app/study/study_results.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/quantiles.h"
+
+namespace isolux::app {
+
+TimeSpread spreadOfTimes(std::vector<double> times) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (times.empty()) return {nan, nan, nan};
+  const double low = base::quantile(times, 0.25), high = base::quantile(times, 0.75);
+  const double middle = base::median(std::move(times));
+  return {middle, std::min(low, middle), std::max(high, middle)};
+}
+
+bool sameTime(const TimeSpread& a, const TimeSpread& b) {
+  return a.low <= b.high && b.low <= a.high;
+}
+
+double milliseconds(const StudySetting& setting, const Panel& panel) {
+  double sum = 0.0;
+  for (const char* const pass : panel.passes)
+    if (const auto found = setting.passMilliseconds.find(pass); found != setting.passMilliseconds.end())
+      sum += found->second;
+  return sum;
+}
+
+double costOf(const Knob& knob, const StudySetting& setting, const Panel& panel) {
+  switch (knob.cost) {
+    case Cost::passes:
+      break;
+    case Cost::frameMilliseconds:
+      return setting.frameMilliseconds;
+    case Cost::bakeSeconds:
+      return setting.light.value().bakeSeconds;
+    case Cost::lookupMilliseconds:
+      return setting.light.value().lookupMilliseconds;
+    case Cost::gpuMegabytes:
+      return static_cast<double>(setting.light.value().gpuBytes) / (1024.0 * 1024.0);
+  }
+  return milliseconds(setting, panel);
+}
+
+namespace {
+
+// Of each frame, the passes together.
+std::vector<double> passSums(const StudySetting& setting, const Panel& panel) {
+  std::vector<double> sums;
+  for (const char* const pass : panel.passes) {
+    const auto found = setting.passTimes.find(pass);
+    if (found == setting.passTimes.end()) continue;
+    sums.resize(std::max(sums.size(), found->second.size()), 0.0);
+    for (std::size_t i = 0; i < found->second.size(); ++i) sums[i] += found->second[i];
+  }
+  return sums;
+}
+
+std::vector<double> costsOf(const Knob& knob, const StudySetting& setting, const Panel& panel) {
+  switch (knob.cost) {
+    case Cost::passes:
+      return passSums(setting, panel);
+    case Cost::frameMilliseconds:
+      return setting.frameTimes;
+    case Cost::bakeSeconds:
+      return setting.light.value().bakeTimes;
+    case Cost::lookupMilliseconds:
+      return setting.light.value().lookupTimes;
+    case Cost::gpuMegabytes:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+TimeSpread costSpread(const Knob& knob, const StudySetting& setting, const Panel& panel) {
+  const double cost = costOf(knob, setting, panel);
+  std::vector<double> costs = costsOf(knob, setting, panel);
+  if (costs.empty()) return {cost, cost, cost};
+  const TimeSpread spread = spreadOfTimes(std::move(costs));
+  return {cost, std::min(cost, spread.low), std::max(cost, spread.high)};
+}
+
+const Errors& judged(const StudySetting& setting) {
+  return setting.fieldErrors ? *setting.fieldErrors : setting.errors;
+}
+
+const StudySetting* cheapest(const KnobStudy& study, double error) {
+  const Panel& panel = panelsOf(study.knob)[0];
+  const auto errorOf = [&](const StudySetting& setting) { return panel.error(judged(setting)); };
+  const auto spreadOf = [&](const StudySetting& setting) { return costSpread(study.knob, setting, panel); };
+  const StudySetting* least = nullptr;
+  for (const StudySetting& setting : study.settings)
+    if (errorOf(setting) <= error && (!least || spreadOf(setting).median < spreadOf(*least).median))
+      least = &setting;
+  if (!least) return nullptr;
+  const TimeSpread spread = spreadOf(*least);
+  const StudySetting* best = least;
+  for (const StudySetting& setting : study.settings)
+    if (errorOf(setting) < errorOf(*best) && sameTime(spreadOf(setting), spread)) best = &setting;
+  return best;
+}
+
+const std::array<double, 3>& errorsToReach(Measure measure) {
+  static constexpr std::array<double, 3> voxels{0.1, 0.01, 0.001}, degrees{1.0, 0.1, 0.01},
+      partsOfMean{0.05, 0.02, 0.01}, partsOfCurvature{0.5, 0.2, 0.1}, flip{0.1, 0.01, 0.001};
+  switch (measure) {
+    case Measure::hits:
+      return voxels;
+    case Measure::shape:
+      return degrees;
+    case Measure::scale:
+      return partsOfCurvature;
+    case Measure::light:
+    case Measure::edges:
+      return partsOfMean;
+    case Measure::shadow:
+      break;
+  }
+  return flip;
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,85 @@
+// What a study finds: of each setting of a knob what it costs and how far off it is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/study_errors.h"
+#include "app/study/study_knobs.h"
+
+namespace isolux::app {
+
+// A time that was measured over and over: its median and its quartiles.
+struct TimeSpread {
+  double median = 0.0, low = 0.0, high = 0.0;
+};
+// Times of at least one measurement; all NaN without one.
+TimeSpread spreadOfTimes(std::vector<double> times);
+// Their quartiles overlap: these measurements do not tell which is less.
+bool sameTime(const TimeSpread& a, const TimeSpread& b);
+
+// What stored light costs.
+struct LightCost {
+  double bakeSeconds = 0.0;            // median; NaN where the settings of a knob share one bake
+  double lookupMilliseconds = 0.0;     // pass irradiance, median
+  std::uint64_t rays = 0, texels = 0;  // rays: 0 where the bake is shared
+  std::uint64_t latticeBytes = 0, gpuBytes = 0;
+  std::vector<double> bakeTimes{}, lookupTimes{};  // each measured one: s, ms
+};
+
+// What a field at a scale costs beside its pictures.
+struct ScaleCost {
+  double scaleMm = 0.0;
+  double buildSeconds = 0.0;  // 0: none is built
+  double unknown = 0.0;       // part of the surface's pixels whose curvature has a confidence below 1/2
+};
+
+struct StudySetting {
+  std::string value;
+  bool isDefault = false;          // what the program does unless told otherwise
+  bool settingDefault = false;     // the default of the knob's setting, which by default has no effect
+  bool comparison = false;         // exact hits beside a knob of sampled ones
+  double frameMilliseconds = 0.0;  // the picture of the scene's look, every pass run again
+  std::map<std::string, double> passMilliseconds;  // with gradient and hessian each run for themselves
+  std::vector<double> frameTimes{};                // ms, in the order of the frames, which medians are of
+  std::map<std::string, std::vector<double>> passTimes{};
+  Errors errors;                      // against double precision on the same fields
+  std::optional<Errors> fieldErrors;  // of a field: against cubic_interpolating in double precision
+  std::optional<ScaleCost> scale{};   // of the knob of the scale; then only errors.noise is defined
+  std::optional<LightCost> light;     // of a knob of light; then only errors.light is defined
+};
+
+struct KnobStudy {
+  Knob knob;
+  std::vector<StudySetting> settings;
+  std::string plot;  // file name beside study.json; "" where there is none
+  bool eightBitVoxels = false;
+  std::string skipped{};  // why it was not studied: it has no effect in this scene
+  // Of the knob of the scale: the noise that was added, data units, and whether the truth is a phantom's own.
+  double addedNoise = 0.0;
+  bool knowsTruth = false;
+  // Of a knob of light: what it was compared with.
+  std::uint64_t truthSamples = 0;  // paths per pixel
+  int truthBounces = 0;
+};
+
+// The time of the passes that make a panel's error.
+double milliseconds(const StudySetting& setting, const Panel& panel);
+// What the panel shows its error against: that time, or what the light costs.
+double costOf(const Knob& knob, const StudySetting& setting, const Panel& panel);
+// The same with its quartiles; bytes have no spread.
+TimeSpread costSpread(const Knob& knob, const StudySetting& setting, const Panel& panel);
+// What the setting is judged by: the errors of its field where it is a field, otherwise of its arithmetic.
+const Errors& judged(const StudySetting& setting);
+// The cheapest of the knob's rows, comparisons among them, whose first panel's error is at most this; of
+// those whose cost its quartiles do not tell from it (sameTime) the most accurate. Null: none is.
+const StudySetting* cheapest(const KnobStudy& study, double error);
+// What cheapest() is asked for: of hits in voxels, of shapes in degrees, of scales in parts of the curvature,
+// of light in parts of its mean, of edges in parts of the range of colours, of shadows in mean FLIP.
+const std::array<double, 3>& errorsToReach(Measure measure);
+
+}  // namespace isolux::app
