@@ -1,15 +1,14 @@
 // First hits in double precision (volume/hit): those of searches that share no arithmetic with them.
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "tests/properties/agreeing_hits.h"
 #include "tests/properties/property_run.h"
 #include "tests/properties/searched_ray.h"
 #include "tests/support/rays.h"
-#include "tests/support/trilinear_oracle.h"
 #include "tests/volume/cast/caster_checks.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_hit.h"
@@ -33,14 +32,6 @@ std::vector<Ray> raysOfCase(const PropertyCase& made, const Grid& grid, std::uin
   return rays;
 }
 
-std::string textOf(const Ray& ray) {
-  std::ostringstream text;
-  text.precision(17);
-  text << " on the ray from " << ray.origin.x << ' ' << ray.origin.y << ' ' << ray.origin.z << " by "
-       << ray.direction.x << ' ' << ray.direction.y << ' ' << ray.direction.z;
-  return text.str();
-}
-
 // In a plane of voxels between a cell with a missing corner and one without, either answer is right.
 bool runsBetweenCells(const Ray& ray) {
   for (int axis = 0; axis < 3; ++axis)
@@ -59,17 +50,14 @@ std::string firstHitsAgree(const PropertyCase& made) {
   for (const Ray& ray : raysOfCase(made, grid, 48)) {
     if (grid.missingCount() > 0 && runsBetweenCells(ray)) continue;
     const auto hit = volume::firstHit(grid, blocks, isovalue, ray.origin, ray.direction);
-    HitTally tally;
-    compareHit(oracle, isovalue, ray, hit, tally);
-    if (tally.misses > 0) return "a hit is missed" + textOf(ray);
-    if (tally.inventions > 0) return "a hit is none" + textOf(ray);
+    if (std::string wrong = disagreement(oracle, isovalue, ray, hit); !wrong.empty()) return wrong;
     if (!hit) continue;
-    if (!(hit->valueError <= 1e-9 * scale)) return "a hit is off the surface" + textOf(ray);
+    if (!(hit->valueError <= 1e-9 * scale)) return "a hit is off the surface: " + textOf(ray);
     if (!(std::abs(volume::sampleTrilinear(grid, hit->voxel).value - isovalue) <= 1e-9 * scale))
-      return "a hit's value error is larger than stated" + textOf(ray);
+      return "a hit's value error is larger than stated: " + textOf(ray);
     if (!(glm::distance(hit->voxel, ray.origin + hit->t * ray.direction) <
           1e-9 * (1.0 + glm::length(ray.origin))))
-      return "a hit is off its ray" + textOf(ray);
+      return "a hit is off its ray: " + textOf(ray);
   }
   return {};
 }
@@ -88,7 +76,8 @@ std::string cubicHitsAgree(const PropertyCase& made) {
     const casting::Prepared volume(made.grid(), {isovalue}, kind);
     const DoubleField field(grid, kind);
     const double stored = grid.storedOfValue(isovalue);
-    const double size = std::max({field.range(), std::abs(stored), std::abs(field.least())});
+    const double size = std::max({field.range(), std::abs(stored), std::abs(field.least()),
+                                  std::abs(grid.intercept() / grid.slope())});
     const double margin = 1e-6 * field.range() + 16.0 * kDoubleRounding * size;
     for (const Ray& ray : raysOfCase(made, grid, 6)) {
       if (grid.missingCount() > 0 && runsBetweenCells(ray)) continue;
@@ -97,11 +86,11 @@ std::string cubicHitsAgree(const PropertyCase& made) {
       // Before a place where it cannot tell the hit may be any.
       if (clear && !found.certain && found.tUncertain <= clear->t) continue;
       if (clear && !(found.hit && found.hit->t <= clear->t * (1.0 + 1e-12)))
-        return "a crossing of the spline is missed" + textOf(ray);
+        return "a crossing of the spline is missed: " + textOf(ray);
       if (!found.hit) continue;
       const double off = field(found.hit->voxel) - stored;
       if (!(std::abs(off) <= 1e-9 * field.rangeAt(found.hit->voxel) + kDoubleRounding * size))
-        return "a hit is off the spline's surface by " + std::to_string(off / size) + textOf(ray);
+        return "a hit is off the spline's surface by " + exactText(off / size) + ": " + textOf(ray);
     }
   }
   return {};

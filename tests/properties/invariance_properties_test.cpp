@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -12,9 +11,9 @@
 
 #include "base/random.h"
 #include "scene/camera.h"
+#include "tests/properties/agreeing_hits.h"
 #include "tests/properties/property_run.h"
 #include "tests/support/rays.h"
-#include "tests/support/trilinear_oracle.h"
 #include "tests/support/volumes.h"
 #include "tests/volume/cast/caster_checks.h"
 #include "volume/hit/exact_hit.h"
@@ -92,11 +91,8 @@ std::string haveSameHits(const PropertyCase& made, const Grid& grid, double isov
     const auto hit =
         volume::firstHit(other.grid, blocks, other.isovalue, other.exchange.point(ray.origin, grid.dims()),
                          other.exchange.direction(ray.direction));
-    HitTally tally;
-    compareHit(oracle, isovalue, ray, hit, tally);
-    if (tally.misses + tally.inventions > 0)
-      return std::string(what) + ": ray " + std::to_string(i) + " hits " +
-             (hit ? "at " + exactText(hit->t) : std::string("nothing"));
+    if (const std::string wrong = disagreement(oracle, isovalue, ray, hit); !wrong.empty())
+      return std::string(what) + ": " + wrong;
   }
   return {};
 }

@@ -21,7 +21,7 @@ namespace isolux::test {
 // Member by member what the text says, in its order.
 struct PropertyCase {
   FieldTerm field{"const", {0.0}, {}};
-  double offset = 0.0, scale = 1.0;  // stored = offset + scale * field, at most 3e37
+  double offset = 0.0, scale = 1.0;  // stored = offset + scale * field, at most 1e37
   glm::ivec3 dims{2};                // 2 to 24; GL also draws 1
   std::string type = "float32";      // integers: the field's range brought to theirs, missing voxels 0
   double slope = 1.0, intercept = 0.0;
