@@ -99,7 +99,7 @@ std::string hitsMoveWithTheIsovalue(const PropertyCase& made) {
 }
 
 TEST(ContinuityProperties, HitsMoveWithTheIsovalue) {
-  expectHolds("HitsMoveWithTheIsovalue", 0.06, hitsMoveWithTheIsovalue);
+  expectHolds("HitsMoveWithTheIsovalue", 0.05, hitsMoveWithTheIsovalue);
 }
 
 // The camera moves by `by` voxels at most, and the ray keeps its direction.

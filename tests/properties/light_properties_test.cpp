@@ -123,7 +123,7 @@ std::string lightIsWithinWhatThereIs(const PropertyCase& made) {
 }
 
 TEST(LightProperties, LightIsWithinWhatThereIs) {
-  expectHolds("LightIsWithinWhatThereIs", 0.08, lightIsWithinWhatThereIs);
+  expectHolds("LightIsWithinWhatThereIs", 0.07, lightIsWithinWhatThereIs);
 }
 
 }  // namespace

@@ -143,8 +143,8 @@ HWY_INLINE VF valueOfScaled(const Bernstein9& scaled, VF s) {
   return sum;
 }
 
-// The only root of polynomials that fall through 0: regula falsi, Illinois variant, with a bisection where
-// three steps have not halved the bracket: where an end of the stretch is nearly 0, too, it would stay there.
+// The only root of polynomials that fall through 0: regula falsi, Illinois variant; from the seventh step on
+// with bisections between, because it creeps where the polynomial is nearly 0 at an end of the stretch, too.
 inline VF onlyRoot(const Bernstein9& c, MF open) {
   const F f;
   constexpr float choose[10] = {1, 9, 36, 84, 126, 126, 84, 36, 9, 1};
@@ -152,16 +152,11 @@ inline VF onlyRoot(const Bernstein9& c, MF open) {
   for (int i = 0; i < 10; ++i) scaled.b[i] = hn::Mul(c.b[i], hn::Set(f, choose[i]));
   const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f), close = hn::Set(f, 1e-6f);
   VF s0 = zero, s1 = hn::Set(f, 1.0f), f0 = c.b[0], f1 = c.b[9], s = zero;
-  VF width = s1;                                 // of the bracket three steps ago
   MF lastFront = noLane(), lastBack = noLane();  // which end was replaced before
-  for (int i = 0; i < 32 && !hn::AllFalse(f, open); ++i) {
+  for (int i = 0; i < 46 && !hn::AllFalse(f, open); ++i) {
     const VF step = hn::Div(hn::Mul(f1, hn::Sub(s1, s0)), hn::Sub(f1, f0));
-    VF next = hn::Min(hn::Max(hn::Sub(s1, step), s0), s1);
-    if (i % 3 == 2) {
-      const MF slow = hn::Gt(hn::Sub(s1, s0), hn::Mul(half, width));
-      next = hn::IfThenElse(slow, hn::Mul(half, hn::Add(s0, s1)), next);
-      width = hn::Sub(s1, s0);
-    }
+    const VF next =
+        i > 5 && i % 2 == 1 ? hn::Mul(half, hn::Add(s0, s1)) : hn::Min(hn::Max(hn::Sub(s1, step), s0), s1);
     s = hn::IfThenElse(open, next, s);
     const VF value = valueOfScaled(scaled, s);
     open = hn::AndNot(hn::Or(hn::Eq(value, zero), hn::Lt(hn::Sub(s1, s0), close)), open);
