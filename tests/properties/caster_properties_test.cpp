@@ -133,7 +133,7 @@ std::string hitsLieOnTheSurface(const PropertyCase& made) {
 }
 
 TEST(CasterProperties, HitsLieOnTheSurface) {
-  expectHolds("HitsLieOnTheSurface", 0.12, hitsLieOnTheSurface);
+  expectHolds("HitsLieOnTheSurface", 0.10, hitsLieOnTheSurface);
 }
 
 std::string noClearCrossingIsMissed(const PropertyCase& made) {
@@ -164,7 +164,7 @@ std::string noClearCrossingIsMissed(const PropertyCase& made) {
 }
 
 TEST(CasterProperties, NoClearCrossingIsMissed) {
-  expectHolds("NoClearCrossingIsMissed", 0.13, noClearCrossingIsMissed);
+  expectHolds("NoClearCrossingIsMissed", 0.12, noClearCrossingIsMissed);
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ bool DoubleField::missingBetween(const glm::dvec3& a, const glm::dvec3& b, doubl
 }
 
 std::optional<ClearCrossing> firstClearCrossing(const DoubleField& field, double storedIsovalue,
-                                                double margin, double slack, const volume::Ray& ray) {
+                                                double margin, double slack, const volume::Ray& ray,
+                                                std::optional<bool> rising) {
   const volume::Grid& grid = field.grid();
   double begin = ray.tMinimum, end = ray.tMaximum;
   // Well within the volume: at its border the finder's ray may lie outside.
@@ -88,7 +89,7 @@ std::optional<ClearCrossing> firstClearCrossing(const DoubleField& field, double
     }
     const int now = f > margin ? 1 : f < -margin ? -1 : 0;
     if (now == 0) continue;
-    if (side != 0 && now != side) return ClearCrossing{t, now > 0};
+    if (side != 0 && now != side && rising.value_or(now > 0) == (now > 0)) return ClearCrossing{t, now > 0};
     side = now;
   }
   return std::nullopt;

@@ -50,7 +50,9 @@ struct ClearCrossing {
   double t;
   bool rises;
 };
+// `rising`: only those where it rises, or falls.
 std::optional<ClearCrossing> firstClearCrossing(const DoubleField& field, double storedIsovalue,
-                                                double margin, double slack, const volume::Ray& ray);
+                                                double margin, double slack, const volume::Ray& ray,
+                                                std::optional<bool> rising = {});
 
 }  // namespace isolux::test

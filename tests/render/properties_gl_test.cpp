@@ -14,9 +14,12 @@ namespace {
 
 class PropertiesGlTest : public ExecutorsGlTest {
  protected:
-  // Settings by the case's seed. Few kinds of hits and looks at once: a driver compiles each combination
-  // anew.
+  // Settings by the case's seed. Shaders: always the same ones, because a driver takes seconds to compile
+  // others; hard_cases_gl_test.cpp has them all.
   static std::vector<std::string> settingsOf(const PropertyCase& made) {
+    if (std::string_view(GetParam()) == "gpu")
+      return {"hit.method=exact", "hit.field=trilinear", "derivatives.field=cubic",
+              "look.mode=mean_curvature"};
     const auto pick = [&](std::uint64_t which, std::initializer_list<const char*> choices) {
       return std::string(choices.begin()[base::counterHash(made.seed, which) % choices.size()]);
     };
