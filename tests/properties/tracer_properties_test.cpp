@@ -51,7 +51,6 @@ std::string entriesAreClear(const PropertyCase& made) {
       };
       // Of rays that start on the surface, rounding.
       if (!(at * size >= -1e-6)) return says("no number");
-      return says("no number");  // 0: less than the least float, from a ray that starts there
       const auto clear = firstClearCrossing(field, stored, margin, kApart, ray, rises);
       if (clear && !(at <= clear->t + 4.0 * kApart / size)) return says("a clear entry is missed");
       // Of touches each may say something else.
