@@ -48,12 +48,18 @@ class PropertiesGlTest : public ExecutorsGlTest {
           return wrongAt("infinite", std::string(info.name), i / channels, made);
       }
     }
+    const render::AovImage gradient = renderer_->readAov(render::Aov::gradient),
+                           kappa = renderer_->readAov(render::Aov::kappa);
     for (std::size_t i = 0; i < result.hit.values.size(); ++i) {
       if (result.hit.values[i] != 1.0f) continue;
       const glm::dvec3 voxel = at(result.voxel, i), position = at(result.position, i);
       if (!std::isfinite(voxel.x + voxel.y + voxel.z + position.x + position.y + position.z) ||
           !std::isfinite(result.depth.values[i]) || !std::isfinite(result.error.values[i]))
         return wrongAt("a hit that is not finite", "voxel, position, depth, error", i, made);
+      const glm::dvec3 g = at(gradient, i);
+      if (!std::isfinite(g.x + g.y + g.z) || !std::isfinite(kappa.values[2 * i]) ||
+          !std::isfinite(kappa.values[2 * i + 1]))
+        return wrongAt("a hit that is not finite", "gradient, kappa", i, made);
       const glm::dvec3 outside = glm::max(-voxel, voxel - glm::dvec3(made.dims - 1));
       if (std::max({outside.x, outside.y, outside.z}) > 1e-2)
         return wrongAt("a hit outside of the volume", "voxel", i, made);
