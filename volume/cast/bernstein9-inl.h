@@ -143,7 +143,8 @@ HWY_INLINE VF valueOfScaled(const Bernstein9& scaled, VF s) {
   return sum;
 }
 
-// The only root of polynomials that fall through 0: regula falsi, Illinois variant.
+// The only root of polynomials that fall through 0: regula falsi, Illinois variant; from the seventh step on
+// with bisections between, because it creeps where the polynomial is nearly 0 at an end of the stretch, too.
 inline VF onlyRoot(const Bernstein9& c, MF open) {
   const F f;
   constexpr float choose[10] = {1, 9, 36, 84, 126, 126, 84, 36, 9, 1};
@@ -152,9 +153,11 @@ inline VF onlyRoot(const Bernstein9& c, MF open) {
   const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f), close = hn::Set(f, 1e-6f);
   VF s0 = zero, s1 = hn::Set(f, 1.0f), f0 = c.b[0], f1 = c.b[9], s = zero;
   MF lastFront = noLane(), lastBack = noLane();  // which end was replaced before
-  for (int i = 0; i < 16 && !hn::AllFalse(f, open); ++i) {
+  for (int i = 0; i < 46 && !hn::AllFalse(f, open); ++i) {
     const VF step = hn::Div(hn::Mul(f1, hn::Sub(s1, s0)), hn::Sub(f1, f0));
-    s = hn::IfThenElse(open, hn::Min(hn::Max(hn::Sub(s1, step), s0), s1), s);
+    const VF next =
+        i > 5 && i % 2 == 1 ? hn::Mul(half, hn::Add(s0, s1)) : hn::Min(hn::Max(hn::Sub(s1, step), s0), s1);
+    s = hn::IfThenElse(open, next, s);
     const VF value = valueOfScaled(scaled, s);
     open = hn::AndNot(hn::Or(hn::Eq(value, zero), hn::Lt(hn::Sub(s1, s0), close)), open);
     const MF front = hn::Ge(value, zero);

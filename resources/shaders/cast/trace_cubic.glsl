@@ -69,12 +69,13 @@ float valueAt(float c[10], float s) {
   return c[0];
 }
 
-// The only root of a polynomial whose coefficients change sign once: regula falsi, Illinois variant.
+// The only root of a polynomial whose coefficients change sign once: regula falsi, Illinois variant; from the seventh
+// step on with bisections between, because it creeps where the polynomial is nearly 0 at an end of the stretch, too.
 float onlyRoot(float c[10], float zero) {
   float s0 = 0.0, s1 = 1.0, f0 = c[0], f1 = c[9], s = 0.0;
   int side = 0;
-  for (int i = 0; i < 16; ++i) {
-    s = clamp(s1 - f1 * (s1 - s0) / (f1 - f0), s0, s1);
+  for (int i = 0; i < 46; ++i) {
+    s = i > 5 && i % 2 == 1 ? 0.5 * (s0 + s1) : clamp(s1 - f1 * (s1 - s0) / (f1 - f0), s0, s1);
     float f = valueAt(c, s);
     if (s1 - s0 < 1e-6) break;
     if (f >= zero) {
