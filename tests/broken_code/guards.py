@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""Takes guards of the arithmetic out, one at a time, and asks whether a test notices: ./dev guards [--help].
+
+guards.toml lists them; the tables of docs/numerics.md come from it (--table, --check). Everything happens in a copy of the tree
+(scratch_tree.py). Exit code: 0 each guard is as the list says, 1 one is not, 2 the script itself could not run."""
+
+import argparse
+import fnmatch
+import os
+import re
+import sys
+import tomllib
+
+import results
+import scratch_tree
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PAGE = scratch_tree.ROOT / "docs" / "numerics.md"
+SECTIONS = ("guards", "kept guards")
+
+
+class Removal:
+    """One place of a guard: file, old text, new text, and the tests that are to fail (program, GoogleTest filter)."""
+
+    def __init__(self, guard, number, entry):
+        self.guard = guard
+        self.name = guard["name"] + (f"/{number}" if number > 1 else "")
+        self.file, self.old, self.new = entry["file"], entry["old"].strip("\n"), entry["new"].strip("\n")
+        self.program, self.tests = entry["tests"].split()
+        self.kept = entry.get("kept", "")  # why it stays although no test fails without it
+
+    def broken(self, text):
+        found = text.count(self.old)
+        if found != 1:
+            raise scratch_tree.Trouble(f"guard {self.name}: its text is {found} times in {self.file}, not once:\n{self.old}")
+        return text.replace(self.old, self.new)
+
+    def digest(self):
+        return results.digest(self.file, self.old, self.new, self.program, self.tests)
+
+
+def removals():
+    with open(os.path.join(HERE, "guards.toml"), "rb") as file:
+        guards = tomllib.load(file)["guard"]
+    listed = [Removal(guard, i + 1, entry) for guard in guards for i, entry in enumerate(guard["without"])]
+    names = [removal.name for removal in listed]
+    twice = {name for name in names if names.count(name) > 1}
+    if twice:
+        raise scratch_tree.Trouble(f"two guards have the name {sorted(twice)[0]}")
+    return listed
+
+
+def by_guard(listed):
+    guards = {}
+    for removal in listed:
+        guards.setdefault(removal.guard["name"], []).append(removal)
+    return guards.values()
+
+
+def tables(listed):
+    """The two sections of the page: guards with tests as a table, those that stay without as a list."""
+    once = lambda words: ", ".join(f"`{word}`" for word in dict.fromkeys(words))
+    table = ["| what goes wrong | guard | where | test that fails without it |", "|---|---|---|---|"]
+    kept = []
+    for places in by_guard(listed):
+        guard = places[0].guard
+        tested = [place for place in places if not place.kept]
+        if tested:
+            files = once(place.file.replace("resources/shaders/", "") for place in tested)
+            tests = once(name.replace("*", "…") for place in tested for name in place.tests.split(":"))
+            table.append(f"| {guard['wrong']} | {guard['guard']} | {files} | {tests} |")
+        for place in places:
+            if place.kept:
+                where = place.file.replace("resources/shaders/", "")
+                kept.append(f"- `{where}`: {guard['wrong']}; {guard['guard']}. {place.kept}")
+    return {"guards": "\n".join(table), "kept guards": "\n".join(kept)}
+
+
+def between(section):
+    return re.compile(rf"(?<=<!-- {section} -->\n).*?(?=\n<!-- end of {section} -->)", re.S)
+
+
+def write_tables(listed):
+    text = PAGE.read_text()
+    for section, words in tables(listed).items():
+        text = between(section).sub(lambda _: words, text)
+    PAGE.write_text(text)
+
+
+def check(listed):
+    """Of the list alone, without a build: each text is where it should be, tests have the names given, the page agrees."""
+    suites = set()
+    for path in (scratch_tree.ROOT / "tests").rglob("*.cpp"):
+        suites.update(re.findall(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+), (\w+)\)", path.read_text(), re.M))
+    names = [f"{suite}.{test}" for suite, test in suites]
+    wrong = []
+    for removal in listed:
+        try:
+            removal.broken((scratch_tree.ROOT / removal.file).read_text())
+        except (scratch_tree.Trouble, OSError) as error:
+            wrong.append(str(error))
+        if removal.old == removal.new:
+            wrong.append(f"guard {removal.name}: nothing replaces it but itself")
+        for pattern in removal.tests.split(":"):
+            plain = pattern.removeprefix("*/").split("/")[0]
+            if not any(fnmatch.fnmatch(name, plain) for name in names):
+                wrong.append(f"guard {removal.name}: there is no test {pattern}")
+    page = PAGE.read_text()
+    for section, words in tables(listed).items():
+        found = between(section).search(page)
+        if not found or found.group() != words:
+            wrong.append(f"docs/numerics.md: '{section}' is not what guards.toml says; ./dev guards --table writes it")
+    for line in wrong:
+        print(line)
+    return 1 if wrong else 0
+
+
+def take_out(listed, arguments):
+    scratch_tree.FOLDER.mkdir(parents=True, exist_ok=True)
+    kept = results.Results(scratch_tree.FOLDER / "guards.json", arguments.resume)
+    todo = [r for r in listed if kept.of.get(r.name, {}).get("digest") != r.digest()]
+    judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs)) if todo else None
+    for removal in todo:  # all of them first: what was changed need not be built back for one
+        judge.baseline(removal.program, removal.tests)
+    for removal in todo:
+        changed = {removal.file: removal.broken((judge.tree.path / removal.file).read_text())}
+        state, words, seconds = judge.judge(changed, removal.program, removal.tests)
+        kept.put(removal.name, state, words, seconds, digest=removal.digest())
+        print(f"{state:16} {removal.name}{': ' + words if words else ''} ({seconds:.0f} s)", flush=True)
+    return report(listed, kept)
+
+
+def report(listed, kept):
+    states = {removal.name: kept.of[removal.name] for removal in listed}
+    count = lambda state: sum(entry["state"] == state for entry in states.values())
+    print(f"of {len(listed)} tried {count('noticed')} noticed, {count('unnoticed')} not, {count('does not compile')} do not compile")
+    wrong = []
+    for removal in listed:
+        entry = states[removal.name]
+        if entry["state"] == "does not compile":
+            wrong.append(f"{removal.name} does not compile: {entry['words']}")
+        elif entry["state"] == "unnoticed" and not removal.kept:
+            wrong.append(f"{removal.name} ({removal.file}) is noticed by none of {removal.tests}")
+        elif entry["state"] == "noticed" and removal.kept:
+            wrong.append(f"{removal.name} is noticed now, by {entry['words']}: name it in guards.toml instead of a reason")
+    for line in wrong:
+        print("wrong:", line)
+    return 1 if wrong else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--list", action="store_true", help="name the guards, try none")
+    parser.add_argument("--only", metavar="PATTERN", help="those whose name matches (shell pattern)")
+    parser.add_argument("--jobs", type=int, default=max((os.cpu_count() or 2) // 2, 1), help="processes at a time (half of the cores)")
+    parser.add_argument("--resume", action="store_true", help="go on with what build/broken_code/guards.json holds")
+    parser.add_argument("--check", action="store_true", help="whether list, code and docs/numerics.md agree; builds nothing")
+    parser.add_argument("--table", action="store_true", help="write the tables of docs/numerics.md")
+    arguments = parser.parse_args()
+    listed = removals()
+    if arguments.table:
+        write_tables(listed)
+        return 0
+    if arguments.check:
+        return check(listed)
+    if arguments.only:
+        listed = [r for r in listed if fnmatch.fnmatch(r.name, arguments.only)]
+    if arguments.list:
+        for removal in listed:
+            print(f"{removal.name:32} {removal.file}: {removal.guard['guard']}")
+        return 0
+    os.nice(10)
+    return take_out(listed, arguments)
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except scratch_tree.Trouble as trouble:
+        print(trouble, file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        sys.exit(130)
