@@ -97,8 +97,8 @@ def try_all(chosen, arguments):
     kept = results.Results(scratch_tree.FOLDER / "mutants.json", arguments.resume)
     todo = [mutant for mutant in chosen if mutant.key not in kept.of]
     judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs)) if todo else None
-    for mutant in todo:
-        judge.baseline(mutant.program, mutant.tests)
+    if todo:
+        judge.baseline([(mutant.program, mutant.tests) for mutant in todo])
     for mutant in todo:
         changed = {mutant.file: mutant.broken((judge.tree.path / mutant.file).read_text())}
         state, words, seconds = judge.judge(changed, mutant.program, mutant.tests)
@@ -146,7 +146,7 @@ def main():
             print(f"{mutant.file}:{mutant.line}\n  - {mutant.before}\n  + {mutant.after}")
         print(f"{len(chosen)} of {len(listed)}")
         return 0
-    os.nice(10)
+    os.nice(5)
     return try_all(chosen, arguments)
 
 
