@@ -161,9 +161,10 @@ def take_out(listed, arguments):
     scratch_tree.FOLDER.mkdir(parents=True, exist_ok=True)
     kept = results.Results(RESULTS, arguments.resume)
     todo = [r for r in listed if kept.of.get(r.name, {}).get("digest") != r.digest()]
-    judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs)) if todo else None
     if todo:
-        judge.baseline([(removal.program, removal.tests) for removal in todo])
+        wanted = list(dict.fromkeys((removal.program, removal.tests) for removal in todo))
+        judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs, wanted))
+        judge.baseline(wanted)
     for removal in todo:
         changed = {removal.file: removal.broken((judge.tree.path / removal.file).read_text())}
         state, words, seconds = judge.judge(changed, removal.program, removal.tests)
@@ -195,7 +196,7 @@ def report(listed, kept):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", action="store_true", help="name the guards, try none")
-    parser.add_argument("--only", metavar="PATTERN", help="those whose name matches (shell pattern)")
+    parser.add_argument("--only", metavar="PATTERN", help="those whose name or file matches (shell pattern)")
     parser.add_argument("--jobs", type=int, default=max((os.cpu_count() or 2) // 2, 1), help="processes at a time (half of the cores)")
     parser.add_argument("--resume", action="store_true", help="go on with what build/broken_code/guards.json holds")
     parser.add_argument("--check", action="store_true", help="whether list, code and docs/numerics.md agree; builds nothing")
@@ -212,7 +213,7 @@ def main():
     if arguments.check:
         return check(listed)
     if arguments.only:
-        listed = [r for r in listed if fnmatch.fnmatch(r.name, arguments.only)]
+        listed = [r for r in listed if fnmatch.fnmatch(r.name, arguments.only) or fnmatch.fnmatch(r.file, arguments.only)]
     if arguments.list:
         for removal in listed:
             print(f"{removal.name:32} {removal.file}: {removal.guard['guard']}")

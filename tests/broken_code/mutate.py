@@ -96,9 +96,10 @@ def try_all(chosen, arguments):
     scratch_tree.FOLDER.mkdir(parents=True, exist_ok=True)
     kept = results.Results(scratch_tree.FOLDER / "mutants.json", arguments.resume)
     todo = [mutant for mutant in chosen if mutant.key not in kept.of]
-    judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs)) if todo else None
     if todo:
-        judge.baseline([(mutant.program, mutant.tests) for mutant in todo])
+        wanted = list(dict.fromkeys((mutant.program, mutant.tests) for mutant in todo))
+        judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs, wanted))
+        judge.baseline(wanted)
     for mutant in todo:
         changed = {mutant.file: mutant.broken((judge.tree.path / mutant.file).read_text())}
         state, words, seconds = judge.judge(changed, mutant.program, mutant.tests)

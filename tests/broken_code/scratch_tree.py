@@ -3,12 +3,15 @@
 It holds what git would add (tracked files and new ones that are not ignored), has a build folder of its own (preset dev; ccache
 brings what is already compiled), and is brought up to date with the tree whenever it is opened. The tree itself is never written to.
 
-Shaders are part of the program. The copy's render/gl/shader_library.cpp looks for them in a folder first, so that a broken
-shader costs a run of the tests and no build.
+Two things make a change cheap. The copy's render/gl/shader_library.cpp looks for shaders in a folder first, so that a broken one
+costs a run of the tests and no build. And code that is compiled is judged by programs of the wanted tests alone (*focused*): a header
+that half of the tests include would else compile them all.
 """
 
 import fcntl
 import fnmatch
+import hashlib
+import json
 import os
 import pathlib
 import re
@@ -19,6 +22,20 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "build" / "broken_code"
+FOCUSED = """
+function(focused name program)
+  get_target_property(sources ${program} SOURCES)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  add_executable(${name} EXCLUDE_FROM_ALL ${sources} ${ARGN})
+  foreach(property IN ITEMS LINK_LIBRARIES COMPILE_DEFINITIONS)
+    get_target_property(value ${program} ${property})
+    if(value)
+      set_target_properties(${name} PROPERTIES ${property} "${value}")
+    endif()
+  endforeach()
+endfunction()
+"""
+TEST = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", re.M)
 MEMORY = 8 << 30  # bytes of address space: broken loops may ask for any amount
 SHADERS = "resources/shaders/"
 LIBRARY = "render/gl/shader_library.cpp"
@@ -52,7 +69,8 @@ class TestRun:
 
 
 class ScratchTree:
-    def __init__(self, jobs):
+    def __init__(self, jobs, wanted):
+        """wanted: (target, tests)..., what compiled code will be judged by."""
         self.jobs = jobs
         self.path = FOLDER / "tree"
         self.build_folder = self.path / "build" / "dev"
@@ -65,17 +83,32 @@ class ScratchTree:
         except OSError:
             raise Trouble(f"another run is at work in {FOLDER}") from None
         shutil.rmtree(self.shaders, ignore_errors=True)
-        self.sync()
+        self.focused = {}  # (target, tests) -> target
+        self.sync(self.focus(wanted))
         self.configure()
 
-    def sync(self):
+    def focus(self, wanted):
+        """CMake's words for a program of each target's files that hold wanted tests."""
+        tests_of = {path: [".".join(test) for test in TEST.findall(path.read_text())] for path in (ROOT / "tests").rglob("*_test.cpp")}
+        words = {}
+        for target, tests in wanted:
+            plain = [re.sub(r"^\*/|/gpu$", "", one) for one in tests.split(":")]
+            files = sorted(str(path.relative_to(ROOT)) for path, names in tests_of.items() if path.relative_to(ROOT / "tests").parts[0]
+                           == target.removesuffix("_tests") and any(fnmatch.fnmatchcase(name, one) for name in names for one in plain))
+            name = "focused_" + hashlib.sha256(" ".join([target, *files]).encode()).hexdigest()[:12]
+            self.focused[target, tests] = name
+            sources = "".join(f" ${{PROJECT_SOURCE_DIR}}/{file}" for file in files)
+            words[name] = f"focused({name} {target}{sources})\n"
+        return FOCUSED + "".join(words[name] for name in sorted(words))
+
+    def sync(self, focus):
         """Files that differ are written anew, so that only they are compiled."""
         listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
                                 capture_output=True, check=True).stdout.decode().split("\0")
         wanted = {name for name in listed if name and (ROOT / name).is_file()}
         for name in wanted:
             source, target = ROOT / name, self.path / name
-            content = self.content(name, source)
+            content = self.content(name, source) + (focus.encode() if name == "tests/CMakeLists.txt" else b"")
             if target.is_file() and target.read_bytes() == content:
                 continue
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -198,46 +231,47 @@ class Judge:
     def __init__(self, tree):
         self.tree = tree
         self.unchanged = {}  # (target, tests) -> seconds
-        self.whole = set()  # targets that were last built without a change
-
-    def build_whole(self, target):
-        if target in self.whole:
-            return
-        trouble = self.tree.build(target)
-        if trouble:
-            raise Trouble(f"{target} does not build unchanged:\n{trouble}")
-        self.whole.add(target)
+        self.times_file = FOLDER / "unchanged.json"  # of each target: its digest, and the seconds of each test that it passed
 
     def baseline(self, wanted):
-        """wanted: (target, tests)... Every test of them once."""
+        """wanted: (target, tests)... Every test of them once, where this very program has not passed it before."""
+        known = json.loads(self.times_file.read_text()) if self.times_file.is_file() else {}
         for target in dict.fromkeys(target for target, _ in wanted):
             filters = list(dict.fromkeys(tests for other, tests in wanted if other == target))
-            self.build_whole(target)
-            run = self.tree.run(target, ":".join(dict.fromkeys(":".join(filters).split(":"))), 3600)
-            if not run.passed:
-                raise Trouble(f"{target} fails unchanged: {run.words}")
+            trouble = self.tree.build(target)
+            if trouble:
+                raise Trouble(f"{target} does not build unchanged:\n{trouble}")
+            digest = hashlib.sha256((self.tree.build_folder / "bin" / target).read_bytes()).hexdigest()
+            if known.get(target, {}).get("digest") != digest:
+                known[target] = {"digest": digest, "filters": [], "seconds": {}}
+            passed = known[target]
+            missing = [one for tests in filters for one in tests.split(":") if one not in passed["filters"]]
+            if missing:
+                run = self.tree.run(target, ":".join(dict.fromkeys(missing)), 3600)
+                if not run.passed:
+                    raise Trouble(f"{target} fails unchanged: {run.words}")
+                passed["filters"] += missing
+                passed["seconds"] |= run.of
+                self.times_file.write_text(json.dumps(known, indent=1))
             for tests in filters:
-                named = [name for name in run.of if any(fnmatch.fnmatchcase(name, one) for one in tests.split(":"))]
+                named = [name for name in passed["seconds"] if any(fnmatch.fnmatchcase(name, one) for one in tests.split(":"))]
                 if not named:
                     raise Trouble(f"{target} has no tests '{tests}'")
-                self.unchanged[target, tests] = sum(run.of[name] for name in named)
+                self.unchanged[target, tests] = sum(passed["seconds"][name] for name in named)
 
     def judge(self, changed, target, tests):
         """changed: file -> text. ("noticed" | "unnoticed" | "does not compile", words, seconds)."""
         started = time.monotonic()
         compiled = not all(file.startswith(SHADERS) for file in changed)
+        program = self.tree.focused[target, tests] if compiled else target
         try:
-            if not compiled:
-                self.build_whole(target)
             for file, text in changed.items():
                 self.tree.break_code(file, text)
-            if compiled:
-                self.whole.discard(target)
-                trouble = self.tree.build(target)
-                if trouble:
-                    found = re.search(r"(error: .*|undefined reference.*)", trouble)
-                    return "does not compile", found.group(1) if found else trouble[-200:], time.monotonic() - started
-            run = self.tree.run(target, tests, 20 + 5 * self.unchanged[target, tests])
+            trouble = self.tree.build(program) if compiled else None
+            if trouble:
+                found = re.search(r"(error: .*|undefined reference.*)", trouble)
+                return "does not compile", found.group(1) if found else trouble[-200:], time.monotonic() - started
+            run = self.tree.run(program, tests, 20 + 5 * self.unchanged[target, tests])
         finally:
             self.tree.restore()
         seconds = time.monotonic() - started
