@@ -107,11 +107,15 @@ def tables(listed):
         if tested:
             tests = once(shown(name) for place in tested for name in place.tests.split(":"))
             table.append(f"| {guard['wrong']} | {guard['guard']} | {once(map(where, tested))} | {tests} |")
-        kept += [f"- `{where(place)}`: {guard['wrong']}; {guard['guard']}. {place.kept}" for place in places if place.kept]
+        kept += [f"- `{where(place)}`: {guard['wrong']}; {guard['guard']}. {sentence(place.kept)}" for place in places if place.kept]
         waiting = [place for place in places if place.open]
         if waiting:
             untried.append(f"- {once(map(where, waiting))}: {guard['wrong']}; {guard['guard']}.")
     return {"guards": "\n".join(table), "kept guards": "\n".join(kept), "open guards": "\n".join(untried)}
+
+
+def sentence(words):
+    return words[:1].upper() + words[1:].rstrip(".") + "."
 
 
 def shown(name):

@@ -198,6 +198,12 @@ TEST(CurvatureScale, OfAVolumeOfOneVoxelIsANumber) {
   EXPECT_GT(scale.flatCurvature, 0.0);
 }
 
+TEST(CurvatureScale, FlatIsATenthOverTheVolumesDiagonal) {
+  const GridGeometry geometry = test::isotropicGeometry(64);
+  const double diagonal = 63.0 * std::sqrt(3.0) * geometry.spacingMm().x;
+  EXPECT_NEAR(curvatureScale(geometry, scene::Field::cubic, 1.0).flatCurvature, 0.1 / diagonal, 1e-12);
+}
+
 // A volume of noise of standard deviation 3, seen as each of the fields.
 class FieldsOfNoise {
  public:
