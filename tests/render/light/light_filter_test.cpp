@@ -318,9 +318,22 @@ TEST(LightFilterTest, BlackLightStaysBlack) {
 // Dark beside bright: what lookups take from the bright texel is taken back, as far as there is light.
 TEST(LightFilterTest, NoLightIsNegative) {
   std::vector<FilterTexel> texels = planes();
-  for (FilterTexel& t : texels) t.skyPaths = t.lampsPaths = 1.0f;
-  for (std::size_t i = 0; i < kAll; ++i) texels[i].sky = glm::vec3(i % 3 == 0 ? 100.0f : 0.0f);
+  for (std::size_t i = 0; i < kAll; ++i) {
+    texels[i].skyPaths = 1e6f;
+    texels[i].place.x += 0.5f;  // between texels: a lookup there takes half of the next
+    texels[i].sky = glm::vec3(i % kFilterTexels < 6 ? 0.0f : 100.0f);
+  }
   for (const FilterTexel& t : filterBlock(texels)) EXPECT_GE(t.sky.x, 0.0f);
+}
+
+// Nothing says how far apart isosurfaces are, and none are.
+TEST(LightFilterTest, OnAPlateauLightOfOneValueStays) {
+  std::vector<FilterTexel> texels = planes();
+  for (FilterTexel& t : texels) {
+    t.isovalue = 0.0f;
+    t.shape = {0.0f, 0.0f};
+  }
+  for (const FilterTexel& t : filterBlock(texels)) EXPECT_NEAR(t.sky.y, 3.0f, 1e-5f);
 }
 
 // Lit on a neighbour's place, of which nothing is known: a lookup there finds no light.
