@@ -73,11 +73,14 @@ def write_list(listed):
 
 
 def settle(listed):
-    """Open entries that results know are so no longer: the test that noticed is named. The others stay open."""
-    kept = results.Results(RESULTS, True)
+    """Open entries that results know: the test that noticed is named; those that none noticed are marked."""
+    kept = results.Results(RESULTS)
     for removal in listed:
         found = kept.of.get(removal.name)
-        if not removal.open or not found or found["digest"] != removal.digest() or found["state"] != "noticed":
+        if not removal.open or not found or found["digest"] != removal.digest():
+            continue
+        if found["state"] != "noticed":
+            removal.entry["open"] = "no test" if found["state"] == "unnoticed" else found["state"]
             continue
         name = re.search(r"\S+\.\S+$", found["words"])
         if name:
@@ -108,9 +111,10 @@ def tables(listed):
             tests = once(shown(name) for place in tested for name in place.tests.split(":"))
             table.append(f"| {guard['wrong']} | {guard['guard']} | {once(map(where, tested))} | {tests} |")
         kept += [f"- `{where(place)}`: {guard['wrong']}; {guard['guard']}. {sentence(place.kept)}" for place in places if place.kept]
-        waiting = [place for place in places if place.open]
-        if waiting:
-            untried.append(f"- {once(map(where, waiting))}: {guard['wrong']}; {guard['guard']}.")
+        for words in dict.fromkeys(place.open for place in places if place.open):
+            waiting = [place for place in places if place.open == words]
+            missed = " **Taken out: no test noticed.**" if words == "no test" else ""
+            untried.append(f"- {once(map(where, waiting))}: {guard['wrong']}; {guard['guard']}.{missed}")
     return {"guards": "\n".join(table), "kept guards": "\n".join(kept), "open guards": "\n".join(untried)}
 
 
@@ -162,8 +166,9 @@ def check(listed):
 
 
 def take_out(listed, arguments):
-    scratch_tree.FOLDER.mkdir(parents=True, exist_ok=True)
-    kept = results.Results(RESULTS, arguments.resume)
+    kept = results.Results(RESULTS)
+    if not arguments.resume:
+        kept.forget(removal.name for removal in listed)
     todo = [r for r in listed if kept.of.get(r.name, {}).get("digest") != r.digest()]
     if todo:
         wanted = list(dict.fromkeys((removal.program, removal.tests) for removal in todo))
@@ -202,7 +207,7 @@ def main():
     parser.add_argument("--list", action="store_true", help="name the guards, try none")
     parser.add_argument("--only", metavar="PATTERN", help="those whose name or file matches (shell pattern)")
     parser.add_argument("--jobs", type=int, default=max((os.cpu_count() or 2) // 2, 1), help="processes at a time (half of the cores)")
-    parser.add_argument("--resume", action="store_true", help="go on with what build/broken_code/guards.json holds")
+    parser.add_argument("--resume", action="store_true", help="leave out what build/broken_code/guards.json holds")
     parser.add_argument("--check", action="store_true", help="whether list, code and docs/numerics.md agree; builds nothing")
     parser.add_argument("--settle", action="store_true", help="name in guards.toml what noticed guards that were open; --table afterwards")
     parser.add_argument("--table", action="store_true", help="write the tables of docs/numerics.md")

@@ -93,8 +93,9 @@ def check(listed):
 
 
 def try_all(chosen, arguments):
-    scratch_tree.FOLDER.mkdir(parents=True, exist_ok=True)
-    kept = results.Results(scratch_tree.FOLDER / "mutants.json", arguments.resume)
+    kept = results.Results(scratch_tree.FOLDER / "mutants.json")
+    if not arguments.resume:
+        kept.forget(mutant.key for mutant in chosen)
     todo = [mutant for mutant in chosen if mutant.key not in kept.of]
     if todo:
         wanted = list(dict.fromkeys((mutant.program, mutant.tests) for mutant in todo))
@@ -134,7 +135,7 @@ def main():
     parser.add_argument("--list", action="store_true", help="name the changes, try none")
     parser.add_argument("--check", action="store_true", help="whether survivors.toml fits the code; builds nothing")
     parser.add_argument("--jobs", type=int, default=max((os.cpu_count() or 2) // 2, 1), help="processes at a time (half of the cores)")
-    parser.add_argument("--resume", action="store_true", help="go on with what build/broken_code/mutants.json holds")
+    parser.add_argument("--resume", action="store_true", help="leave out what build/broken_code/mutants.json holds")
     arguments = parser.parse_args()
     listed = all_mutants()
     if arguments.check:

@@ -10,11 +10,16 @@ def digest(*texts):
 
 
 class Results:
-    """state, words and seconds by key. resume: take over what the file holds."""
+    """state, words and seconds by key."""
 
-    def __init__(self, path, resume):
+    def __init__(self, path):
         self.path = path
-        self.of = json.loads(path.read_text()) if resume and path.is_file() else {}
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self.of = json.loads(path.read_text()) if path.is_file() else {}
+
+    def forget(self, keys):
+        for key in keys:
+            self.of.pop(key, None)
 
     def put(self, key, state, words, seconds, **more):
         self.of[key] = {"state": state, "words": words, "seconds": round(seconds, 1), **more}
