@@ -4,8 +4,8 @@
     coverage.py BUILD LEAST LAYER...
 
 A line counts once, however many objects hold it (headers, templates), and is covered where any of them ran it. Lines that no object
-has code for do not count; so the build must not be optimised. Prints a table and the files with the most lines that nothing ran; the exit code is 1 where a layer has
-less than LEAST per cent, 2 where there is nothing to read.
+has code for do not count; so the build must not be optimised. Prints a table and the files with the most lines that nothing ran; the
+exit code is 1 where a layer has less than LEAST per cent, 2 where there is nothing to read.
 """
 import collections
 import concurrent.futures
