@@ -191,6 +191,20 @@ TEST(TransferBasis, NothingBakedHasNone) {
   EXPECT_EQ(TransferBasis::fit(lattice, 24, 96), nullptr);
 }
 
+TEST(TransferBasis, TexelsThatAreNoNumbersAreLeftOut) {
+  const auto fitted = [](float wild) {
+    return TransferBasis::fit(*latticeOf(kColor, {8, 8, 8},
+                                         [&](std::uint64_t t) {
+                                           std::vector<float> vector = vectorOf(t, 75);
+                                           if (t == 7) vector[3] += wild;
+                                           return vector;
+                                         }),
+                              24, 192);
+  };
+  const double clean = rmsOf(*fitted(0.0f), 500);
+  for (const float wild : {NAN, INFINITY}) EXPECT_LT(rmsOf(*fitted(wild), 500), 1.1 * clean);
+}
+
 TEST(TransferBasis, FewTexelsStandForAll) {
   const auto lattice = latticeOf(kColor, {20, 20, 20}, [](std::uint64_t t) { return vectorOf(t, 75); });
   const double all = rmsOf(*TransferBasis::fit(*lattice, 12, 192, nullptr, 8000), 8000);

@@ -306,6 +306,47 @@ TEST(FieldShapeTest, AtTheBorderTheOneSideThereIs) {
   EXPECT_FLOAT_EQ(fieldShape(5.0f, none, none).steepness, 0.0f);
 }
 
+TEST(LightFilterTest, BlackLightStaysBlack) {
+  std::vector<FilterTexel> texels = planes();
+  for (FilterTexel& t : texels) t.sky = t.lamps = glm::vec3(0.0f);
+  for (const FilterTexel& t : filterBlock(texels)) {
+    EXPECT_EQ(t.sky, glm::vec3(0.0f));
+    EXPECT_EQ(t.lamps, glm::vec3(0.0f));
+  }
+}
+
+// Dark beside bright: what lookups take from the bright texel is taken back, as far as there is light.
+TEST(LightFilterTest, NoLightIsNegative) {
+  std::vector<FilterTexel> texels = planes();
+  for (std::size_t i = 0; i < kAll; ++i) {
+    texels[i].skyPaths = 1e6f;
+    texels[i].place.x += 0.5f;  // between texels: a lookup there takes half of the next
+    texels[i].sky = glm::vec3(i % kFilterTexels < 6 ? 0.0f : 100.0f);
+  }
+  for (const FilterTexel& t : filterBlock(texels)) EXPECT_GE(t.sky.x, 0.0f);
+}
+
+// Nothing says how far apart isosurfaces are, and none are.
+TEST(LightFilterTest, OnAPlateauLightOfOneValueStays) {
+  std::vector<FilterTexel> texels = planes();
+  for (FilterTexel& t : texels) {
+    t.isovalue = 0.0f;
+    t.shape = {0.0f, 0.0f};
+  }
+  for (const FilterTexel& t : filterBlock(texels)) EXPECT_NEAR(t.sky.y, 3.0f, 1e-5f);
+}
+
+// Lit on a neighbour's place, of which nothing is known: a lookup there finds no light.
+TEST(LightFilterTest, ATexelAloneStays) {
+  std::vector<FilterTexel> texels = planes();
+  const std::size_t alone = inPadded(3, 3, 3);
+  for (std::size_t i = 0; i < kAll; ++i)
+    if (i != alone) texels[i].normal = glm::vec3(0.0f);
+  texels[alone].place.x += 1.0f;
+  const std::vector<FilterTexel> result = filterBlock(texels);
+  EXPECT_NEAR(result[3 * 64 + 3 * 8 + 3].sky.y, 3.0f, 1e-5f);
+}
+
 TEST(LightFilterTest, WhatHasNoPathsHasNoWeight) {
   std::vector<FilterTexel> texels = planes();
   const std::size_t hole = inPadded(3, 3, 3);

@@ -1,6 +1,8 @@
 // Automatic ranges and thresholds: pure arithmetic on a surface's statistics.
 #include "render/passes/curvature_ranges.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace isolux::render {
@@ -43,6 +45,9 @@ TEST(CurvatureRangesTest, WhatIsFlatHasARangeToo) {
   EXPECT_EQ(rangeOf(LookMode::gaussian_curvature, none), glm::dvec2(-kFlat * kFlat, kFlat * kFlat));
   EXPECT_EQ(rangeOf(LookMode::curvedness, none), glm::dvec2(0.0, kFlat));
   EXPECT_EQ(curvatureScale(none, kFlat), kFlat);
+  EXPECT_EQ(ridgeThresholds({}, none, kFlat), glm::dvec2(kFlat));
+  const glm::dvec2 longest = ridgeLengths({}, glm::dvec2(0.0));
+  EXPECT_TRUE(std::isfinite(longest.x) && std::isfinite(longest.y));
 }
 
 TEST(CurvatureRangesTest, FixedEndsAreKept) {

@@ -141,6 +141,22 @@ TEST(PrincipalCurvature, IsFiniteWhereThereIsNone) {
   }
   const PrincipalCurvature broken = principalCurvature(dvec3(1, 0, 0), dmat3(nan));
   EXPECT_EQ(broken.kappa1, 0.0);
+  const PrincipalCurvature unbounded = principalCurvature(dvec3(1, 0, 0), dmat3(infinity));
+  EXPECT_EQ(unbounded.kappa1, 0.0);
+  EXPECT_EQ(unbounded.normal, dvec3(0.0));
+}
+
+// Squares of such derivatives are none: what is squared has been brought to size 1 before.
+TEST(PrincipalCurvature, IsThatOfDerivativesOfAnySize) {
+  const dvec3 g(0.3, -0.5, 0.9);
+  const dmat3 h(0.4, -0.1, 0.2, -0.1, -0.3, 0.5, 0.2, 0.5, 0.1);
+  const PrincipalCurvature k = principalCurvature(g, h);
+  for (const double unit : {1e-200, 1e200}) {
+    const PrincipalCurvature other = principalCurvature(g * unit, h * unit);
+    EXPECT_NEAR(other.kappa1, k.kappa1, 1e-12) << unit;
+    EXPECT_NEAR(other.kappa2, k.kappa2, 1e-12) << unit;
+    EXPECT_LT(glm::distance(other.direction1, k.direction1), 1e-12) << unit;
+  }
 }
 
 TEST(CurvatureConfidence, IsZeroAtUmbilicsFlatsAndGradientsWithinNoiseAndOneWhereAllIsClear) {
@@ -166,6 +182,26 @@ TEST(CurvatureConfidence, IsZeroAtUmbilicsFlatsAndGradientsWithinNoiseAndOneWher
     EXPECT_EQ(c, noise <= 1.0 / 6.0 ? 1.0 : noise >= 1.0 / 3.0 ? 0.0 : c);
     before = c;
   }
+}
+
+TEST(CurvatureConfidence, OfDataWithoutNoiseIsANumber) {
+  for (const dmat3& hessian : {dmat3(0.0), dmat3(1.0), dmat3(-1.0)})
+    EXPECT_EQ(curvatureConfidence(principalCurvature(dvec3(0, 0, -1), hessian), dvec3(0, 0, -1), {0.0, 0.01}),
+              0.0);
+}
+
+TEST(CurvatureScale, OfAVolumeOfOneVoxelIsANumber) {
+  GridGeometry geometry = test::isotropicGeometry(4);
+  geometry.dims = glm::ivec3(1);
+  const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic, 1.0);
+  EXPECT_TRUE(std::isfinite(scale.flatCurvature));
+  EXPECT_GT(scale.flatCurvature, 0.0);
+}
+
+TEST(CurvatureScale, FlatIsATenthOverTheVolumesDiagonal) {
+  const GridGeometry geometry = test::isotropicGeometry(64);
+  const double diagonal = 63.0 * std::sqrt(3.0) * geometry.spacingMm().x;
+  EXPECT_NEAR(curvatureScale(geometry, scene::Field::cubic, 1.0).flatCurvature, 0.1 / diagonal, 1e-12);
 }
 
 // A volume of noise of standard deviation 3, seen as each of the fields.

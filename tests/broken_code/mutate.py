@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Changes constants and comparisons of the arithmetic, one at a time, and asks whether a test notices: ./dev mutate [--help].
+
+mutate.toml says which files, and which tests are closest to each; survivors.toml lists changes that no test can notice, with the
+reason. Everything happens in a copy of the tree (scratch_tree.py). Which changes are tried follows from the seed alone.
+Exit code: 0 at least 95 % of those tried were noticed (accepted ones aside), 1 fewer, 2 the script itself could not run."""
+
+import argparse
+import fnmatch
+import os
+import re
+import sys
+import tomllib
+
+import results
+import scratch_tree
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+WANTED = 0.95  # of those tried that are neither accepted nor refused by the compiler
+# Code of which nothing is changed: comments, texts, directives, what only the compiler reads.
+PASSED_OVER = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|^[ \t]*#(?:\\\n|[^\n])*|'
+                         r"\b(?:static_assert|assert)\([^;]*;|\bstd::array<[^;{}()]*>|\blayout\([^)]*\)|template <[^{;]*?>\n", re.S | re.M)
+NUMBER = re.compile(r"(?<![\w.])(0x[0-9a-fA-F.]+(?:p[-+]?\d+)?|\d+\.?\d*(?:[eE][-+]?\d+)?)([uUfFlL]*)(?![\w.])")
+COMPARISON = re.compile(r"(?<= )(<=|>=|==|!=|<|>)(?= )")
+OTHERS = {"<": ("<=", ">="), "<=": ("<", ">"), ">": (">=", "<="), ">=": (">", "<"), "==": ("!=",), "!=": ("==",)}
+
+
+class Mutant:
+    def __init__(self, file, text, begin, end, new, tests, ordinals):
+        self.file, self.begin, self.end, self.new = file, begin, end, new
+        self.program, self.tests = tests.split()
+        self.line = text.count("\n", 0, begin) + 1
+        first, last = text.rfind("\n", 0, begin) + 1, text.find("\n", end)
+        self.before = text[first:last].strip()
+        self.after = (text[first:begin] + new + text[end:last]).strip()
+        # Lines move; what they say stays.
+        same = (file, self.before, self.after)
+        ordinals[same] = ordinals.get(same, 0) + 1
+        self.key = results.digest(*same, str(ordinals[same]))
+
+    def broken(self, text):
+        return text[:self.begin] + self.new + text[self.end:]
+
+
+def changed_number(number, suffix):
+    """Zero becomes one, a whole number the next, others twice themselves."""
+    if suffix.lower() in ("u", "") and re.fullmatch(r"\d+", number):
+        return str(int(number) + 1) + suffix
+    if number.startswith("0x"):
+        return f"2 * {number}{suffix}" if "p" not in number else f"2.0 * {number}{suffix}"
+    value = float(number)
+    return ("1.0" if value == 0.0 else repr(2.0 * value)) + suffix
+
+
+def mutants_of(file, text, tests):
+    code = PASSED_OVER.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    ordinals = {}
+    for found in NUMBER.finditer(code):
+        yield Mutant(file, text, found.start(), found.end(), changed_number(*found.groups()), tests, ordinals)
+    for found in COMPARISON.finditer(code):
+        for other in OTHERS[found.group()]:
+            yield Mutant(file, text, found.start(), found.end(), other, tests, ordinals)
+
+
+def all_mutants():
+    with open(os.path.join(HERE, "mutate.toml"), "rb") as file:
+        scopes = tomllib.load(file)["scope"]
+    seen, listed = set(), []
+    for scope in scopes:  # the first that names a file
+        for pattern in scope["files"]:
+            paths = sorted(path for path in scratch_tree.ROOT.glob(pattern) if path not in seen)
+            if not paths and not list(scratch_tree.ROOT.glob(pattern)):
+                raise scratch_tree.Trouble(f"mutate.toml: there is no file {pattern}")
+            for path in paths:
+                seen.add(path)
+                listed += mutants_of(str(path.relative_to(scratch_tree.ROOT)), path.read_text(), scope["tests"])
+    return listed
+
+
+def accepted_survivors():
+    with open(os.path.join(HERE, "survivors.toml"), "rb") as file:
+        entries = tomllib.load(file).get("survivor", [])
+    return {(entry["file"], entry["before"], entry["after"]): entry["reason"] for entry in entries}
+
+
+def check(listed):
+    """Of the list of survivors alone: what they change is still there."""
+    there = {(mutant.file, mutant.before, mutant.after) for mutant in listed}
+    gone = [entry for entry in accepted_survivors() if entry not in there]
+    for file, before, _ in gone:
+        print(f"survivors.toml: {file} has no longer the line: {before}")
+    return 1 if gone else 0
+
+
+def try_all(chosen, arguments):
+    kept = results.Results(scratch_tree.FOLDER / "mutants.json")
+    if not arguments.resume:
+        kept.forget(mutant.key for mutant in chosen)
+    todo = [mutant for mutant in chosen if mutant.key not in kept.of]
+    if todo:
+        wanted = list(dict.fromkeys((mutant.program, mutant.tests) for mutant in todo))
+        judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs, wanted))
+        judge.baseline(wanted)
+    for mutant in todo:
+        changed = {mutant.file: mutant.broken((judge.tree.path / mutant.file).read_text())}
+        state, words, seconds = judge.judge(changed, mutant.program, mutant.tests)
+        kept.put(mutant.key, state, words, seconds, file=mutant.file, line=mutant.line, before=mutant.before, after=mutant.after)
+        print(f"{state:16} {mutant.file}:{mutant.line} {mutant.after} ({seconds:.0f} s)", flush=True)
+    return report(chosen, kept)
+
+
+def report(chosen, kept):
+    accepted = accepted_survivors()
+    counts, survivors = {}, []
+    for mutant in chosen:
+        state = kept.of[mutant.key]["state"]
+        if state == "unnoticed" and (mutant.file, mutant.before, mutant.after) in accepted:
+            state = "accepted"
+        counts[state] = counts.get(state, 0) + 1
+        if state == "unnoticed":
+            survivors.append(mutant)
+    noticed, tried = counts.get("noticed", 0), counts.get("noticed", 0) + len(survivors)
+    for mutant in survivors:
+        print(f"survives: {mutant.file}:{mutant.line}\n  - {mutant.before}\n  + {mutant.after}")
+    print(f"of {len(chosen)} changes {counts.get('does not compile', 0)} do not compile, {counts.get('accepted', 0)} are accepted; "
+          f"of the other {tried} {noticed} were noticed" + (f" ({100 * noticed / tried:.1f} %)" if tried else ""))
+    return 0 if noticed >= WANTED * tried else 1
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seed", default="isolux", help="which are chosen, and their order")
+    parser.add_argument("--sample", type=int, metavar="N", help="this many (all)")
+    parser.add_argument("--only", metavar="PATTERN", help="files whose path matches (shell pattern)")
+    parser.add_argument("--list", action="store_true", help="name the changes, try none")
+    parser.add_argument("--check", action="store_true", help="whether survivors.toml fits the code; builds nothing")
+    parser.add_argument("--jobs", type=int, default=max((os.cpu_count() or 2) // 2, 1), help="processes at a time (half of the cores)")
+    parser.add_argument("--resume", action="store_true", help="leave out what build/broken_code/mutants.json holds")
+    arguments = parser.parse_args()
+    listed = all_mutants()
+    if arguments.check:
+        return check(listed)
+    if arguments.only:
+        listed = [mutant for mutant in listed if fnmatch.fnmatch(mutant.file, arguments.only)]
+    chosen = sorted(listed, key=lambda mutant: results.digest(arguments.seed, mutant.key))[:arguments.sample]
+    if arguments.list:
+        for mutant in chosen:
+            print(f"{mutant.file}:{mutant.line}\n  - {mutant.before}\n  + {mutant.after}")
+        print(f"{len(chosen)} of {len(listed)}")
+        return 0
+    os.nice(5)
+    return try_all(chosen, arguments)
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except scratch_tree.Trouble as trouble:
+        print(trouble, file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        sys.exit(130)
