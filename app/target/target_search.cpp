@@ -49,15 +49,17 @@ scene::Scene wholeSurface(scene::Scene scene) {
 
 }  // namespace
 
-glm::ivec2 measuredSize(glm::ivec2 picture) {
+glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels) {
   const double pixels = static_cast<double>(picture.x) * picture.y;
-  if (pixels <= kMeasuredPixels) return picture;
-  const double scale = std::sqrt(kMeasuredPixels / pixels);
+  if (pixels <= mostPixels) return picture;
+  const double scale = std::sqrt(mostPixels / pixels);
   return glm::max(glm::ivec2(std::floor(scale * picture.x), std::floor(scale * picture.y)), glm::ivec2(1));
 }
 
-TargetSearch::TargetSearch(render::Renderer& renderer, TargetQuestion question)
-    : renderer_(renderer), question_(std::move(question)), size_(measuredSize(question_.picture.size)) {}
+TargetSearch::TargetSearch(render::Renderer& renderer, TargetQuestion question, int mostPixels)
+    : renderer_(renderer),
+      question_(std::move(question)),
+      size_(measuredSize(question_.picture.size, mostPixels)) {}
 
 scene::Scene TargetSearch::sceneOf(const Candidate& candidate, base::Progress& progress) const {
   scene::Scene scene = scene::resolve(applied(candidate, question_.given), question_.volume->facts);

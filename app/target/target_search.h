@@ -24,7 +24,7 @@ namespace isolux::app {
 
 inline constexpr int kMeasuredPixels = 40000;
 // `picture`, or smaller in about the same proportions.
-glm::ivec2 measuredSize(glm::ivec2 picture);
+glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels = kMeasuredPixels);
 
 struct TargetQuestion {
   std::shared_ptr<const volume::PreparedVolume> volume;
@@ -48,7 +48,7 @@ struct TargetAnswer {
 class TargetSearch {
  public:
   // `renderer` shows the question's volume and is not used by others until the end.
-  TargetSearch(render::Renderer& renderer, TargetQuestion question);
+  TargetSearch(render::Renderer& renderer, TargetQuestion question, int mostPixels = kMeasuredPixels);
 
   // Nothing where nothing of the surface is seen: then there is nothing to choose by. Throws Error{usage}
   // where nothing reaches the target, naming what comes nearest; Error{interrupted}.
