@@ -15,8 +15,8 @@ double boundOfCount(std::size_t count) {
   return k + 1.645 * std::sqrt(k + 1.0) + 1.35;
 }
 
-ErrorBound quantileBound(const Spread& spread) {
-  return {spread.most99, kQuantileMargin * spread.most99};
+ErrorBound quantileBound(const Spread& spread, Measuring measuring) {
+  return {spread.most99, marginOf(measuring) * spread.most99};
 }
 
 bool beats(const Measured& one, const Measured& other, std::span<const Limit> units) {
@@ -35,16 +35,17 @@ bool beats(const Measured& one, const Measured& other, std::span<const Limit> un
 
 }  // namespace
 
-TargetErrors surfaceErrors(const Errors& errors, bool complete) {
+TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool complete) {
   TargetErrors found;
-  found[indexOf(Quantity::depthMm)] = quantileBound(errors.depthMm);
-  found[indexOf(Quantity::depthVoxels)] = quantileBound(errors.depthVoxels);
-  found[indexOf(Quantity::normal)] = quantileBound(errors.normalDegrees);
-  found[indexOf(Quantity::curvature)] = quantileBound(errors.curvature);
+  found[indexOf(Quantity::depthMm)] = quantileBound(errors.depthMm, measuring);
+  found[indexOf(Quantity::depthVoxels)] = quantileBound(errors.depthVoxels, measuring);
+  found[indexOf(Quantity::normal)] = quantileBound(errors.normalDegrees, measuring);
+  found[indexOf(Quantity::curvature)] = quantileBound(errors.curvature, measuring);
   const std::size_t wrong = errors.missed + errors.invented;
   const auto surface = static_cast<double>(errors.surface);
-  found[indexOf(Quantity::missed)] = {static_cast<double>(wrong) / surface,
-                                      wrong == 0 && complete ? 0.0 : boundOfCount(wrong) / surface};
+  const bool known = measuring == Measuring::picture || (wrong == 0 && complete);
+  const double most = known ? static_cast<double>(wrong) : boundOfCount(wrong);
+  found[indexOf(Quantity::missed)] = {static_cast<double>(wrong) / surface, most / surface};
   return found;
 }
 
@@ -64,6 +65,11 @@ double worstRatio(const TargetErrors& errors, std::span<const Limit> limits) {
 
 bool keeps(const TargetErrors& errors, std::span<const Limit> limits) {
   return worstRatio(errors, limits) <= 1.0;
+}
+
+bool mayKeep(const TargetErrors& errors, std::span<const Limit> limits) {
+  return std::all_of(limits.begin(), limits.end(),
+                     [&](const Limit& limit) { return errors[indexOf(limit.quantity)].value <= limit.most; });
 }
 
 std::optional<std::size_t> cheapestThatKeeps(std::span<const Measured> measured,

@@ -1,11 +1,12 @@
 // Which of the measured combinations of settings is taken: pure functions of numbers.
 //
 // A choice goes by bounds, not by what was measured: an error is measured on a small picture of the view, and
-// another picture of it errs a little differently.
-//   depth, normals, curvature: kQuantileMargin times the 99 % quantile that was measured;
+// the picture itself errs a little differently.
+//   depth, normals, curvature: a margin (Measuring) times the 99 % quantile that was measured;
 //   missed: the upper end of a 95 % interval of the number of such pixels (Poisson, to 1 %: k + 1.645
 //     sqrt(k + 1) + 1.35); 0 where none was found and the search for hits is complete;
 //   light: two standard errors above the root mean square.
+// Measured on the picture's own pixels, what was measured is the bound (but of light).
 #pragma once
 
 #include <optional>
@@ -18,7 +19,11 @@
 
 namespace isolux::app {
 
-inline constexpr double kQuantileMargin = 1.25;
+// On which pixels errors were measured: some of the view's, more of them, or the picture's own.
+enum class Measuring { few, many, picture };
+constexpr double marginOf(Measuring measuring) {
+  return measuring == Measuring::few ? 1.25 : measuring == Measuring::many ? 1.1 : 1.0;
+}
 // The part of the time that was asked for which a picture may take: the rest is for clocks.
 inline constexpr double kTimeMargin = 0.85;
 
@@ -36,10 +41,12 @@ struct Measured {
 };
 
 // `complete`: as of the candidate.
-TargetErrors surfaceErrors(const Errors& errors, bool complete);
+TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool complete);
 ErrorBound lightBound(const LightErrors& errors);
 
 bool keeps(const TargetErrors& errors, std::span<const Limit> limits);
+// What was measured keeps them, though its bounds may not.
+bool mayKeep(const TargetErrors& errors, std::span<const Limit> limits);
 // The largest of bound over limit; infinite where something was not measured, or a limit of 0 is not kept.
 double worstRatio(const TargetErrors& errors, std::span<const Limit> limits);
 // The first of least cost among those that keep the limits; none: nothing does.

@@ -14,6 +14,12 @@ ordered_json numberOrNull(double number) {
   return std::isfinite(number) ? ordered_json(number) : ordered_json(nullptr);
 }
 
+// Two digits and no exponent: "1200", "0.57".
+std::string roundText(double milliseconds) {
+  return base::shortText(milliseconds < 100.0 ? milliseconds : 10.0 * std::round(milliseconds / 10.0),
+                         milliseconds < 100.0 ? 2 : 12);
+}
+
 // "depth_mm", with the unit as a part of the name.
 const char* keyOf(Quantity quantity) {
   switch (quantity) {
@@ -62,7 +68,7 @@ std::string lineOf(const TargetAnswer& answer, std::size_t index) {
   const Measured& one = answer.measured[index];
   std::string text = index == answer.chosen ? "* " : "  ";
   text += "work " + base::shortText(one.candidate.cost, 3);
-  if (!std::isnan(one.milliseconds)) text += ", " + base::shortText(one.milliseconds, 3) + " ms";
+  if (!std::isnan(one.milliseconds)) text += ", " + roundText(one.milliseconds) + " ms";
   for (const Limit& limit : answer.limits) {
     const ErrorBound& error = one.errors[indexOf(limit.quantity)];
     if (!std::isnan(error.bound))
@@ -102,7 +108,7 @@ std::vector<std::string> targetLines(const TargetAnswer& answer) {
   const Measured& chosen = answer.measured[answer.chosen];
   std::vector<std::string> lines{"settings: " + settingsText(chosen.candidate) + ", chosen because " +
                                  answer.reason + "; a frame takes about " +
-                                 base::shortText(answer.expectedMilliseconds, 2) + " ms"};
+                                 roundText(answer.expectedMilliseconds) + " ms"};
   for (std::size_t i = 0; i < answer.measured.size(); ++i) lines.push_back(lineOf(answer, i));
   return lines;
 }

@@ -56,10 +56,10 @@ glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels) {
   return glm::max(glm::ivec2(std::floor(scale * picture.x), std::floor(scale * picture.y)), glm::ivec2(1));
 }
 
-TargetSearch::TargetSearch(render::Renderer& renderer, TargetQuestion question, int mostPixels)
+TargetSearch::TargetSearch(render::Renderer& renderer, TargetQuestion question)
     : renderer_(renderer),
       question_(std::move(question)),
-      size_(measuredSize(question_.picture.size, mostPixels)) {}
+      size_(measuredSize(question_.picture.size, kFewPixels)) {}
 
 scene::Scene TargetSearch::sceneOf(const Candidate& candidate, base::Progress& progress) const {
   scene::Scene scene = scene::resolve(applied(candidate, question_.given), question_.volume->facts);
@@ -72,10 +72,13 @@ bool TargetSearch::prepare(base::Progress& progress) {
   progress.report(0.0, "choosing settings");
   if (!reference_) {
     reference_ = wholeSurface(sceneOf({}, progress));
-    truth_ = std::make_unique<SurfaceTruth>(question_.volume, *reference_, size_);
   }
-  const TrueSurface truth = truth_->of(reference_->hit.field, reference_->derivatives, progress);
+  const TrueSurface truth = truthAt(size_).of(reference_->hit.field, reference_->derivatives, progress);
   return std::any_of(truth.hits.begin(), truth.hits.end(), [](const TrueHit& hit) { return hit.hit; });
+}
+
+SurfaceTruth& TargetSearch::truthAt(glm::ivec2 size) {
+  return truths_.try_emplace({size.x, size.y}, question_.volume, *reference_, size).first->second;
 }
 
 Turning TargetSearch::turning(bool derivatives) const {
@@ -100,11 +103,17 @@ std::vector<Candidate> TargetSearch::candidates(bool turnDerivatives, base::Prog
   return surfaceCandidates(turning(turnDerivatives));
 }
 
-TargetErrors TargetSearch::measure(const Candidate& candidate, base::Progress& progress) {
+TargetErrors TargetSearch::measure(const Candidate& candidate, Measuring measuring,
+                                   base::Progress& progress) {
   progress.throwIfStopped();
+  const glm::ivec2 picture = question_.picture.size;
+  const glm::ivec2 size = measuring == Measuring::few    ? size_
+                          : measuring == Measuring::many ? measuredSize(picture, kManyPixels)
+                                                         : picture;
+  if (size == picture) measuring = Measuring::picture;
   const scene::Scene scene = wholeSurface(sceneOf(candidate, progress));
   render::FrameRequest request;
-  request.size = size_;
+  request.size = size;
   request.color = false;
   request.aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal, render::Aov::kappa};
   renderer_.render(scene, request);
@@ -112,15 +121,26 @@ TargetErrors TargetSearch::measure(const Candidate& candidate, base::Progress& p
       renderer_.readAov(render::Aov::hit).values, renderer_.readAov(render::Aov::depth).values,
       renderer_.readAov(render::Aov::normal).values, renderer_.readAov(render::Aov::kappa).values};
   const scene::Field field = reference_->hit.field;
-  const TrueSurface truth = truth_->of(field, reference_->derivatives, progress);
+  SurfaceTruth& surface = truthAt(size);
+  const TrueSurface truth = surface.of(field, reference_->derivatives, progress);
   const Errors errors =
-      errorsOf(images, truth, [&](std::size_t pixel) { return truth_->undecided(field, pixel); });
-  return surfaceErrors(errors, candidate.complete && scene.hit.field == field);
+      errorsOf(images, truth, [&](std::size_t pixel) { return surface.undecided(field, pixel); });
+  return surfaceErrors(errors, measuring, candidate.complete && scene.hit.field == field);
+}
+
+// On many pixels where few leave it open whether the limits are kept.
+Measured TargetSearch::measuredFor(const Candidate& candidate, std::span<const Limit> limits,
+                                   base::Progress& progress) {
+  TargetErrors errors = measure(candidate, Measuring::few, progress);
+  if (!keeps(errors, limits) && mayKeep(errors, limits))
+    errors = measure(candidate, Measuring::many, progress);
+  return {candidate, errors};
 }
 
 TargetErrors TargetSearch::measureLight(const Candidate& candidate, base::Progress& progress) {
   if (!light_)
-    light_ = std::make_unique<LightJudge>(renderer_, *truth_, question_.volume, question_.machine, size_);
+    light_ =
+        std::make_unique<LightJudge>(renderer_, truthAt(size_), question_.volume, question_.machine, size_);
   TargetErrors errors;
   errors[indexOf(Quantity::light)] =
       lightBound(light_->judge(wholeSurface(sceneOf(candidate, progress)), progress));
@@ -159,7 +179,7 @@ void TargetSearch::addUnasked(TargetAnswer& answer) const {
 void TargetSearch::chooseSurface(TargetAnswer& answer, base::Progress& progress) {
   const bool shapes = std::any_of(answer.limits.begin(), answer.limits.end(), isOfShape);
   const std::vector<Candidate> list = surfaceCandidates(turning(shapes));
-  answer.measured.push_back({list.front(), measure(list.front(), progress)});
+  answer.measured.push_back({list.front(), measure(list.front(), Measuring::few, progress)});
   std::erase_if(answer.limits, [&](const Limit& limit) {
     const bool unknown =
         !isOfLight(limit) && std::isnan(answer.measured.front().errors[indexOf(limit.quantity)].bound);
@@ -173,11 +193,13 @@ void TargetSearch::chooseSurface(TargetAnswer& answer, base::Progress& progress)
   std::vector<Limit> limits;
   std::copy_if(answer.limits.begin(), answer.limits.end(), std::back_inserter(limits),
                [](const Limit& limit) { return !isOfLight(limit); });
+  if (!keeps(answer.measured.front().errors, limits))
+    answer.measured.front() = measuredFor(list.front(), limits, progress);
   const bool exactKeeps = keeps(answer.measured.front().errors, limits);
   for (std::size_t i = 1; i < list.size(); ++i) {
     if (exactKeeps && list[i].cost >= list.front().cost) break;
     progress.report(static_cast<double>(i) / static_cast<double>(list.size()), "choosing settings");
-    answer.measured.push_back({list[i], measure(list[i], progress)});
+    answer.measured.push_back(measuredFor(list[i], limits, progress));
     if (keeps(answer.measured.back().errors, limits)) break;
   }
   const std::optional<std::size_t> chosen = cheapestThatKeeps(answer.measured, limits);
@@ -197,10 +219,9 @@ void TargetSearch::chooseSurface(TargetAnswer& answer, base::Progress& progress)
               "no settings keep " + limitsText(limits) + "; the least that can be promised is " + found);
 }
 
-void TargetSearch::chooseLight(TargetAnswer& answer, base::Progress& progress) {
+void TargetSearch::chooseLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress) {
   const auto limit = std::find_if(answer.limits.begin(), answer.limits.end(), isOfLight);
   if (limit == answer.limits.end()) return;
-  const Measured surface = answer.measured[answer.chosen];
   struct Last {
     double samples, square;
   };
@@ -235,6 +256,13 @@ void TargetSearch::chooseLight(TargetAnswer& answer, base::Progress& progress) {
                   errorText(Quantity::light, least));
 }
 
+Candidate TargetSearch::asGiven() const {
+  const Turning as = turning(false);
+  double work = hitWork(reference_->hit, as.processor);
+  if (as.derivatives) work += derivativeWork(reference_->derivatives, as.second, as.processor);
+  return {{}, work, false, question_.given.picture.supersampling};
+}
+
 std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& asked,
                                                      base::Progress& progress) {
   if (!prepare(progress)) return std::nullopt;
@@ -242,15 +270,12 @@ std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& a
   answer.limits = actingLimits(asked, answer, progress);
   answer.asked = answer.limits.size();
   if (answer.limits.empty()) return answer;
-  if (std::all_of(answer.limits.begin(), answer.limits.end(), isOfLight)) {
-    const Turning as = turning(false);
-    double work = hitWork(reference_->hit, as.processor);
-    if (as.derivatives) work += derivativeWork(reference_->derivatives, as.second, as.processor);
-    answer.measured.push_back({{{}, work, false, question_.given.picture.supersampling}, {}});
-  } else {
+  Measured surface{asGiven(), {}};
+  if (!std::all_of(answer.limits.begin(), answer.limits.end(), isOfLight)) {
     chooseSurface(answer, progress);
+    surface = answer.measured[answer.chosen];
   }
-  chooseLight(answer, progress);
+  chooseLight(answer, surface, progress);
   const Measured& chosen = answer.measured[answer.chosen];
   answer.reason = "the least work of what keeps " + limitsText(std::span(answer.limits).first(answer.asked));
   answer.expectedMilliseconds = scaledMilliseconds(chosen.candidate, progress);

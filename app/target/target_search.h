@@ -2,14 +2,17 @@
 //
 // Errors are against double precision on the fields that the scene asks for (SurfaceTruth), and against path
 // tracing (LightJudge), of the first isosurface as a whole, in a picture of the same view of at most
-// kMeasuredPixels pixels. An error is kept by the combination of least work (app/target/work.h), which no
-// clock decides: the same scene, picture and executor give the same choice. A time is kept by the clock.
+// kFewPixels pixels; where those leave open whether a limit is kept, of at most kManyPixels. An error is kept
+// by the combination of least work (app/target/work.h), which no clock decides: the same scene, picture and
+// executor give the same choice. A time is kept by the clock.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/study/surface_truth.h"
@@ -22,9 +25,9 @@
 
 namespace isolux::app {
 
-inline constexpr int kMeasuredPixels = 40000;
+inline constexpr int kFewPixels = 40000, kManyPixels = 160000;
 // `picture`, or smaller in about the same proportions.
-glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels = kMeasuredPixels);
+glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels);
 
 struct TargetQuestion {
   std::shared_ptr<const volume::PreparedVolume> volume;
@@ -48,7 +51,7 @@ struct TargetAnswer {
 class TargetSearch {
  public:
   // `renderer` shows the question's volume and is not used by others until the end.
-  TargetSearch(render::Renderer& renderer, TargetQuestion question, int mostPixels = kMeasuredPixels);
+  TargetSearch(render::Renderer& renderer, TargetQuestion question);
 
   // Nothing where nothing of the surface is seen: then there is nothing to choose by. Throws Error{usage}
   // where nothing reaches the target, naming what comes nearest; Error{interrupted}.
@@ -57,28 +60,31 @@ class TargetSearch {
 
   // For tests and benchmarks: what the searches do one by one.
   std::vector<Candidate> candidates(bool turnDerivatives, base::Progress& progress);
-  TargetErrors measure(const Candidate& candidate, base::Progress& progress);
+  TargetErrors measure(const Candidate& candidate, Measuring measuring, base::Progress& progress);
   TargetErrors measureLight(const Candidate& candidate, base::Progress& progress);
   // Small, since measure(): milliseconds of a frame of the picture's look, times the picture's rays.
   double scaledMilliseconds(const Candidate& candidate, base::Progress& progress);
 
  private:
   bool prepare(base::Progress& progress);
+  SurfaceTruth& truthAt(glm::ivec2 size);
+  Measured measuredFor(const Candidate& candidate, std::span<const Limit> limits, base::Progress& progress);
   std::vector<Limit> actingLimits(const std::vector<Limit>& asked, TargetAnswer& answer,
                                   base::Progress& progress) const;
   bool acts(Quantity quantity) const;
   void addUnasked(TargetAnswer& answer) const;
   void chooseSurface(TargetAnswer& answer, base::Progress& progress);
-  void chooseLight(TargetAnswer& answer, base::Progress& progress);
+  void chooseLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress);
+  Candidate asGiven() const;
   scene::Scene sceneOf(const Candidate& candidate, base::Progress& progress) const;
   double frameMilliseconds(const Candidate& candidate, double most, base::Progress& progress);
   Turning turning(bool derivatives) const;
 
   render::Renderer& renderer_;
   TargetQuestion question_;
-  glm::ivec2 size_;
-  std::optional<scene::Scene> reference_;  // resolved and complete, its hits those at rest
-  std::unique_ptr<SurfaceTruth> truth_;
+  glm::ivec2 size_;                                     // of Measuring::few
+  std::optional<scene::Scene> reference_;               // resolved and complete, its hits those at rest
+  std::map<std::pair<int, int>, SurfaceTruth> truths_;  // by size
   std::unique_ptr<LightJudge> light_;
 };
 

@@ -72,7 +72,7 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
     if (&candidate != &list.front() && candidate.cost >= list.front().cost) continue;
     progress.report(static_cast<double>(&candidate - list.data()) / static_cast<double>(list.size()),
                     "choosing settings");
-    const TargetErrors errors = measure(candidate, progress);
+    const TargetErrors errors = measure(candidate, Measuring::few, progress);
     for (int rays = most; rays >= least; --rays) {
       Candidate sampled = candidate;
       sampled.supersampling = rays;
@@ -104,7 +104,8 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
   }
   throw base::Error(base::ErrorKind::usage, "", "--time",
                     "no settings keep " + base::shortText(milliseconds, 4) + " ms; the quickest take about " +
-                        base::shortText(quickest / kTimeMargin, 2) + " ms, and a smaller picture less");
+                        base::shortText(std::ceil(quickest / kTimeMargin), 9) +
+                        " ms, and a smaller picture less");
 }
 
 }  // namespace isolux::app

@@ -46,17 +46,25 @@ TEST(Choice, BoundsLieAboveWhatWasMeasured) {
   errors.missed = 7;
   errors.invented = 3;
   errors.depthMm.most99 = 0.02;
-  const TargetErrors bounds = surfaceErrors(errors, true);
+  const TargetErrors bounds = surfaceErrors(errors, Measuring::few, true);
   EXPECT_EQ(bounds[indexOf(Quantity::depthMm)].value, 0.02);
-  EXPECT_EQ(bounds[indexOf(Quantity::depthMm)].bound, kQuantileMargin * 0.02);
+  EXPECT_EQ(bounds[indexOf(Quantity::depthMm)].bound, 1.25 * 0.02);
   EXPECT_EQ(bounds[indexOf(Quantity::missed)].value, 0.001);
   // The mean of which 10 or fewer are seen in 5 % of pictures: 16.96.
-  EXPECT_NEAR(bounds[indexOf(Quantity::missed)].bound, 16.96e-4, 0.02e-4);
+  EXPECT_NEAR(bounds[indexOf(Quantity::missed)].bound, 16.96e-4, 0.17e-4);
   EXPECT_TRUE(std::isnan(bounds[indexOf(Quantity::light)].bound));
 
+  const TargetErrors own = surfaceErrors(errors, Measuring::picture, false);
+  EXPECT_EQ(own[indexOf(Quantity::depthMm)].bound, 0.02) << "measured on the picture itself";
+  EXPECT_EQ(own[indexOf(Quantity::missed)].bound, 0.001);
+  const Limit between{Quantity::depthMm, 0.021};
+  EXPECT_FALSE(keeps(bounds, std::span(&between, 1)));
+  EXPECT_TRUE(mayKeep(bounds, std::span(&between, 1)));
+
   errors.missed = errors.invented = 0;
-  EXPECT_EQ(surfaceErrors(errors, true)[indexOf(Quantity::missed)].bound, 0.0);
-  EXPECT_NEAR(surfaceErrors(errors, false)[indexOf(Quantity::missed)].bound, 3.0e-4, 0.01e-4);  // -ln 0.05
+  EXPECT_EQ(surfaceErrors(errors, Measuring::few, true)[indexOf(Quantity::missed)].bound, 0.0);
+  EXPECT_NEAR(surfaceErrors(errors, Measuring::many, false)[indexOf(Quantity::missed)].bound, 3.0e-4,
+              0.01e-4);  // -ln 0.05
 
   LightErrors light;
   light.mean = 2.0;

@@ -17,7 +17,7 @@ namespace {
 using namespace app;
 
 constexpr int kTargets = 20;
-constexpr glm::ivec2 kPicture{480, 360};
+constexpr glm::ivec2 kPicture{640, 480};
 
 struct Subject {
   std::string path;
@@ -42,22 +42,26 @@ class TargetPromiseGlTest : public RenderGlTest {
     int targets = 0, kept = 0, cheapest = 0;
   };
   // `small`, `large`: the same candidates, measured for the choice and in the picture itself.
-  static Score score(const std::vector<Measured>& small, const std::vector<Measured>& large,
-                     Quantity quantity, std::mt19937& random) {
+  static Score score(const std::vector<Measured>& small, const std::vector<Measured>& many,
+                     const std::vector<Measured>& large, Quantity quantity, std::mt19937& random) {
     const std::size_t q = indexOf(quantity);
     double least = INFINITY, most = 0.0;
     for (const Measured& one : small) {
-      const double bound = one.errors[q].bound;
-      if (!(bound > 0.0)) continue;
-      least = std::min(least, bound);
-      most = std::max(most, bound);
+      const double value = one.errors[q].value;
+      if (!(value > 0.0)) continue;
+      least = std::min(least, value);
+      most = std::max(most, value);
     }
     Score score;
     if (!(most > least)) return score;
     std::uniform_real_distribution<double> place(0.0, 1.0);
     for (int i = 0; i < kTargets; ++i) {
       const Limit limit{quantity, least * std::pow(most / least, place(random))};
-      const auto chosen = cheapestThatKeeps(small, std::span(&limit, 1));
+      std::vector<Measured> judged = small;
+      for (std::size_t k = 0; k < judged.size(); ++k)
+        if (!keeps(judged[k].errors, std::span(&limit, 1)) && mayKeep(judged[k].errors, std::span(&limit, 1)))
+          judged[k] = many[k];
+      const auto chosen = cheapestThatKeeps(judged, std::span(&limit, 1));
       if (!chosen) continue;
       ++score.targets;
       score.kept += large[*chosen].errors[q].value <= limit.most;
@@ -69,9 +73,9 @@ class TargetPromiseGlTest : public RenderGlTest {
     }
     return score;
   }
-  static void print(const Subject& subject, const char* where, Quantity quantity, const Score& score) {
-    std::printf("%-60s %-6s %-10s kept %2d, cheapest %2d of %2d\n", subject.path.c_str(), where,
-                nameOf(quantity), score.kept, score.cheapest, score.targets);
+  static void print(const Subject& subject, Quantity quantity, const Score& score) {
+    std::printf("%-60s %-10s kept %2d, cheapest %2d of %2d\n", subject.path.c_str(), nameOf(quantity),
+                score.kept, score.cheapest, score.targets);
     std::fflush(stdout);
   }
   static void expectKept(const Subject& subject, Quantity quantity, const Score& score) {
@@ -95,32 +99,19 @@ std::vector<Subject> subjects() {
 TEST_F(TargetPromiseGlTest, DISABLED_SurfacesAreKept) {
   for (const Subject& subject : subjects()) {
     const TargetQuestion question = questionOf(subject, {"picture.executor=gpu", "look.mode=kappa1"});
-    TargetQuestion turned = question;
-    scene::Scene resolved = scene::resolve(question.given, question.volume->facts);
-    turned.given.camera = resolved.camera;
-    const glm::dvec3 away = *resolved.camera.eye - *resolved.camera.target;
-    const double turn = 0.35;  // 20 degrees
-    turned.given.camera.eye =
-        *resolved.camera.target + glm::dvec3(std::cos(turn) * away.x - std::sin(turn) * away.y,
-                                             std::sin(turn) * away.x + std::cos(turn) * away.y, away.z);
-    TargetSearch small(*renderer_, question), large(*renderer_, question, 1 << 20),
-        elsewhere(*renderer_, turned);
-    std::vector<Measured> forChoice, inPicture, inView;
-    const std::vector<Candidate> list = small.candidates(true, progress_);
-    large.candidates(true, progress_);
-    elsewhere.candidates(true, progress_);
-    for (const Candidate& candidate : list) {
-      forChoice.push_back({candidate, small.measure(candidate, progress_)});
-      inPicture.push_back({candidate, large.measure(candidate, progress_)});
-      inView.push_back({candidate, elsewhere.measure(candidate, progress_)});
+    TargetSearch search(*renderer_, question);
+    std::vector<Measured> few, many, picture;
+    for (const Candidate& candidate : search.candidates(true, progress_)) {
+      few.push_back({candidate, search.measure(candidate, Measuring::few, progress_)});
+      many.push_back({candidate, search.measure(candidate, Measuring::many, progress_)});
+      picture.push_back({candidate, search.measure(candidate, Measuring::picture, progress_)});
     }
     std::mt19937 random(7);
     for (const Quantity quantity :
          {Quantity::depthMm, Quantity::missed, Quantity::normal, Quantity::curvature}) {
-      const Score same = score(forChoice, inPicture, quantity, random);
-      print(subject, "same", quantity, same);
-      expectKept(subject, quantity, same);
-      print(subject, "turned", quantity, score(forChoice, inView, quantity, random));
+      const Score found = score(few, many, picture, quantity, random);
+      print(subject, quantity, found);
+      expectKept(subject, quantity, found);
     }
   }
 }
@@ -128,7 +119,9 @@ TEST_F(TargetPromiseGlTest, DISABLED_SurfacesAreKept) {
 TEST_F(TargetPromiseGlTest, DISABLED_LightIsKept) {
   for (const Subject& subject : subjects()) {
     const TargetQuestion question = questionOf(subject, {"look.mode=gi"});
-    TargetSearch small(*renderer_, question), large(*renderer_, question, 1 << 20);
+    TargetQuestion other = question;  // whose rays, and what they see of the lattice, are others
+    other.picture.size = {219, 167};
+    TargetSearch small(*renderer_, question), large(*renderer_, other);
     Turning turning;
     turning.given = question.given;
     std::vector<Measured> forChoice, inPicture;
@@ -145,9 +138,9 @@ TEST_F(TargetPromiseGlTest, DISABLED_LightIsKept) {
                   inPicture.back().errors[indexOf(Quantity::light)].value);
     }
     std::mt19937 random(7);
-    const Score same = score(forChoice, inPicture, Quantity::light, random);
-    print(subject, "same", Quantity::light, same);
-    expectKept(subject, Quantity::light, same);
+    const Score found = score(forChoice, forChoice, inPicture, Quantity::light, random);
+    print(subject, Quantity::light, found);
+    expectKept(subject, Quantity::light, found);
   }
 }
 
