@@ -10,13 +10,15 @@ namespace {
 
 constexpr double kWithoutBound = std::numeric_limits<double>::infinity();
 
-double boundOfCount(std::size_t count) {
-  const auto k = static_cast<double>(count);
-  return k + 1.645 * std::sqrt(k + 1.0) + 1.35;
+ErrorBound boundsOfCount(double count) {
+  return {.value = count,
+          .least = std::max(count + 0.35 - 1.645 * std::sqrt(count), 0.0),
+          .bound = count + 1.35 + 1.645 * std::sqrt(count + 1.0)};
 }
 
 ErrorBound quantileBound(const Spread& spread, Measuring measuring) {
-  return {spread.most99, marginOf(measuring) * spread.most99};
+  const double margin = marginOf(measuring);
+  return {.value = spread.most99, .least = spread.most99 / margin, .bound = spread.most99 * margin};
 }
 
 bool beats(const Measured& one, const Measured& other, std::span<const Limit> units) {
@@ -41,16 +43,19 @@ TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool compl
   found[indexOf(Quantity::depthVoxels)] = quantileBound(errors.depthVoxels, measuring);
   found[indexOf(Quantity::normal)] = quantileBound(errors.normalDegrees, measuring);
   found[indexOf(Quantity::curvature)] = quantileBound(errors.curvature, measuring);
-  const std::size_t wrong = errors.missed + errors.invented;
+  const auto wrong = static_cast<double>(errors.missed + errors.invented);
   const auto surface = static_cast<double>(errors.surface);
-  const bool known = measuring == Measuring::picture || (wrong == 0 && complete);
-  const double most = known ? static_cast<double>(wrong) : boundOfCount(wrong);
-  found[indexOf(Quantity::missed)] = {static_cast<double>(wrong) / surface, most / surface};
+  const bool known = measuring == Measuring::picture || (wrong == 0.0 && complete);
+  const ErrorBound count = known ? ErrorBound{wrong, wrong, wrong} : boundsOfCount(wrong);
+  found[indexOf(Quantity::missed)] = {count.value / surface, count.least / surface, count.bound / surface};
   return found;
 }
 
 ErrorBound lightBound(const LightErrors& errors) {
-  return {errors.relative(errors.rmse), errors.relative(errors.rmse + 2.0 * errors.rmseStandardError)};
+  const double sure = 2.0 * errors.rmseStandardError;
+  return {.value = errors.relative(errors.rmse),
+          .least = errors.relative(std::max(errors.rmse - sure, 0.0)),
+          .bound = errors.relative(errors.rmse + sure)};
 }
 
 double worstRatio(const TargetErrors& errors, std::span<const Limit> limits) {
@@ -69,7 +74,7 @@ bool keeps(const TargetErrors& errors, std::span<const Limit> limits) {
 
 bool mayKeep(const TargetErrors& errors, std::span<const Limit> limits) {
   return std::all_of(limits.begin(), limits.end(),
-                     [&](const Limit& limit) { return errors[indexOf(limit.quantity)].value <= limit.most; });
+                     [&](const Limit& limit) { return errors[indexOf(limit.quantity)].least <= limit.most; });
 }
 
 std::optional<std::size_t> cheapestThatKeeps(std::span<const Measured> measured,

@@ -3,8 +3,9 @@
 // A choice goes by bounds, not by what was measured: an error is measured on a small picture of the view, and
 // the picture itself errs a little differently.
 //   depth, normals, curvature: a margin (Measuring) times the 99 % quantile that was measured;
-//   missed: the upper end of a 95 % interval of the number of such pixels (Poisson, to 1 %: k + 1.645
-//     sqrt(k + 1) + 1.35); 0 where none was found and the search for hits is complete;
+//   missed: between the 5 % and 95 % limits of the number of such pixels (Poisson, to a few percent:
+//     k + 1.35 + 1.645 sqrt(k + 1), k + 0.35 - 1.645 sqrt(k)); 0 where none was found and the search for hits
+//     is complete;
 //   light: two standard errors above the root mean square.
 // Measured on the picture's own pixels, what was measured is the bound (but of light).
 #pragma once
@@ -19,10 +20,11 @@
 
 namespace isolux::app {
 
-// On which pixels errors were measured: some of the view's, more of them, or the picture's own.
-enum class Measuring { few, many, picture };
+// On which pixels errors were measured: a part of the view's, more and more of them, or the picture's own.
+enum class Measuring { few, many, most, picture };
 constexpr double marginOf(Measuring measuring) {
-  return measuring == Measuring::few ? 1.25 : measuring == Measuring::many ? 1.1 : 1.0;
+  constexpr double margins[] = {1.25, 1.1, 1.05, 1.0};
+  return margins[static_cast<int>(measuring)];
 }
 // The part of the time that was asked for which a picture may take: the rest is for clocks.
 inline constexpr double kTimeMargin = 0.85;
@@ -45,7 +47,7 @@ TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool compl
 ErrorBound lightBound(const LightErrors& errors);
 
 bool keeps(const TargetErrors& errors, std::span<const Limit> limits);
-// What was measured keeps them, though its bounds may not.
+// Measured on more pixels they may be kept.
 bool mayKeep(const TargetErrors& errors, std::span<const Limit> limits);
 // The largest of bound over limit; infinite where something was not measured, or a limit of 0 is not kept.
 double worstRatio(const TargetErrors& errors, std::span<const Limit> limits);

@@ -34,10 +34,11 @@ struct Limit {
   bool operator==(const Limit&) const = default;
 };
 
-// An error as it was measured, and what it stays below in another picture of the view, nearly always: the
-// margin of choices (app/target/choice.h). NaN where it was not measured.
+// An error as it was measured, and between what it lies in the picture itself, nearly always: the margins of
+// choices (app/target/choice.h). NaN where it was not measured.
 struct ErrorBound {
   double value = std::numeric_limits<double>::quiet_NaN();
+  double least = std::numeric_limits<double>::quiet_NaN();
   double bound = std::numeric_limits<double>::quiet_NaN();
 };
 using TargetErrors = std::array<ErrorBound, kQuantities>;

@@ -107,9 +107,10 @@ TargetErrors TargetSearch::measure(const Candidate& candidate, Measuring measuri
                                    base::Progress& progress) {
   progress.throwIfStopped();
   const glm::ivec2 picture = question_.picture.size;
-  const glm::ivec2 size = measuring == Measuring::few    ? size_
-                          : measuring == Measuring::many ? measuredSize(picture, kManyPixels)
-                                                         : picture;
+  const int most = measuring == Measuring::few    ? kFewPixels
+                   : measuring == Measuring::many ? kManyPixels
+                                                  : kMostPixels;
+  const glm::ivec2 size = measuring == Measuring::picture ? picture : measuredSize(picture, most);
   if (size == picture) measuring = Measuring::picture;
   const scene::Scene scene = wholeSurface(sceneOf(candidate, progress));
   render::FrameRequest request;
@@ -128,12 +129,14 @@ TargetErrors TargetSearch::measure(const Candidate& candidate, Measuring measuri
   return surfaceErrors(errors, measuring, candidate.complete && scene.hit.field == field);
 }
 
-// On many pixels where few leave it open whether the limits are kept.
+// On more pixels where it is open whether the limits are kept.
 Measured TargetSearch::measuredFor(const Candidate& candidate, std::span<const Limit> limits,
                                    base::Progress& progress) {
-  TargetErrors errors = measure(candidate, Measuring::few, progress);
-  if (!keeps(errors, limits) && mayKeep(errors, limits))
-    errors = measure(candidate, Measuring::many, progress);
+  TargetErrors errors;
+  for (const Measuring measuring : {Measuring::few, Measuring::many, Measuring::most}) {
+    errors = measure(candidate, measuring, progress);
+    if (keeps(errors, limits) || !mayKeep(errors, limits)) break;
+  }
   return {candidate, errors};
 }
 

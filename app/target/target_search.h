@@ -2,9 +2,9 @@
 //
 // Errors are against double precision on the fields that the scene asks for (SurfaceTruth), and against path
 // tracing (LightJudge), of the first isosurface as a whole, in a picture of the same view of at most
-// kFewPixels pixels; where those leave open whether a limit is kept, of at most kManyPixels. An error is kept
-// by the combination of least work (app/target/work.h), which no clock decides: the same scene, picture and
-// executor give the same choice. A time is kept by the clock.
+// kFewPixels pixels; where those leave open whether a limit is kept, of at most kManyPixels, then
+// kMostPixels. An error is kept by the combination of least work (app/target/work.h), which no clock decides:
+// the same scene, picture and executor give the same choice. A time is kept by the clock.
 #pragma once
 
 #include <map>
@@ -25,7 +25,7 @@
 
 namespace isolux::app {
 
-inline constexpr int kFewPixels = 40000, kManyPixels = 160000;
+inline constexpr int kFewPixels = 40000, kManyPixels = 160000, kMostPixels = 800000;
 // `picture`, or smaller in about the same proportions.
 glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels);
 

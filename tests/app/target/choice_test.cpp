@@ -14,8 +14,8 @@ Measured made(double cost, double depthMm, double missed, int supersampling = 1)
   Measured one;
   one.candidate.cost = cost;
   one.candidate.supersampling = supersampling;
-  one.errors[indexOf(Quantity::depthMm)] = {depthMm, depthMm};
-  one.errors[indexOf(Quantity::missed)] = {missed, missed};
+  one.errors[indexOf(Quantity::depthMm)] = {depthMm, depthMm, depthMm};
+  one.errors[indexOf(Quantity::missed)] = {missed, missed, missed};
   return one;
 }
 
@@ -60,6 +60,10 @@ TEST(Choice, BoundsLieAboveWhatWasMeasured) {
   const Limit between{Quantity::depthMm, 0.021};
   EXPECT_FALSE(keeps(bounds, std::span(&between, 1)));
   EXPECT_TRUE(mayKeep(bounds, std::span(&between, 1)));
+  const Limit far{Quantity::depthMm, 0.015};
+  EXPECT_FALSE(mayKeep(bounds, std::span(&far, 1)));
+  // The mean of which 10 or more are seen in 5 % of pictures: 5.43.
+  EXPECT_NEAR(bounds[indexOf(Quantity::missed)].least, 5.43e-4, 0.4e-4);
 
   errors.missed = errors.invented = 0;
   EXPECT_EQ(surfaceErrors(errors, Measuring::few, true)[indexOf(Quantity::missed)].bound, 0.0);

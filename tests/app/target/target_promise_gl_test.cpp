@@ -138,7 +138,7 @@ TEST_F(TargetPromiseGlTest, DISABLED_LightIsKept) {
                   inPicture.back().errors[indexOf(Quantity::light)].value);
     }
     std::mt19937 random(7);
-    const Score found = score(forChoice, forChoice, inPicture, Quantity::light, random);
+    const Score found = score(forChoice, {}, inPicture, Quantity::light, random);
     print(subject, Quantity::light, found);
     expectKept(subject, Quantity::light, found);
   }

@@ -42,9 +42,10 @@ class TargetSearchGlTest : public RenderGlTest {
 
 TEST_F(TargetSearchGlTest, ShadersSampleAsCoarselyAsTheErrorAllows) {
   for (const char* name : {"gyroid", "head"}) {
-    const TargetQuestion shaders = question(name, {"picture.executor=gpu"});
+    TargetQuestion shaders = question(name, {"picture.executor=gpu"});
+    shaders.fixed = {"hit.near_factor"};  // half the combinations
     double work = 0.0;
-    for (const double most : {0.3, 0.02, 1e-3}) {
+    for (const double most : {0.3, 0.02}) {
       const TargetAnswer found = answer(shaders, "missed=1%,depth=" + std::to_string(most) + "vox");
       const Measured& chosen = found.measured[found.chosen];
       EXPECT_GE(chosen.candidate.cost, work) << name << ": a smaller error never takes less";
@@ -57,14 +58,14 @@ TEST_F(TargetSearchGlTest, ShadersSampleAsCoarselyAsTheErrorAllows) {
       EXPECT_LE(errors[indexOf(Quantity::depthVoxels)].value, most) << name;
       EXPECT_LE(errors[indexOf(Quantity::missed)].value, 0.01) << name;
       EXPECT_GT(found.expectedMilliseconds, 0.0);
+      EXPECT_FALSE(chosen.candidate.complete) << name << ": samples are enough";
     }
-    const TargetAnswer coarse = answer(shaders, "depth=0.3vox,missed=1%");
-    EXPECT_FALSE(coarse.measured[coarse.chosen].candidate.complete) << name << ": samples are enough";
   }
 }
 
 TEST_F(TargetSearchGlTest, TheSameQuestionHasTheSameAnswer) {
-  const TargetQuestion asked = question("gyroid", {"picture.executor=gpu"});
+  TargetQuestion asked = question("gyroid", {"picture.executor=gpu"});
+  asked.fixed = {"hit.near_factor"};
   const TargetAnswer one = answer(asked, "depth=0.05vox"), two = answer(asked, "depth=0.05vox");
   EXPECT_EQ(one.measured[one.chosen].candidate.assignments, two.measured[two.chosen].candidate.assignments);
   EXPECT_EQ(one.measured.size(), two.measured.size());
