@@ -51,11 +51,13 @@ TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool compl
   return found;
 }
 
+// Neighbouring pixels share texels and their noise, so that standard errors alone are too sure.
 ErrorBound lightBound(const LightErrors& errors) {
+  constexpr double margin = 1.05;
   const double sure = 2.0 * errors.rmseStandardError;
   return {.value = errors.relative(errors.rmse),
-          .least = errors.relative(std::max(errors.rmse - sure, 0.0)),
-          .bound = errors.relative(errors.rmse + sure)};
+          .least = errors.relative(std::max(errors.rmse - sure, 0.0) / margin),
+          .bound = errors.relative(margin * (errors.rmse + sure))};
 }
 
 double worstRatio(const TargetErrors& errors, std::span<const Limit> limits) {

@@ -6,7 +6,7 @@
 //   missed: between the 5 % and 95 % limits of the number of such pixels (Poisson, to a few percent:
 //     k + 1.35 + 1.645 sqrt(k + 1), k + 0.35 - 1.645 sqrt(k)); 0 where none was found and the search for hits
 //     is complete;
-//   light: two standard errors above the root mean square.
+//   light: 1.05 times what lies two standard errors above the root mean square.
 // Measured on the picture's own pixels, what was measured is the bound (but of light).
 #pragma once
 

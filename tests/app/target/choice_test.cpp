@@ -75,7 +75,7 @@ TEST(Choice, BoundsLieAboveWhatWasMeasured) {
   light.rmse = 0.1;
   light.rmseStandardError = 0.01;
   EXPECT_DOUBLE_EQ(lightBound(light).value, 0.05);
-  EXPECT_DOUBLE_EQ(lightBound(light).bound, 0.06);
+  EXPECT_DOUBLE_EQ(lightBound(light).bound, 1.05 * 0.06);
 }
 
 // Errors within half a unit count as none: then rays per pixel, then errors, then work.
