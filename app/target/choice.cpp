@@ -12,8 +12,8 @@ constexpr double kWithoutBound = std::numeric_limits<double>::infinity();
 
 ErrorBound boundsOfCount(double count) {
   return {.value = count,
-          .least = std::max(count + 0.35 - 1.645 * std::sqrt(count), 0.0),
-          .bound = count + 1.35 + 1.645 * std::sqrt(count + 1.0)};
+          .least = std::max(count + 1.0 - 2.33 * std::sqrt(count), 0.0),
+          .bound = count + 2.3 + 2.33 * std::sqrt(count + 1.0)};
 }
 
 ErrorBound quantileBound(const Spread& spread, Measuring measuring) {
@@ -53,7 +53,7 @@ TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool compl
 
 // Neighbouring pixels share texels and their noise, so that standard errors alone are too sure.
 ErrorBound lightBound(const LightErrors& errors) {
-  constexpr double margin = 1.05;
+  constexpr double margin = 1.1;
   const double sure = 2.0 * errors.rmseStandardError;
   return {.value = errors.relative(errors.rmse),
           .least = errors.relative(std::max(errors.rmse - sure, 0.0) / margin),

@@ -3,10 +3,10 @@
 // A choice goes by bounds, not by what was measured: an error is measured on a small picture of the view, and
 // the picture itself errs a little differently.
 //   depth, normals, curvature: a margin (Measuring) times the 99 % quantile that was measured;
-//   missed: between the 5 % and 95 % limits of the number of such pixels (Poisson, to a few percent:
-//     k + 1.35 + 1.645 sqrt(k + 1), k + 0.35 - 1.645 sqrt(k)); 0 where none was found and the search for hits
+//   missed: between the 1 % and 99 % limits of the number of such pixels (Poisson, to a few percent:
+//     k + 2.3 + 2.33 sqrt(k + 1), k + 1 - 2.33 sqrt(k)); 0 where none was found and the search for hits
 //     is complete;
-//   light: 1.05 times what lies two standard errors above the root mean square.
+//   light: 1.1 times what lies two standard errors above the root mean square.
 // Measured on the picture's own pixels, what was measured is the bound (but of light).
 #pragma once
 

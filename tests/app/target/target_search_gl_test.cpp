@@ -42,7 +42,7 @@ class TargetSearchGlTest : public RenderGlTest {
 
 TEST_F(TargetSearchGlTest, ShadersSampleAsCoarselyAsTheErrorAllows) {
   for (const char* name : {"gyroid", "head"}) {
-    TargetQuestion shaders = question(name, {"picture.executor=gpu"});
+    TargetQuestion shaders = question(name, {"picture.executor=gpu", "hit.rate=1"});
     shaders.fixed = {"hit.rate", "hit.near_factor"};  // few combinations, quick
     double work = 0.0;
     for (const double most : {0.3, 0.02}) {
