@@ -41,7 +41,7 @@ class TargetSearchGlTest : public RenderGlTest {
 };
 
 TEST_F(TargetSearchGlTest, ShadersSampleAsCoarselyAsTheErrorAllows) {
-  for (const char* name : {"gyroid", "head"}) {
+  for (const char* name : {"gyroid", "torus"}) {
     TargetQuestion shaders = question(name, {"picture.executor=gpu", "hit.rate=1"});
     shaders.fixed = {"hit.rate", "hit.near_factor"};  // few combinations, quick
     double work = 0.0;
