@@ -13,10 +13,10 @@ namespace isolux::app {
 namespace {
 
 // Errors that count as one another's equals.
-constexpr Limit kUnits[] = {{Quantity::depthVoxels, 0.01},
-                            {Quantity::missed, 0.001},
-                            {Quantity::normal, 0.2},
-                            {Quantity::curvature, 0.05}};
+constexpr Limit kErrorsOfOneUnit[] = {{Quantity::depthVoxels, 0.01},
+                                      {Quantity::missed, 0.001},
+                                      {Quantity::normal, 0.2},
+                                      {Quantity::curvature, 0.05}};
 constexpr int kTimedFrames = 3;
 
 }  // namespace
@@ -58,7 +58,7 @@ double TargetSearch::frameMilliseconds(const Candidate& candidate, double most, 
 std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Progress& progress) {
   if (!prepare(progress)) return std::nullopt;
   TargetAnswer answer;
-  for (const Limit& unit : kUnits)
+  for (const Limit& unit : kErrorsOfOneUnit)
     if (acts(unit.quantity)) answer.limits.push_back(unit);
   const std::vector<Candidate> list = surfaceCandidates(turning(acts(Quantity::normal)));
   const auto stays = [&](const char* path) {
