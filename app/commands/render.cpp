@@ -15,6 +15,7 @@
 #include "app/commands/progress_bar.h"
 #include "app/commands/render_plan.h"
 #include "app/commands/render_report.h"
+#include "app/commands/render_target.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
@@ -23,11 +24,14 @@
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/series/movie.h"
+#include "app/target/target_report.h"
 #include "base/error.h"
 #include "base/quantiles.h"
+#include "render/passes/processor.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
+#include "scene/setting/assignment.h"
 
 namespace isolux::app {
 
@@ -44,6 +48,7 @@ struct RenderOptions {
   bool explain = false, lightAround = false, accuracy = false;
   int repeat = 0, turntable = 0;
   double fps = 24.0;
+  TargetOptions target;
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
 };
@@ -146,6 +151,8 @@ class RenderRun {
     if (!context_) makeRenderer();
     renderer_->setVolume(prepared_);
     readsLight_ = !options_.light.empty();
+    target_.reset();
+    isChosen_ = false;
     request_ = requestOf(options_, path, asked, pictures.pictures.front().out);
     if (!options_.aov.empty()) images_ = parseImageList(options_.aov);
     const scene::Scene base = startingScene(path);
@@ -190,6 +197,7 @@ class RenderRun {
   }
 
   void drawPicture(scene::Scene scene, const PlannedPicture& picture) {
+    if (options_.target.any()) scene = withTarget(std::move(scene));
     const scene::Derivatives asked = scene.derivatives;
     scene = scene::resolve(std::move(scene), prepared_->facts);
     request_.supersampling = request_.aovs.empty() ? scene.picture.supersampling : 1;
@@ -219,15 +227,40 @@ class RenderRun {
     report(asked, scene, drawn, picture, errors ? std::optional(accuracyOf(*errors)) : std::nullopt);
   }
 
+  // With the settings that keep --error or --time: chosen for the volume's first picture, taken for all.
+  scene::Scene withTarget(scene::Scene scene) {
+    if (!std::exchange(isChosen_, true)) {
+      const ProgressBar bar(progress_);
+      target_ = chosenTarget(options_.target, targetQuestion(scene), *renderer_, light_, progress_);
+    }
+    return target_ && !target_->measured.empty()
+               ? applied(target_->measured[target_->chosen].candidate, std::move(scene))
+               : scene;
+  }
+
+  TargetQuestion targetQuestion(const scene::Scene& given) const {
+    TargetQuestion question{
+        prepared_, given, request_, machine_, render::takesProcessor(machine_.executor, *context_->gl()), {}};
+    for (const std::string& assignment : options_.scene->assignments)
+      question.fixed.push_back(std::string(scene::pathOf(assignment)));
+    if (plan_.sweep) question.fixed.push_back(plan_.sweep->path);
+    return question;
+  }
+
   void report(const scene::Derivatives& asked, const scene::Scene& scene, const Drawn& drawn,
               const PlannedPicture& picture, const std::optional<Accuracy>& accuracy) {
     if (!picture.stats.empty() || options_.explain) {
       const DerivativeFacts derivatives =
           derivativeFacts(*renderer_, asked, scene, request_, drawn.picture.report, *prepared_);
-      if (!picture.stats.empty())
-        writeTextFile(picture.stats, jsonText(renderJson(scene, request_, *prepared_, context_->description(),
-                                                         drawn, light_, derivatives, accuracy)));
+      if (!picture.stats.empty()) {
+        nlohmann::ordered_json json = renderJson(scene, request_, *prepared_, context_->description(), drawn,
+                                                 light_, derivatives, accuracy);
+        if (target_) json["target"] = targetJson(*target_);
+        writeTextFile(picture.stats, jsonText(json));
+      }
       if (options_.explain) {
+        if (target_)
+          for (const std::string& line : targetLines(*target_)) std::printf("%s\n", line.c_str());
         printPasses(drawn.picture.report);
         printDerivatives(derivatives);
         printRest(scene, *prepared_);
@@ -238,6 +271,8 @@ class RenderRun {
     }
     for (const std::string& warning : light_.state().warnings) printNote(warning);
     noteOfPicture(scene, drawn.picture.report);
+    if (target_)
+      for (const std::string& note : std::exchange(target_->notes, {})) printNote("--error: " + note);
   }
 
   void noteMovie(const VolumePictures& pictures) {
@@ -257,12 +292,15 @@ class RenderRun {
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   render::FrameRequest request_;
-  WantedImages images_;      // of --aov
+  WantedImages images_;                 // of --aov
+  std::optional<TargetAnswer> target_;  // of the volume; none: nothing was asked for, or is seen
+  bool isChosen_ = false;
   bool readsLight_ = false;  // of a file, before the volume's first picture
 };
 
 void runRender(const RenderOptions& options, base::Progress& progress) {
   if (options.paths.empty()) requireSource("", *options.scene);
+  checkTarget(options.target);
   const RenderPlan plan = planOf(options);
   std::optional<MadeFolder> made;
   if (!plan.folder.empty()) made.emplace(plan.folder);
@@ -329,6 +367,7 @@ Command makeRender(CLI::App& program) {
                    "Draw N frames after one to warm up; --stats has their median time")
       ->type_name("N")
       ->check(CLI::Range(0, 100000).description(""));
+  addTargetOptions(*parser, options->target);
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);
@@ -340,7 +379,10 @@ Command makeRender(CLI::App& program) {
       "  isolux render skull.png --set look.mode=normal --out normals.png\n"
       "  isolux render a.nii.gz b.nii.gz --preset ct_bone --view left --fit surface --out '{name}.png'\n"
       "  isolux render ct.nii.gz --sweep isosurface.value=100:300:9 --out 'skull_{value}.png'\n"
-      "  isolux render ct.nii.gz --isovalue 300 --turntable 72 --out turn");
+      "  isolux render ct.nii.gz --isovalue 300 --turntable 72 --out turn\n"
+      "  isolux render ct.nii.gz --isovalue 300 --error depth=0.01mm,missed=0.1% --explain --out skull.png\n"
+      "  isolux render ct.nii.gz --look gi --error light=5% --out lit.png\n"
+      "  isolux render ct.nii.gz --time 100ms --out quick.png");
   return {parser, [options](base::Progress& progress) { runRender(*options, progress); }};
 }
 

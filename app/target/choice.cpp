@@ -1,0 +1,116 @@
+#include "app/target/choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace isolux::app {
+
+namespace {
+
+constexpr double kWithoutBound = std::numeric_limits<double>::infinity();
+
+ErrorBound boundsOfCount(double count) {
+  return {.value = count,
+          .least = std::max(count + 1.0 - 2.33 * std::sqrt(count), 0.0),
+          .bound = count + 2.3 + 2.33 * std::sqrt(count + 1.0)};
+}
+
+ErrorBound quantileBound(const Spread& spread, Measuring measuring) {
+  const double margin = marginOf(measuring);
+  return {.value = spread.most99, .least = spread.most99 / margin, .bound = spread.most99 * margin};
+}
+
+bool beats(const Measured& one, const Measured& other, std::span<const Limit> units) {
+  bool better = one.candidate.cost < other.candidate.cost ||
+                one.candidate.supersampling > other.candidate.supersampling;
+  if (one.candidate.cost > other.candidate.cost ||
+      one.candidate.supersampling < other.candidate.supersampling)
+    return false;
+  for (const Limit& unit : units) {
+    const double a = one.errors[indexOf(unit.quantity)].bound, b = other.errors[indexOf(unit.quantity)].bound;
+    if (!(a <= b)) return false;
+    better = better || a < b;
+  }
+  return better;
+}
+
+}  // namespace
+
+TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool complete) {
+  TargetErrors found;
+  found[indexOf(Quantity::depthMm)] = quantileBound(errors.depthMm, measuring);
+  found[indexOf(Quantity::depthVoxels)] = quantileBound(errors.depthVoxels, measuring);
+  found[indexOf(Quantity::normal)] = quantileBound(errors.normalDegrees, measuring);
+  found[indexOf(Quantity::curvature)] = quantileBound(errors.curvature, measuring);
+  const auto wrong = static_cast<double>(errors.missed + errors.invented);
+  const auto surface = static_cast<double>(errors.surface);
+  const bool known = measuring == Measuring::picture || (wrong == 0.0 && complete);
+  const ErrorBound count = known ? ErrorBound{wrong, wrong, wrong} : boundsOfCount(wrong);
+  found[indexOf(Quantity::missed)] = {count.value / surface, count.least / surface, count.bound / surface};
+  return found;
+}
+
+// Neighbouring pixels share texels and their noise, so that standard errors alone are too sure.
+ErrorBound lightBound(const LightErrors& errors) {
+  constexpr double margin = 1.1;
+  const double sure = 2.0 * errors.rmseStandardError;
+  return {.value = errors.relative(errors.rmse),
+          .least = errors.relative(std::max(errors.rmse - sure, 0.0) / margin),
+          .bound = errors.relative(margin * (errors.rmse + sure))};
+}
+
+double worstRatio(const TargetErrors& errors, std::span<const Limit> limits) {
+  double worst = 0.0;
+  for (const Limit& limit : limits) {
+    const double bound = errors[indexOf(limit.quantity)].bound;
+    if (std::isnan(bound)) return kWithoutBound;
+    if (bound > 0.0) worst = std::max(worst, limit.most > 0.0 ? bound / limit.most : kWithoutBound);
+  }
+  return worst;
+}
+
+bool keeps(const TargetErrors& errors, std::span<const Limit> limits) {
+  return worstRatio(errors, limits) <= 1.0;
+}
+
+bool mayKeep(const TargetErrors& errors, std::span<const Limit> limits) {
+  return std::all_of(limits.begin(), limits.end(),
+                     [&](const Limit& limit) { return errors[indexOf(limit.quantity)].least <= limit.most; });
+}
+
+std::optional<std::size_t> cheapestThatKeeps(std::span<const Measured> measured,
+                                             std::span<const Limit> limits) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    if (keeps(measured[i].errors, limits) &&
+        (!best || measured[i].candidate.cost < measured[*best].candidate.cost))
+      best = i;
+  return best;
+}
+
+std::size_t nearestTo(std::span<const Measured> measured, std::span<const Limit> limits) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < measured.size(); ++i)
+    if (worstRatio(measured[i].errors, limits) < worstRatio(measured[best].errors, limits)) best = i;
+  return best;
+}
+
+std::vector<std::size_t> byAccuracy(std::span<const Measured> measured, std::span<const Limit> units) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    if (std::none_of(measured.begin(), measured.end(),
+                     [&](const Measured& other) { return beats(other, measured[i], units); }))
+      order.push_back(i);
+  const auto rank = [&](std::size_t i) {
+    const Measured& one = measured[i];
+    const double ratio = worstRatio(one.errors, units);
+    // What errs by less than half a unit is as good as exact.
+    const double classOfTwo = std::ceil(std::log2(std::max(ratio, 0.5)));
+    return std::tuple(classOfTwo, -one.candidate.supersampling, ratio, one.candidate.cost, i);
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
+}  // namespace isolux::app

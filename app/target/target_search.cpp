@@ -1,0 +1,288 @@
+#include "app/target/target_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/jobs/field_job.h"
+#include "app/jobs/rest_scene.h"
+#include "app/light/light_picture.h"
+#include "app/target/work.h"
+#include "base/error.h"
+#include "render/graph/pass_declarations.h"
+#include "scene/rules/automatic.h"
+#include "scene/rules/gi_choice.h"
+
+namespace isolux::app {
+
+namespace {
+
+using base::Error;
+using base::ErrorKind;
+
+// What nobody asked for is kept as well where its knobs are turned, or cheap hits would miss what they like.
+constexpr Limit kUnasked[] = {{Quantity::depthVoxels, 0.1},
+                              {Quantity::missed, 0.001},
+                              {Quantity::normal, 2.0},
+                              {Quantity::curvature, 0.2}};
+
+bool isOfLight(const Limit& limit) {
+  return limit.quantity == Quantity::light;
+}
+bool isOfShape(const Limit& limit) {
+  return limit.quantity == Quantity::normal || limit.quantity == Quantity::curvature;
+}
+
+bool hasName(std::span<const Limit> limits, Quantity quantity) {
+  return std::any_of(limits.begin(), limits.end(), [&](const Limit& limit) {
+    return std::string_view(nameOf(limit.quantity)) == nameOf(quantity);
+  });
+}
+
+// The first isosurface, opaque and whole: what truths are known of.
+scene::Scene wholeSurface(scene::Scene scene) {
+  for (scene::ExtraIsosurface& extra : scene.extraIsosurfaces) extra.shown = false;
+  scene.isosurface.opacity = scene.isosurface.facingOpacity = 1.0;
+  scene.isosurface.ghost = 0.0;
+  scene.pieces = {};
+  return scene;
+}
+
+}  // namespace
+
+glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels) {
+  const double pixels = static_cast<double>(picture.x) * picture.y;
+  if (pixels <= mostPixels) return picture;
+  const double scale = std::sqrt(mostPixels / pixels);
+  return glm::max(glm::ivec2(std::floor(scale * picture.x), std::floor(scale * picture.y)), glm::ivec2(1));
+}
+
+TargetSearch::TargetSearch(render::Renderer& renderer, TargetQuestion question)
+    : renderer_(renderer),
+      question_(std::move(question)),
+      size_(measuredSize(question_.picture.size, kFewPixels)) {}
+
+scene::Scene TargetSearch::sceneOf(const Candidate& candidate, base::Progress& progress) const {
+  scene::Scene scene = scene::resolve(applied(candidate, question_.given), question_.volume->facts);
+  completeFields(scene, *question_.volume, true, progress);
+  if (question_.picture.aovs.empty()) scene = atRest(std::move(scene), *question_.volume, progress);
+  return scene;
+}
+
+bool TargetSearch::prepare(base::Progress& progress) {
+  progress.report(0.0, "choosing settings");
+  if (!reference_) {
+    reference_ = wholeSurface(sceneOf({}, progress));
+  }
+  const TrueSurface truth = truthAt(size_).of(reference_->hit.field, reference_->derivatives, progress);
+  return std::any_of(truth.hits.begin(), truth.hits.end(), [](const TrueHit& hit) { return hit.hit; });
+}
+
+SurfaceTruth& TargetSearch::truthAt(glm::ivec2 size) {
+  return truths_.try_emplace({size.x, size.y}, question_.volume, *reference_, size).first->second;
+}
+
+Turning TargetSearch::turning(bool derivatives) const {
+  return {.given = question_.given,
+          .drawnField = reference_->hit.field,
+          .processor = question_.processor,
+          .derivatives = render::readsDerivatives(*reference_, question_.picture),
+          .second = render::readsHessian(*reference_, question_.picture),
+          .turnDerivatives = derivatives,
+          .fixed = question_.fixed};
+}
+
+bool TargetSearch::acts(Quantity quantity) const {
+  if (quantity == Quantity::normal) return render::readsDerivatives(*reference_, question_.picture);
+  if (quantity == Quantity::curvature) return render::readsHessian(*reference_, question_.picture);
+  if (quantity == Quantity::light) return scene::giChoiceOf(litScene(*reference_, question_.picture)).wanted;
+  return true;
+}
+
+std::vector<Candidate> TargetSearch::candidates(bool turnDerivatives, base::Progress& progress) {
+  prepare(progress);
+  return surfaceCandidates(turning(turnDerivatives));
+}
+
+TargetErrors TargetSearch::measure(const Candidate& candidate, Measuring measuring,
+                                   base::Progress& progress) {
+  progress.throwIfStopped();
+  const glm::ivec2 picture = question_.picture.size;
+  const int most = measuring == Measuring::few    ? kFewPixels
+                   : measuring == Measuring::many ? kManyPixels
+                                                  : kMostPixels;
+  const glm::ivec2 size = measuring == Measuring::picture ? picture : measuredSize(picture, most);
+  if (size == picture) measuring = Measuring::picture;
+  const scene::Scene scene = wholeSurface(sceneOf(candidate, progress));
+  render::FrameRequest request;
+  request.size = size;
+  request.color = false;
+  request.aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal, render::Aov::kappa};
+  renderer_.render(scene, request);
+  const DrawnImages images{
+      renderer_.readAov(render::Aov::hit).values, renderer_.readAov(render::Aov::depth).values,
+      renderer_.readAov(render::Aov::normal).values, renderer_.readAov(render::Aov::kappa).values};
+  const scene::Field field = reference_->hit.field;
+  SurfaceTruth& surface = truthAt(size);
+  const TrueSurface truth = surface.of(field, reference_->derivatives, progress);
+  const Errors errors =
+      errorsOf(images, truth, [&](std::size_t pixel) { return surface.undecided(field, pixel); });
+  return surfaceErrors(errors, measuring, candidate.complete && scene.hit.field == field);
+}
+
+// On more pixels where it is open whether the limits are kept.
+Measured TargetSearch::measuredFor(const Candidate& candidate, std::span<const Limit> limits,
+                                   base::Progress& progress) {
+  TargetErrors errors;
+  for (const Measuring measuring : {Measuring::few, Measuring::many, Measuring::most}) {
+    errors = measure(candidate, measuring, progress);
+    if (keeps(errors, limits) || !mayKeep(errors, limits)) break;
+  }
+  return {candidate, errors};
+}
+
+TargetErrors TargetSearch::measureLight(const Candidate& candidate, base::Progress& progress) {
+  if (!light_)
+    light_ =
+        std::make_unique<LightJudge>(renderer_, truthAt(size_), question_.volume, question_.machine, size_);
+  TargetErrors errors;
+  errors[indexOf(Quantity::light)] =
+      lightBound(light_->judge(wholeSurface(sceneOf(candidate, progress)), progress));
+  return errors;
+}
+
+std::vector<Limit> TargetSearch::actingLimits(const std::vector<Limit>& asked, TargetAnswer& answer,
+                                              base::Progress& progress) const {
+  progress.throwIfStopped();
+  std::vector<Limit> limits;
+  for (const Limit& limit : asked) {
+    if (acts(limit.quantity)) {
+      limits.push_back(limit);
+      continue;
+    }
+    const char* const why = isOfLight(limit)                        ? "this picture reads no stored light"
+                            : limit.quantity == Quantity::curvature ? "this picture reads no curvature"
+                                                                    : "this picture reads no normals";
+    answer.notes.push_back(std::string(nameOf(limit.quantity)) + " is ignored: " + why);
+  }
+  return limits;
+}
+
+// What is kept though nobody asked for it: limits of ours, or what the most exact settings reach.
+void TargetSearch::addUnasked(TargetAnswer& answer) const {
+  const bool shapes = std::any_of(answer.limits.begin(), answer.limits.end(), isOfShape);
+  const TargetErrors& exact = answer.measured.front().errors;
+  for (const Limit& limit : kUnasked) {
+    if (hasName(answer.limits, limit.quantity) || !acts(limit.quantity) || (isOfShape(limit) && !shapes))
+      continue;
+    const double bound = exact[indexOf(limit.quantity)].bound;
+    if (!std::isnan(bound)) answer.limits.push_back({limit.quantity, std::max(limit.most, bound)});
+  }
+}
+
+void TargetSearch::chooseSurface(TargetAnswer& answer, base::Progress& progress) {
+  const bool shapes = std::any_of(answer.limits.begin(), answer.limits.end(), isOfShape);
+  const std::vector<Candidate> list = surfaceCandidates(turning(shapes));
+  answer.measured.push_back({list.front(), measure(list.front(), Measuring::few, progress)});
+  std::erase_if(answer.limits, [&](const Limit& limit) {
+    const bool unknown =
+        !isOfLight(limit) && std::isnan(answer.measured.front().errors[indexOf(limit.quantity)].bound);
+    if (unknown)
+      answer.notes.push_back(std::string(nameOf(limit.quantity)) +
+                             " is ignored: nothing that is seen stands clear of the volume's noise");
+    return unknown;
+  });
+  answer.asked = answer.limits.size();
+  addUnasked(answer);
+  std::vector<Limit> limits;
+  std::copy_if(answer.limits.begin(), answer.limits.end(), std::back_inserter(limits),
+               [](const Limit& limit) { return !isOfLight(limit); });
+  if (!keeps(answer.measured.front().errors, limits))
+    answer.measured.front() = measuredFor(list.front(), limits, progress);
+  const bool exactKeeps = keeps(answer.measured.front().errors, limits);
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    if (exactKeeps && list[i].cost >= list.front().cost) break;
+    progress.report(static_cast<double>(i) / static_cast<double>(list.size()), "choosing settings");
+    answer.measured.push_back(measuredFor(list[i], limits, progress));
+    if (keeps(answer.measured.back().errors, limits)) break;
+  }
+  const std::optional<std::size_t> chosen = cheapestThatKeeps(answer.measured, limits);
+  if (chosen) {
+    answer.chosen = *chosen;
+    return;
+  }
+  const TargetErrors& nearest = answer.measured[nearestTo(answer.measured, limits)].errors;
+  std::string found;
+  for (const Limit& limit : limits) {
+    const ErrorBound& error = nearest[indexOf(limit.quantity)];
+    if (!keeps(nearest, std::span(&limit, 1)))
+      found += (found.empty() ? "" : ", ") + std::string(nameOf(limit.quantity)) + ' ' +
+               errorText(limit.quantity, error.bound);
+  }
+  throw Error(ErrorKind::usage, "", "--error",
+              "no settings keep " + limitsText(limits) + "; the least that can be promised is " + found);
+}
+
+void TargetSearch::chooseLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress) {
+  const auto limit = std::find_if(answer.limits.begin(), answer.limits.end(), isOfLight);
+  if (limit == answer.limits.end()) return;
+  struct Last {
+    double samples, square;
+  };
+  std::map<double, Last> lasts;     // by texels per voxel
+  std::map<double, double> places;  // the error that more paths leave, squared
+  const std::vector<Candidate> list = lightCandidates(turning(false), surface.candidate);
+  std::size_t nearest = answer.measured.size();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const scene::Gi gi = applied(list[i], question_.given).gi;
+    const auto place = places.find(gi.latticeScale);
+    if (place != places.end() && place->second > 1.21 * limit->most * limit->most) continue;
+    progress.report(static_cast<double>(i) / static_cast<double>(list.size()), "measuring light");
+    TargetErrors errors = surface.errors;
+    const ErrorBound light = measureLight(list[i], progress)[indexOf(Quantity::light)];
+    errors[indexOf(Quantity::light)] = light;
+    answer.measured.push_back({list[i], errors});
+    if (worstRatio(errors, {&*limit, 1}) < worstRatio(answer.measured[nearest].errors, {&*limit, 1}))
+      nearest = answer.measured.size() - 1;
+    if (light.bound <= limit->most) {
+      answer.chosen = answer.measured.size() - 1;
+      return;
+    }
+    const Last now{static_cast<double>(gi.samples), light.value * light.value};
+    if (const auto last = lasts.find(gi.latticeScale); last != lasts.end())
+      places[gi.latticeScale] = (now.samples * now.square - last->second.samples * last->second.square) /
+                                (now.samples - last->second.samples);
+    lasts[gi.latticeScale] = now;
+  }
+  const double least = answer.measured[nearest].errors[indexOf(Quantity::light)].bound;
+  throw Error(ErrorKind::usage, "", "--error",
+              "no settings keep " + limitsText({&*limit, 1}) + "; the least that can be promised is " +
+                  errorText(Quantity::light, least));
+}
+
+Candidate TargetSearch::asGiven() const {
+  const Turning as = turning(false);
+  double work = hitWork(reference_->hit, as.processor);
+  if (as.derivatives) work += derivativeWork(reference_->derivatives, as.second, as.processor);
+  return {{}, work, false, question_.given.picture.supersampling};
+}
+
+std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& asked,
+                                                     base::Progress& progress) {
+  if (!prepare(progress)) return std::nullopt;
+  TargetAnswer answer;
+  answer.limits = actingLimits(asked, answer, progress);
+  answer.asked = answer.limits.size();
+  if (answer.limits.empty()) return answer;
+  Measured surface{asGiven(), {}};
+  if (!std::all_of(answer.limits.begin(), answer.limits.end(), isOfLight)) {
+    chooseSurface(answer, progress);
+    surface = answer.measured[answer.chosen];
+  }
+  chooseLight(answer, surface, progress);
+  const Measured& chosen = answer.measured[answer.chosen];
+  answer.reason = "the least work of what keeps " + limitsText(std::span(answer.limits).first(answer.asked));
+  answer.expectedMilliseconds = scaledMilliseconds(chosen.candidate, progress);
+  return answer;
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,91 @@
+// Finds the settings that keep a target: draws combinations of them small, measures their errors, chooses.
+//
+// Errors are against double precision on the fields that the scene asks for (SurfaceTruth), and against path
+// tracing (LightJudge), of the first isosurface as a whole, in a picture of the same view of at most
+// kFewPixels pixels; where those leave open whether a limit is kept, of at most kManyPixels, then
+// kMostPixels. An error is kept by the combination of least work (app/target/work.h), which no clock decides:
+// the same scene, picture and executor give the same choice. A time is kept by the clock.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/study/surface_truth.h"
+#include "app/target/candidates.h"
+#include "app/target/choice.h"
+#include "app/target/light_judge.h"
+#include "base/progress.h"
+#include "render/renderer.h"
+#include "scene/machine.h"
+
+namespace isolux::app {
+
+inline constexpr int kFewPixels = 40000, kManyPixels = 160000, kMostPixels = 800000;
+// `picture`, or smaller in about the same proportions.
+glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels);
+
+struct TargetQuestion {
+  std::shared_ptr<const volume::PreparedVolume> volume;
+  scene::Scene given;            // as the user gave it, with the picture's camera; not resolved
+  render::FrameRequest picture;  // size and deferred images
+  scene::Machine machine;
+  bool processor = false;          // is the executor
+  std::vector<std::string> fixed;  // paths of settings that stay as they are
+};
+
+struct TargetAnswer {
+  std::vector<Measured> measured;  // in the order of the search
+  std::size_t chosen = 0;          // of these
+  std::vector<Limit> limits;       // that it was chosen by: those asked for, then those that nobody asked for
+  std::size_t asked = 0;           // the first so many of them
+  std::vector<std::string> notes;  // what was ignored, and why; one sentence each
+  std::string reason;              // of the choice, one clause
+  double expectedMilliseconds = 0.0;  // of a picture's frame, its light stored; of errors a rough one
+};
+
+class TargetSearch {
+ public:
+  // `renderer` shows the question's volume and is not used by others until the end.
+  TargetSearch(render::Renderer& renderer, TargetQuestion question);
+
+  // Nothing where nothing of the surface is seen: then there is nothing to choose by. Throws Error{usage}
+  // where nothing reaches the target, naming what comes nearest; Error{interrupted}.
+  std::optional<TargetAnswer> keepErrors(const std::vector<Limit>& asked, base::Progress& progress);
+  std::optional<TargetAnswer> keepTime(double milliseconds, base::Progress& progress);
+
+  // For tests and benchmarks: what the searches do one by one.
+  std::vector<Candidate> candidates(bool turnDerivatives, base::Progress& progress);
+  TargetErrors measure(const Candidate& candidate, Measuring measuring, base::Progress& progress);
+  TargetErrors measureLight(const Candidate& candidate, base::Progress& progress);
+  // Small, since measure(): milliseconds of a frame of the picture's look, times the picture's rays.
+  double scaledMilliseconds(const Candidate& candidate, base::Progress& progress);
+
+ private:
+  bool prepare(base::Progress& progress);
+  SurfaceTruth& truthAt(glm::ivec2 size);
+  Measured measuredFor(const Candidate& candidate, std::span<const Limit> limits, base::Progress& progress);
+  std::vector<Limit> actingLimits(const std::vector<Limit>& asked, TargetAnswer& answer,
+                                  base::Progress& progress) const;
+  bool acts(Quantity quantity) const;
+  void addUnasked(TargetAnswer& answer) const;
+  void chooseSurface(TargetAnswer& answer, base::Progress& progress);
+  void chooseLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress);
+  Candidate asGiven() const;
+  scene::Scene sceneOf(const Candidate& candidate, base::Progress& progress) const;
+  double frameMilliseconds(const Candidate& candidate, double most, base::Progress& progress);
+  Turning turning(bool derivatives) const;
+
+  render::Renderer& renderer_;
+  TargetQuestion question_;
+  glm::ivec2 size_;                                     // of Measuring::few
+  std::optional<scene::Scene> reference_;               // resolved and complete, its hits those at rest
+  std::map<std::pair<int, int>, SurfaceTruth> truths_;  // by size
+  std::unique_ptr<LightJudge> light_;
+};
+
+}  // namespace isolux::app
