@@ -35,7 +35,7 @@ std::vector<KnobPoint> pointsOf(const KnobStudy& study, const scene::Scene& scen
   for (const StudySetting& measured : study.settings) {
     if (measured.comparison) continue;
     KnobPoint point{measured.value, costOf(study.knob, measured, panel), panel.error(judged(measured)),
-                    measured.isDefault};
+                    measured.isDefault || measured.settingDefault};
     if (!std::isfinite(point.cost) || !std::isfinite(point.error)) continue;
     point.isPresent = setting.get(scene) == setting.get(withKnobAt(study.knob, measured.value, scene, facts));
     points.push_back(std::move(point));
@@ -49,6 +49,7 @@ std::vector<Knob> actingKnobs(const scene::Scene& scene, const scene::VolumeFact
   std::vector<Knob> acting;
   for (const Knob& knob : knobs()) {
     if (knob.measure == Measure::light && !scene::usesGi(scene)) continue;
+    if (knob.measure == Measure::shadow) continue;  // on or off: that is a look
     if (scene::whyInactive(knob.setting, resolved).empty()) acting.push_back(knob);
   }
   return acting;

@@ -9,8 +9,8 @@
 
 namespace isolux::app {
 
-PictureErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPicture& reference) {
-  PictureErrors errors;
+ImageErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPicture& reference) {
+  ImageErrors errors;
   errors.flip = meanFlip(reference, picture);
   errors.rms = rmsDifference(picture, reference);
   return errors;

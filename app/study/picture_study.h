@@ -20,7 +20,7 @@ inline constexpr int kReferenceBlock = 4;
 inline constexpr double kEdgeContrast = 0.1;  // luma of sRGB values, in parts of the full range
 
 // FLIP and root mean square over the whole picture; the edges' figures stay NaN.
-PictureErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPicture& reference);
+ImageErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPicture& reference);
 
 class PictureStudio {
  public:

@@ -64,7 +64,7 @@ struct NoiseErrors {
 
 // How far a whole picture is from the reference picture (app/compare), and its edges alone; NaN where there
 // is none.
-struct PictureErrors {
+struct ImageErrors {
   double flip = std::numeric_limits<double>::quiet_NaN();  // mean FLIP
   double rms = flip;                                       // of sRGB values, in parts of the full range
   double edgeRms = flip;                                   // the same over pixels on edges
@@ -78,10 +78,10 @@ struct Errors {
   std::size_t invented = 0;   // a hit where the truth has none, or clearly in front of its first
   std::size_t undecided = 0;  // would be one of these, but the truth's own answer hangs on a rounding
   Spread depthVoxels, depthMm, normalDegrees;
-  Spread curvature;       // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
-  NoiseErrors noise;      // of the knob of the scale, beside the above
-  LightErrors light;      // of knobs of light, which have nothing of the above
-  PictureErrors picture;  // of the scene's look, against the picture of pictureReference()
+  Spread curvature;     // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
+  NoiseErrors noise;    // of the knob of the scale, beside the above
+  LightErrors light;    // of knobs of light, which have nothing of the above
+  ImageErrors picture;  // of the scene's look, against the picture of pictureReference()
 
   double missedPpm() const;  // of the picture's pixels
   double inventedPpm() const;

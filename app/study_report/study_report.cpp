@@ -57,7 +57,7 @@ ordered_json errorsJson(const Errors& errors) {
           {"curvature_relative", spreadJson(errors.curvature)}};
 }
 
-ordered_json pictureJson(const PictureErrors& errors) {
+ordered_json pictureJson(const ImageErrors& errors) {
   ordered_json json{{"flip_mean", errors.flip}, {"rms", errors.rms}};
   if (errors.edgePixels > 0) json.update({{"edge_rms", errors.edgeRms}, {"edge_pixels", errors.edgePixels}});
   return json;

@@ -40,6 +40,8 @@ QString costText(const app::Knob& knob) {
   switch (knob.cost) {
     case app::Cost::passes:
       break;
+    case app::Cost::frameMilliseconds:
+      return AccuracyPanel::tr("time of the picture, ms");
     case app::Cost::bakeSeconds:
       return AccuracyPanel::tr("time to compute the light, s");
     case app::Cost::lookupMilliseconds:
@@ -58,6 +60,9 @@ QString errorText(const app::Knob& knob) {
       return AccuracyPanel::tr("error of the normal, degrees");
     case app::Measure::scale:
       return AccuracyPanel::tr("relative error of the curvature");
+    case app::Measure::edges:
+    case app::Measure::shadow:  // which no point of a plot has
+      return AccuracyPanel::tr("error at edges, parts of the range");
     case app::Measure::light:
       break;
   }
