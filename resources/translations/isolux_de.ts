@@ -1019,6 +1019,14 @@
         <source>Change %1</source>
         <translation>%1 ändern</translation>
     </message>
+    <message>
+        <source>time of the picture, ms</source>
+        <translation>Zeit des Bildes, ms</translation>
+    </message>
+    <message>
+        <source>error at edges, parts of the range</source>
+        <translation>Fehler an Rändern, Teile des Bereichs</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::AppearanceRows</name>
@@ -7450,6 +7458,14 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>Window of spherical harmonics</source>
         <translation>Fenster der Kugelfunktionen</translation>
+    </message>
+    <message>
+        <source>Rays per pixel and axis</source>
+        <translation>Strahlen je Pixel und Achse</translation>
+    </message>
+    <message>
+        <source>Strength of the key light&apos;s shadow</source>
+        <translation>Stärke des Schattens des Hauptlichts</translation>
     </message>
 </context>
 </TS>
