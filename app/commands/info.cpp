@@ -36,12 +36,12 @@ std::size_t activeBlocksAt(const PreparedVolume& prepared, double isovalue) {
   return prepared.blocks->activeBlocks(static_cast<float>(prepared.grid().storedOfValue(isovalue)), flags);
 }
 
-struct Measured {
+struct InfoMeasures {
   scene::NoiseModel noise;
   volume::DerivativeChoice choice;
 };
 
-ordered_json infoJson(const PreparedVolume& prepared, const Measured& measured) {
+ordered_json infoJson(const PreparedVolume& prepared, const InfoMeasures& measured) {
   const volume::Volume& v = prepared.volume;
   const volume::Grid& grid = prepared.grid();
   const volume::GridGeometry& geometry = grid.geometry();
@@ -147,7 +147,7 @@ std::string histogramBar(const volume::Histogram& histogram) {
   return bar;
 }
 
-void printText(const PreparedVolume& prepared, const Measured& measured, std::ostream& out) {
+void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std::ostream& out) {
   const volume::Volume& v = prepared.volume;
   const volume::Grid& grid = prepared.grid();
   const volume::GridGeometry& geometry = grid.geometry();
@@ -196,8 +196,8 @@ void printText(const PreparedVolume& prepared, const Measured& measured, std::os
   for (const std::string& warning : v.warnings) row("warning", warning);
 }
 
-Measured measuredWithProgressBar(const PreparedVolume& prepared, scene::Field field,
-                                 base::Progress& progress) {
+InfoMeasures measuredWithProgressBar(const PreparedVolume& prepared, scene::Field field,
+                                     base::Progress& progress) {
   progress.report(0.0, "measuring noise");
   const ProgressBar bar(progress);
   const volume::DerivativeChoices& choices = *prepared.derivativeChoices;
@@ -244,7 +244,8 @@ Command makeInfo(CLI::App& program) {
             if (options->series)
               return printSeries(scene.source.path, options->json, options->anonymous, progress, std::cout);
             const auto prepared = loadWithProgressBar(scene.source, progress);
-            const Measured measured = measuredWithProgressBar(*prepared, scene.derivatives.field, progress);
+            const InfoMeasures measured =
+                measuredWithProgressBar(*prepared, scene.derivatives.field, progress);
             ordered_json pieces;
             if (options->pieces) pieces = piecesWithProgressBar(*prepared, scene, progress);
             std::optional<EdgeReport> edges;

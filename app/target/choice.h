@@ -10,6 +10,7 @@
 // Measured on the picture's own pixels, what was measured is the bound (but of light).
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
