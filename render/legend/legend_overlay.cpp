@@ -49,16 +49,14 @@ std::int64_t pixelsIn(const volume::Rectangle& rectangle) {
 }  // namespace
 
 glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture,
-                       const std::vector<volume::Rectangle>& surface) {
+                       const CoveredPixels& covered) {
   using enum scene::LegendCorner;
   if (corner != automatic) return placeIn(corner, legend, picture);
   const std::int64_t little = pixelsIn({glm::ivec2(0), legend}) / 50;
   scene::LegendCorner best = lower_right;
   std::int64_t least = 0;
   for (const scene::LegendCorner tried : {lower_right, lower_left, upper_right, upper_left}) {
-    const volume::Rectangle covered{placeIn(tried, legend, picture), legend};
-    std::int64_t pixels = 0;
-    for (const volume::Rectangle& part : surface) pixels += pixelsIn(volume::common(part, covered));
+    const std::int64_t pixels = covered({placeIn(tried, legend, picture), legend});
     if (tried != lower_right && pixels + little >= least) continue;
     best = tried;
     least = pixels;
@@ -74,6 +72,18 @@ MeasureColors measureColors(const scene::Look& look) {
 }
 
 namespace {
+
+// Counted in the picture itself: where shaders cast, surfacePixels() are those of rays that may hit
+// something, and the legend would stand elsewhere than where the processor casts.
+std::int64_t coveredPixels(FrameState& frame, const Target& picture, const volume::Rectangle& part) {
+  const bool faces = frame.cutFaceColors != nullptr;
+  Program& p = frame.program("covered.frag.glsl", faces ? "#define CUT_FACES\n" : "");
+  p.setTexture("uColor", 0, frame.image(image::color));
+  if (faces) p.setTexture("uCutFaces", 1, frame.images.at(image::cutFaces).images[0]);
+  p.set("uSupersampling", frame.request.supersampling);
+  frame.begin(picture, frame.drawnSize());
+  return frame.samplesOf([&] { frame.drawRectangles(p, {part}); });
+}
 
 // Into the part of `picture` that starts at `corner` and may reach beyond it.
 void blendByShader(FrameState& frame, const Target& picture, const LegendImage& image, glm::ivec2 corner) {
@@ -131,9 +141,10 @@ std::optional<Tile> drawLegendOver(FrameState& frame, const Target& picture, con
   if (image.size.x + 2 * margin > size.x * 7 / 10 || image.size.y + 2 * margin > size.y * 7 / 10) return {};
   const scene::LegendCorner wanted = frame.scene->look.legendCorner;
   const bool unknown = frame.request.tile.has_value() && wanted == scene::LegendCorner::automatic;
-  const Tile place{legendPlace(unknown ? scene::LegendCorner::lower_right : wanted, image.size, size,
-                               frame.surfacePixels()),
-                   image.size};
+  const Tile place{
+      legendPlace(unknown ? scene::LegendCorner::lower_right : wanted, image.size, size,
+                  [&](const volume::Rectangle& part) { return coveredPixels(frame, picture, part); }),
+      image.size};
   const glm::ivec2 corner = place.origin - frame.tileOrigin();
   const glm::ivec2 drawn = frame.drawnSize();
   if (corner.x >= drawn.x || corner.y >= drawn.y || corner.x + image.size.x <= 0 ||

@@ -1,6 +1,8 @@
 // Puts the legend of a scene into its finished picture.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "render/legend/legend.h"
@@ -21,9 +23,10 @@ Legend measureLegend(const scene::Scene& scene, glm::dvec2 range);
 
 // The lower left pixel of a legend of this size in a picture, row 0 being the lowest: in the corner asked
 // for, or in that which shows least of the surface; where they are alike, or it is little, in the lower right
-// one.
+// one. `covered`: how many pixels of a rectangle show it; asked only where the corner is automatic.
+using CoveredPixels = std::function<std::int64_t(const volume::Rectangle&)>;
 glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture,
-                       const std::vector<volume::Rectangle>& surface);
+                       const CoveredPixels& covered);
 
 // Blends the legend into a corner of `picture`, and says where it stands in the whole picture; nothing where
 // it would cover most of that. Of a tile it is not known where the rest of the surface lies: what is

@@ -47,7 +47,8 @@ FrameState::FrameState(GlPtr pointer)
     : gl(std::move(pointer)),
       lighting(std::make_unique<FrameLight>(gl)),
       emptyArray_(gl),
-      anySamples_(gl, GL_ANY_SAMPLES_PASSED) {}
+      anySamples_(gl, GL_ANY_SAMPLES_PASSED),
+      samples_(gl, GL_SAMPLES_PASSED) {}
 
 FrameState::~FrameState() = default;
 
@@ -177,6 +178,17 @@ bool FrameState::drawsAny(const std::function<void()>& draw) {
   GLuint64 any = 0;
   gl->GetQueryObjectui64v(anySamples_.id(), GL_QUERY_RESULT, &any);
   return any != 0;
+}
+
+std::int64_t FrameState::samplesOf(const std::function<void()>& draw) {
+  gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl->BeginQuery(GL_SAMPLES_PASSED, samples_.id());
+  draw();
+  gl->EndQuery(GL_SAMPLES_PASSED);
+  gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  GLuint64 samples = 0;
+  gl->GetQueryObjectui64v(samples_.id(), GL_QUERY_RESULT, &samples);
+  return static_cast<std::int64_t>(samples);
 }
 
 void FrameState::setView(Program& program) const {

@@ -165,7 +165,8 @@ struct FrameState {
   void setPoint(Program& program, int unit) const;
   glm::dvec3 towardLight() const;  // unit, world
   double flatCurvature() const;    // below which a surface counts as flat, 1/mm: volume/field/curvature.h
-  bool drawsAny(const std::function<void()>& draw);  // whether any sample passed
+  bool drawsAny(const std::function<void()>& draw);           // whether any sample passed
+  std::int64_t samplesOf(const std::function<void()>& draw);  // how many passed; colours are left as they are
   // uIsovalues and uIsovalueShifts, as texels of what `field` is made from.
   void setIsovalues(Program& program, scene::Field field) const;
 
@@ -177,7 +178,7 @@ struct FrameState {
 
   mutable glm::ivec2 drawing_{0};  // pixels of what begin() was told of
   VertexArray emptyArray_;
-  Query anySamples_;
+  Query anySamples_, samples_;
   std::map<std::string, Program> programs_;
 };
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "tests/properties/exchanged_axes.h"
 #include "tests/properties/property_run.h"
 #include "tests/properties/searched_ray.h"
 #include "tests/volume/cast/caster_checks.h"
@@ -165,6 +166,106 @@ std::string noClearCrossingIsMissed(const PropertyCase& made) {
 
 TEST(CasterProperties, NoClearCrossingIsMissed) {
   expectHolds("NoClearCrossingIsMissed", 0.12, noClearCrossingIsMissed);
+}
+
+// Another volume with rays of its own, that shows what the case shows.
+struct Twin {
+  const char* what;
+  Grid grid;
+  double isovalue;
+  volume::PictureRays rays;
+  AxisExchange exchange{};
+  double factor = 1.0;  // of its values
+};
+
+Bounds boundsOf(const DoubleField& field, const Grid& grid, double isovalue, const Kind& kind) {
+  return {field, grid.storedOfValue(isovalue), texelOf(grid).offset, kind.operations};
+}
+
+// The twin's hits, brought back, lie on the case's surface and rays, and none is behind a clear crossing of
+// the case.
+std::string showsTheSame(const PropertyCase& made, const Bounds& bounds, const volume::PictureRays& rays,
+                         const Twin& twin, const Kind& kind) {
+  const DoubleField twinField(twin.grid, kind.field);
+  const double ofValue =
+      std::max(bounds.ofValue(), boundsOf(twinField, twin.grid, twin.isovalue, kind).ofValue() / twin.factor);
+  const Prepared prepared(Grid(twin.grid), {twin.isovalue}, kind.field);
+  const std::vector<TracerTarget> targets = casting::targets();
+  CrossingImage picture(made.picture);
+  prepared.caster(targets[made.seed % targets.size()]).castAll(twin.rays, picture);
+  const auto rounding = [&](double t) {
+    return roundingOf(rays, made.dims, t) + roundingOf(twin.rays, twin.grid.dims(), t);
+  };
+  const glm::dvec3 middle = 0.5 * glm::dvec3(made.dims);
+  for (std::size_t i = 0; i < picture.points.size(); ++i) {
+    const glm::ivec2 pixel(static_cast<int>(i) % made.picture.x, static_cast<int>(i) / made.picture.x);
+    const volume::Ray ray = rayThrough(rays, glm::dvec2(pixel) + 0.5);
+    const glm::dvec4 point(picture.points[i]);
+    if (point.w >= 0.0) {
+      const double apart = rounding(point.w);
+      const glm::dvec3 voxel = twin.exchange.pointBefore(glm::dvec3(point), made.dims);
+      const glm::dvec3 beside = glm::abs(voxel - (ray.origin + point.w * ray.direction));
+      if (std::max({beside.x, beside.y, beside.z}) > apart)
+        return pixelText(twin.what, "beside its ray", pixel, std::max({beside.x, beside.y, beside.z}), apart);
+      const double off = std::abs(bounds.field(voxel) - bounds.isovalue);
+      const double limit = ofValue + bounds.field.rangeAt(voxel) * (3.0 * apart + 6.0 * 1e-6);
+      if (off > limit) return pixelText(twin.what, "off the surface", pixel, off, limit);
+    }
+    if (i % 5 != made.seed % 5 || (static_cast<int>(picture.infos[i].y) & kUndecidedBit) != 0) continue;
+    const double size = glm::length(ray.direction);
+    const double apart =
+        rounding((glm::distance(ray.origin, middle) + glm::length(glm::dvec3(made.dims))) / size);
+    const double margin = ofValue + bounds.field.range() * (3.0 * apart + 6.0 * 1e-6);
+    const auto clear = firstClearCrossing(bounds.field, bounds.isovalue, margin, apart, ray);
+    if (clear && !(point.w >= 0.0 && point.w <= clear->t + 4.0 * apart / size))
+      return pixelText(twin.what, "a clear crossing is missed", pixel, point.w, clear->t);
+  }
+  return {};
+}
+
+// Integers, which sums, signs and products leave exact. That the world may be turned is a matter of the rays:
+// InvarianceProperties.TheWorldMayBeTurned.
+std::string picturesStay(const PropertyCase& drawn) {
+  PropertyCase made = drawn;
+  made.type = "int8", made.slope = 1.0, made.intercept = 0.0;
+  const Grid grid = made.grid();
+  const glm::ivec3 dims = grid.dims();
+  const double isovalue = std::round(4.0 * made.isovalueIn(grid)) / 4.0;
+  const volume::PictureRays rays = raysOf(made.camera(grid.geometry()), grid.geometry(), made.picture);
+  const AxisExchange exchange = exchangeOf(made.seed);
+  volume::PictureRays exchangedRays = rays;
+  exchangedRays.eye = glm::vec3(exchange.point(glm::dvec3(rays.eye), dims));
+  for (glm::vec3 volume::PictureRays::*axis :
+       {&volume::PictureRays::right, &volume::PictureRays::up, &volume::PictureRays::forward})
+    exchangedRays.*axis = glm::vec3(exchange.direction(glm::dvec3(rays.*axis)));
+  const int shift = static_cast<int>(made.seed % 20001) - 10000;
+  std::vector<std::int16_t> shifted, turned;
+  for (const std::int8_t v : std::get<std::vector<std::int8_t>>(grid.voxels())) {
+    shifted.push_back(static_cast<std::int16_t>(v + shift));
+    turned.push_back(static_cast<std::int16_t>(-v));
+  }
+  const Twin twins[] = {
+      {"axes exchanged", exchanged(grid, exchange), isovalue, exchangedRays, exchange},
+      {"a constant added", Grid(grid.geometry(), shifted), isovalue + shift, rays},
+      {"as floats, times three",
+       casting::changed(grid, [](glm::ivec3, double v) { return static_cast<float>(3.0 * v); }),
+       3.0 * isovalue,
+       rays,
+       {},
+       3.0},
+      {"turned over", Grid(grid.geometry(), turned), -isovalue, rays},
+  };
+  const Kind& kind = kKinds[made.seed % std::size(kKinds)];
+  const DoubleField field(grid, kind.field);
+  const Bounds bounds = boundsOf(field, grid, isovalue, kind);
+  for (const Twin& twin : twins)
+    if (std::string wrong = showsTheSame(made, bounds, rays, twin, kind); !wrong.empty())
+      return std::string(kind.name) + ", " + wrong;
+  return {};
+}
+
+TEST(CasterProperties, PicturesStayWhenAxesAndValuesChange) {
+  expectHolds("PicturesStay", 0.06, picturesStay);
 }
 
 }  // namespace

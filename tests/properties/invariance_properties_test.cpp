@@ -1,7 +1,6 @@
 // What changes nothing: turning, mirroring and exchanging the axes of the grid, scaling the values and adding
 // to them, with everything else going along. Exactly, where the arithmetic is.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +11,7 @@
 #include "base/random.h"
 #include "scene/camera.h"
 #include "tests/properties/agreeing_hits.h"
+#include "tests/properties/exchanged_axes.h"
 #include "tests/properties/property_run.h"
 #include "tests/support/rays.h"
 #include "tests/support/volumes.h"
@@ -23,54 +23,6 @@ namespace {
 
 using volume::Grid;
 using volume::Ray;
-
-// New axis a is old axis from[a], the other way round where mirrored.
-struct AxisExchange {
-  std::array<int, 3> from{0, 1, 2};
-  std::array<bool, 3> mirrored{false, false, false};
-
-  glm::dvec3 point(const glm::dvec3& old, glm::ivec3 oldDims) const {
-    glm::dvec3 made;
-    for (int a = 0; a < 3; ++a) {
-      const int axis = from[static_cast<std::size_t>(a)];
-      made[a] = mirrored[static_cast<std::size_t>(a)] ? oldDims[axis] - 1 - old[axis] : old[axis];
-    }
-    return made;
-  }
-  glm::dvec3 direction(const glm::dvec3& old) const { return point(old, glm::ivec3(1)); }
-};
-
-AxisExchange exchangeOf(std::uint64_t seed) {
-  AxisExchange made;
-  const std::uint64_t random = base::hash64(seed);
-  std::swap(made.from[0], made.from[random % 3]);
-  std::swap(made.from[1], made.from[1 + random / 3 % 2]);
-  for (std::size_t a = 0; a < 3; ++a) made.mirrored[a] = (random >> (20 + a) & 1) != 0;
-  return made;
-}
-
-Grid exchanged(const Grid& grid, const AxisExchange& exchange) {
-  const glm::ivec3 dims = grid.dims();
-  glm::ivec3 made;
-  for (int a = 0; a < 3; ++a) made[a] = dims[exchange.from[static_cast<std::size_t>(a)]];
-  const volume::GridGeometry geometry = unitGeometry(made);
-  volume::VoxelArray voxels = grid.voxels();
-  std::visit(
-      [&](auto& values) {
-        const auto old = values;
-        for (int z = 0; z < dims.z; ++z)
-          for (int y = 0; y < dims.y; ++y)
-            for (int x = 0; x < dims.x; ++x) {
-              const glm::ivec3 at(exchange.point(glm::dvec3(x, y, z), dims));
-              values[(static_cast<std::size_t>(at.z) * static_cast<std::size_t>(made.y) +
-                      static_cast<std::size_t>(at.y)) *
-                         static_cast<std::size_t>(made.x) +
-                     static_cast<std::size_t>(at.x)] = old[grid.index(x, y, z)];
-            }
-      },
-      voxels);
-  return {geometry, std::move(voxels), grid.slope(), grid.intercept()};
-}
 
 // Another volume in which each ray of the first has a hit at the same t.
 struct SameHits {

@@ -176,18 +176,27 @@ TEST(LegendTest, TheBarShowsTheMapsEnds) {
 TEST(LegendPlace, IsTheCornerAskedForOrTheOneWithLeastSurface) {
   using enum scene::LegendCorner;
   const glm::ivec2 legend(100, 60), picture(500, 400);  // a margin of 8
-  EXPECT_EQ(legendPlace(upper_left, legend, picture, {}), glm::ivec2(8, 332));
-  EXPECT_EQ(legendPlace(lower_left, legend, picture, {}), glm::ivec2(8, 8));
-  EXPECT_EQ(legendPlace(upper_right, legend, picture, {}), glm::ivec2(392, 332));
-  EXPECT_EQ(legendPlace(automatic, legend, picture, {}), glm::ivec2(392, 8));
+  const auto place = [&](scene::LegendCorner corner, const std::vector<volume::Rectangle>& surface) {
+    return legendPlace(corner, legend, picture, [&](const volume::Rectangle& part) {
+      std::int64_t pixels = 0;
+      for (const volume::Rectangle& one : surface) {
+        const glm::ivec2 both = volume::common(one, part).size;
+        pixels += std::int64_t{both.x} * both.y;
+      }
+      return pixels;
+    });
+  };
+  EXPECT_EQ(place(upper_left, {}), glm::ivec2(8, 332));
+  EXPECT_EQ(place(lower_left, {}), glm::ivec2(8, 8));
+  EXPECT_EQ(place(upper_right, {}), glm::ivec2(392, 332));
+  EXPECT_EQ(place(automatic, {}), glm::ivec2(392, 8));
   // The lower half, its left part empty.
-  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{120, 0}, {380, 200}}}), glm::ivec2(8, 8));
-  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{0, 0}, {500, 200}}}), glm::ivec2(392, 332));
-  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{0, 0}, {500, 200}}, {{300, 200}, {200, 200}}}),
-            glm::ivec2(8, 332));
+  EXPECT_EQ(place(automatic, {{{120, 0}, {380, 200}}}), glm::ivec2(8, 8));
+  EXPECT_EQ(place(automatic, {{{0, 0}, {500, 200}}}), glm::ivec2(392, 332));
+  EXPECT_EQ(place(automatic, {{{0, 0}, {500, 200}}, {{300, 200}, {200, 200}}}), glm::ivec2(8, 332));
   // Everywhere alike, or hardly anything.
-  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{0, 0}, {500, 400}}}), glm::ivec2(392, 8));
-  EXPECT_EQ(legendPlace(automatic, legend, picture, {{{392, 8}, {10, 10}}}), glm::ivec2(392, 8));
+  EXPECT_EQ(place(automatic, {{{0, 0}, {500, 400}}}), glm::ivec2(392, 8));
+  EXPECT_EQ(place(automatic, {{{392, 8}, {10, 10}}}), glm::ivec2(392, 8));
 }
 
 }  // namespace
