@@ -1,5 +1,6 @@
 // isolux bake PATH --out FILE.vti: the light of a volume's isosurfaces, as a file.
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <optional>
 
@@ -24,8 +25,8 @@ namespace fs = std::filesystem;
 constexpr double checkpointSeconds = 60.0;
 
 struct BakeOptions {
-  std::string path, out, stats, size = "1024x768";
-  bool explain = false, overwrite = false;
+  std::string path, out, stats, size = "1024x768", part;
+  bool explain = false, overwrite = false, mixArithmetic = false;
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
 };
@@ -58,54 +59,119 @@ void seeView(LightController& controller, const BakeOptions& options, const scen
   controller.setVisible(renderer.hitVoxels());
 }
 
+std::optional<gi::LatticePart> partOf(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  gi::LatticePart part;
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, part.index);
+  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
+  const auto count = slash ? std::from_chars(index.ptr + 1, end, part.count) : index;
+  if (!slash || count.ec != std::errc() || count.ptr != end || part.index < 1 || part.index > part.count ||
+      part.count > gi::kMostParts)
+    throw base::Error(base::ErrorKind::usage, "", "--part",
+                      "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
+  return part;
+}
+
+std::string partText(const std::optional<gi::LatticePart>& part, const char* between) {
+  return "part" + std::string(between) + std::to_string(part->index) + between + "of" + between +
+         std::to_string(part->count);
+}
+
+// L.vti, or of a part L.part-2-of-5.vti.
+fs::path fileOf(const fs::path& out, const std::optional<gi::LatticePart>& part) {
+  if (!part) return out;
+  fs::path file = out;
+  return file.replace_extension(partText(part, "-") + ".vti");
+}
+
+// Which texels, in words that are the same for every part of a bake.
+std::string texelsText(const BakeOptions& options, const scene::Scene& scene) {
+  if (scene.gi.extent == scene::GiExtent::full) return "full";
+  std::string text;
+  if (scene.gi.extent == scene::GiExtent::band) {
+    text = "band " + base::shortText(scene.gi.band->x, 17) + " " + base::shortText(scene.gi.band->y, 17);
+  } else {
+    text = "view " + options.size + " of";
+    for (const glm::dvec3& point : {*scene.camera.eye, *scene.camera.target, *scene.camera.up})
+      for (int a = 0; a < 3; ++a) text += " " + base::shortText(point[a], 17);
+    text += scene.camera.projection == scene::Projection::orthographic ? " orthographic " : " ";
+    text += base::shortText(scene.camera.fov, 17);
+  }
+  text += ", surfaces " + base::shortText(*scene.isosurface.value, 17);
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown) text += " " + base::shortText(*extra.value, 17);
+  return text;
+}
+
 // Goes on with a file of the same light; other light is replaced, as any picture would be. Returns why.
-std::string resume(LightController& controller, const fs::path& out, base::Progress& progress) {
+std::string resume(LightController& controller, const fs::path& out, const BakeOptions& options,
+                   base::Progress& progress) {
   std::error_code missing;
   if (!fs::exists(out, missing)) return {};
+  gi::BakeFacts facts;
   try {
+    facts = gi::readBakeFacts(out);
     controller.load(out, progress);
   } catch (const base::Error& error) {
     if (error.kind() != base::ErrorKind::input) throw;
     return error.reason();
   }
+  const auto wanted = partOf(options.part);
+  if (wanted && (!facts.part || facts.part->part != *wanted))
+    base::throwInput(
+        out.string(), "Array part",
+        (facts.part ? "is " + partText(facts.part->part, " ") : "is missing: this is a whole bake") +
+            ", not " + partText(wanted, " "));
+  const std::string here = controller.arithmetic();
+  if (!options.mixArithmetic && !facts.arithmetic.empty() && facts.arithmetic != here)
+    base::throwInput(
+        out.string(), "Array arithmetic",
+        "is \"" + facts.arithmetic + "\", and this machine's \"" + here +
+            "\": the last bits of the light differ; --mix-arithmetic goes on, and the file says so");
   return {};
 }
 
 void runBake(const BakeOptions& options, base::Progress& progress) {
-  const fs::path out(options.out);
-  if (out.extension() != ".vti")
+  if (fs::path(options.out).extension() != ".vti")
     throw base::Error(base::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
+  const auto part = partOf(options.part);
+  const fs::path out = fileOf(options.out, part);
   requireSource(options.path, *options.scene);
   scene::Scene scene = bakeScene(options, sceneOf(options.path, *options.scene));
   if (!scene::giChoiceOf(scene).wanted)
     throw base::Error(base::ErrorKind::usage, "", "gi.mode",
                       "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);
-  checkOutput(guard, options.out, "--out");
+  checkOutput(guard, out.string(), "--out");
   checkOutput(guard, options.stats, "--stats");
   std::error_code missing;
   if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
-    base::throwInput(options.out, "", "holds something other than stored light; --overwrite replaces it");
+    base::throwInput(out.string(), "", "holds something other than stored light; --overwrite replaces it");
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = bakeScene(
       options, resolvedSceneOf(options.path, *options.scene, *prepared, parseSize(options.size), progress));
 
-  LightController controller({.threads = machineOf(*options.scene).threads, .innerSides = false});
+  LightController controller(
+      {.threads = machineOf(*options.scene).threads, .innerSides = false, .part = part});
   std::string replaced;
   controller.setScene(scene, prepared);
   {
     const ProgressBar bar(progress);
-    replaced = resume(controller, out, progress);
+    replaced = resume(controller, out, options, progress);
     if (scene.gi.extent == scene::GiExtent::view) seeView(controller, options, scene, prepared, progress);
     // What there is, also when it ends here: writing is not stopped.
     base::Progress writing;
+    std::optional<gi::BakedPart> said;
+    if (part) said = {*part, static_cast<std::uint32_t>(scene.gi.samples), texelsText(options, scene), false};
     while (!controller.finish(progress, checkpointSeconds)) {
-      controller.save(out, writing);
+      controller.save(out, writing, said);
       progress.throwIfStopped();
     }
-    controller.save(out, writing);
+    if (said) said->complete = true;
+    controller.save(out, writing, said);
   }
-  if (!replaced.empty()) printNote(options.out + " held other light and was replaced: " + replaced);
+  if (!replaced.empty()) printNote(out.string() + " held other light and was replaced: " + replaced);
   const LightState state = controller.state();
   if (!options.stats.empty()) {
     ordered_json json;
@@ -138,6 +204,15 @@ Command makeBake(CLI::App& program) {
       ->type_name("FILE");
   parser->add_option("--size", options->size, "Pixels of the view, with gi.extent=view; default 1024x768")
       ->type_name("WxH");
+  parser
+      ->add_option(
+          "--part", options->part,
+          "Only part i of n, into FILE.part-i-of-n.vti: parts are baked anywhere, in any order, and put "
+          "together by isolux merge")
+      ->type_name("I/N");
+  parser->add_flag(
+      "--mix-arithmetic", options->mixArithmetic,
+      "Go on with a bake that was begun on a processor whose last bits differ; the file says so");
   parser->add_flag("--overwrite", options->overwrite,
                    "Replace --out also where it is something other than stored light");
   parser->add_flag("--explain", options->explain, "Print what is stored, and why");
@@ -150,6 +225,7 @@ Command makeBake(CLI::App& program) {
       "Examples:\n"
       "  isolux bake engine.nii.gz --environment probe.hdr --out engine_light.vti\n"
       "  isolux bake ct.nii.gz --set gi.extent=band --set gi.band=200,400 --out bone.vti --stats bone.json\n"
+      "  isolux bake ct.nii.gz --out ct.vti --part 1/3\n"
       "  isolux render ct.nii.gz --look gi --light bone.vti --out bone.png");
   return {parser, [options](base::Progress& progress) { runBake(*options, progress); }};
 }

@@ -33,6 +33,7 @@ struct Command {
 Command makeInfo(CLI::App& program);
 Command makeRender(CLI::App& program);
 Command makeBake(CLI::App& program);
+Command makeMerge(CLI::App& program);
 Command makeReference(CLI::App& program);
 Command makeReplay(CLI::App& program);
 Command makeStudy(CLI::App& program);

@@ -12,6 +12,7 @@
 
 #include "app/light/light_planner.h"
 #include "base/retire.h"
+#include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
 
 namespace isolux::app {
@@ -76,7 +77,9 @@ base::Error described(const std::exception_ptr& failure) {
 
 struct LightController::Parts {
   explicit Parts(Options options)
-      : threads(options.threads), planner(options.background, options.innerSides, options.around) {}
+      : threads(options.threads), planner(options.background, options.innerSides, options.around) {
+    planner.setPart(options.part);
+  }
 
   // What the planner thread has to do; guarded by `mutex`.
   mutable std::mutex mutex;
@@ -92,7 +95,8 @@ struct LightController::Parts {
 
   // What it has done; guarded by `mutex`.
   LightPlan plan;
-  std::exception_ptr failure;  // of the planner
+  std::exception_ptr failure;    // of the planner
+  std::string loadedArithmetic;  // of the light that was loaded
   std::uint64_t planned = 0;
   bool paused = false, yielding = false;
 
@@ -199,7 +203,10 @@ void LightController::setScene(const scene::Scene& resolved,
   if (parts_->planned + (parts_->sceneTold || parts_->busy ? 1 : 0) > 0 && lit == parts_->scene &&
       volume == parts_->volume)
     return;
-  if (volume != parts_->volume) parts_->hits = {};
+  if (volume != parts_->volume) {
+    parts_->hits = {};
+    parts_->loadedArithmetic.clear();
+  }
   parts_->scene = lit;
   parts_->volume = std::move(volume);
   parts_->sceneTold = true;
@@ -334,13 +341,21 @@ bool LightController::finish(base::Progress& progress, double timeoutSeconds) {
   return true;
 }
 
-void LightController::save(const std::filesystem::path& file, base::Progress& progress) const {
+std::string LightController::arithmetic() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->plan.arithmetic;
+}
+
+void LightController::save(const std::filesystem::path& file, base::Progress& progress,
+                           const std::optional<gi::BakedPart>& part) const {
   gi::StoredLight light;
+  light.facts.part = part;
   VolumePointer volume;
   {
     const std::lock_guard guard(parts_->mutex);
     if (parts_->plan.sky) light.sky = parts_->plan.sky->lattice();
     if (parts_->plan.lamps) light.lamps = parts_->plan.lamps->lattice();
+    light.facts.arithmetic = gi::joinedArithmetic(parts_->plan.arithmetic, parts_->loadedArithmetic);
     volume = parts_->volume;
   }
   if (!light.sky && !light.lamps) return;  // stopped before anything was planned
@@ -372,6 +387,7 @@ void LightController::load(const std::filesystem::path& file, base::Progress& pr
   parts_->changed.wait(lock, [this] { return !parts_->planning; });
   if (stored.sky) parts_->planner.adopt(std::move(stored.sky), gi::LightPart::sky);
   if (stored.lamps) parts_->planner.adopt(std::move(stored.lamps), gi::LightPart::lamps);
+  parts_->loadedArithmetic = stored.facts.arithmetic;
   before = parts_->publish(nullptr);
   parts_->hitsTold = true;
   parts_->changed.notify_all();

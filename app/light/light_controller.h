@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "gi/bake/light_bake.h"
+#include "gi/file/bake_file.h"
 #include "gi/picture_light.h"
 #include "gi/seen_points.h"
 #include "scene/rules/gi_choice.h"
@@ -40,9 +41,10 @@ struct LightState {
 class LightController {
  public:
   struct Options {
-    bool background = false;                    // bake politely: gi::LightBake::Options
-    std::optional<int> threads = std::nullopt;  // scene::Machine::threads
-    bool innerSides = true;                     // lit where they are seen; else their light is local
+    bool background = false;                             // bake politely: gi::LightBake::Options
+    std::optional<int> threads = std::nullopt;           // scene::Machine::threads
+    bool innerSides = true;                              // lit where they are seen; else their light is local
+    std::optional<gi::LatticePart> part = std::nullopt;  // light of these texels only
     bool around = false;  // light around what is seen, too, as always in the background: less noise at rims
   };
   explicit LightController(Options options);
@@ -72,10 +74,14 @@ class LightController {
   // Keeps the light it has and stops wanting more, until the scene or the view changes.
   void cancel();
 
-  // The bake as a file (gi/file/bake_file.h); none is written before anything is planned. load() takes over
-  // light that fits the scene: throws base::Error naming what differs.
-  void save(const std::filesystem::path& file, base::Progress& progress) const;
+  // The bake as a file (gi/file/bake_file.h); none is written before anything is planned. `part`: what the
+  // file says of the part that it is. load() takes over light that fits the scene: throws base::Error naming
+  // what differs. A file says by which arithmetic its light was computed, that of what was loaded included.
+  void save(const std::filesystem::path& file, base::Progress& progress,
+            const std::optional<gi::BakedPart>& part = std::nullopt) const;
   void load(const std::filesystem::path& file, base::Progress& progress);
+  // gi::arithmeticOf() what is planned, once that is settled; empty: nothing is.
+  std::string arithmetic() const;
 
  private:
   struct Parts;

@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 
 #include "base/retire.h"
+#include "gi/arithmetic.h"
 #include "gi/light_key.h"
 #include "gi/trace/lattice_estimator.h"
 #include "scene/rules/environment.h"
@@ -95,6 +96,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
     basis_.reset();
   plan_ = {};
   plan_.choice = choice;
+  if (choice.wanted) plan_.arithmetic = gi::arithmeticOf(*tracer_);
   takeBakes();
   if (environment_->badPixels() > 0)
     plan_.warnings.push_back(std::to_string(environment_->badPixels()) +

@@ -17,6 +17,7 @@
 
 #include "base/progress.h"
 #include "gi/bake/light_bake.h"
+#include "gi/lattice/lattice_part.h"
 #include "gi/light_scene.h"
 #include "gi/picture_light.h"
 #include "gi/seen_points.h"
@@ -36,6 +37,7 @@ struct LightPlan {
   std::shared_ptr<gi::LightBake> sky, lamps;  // of the outer sides
   std::shared_ptr<gi::LightBake> innerSky, innerLamps;
   std::vector<std::string> warnings;
+  std::string arithmetic;  // gi::arithmeticOf() its tracer; empty: nothing is traced
 
   std::vector<std::shared_ptr<gi::LightBake>> bakes() const;  // those that there are
 };
@@ -47,6 +49,8 @@ class LightPlanner {
   explicit LightPlanner(bool background, bool innerSides = true, bool around = false)
       : background_(background), innerSides_(innerSides), around_(around || background) {}
   void setThreads(std::optional<int> threads) { threads_ = threads; }  // of the next plan
+  // Wishes are for texels of this part of the lattice only. Before the first plan.
+  void setPart(std::optional<gi::LatticePart> part) { part_ = part; }
   // Where texels are lit while gi.texels is automatic and the volume the same: as those of a file that was
   // read.
   void setTexelsOfFile(scene::GiTexels texels) { texelsOfFile_ = texels; }
@@ -110,10 +114,12 @@ class LightPlanner {
   int threads() const;
   void stop();
   static void stop(Side& side);
+  void want(Part& part, gi::Wish wish, std::vector<gi::WantedBlock> blocks) const;
   void publish();
   int reach() const;
 
   bool background_, innerSides_, around_;
+  std::optional<gi::LatticePart> part_;
   std::optional<scene::GiTexels> texelsOfFile_;
   std::optional<int> threads_;
   scene::Scene scene_;

@@ -64,8 +64,8 @@ void LightPlanner::wish(Side& side, const std::vector<glm::vec3>& hits, scene::G
   if (extent == scene::GiExtent::band) asked.band = scene_.gi.band.value();
   for (Part* part : {&side.sky, &side.lamps}) {
     if (!part->bake) continue;
-    part->bake->want(gi::Wish::visible, visible);
-    part->bake->want(gi::Wish::nearby, nearby);
+    want(*part, gi::Wish::visible, visible);
+    want(*part, gi::Wish::nearby, nearby);
     wish(*part, asked, progress);
   }
 }
@@ -77,17 +77,24 @@ void LightPlanner::wish(Part& part, const Asked& asked, base::Progress& progress
     return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress, scene_.hit.field);
   };
   // A command that asks for all light hears at once that it does not fit; a window's grows as far as it goes.
-  if (asked.extent == scene::GiExtent::full && !background_) part.bake->lattice()->checkThatAllFits();
+  // Of a part nobody knows how many texels have light.
+  if (asked.extent == scene::GiExtent::full && !background_ && !part_)
+    part.bake->lattice()->checkThatAllFits();
   std::vector<gi::WantedBlock> band;
   if (asked.extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);
   for (const double isovalue : asked.behind) {
     const std::vector<gi::WantedBlock> whole = ofBand(isovalue, isovalue);
     band.insert(band.end(), whole.begin(), whole.end());
   }
-  part.bake->want(gi::Wish::band, std::move(band));
-  part.bake->want(gi::Wish::rest, asked.extent == scene::GiExtent::full ? gi::allTexels(lattice)
-                                                                        : std::vector<gi::WantedBlock>{});
+  want(part, gi::Wish::band, std::move(band));
+  want(part, gi::Wish::rest,
+       asked.extent == scene::GiExtent::full ? gi::allTexels(lattice) : std::vector<gi::WantedBlock>{});
   part.asked = asked;
+}
+
+void LightPlanner::want(Part& part, gi::Wish wish, std::vector<gi::WantedBlock> blocks) const {
+  if (part_) blocks = gi::blocksOfPart(part.bake->lattice()->geometry(), *part_, std::move(blocks));
+  part.bake->want(wish, std::move(blocks));
 }
 
 void LightPlanner::wishNothing() {

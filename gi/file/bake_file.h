@@ -4,9 +4,8 @@
 // (order^2 or 3 order^2 components), `samples` (paths; 0: not baked), and of the lamps `irradiance_lamps` and
 // `samples_lamps`; `normal` (world). All numbers are as they are in memory, so that a bake goes on from the
 // file bit by bit as if it had never stopped. Field data, texts: `key`, `key_lamps` (lightKey()), `content`,
-// `volume_hash`. zlib-compressed, appended, raw. Bit by bit means on one machine: where the processor fuses
-// multiplication and addition (AVX2, AVX-512; not SSE4) light is rounded otherwise, and a bake that goes on
-// elsewhere has texels of both kinds.
+// `volume_hash`, `arithmetic` (gi/arithmetic.h) and, of one part of a bake, `part`. zlib-compressed,
+// appended, raw. Bit by bit means by the same arithmetic; what was computed by two kinds names both.
 //
 // Written beside its name, flushed to the disk and renamed: whenever the program ends, the file is the old
 // one or the new one, whole. Lattices may go on being filled meanwhile; each block is as it was at one
@@ -16,16 +15,33 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/progress.h"
+#include "gi/lattice/lattice_part.h"
 #include "gi/lattice/light_lattice.h"
 #include "volume/grid.h"
 
 namespace isolux::gi {
 
+// A bake of a part of the texels, in a file of its own.
+struct BakedPart {
+  LatticePart part;
+  std::uint32_t samples = 0;  // paths a texel that were asked for
+  std::string texels;         // which were: words that are the same for all parts of a bake
+  bool complete = false;      // all of them are there
+};
+
+// What a file says of how it came about.
+struct BakeFacts {
+  std::string arithmetic;  // several: in alphabetical order, separated by ", "; empty: it does not say
+  std::optional<BakedPart> part;
+};
+
 struct StoredLight {
   std::shared_ptr<LightLattice> sky, lamps;  // of one geometry; either may be null
+  BakeFacts facts{};
 };
 
 // At least one of the lattices must be there.
@@ -36,6 +52,9 @@ void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, 
 // file of another volume, and lattices of another key, with what differs as the reason.
 StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,
                          const std::string& skyKey, const std::string& lampsKey, base::Progress& progress);
+
+// Throws as readBakeFile().
+BakeFacts readBakeFacts(const std::filesystem::path& path);
 
 // Whether a file's texels are lit where one isosurface passes them (LatticeGeometry::isovalue). Throws as
 // readBakeFile().

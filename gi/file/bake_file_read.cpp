@@ -5,13 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <map>
 #include <new>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include <zlib.h>
 #include <nlohmann/json.hpp>
 
 #include <glm/geometric.hpp>
@@ -19,12 +17,11 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "gi/file/bake_file.h"
+#include "gi/file/bake_header.h"
 #include "gi/file/bake_layers.h"
+#include "gi/file/compressed_array.h"
 #include "volume/hit/nearest_point.h"
 #include "volume/read/input/bytes.h"
-#include "volume/read/input/streams.h"
-#include "volume/read/input/text.h"
-#include "volume/read/vtk/xml_tags.h"
 
 namespace isolux::gi {
 
@@ -34,158 +31,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t kHeaderWithin = std::size_t{1} << 20;
-constexpr std::uint64_t kMostChunkBytes = std::uint64_t{1} << 24;
 constexpr int kMostTexelsPerVoxel = 64;  // an axis
 
-struct ArrayTag {
-  std::string type;
-  std::int64_t components = 0, offset = 0;
-};
-
-struct Header {
-  glm::ivec3 dims{0};
-  std::map<std::string, ArrayTag> arrays;
-  std::map<std::string, std::string> fields;
-  std::uint64_t appendedAt = 0;
-};
-
-// A text as VTK writes it: the codes of its characters, then 0.
-std::string textOf(std::string_view codes, const std::string& file, const std::string& place) {
-  const auto numbers = volume::integersOf(codes);
-  if (!numbers || numbers->empty() || numbers->back() != 0) throwInput(file, place, "is no text");
-  std::string text;
-  for (std::size_t i = 0; i + 1 < numbers->size(); ++i) {
-    if ((*numbers)[i] < 1 || (*numbers)[i] > 255) throwInput(file, place, "is no text");
-    text += static_cast<char>((*numbers)[i]);
-  }
-  return text;
-}
-
-Header readHeader(const volume::Bytes& bytes) {
-  const std::string& file = bytes.name();
-  std::string text = bytes.head(kHeaderWithin);
-  const std::size_t appended = text.find("<AppendedData");
-  const std::size_t mark = appended == std::string::npos ? appended : text.find('_', appended);
-  if (mark == std::string::npos)
-    throwInput(file, "AppendedData", "is not a file of light, or truncated: the data do not start");
-  Header header;
-  header.appendedAt = mark + 1;
-  text.resize(mark);
-
-  volume::Tags tags(text, file);
-  bool zlib = false;
-  while (const auto tag = tags.next()) {
-    const auto attribute = [&](std::string_view key) { return std::string(tag->find(key).value_or("")); };
-    if (tag->name == "VTKFile") {
-      zlib = attribute("type") == "ImageData" && attribute("byte_order") == "LittleEndian" &&
-             attribute("header_type") == "UInt64" && attribute("compressor") == "vtkZLibDataCompressor";
-    } else if (tag->name == "ImageData") {
-      const auto extent = volume::integersOf(attribute("WholeExtent"));
-      if (!extent || extent->size() != 6)
-        throwInput(file, "ImageData WholeExtent", "is not six whole numbers");
-      for (std::size_t a = 0; a < 3; ++a) {
-        const std::int64_t last = (*extent)[2 * a + 1];
-        if ((*extent)[2 * a] != 0 || last < 0 || last >= 1 << 24)
-          throwInput(file, "ImageData WholeExtent", "is not that of a light lattice");
-        header.dims[static_cast<int>(a)] = static_cast<int>(last) + 1;
-      }
-    } else if (tag->name == "Array") {
-      const std::size_t close = text.find("</Array", tag->end);
-      if (close == std::string::npos)
-        throwInput(file, "Array " + attribute("Name"), "truncated: is not closed");
-      header.fields[attribute("Name")] = textOf(std::string_view(text).substr(tag->end, close - tag->end),
-                                                file, "Array " + attribute("Name"));
-    } else if (tag->name == "DataArray") {
-      const auto components = volume::integerOf(attribute("NumberOfComponents"));
-      const auto offset = volume::integerOf(attribute("offset"));
-      if (!components || !offset || *components < 1 || *offset < 0 || attribute("format") != "appended")
-        throwInput(file, "DataArray " + attribute("Name"), "is not as this program writes it");
-      header.arrays[attribute("Name")] = {attribute("type"), *components, *offset};
-    }
-  }
-  if (!zlib) throwInput(file, "VTKFile", "is not a file of light as this program writes it");
-  if (header.dims.x < 1) throwInput(file, "ImageData", "is missing");
-  if (!header.fields.contains("volume_hash"))
-    throwInput(file, "Array volume_hash", "is missing: this is not a file of light");
-  return header;
-}
-
-// An array, from its beginning to its end.
-class ArrayReader {
- public:
-  ArrayReader(const volume::Bytes& bytes, const Header& header, const std::string& name, const char* type,
-              std::int64_t components)
-      : bytes_(bytes), place_("DataArray " + name) {
-    const auto found = header.arrays.find(name);
-    if (found == header.arrays.end()) fail("is missing");
-    const ArrayTag& tag = found->second;
-    if (tag.type != type || tag.components != components)
-      fail("is not " + std::to_string(components) + " components of " + type);
-    total_ = static_cast<std::uint64_t>(components) * 4;
-    for (int a = 0; a < 3; ++a)
-      if (__builtin_mul_overflow(total_, static_cast<std::uint64_t>(header.dims[a]), &total_))
-        fail("is too large");
-    if (static_cast<std::uint64_t>(tag.offset) > bytes.size())
-      fail("truncated: it begins behind the end of the file");
-    at_ = header.appendedAt + static_cast<std::uint64_t>(tag.offset);
-    std::array<std::uint64_t, 3> first{};
-    read(std::as_writable_bytes(std::span(first)));
-    const auto [chunks, size, rest] = first;
-    if (size == 0 || size > kMostChunkBytes || rest >= size || chunks != (total_ + size - 1) / size ||
-        rest != total_ % size)
-      fail("the table of compressed chunks makes no sense");
-    if (chunks > bytes.size() / 8 || total_ / volume::kBestDeflateRatio > bytes.size())
-      fail("truncated: the file is too short");
-    size_ = size;
-    sizes_.resize(chunks);
-    read(std::as_writable_bytes(std::span(sizes_)));
-    for (const std::uint64_t packed : sizes_)
-      if (packed > size + size / 100 + 1024) fail("the table of compressed chunks makes no sense");
-  }
-
-  void next(std::span<std::uint32_t> out) {
-    auto* to = reinterpret_cast<std::uint8_t*>(out.data());
-    for (std::size_t left = out.size_bytes(); left > 0;) {
-      if (used_ == chunk_.size()) unpack();
-      const std::size_t part = std::min(left, chunk_.size() - used_);
-      std::memcpy(to, chunk_.data() + used_, part);
-      to += part;
-      used_ += part;
-      left -= part;
-    }
-  }
-  [[noreturn]] void fail(const std::string& reason) const { throwInput(bytes_.name(), place_, reason); }
-
- private:
-  void read(std::span<std::byte> out) {
-    if (at_ > bytes_.size() || out.size() > bytes_.size() - at_) fail("truncated: the file is too short");
-    bytes_.read(at_, out);
-    at_ += out.size();
-  }
-  void unpack() {
-    packed_.resize(sizes_.at(chunkIndex_));
-    read(packed_);
-    const std::uint64_t done = chunkIndex_++ * size_;
-    chunk_.resize(static_cast<std::size_t>(std::min(size_, total_ - done)));
-    used_ = 0;
-    uLongf size = chunk_.size();
-    if (uncompress(chunk_.data(), &size, reinterpret_cast<const Bytef*>(packed_.data()), packed_.size()) !=
-            Z_OK ||
-        size != chunk_.size())
-      fail("is damaged");
-  }
-
-  const volume::Bytes& bytes_;
-  std::string place_;
-  std::uint64_t total_ = 0, at_ = 0, size_ = 0;
-  std::vector<std::uint64_t> sizes_;
-  std::size_t chunkIndex_ = 0, used_ = 0;
-  std::vector<std::byte> packed_;
-  std::vector<std::uint8_t> chunk_;
-};
-
-LightContent contentOf(const Header& header, const std::string& file) {
+LightContent contentOf(const BakeHeader& header, const std::string& file) {
   const auto found = header.fields.find("content");
   const json text = found == header.fields.end() ? json() : json::parse(found->second, nullptr, false);
   const auto integer = [&](const char* name) {
@@ -203,7 +51,31 @@ LightContent contentOf(const Header& header, const std::string& file) {
   throwInput(file, "Array content", "says nothing of the light that is stored");
 }
 
-void checkKey(const Header& header, const std::string& file, const std::string& field,
+BakeFacts factsOf(const BakeHeader& header, const std::string& file) {
+  BakeFacts facts;
+  if (const auto found = header.fields.find("arithmetic"); found != header.fields.end())
+    facts.arithmetic = found->second;
+  const auto found = header.fields.find("part");
+  if (found == header.fields.end()) return facts;
+  const json text = json::parse(found->second, nullptr, false);
+  const auto integer = [&](const char* name) {
+    return text.is_object() && text.contains(name) && text[name].is_number_integer()
+               ? text[name].get<std::int64_t>()
+               : -1;
+  };
+  const std::int64_t index = integer("part"), count = integer("of"), samples = integer("samples");
+  if (index < 1 || count < index || count > kMostParts || samples < 1 || samples > 0xffffffff ||
+      !text.contains("texels") || !text["texels"].is_string() || !text.contains("complete") ||
+      !text["complete"].is_boolean())
+    throwInput(file, "Array part", "says nothing of a part of a bake");
+  facts.part = {{static_cast<int>(index), static_cast<int>(count)},
+                static_cast<std::uint32_t>(samples),
+                text["texels"],
+                text["complete"]};
+  return facts;
+}
+
+void checkKey(const BakeHeader& header, const std::string& file, const std::string& field,
               const std::string& wanted) {
   const auto found = header.fields.find(field);
   const std::string difference =
@@ -242,7 +114,7 @@ std::optional<glm::vec3> placeOf(const LatticeGeometry& geometry, const volume::
   return volume::nearestSurfacePoint(grid, voxel, geometry.reach(), *geometry.isovalue);
 }
 
-void readLattice(const volume::Bytes& bytes, const Header& header, const volume::Grid& grid,
+void readLattice(const volume::Bytes& bytes, const BakeHeader& header, const volume::Grid& grid,
                  LightLattice& lattice, const std::string& suffix, base::Progress& progress) {
   const LatticeGeometry& geometry = lattice.geometry();
   const LightContent content = lattice.content();
@@ -305,7 +177,7 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
                  const std::string& lampsKey, base::Progress& progress) {
   const volume::FileBytes bytes(path);
   const std::string& file = bytes.name();
-  const Header header = readHeader(bytes);
+  const BakeHeader header = readBakeHeader(bytes);
   if (header.fields.at("volume_hash") != base::hexText(grid.hash())) {
     // Other versions of the light may have hashed the same volume in another way: that is said instead.
     for (const auto& [field, key] : {std::pair("key", &skyKey), std::pair("key_lamps", &lampsKey)})
@@ -318,6 +190,7 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
       throwInput(file, "ImageData WholeExtent", "the lattice does not fit the volume");
 
   StoredLight light;
+  light.facts = factsOf(header, file);
   const bool hasSky = header.arrays.contains("samples"), hasLamps = header.arrays.contains("samples_lamps");
   if (hasSky && !skyKey.empty()) {
     checkKey(header, file, "key", skyKey);
@@ -361,8 +234,13 @@ std::string keyDifference(const std::string& stored, const std::string& wanted) 
   return {};  // the same, written differently
 }
 
+BakeFacts readBakeFacts(const fs::path& path) {
+  const volume::FileBytes bytes(path);
+  return factsOf(readBakeHeader(bytes), bytes.name());
+}
+
 bool isOfOneIsovalue(const fs::path& path) {
-  const Header header = readHeader(volume::FileBytes(path));
+  const BakeHeader header = readBakeHeader(volume::FileBytes(path));
   for (const char* const field : {"key", "key_lamps"})
     if (const auto found = header.fields.find(field); found != header.fields.end()) {
       const json key = json::parse(found->second, nullptr, false);

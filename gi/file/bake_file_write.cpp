@@ -9,14 +9,15 @@
 #include <new>
 #include <vector>
 
-#include <zlib.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/pending_file.h"
 #include "gi/file/bake_file.h"
+#include "gi/file/bake_header.h"
 #include "gi/file/bake_layers.h"
+#include "gi/file/compressed_array.h"
 
 namespace isolux::gi {
 
@@ -27,57 +28,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 constexpr const char* kFirstField = "<Array type=\"String\" Name=\"volume_hash\"";
-constexpr std::size_t kChunkBytes = std::size_t{1} << 20;  // that are compressed at a time
-
-// VTK's compressed array: number of chunks, bytes of a chunk, bytes of a last shorter one, compressed sizes,
-// chunks.
-class CompressedArray {
- public:
-  CompressedArray(base::OutputFile& file, std::uint64_t bytes)
-      : file_(file),
-        chunkBytes_(static_cast<std::size_t>(std::min<std::uint64_t>(kChunkBytes, bytes))),
-        table_{(bytes + chunkBytes_ - 1) / chunkBytes_, chunkBytes_, bytes % chunkBytes_},
-        tableAt_(file.at()),
-        packed_(compressBound(chunkBytes_)) {
-    table_.resize(3 + table_[0]);
-    file_.write(table_.data(), table_.size() * 8);
-    chunk_.reserve(chunkBytes_);
-  }
-  void add(const void* bytes, std::size_t count) {
-    const auto* from = static_cast<const std::uint8_t*>(bytes);
-    while (count > 0) {
-      const std::size_t part = std::min(count, chunkBytes_ - chunk_.size());
-      chunk_.insert(chunk_.end(), from, from + part);
-      from += part;
-      count -= part;
-      if (chunk_.size() == chunkBytes_) pack();
-    }
-  }
-  void end() {
-    if (!chunk_.empty()) pack();
-    const std::uint64_t behind = file_.at();
-    file_.go(tableAt_);
-    file_.write(table_.data(), table_.size() * 8);
-    file_.go(behind);
-  }
-
- private:
-  void pack() {
-    uLongf size = packed_.size();
-    if (compress2(packed_.data(), &size, chunk_.data(), chunk_.size(), Z_BEST_SPEED) != Z_OK)
-      throw std::bad_alloc();
-    file_.write(packed_.data(), size);
-    table_.at(next_++) = size;
-    chunk_.clear();
-  }
-
-  base::OutputFile& file_;
-  std::size_t chunkBytes_;
-  std::vector<std::uint64_t> table_;
-  std::uint64_t tableAt_;
-  std::vector<std::uint8_t> packed_, chunk_;
-  std::size_t next_ = 3;
-};
 
 using Blocks = std::vector<std::shared_ptr<const LatticeBlock>>;
 
@@ -94,18 +44,20 @@ std::string exact(double value) {
   return base::shortText(value, 17);
 }
 
-std::string textField(const std::string& name, const std::string& text) {
-  std::string xml =
-      "      <Array type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"1\" format=\"ascii\">\n       ";
-  for (const char c : text) xml += ' ' + std::to_string(static_cast<unsigned char>(c));
-  return xml + " 0\n      </Array>\n";
-}
-
 std::string contentText(const LightContent& content) {
   return nlohmann::ordered_json{
       {"kind", content.kind == LightContent::Kind::transfer ? "transfer" : "irradiance"},
       {"channels", content.channels},
       {"order", content.order}}
+      .dump();
+}
+
+std::string partText(const BakedPart& baked) {
+  return nlohmann::ordered_json{{"part", baked.part.index},
+                                {"of", baked.part.count},
+                                {"samples", baked.samples},
+                                {"texels", baked.texels},
+                                {"complete", baked.complete}}
       .dump();
 }
 
@@ -146,10 +98,13 @@ std::string header(const volume::Grid& grid, const StoredLight& light, const std
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <ImageData WholeExtent=\"" +
       extent + "\" Origin=\"" + origin + "\" Spacing=\"" + spacing + "\" Direction=\"" + direction +
-      "\">\n    <FieldData>\n" + textField("volume_hash", base::hexText(grid.hash()));  // kFirstField
+      "\">\n    <FieldData>\n" + bakeTextField("volume_hash", base::hexText(grid.hash()));  // kFirstField
   if (light.sky)
-    xml += textField("key", light.sky->key()) + textField("content", contentText(light.sky->content()));
-  if (light.lamps) xml += textField("key_lamps", light.lamps->key());
+    xml +=
+        bakeTextField("key", light.sky->key()) + bakeTextField("content", contentText(light.sky->content()));
+  if (light.lamps) xml += bakeTextField("key_lamps", light.lamps->key());
+  if (!light.facts.arithmetic.empty()) xml += bakeTextField("arithmetic", light.facts.arithmetic);
+  if (light.facts.part) xml += bakeTextField("part", partText(*light.facts.part));
   xml += "    </FieldData>\n    <Piece Extent=\"" + extent + "\">\n      <PointData Scalars=\"" +
          arrays[0].name + "\">\n";
   for (const Array& array : arrays) {
@@ -199,7 +154,7 @@ void write(const fs::path& path, const volume::Grid& grid, const StoredLight& li
     file.go(places[a]);
     file.write(offset, 16);
     file.go(begin);
-    CompressedArray out(file, texels * array.components * 4);
+    ArrayWriter out(file, texels * array.components * 4);
     for (int layer = 0; layer < layersOf(lattice); ++layer) {
       progress.throwIfStopped();
       progress.report((static_cast<double>(a) + static_cast<double>(layer) / layersOf(lattice)) /
@@ -219,7 +174,7 @@ void write(const fs::path& path, const volume::Grid& grid, const StoredLight& li
     }
     out.end();
   }
-  file.write("\n  </AppendedData>\n</VTKFile>\n");
+  file.write(kBakeFileEnd);
   file.commit();
   progress.report(1.0, "writing light");
 }

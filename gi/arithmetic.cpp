@@ -1,0 +1,41 @@
+#include "gi/arithmetic.h"
+
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include <hwy/targets.h>
+
+namespace isolux::gi {
+
+namespace {
+
+// Of gi/sampling/batch.cpp, which takes the best of the machine.
+std::string kindOfSampling() {
+  constexpr std::int64_t fused = HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL | HWY_NEON;
+  return (hwy::SupportedTargets() & fused) != 0 ? "fma" : "no-fma";
+}
+
+std::string kindOfTracing(std::string_view target) {
+  if (target == "scalar") return "scalar";
+  return target == "SSE4" ? "no-fma" : "fma";
+}
+
+}  // namespace
+
+std::string joinedArithmetic(const std::string& a, const std::string& b) {
+  std::set<std::string> kinds;
+  for (const std::string& one : {a, b}) {
+    std::istringstream words(one);
+    for (std::string word; std::getline(words >> std::ws, word, ',');) kinds.insert(word);
+  }
+  std::string joined;
+  for (const std::string& kind : kinds) joined += (joined.empty() ? "" : ", ") + kind;
+  return joined;
+}
+
+std::string arithmeticOf(const volume::IsosurfaceTracer& tracer) {
+  return joinedArithmetic(kindOfTracing(tracer.target()), kindOfSampling());
+}
+
+}  // namespace isolux::gi

@@ -1,0 +1,18 @@
+// By which arithmetic light is computed: where the processor fuses multiplication and addition, the last bits
+// are others. Light of one kind is the same bit by bit on every machine that has it.
+#pragma once
+
+#include <string>
+
+#include "volume/tracer/isosurface_tracer.h"
+
+namespace isolux::gi {
+
+// "fma" (AVX2, AVX-512, NEON), "no-fma" (SSE) or "scalar" (rays in volumes beyond the SIMD tracer); where
+// rays are traced by another kind than directions are sampled by, both, in alphabetical order: "fma, scalar".
+std::string arithmeticOf(const volume::IsosurfaceTracer& tracer);
+
+// Of texels of both: the kinds that either names. An empty one names none.
+std::string joinedArithmetic(const std::string& a, const std::string& b);
+
+}  // namespace isolux::gi

@@ -1,0 +1,35 @@
+// What stands before the arrays of a bake file (bake_file.h): the lattice's size, texts, and where arrays
+// begin.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "volume/read/input/bytes.h"
+
+namespace isolux::gi {
+
+struct ArrayTag {
+  std::string type;
+  std::int64_t components = 0, offset = 0;
+  bool operator==(const ArrayTag&) const = default;
+};
+
+struct BakeHeader {
+  glm::ivec3 dims{0};
+  std::map<std::string, ArrayTag> arrays;
+  std::map<std::string, std::string> fields;
+  std::uint64_t appendedAt = 0;  // of the byte that offsets count from
+};
+
+// A text of the field data as the header has it, and what stands behind the arrays.
+std::string bakeTextField(const std::string& name, const std::string& text);
+inline constexpr const char* kBakeFileEnd = "\n  </AppendedData>\n</VTKFile>\n";
+
+// Throws base::Error{input} naming the file and what is not as this program writes it.
+BakeHeader readBakeHeader(const volume::Bytes& bytes);
+
+}  // namespace isolux::gi
