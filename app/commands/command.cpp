@@ -214,6 +214,18 @@ int threadsInForce() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
+std::shared_ptr<FrameChoice> addFrameOptions(CLI::App& parser) {
+  auto choice = std::make_shared<FrameChoice>();
+  parser
+      .add_option_function<std::string>(
+          "--frames", [choice](const std::string& text) { choice->frames = parseFrames(text); },
+          "Only these pictures of the series, numbered from 0; no movie is made")
+      ->type_name("A-B");
+  parser.add_flag("--skip-existing", choice->skipExisting,
+                  "Draw only pictures whose files are not there yet");
+  return choice;
+}
+
 std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
   auto choice = std::make_shared<render::ContextChoice>(render::ContextChoice::automatic);
   parser

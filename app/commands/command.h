@@ -18,6 +18,7 @@
 #include "app/files/json_text.h"
 #include "app/files/output_guard.h"
 #include "app/series/camera_wish.h"
+#include "app/series/frame_range.h"
 #include "base/progress.h"
 #include "render/gl/gl_context.h"
 #include "scene/machine.h"
@@ -67,6 +68,8 @@ void printThreadsNote(const CLI::App& parser);  // on stderr, where --threads as
 void addMemoryOption(CLI::App& parser);
 int threadsInForce();  // all of the machine's, or what --threads says
 std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser);
+// --frames A-B, --skip-existing.
+std::shared_ptr<FrameChoice> addFrameOptions(CLI::App& parser);
 
 // Throws Error{usage} where neither PATH nor a session says what to open.
 void requireSource(const std::string& path, const SceneOptions& options);

@@ -64,8 +64,8 @@ void declare(Program& program) {
       "130 interrupted.\n\n"
       "Example:\n  isolux ct.nii.gz --isovalue 300");
   for (const auto make :
-       {makeInfo, makeRender, makeBake, makeMerge, makeReference, makeReplay, makeStudy, makeProbe, makeMeasure,
-        makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor})
+       {makeInfo, makeRender, makeBake, makeMerge, makeReference, makeReplay, makeStudy, makeProbe,
+        makeMeasure, makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor})
     program.commands.push_back(make(parser));
   addMemoryOption(parser);
   for (const Command& command : program.commands) addMemoryOption(*command.parser);

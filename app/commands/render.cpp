@@ -49,12 +49,14 @@ struct RenderOptions {
   int repeat = 0, turntable = 0;
   double fps = 24.0;
   TargetOptions target;
+  std::shared_ptr<FrameChoice> frames;
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
 };
 
 RenderPlan planOf(const RenderOptions& options) {
-  return makeRenderPlan({options.paths, options.out, options.stats, options.sweep, options.turntable});
+  return makeRenderPlan(
+      {options.paths, options.out, options.stats, options.sweep, options.turntable, *options.frames});
 }
 
 // Checked before anything slow starts.
@@ -125,7 +127,7 @@ void checkRenderOutputs(const RenderOptions& options, const RenderPlan& plan) {
   for (const VolumePictures& pictures : plan.volumes) {
     const scene::Scene scene = sceneOf(pictures.path, *options.scene);
     addReads(guard, pictures.path, *options.scene, scene);
-    requestOf(options, pictures.path, scene, pictures.pictures.front().out);
+    if (!pictures.pictures.empty()) requestOf(options, pictures.path, scene, pictures.pictures.front().out);
   }
   for (const VolumePictures& pictures : plan.volumes)
     for (const PlannedPicture& picture : pictures.pictures) {
@@ -145,6 +147,7 @@ class RenderRun {
         light_({.threads = machine_.threads, .around = options.lightAround}) {}
 
   void drawVolume(const VolumePictures& pictures) {
+    if (pictures.pictures.empty()) return noteMovie(pictures);  // all of them are there
     const std::string& path = pictures.path;
     const scene::Scene asked = sceneOf(path, *options_.scene);
     prepared_ = loadWithProgressBar(asked.source, progress_);
@@ -277,8 +280,7 @@ class RenderRun {
 
   void noteMovie(const VolumePictures& pictures) {
     if (options_.turntable < 2 || pictures.movie.empty()) return;
-    const fs::path first(pictures.pictures.front().out);
-    const std::string note = makeMovie(first.parent_path(), pictures.moviePrefix, options_.turntable,
+    const std::string note = makeMovie(pictures.folder, pictures.moviePrefix, options_.turntable,
                                        options_.fps, pictures.movie, progress_);
     if (!note.empty()) printNote(note);
   }
@@ -301,6 +303,11 @@ class RenderRun {
 void runRender(const RenderOptions& options, base::Progress& progress) {
   if (options.paths.empty()) requireSource("", *options.scene);
   checkTarget(options.target);
+  if (options.target.any() && options.frames->frames)
+    throw Error(
+        ErrorKind::usage, "", "--frames",
+        "with --error or --time every run would choose settings of its own: take those that --explain "
+        "says of one picture");
   const RenderPlan plan = planOf(options);
   std::optional<MadeFolder> made;
   if (!plan.folder.empty()) made.emplace(plan.folder);
@@ -368,6 +375,7 @@ Command makeRender(CLI::App& program) {
       ->type_name("N")
       ->check(CLI::Range(0, 100000).description(""));
   addTargetOptions(*parser, options->target);
+  options->frames = addFrameOptions(*parser);
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);

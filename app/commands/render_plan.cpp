@@ -43,6 +43,15 @@ std::string seriesValue(const RenderPlan& plan, int turntable, int index) {
   return turntable > 0 ? base::shortText(360.0 * index / turntable) : std::string();
 }
 
+// A run that draws a part of the pictures makes no movie of them.
+void chooseFrames(const FrameChoice& choice, RenderPlan& plan) {
+  for (VolumePictures& pictures : plan.volumes) {
+    std::erase_if(pictures.pictures,
+                  [&](const PlannedPicture& picture) { return !choice.wants(picture.index, picture.out); });
+    if (choice.frames) pictures.movie.clear();
+  }
+}
+
 }  // namespace
 
 RenderPlan makeRenderPlan(const RenderPlanRequest& request) {
@@ -54,12 +63,15 @@ RenderPlan makeRenderPlan(const RenderPlanRequest& request) {
   if (paths.empty()) paths.emplace_back();
   const bool several = series || paths.size() > 1;
   const std::string out = several ? completePattern(request.out, paths.size(), series) : request.out;
+  if (!series && request.frames.frames)
+    throw Error(ErrorKind::usage, "", "--frames", "chooses from the pictures of --turntable or --sweep");
+  request.frames.check(count);
   if (out != request.out && out.starts_with(request.out)) plan.folder = request.out;
   if (out == kStandardOutput) checkPipe(paths.size() * static_cast<std::size_t>(count));
 
   std::vector<std::string> outs, stats;
   for (std::size_t v = 0; v < paths.size(); ++v) {
-    VolumePictures pictures{paths[v], {}, {}, {}};
+    VolumePictures pictures{paths[v], {}, {}, {}, {}};
     PictureOfSeries of{paths[v], static_cast<int>(v) + 1, 0, ""};
     for (of.i = 0; of.i < count; ++of.i) {
       of.value = seriesValue(plan, request.turntable, of.i);
@@ -67,12 +79,14 @@ RenderPlan makeRenderPlan(const RenderPlanRequest& request) {
       outs.push_back(pictures.pictures.back().out);
       stats.push_back(pictures.pictures.back().stats);
     }
+    pictures.folder = fs::path(pictures.pictures.front().out).parent_path();
     of.i = 0;
     if (request.turntable > 1) planMovie(out, of, pictures);
     plan.volumes.push_back(std::move(pictures));
   }
   checkNamesDiffer(outs, "--out");
   if (!request.stats.empty()) checkNamesDiffer(stats, "--stats");
+  chooseFrames(request.frames, plan);
   return plan;
 }
 

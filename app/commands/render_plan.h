@@ -1,10 +1,12 @@
 // Which pictures `isolux render` draws and into which files: volumes, and of each a series or one picture.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/series/frame_range.h"
 #include "app/series/sweep.h"
 
 namespace isolux::app {
@@ -19,6 +21,7 @@ struct VolumePictures {
   std::string path;  // "": that of the session
   std::vector<PlannedPicture> pictures;
   std::string movie, moviePrefix;  // of a turntable's pictures, in their folder; empty: none
+  std::filesystem::path folder{};  // of the pictures
 };
 struct RenderPlan {
   std::vector<VolumePictures> volumes;
@@ -30,9 +33,11 @@ struct RenderPlanRequest {
   std::vector<std::string> paths;  // none: one volume, of the session
   std::string out, stats, sweep;   // as on the command line
   int turntable = 0;               // views; 0: none
+  FrameChoice frames{};            // of the series
 };
-// Throws base::Error{usage}: as parseSweep(), several pictures for one file or for standard output, standard
-// output that is a terminal.
+// A volume all of whose pictures are left out has none. Throws base::Error{usage}: as parseSweep(), frames
+// without a series or beyond it, several pictures for one file or for standard output, standard output that
+// is a terminal.
 RenderPlan makeRenderPlan(const RenderPlanRequest& request);
 
 }  // namespace isolux::app

@@ -36,6 +36,7 @@ struct ReplayOptions {
   std::string recording, out, size = "1280x720";
   double fps = 30.0;
   std::shared_ptr<render::ContextChoice> context;
+  std::shared_ptr<FrameChoice> frames;
 };
 
 std::string frameName(int frame) {
@@ -125,6 +126,7 @@ void runReplay(const ReplayOptions& options, base::Progress& progress) {
   const glm::ivec2 size = parseSize(options.size);
   const Recording recording = loadRecording(options.recording);
   const int frames = frameCount(recording, options.fps, options.recording);
+  options.frames->check(frames);
   const MadeFolder made(options.out);
   const fs::path& folder = made.path();
   checkOutputs(folder, frames, options.recording, recording);
@@ -135,12 +137,15 @@ void runReplay(const ReplayOptions& options, base::Progress& progress) {
     Playback playback(recording);
     for (int frame = 0; frame < frames; ++frame) {
       progress.throwIfStopped();
-      maker.write(playback.at(frame / options.fps), folder / frameName(frame), progress);
+      const scene::Scene& scene = playback.at(frame / options.fps);
+      if (options.frames->wants(frame, folder / frameName(frame)))
+        maker.write(scene, folder / frameName(frame), progress);
       progress.report((frame + 1.0) / frames, "drawing frames");
     }
   }
   for (const std::string& warning : recording.warnings) printNote(options.recording + ": " + warning);
   noteOlderFrames(folder, frames);
+  if (options.frames->frames) return;
   const std::string note = makeMovie(folder, "frame_", frames, options.fps, "movie.mp4", progress);
   if (!note.empty()) printNote(note);
 }
@@ -162,9 +167,13 @@ Command makeReplay(CLI::App& program) {
       ->type_name("N")
       ->check(CLI::Range(0.01, 240.0).description(""));
   parser->add_option("--size", options->size, "Pixels; default 1280x720")->type_name("WxH");
+  options->frames = addFrameOptions(*parser);
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
-  parser->footer("Example:\n  isolux replay tour.jsonl --out frames --fps 25");
+  parser->footer(
+      "Examples:\n"
+      "  isolux replay tour.jsonl --out frames --fps 25\n"
+      "  isolux replay tour.jsonl --out frames --fps 25 --frames 100-199 --skip-existing");
   return {parser, [options](base::Progress& progress) { runReplay(*options, progress); }};
 }
 

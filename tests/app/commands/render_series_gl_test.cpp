@@ -81,6 +81,45 @@ TEST(RenderSeriesGl, ASweepDrawsEachValueFromOneCamera) {
   EXPECT_EQ(contentOf(folder / "again.png"), contentOf(folder / "b_0.png"));
 }
 
+// A film as a job array: each run draws some of the pictures.
+TEST(RenderSeriesGl, FramesInPartsAreThoseOfOneRun) {
+  const fs::path whole = test::temporaryFolder(), parts = test::temporaryFolder();
+  const auto turn = [](const fs::path& folder, std::vector<std::string> more) {
+    more.insert(more.begin(), {"phantom:torus:16", "--turntable", "5", "--out", "turn"});
+    return renderIn(folder, more);
+  };
+  EXPECT_EQ(turn(whole, {}).exitCode, 0);
+  EXPECT_EQ(turn(parts, {"--frames", "3-9"}).exitCode, 0);
+  EXPECT_THAT(filesIn(parts / "turn"), ElementsAre("frame_00003.png", "frame_00004.png"));
+  EXPECT_EQ(turn(parts, {"--frames", "1"}).exitCode, 0);
+  EXPECT_THAT(filesIn(parts / "turn"), ElementsAre("frame_00001.png", "frame_00003.png", "frame_00004.png"));
+  // What is there is left as it is, whatever it is.
+  std::ofstream(parts / "turn" / "frame_00003.png") << "kept";
+  EXPECT_EQ(turn(parts, {"--skip-existing"}).exitCode, 0);
+  EXPECT_EQ(contentOf(parts / "turn" / "frame_00003.png"), "kept");
+  fs::remove(parts / "turn" / "frame_00003.png");
+  EXPECT_EQ(turn(parts, {"--skip-existing"}).exitCode, 0);
+  for (const char* name :
+       {"frame_00000.png", "frame_00001.png", "frame_00002.png", "frame_00003.png", "frame_00004.png"})
+    EXPECT_EQ(contentOf(parts / "turn" / name), contentOf(whole / "turn" / name)) << name;
+}
+
+TEST(RenderSeriesGl, FramesThatAreNoneAreRefused) {
+  const fs::path folder = test::temporaryFolder();
+  for (const char* frames : {"5", "5-7", "2-1", "-1", "1-", "a", "1-2-3", "", "99999999999"}) {
+    const RunResult result =
+        renderIn(folder, {"phantom:torus:16", "--turntable", "5", "--out", "turn", "--frames", frames});
+    EXPECT_EQ(result.exitCode, 2) << frames;
+    EXPECT_TRUE(result.isOneErrorLine()) << result.err;
+    EXPECT_THAT(filesIn(folder), IsEmpty()) << frames;
+  }
+  EXPECT_EQ(renderIn(folder, {"phantom:torus:16", "--out", "a.png", "--frames", "0"}).exitCode, 2);
+  EXPECT_EQ(renderIn(folder, {"phantom:torus:16", "--turntable", "5", "--out", "turn", "--frames", "0",
+                              "--time", "50ms"})
+                .exitCode,
+            2);
+}
+
 TEST(RenderSeriesGl, ATurntableGoesRoundOnceAndMakesAMovie) {
   const fs::path folder = test::temporaryFolder();
   const RunResult result = renderIn(folder, {"phantom:torus:16", "--turntable", "4", "--out", "turn"});
