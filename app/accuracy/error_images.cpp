@@ -15,6 +15,8 @@ const std::vector<float>& valuesOf(ErrorImage image, const PictureErrors& errors
       return errors.depthMm;
     case ErrorImage::normal:
       return errors.normalDegrees;
+    case ErrorImage::light:
+      return errors.light;
     case ErrorImage::kappa:
       break;
   }
@@ -26,7 +28,8 @@ const std::vector<float>& valuesOf(ErrorImage image, const PictureErrors& errors
 const std::vector<ErrorImageInfo>& errorImages() {
   static const std::vector<ErrorImageInfo> images{{ErrorImage::depth, "error_depth"},
                                                   {ErrorImage::normal, "error_normal"},
-                                                  {ErrorImage::kappa, "error_kappa"}};
+                                                  {ErrorImage::kappa, "error_kappa"},
+                                                  {ErrorImage::light, "error_light"}};
   return images;
 }
 

@@ -10,7 +10,7 @@
 
 namespace isolux::app {
 
-enum class ErrorImage { depth, normal, kappa };
+enum class ErrorImage { depth, normal, kappa, light };
 struct ErrorImageInfo {
   ErrorImage image;
   const char* name;  // as on the command line

@@ -73,7 +73,13 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
   request.linear = extension == ".exr";
   if (!options.aov.empty()) {
     request.linear = false;
-    request.aovs = parseImageList(options.aov).aovs;
+    const WantedImages wanted = parseImageList(options.aov);
+    request.aovs = wanted.aovs;
+    const auto has = [](const auto& list, auto image) {
+      return std::find(list.begin(), list.end(), image) != list.end();
+    };
+    if (has(wanted.errors, ErrorImage::light) && !has(wanted.aovs, render::Aov::irradiance))
+      request.aovs.push_back(render::Aov::irradiance);            // so that light is stored
     if (request.aovs.empty()) request.aovs = {render::Aov::hit};  // errors alone are asked for
     if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
     request.color = false;
@@ -219,7 +225,8 @@ class RenderRun {
       drawn = draw(*renderer_, shown.value_or(scene), request_, options_.repeat, progress_);
       progress_.throwIfStopped();
       if (options_.accuracy || !images_.errors.empty())
-        errors = measureErrors(*renderer_, shown.value_or(scene), request_, *prepared_, progress_);
+        errors = measureErrors(*renderer_, shown.value_or(scene), request_, *prepared_, progress_,
+                               {light_.light(), prepared_});
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
       writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}));
@@ -336,9 +343,10 @@ Command makeRender(CLI::App& program) {
       ->add_option("--stats", options->stats,
                    "Write what was computed and what it cost as JSON (docs/commands.md)")
       ->type_name("FILE");
-  parser->add_flag("--accuracy", options->accuracy,
-                   "Bound the errors of depth, normal and curvature of each pixel: in --stats, and a line of "
-                   "--explain");
+  parser->add_flag(
+      "--accuracy", options->accuracy,
+      "Bound the errors of depth, normal, curvature and stored light of each pixel: in --stats, and "
+      "a line of --explain");
   parser
       ->add_option("--light", options->light,
                    "Take stored light from this file of `isolux bake`; what is missing is baked")
