@@ -1,15 +1,14 @@
 #include "app/accuracy/error_images.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "base/error.h"
 
 namespace isolux::app {
 
-namespace {
-
-const std::vector<float>& valuesOf(ErrorImage image, const PictureErrors& errors) {
+const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors) {
   switch (image) {
     case ErrorImage::depth:
       return errors.depthMm;
@@ -22,8 +21,6 @@ const std::vector<float>& valuesOf(ErrorImage image, const PictureErrors& errors
   }
   return errors.curvature;
 }
-
-}  // namespace
 
 const std::vector<ErrorImageInfo>& errorImages() {
   static const std::vector<ErrorImageInfo> images{{ErrorImage::depth, "error_depth"},
@@ -75,9 +72,14 @@ std::vector<FloatChannel> channelsOf(const std::vector<render::AovImage>& drawn,
       channels.push_back(std::move(channel));
     }
   }
+  const auto pixels = static_cast<std::size_t>(errors.size.x) * static_cast<std::size_t>(errors.size.y);
   for (const ErrorImage image : wanted.errors)
     for (const ErrorImageInfo& info : errorImages())
-      if (info.image == image) channels.push_back({info.name, valuesOf(image, errors)});
+      if (info.image == image) {
+        FloatChannel channel{info.name, boundsOf(image, errors)};
+        channel.values.resize(pixels, std::numeric_limits<float>::quiet_NaN());  // light: none
+        channels.push_back(std::move(channel));
+      }
   return channels;
 }
 

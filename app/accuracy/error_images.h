@@ -17,6 +17,9 @@ struct ErrorImageInfo {
 };
 const std::vector<ErrorImageInfo>& errorImages();
 
+// Its bounds; those of light are empty where none is stored.
+const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors);
+
 // What --aov asks for, in its order but for the errors, which come last.
 struct WantedImages {
   std::vector<render::Aov> aovs;
