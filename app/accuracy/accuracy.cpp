@@ -49,6 +49,8 @@ Accuracy accuracyOf(const PictureErrors& errors) {
   accuracy.light = spread(errors.light);
   accuracy.relativeLight = {accuracy.light.median / errors.meanIrradiance,
                             accuracy.light.most99 / errors.meanIrradiance};
+  accuracy.relativeLightWithin =
+      std::isnan(accuracy.light.median) ? accuracy.light.median : errors.lightWithin / errors.meanIrradiance;
   return accuracy;
 }
 

@@ -20,6 +20,7 @@ struct Accuracy {
   BoundSpread normalNoiseDegrees, curvatureNoise;                    // at kNoiseLevel
   // Of stored light, at kLightLevel: of E, and in parts of the picture's mean E. NaN without any.
   BoundSpread light, relativeLight;
+  double relativeLightWithin = 0.0;  // what kLightLevel of the pixels do not exceed, in parts of the mean E
 
   double uncertainShare() const;  // of the picture's pixels
 };

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include <tbb/global_control.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/light/light_picture.h"
 #include "app/study/light_truth.h"
@@ -23,8 +25,9 @@ namespace {
 constexpr float kNotLit = std::numeric_limits<float>::quiet_NaN();
 // Of a traced pixel, in parts of the texels' own: what is left of noise is small beside theirs.
 constexpr std::uint32_t kTracedPerStored = 16, kFewestTraced = 1024, kMostTraced = 16384;
-constexpr int kNear = 2;            // pixels: how far a change counts for others
-constexpr double kLeastPart = 0.2;  // of the picture's mean change counts everywhere
+constexpr double kNear = 1.5;                  // texels: how far a change counts for others
+constexpr int kLeastNear = 2, kMostNear = 48;  // pixels
+constexpr double kLeastPart = 0.2;             // of the picture's mean change counts everywhere
 
 bool allOpaque(scene::Scene scene) {
   scene::addGhosts(scene);
@@ -60,6 +63,26 @@ class LightJury {
   // E, row 0 at the top.
   std::vector<float> draw() {
     return std::move(render::drawStill(renderer_, scene_, request_, progress_).aovs[0].values);
+  }
+
+  // Pixels to either side over which changes are averaged: kNear texels, half of the picture's pixels being
+  // larger.
+  int near() {
+    render::FrameRequest request = request_;
+    request.aovs = {render::Aov::voxel};
+    const std::vector<float> voxel = render::drawStill(renderer_, scene_, request, progress_).aovs[0].values;
+    const auto& lattice = light_.light->sky ? *light_.light->sky : *light_.light->lamps;
+    const glm::vec3 texels = 1.0f / glm::max(glm::vec3(lattice.geometry().voxelsPerTexel()), 1e-6f);
+    std::vector<double> steps;
+    for (std::size_t i = 3; i < voxel.size(); i += 3) {
+      const glm::vec3 step(voxel[i] - voxel[i - 3], voxel[i + 1] - voxel[i - 2], voxel[i + 2] - voxel[i - 1]);
+      const float texelsApart = glm::length(step * texels);
+      if (!std::isnan(texelsApart)) steps.push_back(static_cast<double>(texelsApart));
+    }
+    if (steps.empty()) return kLeastNear;
+    return static_cast<int>(
+        std::lround(std::clamp(kNear / std::max(base::median(steps), 1e-9), static_cast<double>(kLeastNear),
+                               static_cast<double>(kMostNear))));
   }
 
   // Squares of the largest difference of a channel between the halves of the texels.
@@ -127,6 +150,37 @@ class LightKeeper {
   std::shared_ptr<const gi::PictureLight> light_;
 };
 
+struct AreaSum {
+  double sum = 0.0, count = 0.0;
+};
+
+// Of a picture's numbers, those that are not NaN, over rectangles (summed-area tables, Crow 1984).
+class SumsOfAreas {
+ public:
+  SumsOfAreas(std::span<const float> values, std::size_t width)
+      : width_(width + 1), table_(width_ * (values.size() / width + 1)) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::size_t at = (i / width + 1) * width_ + i % width + 1;
+      const bool known = !std::isnan(values[i]);
+      const AreaSum &left = table_[at - 1], &above = table_[at - width_], &both = table_[at - width_ - 1];
+      table_[at] = {left.sum + above.sum - both.sum + (known ? static_cast<double>(values[i]) : 0.0),
+                    left.count + above.count - both.count + (known ? 1.0 : 0.0)};
+    }
+  }
+  AreaSum of(glm::ivec2 low, glm::ivec2 end) const {
+    const AreaSum &all = at(end.x, end.y), &left = at(low.x, end.y), &above = at(end.x, low.y),
+                  &both = at(low.x, low.y);
+    return {all.sum - left.sum - above.sum + both.sum, all.count - left.count - above.count + both.count};
+  }
+
+ private:
+  const AreaSum& at(int x, int y) const {
+    return table_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
+  }
+  std::size_t width_;
+  std::vector<AreaSum> table_;
+};
+
 // P(at most k of n), each with probability p.
 double binomialAtMost(std::size_t k, std::size_t n, double p) {
   double sum = 0.0;
@@ -153,26 +207,19 @@ double toleranceLimit(std::span<double> scores, bool all) {
   return scores[n - 1 - above];
 }
 
-std::vector<float> smoothedRoots(std::span<const float> squares, std::size_t width) {
+std::vector<float> smoothedRoots(std::span<const float> squares, std::size_t width, int near) {
   const auto columns = static_cast<int>(width), rows = static_cast<int>(squares.size() / width);
-  double whole = 0.0;
-  std::size_t known = 0;
-  for (const float square : squares)
-    if (!std::isnan(square)) whole += static_cast<double>(square), ++known;
-  const double least = known > 0 ? kLeastPart * kLeastPart * whole / static_cast<double>(known) : 0.0;
+  const SumsOfAreas sums(squares, width);
+  const AreaSum whole = sums.of({0, 0}, {columns, rows});
+  const double least = whole.count > 0.0 ? kLeastPart * kLeastPart * whole.sum / whole.count : 0.0;
   std::vector<float> roots(squares.size(), kNotLit);
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
-      const auto own = static_cast<std::size_t>(y * columns + x);
+      const std::size_t own = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
       if (std::isnan(squares[own])) continue;
-      double sum = 0.0;
-      int count = 0;
-      for (int row = std::max(y - kNear, 0); row <= std::min(y + kNear, rows - 1); ++row)
-        for (int column = std::max(x - kNear, 0); column <= std::min(x + kNear, columns - 1); ++column) {
-          const float square = squares[static_cast<std::size_t>(row * columns + column)];
-          if (!std::isnan(square)) sum += static_cast<double>(square), ++count;
-        }
-      roots[own] = static_cast<float>(std::sqrt(sum / count + least));
+      const AreaSum about = sums.of({std::max(x - near, 0), std::max(y - near, 0)},
+                                    {std::min(x + near + 1, columns), std::min(y + near + 1, rows)});
+      roots[own] = static_cast<float>(std::sqrt(std::max(about.sum, 0.0) / about.count + least));
     }
   return roots;
 }
@@ -185,21 +232,23 @@ void boundLight(render::Renderer& renderer, const scene::Scene& scene, const ren
   progress.report(0.0, "bounding light");
   const std::vector<float> shown = jury.draw();
   std::vector<float> bounds =
-      smoothedRoots(jury.changes(), static_cast<std::size_t>(std::max(request.size.x, 1)));
+      smoothedRoots(jury.changes(), static_cast<std::size_t>(request.size.x), jury.near());
   std::vector<bool> judged(bounds.size());
   for (std::size_t i = 0; i < bounds.size(); ++i) judged[i] = errors.certain[i] && !std::isnan(bounds[i]);
   const std::vector<std::size_t> chosen = chosenPixels(judged, kTracedPixels);
   if (chosen.empty()) return;
   const std::vector<float> traced = jury.trace({chosen.begin(), chosen.end()});
-  std::vector<double> scores;
+  std::vector<double> scores, offs;
   for (const std::size_t i : chosen) {
     const float square = LightJury::largest(shown, traced, i);
     if (std::isnan(square)) continue;
     const double off = std::sqrt(static_cast<double>(square)), usual = static_cast<double>(bounds[i]);
+    offs.push_back(off);
     scores.push_back(off == 0.0 ? 0.0 : off / usual);
   }
   const auto every = static_cast<std::size_t>(std::count(judged.begin(), judged.end(), true));
   const double factor = toleranceLimit(scores, scores.size() == every);
+  errors.lightWithin = toleranceLimit(offs, offs.size() == every);
   double sum = 0.0;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     if (std::isnan(bounds[i])) continue;

@@ -25,8 +25,8 @@ struct ShownLight {
   std::shared_ptr<const volume::PreparedVolume> volume;
 };
 
-// Sets errors.light and errors.meanIrradiance of a picture with stored light; nothing where there is none,
-// and where a surface is transparent. `scene` and `request` as drawn. Throws as render::drawStill();
+// Sets errors.light, .lightWithin and .meanIrradiance of a picture with stored light; nothing where there is
+// none, and where a surface is transparent. `scene` and `request` as drawn. Throws as render::drawStill();
 // Error{memory} for copies of the light.
 void boundLight(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
                 const ShownLight& light, PictureErrors& errors, base::Progress& progress);
@@ -36,7 +36,8 @@ void boundLight(render::Renderer& renderer, const scene::Scene& scene, const ren
 // are. Infinite where there are too few to tell.
 double toleranceLimit(std::span<double> scores, bool all);
 
-// Root mean squares of `squares`, NaN where there is nothing, over those near a pixel: rows of `width`.
-std::vector<float> smoothedRoots(std::span<const float> squares, std::size_t width);
+// Root mean squares of `squares`, NaN where there is nothing, over those that are at most `near` pixels away
+// in x and y; rows of `width`. Nowhere less than a fifth of the whole picture's.
+std::vector<float> smoothedRoots(std::span<const float> squares, std::size_t width, int near);
 
 }  // namespace isolux::app

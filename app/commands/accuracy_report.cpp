@@ -22,7 +22,8 @@ nlohmann::ordered_json lightJson(const Accuracy& accuracy) {
   return {{"level", kLightLevel},
           {"confidence", kLightConfidence},
           {"irradiance", spreadJson(accuracy.light)},
-          {"relative", spreadJson(accuracy.relativeLight)}};
+          {"relative", spreadJson(accuracy.relativeLight)},
+          {"relative_within", finiteOrNull(accuracy.relativeLightWithin)}};
 }
 
 std::string figure(const char* what, double bound, const char* unit) {
@@ -59,7 +60,7 @@ std::string accuracyLine(const Accuracy& accuracy) {
             figure("normal", accuracy.normalDegrees.most99, " degrees") +
             figure("curvature", accuracy.curvature.most99, " 1/mm") +
             figure("noise turns normals by", accuracy.normalNoiseDegrees.most99, " degrees") +
-            figure("light", 100.0 * accuracy.relativeLight.most99, " % of its mean");
+            figure("light of 95 % of it", 100.0 * accuracy.relativeLightWithin, " % of its mean");
   return line + base::shortText(100.0 * accuracy.uncertainShare(), 2) + " % of pixels are not certain";
 }
 

@@ -104,8 +104,9 @@ struct Ticks {
     const double low = legend.low, high = legend.high;
     values = legend.logarithmic ? logarithmicTicks(low, high) : tickValues(low, high, count);
     if (!legend.logarithmic) format = tickFormat(values);
+    const bool powers = !values.empty() && (values.front() < 0.00099 || values.back() > 99999.0);
     for (const double value : values) {
-      texts.push_back(legend.logarithmic ? logarithmicTickText(value) : tickText(value, format));
+      texts.push_back(legend.logarithmic ? logarithmicTickText(value, powers) : tickText(value, format));
       places.push_back(high == low          ? 0.5
                        : legend.logarithmic ? std::log(value / low) / std::log(high / low)
                                             : (value - low) / (high - low));
@@ -314,10 +315,9 @@ std::vector<double> logarithmicTicks(double low, double high) {
   return values;
 }
 
-std::string logarithmicTickText(double value) {
-  constexpr double smallest = 0.00999, largest = 9999.0;
+std::string logarithmicTickText(double value, bool asPower) {
+  if (!asPower) return base::shortText(value, 3);
   const auto power = static_cast<int>(std::floor(std::log10(value) + 1e-9));
-  if (value >= smallest && value <= largest) return base::shortText(value, 3);
   const std::string digit = base::shortText(value / std::pow(10.0, power), 2);
   return (digit == "1" ? "" : digit + "·") + powerOfTen(power);
 }

@@ -46,8 +46,8 @@ std::vector<double> tickValues(double low, double high, int count);
 
 // Of a logarithmic axis, 0 < low < high: powers of ten, and 2 and 5 times these where the range is short.
 std::vector<double> logarithmicTicks(double low, double high);
-// "0.02", "2·10⁻⁵".
-std::string logarithmicTickText(double value);
+// "0.02", or as a power of ten "2·10⁻²".
+std::string logarithmicTickText(double value, bool asPower);
 
 // How ticks of a range are written: value * 10^-exponent with that many decimals. The exponent is 0 for handy
 // numbers.
