@@ -227,7 +227,7 @@ std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const Overl
 
 std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayWish& wish,
                                         double shortestEdgeMm, scene::LegendCorner corner,
-                                        render::ColorImage& image) {
+                                        const std::optional<render::Tile>& taken, render::ColorImage& image) {
   if (wish.colors == ErrorImage::light && errors.light.empty())
     throw base::Error(
         base::ErrorKind::usage, "", "--error-overlay",
@@ -253,7 +253,9 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
   painter.hatch(hatched);
   legend.hatched = hatchedLines(wish, errors, hatched);
   if (legend.colors.empty() && legend.hatched.empty()) return std::nullopt;
-  return painter.addLegend(legend, corner, surfaceOf(errors));
+  std::vector<volume::Rectangle> covered = surfaceOf(errors);
+  if (taken) covered.push_back({taken->origin, taken->size});
+  return painter.addLegend(legend, corner, covered);
 }
 
 }  // namespace isolux::app

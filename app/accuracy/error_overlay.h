@@ -35,6 +35,6 @@ std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const Overl
 // none is stored.
 std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayWish& wish,
                                         double shortestEdgeMm, scene::LegendCorner corner,
-                                        render::ColorImage& image);
+                                        const std::optional<render::Tile>& taken, render::ColorImage& image);
 
 }  // namespace isolux::app

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <tbb/global_control.h>
 #include <glm/common.hpp>
@@ -25,7 +26,7 @@ namespace {
 constexpr float kNotLit = std::numeric_limits<float>::quiet_NaN();
 // Of a traced pixel, in parts of the texels' own: what is left of noise is small beside theirs.
 constexpr std::uint32_t kTracedPerStored = 16, kFewestTraced = 1024, kMostTraced = 16384;
-constexpr double kNear = 1.5;                  // texels: how far a change counts for others
+constexpr double kNear = 1.25;                 // texels: how far a change counts for others
 constexpr int kLeastNear = 2, kMostNear = 48;  // pixels
 constexpr double kLeastPart = 0.2;             // of the picture's mean change counts everywhere
 
@@ -150,36 +151,25 @@ class LightKeeper {
   std::shared_ptr<const gi::PictureLight> light_;
 };
 
-struct AreaSum {
-  double sum = 0.0, count = 0.0;
-};
+// Sums over `near` numbers to either side, of a line of `count` numbers that are `stride` apart.
+void addUp(double* line, std::size_t count, std::size_t stride, int near, std::vector<double>& sums) {
+  sums.assign(count + 1, 0.0);
+  for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + line[i * stride];
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto reach = static_cast<std::size_t>(near);
+    line[i * stride] = sums[std::min(i + reach + 1, count)] - sums[i - std::min(i, reach)];
+  }
+}
 
-// Of a picture's numbers, those that are not NaN, over rectangles (summed-area tables, Crow 1984).
-class SumsOfAreas {
- public:
-  SumsOfAreas(std::span<const float> values, std::size_t width)
-      : width_(width + 1), table_(width_ * (values.size() / width + 1)) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::size_t at = (i / width + 1) * width_ + i % width + 1;
-      const bool known = !std::isnan(values[i]);
-      const AreaSum &left = table_[at - 1], &above = table_[at - width_], &both = table_[at - width_ - 1];
-      table_[at] = {left.sum + above.sum - both.sum + (known ? static_cast<double>(values[i]) : 0.0),
-                    left.count + above.count - both.count + (known ? 1.0 : 0.0)};
-    }
+// The same over squares, three times: nearly a Gaussian.
+void spread(std::vector<double>& image, std::size_t width, int near) {
+  std::vector<double> sums;
+  const std::size_t height = image.size() / width;
+  for (int times = 0; times < 3; ++times) {
+    for (std::size_t y = 0; y < height; ++y) addUp(&image[y * width], width, 1, near, sums);
+    for (std::size_t x = 0; x < width; ++x) addUp(&image[x], height, width, near, sums);
   }
-  AreaSum of(glm::ivec2 low, glm::ivec2 end) const {
-    const AreaSum &all = at(end.x, end.y), &left = at(low.x, end.y), &above = at(end.x, low.y),
-                  &both = at(low.x, low.y);
-    return {all.sum - left.sum - above.sum + both.sum, all.count - left.count - above.count + both.count};
-  }
-
- private:
-  const AreaSum& at(int x, int y) const {
-    return table_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
-  }
-  std::size_t width_;
-  std::vector<AreaSum> table_;
-};
+}
 
 // P(at most k of n), each with probability p.
 double binomialAtMost(std::size_t k, std::size_t n, double p) {
@@ -208,19 +198,21 @@ double toleranceLimit(std::span<double> scores, bool all) {
 }
 
 std::vector<float> smoothedRoots(std::span<const float> squares, std::size_t width, int near) {
-  const auto columns = static_cast<int>(width), rows = static_cast<int>(squares.size() / width);
-  const SumsOfAreas sums(squares, width);
-  const AreaSum whole = sums.of({0, 0}, {columns, rows});
-  const double least = whole.count > 0.0 ? kLeastPart * kLeastPart * whole.sum / whole.count : 0.0;
+  std::vector<double> sums(squares.size()), counts(squares.size());
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (std::isnan(squares[i])) continue;
+    sums[i] = static_cast<double>(squares[i]);
+    counts[i] = 1.0;
+  }
+  const double known = std::accumulate(counts.begin(), counts.end(), 0.0);
+  const double mean = std::accumulate(sums.begin(), sums.end(), 0.0) / std::max(known, 1.0);
+  spread(sums, width, near);
+  spread(counts, width, near);
   std::vector<float> roots(squares.size(), kNotLit);
-  for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; ++x) {
-      const std::size_t own = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-      if (std::isnan(squares[own])) continue;
-      const AreaSum about = sums.of({std::max(x - near, 0), std::max(y - near, 0)},
-                                    {std::min(x + near + 1, columns), std::min(y + near + 1, rows)});
-      roots[own] = static_cast<float>(std::sqrt(std::max(about.sum, 0.0) / about.count + least));
-    }
+  for (std::size_t i = 0; i < squares.size(); ++i)
+    if (!std::isnan(squares[i]))
+      roots[i] =
+          static_cast<float>(std::sqrt(std::max(sums[i], 0.0) / counts[i] + kLeastPart * kLeastPart * mean));
   return roots;
 }
 

@@ -36,8 +36,9 @@ void boundLight(render::Renderer& renderer, const scene::Scene& scene, const ren
 // are. Infinite where there are too few to tell.
 double toleranceLimit(std::span<double> scores, bool all);
 
-// Root mean squares of `squares`, NaN where there is nothing, over those that are at most `near` pixels away
-// in x and y; rows of `width`. Nowhere less than a fifth of the whole picture's.
+// Root mean squares of `squares`, NaN where there is nothing, over those about a pixel: means over `near`
+// pixels to either side in x and y, three times (deviation about `near`); rows of `width`. Nowhere less than
+// a fifth of the whole picture's.
 std::vector<float> smoothedRoots(std::span<const float> squares, std::size_t width, int near);
 
 }  // namespace isolux::app

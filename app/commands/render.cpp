@@ -249,8 +249,8 @@ class RenderRun {
                     render::StillPicture& picture) const {
     const glm::dvec3 edges = prepared_->grid().geometry().spacingMm();
     const auto legend = paintErrors(errors, overlay_, std::min({edges.x, edges.y, edges.z}),
-                                    scene.look.legendCorner, picture.color);
-    if (legend) picture.report.legend = legend;
+                                    scene.look.legendCorner, picture.report.legend, picture.color);
+    if (legend && !picture.report.legend) picture.report.legend = legend;
   }
 
   // With the settings that keep --error or --time: chosen for the volume's first picture, taken for all.
