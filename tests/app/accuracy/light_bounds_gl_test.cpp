@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -125,6 +123,75 @@ class LightBoundsGlTest : public test::RenderGlTest {
   base::Progress progress_;
 };
 
+const std::vector<std::string> kQuick{"gi.samples=16", "light.environment.builtin=studio"};
+
+TEST_F(LightBoundsGlTest, HoldAndAreUseful) {
+  for (const char* const name : {"gyroid", "head"}) {
+    const Lit lit = bound(test::phantom(name, 40), kQuick, {112, 96});
+    const JudgedLight judged = judge(lit, 150, 128);
+    SCOPED_TRACE(textOf(name, judged));
+    ASSERT_GT(judged.errors.size(), 100u);
+    EXPECT_GE(judged.share(), kLightLevel);
+    EXPECT_LE(judged.ratio(), 10.0);
+    const auto within = static_cast<std::size_t>(std::count_if(
+        judged.errors.begin(), judged.errors.end(), [&](double e) { return e <= lit.errors.lightWithin; }));
+    EXPECT_GE(static_cast<double>(within), kLightLevel * static_cast<double>(judged.errors.size()));
+  }
+}
+
+TEST_F(LightBoundsGlTest, HoldOfLampsAndOfTransfer) {
+  std::vector<std::string> lamps = kQuick;
+  lamps.insert(lamps.end(), {"lamp1.shown=true", "lamp1.kind=sphere"});
+  std::vector<std::string> moving = kQuick;
+  moving.emplace_back("light.environment.moves=true");
+  for (const std::vector<std::string>& assignments : {lamps, moving}) {
+    const JudgedLight judged = judge(bound(test::phantom("gyroid", 32), assignments, {96, 80}), 100, 128);
+    SCOPED_TRACE(textOf(assignments.back(), judged));
+    EXPECT_GE(judged.share(), kLightLevel);
+    EXPECT_LE(judged.ratio(), 10.0);
+  }
+}
+
+// Every point of a ball sees half of an even sky of radiance 1: E is pi, by any number of paths and any
+// texels.
+TEST_F(LightBoundsGlTest, OfABallUnderAnEvenSkyAreSmallAndHoldItsClosedForm) {
+  const Lit lit =
+      bound(test::phantom("ball", 40), {"light.environment.constant=1,1,1", "gi.bounces=0"}, {96, 80});
+  std::size_t seen = 0, held = 0;
+  for (std::size_t i = 0; i < lit.errors.light.size(); ++i) {
+    if (!std::isfinite(lit.errors.light[i])) continue;
+    ++seen;
+    held += std::abs(lit.irradiance[3 * i] - std::numbers::pi_v<float>) <= lit.errors.light[i] + 1e-5f;
+  }
+  ASSERT_GT(seen, 1000u);
+  EXPECT_GE(static_cast<double>(held), kLightLevel * static_cast<double>(seen));
+  EXPECT_NEAR(lit.errors.meanIrradiance, std::numbers::pi, 0.03);
+  EXPECT_LT(lit.errors.lightWithin, 0.02 * std::numbers::pi);
+}
+
+TEST_F(LightBoundsGlTest, LeaveTheRendererAsItWas) {
+  const Lit lit = bound(test::phantom("torus", 32), kQuick, {64, 48});
+  render::FrameRequest request;
+  request.size = {64, 48};
+  request.color = false;
+  request.aovs = {render::Aov::irradiance};
+  renderer_->setLight(lit.light);
+  renderer_->invalidate();
+  renderer_->render(lit.scene, request);
+  const std::vector<float> fresh = renderer_->readAov(render::Aov::irradiance).values;
+  for (std::size_t i = 0; i < fresh.size(); ++i)
+    if (!std::isnan(fresh[i])) EXPECT_EQ(fresh[i], lit.irradiance[i]) << i;
+}
+
+TEST_F(LightBoundsGlTest, ThereAreNoneWithoutStoredLightOrOfTransparentSurfaces) {
+  EXPECT_TRUE(bound(test::phantom("torus", 24), {"gi.mode=off"}, {48, 40}).errors.light.empty());
+  std::vector<std::string> transparent = kQuick;
+  transparent.emplace_back("isosurface.opacity=0.5");
+  const Lit lit = bound(test::phantom("torus", 24), transparent, {48, 40});
+  EXPECT_TRUE(lit.errors.light.empty());
+  EXPECT_TRUE(std::isnan(accuracyOf(lit.errors).light.median));
+}
+
 // 65 536 paths at each of 200 pixels: minutes.
 //   app_tests --gtest_also_run_disabled_tests --gtest_filter='LightBoundsGlTest.DISABLED*'
 TEST_F(LightBoundsGlTest, DISABLED_HoldOnSixVolumes) {
@@ -137,16 +204,13 @@ TEST_F(LightBoundsGlTest, DISABLED_HoldOnSixVolumes) {
        {Subject{"gyroid", 64, nullptr}, Subject{"head", 96, nullptr}, Subject{"engine.nii.gz", 0, "80"},
         Subject{"heptane.nii.gz", 0, "60"}, Subject{"ct_head_pitch.nii.gz", 0, "200"},
         Subject{"mri_colin27.nii.gz", 0, "71.5"}}) {
-    if (const char* const only = std::getenv("LIGHT_ONLY"); only && std::string(name).find(only) != 0)
-      continue;
     std::vector<std::string> assignments;
     if (isovalue) assignments.push_back(std::string("isosurface.value=") + isovalue);
     Scene source;
     source.source.path = (test::dataFolder() / "volumes" / name).string();
     const Lit lit = bound(size ? test::phantom(name, size) : volume::loadVolume(source.source, progress_),
                           assignments, {192, 160});
-    const char* const paths = std::getenv("LIGHT_PATHS");
-    const JudgedLight judged = judge(lit, 200, paths ? static_cast<std::uint32_t>(std::atoi(paths)) : 4096);
+    const JudgedLight judged = judge(lit, 200, 4096);
     std::printf("%s\n", textOf(name, judged).c_str());
     std::fflush(stdout);
     EXPECT_GE(judged.share(), kLightLevel) << name;
