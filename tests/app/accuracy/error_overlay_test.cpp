@@ -67,13 +67,13 @@ TEST(ErrorOverlay, PixelsAboveTheLimitAreHatchedAndOthersUntouched) {
     render::ColorImage plain = grey(), limited = grey();
     const std::optional<render::Tile> without =
         std::string(overlay) == "depth" ? paint(band(), overlay, "", plain) : std::nullopt;
-    const std::optional<render::Tile> with = paint(band(), overlay, "depth=0.001mm", limited);
+    const std::optional<render::Tile> with = paint(band(), overlay, "depth=0.00101mm", limited);
     ASSERT_TRUE(with.has_value());
     int dark = 0, bright = 0;
     for (int y = 0; y < kSize.y; ++y)
       for (int x = 0; x < kSize.x; ++x) {
         if (isIn(with, x, y) || isIn(without, x, y)) continue;
-        const bool above = y >= 60 && y < 180 && x > 160 && x < 280;  // 1e-3 mm at column 160
+        const bool above = y >= 60 && y < 180 && x > 160 && x < 280;  // 1.01e-3 mm between columns
         const render::Hatch line = render::hatchAt({x, y}, 1);
         if (above && line != render::Hatch::none) {
           const auto color = colorAt(limited, x, y);

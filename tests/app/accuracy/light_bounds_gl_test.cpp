@@ -180,7 +180,9 @@ TEST_F(LightBoundsGlTest, LeaveTheRendererAsItWas) {
   renderer_->render(lit.scene, request);
   const std::vector<float> fresh = renderer_->readAov(render::Aov::irradiance).values;
   for (std::size_t i = 0; i < fresh.size(); ++i)
-    if (!std::isnan(fresh[i])) EXPECT_EQ(fresh[i], lit.irradiance[i]) << i;
+    if (!std::isnan(fresh[i])) {
+      EXPECT_EQ(fresh[i], lit.irradiance[i]) << i;
+    }
 }
 
 TEST_F(LightBoundsGlTest, ThereAreNoneWithoutStoredLightOrOfTransparentSurfaces) {

@@ -51,7 +51,8 @@ TEST(SmoothedRoots, OfEvenSquaresAreTheirRootsWhateverIsMissing) {
   const std::vector<float> roots = smoothedRoots(squares, 20, 3);
   for (std::size_t i = 0; i < squares.size(); ++i) {
     EXPECT_EQ(std::isnan(roots[i]), std::isnan(squares[i]));
-    if (!std::isnan(roots[i])) EXPECT_NEAR(roots[i], 2.0f * std::sqrt(1.04f), 1e-5f);
+    if (std::isnan(roots[i])) continue;
+    EXPECT_NEAR(roots[i], 2.0f * std::sqrt(1.04f), 1e-5f);
   }
 }
 
@@ -67,7 +68,9 @@ TEST(SmoothedRoots, ASquareIsSpreadOverItsNeighbours) {
       const double part = root * root - least;
       sum += part;
       spread += part * (x - 20) * (x - 20);
-      if (std::abs(x - 20) > 6 || std::abs(y - 20) > 6) EXPECT_NEAR(part, 0.0, 1e-7);
+      if (std::abs(x - 20) > 6 || std::abs(y - 20) > 6) {
+        EXPECT_NEAR(part, 0.0, 1e-7);
+      }
     }
   EXPECT_NEAR(sum, 1.0, 1e-3);
   EXPECT_NEAR(spread, 3.0 * 2.0, 1e-2);  // three boxes of 5: variance (25 - 1) / 12 each
