@@ -162,7 +162,7 @@ void addUp(double* line, std::size_t count, std::size_t stride, int near, std::v
 }
 
 // The same over squares, three times: nearly a Gaussian.
-void spread(std::vector<double>& image, std::size_t width, int near) {
+void spreadOut(std::vector<double>& image, std::size_t width, int near) {
   std::vector<double> sums;
   const std::size_t height = image.size() / width;
   for (int times = 0; times < 3; ++times) {
@@ -206,13 +206,14 @@ std::vector<float> smoothedRoots(std::span<const float> squares, std::size_t wid
   }
   const double known = std::accumulate(counts.begin(), counts.end(), 0.0);
   const double mean = std::accumulate(sums.begin(), sums.end(), 0.0) / std::max(known, 1.0);
-  spread(sums, width, near);
-  spread(counts, width, near);
+  spreadOut(sums, width, near);
+  spreadOut(counts, width, near);
   std::vector<float> roots(squares.size(), kNotLit);
   for (std::size_t i = 0; i < squares.size(); ++i)
     if (!std::isnan(squares[i]))
-      roots[i] =
-          static_cast<float>(std::sqrt(std::max(sums[i], 0.0) / counts[i] + kLeastPart * kLeastPart * mean));
+      roots[i] = mean <= 0.0 ? 1.0f
+                             : static_cast<float>(std::sqrt(std::max(sums[i], 0.0) / counts[i] +
+                                                            kLeastPart * kLeastPart * mean));
   return roots;
 }
 

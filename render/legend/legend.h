@@ -44,7 +44,8 @@ LegendImage drawLegend(const Legend& legend, int pictureHeight);
 // itself where low and high coincide.
 std::vector<double> tickValues(double low, double high, int count);
 
-// Of a logarithmic axis, 0 < low < high: powers of ten, and 2 and 5 times these where the range is short.
+// Of a logarithmic axis, 0 < low < high: powers of ten, and 2 and 5 times these where the range is short; an
+// end that has none near.
 std::vector<double> logarithmicTicks(double low, double high);
 // "0.02", or as a power of ten "2·10⁻²".
 std::string logarithmicTickText(double value, bool asPower);

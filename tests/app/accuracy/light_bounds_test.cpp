@@ -56,6 +56,11 @@ TEST(SmoothedRoots, OfEvenSquaresAreTheirRootsWhateverIsMissing) {
   }
 }
 
+TEST(SmoothedRoots, OfNothingAreTheSameEverywhere) {
+  const std::vector<float> squares(30, 0.0f);
+  for (const float root : smoothedRoots(squares, 6, 2)) EXPECT_EQ(root, 1.0f);
+}
+
 TEST(SmoothedRoots, ASquareIsSpreadOverItsNeighbours) {
   std::vector<float> squares(41 * 41, 0.0f);
   squares[20 * 41 + 20] = 1.0f;

@@ -73,7 +73,8 @@ TEST(LegendTicksTest, TitlesCarryUnitAndPower) {
 TEST(LegendTicksTest, LogarithmicOnesAreOneTwoAndFive) {
   EXPECT_THAT(logarithmicTicks(1e-5, 1e-4), Pointwise(DoubleNear(1e-12), {1e-5, 2e-5, 5e-5, 1e-4}));
   EXPECT_THAT(logarithmicTicks(0.2, 5.0), Pointwise(DoubleNear(1e-12), {0.2, 0.5, 1.0, 2.0, 5.0}));
-  EXPECT_THAT(logarithmicTicks(0.05, 50.0), Pointwise(DoubleNear(1e-12), {0.1, 1.0, 10.0}));  // a long range
+  EXPECT_THAT(logarithmicTicks(0.05, 50.0),
+              Pointwise(DoubleNear(1e-12), {0.1, 1.0, 10.0, 50.0}));  // long, with an end of its own
   EXPECT_EQ(logarithmicTickText(0.02, false), "0.02");
   EXPECT_EQ(logarithmicTickText(2e-5, true), "2·10⁻⁵");
   EXPECT_EQ(logarithmicTickText(1e-4, true), "10⁻⁴");
