@@ -14,7 +14,7 @@ namespace {
 
 BoundSpread boundSpreadOf(const std::vector<float>& image, const std::vector<std::uint8_t>& certain) {
   std::vector<double> bounds;
-  for (std::size_t i = 0; i < image.size(); ++i)
+  for (std::size_t i = 0; i < image.size(); ++i)  // of light that is not stored: none
     if (certain[i] && !std::isnan(image[i])) bounds.push_back(static_cast<double>(image[i]));
   if (bounds.empty())
     return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
@@ -46,22 +46,29 @@ Accuracy accuracyOf(const PictureErrors& errors) {
   accuracy.relativeCurvature = spread(errors.relativeCurvature);
   accuracy.normalNoiseDegrees = spread(errors.normalNoiseDegrees);
   accuracy.curvatureNoise = spread(errors.curvatureNoise);
+  accuracy.light = spread(errors.light);
+  accuracy.relativeLight = {accuracy.light.median / errors.meanIrradiance,
+                            accuracy.light.most99 / errors.meanIrradiance};
+  accuracy.relativeLightWithin =
+      std::isnan(accuracy.light.median) ? accuracy.light.median : errors.lightWithin / errors.meanIrradiance;
   return accuracy;
 }
 
 PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
                             const render::FrameRequest& request, const volume::PreparedVolume& volume,
-                            base::Progress& progress) {
+                            base::Progress& progress, const ShownLight& light) {
   completeFields(drawn, volume, true, progress);
   render::FrameRequest hits;
   hits.size = request.size;
   hits.color = false;
   hits.aovs = {render::Aov::depth, render::Aov::voxel};
   render::StillPicture picture = render::drawStill(renderer, drawn, hits, progress);
-  return pictureErrors(volume, drawn,
-                       {request.size, std::move(picture.aovs[0].values), std::move(picture.aovs[1].values),
-                        anyOnProcessor(picture.report)},
-                       progress);
+  PictureErrors errors = pictureErrors(volume, drawn,
+                                       {request.size, std::move(picture.aovs[0].values),
+                                        std::move(picture.aovs[1].values), anyOnProcessor(picture.report)},
+                                       progress);
+  boundLight(renderer, drawn, request, light, errors, progress);
+  return errors;
 }
 
 }  // namespace isolux::app

@@ -1,6 +1,7 @@
 // What is said of the accuracy of a whole picture, and drawing what it takes to say it.
 #pragma once
 
+#include "app/accuracy/light_bounds.h"
 #include "app/accuracy/picture_errors.h"
 #include "render/renderer.h"
 
@@ -17,16 +18,19 @@ struct Accuracy {
   std::size_t uncertain = 0;                                         // whose answer may change by a jump
   BoundSpread depthMm, normalDegrees, curvature, relativeCurvature;  // curvature: 1/mm
   BoundSpread normalNoiseDegrees, curvatureNoise;                    // at kNoiseLevel
+  // Of stored light, at kLightLevel: of E, and in parts of the picture's mean E. NaN without any.
+  BoundSpread light, relativeLight;
+  double relativeLightWithin = 0.0;  // what kLightLevel of the pixels do not exceed, in parts of the mean E
 
   double uncertainShare() const;  // of the picture's pixels
 };
 Accuracy accuracyOf(const PictureErrors& errors);
 
 // Bounds of the picture of `drawn` (as it was drawn; what of its derivatives is automatic is filled in here):
-// its rays are cast again, one through the centre of each pixel. Throws as render::drawStill() and
-// pictureErrors().
+// its rays are cast again, one through the centre of each pixel. `light`: is bounded, too, where it is
+// stored; none: it is not. Throws as render::drawStill(), pictureErrors() and boundLight().
 PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
                             const render::FrameRequest& request, const volume::PreparedVolume& volume,
-                            base::Progress& progress);
+                            base::Progress& progress, const ShownLight& light = {});
 
 }  // namespace isolux::app

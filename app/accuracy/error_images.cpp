@@ -1,32 +1,32 @@
 #include "app/accuracy/error_images.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "base/error.h"
 
 namespace isolux::app {
 
-namespace {
-
-const std::vector<float>& valuesOf(ErrorImage image, const PictureErrors& errors) {
+const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors) {
   switch (image) {
     case ErrorImage::depth:
       return errors.depthMm;
     case ErrorImage::normal:
       return errors.normalDegrees;
+    case ErrorImage::light:
+      return errors.light;
     case ErrorImage::kappa:
       break;
   }
   return errors.curvature;
 }
 
-}  // namespace
-
 const std::vector<ErrorImageInfo>& errorImages() {
   static const std::vector<ErrorImageInfo> images{{ErrorImage::depth, "error_depth"},
                                                   {ErrorImage::normal, "error_normal"},
-                                                  {ErrorImage::kappa, "error_kappa"}};
+                                                  {ErrorImage::kappa, "error_kappa"},
+                                                  {ErrorImage::light, "error_light"}};
   return images;
 }
 
@@ -72,9 +72,14 @@ std::vector<FloatChannel> channelsOf(const std::vector<render::AovImage>& drawn,
       channels.push_back(std::move(channel));
     }
   }
+  const auto pixels = static_cast<std::size_t>(errors.size.x) * static_cast<std::size_t>(errors.size.y);
   for (const ErrorImage image : wanted.errors)
     for (const ErrorImageInfo& info : errorImages())
-      if (info.image == image) channels.push_back({info.name, valuesOf(image, errors)});
+      if (info.image == image) {
+        FloatChannel channel{info.name, boundsOf(image, errors)};
+        channel.values.resize(pixels, std::numeric_limits<float>::quiet_NaN());  // light: none
+        channels.push_back(std::move(channel));
+      }
   return channels;
 }
 

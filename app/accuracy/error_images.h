@@ -10,12 +10,15 @@
 
 namespace isolux::app {
 
-enum class ErrorImage { depth, normal, kappa };
+enum class ErrorImage { depth, normal, kappa, light };
 struct ErrorImageInfo {
   ErrorImage image;
   const char* name;  // as on the command line
 };
 const std::vector<ErrorImageInfo>& errorImages();
+
+// Its bounds; those of light are empty where none is stored.
+const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors);
 
 // What --aov asks for, in its order but for the errors, which come last.
 struct WantedImages {

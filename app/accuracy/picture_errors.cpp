@@ -205,7 +205,10 @@ PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::S
                     {},
                     {},
                     std::vector<std::uint8_t>(count, 1),
-                    std::vector<std::uint8_t>(count, 0)};
+                    std::vector<std::uint8_t>(count, 0),
+                    {},
+                    0.0,
+                    0.0};
   for (std::vector<float>* const image :
        {&out.depthMm, &out.normalDegrees, &out.curvature, &out.normalNoiseDegrees, &out.curvatureNoise,
         &out.relativeCurvature})

@@ -35,6 +35,10 @@ struct PictureErrors {
   // 1 where the hit was drawn further away than arithmetic alone explains (samples at steps): its distance is
   // the bound there.
   std::vector<std::uint8_t> elsewhere;
+  // Of E where light is stored, its largest channel (app/accuracy/light_bounds.h); empty where there is none.
+  std::vector<float> light;
+  double lightWithin = 0.0;     // the error of E that 95 % of the pixels do not exceed
+  double meanIrradiance = 0.0;  // of the pixels that show it and their channels
 };
 inline constexpr double kNoiseLevel = 0.95;
 

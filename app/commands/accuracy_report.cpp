@@ -17,6 +17,15 @@ nlohmann::ordered_json spreadJson(const BoundSpread& spread) {
   return {{"median", finiteOrNull(spread.median)}, {"most_99", finiteOrNull(spread.most99)}};
 }
 
+nlohmann::ordered_json lightJson(const Accuracy& accuracy) {
+  if (std::isnan(accuracy.light.median)) return nullptr;
+  return {{"level", kLightLevel},
+          {"confidence", kLightConfidence},
+          {"irradiance", spreadJson(accuracy.light)},
+          {"relative", spreadJson(accuracy.relativeLight)},
+          {"relative_within", finiteOrNull(accuracy.relativeLightWithin)}};
+}
+
 std::string figure(const char* what, double bound, const char* unit) {
   if (std::isnan(bound)) return "";
   return std::string(what) + (std::isinf(bound) ? " not bounded" : " ± " + base::shortText(bound, 2) + unit) +
@@ -35,6 +44,7 @@ nlohmann::ordered_json accuracyJson(const Accuracy& accuracy) {
           {"normal_degrees", spreadJson(accuracy.normalDegrees)},
           {"kappa_per_mm", spreadJson(accuracy.curvature)},
           {"kappa_relative", spreadJson(accuracy.relativeCurvature)},
+          {"light", lightJson(accuracy)},
           {"noise",
            {{"level", kNoiseLevel},
             {"normal_degrees", spreadJson(accuracy.normalNoiseDegrees)},
@@ -49,7 +59,8 @@ std::string accuracyLine(const Accuracy& accuracy) {
     line += figure("depth", accuracy.depthMm.most99, " mm") +
             figure("normal", accuracy.normalDegrees.most99, " degrees") +
             figure("curvature", accuracy.curvature.most99, " 1/mm") +
-            figure("noise turns normals by", accuracy.normalNoiseDegrees.most99, " degrees");
+            figure("noise turns normals by", accuracy.normalNoiseDegrees.most99, " degrees") +
+            figure("light of 95 % of it", 100.0 * accuracy.relativeLightWithin, " % of its mean");
   return line + base::shortText(100.0 * accuracy.uncertainShare(), 2) + " % of pixels are not certain";
 }
 

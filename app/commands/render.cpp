@@ -8,6 +8,7 @@
 
 #include "app/accuracy/accuracy.h"
 #include "app/accuracy/error_images.h"
+#include "app/accuracy/error_overlay.h"
 #include "app/annotation/annotation.h"
 #include "app/commands/accuracy_report.h"
 #include "app/commands/command.h"
@@ -43,7 +44,7 @@ using base::ErrorKind;
 
 struct RenderOptions {
   std::vector<std::string> paths;
-  std::string light, out, aov, stats, sweep;
+  std::string light, out, aov, stats, sweep, overlay;
   std::optional<std::string> size;
   bool explain = false, lightAround = false, accuracy = false;
   int repeat = 0, turntable = 0;
@@ -57,6 +58,11 @@ struct RenderOptions {
 RenderPlan planOf(const RenderOptions& options) {
   return makeRenderPlan(
       {options.paths, options.out, options.stats, options.sweep, options.turntable, *options.frames});
+}
+
+OverlayWish overlayOf(const RenderOptions& options) {
+  const std::string& error = options.target.error;
+  return parseOverlay(options.overlay, error.empty() ? std::vector<Limit>{} : parseErrorTarget(error));
 }
 
 // Checked before anything slow starts.
@@ -73,9 +79,18 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
   request.supersampling = scene.picture.supersampling;
   request.pixelRatio = scene.picture.pixelRatio;
   request.linear = extension == ".exr";
+  if (overlayOf(options).asked && extension != ".png")
+    throw Error(ErrorKind::usage, out, "",
+                "--error-overlay is painted on .png pictures; --aov has the numbers");
   if (!options.aov.empty()) {
     request.linear = false;
-    request.aovs = parseImageList(options.aov).aovs;
+    const WantedImages wanted = parseImageList(options.aov);
+    request.aovs = wanted.aovs;
+    const auto has = [](const auto& list, auto image) {
+      return std::find(list.begin(), list.end(), image) != list.end();
+    };
+    if (has(wanted.errors, ErrorImage::light) && !has(wanted.aovs, render::Aov::irradiance))
+      request.aovs.push_back(render::Aov::irradiance);            // so that light is stored
     if (request.aovs.empty()) request.aovs = {render::Aov::hit};  // errors alone are asked for
     if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
     request.color = false;
@@ -144,6 +159,7 @@ class RenderRun {
         plan_(plan),
         progress_(progress),
         machine_(machineOf(*options.scene)),
+        overlay_(overlayOf(options)),
         light_({.threads = machine_.threads, .around = options.lightAround}) {}
 
   void drawVolume(const VolumePictures& pictures) {
@@ -216,18 +232,28 @@ class RenderRun {
       }
       completeFields(scene, *prepared_, !request_.aovs.empty(), progress_);
       lightPicture(light_, *renderer_, scene, request_, prepared_, progress_);
-      std::optional<scene::Scene> shown;  // at rest
-      if (request_.aovs.empty()) shown = atRest(scene, *prepared_, progress_);
+      scene::Scene shown = request_.aovs.empty() ? atRest(scene, *prepared_, progress_) : scene;
+      if (overlay_.colors) shown.look.legend = false;  // the overlay has its own
       progress_.report(0.0, "drawing");
-      drawn = draw(*renderer_, shown.value_or(scene), request_, options_.repeat, progress_);
+      drawn = draw(*renderer_, shown, request_, options_.repeat, progress_);
       progress_.throwIfStopped();
-      if (options_.accuracy || !images_.errors.empty())
-        errors = measureErrors(*renderer_, shown.value_or(scene), request_, *prepared_, progress_);
+      if (options_.accuracy || overlay_.asked || !images_.errors.empty())
+        errors =
+            measureErrors(*renderer_, shown, request_, *prepared_, progress_, {light_.light(), prepared_});
+      if (overlay_.asked) paintOverlay(*errors, scene, drawn.picture);
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
       writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}));
     }
     report(asked, scene, drawn, picture, errors ? std::optional(accuracyOf(*errors)) : std::nullopt);
+  }
+
+  void paintOverlay(const PictureErrors& errors, const scene::Scene& scene,
+                    render::StillPicture& picture) const {
+    const glm::dvec3 edges = prepared_->grid().geometry().spacingMm();
+    const auto legend = paintErrors(errors, overlay_, std::min({edges.x, edges.y, edges.z}),
+                                    scene.look.legendCorner, picture.report.legend, picture.color);
+    if (legend && !picture.report.legend) picture.report.legend = legend;
   }
 
   // With the settings that keep --error or --time: chosen for the volume's first picture, taken for all.
@@ -289,6 +315,7 @@ class RenderRun {
   const RenderPlan& plan_;
   base::Progress& progress_;
   const scene::Machine machine_;
+  const OverlayWish overlay_;
   std::unique_ptr<render::OffscreenContext> context_;
   std::optional<render::Renderer> renderer_;
   LightController light_;
@@ -343,9 +370,15 @@ Command makeRender(CLI::App& program) {
       ->add_option("--stats", options->stats,
                    "Write what was computed and what it cost as JSON (docs/commands.md)")
       ->type_name("FILE");
-  parser->add_flag("--accuracy", options->accuracy,
-                   "Bound the errors of depth, normal and curvature of each pixel: in --stats, and a line of "
-                   "--explain");
+  parser->add_flag(
+      "--accuracy", options->accuracy,
+      "Bound the errors of depth, normal, curvature and stored light of each pixel: in --stats, and "
+      "a line of --explain");
+  parser
+      ->add_option("--error-overlay", options->overlay,
+                   "Paint the bounds of an error on the picture (" + overlayNames() +
+                       "), hatched where they exceed --error; limits: hatching alone")
+      ->type_name("ERROR");
   parser
       ->add_option("--light", options->light,
                    "Take stored light from this file of `isolux bake`; what is missing is baked")

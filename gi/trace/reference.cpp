@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -18,7 +19,7 @@ namespace isolux::gi {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr std::size_t kPointsOfTask = 256;
+constexpr std::size_t kFewestPointsOfTask = 16, kMostPointsOfTask = 256;
 
 scene::Scene checked(scene::Scene scene) {
   bool opaque = scene::isOpaque(scene.isosurface);
@@ -42,6 +43,21 @@ std::shared_ptr<const LightScene> ownSky(const LightScene& light) {
     own->environment = std::make_shared<const Environment>(Environment::constant(light.environment->mean()));
   own->choice.unitSky = false;
   return own;
+}
+
+// Of a row, those that are asked for; of no pixels, all.
+std::vector<std::uint32_t> columnsOf(std::span<const std::uint32_t> pixels, std::size_t row,
+                                     std::size_t width) {
+  std::vector<std::uint32_t> columns;
+  if (pixels.empty()) {
+    columns.resize(width);
+    std::iota(columns.begin(), columns.end(), 0u);
+    return columns;
+  }
+  const auto first = std::lower_bound(pixels.begin(), pixels.end(), row * width);
+  for (auto pixel = first; pixel != pixels.end() && *pixel < (row + 1) * width; ++pixel)
+    columns.push_back(static_cast<std::uint32_t>(*pixel - row * width));
+  return columns;
 }
 
 std::uint32_t seedOf(std::uint32_t pixel, bool lamps) {
@@ -95,7 +111,8 @@ void Reference::findHits(const Options& options, base::Progress& progress) {
   std::vector<RowPoints> rows(height);
   std::atomic<std::size_t> rowsDone{0};
   const bool finished = runTasks(height, options.threads, [&](std::size_t row) {
-    if (!findHitsOfRow(row, progress, rows[row])) return false;
+    const std::vector<std::uint32_t> columns = columnsOf(options.pixels, row, width);
+    if (!findHitsOfRow(row, columns, progress, rows[row])) return false;
     const std::size_t done = ++rowsDone;
     progress.report(static_cast<double>(done) / static_cast<double>(height), "finding the surface");
     return true;
@@ -108,19 +125,21 @@ void Reference::findHits(const Options& options, base::Progress& progress) {
       pixelOf_.insert(pixelOf_.end(), row.pixels[side].begin(), row.pixels[side].end());
     }
     if (side == 0) outerPoints_ = points_.size();
-    addTasks(first);
+    const std::size_t points = points_.size() - first, parts = 8 * static_cast<std::size_t>(threads_);
+    addTasks(first, std::clamp(points / parts, kFewestPointsOfTask, kMostPointsOfTask));
   }
   sky_.resize(points_.size());
   lamps_.resize(points_.size());
 }
 
-bool Reference::findHitsOfRow(std::size_t row, const base::Progress& progress, RowPoints& found) {
+bool Reference::findHitsOfRow(std::size_t row, std::span<const std::uint32_t> wanted,
+                              const base::Progress& progress, RowPoints& found) {
   const auto width = static_cast<std::size_t>(size_.x);
   const volume::Grid& grid = volume_->grid();
   std::vector<PrimaryHit> hits;
   std::vector<glm::vec3> voxels;
   std::vector<std::size_t> columns;
-  for (std::size_t column = 0; column < width; ++column) {
+  for (const std::uint32_t column : wanted) {
     if (column % 64 == 0 && progress.stopRequested()) return false;
     const auto hit = hits_.at({static_cast<int>(column), static_cast<int>(row)});
     if (!hit) continue;
@@ -162,9 +181,9 @@ std::vector<glm::vec3> Reference::gradientsAt(const std::vector<glm::vec3>& voxe
   return gradients;
 }
 
-void Reference::addTasks(std::size_t first) {
-  for (; first < points_.size(); first += kPointsOfTask)
-    tasks_.push_back({first, std::min(kPointsOfTask, points_.size() - first), 0});
+void Reference::addTasks(std::size_t first, std::size_t pointsOfTask) {
+  for (; first < points_.size(); first += pointsOfTask)
+    tasks_.push_back({first, std::min(pointsOfTask, points_.size() - first), 0});
 }
 
 bool Reference::refineTask(Task& task, std::uint32_t samples, std::uint64_t& rays,

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -48,6 +49,7 @@ class Reference {
   struct Options {
     glm::ivec2 size{512, 512};
     int threads = 1;
+    std::vector<std::uint32_t> pixels = {};  // these alone, rising, x fastest; none: all
   };
   // Finds what the pixels see. `environment`: what light.environment names; `tracer`: of the volume and
   // isosurface.inside. Throws Error: usage where a surface is transparent,
@@ -80,9 +82,11 @@ class Reference {
     std::array<std::vector<LightPoint>, 2> points;
     std::array<std::vector<std::uint32_t>, 2> pixels;
   };
-  bool findHitsOfRow(std::size_t row, const base::Progress& progress, RowPoints& found);
+  // `wanted`: columns.
+  bool findHitsOfRow(std::size_t row, std::span<const std::uint32_t> wanted, const base::Progress& progress,
+                     RowPoints& found);
   std::vector<glm::vec3> gradientsAt(const std::vector<glm::vec3>& voxels) const;
-  void addTasks(std::size_t first);  // of all points from there on
+  void addTasks(std::size_t first, std::size_t pointsOfTask);  // of all points from there on
   bool refineTask(Task& task, std::uint32_t samples, std::uint64_t& rays, const std::stop_token& stop);
 
   static std::size_t bytesOf(glm::ivec2 size);  // of all that there is per pixel, with an image()

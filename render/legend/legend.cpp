@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 
 #include <glm/common.hpp>
 
 #include "base/color.h"
-#include "base/numbers.h"
 #include "render/legend/font.h"
 
 namespace isolux::render {
@@ -96,12 +94,20 @@ struct Measures {
 };
 
 struct Ticks {
-  std::vector<double> values;
+  std::vector<double> values, places;  // places: 0 at the low end of the axis, 1 at the high end
   std::vector<std::string> texts;
   TickFormat format;
-  Ticks(double low, double high, int count)
-      : values(tickValues(low, high, count)), format(tickFormat(values)) {
-    for (const double value : values) texts.push_back(tickText(value, format));
+  Ticks(const Legend& legend, int count) {
+    const double low = legend.low, high = legend.high;
+    values = legend.logarithmic ? logarithmicTicks(low, high) : tickValues(low, high, count);
+    if (!legend.logarithmic) format = tickFormat(values);
+    const bool powers = !values.empty() && (values.front() < 0.00099 || values.back() > 99999.0);
+    for (const double value : values) {
+      texts.push_back(legend.logarithmic ? logarithmicTickText(value, powers) : tickText(value, format));
+      places.push_back(high == low          ? 0.5
+                       : legend.logarithmic ? std::log(value / low) / std::log(high / low)
+                                            : (value - low) / (high - low));
+    }
   }
   int width(const Font& font) const {
     int widest = 0;
@@ -111,34 +117,80 @@ struct Ticks {
 };
 
 // Pixels from the low end of an axis of `length` pixels.
-int along(double value, double low, double high, int length) {
-  const double t = high == low ? 0.5 : (value - low) / (high - low);
-  return static_cast<int>(std::lround(t * (length - 1)));
+int along(double place, int length) {
+  return static_cast<int>(std::lround(place * (length - 1)));
 }
 
-// The line below: the height that it takes, and itself in a panel of that height.
-int noteHeight(const Legend& legend, const Measures& m, const Font& font) {
-  return legend.note.empty() ? 0 : m.gap + font.lineHeight();
-}
-void drawNote(Canvas& canvas, const Legend& legend, const Measures& m, const Font& font, int height) {
-  if (!legend.note.empty())
-    canvas.text(font, legend.note, {m.pad, height - m.pad - font.lineHeight() + font.ascent()});
+// The lines below: what they take, and themselves in a panel of that height.
+struct LinesBelow {
+  const Legend& legend;
+  const Measures& m;
+  const Font& font;
+
+  int sample() const { return legend.hatched.empty() ? 0 : 2 * m.bar + m.gap; }
+  int width() const {
+    int widest = font.width(legend.note);
+    for (const std::string& line : legend.hatched) widest = std::max(widest, sample() + font.width(line));
+    return widest;
+  }
+  int height() const {
+    const int lines = (legend.note.empty() ? 0 : 1) + static_cast<int>(legend.hatched.size());
+    return lines == 0 ? 0 : m.gap + lines * font.lineHeight();
+  }
+  void draw(Canvas& canvas, int panelHeight) const {
+    int top = panelHeight - m.pad - height() + m.gap;
+    if (!legend.note.empty()) {
+      canvas.text(font, legend.note, {m.pad, top + font.ascent()});
+      top += font.lineHeight();
+    }
+    if (!legend.hatched.empty()) drawSample(canvas, {m.pad, top});
+    for (const std::string& line : legend.hatched) {
+      canvas.text(font, line, {m.pad + sample(), top + font.ascent()});
+      top += font.lineHeight();
+    }
+  }
+
+ private:
+  void drawSample(Canvas& canvas, glm::ivec2 low) const {
+    const glm::ivec2 size(2 * m.bar, font.ascent() + 2 * m.line);
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const Hatch hatch = hatchAt({x, y}, std::max(1, m.text / 7));
+        const float grey = hatch == Hatch::none ? 0.5f : hatch == Hatch::dark ? kHatchDark : kHatchBright;
+        canvas.over(low + glm::ivec2(x, y), glm::vec3(grey), 1.0f);
+      }
+  }
+};
+
+// What is said, without colours.
+LegendImage drawLines(const Legend& legend, int pictureHeight) {
+  const Measures m(pictureHeight);
+  const Font font(m.text);
+  const LinesBelow below{legend, m, font};
+  const glm::ivec2 size(2 * m.pad + std::max(font.width(legend.quantity), below.width()),
+                        2 * m.pad + font.lineHeight() + below.height());
+  Canvas canvas(size);
+  canvas.panel(static_cast<float>(m.pad) * 0.8f);
+  canvas.text(font, legend.quantity, {m.pad, m.pad + font.ascent()});
+  below.draw(canvas, size.y);
+  return canvas.image();
 }
 
 LegendImage drawBar(const Legend& legend, int pictureHeight) {
   const Measures m(pictureHeight);
   const Font font(m.text);
   const int length = std::max(pictureHeight * 30 / 100, 4 * m.text);
-  const Ticks ticks(legend.low, legend.high, std::clamp(length / (3 * m.text) + 1, 2, 7));
+  const Ticks ticks(legend, std::clamp(length / (3 * m.text) + 1, 2, 7));
+  const LinesBelow below{legend, m, font};
   const std::string title = axisTitle(legend.quantity, legend.unit, ticks.format.exponent);
 
   const int beside = m.bar + m.line + m.tick + m.gap + ticks.width(font);
-  const int widest = std::max({font.width(title), beside + 2 * m.line, font.width(legend.note)});
+  const int widest = std::max({font.width(title), beside + 2 * m.line, below.width()});
   const glm::ivec2 size(2 * m.pad + widest, 2 * m.pad + font.lineHeight() + m.gap + m.line + length +
-                                                m.text / 2 + noteHeight(legend, m, font));
+                                                m.text / 2 + below.height());
   Canvas canvas(size);
   canvas.panel(static_cast<float>(m.pad) * 0.8f);
-  drawNote(canvas, legend, m, font, size.y);
+  below.draw(canvas, size.y);
   canvas.text(font, title, {m.pad, m.pad + font.ascent()});
   const glm::ivec2 top(m.pad + m.line, m.pad + font.lineHeight() + m.gap);
   canvas.frame(top, top + glm::ivec2(m.bar, length), m.line);
@@ -149,7 +201,7 @@ LegendImage drawBar(const Legend& legend, int pictureHeight) {
     canvas.fill(top + glm::ivec2(0, y), top + glm::ivec2(m.bar, y + 1), color);
   }
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-    const int y = top.y + length - 1 - along(ticks.values[i], legend.low, legend.high, length);
+    const int y = top.y + length - 1 - along(ticks.places[i], length);
     const int x = top.x + m.bar + m.line;
     canvas.fill({x, y - m.line / 2}, {x + m.tick, y - m.line / 2 + m.line}, frameColor);
     canvas.text(font, ticks.texts[i], {x + m.tick + m.gap, y + font.ascent() / 2 + 1});
@@ -174,7 +226,8 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
   const Measures m(pictureHeight);
   const Font font(m.text);
   const int length = std::max(pictureHeight * 20 / 100, 6 * m.text);
-  const Ticks ticks(legend.low, legend.high, 4);
+  const Ticks ticks(legend, 4);
+  const LinesBelow lines{legend, m, font};
   const std::string vertical = axisTitle(legend.quantityVertical, legend.unit, ticks.format.exponent);
   const std::string horizontal = axisTitle(legend.quantity, legend.unit, ticks.format.exponent);
 
@@ -184,18 +237,18 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
   const int below = top.y + length + m.line + m.tick + m.gap;
   const glm::ivec2 size(
       std::max({left + std::max(length + m.line, length - 1 + rightOverhang), m.pad + font.width(vertical),
-                m.pad + font.width(legend.note)}) +
+                m.pad + lines.width()}) +
           m.pad,
-      below + font.lineHeight() + m.gap + font.lineHeight() + m.pad - m.gap + noteHeight(legend, m, font));
+      below + font.lineHeight() + m.gap + font.lineHeight() + m.pad - m.gap + lines.height());
   Canvas canvas(size);
   canvas.panel(static_cast<float>(m.pad) * 0.8f);
-  drawNote(canvas, legend, m, font, size.y);
+  lines.draw(canvas, size.y);
   canvas.text(font, vertical, {m.pad, m.pad + font.ascent()});
   drawTriangle(canvas, legend, top, length);
   canvas.frame(top, top + glm::ivec2(length), m.line);
   int written = 0;  // x up to which the horizontal axis has its numbers
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-    const int at = along(ticks.values[i], legend.low, legend.high, length), w = font.width(ticks.texts[i]);
+    const int at = along(ticks.places[i], length), w = font.width(ticks.texts[i]);
     const int y = top.y + length - 1 - at, x = top.x + at;
     canvas.fill({top.x - m.line - m.tick, y - m.line / 2}, {top.x - m.line, y - m.line / 2 + m.line},
                 frameColor);
@@ -215,56 +268,14 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
 }  // namespace
 
 LegendImage drawLegend(const Legend& legend, int pictureHeight) {
+  if (legend.colors.empty()) return drawLines(legend, pictureHeight);
   assert(std::isfinite(legend.low) && std::isfinite(legend.high) && legend.colors.size() >= 2);
   return legend.quantityVertical.empty() ? drawBar(legend, pictureHeight) : drawSquare(legend, pictureHeight);
 }
 
-std::vector<double> tickValues(double low, double high, int count) {
-  if (low > high) std::swap(low, high);
-  const double step0 = (high - low) / count;
-  // Too narrow for its own magnitude: no two ticks would differ in float's digits.
-  if (!(step0 > 1e-7 * std::max(std::fabs(low), std::fabs(high)))) return {0.5 * (low + high)};
-  const double step = base::niceAbove(step0);
-  std::vector<double> values;
-  constexpr double slack = 1e-6;  // a tick at the very end stays in spite of rounding
-  for (double i = std::ceil(low / step - slack); i <= high / step + slack; i += 1.0)
-    values.push_back(i == 0.0 ? 0.0 : i * step);  // no negative zero
-  // One number is no scale. From a count of 5 on, the step is at most half the range, so that two fit.
-  return values.size() < 2 ? tickValues(low, high, 2 * count) : values;
-}
-
-TickFormat tickFormat(const std::vector<double>& ticks) {
-  constexpr double smallest = 1e-3, largest = 1e5;
-  double most = 0.0;
-  for (const double tick : ticks) most = std::max(most, std::fabs(tick));
-  TickFormat format;
-  if (most > 0.0 && (most < smallest * 9.99 || most >= largest))
-    format.exponent = static_cast<int>(std::floor(std::log10(most) + 1e-9));
-  const double scale = std::pow(10.0, format.exponent);
-  double step = most / scale;
-  for (std::size_t i = 1; i < ticks.size(); ++i) step = std::min(step, (ticks[i] - ticks[i - 1]) / scale);
-  const int precise = ticks.size() < 2 ? 2 : 0;  // a lone tick is no round number
-  format.decimals =
-      step > 0.0 ? std::clamp(precise - static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 9) : 0;
-  return format;
-}
-
-std::string tickText(double value, const TickFormat& format) {
-  char digits[64];
-  std::snprintf(digits, sizeof digits, "%.*f", format.decimals,
-                std::fabs(value) / std::pow(10.0, format.exponent));
-  return (value < 0.0 ? "\u2212" : "") + std::string(digits);
-}
-
-std::string axisTitle(const std::string& quantity, const std::string& unit, int exponent) {
-  std::string factor;
-  if (exponent != 0) {
-    static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    factor = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(exponent))) factor += digits[digit - '0'];
-  }
-  if (unit.empty() && factor.empty()) return quantity;
-  return quantity + " (" + factor + (unit.empty() || factor.empty() ? "" : " ") + unit + ")";
+Hatch hatchAt(glm::ivec2 pixel, int lineWidth) {
+  const int phase = (pixel.x + pixel.y) % (4 * lineWidth) / lineWidth;
+  return phase == 0 ? Hatch::dark : phase == 1 ? Hatch::bright : Hatch::none;
 }
 
 }  // namespace isolux::render

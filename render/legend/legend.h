@@ -19,10 +19,18 @@ struct Legend {
   std::string quantityVertical;  // of the square; empty: a bar
   std::string unit;              // "1/mm"; empty: a pure number
   double low = 0.0,
-         high = 1.0;  // of the colours; both axes of the square. Finite; may coincide or be swapped
-  std::string note;   // a line below; empty: none
-  std::vector<glm::vec3> colors;  // linear RGB: low to high, or the square's rows from below
+         high = 1.0;         // of the colours; both axes of the square. Finite; may coincide or be swapped
+  bool logarithmic = false;  // a bar from low to high, both above 0
+  std::string note;          // a line below; empty: none
+  std::vector<std::string> hatched;  // what hatched pixels are: lines below, a sample beside the first
+  std::vector<glm::vec3> colors;     // linear RGB: low to high, or the square's rows from below; none: no bar
 };
+
+// Diagonal lines that can be told from any colour: dark, beside them bright, and as much as both left as it
+// is.
+enum class Hatch { none, dark, bright };
+Hatch hatchAt(glm::ivec2 pixel, int lineWidth);
+inline constexpr float kHatchDark = 0.05f, kHatchBright = 0.97f;  // as they are encoded
 
 // Row 0 is the top row; sRGB, premultiplied by alpha in the encoded space.
 struct LegendImage {
@@ -35,6 +43,12 @@ LegendImage drawLegend(const Legend& legend, int pictureHeight);
 // Multiples of 1, 2 or 5 times a power of ten within [low, high], about `count` of them, ascending; the value
 // itself where low and high coincide.
 std::vector<double> tickValues(double low, double high, int count);
+
+// Of a logarithmic axis, 0 < low < high: powers of ten, and 2 and 5 times these where the range is short; an
+// end that has none near.
+std::vector<double> logarithmicTicks(double low, double high);
+// "0.02", or as a power of ten "2·10⁻²".
+std::string logarithmicTickText(double value, bool asPower);
 
 // How ticks of a range are written: value * 10^-exponent with that many decimals. The exponent is 0 for handy
 // numbers.

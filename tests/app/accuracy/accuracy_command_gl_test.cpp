@@ -56,6 +56,42 @@ TEST(AccuracyCommandGl, NothingRunsUnasked) {
   EXPECT_EQ(pictureErrorRuns(), before + 1);
 }
 
+TEST(AccuracyCommandGl, StoredLightIsBoundedAndOverlaid) {
+  const auto folder = test::temporaryFolder();
+  const test::RunResult result = render(folder, {"--out", "a.png", "--look", "gi", "--set", "gi.samples=4",
+                                                 "--error-overlay", "light", "--explain"});
+  const json light = json::parse(test::contentOf(folder / "s.json"))["accuracy"]["light"];
+  EXPECT_EQ(light["level"], 0.95);
+  EXPECT_GT(light["relative"]["median"].get<double>(), 1e-4);
+  EXPECT_LE(light["relative"]["median"], light["relative"]["most_99"]);
+  EXPECT_GT(light["relative_within"].get<double>(), 1e-4);
+  EXPECT_THAT(result.out, HasSubstr("light of 95 % of it ± "));
+  render(folder, {"--out", "plain.png", "--look", "gi", "--set", "gi.samples=4"});
+  EXPECT_NE(test::contentOf(folder / "a.png"), test::contentOf(folder / "plain.png"));
+}
+
+TEST(AccuracyCommandGl, LightIsBakedForItsErrorsWhateverTheLook) {
+  const auto folder = test::temporaryFolder();
+  render(folder, {"--out", "a.exr", "--aov", "error_light", "--look", "kappa1", "--set", "gi.samples=4"});
+  const json stats = json::parse(test::contentOf(folder / "s.json"));
+  EXPECT_GT(stats["accuracy"]["light"]["irradiance"]["median"].get<double>(), 0.0);
+  render(folder, {"--out", "b.png", "--accuracy"});
+  EXPECT_TRUE(json::parse(test::contentOf(folder / "s.json"))["accuracy"]["light"].is_null());
+}
+
+TEST(AccuracyCommandGl, AnOverlayThatMakesNoSenseIsRefused) {
+  const auto folder = test::temporaryFolder();
+  const auto codeOf = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> line{"render", "phantom:torus:24", "--size", "64x48"};
+    line.insert(line.end(), more.begin(), more.end());
+    return test::runIsolux(line, {.folder = folder}).exitCode;
+  };
+  EXPECT_EQ(codeOf({"--out", "a.exr", "--error-overlay", "depth"}), 2);
+  EXPECT_EQ(codeOf({"--out", "a.png", "--error-overlay", "limits"}), 2);
+  EXPECT_EQ(codeOf({"--out", "a.png", "--error-overlay", "light"}), 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
 TEST(AccuracyCommandGl, ErrorsAreChannelsOfTheFile) {
   const WantedImages wanted = parseImageList("error_normal,depth,error_depth,normal");
   const std::vector<render::Aov> aovs{render::Aov::depth, render::Aov::normal};

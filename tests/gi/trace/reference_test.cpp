@@ -368,5 +368,25 @@ TEST(ReferenceRounds, EndWhereAsked) {
   EXPECT_EQ(referenceRounds(192), (std::vector<std::uint32_t>{1, 4, 16, 64, 128, 192}));
 }
 
+TEST_F(ReferencePicture, OfSomePixelsIsThatOfAll) {
+  use(test::phantom("torus", 32));
+  const ReferenceImage whole = draw(8);
+  std::vector<std::uint32_t> pixels;
+  for (std::uint32_t i = 0; i < whole.hit.size(); i += 3) pixels.push_back(i);
+  const auto tracer =
+      std::make_shared<volume::IsosurfaceTracer>(volume_->volume.grid, scene_.isosurface.inside, progress_);
+  Reference some(volume_, tracer, environment_, scene_, {whole.size, 2, pixels}, progress_);
+  EXPECT_TRUE(some.refineTo(8, progress_));
+  const ReferenceImage image = some.image();
+  int traced = 0;
+  for (std::size_t i = 0; i < whole.hit.size(); ++i) {
+    EXPECT_EQ(image.hit[i], i % 3 == 0 ? whole.hit[i] : 0);
+    if (!image.hit[i]) continue;
+    EXPECT_EQ(image.irradiance[i], whole.irradiance[i]);
+    ++traced;
+  }
+  EXPECT_GT(traced, 10);
+}
+
 }  // namespace
 }  // namespace isolux::gi

@@ -70,6 +70,28 @@ TEST(LegendTicksTest, TitlesCarryUnitAndPower) {
   EXPECT_EQ(axisTitle("shape index", "", 3), "shape index (10³)");
 }
 
+TEST(LegendTicksTest, LogarithmicOnesAreOneTwoAndFive) {
+  EXPECT_THAT(logarithmicTicks(1e-5, 1e-4), Pointwise(DoubleNear(1e-12), {1e-5, 2e-5, 5e-5, 1e-4}));
+  EXPECT_THAT(logarithmicTicks(0.2, 5.0), Pointwise(DoubleNear(1e-12), {0.2, 0.5, 1.0, 2.0, 5.0}));
+  EXPECT_THAT(logarithmicTicks(0.05, 50.0),
+              Pointwise(DoubleNear(1e-12), {0.1, 1.0, 10.0, 50.0}));  // long, with an end of its own
+  EXPECT_EQ(logarithmicTickText(0.02, false), "0.02");
+  EXPECT_EQ(logarithmicTickText(2e-5, true), "2·10⁻⁵");
+  EXPECT_EQ(logarithmicTickText(1e-4, true), "10⁻⁴");
+}
+
+TEST(LegendTicksTest, AHatchIsHalfOfItsPixels) {
+  int dark = 0, bright = 0;
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 24; ++x) {
+      dark += hatchAt({x, y}, 3) == Hatch::dark;
+      bright += hatchAt({x, y}, 3) == Hatch::bright;
+      EXPECT_EQ(hatchAt({x, y}, 3), hatchAt({x + 1, y + 11}, 3));
+    }
+  EXPECT_EQ(dark, 24 * 24 / 4);
+  EXPECT_EQ(bright, 24 * 24 / 4);
+}
+
 TEST(FontTest, HasEverySignLegendsUse) {
   const Font font(40);
   std::string missing;  // a code point no font has: drawn as the box of missing glyphs

@@ -1,0 +1,261 @@
+#include "app/accuracy/error_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/color.h"
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/quantiles.h"
+#include "render/legend/legend_overlay.h"
+#include "scene/color_maps.h"
+
+namespace isolux::app {
+
+namespace {
+
+constexpr const char* kLimits = "limits";
+constexpr int kColors = 256;
+constexpr double kDarkest = 0.55;  // of a colour, where the picture is black
+constexpr double kLowEnd = 0.01, kHighEnd = 0.99;
+
+// What is coloured: bounds in the unit of the legend.
+struct Overlaid {
+  const char* name;
+  const char* title;
+  const char* unit;
+  ErrorImage image;
+};
+const std::vector<Overlaid>& overlays() {
+  static const std::vector<Overlaid> list{{"depth", "Error of depth", "mm", ErrorImage::depth},
+                                          {"normal", "Error of normals", "degrees", ErrorImage::normal},
+                                          {"kappa", "Error of κ₁ and κ₂", "1/mm", ErrorImage::kappa},
+                                          {"light", "Error of light", "% of its mean", ErrorImage::light}};
+  return list;
+}
+
+const Overlaid& overlaidOf(ErrorImage image) {
+  return *std::find_if(overlays().begin(), overlays().end(),
+                       [&](const Overlaid& info) { return info.image == image; });
+}
+
+std::vector<double> shownBounds(const PictureErrors& errors, ErrorImage image) {
+  const std::vector<float>& bounds = boundsOf(image, errors);
+  const double factor = image == ErrorImage::light ? 100.0 / errors.meanIrradiance : 1.0;
+  std::vector<double> shown;
+  shown.reserve(bounds.size());
+  for (const float bound : bounds) shown.push_back(factor * static_cast<double>(bound));
+  return shown;
+}
+
+// Bounds that a limit is about, in its unit; none of a limit that is not about pixels.
+struct Limited {
+  const std::vector<float>* bounds = nullptr;
+  double factor = 1.0;
+  ErrorImage image = ErrorImage::depth;
+};
+Limited limitedBy(const Limit& limit, const PictureErrors& errors, double shortestEdgeMm) {
+  switch (limit.quantity) {
+    case Quantity::depthMm:
+      return {&errors.depthMm, 1.0, ErrorImage::depth};
+    case Quantity::depthVoxels:
+      return {&errors.depthMm, 1.0 / shortestEdgeMm, ErrorImage::depth};
+    case Quantity::normal:
+      return {&errors.normalDegrees, 1.0, ErrorImage::normal};
+    case Quantity::curvature:
+      return {&errors.relativeCurvature, 1.0, ErrorImage::kappa};
+    case Quantity::light:
+      return {&errors.light, 1.0 / errors.meanIrradiance, ErrorImage::light};
+    case Quantity::missed:
+      break;
+  }
+  return {};
+}
+
+// Round ends of a logarithmic scale, at least a factor of ten apart; nothing where no pixel has a bound above
+// 0.
+std::optional<glm::dvec2> rangeOf(const std::vector<double>& bounds) {
+  std::vector<double> known;
+  std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(known),
+               [](double bound) { return bound > 0.0 && std::isfinite(bound); });
+  if (known.empty()) return std::nullopt;
+  glm::dvec2 range(base::niceBelow(base::quantile(known, kLowEnd)),
+                   base::niceAbove(base::quantile(known, kHighEnd)));
+  if (range.y < 10.0 * range.x) range.x = 0.1 * range.y;
+  return range;
+}
+
+class OverlayPainter {
+ public:
+  explicit OverlayPainter(render::ColorImage& image)
+      : image_(image), lineWidth_(std::max(1, std::min(image.size.x, image.size.y) / 240)) {}
+
+  // NaN: the pixel keeps its own; infinite: grey.
+  void color(const std::vector<double>& bounds, glm::dvec2 range) {
+    const std::vector<glm::vec3> colors = scene::colorMapSamples(scene::ColorMap::cividis, kColors);
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      if (std::isnan(bounds[i])) continue;
+      glm::dvec3 at(0.35);
+      if (std::isfinite(bounds[i])) {
+        const double place =
+            bounds[i] > 0.0 ? std::log(bounds[i] / range.x) / std::log(range.y / range.x) : 0.0;
+        at = colors[static_cast<std::size_t>(std::lround(std::clamp(place, 0.0, 1.0) * (kColors - 1)))];
+      }
+      std::uint8_t* const pixel = &image_.rgba[4 * i];
+      const double bright = (0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2]) / 255.0;
+      const double shade = kDarkest + (1.0 - kDarkest) * bright;
+      for (int c = 0; c < 3; ++c) pixel[c] = base::screenByte(at[c] * shade);
+      pixel[3] = 255;
+    }
+  }
+
+  void hatch(const std::vector<std::uint8_t>& hatched) {
+    for (std::size_t i = 0; i < hatched.size(); ++i) {
+      const auto width = static_cast<std::size_t>(image_.size.x);
+      const render::Hatch part =
+          render::hatchAt({static_cast<int>(i % width), static_cast<int>(i / width)}, lineWidth_);
+      if (!hatched[i] || part == render::Hatch::none) continue;
+      const float grey = part == render::Hatch::dark ? render::kHatchDark : render::kHatchBright;
+      std::fill_n(&image_.rgba[4 * i], 3, static_cast<std::uint8_t>(std::lround(255.0f * grey)));
+      image_.rgba[4 * i + 3] = 255;
+    }
+  }
+
+  // `seen`: what it should not lie on.
+  std::optional<render::Tile> addLegend(const render::Legend& legend, scene::LegendCorner corner,
+                                        const std::vector<volume::Rectangle>& seen) {
+    const glm::ivec2 size = image_.size;
+    const render::LegendImage drawn = render::drawLegend(legend, std::min(size.y, 2 * size.x));
+    if (drawn.size.x > size.x * 7 / 10 || drawn.size.y > size.y * 7 / 10) return std::nullopt;
+    const render::Tile place{render::legendPlace(corner, drawn.size, size, seen), drawn.size};
+    const glm::ivec2 low(place.origin.x, size.y - place.origin.y - drawn.size.y);
+    for (int y = 0; y < drawn.size.y; ++y)
+      for (int x = 0; x < drawn.size.x; ++x)
+        blend(&drawn.rgba[4 * indexOf({x, y}, drawn.size)],
+              &image_.rgba[4 * indexOf(low + glm::ivec2(x, y), size)]);
+    return place;
+  }
+
+ private:
+  static std::size_t indexOf(glm::ivec2 p, glm::ivec2 size) {
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(p.x);
+  }
+  // Premultiplied over straight alpha.
+  static void blend(const std::uint8_t* over, std::uint8_t* pixel) {
+    const double below = pixel[3] / 255.0 * (1.0 - over[3] / 255.0), covered = over[3] / 255.0 + below;
+    if (covered <= 0.0) return;
+    for (int c = 0; c < 3; ++c)
+      pixel[c] = static_cast<std::uint8_t>(std::lround((over[c] + pixel[c] * below) / covered));
+    pixel[3] = static_cast<std::uint8_t>(std::lround(255.0 * covered));
+  }
+
+  render::ColorImage& image_;
+  int lineWidth_;
+};
+
+// Rows of pixels that show a surface, row 0 the lowest.
+std::vector<volume::Rectangle> surfaceOf(const PictureErrors& errors) {
+  volume::PictureArea area(errors.size);
+  for (int y = 0; y < errors.size.y; ++y) {
+    const auto row = errors.depthMm.begin() + static_cast<std::ptrdiff_t>(y) * errors.size.x;
+    const auto isSeen = [](float depth) { return !std::isnan(depth); };
+    const auto first = std::find_if(row, row + errors.size.x, isSeen);
+    if (first == row + errors.size.x) continue;
+    auto last = row + errors.size.x;
+    while (!isSeen(*(last - 1))) --last;
+    area.add(errors.size.y - 1 - y, static_cast<int>(first - row), static_cast<int>(last - row));
+  }
+  return area.rectangles();
+}
+
+std::vector<std::string> hatchedLines(const OverlayWish& wish, const PictureErrors& errors,
+                                      const std::vector<std::uint8_t>& hatched) {
+  std::vector<std::string> lines;
+  if (std::find(hatched.begin(), hatched.end(), 1) == hatched.end()) return lines;
+  for (const Limit& limit : wish.limits) {
+    const Limited limited = limitedBy(limit, errors, 1.0);
+    if (!limited.bounds || limited.bounds->empty() || (wish.colors && limited.image != *wish.colors))
+      continue;
+    lines.push_back((wish.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
+                    errorText(limit.quantity, limit.most));
+  }
+  if (std::find(errors.certain.begin(), errors.certain.end(), 0) != errors.certain.end())
+    lines.emplace_back(lines.empty() ? "not certain" : "or not certain");
+  return lines;
+}
+
+}  // namespace
+
+std::string overlayNames() {
+  std::string names;
+  for (const Overlaid& overlay : overlays()) names += std::string(overlay.name) + ", ";
+  return names + kLimits;
+}
+
+OverlayWish parseOverlay(const std::string& text, std::vector<Limit> limits) {
+  OverlayWish wish{!text.empty(), {}, std::move(limits)};
+  if (text.empty()) return wish;
+  const auto refuse = [](const std::string& why) {
+    throw base::Error(base::ErrorKind::usage, "", "--error-overlay", why);
+  };
+  if (text == kLimits) {
+    if (std::none_of(wish.limits.begin(), wish.limits.end(),
+                     [](const Limit& limit) { return limit.quantity != Quantity::missed; }))
+      refuse("limits are those of --error, which names none of depth, normal, curvature or light");
+    return wish;
+  }
+  const auto found = std::find_if(overlays().begin(), overlays().end(),
+                                  [&](const Overlaid& overlay) { return text == overlay.name; });
+  if (found == overlays().end()) refuse("unknown error '" + text + "'; known: " + overlayNames());
+  wish.colors = found->image;
+  return wish;
+}
+
+std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const OverlayWish& wish,
+                                        double shortestEdgeMm) {
+  std::vector<std::uint8_t> hatched(errors.certain.size());
+  for (std::size_t i = 0; i < hatched.size(); ++i) hatched[i] = errors.certain[i] ? 0 : 1;
+  for (const Limit& limit : wish.limits) {
+    const Limited limited = limitedBy(limit, errors, shortestEdgeMm);
+    if (!limited.bounds || (wish.colors && limited.image != *wish.colors)) continue;
+    for (std::size_t i = 0; i < limited.bounds->size(); ++i)  // none of light that is not stored
+      if (limited.factor * static_cast<double>((*limited.bounds)[i]) > limit.most) hatched[i] = 1;
+  }
+  return hatched;
+}
+
+std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayWish& wish,
+                                        double shortestEdgeMm, scene::LegendCorner corner,
+                                        const std::optional<render::Tile>& taken, render::ColorImage& image) {
+  if (wish.colors == ErrorImage::light && errors.light.empty())
+    throw base::Error(
+        base::ErrorKind::usage, "", "--error-overlay",
+        "light: none is stored for this picture, or a surface is transparent; --look gi stores some");
+  OverlayPainter painter(image);
+  render::Legend legend;
+  legend.quantity = "Errors";
+  if (wish.colors) {
+    const std::vector<double> bounds = shownBounds(errors, *wish.colors);
+    const std::optional<glm::dvec2> range = rangeOf(bounds);
+    painter.color(bounds, range.value_or(glm::dvec2(0.1, 1.0)));
+    const Overlaid& overlaid = overlaidOf(*wish.colors);
+    legend.quantity = overlaid.title;
+    legend.unit = overlaid.unit;
+    legend.logarithmic = true;
+    if (range) {
+      legend.low = range->x;
+      legend.high = range->y;
+      legend.colors = scene::colorMapSamples(scene::ColorMap::cividis, kColors);
+    }
+  }
+  const std::vector<std::uint8_t> hatched = hatchedPixels(errors, wish, shortestEdgeMm);
+  painter.hatch(hatched);
+  legend.hatched = hatchedLines(wish, errors, hatched);
+  if (legend.colors.empty() && legend.hatched.empty()) return std::nullopt;
+  std::vector<volume::Rectangle> covered = surfaceOf(errors);
+  if (taken) covered.push_back({taken->origin, taken->size});
+  return painter.addLegend(legend, corner, covered);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,40 @@
+// Bounds of errors as colours on a finished picture, and hatching where they exceed what was asked for: what
+// `isolux render --error-overlay` paints.
+//
+// Pictures in pixels, row 0 at the top. Any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/accuracy/error_images.h"
+#include "app/target/target.h"
+#include "render/graph/frame.h"
+
+namespace isolux::app {
+
+struct OverlayWish {
+  bool asked = false;
+  std::optional<ErrorImage> colors;  // none: the picture keeps its own
+  std::vector<Limit> limits;         // of --error
+};
+// "depth", "normal", "kappa", "light" or "limits"; "": nothing is asked for. Throws Error{usage} naming those
+// that are known, and where limits are asked for and there are none that pixels can exceed.
+OverlayWish parseOverlay(const std::string& text, std::vector<Limit> limits);
+std::string overlayNames();
+
+// Which pixels are hatched: 1 where a bound exceeds its limit, and where nothing is certain. `colors`: its
+// limits alone count. A depth in voxels counts along the shortest edge of a voxel.
+std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const OverlayWish& wish,
+                                        double shortestEdgeMm);
+
+// Colours of the logarithm of a bound (cividis), as bright as the picture is there; hatching; and a legend in
+// the corner that look.legend_corner says. Says where the legend stands, as render::FrameReport has it; none
+// where there is no room for one, and on a picture that shows no bound. Throws Error{usage} of light where
+// none is stored.
+std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayWish& wish,
+                                        double shortestEdgeMm, scene::LegendCorner corner,
+                                        const std::optional<render::Tile>& taken, render::ColorImage& image);
+
+}  // namespace isolux::app
