@@ -14,7 +14,7 @@ namespace isolux::scene {
 // Orthonormal, right-handed: right x up = back. The viewer looks along -back.
 struct CameraFrame {
   glm::dvec3 eye, right, up, back;
-  double distance;    // eye to target, mm
+  double distance;    // eye to target, mm; above 0
   double halfHeight;  // of the image plane at unit distance (perspective), or in mm (orthographic)
   Projection projection;
 };

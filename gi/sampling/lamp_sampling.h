@@ -36,7 +36,8 @@ class LampSampler {
 
   // `u` in [0, 1)^2 is used by lamps with an extent.
   LampSample sample(int lamp, glm::vec3 voxel, glm::vec3 normal, glm::vec2 u) const;
-  // One lamp, with a probability in proportion to its unoccluded irradiance; -1 where none shines.
+  // One lamp, with a probability in proportion to its unoccluded irradiance; -1 where none shines, or all
+  // together beyond what a float holds. `u` in [0, 1].
   int choose(glm::vec3 voxel, glm::vec3 normal, float u, float& probability) const;
 
  private:

@@ -10,7 +10,8 @@ namespace isolux::gi {
 
 namespace {
 
-// The trilinear field at a position inside the domain, stored units; NaN where a voxel is missing.
+// The trilinear field at a position inside the domain, stored units; NaN where a voxel of its cell is
+// missing.
 float fieldAt(const volume::Grid& grid, glm::vec3 voxel) {
   const glm::ivec3 last = grid.dims() - 1;
   const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), last);
@@ -22,7 +23,7 @@ float fieldAt(const volume::Grid& grid, glm::vec3 voxel) {
                         (corner & 4) ? high.z : low.z);
     const double weight = ((corner & 1) ? part.x : 1.0 - part.x) * ((corner & 2) ? part.y : 1.0 - part.y) *
                           ((corner & 4) ? part.z : 1.0 - part.z);
-    if (weight > 0.0) value += weight * grid.stored(at.x, at.y, at.z);
+    value += weight * grid.stored(at.x, at.y, at.z);
   }
   return static_cast<float>(value);
 }

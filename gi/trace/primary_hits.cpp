@@ -104,7 +104,7 @@ glm::vec3 PrimaryHits::direction(glm::ivec2 pixel) const {
 
 glm::vec3 PrimaryHits::backgroundDirection(glm::ivec2 pixel) const {
   if (frame_.projection != scene::Projection::orthographic) return direction(pixel);
-  const glm::dvec2 extent = ndcOf(pixel) * (frame_.halfHeight / std::max(frame_.distance, 1e-9));
+  const glm::dvec2 extent = ndcOf(pixel) * (frame_.halfHeight / frame_.distance);
   const double aspect = static_cast<double>(size_.x) / size_.y;
   return glm::vec3(glm::normalize(extent.x * aspect * frame_.right + extent.y * frame_.up - frame_.back));
 }

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/camera.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
 
@@ -227,8 +228,7 @@ void FrameLight::setBackground(FrameState& frame, Program& p, int unit) {
   p.set("uForwardWorld", glm::vec3(frame.view->forwardWorld));
   // An orthographic view sees as much of it as a perspective one of the same target.
   glm::dvec2 extent = frame.view->halfExtent;
-  if (frame.view->orthographic)
-    extent /= std::max(glm::length(*frame.scene->camera.eye - *frame.scene->camera.target), 1e-9);
+  if (frame.view->orthographic) extent /= scene::frameOf(frame.scene->camera).distance;
   p.set("uViewExtent", glm::vec2(extent));
 }
 

@@ -6,12 +6,15 @@ reason. Everything happens in a copy of the tree (scratch_tree.py). Which change
 Exit code: 0 at least 95 % of those tried were noticed (accepted ones aside), 1 fewer, 2 the script itself could not run."""
 
 import argparse
+import collections
 import fnmatch
+import math
 import os
 import re
 import sys
 import tomllib
 
+import page
 import results
 import scratch_tree
 
@@ -89,7 +92,10 @@ def check(listed):
     gone = [entry for entry in accepted_survivors() if entry not in there]
     for file, before, _ in gone:
         print(f"survivors.toml: {file} has no longer the line: {before}")
-    return 1 if gone else 0
+    outdated = page.outdated(accepted_table())
+    if outdated:
+        print("docs/numerics.md: the list of accepted changes is not that of survivors.toml; ./dev mutate --table writes it")
+    return 1 if gone or outdated else 0
 
 
 def try_all(chosen, arguments):
@@ -99,8 +105,7 @@ def try_all(chosen, arguments):
     todo = [mutant for mutant in chosen if mutant.key not in kept.of]
     if todo:
         wanted = list(dict.fromkeys((mutant.program, mutant.tests) for mutant in todo))
-        judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs, wanted))
-        judge.baseline(wanted)
+        judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs, wanted), wanted)
     for mutant in todo:
         changed = {mutant.file: mutant.broken((judge.tree.path / mutant.file).read_text())}
         state, words, seconds = judge.judge(changed, mutant.program, mutant.tests)
@@ -109,20 +114,61 @@ def try_all(chosen, arguments):
     return report(chosen, kept)
 
 
-def report(chosen, kept):
+def counted(chosen, kept):
+    """Of those tried: how many by state, and what survives without a reason."""
     accepted = accepted_survivors()
-    counts, survivors = {}, []
+    counts, survivors = collections.Counter(), []
     for mutant in chosen:
         state = kept.of[mutant.key]["state"]
         if state == "unnoticed" and (mutant.file, mutant.before, mutant.after) in accepted:
             state = "accepted"
-        counts[state] = counts.get(state, 0) + 1
+        counts[state] += 1
         if state == "unnoticed":
             survivors.append(mutant)
-    noticed, tried = counts.get("noticed", 0), counts.get("noticed", 0) + len(survivors)
+    return counts, survivors
+
+
+def interval(noticed, tried):
+    """Wilson's 95 % interval of a share."""
+    z, share = 1.96, noticed / tried
+    middle, half = share + z * z / (2 * tried), z * math.sqrt(share * (1 - share) / tried + (z / (2 * tried)) ** 2)
+    return [max(0.0, (middle - half) / (1 + z * z / tried)), min(1.0, (middle + half) / (1 + z * z / tried))]
+
+
+def tables(chosen, listed):
+    """The sections of the page: figures of those chosen, as far as they have been tried; survivors with their reasons."""
+    kept = results.Results(scratch_tree.FOLDER / "mutants.json")
+    tried = [mutant for mutant in chosen if mutant.key in kept.of]
+    lines = ["| code | changes | tried | noticed | not, with a reason | not | do not compile |", "|---|---|---|---|---|---|---|"]
+    room = lambda mutant: mutant.file.removeprefix("resources/").rsplit("/", 1)[0]
+    for name in [*sorted(set(map(room, listed))), None]:
+        of = lambda mutants: [mutant for mutant in mutants if name in (None, room(mutant))]
+        counts, left = counted(of(tried), kept)
+        lines.append(f"| {f'`{name}`' if name else 'all'} | {len(of(listed))} | {len(of(tried))} | {counts['noticed']} | "
+                     f"{counts['accepted']} | {len(left)} | {counts['does not compile']} |")
+    counts, left = counted(tried, kept)
+    judged = counts["noticed"] + len(left)
+    if judged:
+        low, high = (100 * share for share in interval(counts["noticed"], judged))
+        lines.append(f"\nOf the {judged} that compile and are not accepted {counts['noticed']} were noticed: "
+                     f"{100 * counts['noticed'] / judged:.1f} %, of all such changes {low:.1f} to {high:.1f} % with a confidence of 95 %.")
+    for mutant in left:
+        lines.append(f"\n- `{mutant.file.removeprefix('resources/shaders/')}`: `{mutant.before}` → `{mutant.after}`: no test notices.")
+    return {"mutants": "\n".join(lines), **accepted_table()}
+
+
+def accepted_table():
+    lines = [f"- `{file.removeprefix('resources/shaders/')}`: `{before}` → `{after}`: {reason}."
+             for (file, before, after), reason in accepted_survivors().items()]
+    return {"accepted mutants": "\n".join(lines)}
+
+
+def report(chosen, kept):
+    counts, survivors = counted(chosen, kept)
+    noticed, tried = counts["noticed"], counts["noticed"] + len(survivors)
     for mutant in survivors:
         print(f"survives: {mutant.file}:{mutant.line}\n  - {mutant.before}\n  + {mutant.after}")
-    print(f"of {len(chosen)} changes {counts.get('does not compile', 0)} do not compile, {counts.get('accepted', 0)} are accepted; "
+    print(f"of {len(chosen)} changes {counts['does not compile']} do not compile, {counts['accepted']} are accepted; "
           f"of the other {tried} {noticed} were noticed" + (f" ({100 * noticed / tried:.1f} %)" if tried else ""))
     return 0 if noticed >= WANTED * tried else 1
 
@@ -133,7 +179,8 @@ def main():
     parser.add_argument("--sample", type=int, metavar="N", help="this many (all)")
     parser.add_argument("--only", metavar="PATTERN", help="files whose path matches (shell pattern)")
     parser.add_argument("--list", action="store_true", help="name the changes, try none")
-    parser.add_argument("--check", action="store_true", help="whether survivors.toml fits the code; builds nothing")
+    parser.add_argument("--check", action="store_true", help="whether survivors.toml, code and docs/numerics.md agree; builds nothing")
+    parser.add_argument("--table", action="store_true", help="write docs/numerics.md: of those chosen, as far as they have been tried")
     parser.add_argument("--jobs", type=int, default=max((os.cpu_count() or 2) // 2, 1), help="processes at a time (half of the cores)")
     parser.add_argument("--resume", action="store_true", help="leave out what build/broken_code/mutants.json holds")
     arguments = parser.parse_args()
@@ -143,12 +190,15 @@ def main():
     if arguments.only:
         listed = [mutant for mutant in listed if fnmatch.fnmatch(mutant.file, arguments.only)]
     chosen = sorted(listed, key=lambda mutant: results.digest(arguments.seed, mutant.key))[:arguments.sample]
+    if arguments.table:
+        page.write(tables(chosen, listed))
+        return 0
     if arguments.list:
         for mutant in chosen:
             print(f"{mutant.file}:{mutant.line}\n  - {mutant.before}\n  + {mutant.after}")
         print(f"{len(chosen)} of {len(listed)}")
         return 0
-    os.nice(5)
+    os.nice(max(0, 5 - os.nice(0)))
     return try_all(chosen, arguments)
 
 

@@ -17,6 +17,7 @@ import pathlib
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import time
 
@@ -38,6 +39,7 @@ endfunction()
 TEST = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", re.M)
 MEMORY = 8 << 30  # bytes of address space: broken loops may ask for any amount
 SHADERS = "resources/shaders/"
+TOO_LONG = "it takes too long"
 LIBRARY = "render/gl/shader_library.cpp"
 LOOKUP = "std::string_view textOf(std::string_view name) {\n"
 FROM_FOLDER = """#include <cstdlib>
@@ -63,9 +65,9 @@ class Trouble(Exception):
 class TestRun:
     """What one run of tests came to."""
 
-    def __init__(self, passed, words, of):
+    def __init__(self, passed, words, seconds, count):
         self.passed, self.words = passed, words  # words: the first that failed, or why
-        self.of = of  # seconds of each test that passed
+        self.seconds, self.count = seconds, count  # of a processor; of tests that passed
 
 
 class ScratchTree:
@@ -133,7 +135,7 @@ class ScratchTree:
         return text.replace("\n\n#include <set>", "\n\n" + FROM_FOLDER + "#include <set>").encode()
 
     def environment(self):
-        env = dict(os.environ, CCACHE_NOHASHDIR="1", ISOLUX_BROKEN_SHADERS=str(self.shaders))
+        env = dict(os.environ, CCACHE_NOHASHDIR="1")
         if not subprocess.run(["ccache", "--get-config", "base_dir"], capture_output=True, text=True).stdout.strip():
             env["CCACHE_BASEDIR"] = str(self.path)
         env.setdefault("ISOLUX_DATA", str(ROOT.parent / "shared" / "data"))
@@ -174,10 +176,14 @@ class ScratchTree:
                               capture_output=True, text=True, env=self.environment())
         return None if made.returncode == 0 else made.stdout[-4000:]
 
-    def run(self, target, tests, seconds):
-        """Runs the tests that a GoogleTest filter names, until one fails; more than `seconds` are a failure."""
+    def run(self, target, tests, seconds, broken=True):
+        """Runs the tests that a GoogleTest filter names, until one fails; more than `seconds` of a processor are a failure.
+
+        A busy machine stretches time by any factor, but not what a processor does. `broken`: with the shaders that are broken.
+        """
         started = time.monotonic()
-        parts = [self.start(target, tests, part) for part in range(self.jobs)]
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        parts = [self.start(target, tests, part, seconds, broken) for part in range(self.jobs)]
         words = passed = None
         waiting = dict(enumerate(parts))
         while waiting and passed is not False:
@@ -185,8 +191,8 @@ class ScratchTree:
                 try:
                     code = process.wait(0.02)
                 except subprocess.TimeoutExpired:
-                    if time.monotonic() - started > seconds:
-                        passed, words = False, "it takes too long"
+                    if time.monotonic() - started > 600 + 20 * seconds:  # it waits for what never comes
+                        passed, words = False, TOO_LONG
                         break
                     continue
                 del waiting[part]
@@ -197,24 +203,30 @@ class ScratchTree:
             if process.poll() is None:
                 process.kill()
                 process.wait()
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
         output = "".join(pathlib.Path(log.name).read_text(errors="replace") for _, log in parts)
-        times = re.findall(r"^\[       OK \] (\S+) \((\d+) ms\)", output, re.M)
-        return TestRun(passed is not False, words, {name: int(time) / 1000 for name, time in times})
+        return TestRun(passed is not False, words, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
+                       len(re.findall(r"^\[       OK \] ", output, re.M)))
 
-    def start(self, target, tests, part):
+    def start(self, target, tests, part, seconds, broken):
         log = open(FOLDER / f"tests_{part}.log", "w")
         env = dict(self.environment(), GTEST_TOTAL_SHARDS=str(self.jobs), GTEST_SHARD_INDEX=str(part))
+        if broken:
+            env["ISOLUX_BROKEN_SHADERS"] = str(self.shaders)
         command = [self.build_folder / "bin" / target, f"--gtest_filter={tests}", "--gtest_fail_fast"]
         return subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, env=env,
-                                cwd=self.build_folder, preexec_fn=limit_memory), log
+                                cwd=self.build_folder, preexec_fn=lambda: limit(int(seconds) + 1)), log
 
 
-def limit_memory():
+def limit(seconds):
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 def reason(code, output):
+    if code in (-signal.SIGXCPU, -signal.SIGKILL):
+        return TOO_LONG
     failed = re.search(r"^\[  FAILED  \] (\S+?),? ", output, re.M)
     if re.search(r"shader \S+ does not compile", output):
         return "the shader does not compile"
@@ -226,38 +238,36 @@ def reason(code, output):
 
 
 class Judge:
-    """Whether tests notice a change; what is unchanged must pass first."""
+    """Whether tests notice a change. A test that fails must pass where nothing is changed, which is asked when it first fails."""
 
-    def __init__(self, tree):
+    def __init__(self, tree, wanted):
+        """wanted: (target, tests)..."""
         self.tree = tree
-        self.unchanged = {}  # (target, tests) -> seconds
-        self.times_file = FOLDER / "unchanged.json"  # of each target: its digest, and the seconds of each test that it passed
-
-    def baseline(self, wanted):
-        """wanted: (target, tests)... Every test of them once, where this very program has not passed it before."""
-        known = json.loads(self.times_file.read_text()) if self.times_file.is_file() else {}
+        self.times_file = FOLDER / "unchanged.json"  # of each target: its digest, and the seconds that tests of it took
+        self.times = json.loads(self.times_file.read_text()) if self.times_file.is_file() else {}
         for target in dict.fromkeys(target for target, _ in wanted):
-            filters = list(dict.fromkeys(tests for other, tests in wanted if other == target))
-            trouble = self.tree.build(target)
+            trouble = tree.build(target)
             if trouble:
                 raise Trouble(f"{target} does not build unchanged:\n{trouble}")
-            digest = hashlib.sha256((self.tree.build_folder / "bin" / target).read_bytes()).hexdigest()
-            if known.get(target, {}).get("digest") != digest:
-                known[target] = {"digest": digest, "filters": [], "seconds": {}}
-            passed = known[target]
-            missing = [one for tests in filters for one in tests.split(":") if one not in passed["filters"]]
-            if missing:
-                run = self.tree.run(target, ":".join(dict.fromkeys(missing)), 3600)
-                if not run.passed:
-                    raise Trouble(f"{target} fails unchanged: {run.words}")
-                passed["filters"] += missing
-                passed["seconds"] |= run.of
-                self.times_file.write_text(json.dumps(known, indent=1))
-            for tests in filters:
-                named = [name for name in passed["seconds"] if any(fnmatch.fnmatchcase(name, one) for one in tests.split(":"))]
-                if not named:
-                    raise Trouble(f"{target} has no tests '{tests}'")
-                self.unchanged[target, tests] = sum(passed["seconds"][name] for name in named)
+            digest = hashlib.sha256((tree.build_folder / "bin" / target).read_bytes()).hexdigest()
+            if self.times.get(target, {}).get("digest") != digest:
+                self.times[target] = {"digest": digest, "seconds": {}}
+
+    def seconds(self, target, tests):
+        """Of a processor, that tests take unchanged."""
+        known = self.times[target]["seconds"]
+        if tests not in known:
+            run = self.tree.run(target, tests, 3600, broken=False)
+            if not run.passed:
+                raise Trouble(f"{target} fails unchanged: {run.words}")
+            if run.count == 0:
+                raise Trouble(f"{target} has no tests '{tests}'")
+            known[tests] = run.seconds
+            self.times_file.write_text(json.dumps(self.times, indent=1))
+        return known[tests]
+
+    def allowed(self, target, tests):
+        return 60 + 5 * self.times[target]["seconds"].get(tests, 0.0)
 
     def judge(self, changed, target, tests):
         """changed: file -> text. ("noticed" | "unnoticed" | "does not compile", words, seconds)."""
@@ -271,10 +281,21 @@ class Judge:
             if trouble:
                 found = re.search(r"(error: .*|undefined reference.*)", trouble)
                 return "does not compile", found.group(1) if found else trouble[-200:], time.monotonic() - started
-            run = self.tree.run(program, tests, 20 + 5 * self.unchanged[target, tests])
+            allowed = self.allowed(target, tests)
+            run = self.tree.run(program, tests, allowed)
+            if run.words == TOO_LONG:
+                self.seconds(target, tests)
+                if self.allowed(target, tests) > allowed:
+                    run = self.tree.run(program, tests, self.allowed(target, tests))
         finally:
             self.tree.restore()
         seconds = time.monotonic() - started
         if run.words == "the shader does not compile":
             return "does not compile", run.words, seconds
-        return ("unnoticed", "", seconds) if run.passed else ("noticed", run.words, seconds)
+        if run.passed:
+            if run.count == 0:
+                raise Trouble(f"{target} has no tests '{tests}'")
+            return "unnoticed", "", seconds
+        if run.words != TOO_LONG:
+            self.seconds(target, run.words if re.fullmatch(r"[\w/]+\.[\w/]+", run.words) else tests)
+        return "noticed", run.words, seconds

@@ -248,6 +248,10 @@ TEST_F(LightKey, NamesABuiltInLightAndTakesTheRotationAsAWhole) {
     EXPECT_NEAR(rotation(azimuth)[i].get<double>(), rotation(quaternion)[i].get<double>(), 1e-15);
 }
 
+TEST_F(LightKey, ARotationOfLengthZeroIsNone) {
+  EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.rotation = {0.0, 0.0, 0.0, 0.0}; }), "none");
+}
+
 TEST_F(LightKey, AnotherProbeIsAnotherLight) {
   const std::string before = key(scene_, LightPart::sky);
   probe_ = environmentOf(8, 4, [](glm::dvec3 d) { return 1.0 + d.x; });

@@ -220,7 +220,9 @@ FoundEdge<Real> findEdge(const EdgeSearch<Real>& search, const Sample& sample,
       }
       const Slope<Real> to = line.slope(toward * std::min(Real(i) * step, search.searchMm));
       const bool rises = toward * from.change > 0 || (i == 1 && side == 0 && from.change == 0);
-      if (to.known && rises && toward * to.change < 0) {
+      // A step may end at the peak itself.
+      const bool falls = toward * to.change < 0 || (to.change == 0 && from.change != 0);
+      if (to.known && rises && falls) {
         const Slope<Real> peak = edge::peakBetween(line, from, to);
         if (isEdge(peak, from, to) && (!nearest.known || std::abs(peak.s) < std::abs(nearest.s)))
           nearest = peak;

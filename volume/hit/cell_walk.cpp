@@ -62,7 +62,7 @@ bool CellWalk::clip(double tMinimum, double tMaximum) {
   if (!(t_ < tEnd_) || !std::isfinite(t_)) return false;
   for (int axis = 0; axis < 3; ++axis) {
     const int last = dims_[axis] - 1;
-    entry_[axis] = std::clamp(coordinate(axis, t_), 0.0, static_cast<double>(last));
+    entry_[axis] = coordinate(axis, t_);  // in the domain: rounding is less than coordinate() allows for
     if (axis == entryAxis) entry_[axis] = direction_[axis] > 0.0 ? 0.0 : last;
     cell_[axis] = cellAt(axis, 0, last);
   }

@@ -140,7 +140,9 @@ void main() {
       bool rises = toward * from.change > 0.0 || (i == 1 && side == 0 && from.change == 0.0);
       before[side] = to;
       if (to.along < -uContrast * noise) before[side].known = false;
-      if (!to.known || !rises || toward * to.change >= 0.0) continue;
+      // A step may end at the peak itself.
+      bool falls = toward * to.change < 0.0 || (to.change == 0.0 && from.change != 0.0);
+      if (!to.known || !rises || !falls) continue;
       Slope peak = peakBetween(from, to);
       bool clear = peak.size >= uContrast * noise && peak.along > 0.0 &&
                    min(from.size, to.size) <= (1.0 - leastPeak) * peak.size;

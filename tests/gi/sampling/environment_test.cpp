@@ -18,6 +18,7 @@
 
 #include "gi/harmonics/sh_rotation.h"
 #include "gi/sampling/directions.h"
+#include "tests/support/invalid_operations.h"
 #include "tests/support/statistics.h"
 
 namespace isolux::gi {
@@ -378,6 +379,38 @@ TEST(Environment, NonFinitePixelsBecomeTheMeanOfTheirNeighboursAndAreCounted) {
   EXPECT_EQ(none.badPixels(), 2u);
   EXPECT_TRUE(none.isBlack());
   EXPECT_EQ(Environment::constant({1, 1, 1}).badPixels(), 0u);
+}
+
+// Probabilities are whole numbers of 2^-31; what shines a little must not fall below one, wherever it stands.
+TEST(Environment, ARarePixelIsNeverWithoutProbability) {
+  constexpr int width = 8, height = 6;
+  for (const int rare : {0, 3, 7, 8, 20, 40, 47})
+    for (const int rareToo : {1, 30, 46}) {
+      std::vector<glm::vec3> pixels(width * height, glm::vec3(1.0f));
+      pixels[rare] = pixels[rareToo] = glm::vec3(1e-20f);
+      const auto environment = Environment::fromImage(width, height, pixels);
+      for (const int i : {rare, rareToo}) {
+        const glm::vec3 middle(environment.directionOf(i % width + 0.5, i / width + 0.5));
+        ASSERT_EQ(environment.radiance(middle).r, 1e-20f);
+        EXPECT_GT(environment.pdf(middle), 0.0f) << rare << ' ' << rareToo << ' ' << i;
+      }
+    }
+  // A first row of little light, too.
+  std::vector<glm::vec3> pixels(width * height, glm::vec3(1.0f));
+  std::fill_n(pixels.begin(), width, glm::vec3(1e-20f));
+  const auto environment = Environment::fromImage(width, height, pixels);
+  EXPECT_GT(environment.pdf(glm::vec3(environment.directionOf(2.5, 0.5))), 0.0f);
+}
+
+TEST(Environment, RowsWithoutLightHaveNoDistribution) {
+  std::vector<glm::vec3> pixels(8 * 4, glm::vec3(0.0f));
+  pixels[2 * 8 + 3] = glm::vec3(1.0f);
+  const test::InvalidOperations invalid;
+  const auto environment = Environment::fromImage(8, 4, pixels);
+  EXPECT_FALSE(invalid.met());
+  EXPECT_EQ(environment.pdf(glm::vec3(environment.directionOf(3.5, 1.5))), 0.0f);
+  EXPECT_NEAR(environment.pdf(glm::vec3(environment.directionOf(3.5, 2.5))), 1.0 / environment.solidAngle(2),
+              1e-6 / environment.solidAngle(2));
 }
 
 TEST(Environment, HugeValuesStayFinite) {

@@ -82,5 +82,20 @@ TEST(LatticeEstimator, LightIsThatOfThePlace) {
   for (const double sum : sums) EXPECT_NEAR(sum / 64.0, 3.14159265, 1e-4);
 }
 
+// Texels stand on voxels here: of their cells the far corners have weight 0. No spline is known beside a gap.
+TEST(LatticeEstimator, TexelsBesideAMissingVoxelAreNotLit) {
+  const auto volume = test::volumeOf(
+      test::cube(kSize), [&](glm::dvec3 p) { return p == glm::dvec3(1.0, 1.0, -3.0) ? std::nan("") : -p.z; });
+  LightScene light = test::lightSceneOf(volume);
+  test::setUnitSky(light);
+  const LatticeGeometry lattice = LatticeGeometry::make(glm::ivec3(kSize), 1.0);
+  const LatticeEstimator estimator(std::make_shared<const LightScene>(std::move(light)), lattice,
+                                   LightPart::sky);
+  const std::vector<glm::ivec3> texels = {{10, 10, 6}, {10, 11, 7}, {11, 11, 6}, {11, 11, 7}, {4, 5, 6}};
+  std::vector<TexelPoint> points(texels.size());
+  estimator.points(texels, points);
+  for (std::size_t i = 0; i < texels.size(); ++i) EXPECT_EQ(points[i].normal == glm::vec3(0.0f), i < 4) << i;
+}
+
 }  // namespace
 }  // namespace isolux::gi
