@@ -55,11 +55,10 @@ TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool compl
 // Pixels are drawn from the picture's by lot, so that the standard error holds though neighbours share texels
 // and their noise; but what errs most is rare, and on few pixels it may be absent.
 ErrorBound lightBound(const LightErrors& errors, Measuring measuring) {
-  const bool few = measuring == Measuring::few, all = measuring == Measuring::picture;
-  const double margin = few ? 1.02 : 1.0, sure = (few ? 3.0 : all ? 0.0 : 1.0) * errors.rmseStandardError;
+  const double sure = (measuring < Measuring::most ? 3.0 : 1.0) * errors.rmseStandardError;
   return {.value = errors.relative(errors.rmse),
-          .least = errors.relative(std::max(errors.rmse - sure, 0.0) / margin),
-          .bound = errors.relative(margin * (errors.rmse + sure))};
+          .least = errors.relative(std::max(errors.rmse - sure, 0.0)),
+          .bound = errors.relative(errors.rmse + sure)};
 }
 
 double worstRatio(const TargetErrors& errors, std::span<const Limit> limits) {

@@ -6,8 +6,7 @@
 //   missed: between limits of the number of such pixels that one picture in a thousand exceeds, were they
 //     spread by chance (Poisson), widened because they come in clusters: k + 4.8 + 4 sqrt(k + 1), k - 4
 //     sqrt(k); 0 where none was found and the search for hits is complete;
-//   light: three standard errors and 2 % to both sides of the root mean square; on most pixels one standard
-//     error, because their number alone makes that small.
+//   light: three standard errors to both sides of the root mean square; on most pixels one.
 // Measured on all of the picture's pixels, what was measured is the bound.
 #pragma once
 

@@ -1,5 +1,6 @@
 #include "app/target/light_judge.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stop_token>
@@ -14,8 +15,19 @@ namespace isolux::app {
 
 namespace {
 
-// Paths of one of the truth's replicates.
-constexpr std::uint32_t kFewestPaths = 16, kMostPaths = 4096;
+// Paths of one of the truth's replicates: more where less noise is asked for, so that it takes some time, but
+// not for ever where single paths are much brighter than the rest.
+TruthOptions pathsFor(double noise) {
+  constexpr double paths = 256.0, ordinaryNoise = 0.01, mostPaths = 4096.0;
+  const double finer = std::max(ordinaryNoise / noise, 1.0);
+  return {.firstSamples = 16,
+          .mostSamples = static_cast<std::uint32_t>(std::min(paths * finer * finer, mostPaths)),
+          .relativeNoise = noise};
+}
+
+bool canBeJudged(const TrueHit& hit) {
+  return hit.hit && hit.fromOutside;
+}
 
 }  // namespace
 
@@ -32,7 +44,7 @@ LightJudge::LightJudge(render::Renderer& renderer, SurfaceTruth& truth,
 
 // Light that stands still, whatever is stored of it.
 const LightTruth& LightJudge::truthOf(Measuring measuring, base::Progress& progress) {
-  const std::size_t count = judgedPixels(measuring);
+  const std::size_t count = std::min(judgedPixels(measuring), seen_);
   if (const auto known = truths_.find(count); known != truths_.end()) return known->second;
   scene::Scene still = *reference_;
   still.gi.mode = scene::GiMode::irradiance;
@@ -45,15 +57,14 @@ const LightTruth& LightJudge::truthOf(Measuring measuring, base::Progress& progr
   const glm::dvec3 skyScale = light->choice.unitSky ? exposure * environment->mean() : glm::dvec3(exposure);
   std::vector<bool> isHit;
   isHit.reserve(hits_->size());
-  for (const TrueHit& hit : *hits_) isHit.push_back(hit.hit && hit.fromOutside);
+  for (const TrueHit& hit : *hits_) isHit.push_back(canBeJudged(hit));
   const std::vector<std::size_t> pixels = chosenPixels(isHit, count);
   std::vector<glm::vec3> voxels;
   voxels.reserve(pixels.size());
   for (const std::size_t pixel : pixels) voxels.emplace_back((*hits_)[pixel].voxel);
   const auto isovalue = static_cast<float>(volume_->grid().storedOfValue(still.isosurface.value.value()));
-  const TruthOptions options{
-      .firstSamples = kFewestPaths, .mostSamples = kMostPaths, .relativeNoise = noise_};
-  return truths_.emplace(count, lightTruthAt(light, skyScale, isovalue, voxels, pixels, options, progress))
+  return truths_
+      .emplace(count, lightTruthAt(light, skyScale, isovalue, voxels, pixels, pathsFor(noise_), progress))
       .first->second;
 }
 
@@ -82,17 +93,17 @@ void LightJudge::draw(const scene::Scene& scene, base::Progress& progress) {
 LightErrors LightJudge::judge(const scene::Scene& scene, Measuring measuring, base::Progress& progress) {
   if (!reference_) {
     hits_ = &surface_.hitsOf(scene::Field::trilinear, progress);
+    seen_ = static_cast<std::size_t>(std::count_if(hits_->begin(), hits_->end(), canBeJudged));
     reference_ = scene;
   }
   const LightTruth& truth = truthOf(measuring, progress);
   if (drawn_ != scene) draw(scene, progress);
-  return lightErrorsOf(irradiance_, truth);
-}
-
-bool LightJudge::judgedAll(Measuring measuring) const {
-  const auto known = truths_.find(judgedPixels(measuring));
-  return size_ == picture_.size && known != truths_.end() &&
-         known->second.pixels.size() < judgedPixels(measuring);
+  LightErrors errors = lightErrorsOf(irradiance_, truth);
+  // Sampling without replacement: Cochran, Sampling Techniques (1977), eq. 2.20.
+  const double part =
+      std::min(1.0, static_cast<double>(judgedPixels(measuring)) / static_cast<double>(seen_));
+  errors.rmseStandardError *= std::sqrt(1.0 - part);
+  return errors;
 }
 
 }  // namespace isolux::app

@@ -7,6 +7,7 @@
 // is noisier.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,9 +22,9 @@
 
 namespace isolux::app {
 
-// At most so many pixels are judged. Only tests judge those of `picture`.
+// At most so many pixels are judged; of `picture`, which only tests ask for, all.
 constexpr std::size_t judgedPixels(Measuring measuring) {
-  constexpr std::size_t pixels[] = {4096, 16384, 16384, 24576};
+  constexpr std::size_t pixels[] = {4096, 16384, 65536, std::numeric_limits<std::size_t>::max()};
   return pixels[static_cast<int>(measuring)];
 }
 
@@ -35,11 +36,10 @@ class LightJudge {
              std::shared_ptr<const volume::PreparedVolume> volume, const scene::Machine& machine,
              render::FrameRequest picture, glm::ivec2 size, double noise);
 
-  // `scene` resolved and complete, its light stored. The same scene again is not baked again. Throws
+  // `scene` resolved and complete, its light stored. The same scene again is not baked again. The standard
+  // error is that of a part of the picture's pixels, drawn by lot: none where all are judged. Throws
   // Error{interrupted}.
   LightErrors judge(const scene::Scene& scene, Measuring measuring, base::Progress& progress);
-  // What was judged for `measuring` is every pixel of the picture that can be.
-  bool judgedAll(Measuring measuring) const;
 
  private:
   const LightTruth& truthOf(Measuring measuring, base::Progress& progress);
@@ -54,7 +54,8 @@ class LightJudge {
   LightController controller_;
   std::optional<scene::Scene> reference_;       // the first that was judged
   const std::vector<TrueHit>* hits_ = nullptr;  // of reference_
-  std::map<std::size_t, LightTruth> truths_;    // by judgedPixels()
+  std::size_t seen_ = 0;                        // pixels that can be judged
+  std::map<std::size_t, LightTruth> truths_;    // by number of pixels
   std::optional<scene::Scene> drawn_;
   std::vector<float> irradiance_;  // of drawn_; NaN where another crossing was hit
 };

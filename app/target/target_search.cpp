@@ -137,10 +137,9 @@ TargetErrors TargetSearch::measureLight(const Candidate& candidate, Measuring me
     light_ = std::make_unique<LightJudge>(renderer_, truthAt(size), question_.volume, question_.machine,
                                           question_.picture, size, lightNoise_);
   }
-  const LightErrors found = light_->judge(wholeSurface(sceneOf(candidate, progress)), measuring, progress);
   TargetErrors errors;
   errors[indexOf(Quantity::light)] =
-      lightBound(found, light_->judgedAll(measuring) ? Measuring::picture : measuring);
+      lightBound(light_->judge(wholeSurface(sceneOf(candidate, progress)), measuring, progress), measuring);
   return errors;
 }
 
