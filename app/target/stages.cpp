@@ -64,7 +64,10 @@ std::optional<std::size_t> chooseLight(std::span<const Candidate> list, const sc
     if (place.surelyAbove(limit.most)) continue;
     report(static_cast<double>(i) / static_cast<double>(list.size()));
     measured.push_back(measuredAsNeeded(list[i], {&limit, 1}, measure));
-    if (keeps(measured.back().errors, {&limit, 1})) return measured.size() - 1;
+    Measured& last = measured.back();
+    // The few pixels that err most may all be absent from a small part: what seems to hold is confirmed.
+    if (keeps(last.errors, {&limit, 1})) last.errors = measure(list[i], Measuring::most);
+    if (keeps(last.errors, {&limit, 1})) return measured.size() - 1;
     place.add(static_cast<double>(gi.samples), measured.back().errors[indexOf(limit.quantity)].value);
   }
   return std::nullopt;

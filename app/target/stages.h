@@ -32,7 +32,8 @@ std::optional<std::size_t> chooseSurface(std::span<const Candidate> list, std::s
 
 // Of light. `list` is that of lightCandidates(), of changes of `given`. More paths are not tried on a lattice
 // whose error would stay above the limit with any number of them, as far as two numbers of paths tell.
-// `measured` is added to. None: nothing keeps the limit.
+// What seems to keep the limit is measured on most pixels before it is taken. `measured` is added to. None:
+// nothing keeps the limit.
 std::optional<std::size_t> chooseLight(std::span<const Candidate> list, const scene::Scene& given,
                                        const Limit& limit, const Measure& measure, const Report& report,
                                        std::vector<Measured>& measured);
