@@ -306,7 +306,7 @@ bool LightController::finish(base::Progress& progress, double timeoutSeconds) {
     return progress.stopRequested() ||
            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > timeoutSeconds;
   };
-  constexpr double slice = 0.05;  // seconds: how soon a stop is seen
+  constexpr double slice = 0.02;  // seconds: how soon a stop is seen
   while (!settle(slice))
     if (over()) return false;
   std::vector<std::shared_ptr<gi::LightBake>> bakes;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kFloatRounding = 4.0 * 0x1p-24;  // of a few operations in single precision, relative
 constexpr double kBehindVoxels = 1e-6;            // where the search for the crossing behind a hit begins
-constexpr std::size_t kGrain = 64;                // pixels between two looks at Progress
+constexpr std::size_t kGrain = 64;                // pixels that a thread takes at least
 
 std::size_t indexOf(Field field) {
   return static_cast<std::size_t>(field);
@@ -33,7 +33,7 @@ void forEachPixel(std::size_t count, const base::Progress& progress, const Body&
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        if (i % kGrain == 0 && progress.stopRequested()) return;
+                        if (progress.stopRequested()) return;
                         body(i);
                       }
                     });
@@ -102,7 +102,7 @@ TrueHit SurfaceTruth::hitOf(Field field, std::size_t pixel) const {
   return result;
 }
 
-const SurfaceTruth::Hits& SurfaceTruth::hitsOf(Field field, base::Progress& progress) {
+const std::vector<TrueHit>& SurfaceTruth::hitsOf(Field field, base::Progress& progress) {
   Hits& hits = hits_[indexOf(field)];
   if (!hits.empty()) return hits;
   prepare(field, progress);

@@ -35,6 +35,9 @@ class SurfaceTruth {
   TrueSurface of(scene::Field hitField, const scene::Derivatives& derivatives, base::Progress& progress);
   TrueSurface of(scene::Field hitField, scene::Field shapeField, base::Progress& progress);
 
+  // Hits alone. Valid as long as this. Throws Error{interrupted}.
+  const std::vector<TrueHit>& hitsOf(scene::Field field, base::Progress& progress);
+
   // Whether the answer for this pixel hangs on a rounding: a ray or an isovalue as far off as single
   // precision cannot tell apart finds no crossing near the truth's, or one where it has none. After of()
   // with this field.
@@ -52,7 +55,6 @@ class SurfaceTruth {
   };
   Cast cast(scene::Field field, const volume::Ray& ray, double isovalue) const;
   void prepare(scene::Field field, base::Progress& progress);
-  const Hits& hitsOf(scene::Field field, base::Progress& progress);
   TrueHit hitOf(scene::Field field, std::size_t pixel) const;
   struct ShapeSource {
     scene::Field field;

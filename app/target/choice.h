@@ -1,13 +1,13 @@
 // Which of the measured combinations of settings is taken: pure functions of numbers.
 //
-// A choice goes by bounds, not by what was measured: an error is measured on a small picture of the view, and
+// A choice goes by bounds, not by what was measured: an error is measured on a part of the view's pixels, and
 // the picture itself errs a little differently.
 //   depth, normals, curvature: a margin (Measuring) times the 99 % quantile that was measured;
-//   missed: between the 1 % and 99 % limits of the number of such pixels (Poisson, to a few percent:
-//     k + 2.3 + 2.33 sqrt(k + 1), k + 1 - 2.33 sqrt(k)); 0 where none was found and the search for hits
-//     is complete;
-//   light: 1.1 times what lies two standard errors above the root mean square.
-// Measured on the picture's own pixels, what was measured is the bound (but of light).
+//   missed: between limits of the number of such pixels that one picture in a thousand exceeds, were they
+//     spread by chance (Poisson), widened because they come in clusters: k + 4.8 + 4 sqrt(k + 1), k - 4
+//     sqrt(k); 0 where none was found and the search for hits is complete;
+//   light: three standard errors to both sides of the root mean square; on most pixels one.
+// Measured on all of the picture's pixels, what was measured is the bound.
 #pragma once
 
 #include <limits>
@@ -45,7 +45,7 @@ struct Measured {
 
 // `complete`: as of the candidate.
 TargetErrors surfaceErrors(const Errors& errors, Measuring measuring, bool complete);
-ErrorBound lightBound(const LightErrors& errors);
+ErrorBound lightBound(const LightErrors& errors, Measuring measuring);
 
 bool keeps(const TargetErrors& errors, std::span<const Limit> limits);
 // Measured on more pixels they may be kept.

@@ -1,42 +1,63 @@
-// How far the light of a scene's picture is from path tracing: bakes it for what a small picture of the view
-// shows, and draws it.
+// How far the light of a scene's picture is from path tracing: bakes what the picture needs, and draws it.
 //
-// The truth is traced once, of the first scene that is judged: with its bounces, at the exact hits of at most
-// kJudgedPixels pixels (app/study/light_truth.h).
+// Truths are of the first scene that is judged: traced with its bounces, at exact hits of some of the
+// picture's pixels (app/study/light_truth.h), those of a measuring once it is asked for. More pixels say more
+// of an error's root mean square than more paths at each, because the truth's own noise is taken out of it.
+// The light is that of the whole picture: of a smaller one fewer texels are lit, and what lies between them
+// is noisier.
 #pragma once
 
+#include <limits>
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/light/light_controller.h"
 #include "app/study/light_errors.h"
 #include "app/study/surface_truth.h"
+#include "app/target/choice.h"
 #include "render/renderer.h"
 #include "scene/machine.h"
 
 namespace isolux::app {
 
-inline constexpr std::size_t kJudgedPixels = 768;
+// At most so many pixels are judged; of `picture`, which only tests ask for, all.
+constexpr std::size_t judgedPixels(Measuring measuring) {
+  constexpr std::size_t pixels[] = {4096, 16384, 65536, std::numeric_limits<std::size_t>::max()};
+  return pixels[static_cast<int>(measuring)];
+}
 
 class LightJudge {
  public:
+  // `picture`: what light is baked for. `truth`: of the view in `size`, whose pixels are judged. `noise`: of
+  // the light's truth, in parts of the mean E, at most, as far as kMostPaths reach.
   LightJudge(render::Renderer& renderer, SurfaceTruth& truth,
              std::shared_ptr<const volume::PreparedVolume> volume, const scene::Machine& machine,
-             glm::ivec2 size);
+             render::FrameRequest picture, glm::ivec2 size, double noise);
 
-  // `scene` resolved and complete, its light stored. Throws Error{interrupted}.
-  LightErrors judge(const scene::Scene& scene, base::Progress& progress);
+  // `scene` resolved and complete, its light stored. The same scene again is not baked again. The standard
+  // error is that of a part of the picture's pixels, drawn by lot: none where all are judged. Throws
+  // Error{interrupted}.
+  LightErrors judge(const scene::Scene& scene, Measuring measuring, base::Progress& progress);
 
  private:
-  void trace(const scene::Scene& scene, base::Progress& progress);
+  const LightTruth& truthOf(Measuring measuring, base::Progress& progress);
+  void draw(const scene::Scene& scene, base::Progress& progress);
 
   render::Renderer& renderer_;
   SurfaceTruth& surface_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
+  render::FrameRequest picture_;
   glm::ivec2 size_;
+  double noise_;
   LightController controller_;
-  std::vector<TrueHit> hits_;
-  LightTruth truth_;
+  std::optional<scene::Scene> reference_;       // the first that was judged
+  const std::vector<TrueHit>* hits_ = nullptr;  // of reference_
+  std::size_t seen_ = 0;                        // pixels that can be judged
+  std::map<std::size_t, LightTruth> truths_;    // by number of pixels
+  std::optional<scene::Scene> drawn_;
+  std::vector<float> irradiance_;  // of drawn_; NaN where another crossing was hit
 };
 
 }  // namespace isolux::app

@@ -6,6 +6,8 @@
 #include "app/jobs/field_job.h"
 #include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
+#include "app/target/drawn_images.h"
+#include "app/target/stages.h"
 #include "app/target/work.h"
 #include "base/error.h"
 #include "render/graph/pass_declarations.h"
@@ -113,40 +115,31 @@ TargetErrors TargetSearch::measure(const Candidate& candidate, Measuring measuri
   const glm::ivec2 size = measuring == Measuring::picture ? picture : measuredSize(picture, most);
   if (size == picture) measuring = Measuring::picture;
   const scene::Scene scene = wholeSurface(sceneOf(candidate, progress));
-  render::FrameRequest request;
-  request.size = size;
-  request.color = false;
-  request.aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal, render::Aov::kappa};
-  renderer_.render(scene, request);
-  const DrawnImages images{
-      renderer_.readAov(render::Aov::hit).values, renderer_.readAov(render::Aov::depth).values,
-      renderer_.readAov(render::Aov::normal).values, renderer_.readAov(render::Aov::kappa).values};
+  constexpr render::Aov aovs[] = {render::Aov::hit, render::Aov::depth, render::Aov::normal,
+                                  render::Aov::kappa};
+  std::vector<std::vector<float>> drawn = drawnImages(renderer_, scene, size, aovs, progress);
+  const DrawnImages images{std::move(drawn[0]), std::move(drawn[1]), std::move(drawn[2]),
+                           std::move(drawn[3])};
   const scene::Field field = reference_->hit.field;
   SurfaceTruth& surface = truthAt(size);
   const TrueSurface truth = surface.of(field, reference_->derivatives, progress);
-  const Errors errors =
-      errorsOf(images, truth, [&](std::size_t pixel) { return surface.undecided(field, pixel); });
+  const Errors errors = errorsOf(images, truth, [&](std::size_t pixel) {
+    progress.throwIfStopped();
+    return surface.undecided(field, pixel);
+  });
   return surfaceErrors(errors, measuring, candidate.complete && scene.hit.field == field);
 }
 
-// On more pixels where it is open whether the limits are kept.
-Measured TargetSearch::measuredFor(const Candidate& candidate, std::span<const Limit> limits,
-                                   base::Progress& progress) {
-  TargetErrors errors;
-  for (const Measuring measuring : {Measuring::few, Measuring::many, Measuring::most}) {
-    errors = measure(candidate, measuring, progress);
-    if (keeps(errors, limits) || !mayKeep(errors, limits)) break;
+TargetErrors TargetSearch::measureLight(const Candidate& candidate, Measuring measuring,
+                                        base::Progress& progress) {
+  if (!light_) {
+    const glm::ivec2 size = measuredSize(question_.picture.size, kMostPixels);
+    light_ = std::make_unique<LightJudge>(renderer_, truthAt(size), question_.volume, question_.machine,
+                                          question_.picture, size, lightNoise_);
   }
-  return {candidate, errors};
-}
-
-TargetErrors TargetSearch::measureLight(const Candidate& candidate, base::Progress& progress) {
-  if (!light_)
-    light_ =
-        std::make_unique<LightJudge>(renderer_, truthAt(size_), question_.volume, question_.machine, size_);
   TargetErrors errors;
   errors[indexOf(Quantity::light)] =
-      lightBound(light_->judge(wholeSurface(sceneOf(candidate, progress)), progress));
+      lightBound(light_->judge(wholeSurface(sceneOf(candidate, progress)), measuring, progress), measuring);
   return errors;
 }
 
@@ -179,7 +172,7 @@ void TargetSearch::addUnasked(TargetAnswer& answer) const {
   }
 }
 
-void TargetSearch::chooseSurface(TargetAnswer& answer, base::Progress& progress) {
+void TargetSearch::addSurface(TargetAnswer& answer, base::Progress& progress) {
   const bool shapes = std::any_of(answer.limits.begin(), answer.limits.end(), isOfShape);
   const std::vector<Candidate> list = surfaceCandidates(turning(shapes));
   answer.measured.push_back({list.front(), measure(list.front(), Measuring::few, progress)});
@@ -196,16 +189,12 @@ void TargetSearch::chooseSurface(TargetAnswer& answer, base::Progress& progress)
   std::vector<Limit> limits;
   std::copy_if(answer.limits.begin(), answer.limits.end(), std::back_inserter(limits),
                [](const Limit& limit) { return !isOfLight(limit); });
-  if (!keeps(answer.measured.front().errors, limits))
-    answer.measured.front() = measuredFor(list.front(), limits, progress);
-  const bool exactKeeps = keeps(answer.measured.front().errors, limits);
-  for (std::size_t i = 1; i < list.size(); ++i) {
-    if (exactKeeps && list[i].cost >= list.front().cost) break;
-    progress.report(static_cast<double>(i) / static_cast<double>(list.size()), "choosing settings");
-    answer.measured.push_back(measuredFor(list[i], limits, progress));
-    if (keeps(answer.measured.back().errors, limits)) break;
-  }
-  const std::optional<std::size_t> chosen = cheapestThatKeeps(answer.measured, limits);
+  const std::optional<std::size_t> chosen = chooseSurface(
+      list, limits,
+      [&](const Candidate& candidate, Measuring measuring) {
+        return measure(candidate, measuring, progress);
+      },
+      [&](double part) { progress.report(part, "choosing settings"); }, answer.measured);
   if (chosen) {
     answer.chosen = *chosen;
     return;
@@ -222,41 +211,28 @@ void TargetSearch::chooseSurface(TargetAnswer& answer, base::Progress& progress)
               "no settings keep " + limitsText(limits) + "; the least that can be promised is " + found);
 }
 
-void TargetSearch::chooseLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress) {
+void TargetSearch::addLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress) {
   const auto limit = std::find_if(answer.limits.begin(), answer.limits.end(), isOfLight);
   if (limit == answer.limits.end()) return;
-  struct Last {
-    double samples, square;
-  };
-  std::map<double, Last> lasts;     // by texels per voxel
-  std::map<double, double> places;  // the error that more paths leave, squared
-  const std::vector<Candidate> list = lightCandidates(turning(false), surface.candidate);
-  std::size_t nearest = answer.measured.size();
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const scene::Gi gi = applied(list[i], question_.given).gi;
-    const auto place = places.find(gi.latticeScale);
-    if (place != places.end() && place->second > 1.21 * limit->most * limit->most) continue;
-    progress.report(static_cast<double>(i) / static_cast<double>(list.size()), "measuring light");
+  // Noise is taken out of an error, but what it leaves uncertain is not small against a smaller error.
+  if (!light_) lightNoise_ = std::min(lightNoise_, 0.5 * limit->most);
+  const auto withLight = [&](const Candidate& candidate, Measuring measuring) {
     TargetErrors errors = surface.errors;
-    const ErrorBound light = measureLight(list[i], progress)[indexOf(Quantity::light)];
-    errors[indexOf(Quantity::light)] = light;
-    answer.measured.push_back({list[i], errors});
-    if (worstRatio(errors, {&*limit, 1}) < worstRatio(answer.measured[nearest].errors, {&*limit, 1}))
-      nearest = answer.measured.size() - 1;
-    if (light.bound <= limit->most) {
-      answer.chosen = answer.measured.size() - 1;
-      return;
-    }
-    const Last now{static_cast<double>(gi.samples), light.value * light.value};
-    if (const auto last = lasts.find(gi.latticeScale); last != lasts.end())
-      places[gi.latticeScale] = (now.samples * now.square - last->second.samples * last->second.square) /
-                                (now.samples - last->second.samples);
-    lasts[gi.latticeScale] = now;
+    errors[indexOf(Quantity::light)] = measureLight(candidate, measuring, progress)[indexOf(Quantity::light)];
+    return errors;
+  };
+  std::vector<Measured> lit;
+  const std::optional<std::size_t> chosen = chooseLight(
+      lightCandidates(turning(false), surface.candidate), question_.given, *limit, withLight,
+      [&](double part) { progress.report(part, "measuring light"); }, lit);
+  if (!chosen) {
+    const double least = lit[nearestTo(lit, {&*limit, 1})].errors[indexOf(Quantity::light)].bound;
+    throw Error(ErrorKind::usage, "", "--error",
+                "no settings keep " + limitsText({&*limit, 1}) + "; the least that can be promised is " +
+                    errorText(Quantity::light, least));
   }
-  const double least = answer.measured[nearest].errors[indexOf(Quantity::light)].bound;
-  throw Error(ErrorKind::usage, "", "--error",
-              "no settings keep " + limitsText({&*limit, 1}) + "; the least that can be promised is " +
-                  errorText(Quantity::light, least));
+  answer.chosen = answer.measured.size() + *chosen;
+  answer.measured.insert(answer.measured.end(), lit.begin(), lit.end());
 }
 
 Candidate TargetSearch::asGiven() const {
@@ -275,10 +251,10 @@ std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& a
   if (answer.limits.empty()) return answer;
   Measured surface{asGiven(), {}};
   if (!std::all_of(answer.limits.begin(), answer.limits.end(), isOfLight)) {
-    chooseSurface(answer, progress);
+    addSurface(answer, progress);
     surface = answer.measured[answer.chosen];
   }
-  chooseLight(answer, surface, progress);
+  addLight(answer, surface, progress);
   const Measured& chosen = answer.measured[answer.chosen];
   answer.reason = "the least work of what keeps " + limitsText(std::span(answer.limits).first(answer.asked));
   answer.expectedMilliseconds = scaledMilliseconds(chosen.candidate, progress);

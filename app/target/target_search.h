@@ -1,10 +1,11 @@
 // Finds the settings that keep a target: draws combinations of them small, measures their errors, chooses.
 //
 // Errors are against double precision on the fields that the scene asks for (SurfaceTruth), and against path
-// tracing (LightJudge), of the first isosurface as a whole, in a picture of the same view of at most
-// kFewPixels pixels; where those leave open whether a limit is kept, of at most kManyPixels, then
-// kMostPixels. An error is kept by the combination of least work (app/target/work.h), which no clock decides:
-// the same scene, picture and executor give the same choice. A time is kept by the clock.
+// tracing (LightJudge), of the first isosurface as a whole: hits and derivatives in a picture of the same
+// view of at most kFewPixels pixels, light on few pixels of the picture; where those leave open whether a
+// limit is kept, on more (app/target/stages.h), at most kMostPixels. An error is kept by the combination of
+// least work (app/target/work.h), which no clock decides: the same scene, picture and executor give the same
+// choice. A time is kept by the clock.
 #pragma once
 
 #include <map>
@@ -61,20 +62,19 @@ class TargetSearch {
   // For tests and benchmarks: what the searches do one by one.
   std::vector<Candidate> candidates(bool turnDerivatives, base::Progress& progress);
   TargetErrors measure(const Candidate& candidate, Measuring measuring, base::Progress& progress);
-  TargetErrors measureLight(const Candidate& candidate, base::Progress& progress);
+  TargetErrors measureLight(const Candidate& candidate, Measuring measuring, base::Progress& progress);
   // Small, since measure(): milliseconds of a frame of the picture's look, times the picture's rays.
   double scaledMilliseconds(const Candidate& candidate, base::Progress& progress);
 
  private:
   bool prepare(base::Progress& progress);
   SurfaceTruth& truthAt(glm::ivec2 size);
-  Measured measuredFor(const Candidate& candidate, std::span<const Limit> limits, base::Progress& progress);
   std::vector<Limit> actingLimits(const std::vector<Limit>& asked, TargetAnswer& answer,
                                   base::Progress& progress) const;
   bool acts(Quantity quantity) const;
   void addUnasked(TargetAnswer& answer) const;
-  void chooseSurface(TargetAnswer& answer, base::Progress& progress);
-  void chooseLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress);
+  void addSurface(TargetAnswer& answer, base::Progress& progress);
+  void addLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress);
   Candidate asGiven() const;
   scene::Scene sceneOf(const Candidate& candidate, base::Progress& progress) const;
   double frameMilliseconds(const Candidate& candidate, double most, base::Progress& progress);
@@ -85,6 +85,7 @@ class TargetSearch {
   glm::ivec2 size_;                                     // of Measuring::few
   std::optional<scene::Scene> reference_;               // resolved and complete, its hits those at rest
   std::map<std::pair<int, int>, SurfaceTruth> truths_;  // by size
+  double lightNoise_ = 0.01;                            // of the truth: app/target/light_judge.h
   std::unique_ptr<LightJudge> light_;
 };
 

@@ -1,12 +1,15 @@
 // How often what was chosen keeps its promise, and how often less work would have: random targets on several
 // volumes. Takes minutes, so that it is left out unless asked for:
 //   app_tests --gtest_also_run_disabled_tests --gtest_filter='TargetPromiseGl*'
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "app/target/stages.h"
 #include "app/target/target_search.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/test_data.h"
@@ -41,36 +44,43 @@ class TargetPromiseGlTest : public RenderGlTest {
   struct Score {
     int targets = 0, kept = 0, cheapest = 0;
   };
-  // `small`, `large`: the same candidates, measured for the choice and in the picture itself.
-  static Score score(const std::vector<Measured>& small, const std::vector<Measured>& many,
-                     const std::vector<Measured>& large, Quantity quantity, std::mt19937& random) {
-    const std::size_t q = indexOf(quantity);
+  // A combination, measured on few, many and most pixels for the choice, and in the picture.
+  struct Table {
+    Candidate candidate;
+    std::array<TargetErrors, 4> errors;
+    double inPicture(Quantity quantity) const { return errors[3][indexOf(quantity)].value; }
+  };
+  // `choose(limit, measure)`: the search's own way, with what was measured already.
+  template <class Choose>
+  static Score score(const std::vector<Table>& tables, Quantity quantity, std::mt19937& random,
+                     const Choose& choose) {
     double least = INFINITY, most = 0.0;
-    for (const Measured& one : small) {
-      const double value = one.errors[q].value;
+    for (const Table& one : tables) {
+      const double value = one.errors[0][indexOf(quantity)].value;
       if (!(value > 0.0)) continue;
       least = std::min(least, value);
       most = std::max(most, value);
     }
     Score score;
     if (!(most > least)) return score;
+    const auto tableOf = [&](const Candidate& candidate) -> const Table& {
+      return *std::find_if(tables.begin(), tables.end(), [&](const Table& one) {
+        return one.candidate.assignments == candidate.assignments;
+      });
+    };
     std::uniform_real_distribution<double> place(0.0, 1.0);
     for (int i = 0; i < kTargets; ++i) {
       const Limit limit{quantity, least * std::pow(most / least, place(random))};
-      std::vector<Measured> judged = small;
-      const std::span<const Limit> limits(&limit, 1);
-      for (const auto* const next : {&many, &large})
-        for (std::size_t k = 0; k < many.size(); ++k)
-          if (!keeps(judged[k].errors, limits) && mayKeep(judged[k].errors, limits)) judged[k] = (*next)[k];
-      const auto chosen = cheapestThatKeeps(judged, std::span(&limit, 1));
+      const std::optional<Candidate> chosen =
+          choose(limit, [&](const Candidate& candidate, Measuring measuring) {
+            return tableOf(candidate).errors[static_cast<std::size_t>(measuring)];
+          });
       if (!chosen) continue;
       ++score.targets;
-      score.kept += large[*chosen].errors[q].value <= limit.most;
-      bool cheaper = false;
-      for (const Measured& one : large)
-        cheaper = cheaper ||
-                  (one.candidate.cost < large[*chosen].candidate.cost && one.errors[q].value <= limit.most);
-      score.cheapest += !cheaper;
+      score.kept += tableOf(*chosen).inPicture(quantity) <= limit.most;
+      score.cheapest += std::none_of(tables.begin(), tables.end(), [&](const Table& one) {
+        return one.candidate.cost < chosen->cost && one.inPicture(quantity) <= limit.most;
+      });
     }
     return score;
   }
@@ -103,45 +113,66 @@ TEST_F(TargetPromiseGlTest, DISABLED_SurfacesAreKept) {
   for (const Subject& subject : subjects()) {
     const TargetQuestion question = questionOf(subject, {"picture.executor=gpu", "look.mode=kappa1"});
     TargetSearch search(*renderer_, question);
-    std::vector<Measured> few, many, picture;
-    for (const Candidate& candidate : search.candidates(true, progress_)) {
-      few.push_back({candidate, search.measure(candidate, Measuring::few, progress_)});
-      many.push_back({candidate, search.measure(candidate, Measuring::many, progress_)});
-      picture.push_back({candidate, search.measure(candidate, Measuring::picture, progress_)});
+    const std::vector<Candidate> list = search.candidates(true, progress_);
+    std::vector<Table> tables;
+    for (const Candidate& candidate : list) {
+      const auto on = [&](Measuring measuring) { return search.measure(candidate, measuring, progress_); };
+      const TargetErrors picture = on(Measuring::picture);  // smaller than kMostPixels
+      tables.push_back({candidate, {on(Measuring::few), on(Measuring::many), picture, picture}});
     }
     std::mt19937 random(7);
     for (const Quantity quantity :
          {Quantity::depthMm, Quantity::missed, Quantity::normal, Quantity::curvature}) {
-      const Score found = score(few, many, picture, quantity, random);
+      const auto choose = [&](const Limit& limit, const Measure& measure) -> std::optional<Candidate> {
+        std::vector<Measured> measured{{list.front(), measure(list.front(), Measuring::few)}};
+        const auto chosen = chooseSurface(
+            list, {&limit, 1}, measure, [](double) {}, measured);
+        if (!chosen) return std::nullopt;
+        return measured[*chosen].candidate;
+      };
+      const Score found = score(tables, quantity, random, choose);
       print(subject, quantity, found);
       expectKept(subject, quantity, found);
     }
   }
 }
 
+// Judged at other pixels of the picture than those that choose.
 TEST_F(TargetPromiseGlTest, DISABLED_LightIsKept) {
   for (const Subject& subject : subjects()) {
     const TargetQuestion question = questionOf(subject, {"look.mode=gi"});
-    TargetQuestion other = question;  // whose rays, and what they see of the lattice, are others
-    other.picture.size = {219, 167};
-    TargetSearch small(*renderer_, question), large(*renderer_, other);
+    TargetSearch search(*renderer_, question);
+    search.candidates(false, progress_);
     Turning turning;
     turning.given = question.given;
-    std::vector<Measured> forChoice, inPicture;
-    small.candidates(false, progress_);
-    large.candidates(false, progress_);
+    std::vector<Candidate> list;
+    std::vector<Table> tables;
     for (const Candidate& candidate : lightCandidates(turning, {})) {
       if (candidate.cost > 2.5 * 150) continue;
-      forChoice.push_back({candidate, small.measureLight(candidate, progress_)});
-      inPicture.push_back({candidate, large.measureLight(candidate, progress_)});
-      std::printf("  %s: %.3f (at most %.3f), %.3f\n",
-                  candidate.assignments.empty() ? "" : candidate.assignments.back().c_str(),
-                  forChoice.back().errors[indexOf(Quantity::light)].value,
-                  forChoice.back().errors[indexOf(Quantity::light)].bound,
-                  inPicture.back().errors[indexOf(Quantity::light)].value);
+      const auto on = [&](Measuring measuring) {
+        return search.measureLight(candidate, measuring, progress_);
+      };
+      list.push_back(candidate);
+      tables.push_back(
+          {candidate,
+           {on(Measuring::few), on(Measuring::many), on(Measuring::most), on(Measuring::picture)}});
+      std::printf(" ");
+      for (const std::string& assignment : candidate.assignments) std::printf(" %s", assignment.c_str());
+      std::printf(": work %.4g", candidate.cost);
+      for (const TargetErrors& errors : tables.back().errors)
+        std::printf(", %.5f (%.5f to %.5f)", errors[indexOf(Quantity::light)].value,
+                    errors[indexOf(Quantity::light)].least, errors[indexOf(Quantity::light)].bound);
+      std::printf("\n");
     }
     std::mt19937 random(7);
-    const Score found = score(forChoice, {}, inPicture, Quantity::light, random);
+    const auto choose = [&](const Limit& limit, const Measure& measure) -> std::optional<Candidate> {
+      std::vector<Measured> measured;
+      const auto chosen = chooseLight(
+          list, question.given, limit, measure, [](double) {}, measured);
+      if (!chosen) return std::nullopt;
+      return measured[*chosen].candidate;
+    };
+    const Score found = score(tables, Quantity::light, random, choose);
     print(subject, Quantity::light, found);
     expectKept(subject, Quantity::light, found);
   }
