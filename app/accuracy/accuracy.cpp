@@ -51,16 +51,17 @@ Accuracy accuracyOf(const PictureErrors& errors) {
 
 PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
                             const render::FrameRequest& request, const volume::PreparedVolume& volume,
-                            base::Progress& progress) {
+                            base::Progress& progress, std::optional<bool> drawnOnProcessor) {
   completeFields(drawn, volume, true, progress);
   render::FrameRequest hits;
   hits.size = request.size;
   hits.color = false;
   hits.aovs = {render::Aov::depth, render::Aov::voxel};
+  hits.stop = request.stop;
   render::StillPicture picture = render::drawStill(renderer, drawn, hits, progress);
   return pictureErrors(volume, drawn,
                        {request.size, std::move(picture.aovs[0].values), std::move(picture.aovs[1].values),
-                        anyOnProcessor(picture.report)},
+                        drawnOnProcessor.value_or(anyOnProcessor(picture.report))},
                        progress);
 }
 

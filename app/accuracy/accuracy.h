@@ -1,6 +1,8 @@
 // What is said of the accuracy of a whole picture, and drawing what it takes to say it.
 #pragma once
 
+#include <optional>
+
 #include "app/accuracy/picture_errors.h"
 #include "render/renderer.h"
 
@@ -23,10 +25,11 @@ struct Accuracy {
 Accuracy accuracyOf(const PictureErrors& errors);
 
 // Bounds of the picture of `drawn` (as it was drawn; what of its derivatives is automatic is filled in here):
-// its rays are cast again, one through the centre of each pixel. Throws as render::drawStill() and
+// its rays are cast again, one through the centre of each pixel. `drawnOnProcessor`: who drew the picture,
+// where that was another renderer; its arithmetic is bounded. Throws as render::drawStill() and
 // pictureErrors().
 PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
                             const render::FrameRequest& request, const volume::PreparedVolume& volume,
-                            base::Progress& progress);
+                            base::Progress& progress, std::optional<bool> drawnOnProcessor = {});
 
 }  // namespace isolux::app

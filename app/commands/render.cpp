@@ -103,14 +103,18 @@ Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::
 
 void writePicture(const render::StillPicture& picture, const render::FrameRequest& request,
                   const std::string& name, const scene::Scene& scene, const WantedImages& images,
-                  const PictureErrors& errors) {
+                  const PictureErrors& errors, const std::optional<Accuracy>& accuracy) {
+  const auto sessionIn = [&](const fs::path& folder) {
+    const std::string text = sessionText(scene, folder);
+    return accuracy ? sessionWithAccuracy(text, accuracyJson(*accuracy)) : text;
+  };
   if (name == kStandardOutput) {
-    const std::string bytes = pngBytes(picture.color, sessionText(scene, fs::current_path()));
+    const std::string bytes = pngBytes(picture.color, sessionIn(fs::current_path()));
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return;
   }
   const fs::path out(name);
-  const std::string session = sessionText(scene, out.parent_path());
+  const std::string session = sessionIn(out.parent_path());
   if (out.extension() == ".png")
     writePng(picture.color, out, session);
   else if (images.errors.empty())
@@ -204,6 +208,7 @@ class RenderRun {
     request_.pixelRatio = scene.picture.pixelRatio;
     Drawn drawn;
     std::optional<PictureErrors> errors;
+    std::optional<Accuracy> accuracy;
     {
       progress_.report(0.0, "drawing");
       const ProgressBar bar(progress_);
@@ -220,11 +225,13 @@ class RenderRun {
       progress_.throwIfStopped();
       if (options_.accuracy || !images_.errors.empty())
         errors = measureErrors(*renderer_, shown.value_or(scene), request_, *prepared_, progress_);
+      if (errors) accuracy = accuracyOf(*errors);
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
-      writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}));
+      writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}),
+                   accuracy);
     }
-    report(asked, scene, drawn, picture, errors ? std::optional(accuracyOf(*errors)) : std::nullopt);
+    report(asked, scene, drawn, picture, accuracy);
   }
 
   // With the settings that keep --error or --time: chosen for the volume's first picture, taken for all.

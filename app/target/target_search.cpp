@@ -116,6 +116,7 @@ TargetErrors TargetSearch::measure(const Candidate& candidate, Measuring measuri
   render::FrameRequest request;
   request.size = size;
   request.color = false;
+  request.stop = progress.token();
   request.aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal, render::Aov::kappa};
   renderer_.render(scene, request);
   const DrawnImages images{

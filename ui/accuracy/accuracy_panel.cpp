@@ -7,8 +7,11 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "render/graph/pass_declarations.h"
 #include "scene/settings.h"
 #include "ui/accuracy/accuracy_chart.h"
+#include "ui/accuracy/accuracy_text.h"
+#include "ui/accuracy/target_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/window/style.h"
@@ -73,6 +76,8 @@ QString errorText(const app::Knob& knob) {
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
     : Panel(parent),
+      picture_(new PictureAccuracy(this)),
+      target_(new TargetBox(this)),
       knobs_(new QComboBox(this)),
       chart_(new AccuracyChart(this)),
       state_(new QLabel(this)),
@@ -91,6 +96,12 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   layout->addWidget(chart_, 1);
   layout->addWidget(key_);
   layout->addWidget(state_);
+  layout->addWidget(target_);
+  connect(picture_, &PictureAccuracy::changed, this, &AccuracyPanel::tellPicture);
+  connect(picture_, &PictureAccuracy::ended, this, &AccuracyPanel::measure);
+  connect(target_, &TargetBox::edited, this, &Panel::edited);
+  connect(target_, &TargetBox::searchingChanged, this,
+          [this] { target_->searching() ? drop() : measureSoon(); });
   connect(knobs_, &QComboBox::currentIndexChanged, this, &AccuracyPanel::showKnob);
   connect(chart_, &AccuracyChart::chosen, this, &AccuracyPanel::choose);
   restTimer_.setSingleShot(true);
@@ -110,11 +121,17 @@ void AccuracyPanel::setVolume(const VolumePointer& volume) {
   measured_.clear();
   acting_.clear();
   trouble_.clear();
+  complete_ = false;
+  showPicture();
+  showTarget();
   listKnobs();
 }
 
-void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene&) {
+void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   scene_ = scene;
+  resolved_ = resolved;
+  showPicture();
+  showTarget();
   if (!isSeen()) {
     drop();
     return;
@@ -127,6 +144,44 @@ void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene&) {
   }
   listKnobs();
   measureSoon();
+}
+
+void AccuracyPanel::setReport(const render::FrameReport& report, const render::FrameRequest& request) {
+  request_ = request;
+  onProcessor_ = std::any_of(report.passes.begin(), report.passes.end(),
+                             [](const render::PassReport& pass) { return pass.onProcessor; });
+}
+
+void AccuracyPanel::setMachine(const scene::Machine& machine) {
+  machine_ = machine;
+  showTarget();
+}
+
+void AccuracyPanel::setLight(const LightPointer& light, bool changing) {
+  light_ = light;
+  lightChanging_ = changing;
+  showPicture();
+  showTarget();
+}
+
+void AccuracyPanel::setPreviewing(bool previews) {
+  previewing_ = previews;
+  showPicture();
+}
+
+void AccuracyPanel::setDrawn(bool complete) {
+  complete_ = complete;
+  showPicture();
+  showTarget();
+  measureSoon();
+}
+
+void AccuracyPanel::seenChanged() {
+  showPicture();
+  if (!isSeen()) {
+    drop();
+    target_->drop();
+  }
 }
 
 void AccuracyPanel::setDrawing(bool draws) {
@@ -148,12 +203,14 @@ void AccuracyPanel::paintEvent(QPaintEvent* event) {
   if (job_ || restTimer_.isActive() || !volume_) return;
   subject_ = withoutKnobs(scene_);
   if (acting_.empty()) listKnobs();
+  showPicture();
+  showTarget();
   measureSoon();
 }
 
 void AccuracyPanel::hideEvent(QHideEvent* event) {
   Panel::hideEvent(event);
-  drop();
+  seenChanged();
 }
 
 void AccuracyPanel::listKnobs() {
@@ -192,13 +249,17 @@ bool AccuracyPanel::complete() const {
 }
 
 void AccuracyPanel::measureSoon() {
-  if (isSeen() && volume_ && !drawing_ && !job_ && trouble_.isEmpty() && !missing().empty())
+  const bool knobs = trouble_.isEmpty() && !missing().empty();
+  if (isSeen() && volume_ && !drawing_ && !job_ && !target_->searching() && !picture_->working() &&
+      (knobs || picture_->wanted()))
     restTimer_.start();
   showState();
 }
 
 void AccuracyPanel::measure() {
-  if (!isSeen() || !volume_ || drawing_ || job_) return;
+  if (!isSeen() || !volume_ || drawing_ || job_ || target_->searching()) return;
+  picture_->measure();
+  if (picture_->working() || !trouble_.isEmpty()) return showState();
   std::vector<app::Knob> wanted = missing();
   if (wanted.empty()) return;
   scene::Machine machine;
@@ -214,6 +275,7 @@ void AccuracyPanel::drop() {
   restTimer_.stop();
   pollTimer_.stop();
   job_.reset();
+  picture_->drop();
   showState();
 }
 
@@ -234,6 +296,39 @@ void AccuracyPanel::poll() {
     showKnob();
   else
     showState();
+}
+
+// ---- The picture on screen, and searches
+// ------------------------------------------------------------------------------------------------
+
+void AccuracyPanel::showPicture() {
+  if (!isSeen() || !volume_ || !complete_ || previewing_ || lightChanging_) return picture_->show({});
+  picture_->show(PictureAccuracy::Subject{volume_, resolved_, light_, request_.size, onProcessor_});
+}
+
+void AccuracyPanel::tellPicture() {
+  const std::optional<app::Accuracy>& known = picture_->known();
+  if (!known)
+    Q_EMIT pictureKnown({}, {});
+  else
+    Q_EMIT pictureKnown(accuracyText(*known, render::readsHessian(resolved_, request_)),
+                        accuracyMeaning(*known));
+  showState();
+}
+
+void AccuracyPanel::showTarget() {
+  app::TargetJob::Subject subject;
+  if (isSeen()) {
+    subject.volume = volume_;
+    subject.scene = scene_;
+    subject.scene.camera = resolved_.camera;
+    subject.picture.size = request_.size;
+    subject.picture.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
+    subject.picture.pixelRatio = request_.pixelRatio;
+    subject.machine = machine_;
+    subject.light = light_;
+  }
+  target_->setSubject(subject);
 }
 
 // ---- What is shown
@@ -271,7 +366,8 @@ void AccuracyPanel::showState() {
   const app::Knob* const shown = knob();
   const auto found = shown ? measured_.find(shown->name) : measured_.end();
   const bool stale = found != measured_.end() && !(found->second.of == subject_);
-  QString text = job_ ? tr("Measuring … %1 %").arg(qRound(100.0 * job_->progress().fraction()))
+  QString text = picture_->working() ? tr("Measuring the picture on screen …")
+                 : job_ ? tr("Measuring … %1 %").arg(qRound(100.0 * job_->progress().fraction()))
                  : missing().empty() ? QString()
                                      : tr("Measured when the window rests");
   if (found != measured_.end()) {

@@ -1,7 +1,11 @@
 // The panels of ui/window/main_window.h that draw pictures of their own, of looks and of what accuracy costs:
 // what is previewed is shown, and nothing is edited.
+#include <QDockWidget>
+#include <QLabel>
+
 #include "scene/rules/automatic.h"
 #include "ui/accuracy/accuracy_panel.h"
+#include "ui/document/baked_light.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -12,12 +16,25 @@ void MainWindow::connectLooks() {
   auto* const looks = panel<LooksPanel>();
   connect(looks, &LooksPanel::previewed, this, &MainWindow::preview);
   connect(viewport_, &Viewport::drawing, looks, &LooksPanel::setDrawing);
-  connect(viewport_, &Viewport::drawing, panel<AccuracyPanel>(), &AccuracyPanel::setDrawing);
+  auto* const accuracy = panel<AccuracyPanel>();
+  connect(viewport_, &Viewport::drawing, accuracy, &AccuracyPanel::setDrawing);
+  connect(viewport_, &Viewport::drawn, accuracy,
+          [accuracy](double, bool complete) { accuracy->setDrawn(complete); });
+  connect(light_, &BakedLight::lightChanged, accuracy, &AccuracyPanel::setLight);
+  for (const Docked& docked : panels_)
+    if (docked.panel == accuracy)
+      connect(docked.dock, &QDockWidget::visibilityChanged, accuracy, &AccuracyPanel::seenChanged);
+  connect(accuracy, &AccuracyPanel::pictureKnown, this, [this](const QString& text, const QString& meaning) {
+    accuracyLabel_->setText(text);
+    accuracyLabel_->setToolTip(meaning);
+    accuracyLabel_->setVisible(!text.isEmpty());
+  });
 }
 
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {
   const VolumePointer& volume = document_->volume();
   previewing_ = scene && volume;
+  panel<AccuracyPanel>()->setPreviewing(previewing_);
   if (previewing_)
     viewport_->setScene(*scene, scene::resolve(*scene, volume->facts));
   else
