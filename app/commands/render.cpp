@@ -17,6 +17,7 @@
 #include "app/commands/render_report.h"
 #include "app/commands/render_target.h"
 #include "app/documents/session.h"
+#include "app/documents/session_accuracy.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/jobs/field_job.h"
@@ -106,7 +107,7 @@ void writePicture(const render::StillPicture& picture, const render::FrameReques
                   const PictureErrors& errors, const std::optional<Accuracy>& accuracy) {
   const auto sessionIn = [&](const fs::path& folder) {
     const std::string text = sessionText(scene, folder);
-    return accuracy ? sessionWithAccuracy(text, accuracyJson(*accuracy)) : text;
+    return accuracy ? sessionWithAccuracy(text, *accuracy) : text;
   };
   if (name == kStandardOutput) {
     const std::string bytes = pngBytes(picture.color, sessionIn(fs::current_path()));

@@ -62,16 +62,10 @@ json upgradeFrom4(json session, const std::string& file) {
   return session;
 }
 
-// Version 5 knew no "accuracy".
-json upgradeFrom5(json session, const std::string& file) {
-  checkKeys(session, {versionKey, "program", "scene", "places"}, file, "");
-  return session;
-}
-
 // upgrades[i] turns version i+1 into version i+2.
 using Upgrade = json (*)(json session, const std::string& file);
 constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1, upgradeFrom2, upgradeFrom3,
-                                                           upgradeFrom4, upgradeFrom5};
+                                                           upgradeFrom4};
 
 int versionOf(const json& session, const std::string& file) {
   const auto found = session.find(versionKey);
@@ -108,13 +102,7 @@ std::string pictureSessionText(const scene::Scene& scene, const fs::path& folder
   return textOf(std::move(session));
 }
 
-std::string sessionWithAccuracy(const std::string& session, const nlohmann::ordered_json& accuracy) {
-  if (session.empty()) return session;
-  nlohmann::ordered_json whole = nlohmann::ordered_json::parse(session);
-  whole["accuracy"] = accuracy;
-  return whole.dump(2) + '\n';
-}
-
+// "accuracy" (app/documents/session_accuracy.h) is no setting: it is passed over.
 scene::Scene parseSession(const std::string& text, const std::string& file, const StoredFolders& folders) {
   json session = parseJson(text, file, "");
   if (!session.is_object()) throwInput(file, "", "is not a session: it should be a JSON object");

@@ -1,6 +1,6 @@
 // Sessions: a Scene as versioned JSON, in a .isolux file or inside a PNG or EXR picture.
 //
-// {"isolux_session": 6, "program": "0.1.0", "scene": {...}}. An unknown key fails with its path, an older
+// {"isolux_session": 5, "program": "0.1.0", "scene": {...}}. An unknown key fails with its path, an older
 // version is upgraded, a missing key takes its default. Paths of volumes and light probes are stored
 // relative to the session file when they lie below the same folder, and are absolute in memory.
 #pragma once
@@ -8,23 +8,18 @@
 #include <filesystem>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "app/documents/stored_scene.h"
 #include "scene/scene.h"
 
 namespace isolux::app {
 
-constexpr int sessionVersion = 6;
+constexpr int sessionVersion = 5;
 
 std::string sessionText(const scene::Scene& scene, const std::filesystem::path& folder);
 // For a picture in `folder` that may be given away: names no other folder (app/documents/places.h), and not
 // the patient (app/documents/anonymous.h).
 std::string pictureSessionText(const scene::Scene& scene, const std::filesystem::path& folder,
                                const volume::Patient& patient = {});
-// The session's text with what is known of its picture's accuracy (app/commands/accuracy_report.h), which no
-// reader takes for a setting; empty stays empty.
-std::string sessionWithAccuracy(const std::string& session, const nlohmann::ordered_json& accuracy);
 // `file` is for error messages. Throws base::Error{input} with the JSON path or byte of the fault.
 scene::Scene parseSession(const std::string& text, const std::string& file, const StoredFolders& folders);
 

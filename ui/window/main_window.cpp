@@ -83,7 +83,6 @@ MainWindow::MainWindow(QWidget* parent)
       recentPictures_(new RecentPictures(viewport_)),
       pointedLabel_(new QLabel(this)),
       recordingLabel_(new QLabel(this)),
-      accuracyLabel_(new QLabel(this)),
       pictureDot_(new PictureDot(this)) {
   setAcceptDrops(true);
   setWindowTitle("Isolux[*]");
@@ -145,11 +144,6 @@ void MainWindow::makePanels() {
   statusBar()->addWidget(pointedLabel_, 1);
   // The text under the pointer gives way, so that the window can be as narrow as before.
   pointedLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  setInk(accuracyLabel_, Ink::quiet);
-  accuracyLabel_->setContentsMargins(10, 0, 0, 0);
-  accuracyLabel_->setMinimumWidth(1);
-  accuracyLabel_->hide();
-  statusBar()->addPermanentWidget(accuracyLabel_);
   statusBar()->addPermanentWidget(lightStatus_);
   statusBar()->addPermanentWidget(recordingLabel_);
   statusBar()->addPermanentWidget(pictureDot_);

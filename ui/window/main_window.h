@@ -91,7 +91,6 @@ class MainWindow : public QMainWindow {
   LoadCard* loadCard() const { return loadCard_; }
   BakedLight* light() const { return light_; }
   LightStatus* lightStatus() const { return lightStatus_; }
-  const QLabel* accuracyLabel() const { return accuracyLabel_; }
 
   QMenu* presetsMenu() const { return presetsMenu_; }
   // A shell command that draws the picture as it is saved; empty without a volume.
@@ -236,7 +235,6 @@ class MainWindow : public QMainWindow {
   RecentFile shownFile_;      // what is open, as the recent files have it
   QString pointedText_;       // without the piece
   QLabel *pointedLabel_, *recordingLabel_;
-  QLabel* accuracyLabel_;  // of the picture on screen, where that is known
   PictureDot* pictureDot_;
   QPointer<Tour> tour_;
   QPointer<TourCard> greeting_;

@@ -2,6 +2,7 @@
 // what is previewed is shown, and nothing is edited.
 #include <QDockWidget>
 #include <QLabel>
+#include <QStatusBar>
 
 #include "scene/rules/automatic.h"
 #include "ui/accuracy/accuracy_panel.h"
@@ -9,6 +10,7 @@
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
+#include "ui/window/style.h"
 
 namespace isolux::ui {
 
@@ -24,11 +26,19 @@ void MainWindow::connectLooks() {
   for (const Docked& docked : panels_)
     if (docked.panel == accuracy)
       connect(docked.dock, &QDockWidget::visibilityChanged, accuracy, &AccuracyPanel::seenChanged);
-  connect(accuracy, &AccuracyPanel::pictureKnown, this, [this](const QString& text, const QString& meaning) {
-    accuracyLabel_->setText(text);
-    accuracyLabel_->setToolTip(meaning);
-    accuracyLabel_->setVisible(!text.isEmpty());
-  });
+  auto* const label = new QLabel(this);
+  label->setObjectName("pictureAccuracy");
+  label->setContentsMargins(10, 0, 0, 0);
+  label->setMinimumWidth(1);  // gives way, so that the window can be as narrow as without
+  label->hide();
+  setInk(label, Ink::quiet);
+  statusBar()->insertPermanentWidget(1, label);
+  connect(accuracy, &AccuracyPanel::pictureKnown, label,
+          [label](const QString& text, const QString& meaning) {
+            label->setText(text);
+            label->setToolTip(meaning);
+            label->setVisible(!text.isEmpty());
+          });
 }
 
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {

@@ -8,9 +8,9 @@
 #include <QImage>
 
 #include "app/annotation/annotation.h"
-#include "app/commands/accuracy_report.h"
 #include "app/documents/command_text.h"
 #include "app/documents/session.h"
+#include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
 #include "scene/rules/relevance.h"
 #include "ui/accuracy/accuracy_panel.h"
@@ -139,7 +139,7 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     };
     std::string session = withSession ? textOf() : std::string();
     if (const auto& known = panel<AccuracyPanel>()->picture().known())
-      session = app::sessionWithAccuracy(session, app::accuracyJson(*known));
+      session = app::sessionWithAccuracy(session, *known);
     const bool linear = endsWith(file, "exr");
     const render::StillPicture picture = finishedPicture(linear, tr("Saving %1").arg(name));
     const QString light = unfinishedLightText(light_->state(), light_->cancelled());

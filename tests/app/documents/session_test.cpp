@@ -202,20 +202,9 @@ TEST(Session, RefusesBadVersion1WithThePath) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 6})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 6, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 5})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "scene": {}})", "", {"/"}) == Scene{});
   EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", {"/"}) == litAsBefore());
-}
-
-TEST(Session, TheAccuracyOfAPictureIsCarriedAndIsNoSetting) {
-  Scene scene;
-  scene.camera.fov = 33.0;
-  const std::string plain = sessionText(scene, "/");
-  const std::string carries = sessionWithAccuracy(plain, {{"pixels", 7}, {"depth_mm", nullptr}});
-  EXPECT_THAT(carries, AllOf(HasSubstr("\"accuracy\""), HasSubstr("\"pixels\": 7")));
-  EXPECT_TRUE(parseSession(carries, "", {"/"}) == scene);
-  EXPECT_EQ(sessionWithAccuracy("", {{"pixels", 7}}), "");
-  EXPECT_THAT(refusal(R"({"isolux_session": 5, "accuracy": {}})"), HasSubstr("accuracy"));
 }
 
 TEST(Session, UnknownKeysFailWithTheirPath) {
@@ -237,8 +226,8 @@ TEST(Session, ValuesAreCheckedWithTheirPath) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 7, "scene": {"new": 1}})"),
-              AllOf(HasSubstr("version 7"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(refusal(R"({"isolux_session": 6, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 6"), HasSubstr("newer Isolux")));
   EXPECT_THAT(refusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 

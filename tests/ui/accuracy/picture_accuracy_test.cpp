@@ -26,7 +26,7 @@ class PictureAccuracyTest : public WindowTest {
     ASSERT_TRUE(load(*window_, "phantom:torus:24"));
   }
   ui::AccuracyPanel* panel() { return window_->panel<ui::AccuracyPanel>(); }
-  const QLabel* label() { return window_->accuracyLabel(); }
+  const QLabel* label() { return window_->findChild<QLabel*>("pictureAccuracy"); }
   bool awaitText() {
     return waitUntil([&] { return label()->isVisible() && !label()->text().isEmpty(); }, 120000);
   }
