@@ -7,10 +7,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "render/graph/pass_declarations.h"
 #include "scene/settings.h"
 #include "ui/accuracy/accuracy_chart.h"
-#include "ui/accuracy/accuracy_text.h"
 #include "ui/accuracy/target_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
@@ -122,6 +120,8 @@ void AccuracyPanel::setVolume(const VolumePointer& volume) {
   acting_.clear();
   trouble_.clear();
   complete_ = false;
+  drawn_ = {};
+  drawn_.request.size = glm::ivec2(0);
   showPicture();
   showTarget();
   listKnobs();
@@ -143,36 +143,6 @@ void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene& reso
     drop();
   }
   listKnobs();
-  measureSoon();
-}
-
-void AccuracyPanel::setReport(const render::FrameReport& report, const render::FrameRequest& request) {
-  request_ = request;
-  onProcessor_ = std::any_of(report.passes.begin(), report.passes.end(),
-                             [](const render::PassReport& pass) { return pass.onProcessor; });
-}
-
-void AccuracyPanel::setMachine(const scene::Machine& machine) {
-  machine_ = machine;
-  showTarget();
-}
-
-void AccuracyPanel::setLight(const LightPointer& light, bool changing) {
-  light_ = light;
-  lightChanging_ = changing;
-  showPicture();
-  showTarget();
-}
-
-void AccuracyPanel::setPreviewing(bool previews) {
-  previewing_ = previews;
-  showPicture();
-}
-
-void AccuracyPanel::setDrawn(bool complete) {
-  complete_ = complete;
-  showPicture();
-  showTarget();
   measureSoon();
 }
 
@@ -296,39 +266,6 @@ void AccuracyPanel::poll() {
     showKnob();
   else
     showState();
-}
-
-// ---- The picture on screen, and searches
-// ------------------------------------------------------------------------------------------------
-
-void AccuracyPanel::showPicture() {
-  if (!isSeen() || !volume_ || !complete_ || previewing_ || lightChanging_) return picture_->show({});
-  picture_->show(PictureAccuracy::Subject{volume_, resolved_, light_, request_.size, onProcessor_});
-}
-
-void AccuracyPanel::tellPicture() {
-  const std::optional<app::Accuracy>& known = picture_->known();
-  if (!known)
-    Q_EMIT pictureKnown({}, {});
-  else
-    Q_EMIT pictureKnown(accuracyText(*known, render::readsHessian(resolved_, request_)),
-                        accuracyMeaning(*known));
-  showState();
-}
-
-void AccuracyPanel::showTarget() {
-  app::TargetJob::Subject subject;
-  if (isSeen()) {
-    subject.volume = volume_;
-    subject.scene = scene_;
-    subject.scene.camera = resolved_.camera;
-    subject.picture.size = request_.size;
-    subject.picture.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
-    subject.picture.pixelRatio = request_.pixelRatio;
-    subject.machine = machine_;
-    subject.light = light_;
-  }
-  target_->setSubject(subject);
 }
 
 // ---- What is shown

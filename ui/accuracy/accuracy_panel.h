@@ -34,8 +34,8 @@ class AccuracyPanel : public Panel {
   void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
   void setReport(const render::FrameReport& report, const render::FrameRequest& request) override;
   void setMachine(const scene::Machine& machine);
-  void setDrawing(bool draws);  // the window's own picture comes first
-  void setDrawn(bool complete);
+  void setDrawing(bool draws);        // the window's own picture comes first
+  void setComplete(bool complete);    // the picture on screen is the full one of the scene
   void setPreviewing(bool previews);  // the picture is not the document's
   void setLight(const LightPointer& light, bool changing);
   void seenChanged();  // its dock came to the front, or went
@@ -83,8 +83,12 @@ class AccuracyPanel : public Panel {
   scene::Scene resolved_;
   scene::Machine machine_;
   LightPointer light_;
-  render::FrameRequest request_;  // of the picture on screen, and who drew it
-  bool onProcessor_ = false, complete_ = false, previewing_ = false, lightChanging_ = false;
+  struct Drawn {
+    render::FrameRequest request;
+    bool onProcessor = false;
+  };
+  Drawn reported_, drawn_;  // the last picture; the last full one
+  bool complete_ = false, previewing_ = false, lightChanging_ = false;
   std::vector<app::Knob> acting_;
   std::map<std::string, Measured> measured_;  // by the knob's name
   std::unique_ptr<app::StudyJob> job_;

@@ -20,8 +20,9 @@ void MainWindow::connectLooks() {
   connect(viewport_, &Viewport::drawing, looks, &LooksPanel::setDrawing);
   auto* const accuracy = panel<AccuracyPanel>();
   connect(viewport_, &Viewport::drawing, accuracy, &AccuracyPanel::setDrawing);
-  connect(viewport_, &Viewport::drawn, accuracy,
-          [accuracy](double, bool complete) { accuracy->setDrawn(complete); });
+  const auto tellComplete = [this, accuracy] { accuracy->setComplete(viewport_->complete()); };
+  connect(viewport_, &Viewport::drawn, accuracy, tellComplete);
+  connect(document_, &Document::sceneChanged, accuracy, tellComplete);
   connect(light_, &BakedLight::lightChanged, accuracy, &AccuracyPanel::setLight);
   for (const Docked& docked : panels_)
     if (docked.panel == accuracy)
@@ -44,11 +45,13 @@ void MainWindow::connectLooks() {
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {
   const VolumePointer& volume = document_->volume();
   previewing_ = scene && volume;
-  panel<AccuracyPanel>()->setPreviewing(previewing_);
   if (previewing_)
     viewport_->setScene(*scene, scene::resolve(*scene, volume->facts));
   else
     viewport_->setScene(document_->scene(), document_->resolvedScene());
+  auto* const accuracy = panel<AccuracyPanel>();
+  accuracy->setComplete(viewport_->complete());
+  accuracy->setPreviewing(previewing_);
 }
 
 // A preview may be turned, but is not what is edited.
