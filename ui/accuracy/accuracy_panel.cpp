@@ -219,10 +219,9 @@ bool AccuracyPanel::complete() const {
 }
 
 void AccuracyPanel::measureSoon() {
-  const bool knobs = trouble_.isEmpty() && !missing().empty();
-  if (isSeen() && volume_ && !drawing_ && !job_ && !target_->searching() && !picture_->working() &&
-      (knobs || picture_->wanted()))
-    restTimer_.start();
+  if (!isSeen()) return;
+  const bool idle = volume_ && !drawing_ && !job_ && !target_->searching() && !picture_->working();
+  if (idle && (picture_->wanted() || (trouble_.isEmpty() && !missing().empty()))) restTimer_.start();
   showState();
 }
 

@@ -23,6 +23,7 @@ void AccuracyPanel::setMachine(const scene::Machine& machine) {
 void AccuracyPanel::setLight(const LightPointer& light, bool changing) {
   light_ = light;
   lightChanging_ = changing;
+  if (!isSeen()) return;
   showPicture();
   showTarget();
 }
@@ -35,6 +36,7 @@ void AccuracyPanel::setPreviewing(bool previews) {
 void AccuracyPanel::setComplete(bool complete) {
   complete_ = complete;
   if (complete) drawn_ = reported_;
+  if (!isSeen()) return;
   showPicture();
   showTarget();
   measureSoon();
@@ -63,7 +65,6 @@ void AccuracyPanel::showTarget() {
   if (isSeen()) {
     subject.volume = volume_;
     subject.scene = scene_;
-    subject.scene.camera = resolved_.camera;
     subject.picture.size = drawn_.request.size;
     subject.picture.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
     subject.picture.pixelRatio = drawn_.request.pixelRatio;
