@@ -21,12 +21,14 @@ class AccuracyJobGlTest : public RenderGlTest {
 
 TEST_F(AccuracyJobGlTest, FindsWhatIsMeasuredHere) {
   for (const bool onProcessor : {true, false}) {
+    SCOPED_TRACE(onProcessor);
     const app::AccuracyJob::Subject asked = subject(onProcessor);
     const app::AccuracyJob job(asked);
     scene::Machine machine;
     machine.executor = onProcessor ? scene::Executor::cpu : scene::Executor::gpu;
     renderer_->setMachine(machine);
     renderer_->setVolume(asked.volume);
+    renderer_->invalidate();
     base::Progress progress;
     render::FrameRequest request;
     request.size = asked.size;

@@ -1,6 +1,9 @@
 // How accurate the picture on screen is: said in the status line while the Accuracy panel is seen, for the
 // picture that it was measured of and no other, and carried by saved pictures.
+#include <limits>
+
 #include <QAction>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QLabel>
 
