@@ -24,6 +24,9 @@ struct Accuracy {
 };
 Accuracy accuracyOf(const PictureErrors& errors);
 
+// Whether the picture's rays were cast by the processor, whose arithmetic is another than that of shaders.
+bool castsOnProcessor(const render::FrameReport& report);
+
 // Bounds of the picture of `drawn` (as it was drawn; what of its derivatives is automatic is filled in here):
 // its rays are cast again, one through the centre of each pixel. `drawnOnProcessor`: who drew the picture,
 // where that was another renderer; its arithmetic is bounded. Throws as render::drawStill() and

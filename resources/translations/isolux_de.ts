@@ -759,6 +759,10 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>Nothing of the first isosurface is seen, so nothing is chosen</source>
         <translation>Von der ersten Isofläche ist nichts zu sehen, also wird nichts gewählt</translation>
     </message>
+    <message>
+        <source>no pixels missed</source>
+        <translation>keine Pixel verfehlt</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

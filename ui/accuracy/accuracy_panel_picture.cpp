@@ -11,8 +11,7 @@
 namespace isolux::ui {
 
 void AccuracyPanel::setReport(const render::FrameReport& report, const render::FrameRequest& request) {
-  reported_ = {request, std::any_of(report.passes.begin(), report.passes.end(),
-                                    [](const render::PassReport& pass) { return pass.onProcessor; })};
+  reported_ = {request, app::castsOnProcessor(report)};
 }
 
 void AccuracyPanel::setMachine(const scene::Machine& machine) {

@@ -66,6 +66,7 @@ QString keptText(const app::Limit& limit, double bound) {
     case app::Quantity::depthVoxels:
       return QObject::tr("depth at most %1 voxels off").arg(number);
     case app::Quantity::missed:
+      if (bound == 0.0) return QObject::tr("no pixels missed");
       return QObject::tr("at most %1 % of pixels missed").arg(number);
     case app::Quantity::normal:
       return QObject::tr("normals at most %1° off").arg(number);

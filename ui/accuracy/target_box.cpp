@@ -20,6 +20,7 @@ namespace isolux::ui {
 namespace {
 
 constexpr int targetPollMilliseconds = 50;
+constexpr int narrowestNumber = 48, shortestUnit = 8;  // pixels; characters
 constexpr double mostAtFirst = 0.01, millisecondsAtFirst = 100.0;
 
 bool sameQuestion(const app::TargetJob::Subject& a, const app::TargetJob::Subject& b) {
@@ -63,7 +64,13 @@ void TargetBox::makeRows() {
   for (const app::Quantity each : app::kAllQuantities) unit_->addItem(unitTextOf(each));
   most_->setValue(mostAtFirst);
   milliseconds_->setValue(millisecondsAtFirst);
-  for (NumberSpinBox* const box : {most_, milliseconds_}) box->setMinimum(0.0);
+  for (NumberSpinBox* const box : {most_, milliseconds_}) {
+    box->setMinimum(0.0);
+    box->setMinimumWidth(narrowestNumber);
+  }
+  // The row is as wide as the panel has room, not the panel as wide as the longest unit.
+  unit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  unit_->setMinimumContentsLength(shortestUnit);
   apply_->setToolTip(tr("Uses these settings, as one step of undo"));
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
