@@ -20,7 +20,7 @@ namespace isolux::ui {
 namespace {
 
 constexpr int targetPollMilliseconds = 50;
-constexpr int narrowestNumber = 48, shortestUnit = 8;  // pixels; characters
+constexpr int narrowestNumber = 48, shortestUnit = 13;  // pixels; characters
 constexpr double mostAtFirst = 0.01, millisecondsAtFirst = 100.0;
 
 bool sameQuestion(const app::TargetJob::Subject& a, const app::TargetJob::Subject& b) {
@@ -79,7 +79,7 @@ void TargetBox::makeRows() {
   rows->setHorizontalSpacing(8);
   rows->setVerticalSpacing(6);
   rows->setColumnStretch(1, 1);
-  rows->setColumnStretch(2, 1);
+  rows->setColumnStretch(2, 2);
   rows->addWidget(error_, 0, 0);
   rows->addWidget(most_, 0, 1);
   rows->addWidget(unit_, 0, 2);
