@@ -1,6 +1,9 @@
 // "Error at most" and "Time at most" in the Accuracy panel: what is found, applied, refused and dropped.
 #include "ui/accuracy/target_box.h"
 
+#include <cstdio>
+
+#include <QElapsedTimer>
 #include <QPushButton>
 #include <QTest>
 
@@ -88,9 +91,13 @@ TEST_F(TargetBoxTest, AnyEditDropsASearch) {
     ASSERT_TRUE(waitUntil([&] { return app::TargetJob::running() > 0; }));
   };
   begin();
+  QElapsedTimer since;
+  since.start();
   edit("camera.fov=40");
   EXPECT_FALSE(box()->searching());
   EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }, 60000));
+  std::printf("the thread of a dropped search ended after %lld ms\n",
+              static_cast<long long>(since.elapsed()));
   begin();
   click(box()->findButton());  // Stop
   EXPECT_FALSE(box()->searching());
