@@ -1,6 +1,7 @@
 // Makes a picture of the real window, for the README and the pages.
 //
-//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes|accuracy] [--find TEXT]
+//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes|accuracy] [--find
+//   TEXT]
 //                     [--slices | --slices-alone] [--theme dark|light] [--preferences] [--cut-in-slice]
 //                     [--hints] [--entry TEXT] [--raw-dialog] [--browser] [--anonymous]
 //                     [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
@@ -29,6 +30,9 @@
 
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/accuracy_text.h"
+#include "ui/accuracy/target_box.h"
 #include "ui/browser/dicom_browser.h"
 #include "ui/browser/series_index.h"
 #include "ui/dialogs/preferences_dialog.h"
@@ -38,9 +42,6 @@
 #include "ui/document/privacy.h"
 #include "ui/editors/histogram_slider.h"
 #include "ui/language/language.h"
-#include "ui/accuracy/accuracy_panel.h"
-#include "ui/accuracy/accuracy_text.h"
-#include "ui/accuracy/target_box.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/presets/looks_panel.h"
