@@ -6,6 +6,7 @@
 
 #include "app/jobs/field_job.h"
 #include "base/quantiles.h"
+#include "render/graph/pass.h"
 #include "render/still_picture.h"
 
 namespace isolux::app {
@@ -21,12 +22,13 @@ BoundSpread boundSpreadOf(const std::vector<float>& image, const std::vector<std
   return {base::quantile(bounds, 0.5), base::quantile(bounds, 0.99)};
 }
 
-bool anyOnProcessor(const render::FrameReport& report) {
-  return std::any_of(report.passes.begin(), report.passes.end(),
-                     [](const render::PassReport& pass) { return pass.onProcessor; });
-}
-
 }  // namespace
+
+bool castsOnProcessor(const render::FrameReport& report) {
+  return std::any_of(report.passes.begin(), report.passes.end(), [](const render::PassReport& pass) {
+    return pass.name == render::pass::cast && pass.onProcessor;
+  });
+}
 
 double Accuracy::uncertainShare() const {
   return pixels > 0 ? static_cast<double>(uncertain) / static_cast<double>(pixels) : 0.0;
@@ -56,17 +58,20 @@ Accuracy accuracyOf(const PictureErrors& errors) {
 
 PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
                             const render::FrameRequest& request, const volume::PreparedVolume& volume,
-                            base::Progress& progress, const ShownLight& light) {
+                            base::Progress& progress, const ShownLight& light,
+                            std::optional<bool> drawnOnProcessor) {
   completeFields(drawn, volume, true, progress);
   render::FrameRequest hits;
   hits.size = request.size;
   hits.color = false;
   hits.aovs = {render::Aov::depth, render::Aov::voxel};
+  hits.stop = request.stop;
   render::StillPicture picture = render::drawStill(renderer, drawn, hits, progress);
-  PictureErrors errors = pictureErrors(volume, drawn,
-                                       {request.size, std::move(picture.aovs[0].values),
-                                        std::move(picture.aovs[1].values), anyOnProcessor(picture.report)},
-                                       progress);
+  PictureErrors errors =
+      pictureErrors(volume, drawn,
+                    {request.size, std::move(picture.aovs[0].values), std::move(picture.aovs[1].values),
+                     drawnOnProcessor.value_or(castsOnProcessor(picture.report))},
+                    progress);
   boundLight(renderer, drawn, request, light, errors, progress);
   return errors;
 }

@@ -1,6 +1,8 @@
 // What is said of the accuracy of a whole picture, and drawing what it takes to say it.
 #pragma once
 
+#include <optional>
+
 #include "app/accuracy/light_bounds.h"
 #include "app/accuracy/picture_errors.h"
 #include "render/renderer.h"
@@ -26,11 +28,16 @@ struct Accuracy {
 };
 Accuracy accuracyOf(const PictureErrors& errors);
 
+// Whether the picture's rays were cast by the processor, whose arithmetic is another than that of shaders.
+bool castsOnProcessor(const render::FrameReport& report);
+
 // Bounds of the picture of `drawn` (as it was drawn; what of its derivatives is automatic is filled in here):
 // its rays are cast again, one through the centre of each pixel. `light`: is bounded, too, where it is
-// stored; none: it is not. Throws as render::drawStill(), pictureErrors() and boundLight().
+// stored; none: it is not. `drawnOnProcessor`: who drew the picture, where that was another renderer; its
+// arithmetic is bounded. Throws as render::drawStill(), pictureErrors() and boundLight().
 PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
                             const render::FrameRequest& request, const volume::PreparedVolume& volume,
-                            base::Progress& progress, const ShownLight& light = {});
+                            base::Progress& progress, const ShownLight& light = {},
+                            std::optional<bool> drawnOnProcessor = {});
 
 }  // namespace isolux::app

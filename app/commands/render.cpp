@@ -18,6 +18,7 @@
 #include "app/commands/render_report.h"
 #include "app/commands/render_target.h"
 #include "app/documents/session.h"
+#include "app/documents/session_accuracy.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/jobs/field_job.h"
@@ -120,14 +121,18 @@ Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::
 
 void writePicture(const render::StillPicture& picture, const render::FrameRequest& request,
                   const std::string& name, const scene::Scene& scene, const WantedImages& images,
-                  const PictureErrors& errors) {
+                  const PictureErrors& errors, const std::optional<Accuracy>& accuracy) {
+  const auto sessionIn = [&](const fs::path& folder) {
+    const std::string text = sessionText(scene, folder);
+    return accuracy ? sessionWithAccuracy(text, *accuracy) : text;
+  };
   if (name == kStandardOutput) {
-    const std::string bytes = pngBytes(picture.color, sessionText(scene, fs::current_path()));
+    const std::string bytes = pngBytes(picture.color, sessionIn(fs::current_path()));
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return;
   }
   const fs::path out(name);
-  const std::string session = sessionText(scene, out.parent_path());
+  const std::string session = sessionIn(out.parent_path());
   if (out.extension() == ".png")
     writePng(picture.color, out, session);
   else if (images.errors.empty())
@@ -223,6 +228,7 @@ class RenderRun {
     request_.pixelRatio = scene.picture.pixelRatio;
     Drawn drawn;
     std::optional<PictureErrors> errors;
+    std::optional<Accuracy> accuracy;
     {
       progress_.report(0.0, "drawing");
       const ProgressBar bar(progress_);
@@ -241,11 +247,13 @@ class RenderRun {
         errors =
             measureErrors(*renderer_, shown, request_, *prepared_, progress_, {light_.light(), prepared_});
       if (overlay_.asked) paintOverlay(*errors, scene, drawn.picture);
+      if (errors) accuracy = accuracyOf(*errors);
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
-      writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}));
+      writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}),
+                   accuracy);
     }
-    report(asked, scene, drawn, picture, errors ? std::optional(accuracyOf(*errors)) : std::nullopt);
+    report(asked, scene, drawn, picture, accuracy);
   }
 
   void paintOverlay(const PictureErrors& errors, const scene::Scene& scene,

@@ -102,12 +102,13 @@ std::string pictureSessionText(const scene::Scene& scene, const fs::path& folder
   return textOf(std::move(session));
 }
 
+// "accuracy" (app/documents/session_accuracy.h) is no setting: it is passed over.
 scene::Scene parseSession(const std::string& text, const std::string& file, const StoredFolders& folders) {
   json session = parseJson(text, file, "");
   if (!session.is_object()) throwInput(file, "", "is not a session: it should be a JSON object");
   for (int from = versionOf(session, file); from < sessionVersion; ++from)
     session = upgrades[static_cast<std::size_t>(from - 1)](std::move(session), file);
-  checkKeys(session, {versionKey, "program", "scene", "places"}, file, "");
+  checkKeys(session, {versionKey, "program", "scene", "places", "accuracy"}, file, "");
   const auto found = session.find("scene");
   scene::Scene scene =
       found == session.end() ? scene::Scene{} : sceneFromStored(*found, file, "scene", folders);

@@ -16,13 +16,14 @@ std::vector<std::vector<float>> drawnImages(render::Renderer& renderer, const sc
   render::FrameRequest request;
   request.size = size;
   request.color = false;
+  request.stop = progress.token();
   request.aovs.assign(aovs.begin(), aovs.end());
   const int rows = std::clamp(kStripPixels / size.x, 1, size.y);
   std::vector<std::vector<float>> images(aovs.size());
   for (int below = 0; below < size.y; below += rows) {
-    progress.throwIfStopped();
     request.tile = render::Tile{{0, below}, {size.x, std::min(rows, size.y - below)}};
     renderer.render(resolved, request);
+    progress.throwIfStopped();  // of a frame that was stopped nothing may be read
     for (std::size_t i = 0; i < aovs.size(); ++i) {
       const render::AovImage strip = renderer.readAov(aovs[i]);
       images[i].resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *

@@ -138,6 +138,8 @@ std::string errorText(Quantity quantity, double error) {
   return base::shortText(error / unit.scale, 3) + ' ' + name;
 }
 
+// "depth at most 0.01 mm", "missed at most 0.1 %", "normal at most 0.5 degrees", "curvature at most 5 %",
+// "light at most 2 %"; the window translates them (ui/language/sentences.cpp).
 std::string limitsText(std::span<const Limit> limits) {
   std::string text;
   for (const Limit& limit : limits)

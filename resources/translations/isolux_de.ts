@@ -623,6 +623,146 @@
         <source>Accuracy</source>
         <translation>Genauigkeit</translation>
     </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>not bounded</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>depth at most %1 mm off</source>
+        <translation>Tiefe höchstens %1 mm daneben</translation>
+    </message>
+    <message>
+        <source>depth at most %1 voxels off</source>
+        <translation>Tiefe höchstens %1 Voxel daneben</translation>
+    </message>
+    <message>
+        <source>at most %1 % of pixels missed</source>
+        <translation>höchstens %1 % der Pixel verfehlt</translation>
+    </message>
+    <message>
+        <source>normals at most %1° off</source>
+        <translation>Normalen höchstens %1° daneben</translation>
+    </message>
+    <message>
+        <source>curvature at most %1 % off</source>
+        <translation>Krümmung höchstens %1 % daneben</translation>
+    </message>
+    <message>
+        <source>light at most %1 % off</source>
+        <translation>Licht höchstens %1 % daneben</translation>
+    </message>
+    <message>
+        <source>%1 % not certain</source>
+        <translation>%1 % nicht sicher</translation>
+    </message>
+    <message>
+        <source>Nothing is seen · %1</source>
+        <translation>Nichts zu sehen · %1</translation>
+    </message>
+    <message>
+        <source>Nothing is seen for certain · %1</source>
+        <translation>Nichts sicher zu sehen · %1</translation>
+    </message>
+    <message>
+        <source>Depth ± %1</source>
+        <translation>Tiefe ± %1</translation>
+    </message>
+    <message>
+        <source>normal ± %1</source>
+        <translation>Normale ± %1</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>curvature ± %1</source>
+        <translation>Krümmung ± %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>light ± %1</source>
+        <translation>Licht ± %1</translation>
+    </message>
+    <message>
+        <source>How far the picture on screen may be from the same view in double precision: 99 % of what is seen keeps these bounds, of light 95 %.
+A pixel is not certain where a rounding may show another surface, as along edges.
+One ray through the middle of each pixel, %1 pixels.</source>
+        <translation>Wie weit das Bild auf dem Schirm von derselben Ansicht in doppelter Genauigkeit abweichen kann: 99 % des Sichtbaren halten diese Schranken ein, beim Licht 95 %.
+Ein Pixel ist nicht sicher, wo eine Rundung eine andere Fläche zeigen kann, etwa an Kanten.
+Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
+    </message>
+    <message>
+        <source>Noise of the data is not in them: it turns a typical normal by up to %1°.</source>
+        <translation>Rauschen der Daten ist nicht darin: es dreht eine typische Normale um bis zu %1°.</translation>
+    </message>
+    <message>
+        <source>mm of depth</source>
+        <translation>mm der Tiefe</translation>
+    </message>
+    <message>
+        <source>voxels of depth</source>
+        <translation>Voxel der Tiefe</translation>
+    </message>
+    <message>
+        <source>% of pixels missed</source>
+        <translation>% der Pixel verfehlt</translation>
+    </message>
+    <message>
+        <source>degrees of normals</source>
+        <translation>Grad der Normalen</translation>
+    </message>
+    <message>
+        <source>% of curvature</source>
+        <translation>% der Krümmung</translation>
+    </message>
+    <message>
+        <source>% of light</source>
+        <translation>% des Lichts</translation>
+    </message>
+    <message>
+        <source>The settings as they are do it.</source>
+        <translation>Die Einstellungen reichen so, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>A picture takes about %1 ms: %2</source>
+        <translation>Ein Bild dauert etwa %1 ms: %2</translation>
+    </message>
+    <message>
+        <source>This picture reads no stored light, so there is nothing to choose</source>
+        <translation>Dieses Bild liest kein gespeichertes Licht, es gibt also nichts zu wählen</translation>
+    </message>
+    <message>
+        <source>This picture reads no curvature that stands clear of the noise, so there is nothing to choose</source>
+        <translation>Dieses Bild liest keine Krümmung, die sich vom Rauschen abhebt, es gibt also nichts zu wählen</translation>
+    </message>
+    <message>
+        <source>This picture has no such error, so there is nothing to choose</source>
+        <translation>Dieses Bild hat keinen solchen Fehler, es gibt also nichts zu wählen</translation>
+    </message>
+    <message>
+        <source>Nothing of the first isosurface is seen, so nothing is chosen</source>
+        <translation>Von der ersten Isofläche ist nichts zu sehen, also wird nichts gewählt</translation>
+    </message>
+    <message>
+        <source>no pixels missed</source>
+        <translation>keine Pixel verfehlt</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -1026,6 +1166,10 @@
     <message>
         <source>error at edges, parts of the range</source>
         <translation>Fehler an Rändern, Teile des Bereichs</translation>
+    </message>
+    <message>
+        <source>Measuring the picture on screen …</source>
+        <translation>Das Bild auf dem Schirm wird gemessen …</translation>
     </message>
 </context>
 <context>
@@ -3565,6 +3709,65 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
 </context>
 <context>
+    <name>isolux::ui::TargetBox</name>
+    <message>
+        <source>Error at most</source>
+        <translation>Fehler höchstens</translation>
+    </message>
+    <message>
+        <source>Time at most</source>
+        <translation>Zeit höchstens</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Time at most, milliseconds</source>
+        <translation>Zeit höchstens, Millisekunden</translation>
+    </message>
+    <message>
+        <source>Which error</source>
+        <translation>Welcher Fehler</translation>
+    </message>
+    <message>
+        <source>Uses these settings, as one step of undo</source>
+        <translation>Verwendet diese Einstellungen, als ein Schritt zum Rückgängigmachen</translation>
+    </message>
+    <message>
+        <source>ms for a picture</source>
+        <translation>ms für ein Bild</translation>
+    </message>
+    <message>
+        <source>Keep %1 ms</source>
+        <translation>%1 ms einhalten</translation>
+    </message>
+    <message>
+        <source>Keep %1 %2</source>
+        <translation>%1 %2 einhalten</translation>
+    </message>
+    <message>
+        <source>Errors are known of the whole isosurface only: remove the cuts, or let them not cut it</source>
+        <translation>Fehler sind nur von der ganzen Isofläche bekannt: zuerst die Schnitte entfernen oder sie davon ausnehmen</translation>
+    </message>
+    <message>
+        <source>Nothing keeps 0: enter a number above it</source>
+        <translation>0 ist nicht einzuhalten: eine größere Zahl eingeben</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Find settings</source>
+        <translation>Einstellungen suchen</translation>
+    </message>
+    <message>
+        <source>Searching … %1 %</source>
+        <translation>Suche … %1 %</translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::Tour</name>
     <message>
         <source>Done</source>
@@ -4690,6 +4893,62 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>stopped</source>
         <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>no settings keep %1 ms; the quickest take about %2 ms, and a smaller picture less</source>
+        <translation>keine Einstellungen halten %1 ms ein; die schnellsten brauchen etwa %2 ms, ein kleineres Bild weniger</translation>
+    </message>
+    <message>
+        <source>no settings keep %1; the least that can be promised is %2</source>
+        <translation>keine Einstellungen halten ein: %1; das Kleinste, was sich zusagen lässt, ist %2</translation>
+    </message>
+    <message>
+        <source>depth at most %1 mm</source>
+        <translation>Tiefe höchstens %1 mm</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>depth at most %1 voxels</source>
+        <translation>Tiefe höchstens %1 Voxel</translation>
+    </message>
+    <message>
+        <source>depth %1 voxels</source>
+        <translation>Tiefe %1 Voxel</translation>
+    </message>
+    <message>
+        <source>missed at most %1 %</source>
+        <translation>verfehlt höchstens %1 %</translation>
+    </message>
+    <message>
+        <source>missed %1 %</source>
+        <translation>verfehlt %1 %</translation>
+    </message>
+    <message>
+        <source>normal at most %1 degrees</source>
+        <translation>Normale höchstens %1 Grad</translation>
+    </message>
+    <message>
+        <source>normal %1 degrees</source>
+        <translation>Normale %1 Grad</translation>
+    </message>
+    <message>
+        <source>curvature at most %1 %</source>
+        <translation>Krümmung höchstens %1 %</translation>
+    </message>
+    <message>
+        <source>curvature %1 %</source>
+        <translation>Krümmung %1 %</translation>
+    </message>
+    <message>
+        <source>light at most %1 %</source>
+        <translation>Licht höchstens %1 %</translation>
+    </message>
+    <message>
+        <source>light %1 %</source>
+        <translation>Licht %1 %</translation>
     </message>
 </context>
 <context>

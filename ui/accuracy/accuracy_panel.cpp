@@ -9,6 +9,7 @@
 
 #include "scene/settings.h"
 #include "ui/accuracy/accuracy_chart.h"
+#include "ui/accuracy/target_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/window/style.h"
@@ -73,6 +74,8 @@ QString errorText(const app::Knob& knob) {
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
     : Panel(parent),
+      picture_(new PictureAccuracy(this)),
+      target_(new TargetBox(this)),
       knobs_(new QComboBox(this)),
       chart_(new AccuracyChart(this)),
       state_(new QLabel(this)),
@@ -91,6 +94,12 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   layout->addWidget(chart_, 1);
   layout->addWidget(key_);
   layout->addWidget(state_);
+  layout->addWidget(target_);
+  connect(picture_, &PictureAccuracy::changed, this, &AccuracyPanel::tellPicture);
+  connect(picture_, &PictureAccuracy::ended, this, &AccuracyPanel::measure);
+  connect(target_, &TargetBox::edited, this, &Panel::edited);
+  connect(target_, &TargetBox::searchingChanged, this,
+          [this] { target_->searching() ? drop() : measureSoon(); });
   connect(knobs_, &QComboBox::currentIndexChanged, this, &AccuracyPanel::showKnob);
   connect(chart_, &AccuracyChart::chosen, this, &AccuracyPanel::choose);
   restTimer_.setSingleShot(true);
@@ -110,11 +119,19 @@ void AccuracyPanel::setVolume(const VolumePointer& volume) {
   measured_.clear();
   acting_.clear();
   trouble_.clear();
+  complete_ = false;
+  drawn_ = {};
+  drawn_.request.size = glm::ivec2(0);
+  showPicture();
+  showTarget();
   listKnobs();
 }
 
-void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene&) {
+void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   scene_ = scene;
+  resolved_ = resolved;
+  showPicture();
+  showTarget();
   if (!isSeen()) {
     drop();
     return;
@@ -127,6 +144,14 @@ void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene&) {
   }
   listKnobs();
   measureSoon();
+}
+
+void AccuracyPanel::seenChanged() {
+  showPicture();
+  if (!isSeen()) {
+    drop();
+    target_->drop();
+  }
 }
 
 void AccuracyPanel::setDrawing(bool draws) {
@@ -148,12 +173,14 @@ void AccuracyPanel::paintEvent(QPaintEvent* event) {
   if (job_ || restTimer_.isActive() || !volume_) return;
   subject_ = withoutKnobs(scene_);
   if (acting_.empty()) listKnobs();
+  showPicture();
+  showTarget();
   measureSoon();
 }
 
 void AccuracyPanel::hideEvent(QHideEvent* event) {
   Panel::hideEvent(event);
-  drop();
+  seenChanged();
 }
 
 void AccuracyPanel::listKnobs() {
@@ -192,13 +219,16 @@ bool AccuracyPanel::complete() const {
 }
 
 void AccuracyPanel::measureSoon() {
-  if (isSeen() && volume_ && !drawing_ && !job_ && trouble_.isEmpty() && !missing().empty())
-    restTimer_.start();
+  if (!isSeen()) return;
+  const bool idle = volume_ && !drawing_ && !job_ && !target_->searching() && !picture_->working();
+  if (idle && (picture_->wanted() || (trouble_.isEmpty() && !missing().empty()))) restTimer_.start();
   showState();
 }
 
 void AccuracyPanel::measure() {
-  if (!isSeen() || !volume_ || drawing_ || job_) return;
+  if (!isSeen() || !volume_ || drawing_ || job_ || target_->searching()) return;
+  picture_->measure();
+  if (picture_->working() || !trouble_.isEmpty()) return showState();
   std::vector<app::Knob> wanted = missing();
   if (wanted.empty()) return;
   scene::Machine machine;
@@ -214,6 +244,7 @@ void AccuracyPanel::drop() {
   restTimer_.stop();
   pollTimer_.stop();
   job_.reset();
+  picture_->drop();
   showState();
 }
 
@@ -271,7 +302,8 @@ void AccuracyPanel::showState() {
   const app::Knob* const shown = knob();
   const auto found = shown ? measured_.find(shown->name) : measured_.end();
   const bool stale = found != measured_.end() && !(found->second.of == subject_);
-  QString text = job_ ? tr("Measuring … %1 %").arg(qRound(100.0 * job_->progress().fraction()))
+  QString text = picture_->working() ? tr("Measuring the picture on screen …")
+                 : job_ ? tr("Measuring … %1 %").arg(qRound(100.0 * job_->progress().fraction()))
                  : missing().empty() ? QString()
                                      : tr("Measured when the window rests");
   if (found != measured_.end()) {

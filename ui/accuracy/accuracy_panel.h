@@ -1,8 +1,9 @@
 // What accuracy costs: error against time for each quality setting that acts in the scene, of the volume and
-// view on show.
+// view on show; how accurate the picture on screen is; and which settings keep an error or a time.
 //
-// Measured on a background thread while the panel is seen and the window draws nothing; dropped and begun
-// anew when the view or the scene changes. With the panel closed nothing of it runs.
+// Measured on background threads while the panel is seen and the window draws nothing, one at a time: a
+// search that the user asked for, then the picture, then the knobs. Dropped and begun anew when the view or
+// the scene changes. With the panel closed nothing of it runs.
 #pragma once
 
 #include <map>
@@ -12,6 +13,8 @@
 #include <QTimer>
 
 #include "app/jobs/study_job.h"
+#include "ui/accuracy/picture_accuracy.h"
+#include "ui/document/baked_light.h"
 #include "ui/panels/panel.h"
 
 class QComboBox;
@@ -20,6 +23,7 @@ class QLabel;
 namespace isolux::ui {
 
 class AccuracyChart;
+class TargetBox;
 
 class AccuracyPanel : public Panel {
   Q_OBJECT
@@ -28,14 +32,27 @@ class AccuracyPanel : public Panel {
 
   void setVolume(const VolumePointer& volume) override;
   void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
-  void setDrawing(bool draws);  // the window's own picture comes first
+  void setReport(const render::FrameReport& report, const render::FrameRequest& request) override;
+  void setMachine(const scene::Machine& machine);
+  void setDrawing(bool draws);        // the window's own picture comes first
+  void setComplete(bool complete);    // the picture on screen is the full one of the scene
+  void setPreviewing(bool previews);  // the picture is not the document's
+  void setLight(const LightPointer& light, bool changing);
+  void seenChanged();  // its dock came to the front, or went
 
   QComboBox* knobBox() const { return knobs_; }
   const AccuracyChart& chart() const { return *chart_; }
   QString state() const;
   bool complete() const;  // every knob that acts is measured, of the present scene
   bool working() const { return job_ != nullptr; }
+  bool waiting() const { return restTimer_.isActive(); }  // for the window to rest, to measure then
   int jobsBegun() const { return jobsBegun_; }
+  const PictureAccuracy& picture() const { return *picture_; }
+  TargetBox* target() const { return target_; }
+
+ Q_SIGNALS:
+  // What is known of the picture on screen; empty: nothing, or nobody wants to know.
+  void pictureKnown(const QString& text, const QString& meaning);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -53,6 +70,9 @@ class AccuracyPanel : public Panel {
   void measure();
   void drop();
   void poll();
+  void showPicture();
+  void tellPicture();
+  void showTarget();
   void showKnob();
   void showState();
   void choose(const QString& value);
@@ -60,6 +80,15 @@ class AccuracyPanel : public Panel {
 
   VolumePointer volume_;
   scene::Scene scene_, subject_;  // subject_: the scene without what knobs turn
+  scene::Scene resolved_;
+  scene::Machine machine_;
+  LightPointer light_;
+  struct Drawn {
+    render::FrameRequest request;
+    bool onProcessor = false;
+  };
+  Drawn reported_, drawn_;  // the last picture; the last full one
+  bool complete_ = false, previewing_ = false, lightChanging_ = false;
   std::vector<app::Knob> acting_;
   std::map<std::string, Measured> measured_;  // by the knob's name
   std::unique_ptr<app::StudyJob> job_;
@@ -68,6 +97,8 @@ class AccuracyPanel : public Panel {
   int jobsBegun_ = 0;
   QTimer restTimer_, pollTimer_;
 
+  PictureAccuracy* picture_;
+  TargetBox* target_;
   QComboBox* knobs_;
   AccuracyChart* chart_;
   QLabel *state_, *meaning_, *key_;

@@ -50,7 +50,21 @@ constexpr const char* sentences[] = {
     QT_TRANSLATE_NOOP("sentences", "the inside does not end within the data behind the point"),
     QT_TRANSLATE_NOOP("sentences", "the point lies in no piece of isovalue %1"),
     QT_TRANSLATE_NOOP("sentences", "the piece goes on beyond the data: it is open"),
-    QT_TRANSLATE_NOOP("sentences", "not enough memory"), QT_TRANSLATE_NOOP("sentences", "stopped")};
+    QT_TRANSLATE_NOOP("sentences", "not enough memory"), QT_TRANSLATE_NOOP("sentences", "stopped"),
+    // why no settings keep an error or a time, and the errors in it
+    QT_TRANSLATE_NOOP("sentences",
+                      "no settings keep %1 ms; the quickest take about %2 ms, and a smaller "
+                      "picture less"),
+    QT_TRANSLATE_NOOP("sentences", "no settings keep %1; the least that can be promised is %2"),
+    QT_TRANSLATE_NOOP("sentences", "depth at most %1 mm"), QT_TRANSLATE_NOOP("sentences", "depth %1 mm"),
+    QT_TRANSLATE_NOOP("sentences", "depth at most %1 voxels"),
+    QT_TRANSLATE_NOOP("sentences", "depth %1 voxels"), QT_TRANSLATE_NOOP("sentences", "missed at most %1 %"),
+    QT_TRANSLATE_NOOP("sentences", "missed %1 %"),
+    QT_TRANSLATE_NOOP("sentences", "normal at most %1 degrees"),
+    QT_TRANSLATE_NOOP("sentences", "normal %1 degrees"),
+    QT_TRANSLATE_NOOP("sentences", "curvature at most %1 %"),
+    QT_TRANSLATE_NOOP("sentences", "curvature %1 %"), QT_TRANSLATE_NOOP("sentences", "light at most %1 %"),
+    QT_TRANSLATE_NOOP("sentences", "light %1 %")};
 
 struct Pattern {
   const char* text;
@@ -78,24 +92,43 @@ QRegularExpressionMatchIterator cellsIn(const QString& html) {
 
 }  // namespace
 
-QString translatedSentence(std::string_view english) {
+namespace {
+
+// Each captured text as `shown` shows it.
+template <class Shown>
+QString translatedBy(std::string_view english, const Shown& shown) {
   const QString text = QString::fromUtf8(english.data(), static_cast<qsizetype>(english.size()));
   for (const Pattern& pattern : patterns()) {
     const QRegularExpressionMatch match = pattern.matches.match(text);
     if (!match.hasMatch()) continue;
     const QString translation = QCoreApplication::translate("sentences", pattern.text);
+    const auto part = [&](int i) -> QString { return shown(match.captured(i)); };
     switch (match.lastCapturedIndex()) {
       case 1:
-        return translation.arg(match.captured(1));
+        return translation.arg(part(1));
       case 2:
-        return translation.arg(match.captured(1), match.captured(2));
+        return translation.arg(part(1), part(2));
       case 3:
-        return translation.arg(match.captured(1), match.captured(2), match.captured(3));
+        return translation.arg(part(1), part(2), part(3));
       default:
         return translation;
     }
   }
   return text;
+}
+
+}  // namespace
+
+QString translatedSentence(std::string_view english) {
+  return translatedBy(english, [](const QString& part) { return part; });
+}
+
+QString translatedWithParts(std::string_view english) {
+  return translatedBy(english, [](const QString& list) {
+    QStringList parts = list.split(", ");
+    for (QString& part : parts) part = translatedSentence(part.toStdString());
+    return parts.join(", ");
+  });
 }
 
 std::span<const char* const> knownSentences() {

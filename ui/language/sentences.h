@@ -13,6 +13,9 @@ namespace isolux::ui {
 // as it is. A text that fits none stays English.
 QString translatedSentence(std::string_view english);
 
+// The same where what is put in are lists of sentences of their own, separated by ", ".
+QString translatedWithParts(std::string_view english);
+
 // "%1 min ago": texts of app/ and render/, each with %1 ... %3 where something is put in. A test looks
 // whether they are still said.
 std::span<const char* const> knownSentences();

@@ -5,6 +5,7 @@
 
 #include "app/version.h"
 #include "scene/looks.h"
+#include "ui/accuracy/accuracy_panel.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/privacy_box.h"
 #include "ui/document/baked_light.h"
@@ -37,6 +38,7 @@ void MainWindow::setMachine(const scene::Machine& machine) {
   machine_ = machine;
   viewport_->setMachine(machine);
   light_->setThreads(machine.threads);
+  panel<AccuracyPanel>()->setMachine(machine);
 }
 
 void MainWindow::showPreferences() {

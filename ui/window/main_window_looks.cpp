@@ -1,10 +1,16 @@
 // The panels of ui/window/main_window.h that draw pictures of their own, of looks and of what accuracy costs:
 // what is previewed is shown, and nothing is edited.
+#include <QDockWidget>
+#include <QLabel>
+#include <QStatusBar>
+
 #include "scene/rules/automatic.h"
 #include "ui/accuracy/accuracy_panel.h"
+#include "ui/document/baked_light.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
+#include "ui/window/style.h"
 
 namespace isolux::ui {
 
@@ -12,7 +18,28 @@ void MainWindow::connectLooks() {
   auto* const looks = panel<LooksPanel>();
   connect(looks, &LooksPanel::previewed, this, &MainWindow::preview);
   connect(viewport_, &Viewport::drawing, looks, &LooksPanel::setDrawing);
-  connect(viewport_, &Viewport::drawing, panel<AccuracyPanel>(), &AccuracyPanel::setDrawing);
+  auto* const accuracy = panel<AccuracyPanel>();
+  connect(viewport_, &Viewport::drawing, accuracy, &AccuracyPanel::setDrawing);
+  const auto tellComplete = [this, accuracy] { accuracy->setComplete(viewport_->complete()); };
+  connect(viewport_, &Viewport::drawn, accuracy, tellComplete);
+  connect(document_, &Document::sceneChanged, accuracy, tellComplete);
+  connect(light_, &BakedLight::lightChanged, accuracy, &AccuracyPanel::setLight);
+  for (const Docked& docked : panels_)
+    if (docked.panel == accuracy)
+      connect(docked.dock, &QDockWidget::visibilityChanged, accuracy, &AccuracyPanel::seenChanged);
+  auto* const label = new QLabel(this);
+  label->setObjectName("pictureAccuracy");
+  label->setContentsMargins(10, 0, 0, 0);
+  label->setMinimumWidth(1);  // gives way, so that the window can be as narrow as without
+  label->hide();
+  setInk(label, Ink::quiet);
+  statusBar()->insertPermanentWidget(1, label);
+  connect(accuracy, &AccuracyPanel::pictureKnown, label,
+          [label](const QString& text, const QString& meaning) {
+            label->setText(text);
+            label->setToolTip(meaning);
+            label->setVisible(!text.isEmpty());
+          });
 }
 
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {
@@ -22,6 +49,9 @@ void MainWindow::preview(const std::optional<scene::Scene>& scene) {
     viewport_->setScene(*scene, scene::resolve(*scene, volume->facts));
   else
     viewport_->setScene(document_->scene(), document_->resolvedScene());
+  auto* const accuracy = panel<AccuracyPanel>();
+  accuracy->setComplete(viewport_->complete());
+  accuracy->setPreviewing(previewing_);
 }
 
 // A preview may be turned, but is not what is edited.

@@ -10,8 +10,10 @@
 #include "app/annotation/annotation.h"
 #include "app/documents/command_text.h"
 #include "app/documents/session.h"
+#include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
 #include "scene/rules/relevance.h"
+#include "ui/accuracy/accuracy_panel.h"
 #include "ui/dialogs/mesh_dialog.h"
 #include "ui/dialogs/picture_dialog.h"
 #include "ui/dialogs/save_dialog.h"
@@ -135,7 +137,9 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
                  ? app::sessionText(scene, path.parent_path())
                  : app::pictureSessionText(scene, path.parent_path(), hiddenInSaved(document_->volume()));
     };
-    const std::string session = withSession ? textOf() : std::string();
+    std::string session = withSession ? textOf() : std::string();
+    if (const auto& known = panel<AccuracyPanel>()->picture().known())
+      session = app::sessionWithAccuracy(session, *known);
     const bool linear = endsWith(file, "exr");
     const render::StillPicture picture = finishedPicture(linear, tr("Saving %1").arg(name));
     const QString light = unfinishedLightText(light_->state(), light_->cancelled());

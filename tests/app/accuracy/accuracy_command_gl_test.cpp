@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/accuracy/error_images.h"
+#include "app/documents/session.h"
+#include "app/files/image_io.h"
 #include "base/error.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
@@ -36,6 +38,16 @@ TEST(AccuracyCommandGl, StatsAndExplainSayTheSame) {
   EXPECT_LT(accuracy["not_certain_share"].get<double>(), 0.01);
   EXPECT_THAT(result.out, HasSubstr("accuracy of 99 % of what is seen: depth ± "));
   EXPECT_THAT(result.out, HasSubstr("% of pixels are not certain"));
+}
+
+TEST(AccuracyCommandGl, ThePictureCarriesItAndDrawsTheSame) {
+  const auto folder = test::temporaryFolder();
+  render(folder, {"--out", "a.png", "--accuracy", "--set", "camera.fov=33"});
+  const json session = json::parse(readSessionText(folder / "a.png"));
+  EXPECT_EQ(session["accuracy"], json::parse(test::contentOf(folder / "s.json"))["accuracy"]);
+  EXPECT_EQ(loadSession(folder / "a.png").camera.fov, 33.0);
+  render(folder, {"--out", "b.png"});
+  EXPECT_FALSE(json::parse(readSessionText(folder / "b.png")).contains("accuracy"));
 }
 
 TEST(AccuracyCommandGl, NothingRunsUnasked) {

@@ -14,6 +14,7 @@
 
 #include "app/documents/autosave.h"
 #include "app/marks/mark_kinds.h"
+#include "app/target/target.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/window_fixture.h"
 #include "tests/ui/language/listed_texts.h"
@@ -227,6 +228,30 @@ TEST(TranslationTest, AnUnknownTextStaysAsItIs) {
   EXPECT_EQ(ui::translatedSentence(app::agoText(std::chrono::minutes(5))), "vor 5 min");
   ui::setLanguage(ui::Language::english);
   EXPECT_EQ(ui::translatedSentence(app::agoText(std::chrono::minutes(5))), "5 min ago");
+}
+
+TEST(TranslationTest, WhyNoSettingsKeepAnErrorIsSaidInGermanAsAWhole) {
+  const char* const english[] = {"depth", "depth", "missed", "normal", "curvature", "light"};
+  const char* const german[] = {"Tiefe", "Tiefe", "verfehlt", "Normale", "Krümmung", "Licht"};
+  ui::setLanguage(ui::Language::german);
+  for (const app::Quantity quantity : app::kAllQuantities) {
+    const app::Limit limit{quantity, 0.5};
+    const QString text =
+        ui::translatedWithParts("no settings keep " + app::limitsText({&limit, 1}) +
+                                ", missed at most 0.1 %; the least that can be promised is " +
+                                app::nameOf(quantity) + ' ' + app::errorText(quantity, 0.25));
+    const auto at = app::indexOf(quantity);
+    const QString unit = QString::fromStdString(app::errorText(quantity, 0.5)).section(' ', 1);
+    const QString inGerman = unit == "degrees" ? "Grad" : unit == "voxels" ? "Voxel" : unit;
+    const QString half = QString::fromStdString(app::errorText(quantity, 0.5)).section(' ', 0, 0);
+    const QString quarter = QString::fromStdString(app::errorText(quantity, 0.25)).section(' ', 0, 0);
+    EXPECT_EQ(text,
+              QString("keine Einstellungen halten ein: %1 höchstens %2 %4, verfehlt höchstens 0.1 %; das "
+                      "Kleinste, was sich zusagen lässt, ist %1 %3 %4")
+                  .arg(german[at], half, quarter, inGerman))
+        << english[at];
+  }
+  ui::setLanguage(ui::Language::english);
 }
 
 TEST(TranslationTest, AMarkSaysTheSameInBothLanguages) {

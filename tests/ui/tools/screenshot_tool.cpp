@@ -1,10 +1,11 @@
 // Makes a picture of the real window, for the README and the pages.
 //
-//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes|accuracy] [--find TEXT]
+//   isolux_screenshot --out FILE.png [--size WxH] [--panel settings|marks|volume|passes|accuracy] [--find
+//   TEXT]
 //                     [--slices | --slices-alone] [--theme dark|light] [--preferences] [--cut-in-slice]
 //                     [--hints] [--entry TEXT] [--raw-dialog] [--browser] [--anonymous]
 //                     [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
-//                     [--language en|de] PATH
+//                     [--search QUANTITY=VALUE] [--language en|de] PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -22,12 +23,16 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QThread>
 
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/accuracy_text.h"
+#include "ui/accuracy/target_box.h"
 #include "ui/browser/dicom_browser.h"
 #include "ui/browser/series_index.h"
 #include "ui/dialogs/preferences_dialog.h"
@@ -37,7 +42,6 @@
 #include "ui/document/privacy.h"
 #include "ui/editors/histogram_slider.h"
 #include "ui/language/language.h"
-#include "ui/accuracy/accuracy_panel.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/presets/looks_panel.h"
@@ -63,7 +67,7 @@ bool waitUntil(const std::function<bool()>& condition) {
   QElapsedTimer timer;
   timer.start();
   while (!condition()) {
-    if (timer.elapsed() > 120000) return false;
+    if (timer.elapsed() > 600000) return false;
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
     QThread::msleep(1);
   }
@@ -147,7 +151,8 @@ int takePicture(const QCommandLineParser& options) {
   };
   const auto measured = [&] {
     const auto* const accuracy = window.panel<ui::AccuracyPanel>();
-    return !accuracy->isVisible() || accuracy->visibleRegion().isEmpty() || accuracy->complete();
+    return !accuracy->isVisible() || accuracy->visibleRegion().isEmpty() ||
+           (accuracy->complete() && accuracy->picture().known());
   };
   const auto drawn = [&] {
     return measured() && !window.light()->changing() &&
@@ -161,9 +166,9 @@ int takePicture(const QCommandLineParser& options) {
       return counters.samplesWanted > 0 && 100.0 * static_cast<double>(counters.samplesDone) >=
                                                at.toDouble() * static_cast<double>(counters.samplesWanted);
     };
-    if (!waitUntil(there)) return fail("no light in two minutes");
+    if (!waitUntil(there)) return fail("no light in ten minutes");
   } else if (!waitUntil(drawn))
-    return fail("no full picture in two minutes");
+    return fail("no full picture in ten minutes");
   QElapsedTimer settle;
   settle.start();
   waitUntil([&] { return settle.elapsed() > 400; });
@@ -172,6 +177,13 @@ int takePicture(const QCommandLineParser& options) {
     dialog.show();
     waitUntil([&] { return dialog.isVisible(); });
     return save(dialog.grab(), out);
+  }
+  if (options.isSet("search")) {
+    ui::TargetBox* const target = window.panel<ui::AccuracyPanel>()->target();
+    const app::Limit limit = app::parseErrorTarget(options.value("search").toStdString()).front();
+    target->askError(limit.quantity, limit.most / ui::unitOf(limit.quantity));
+    target->findButton()->click();
+    if (!waitUntil([&] { return !target->searching(); })) return fail("no settings in ten minutes");
   }
   if (options.isSet("hints")) window.greet();
   if (options.isSet("entry") && !trigger(window, options.value("entry"))) return fail("no such entry");
@@ -202,6 +214,7 @@ int main(int argc, char** argv) {
          {"size", "Size of the window.", "WxH", "1280x800"},
          {"panel", "settings, looks, marks, volume, pieces, passes or accuracy.", "NAME", "settings"},
          {"find", "Search the settings for this.", "TEXT"},
+         {"search", "In the Accuracy panel, the settings that keep this error.", "QUANTITY=VALUE"},
          {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
          {"light-at", "As it is at so much of the stored light.", "PERCENT"},
          {"slices", "With slices beside the picture."},

@@ -1,4 +1,5 @@
-// The window's thread waits for no picture: a view that is turned while light is baked.
+// The window's thread waits for no picture: a view that is turned while light is baked, or while the Accuracy
+// panel measures and searches.
 #include "tests/support/ui/watchdog.h"
 #include "tests/support/ui/window_fixture.h"
 
@@ -8,8 +9,11 @@
 #include <vector>
 
 #include <QElapsedTimer>
+#include <QPushButton>
 #include <QTest>
 
+#include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/target_box.h"
 #include "ui/document/baked_light.h"
 #include "ui/viewport/viewport.h"
 
@@ -74,6 +78,44 @@ TEST_F(WindowTest, TurningBesideABakeNeverBlocksTheWindow) {
   EXPECT_LE(watchdog.wallQuantile(0.95), longestTurn);
   EXPECT_LE(median, longestAnswer);
   EXPECT_GT(window_->light()->state().counters.rays, raysBefore);  // and light was baked
+}
+
+TEST_F(WindowTest, TurningBesideTheAccuracyPanelNeverBlocksTheWindow) {
+  ASSERT_TRUE(load(*window_, "phantom:head:64"));
+  fullPicture(*window_);
+  orbit(window_->viewport(), 0.5);
+  const double alone = [&] {  // of this machine, with whatever else it does
+    const Watchdog watchdog;
+    orbit(window_->viewport(), 1.5);
+    return watchdog.wallQuantile(0.95);
+  }();
+  window_->showPanel("Accuracy");
+  auto* const panel = window_->panel<ui::AccuracyPanel>();
+  const auto study = [&] { return panel->working() || panel->complete(); };
+  const auto picture = [&] { return panel->picture().working() || panel->picture().known().has_value(); };
+  const auto search = [&] {
+    if (!panel->target()->searching()) {
+      panel->target()->askError(app::Quantity::depthMm, 1e-9);  // all combinations are tried
+      QTest::mouseClick(panel->target()->findButton(), Qt::LeftButton);
+    }
+    return app::TargetJob::running() > 0;
+  };
+  struct Work {
+    const char* name;
+    std::function<bool()> runs;
+  };
+  for (const Work& work : {Work{"picture", picture}, Work{"study", study}, Work{"search", search}}) {
+    ASSERT_TRUE(waitUntil(work.runs, 120000)) << work.name;
+    const Watchdog watchdog;
+    orbit(window_->viewport(), 1.5);
+    std::printf("%s: turns: %zu, longest %.1f ms of the processor, %.1f ms in all, 95 %% within %.1f ms\n",
+                work.name, watchdog.turns().size(), watchdog.longestProcessor(), watchdog.longestWall(),
+                watchdog.wallQuantile(0.95));
+    EXPECT_GT(watchdog.turns().size(), 10u) << work.name;
+    EXPECT_LE(watchdog.longestProcessor(), longestTurn) << work.name;
+    EXPECT_LE(watchdog.wallQuantile(0.95), std::max(longestTurn, 2.0 * alone)) << work.name;
+    EXPECT_FALSE(panel->target()->searching());
+  }
 }
 
 }  // namespace isolux::test

@@ -1,0 +1,54 @@
+// Bounds of a picture on a thread of their own: those that are measured here, of what drew the picture; and a
+// job that is dropped ends.
+#include "app/jobs/accuracy_job.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/rules/automatic.h"
+#include "tests/render/gl_fixture.h"
+#include "tests/support/poll.h"
+
+namespace isolux::test {
+namespace {
+
+class AccuracyJobGlTest : public RenderGlTest {
+ protected:
+  app::AccuracyJob::Subject subject(bool onProcessor) {
+    const auto volume = phantom("torus", 32);
+    return {volume, scene::resolve(assigned({}), volume->facts), nullptr, {96, 80}, onProcessor};
+  }
+};
+
+TEST_F(AccuracyJobGlTest, FindsWhatIsMeasuredHere) {
+  for (const bool onProcessor : {true, false}) {
+    SCOPED_TRACE(onProcessor);
+    const app::AccuracyJob::Subject asked = subject(onProcessor);
+    const app::AccuracyJob job(asked);
+    scene::Machine machine;
+    machine.executor = onProcessor ? scene::Executor::cpu : scene::Executor::gpu;
+    renderer_->setMachine(machine);
+    renderer_->setVolume(asked.volume);
+    renderer_->invalidate();
+    base::Progress progress;
+    render::FrameRequest request;
+    request.size = asked.size;
+    const app::Accuracy here =
+        app::accuracyOf(app::measureErrors(*renderer_, asked.scene, request, *asked.volume, progress));
+    ASSERT_TRUE(pollUntil([&] { return job.finished(); }));
+    ASSERT_FALSE(job.error()) << job.error()->what();
+    EXPECT_EQ(job.accuracy()->pixels, 96u * 80u);
+    EXPECT_GT(job.accuracy()->seen, 500u);
+    // The processor casts for both; whose arithmetic is bounded decides the bound.
+    EXPECT_NEAR(job.accuracy()->depthMm.median, here.depthMm.median, 1e-3 * here.depthMm.median);
+    EXPECT_NEAR(job.accuracy()->normalDegrees.most99, here.normalDegrees.most99,
+                1e-3 * here.normalDegrees.most99);
+  }
+}
+
+TEST_F(AccuracyJobGlTest, ADroppedJobEnds) {
+  { const app::AccuracyJob job(subject(true)); }
+  EXPECT_TRUE(base::awaitRetired(60.0));
+}
+
+}  // namespace
+}  // namespace isolux::test

@@ -1,0 +1,76 @@
+// What ui/accuracy/accuracy_panel.h knows of the picture on screen: when it is measured, what is said of it,
+// and what searches are of.
+#include <algorithm>
+
+#include "render/graph/pass_declarations.h"
+#include "scene/rules/needs.h"
+#include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/accuracy_text.h"
+#include "ui/accuracy/target_box.h"
+
+namespace isolux::ui {
+
+void AccuracyPanel::setReport(const render::FrameReport& report, const render::FrameRequest& request) {
+  reported_ = {request, app::castsOnProcessor(report)};
+}
+
+void AccuracyPanel::setMachine(const scene::Machine& machine) {
+  machine_ = machine;
+  showTarget();
+}
+
+void AccuracyPanel::setLight(const LightPointer& light, bool changing) {
+  light_ = light;
+  lightChanging_ = changing;
+  if (!isSeen()) return;
+  showPicture();
+  showTarget();
+}
+
+void AccuracyPanel::setPreviewing(bool previews) {
+  previewing_ = previews;
+  showPicture();
+}
+
+void AccuracyPanel::setComplete(bool complete) {
+  complete_ = complete;
+  if (complete) drawn_ = reported_;
+  if (!isSeen()) return;
+  showPicture();
+  showTarget();
+  measureSoon();
+}
+
+void AccuracyPanel::showPicture() {
+  const bool lit = scene::usesGi(resolved_);
+  if (!isSeen() || !volume_ || !complete_ || previewing_ || (lit && lightChanging_))
+    return picture_->show({});
+  picture_->show(PictureAccuracy::Subject{volume_, resolved_, lit ? light_ : nullptr, drawn_.request.size,
+                                          drawn_.onProcessor});
+}
+
+void AccuracyPanel::tellPicture() {
+  const std::optional<app::Accuracy>& known = picture_->known();
+  if (!known)
+    Q_EMIT pictureKnown({}, {});
+  else
+    Q_EMIT pictureKnown(accuracyText(*known, render::readsHessian(resolved_, drawn_.request)),
+                        accuracyMeaning(*known));
+  showState();
+}
+
+void AccuracyPanel::showTarget() {
+  app::TargetJob::Subject subject;
+  if (isSeen()) {
+    subject.volume = volume_;
+    subject.scene = scene_;
+    subject.picture.size = drawn_.request.size;
+    subject.picture.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
+    subject.picture.pixelRatio = drawn_.request.pixelRatio;
+    subject.machine = machine_;
+    subject.light = light_;
+  }
+  target_->setSubject(subject);
+}
+
+}  // namespace isolux::ui

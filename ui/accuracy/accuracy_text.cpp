@@ -1,0 +1,174 @@
+#include "ui/accuracy/accuracy_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include <QObject>
+#include <QStringList>
+
+#include "app/study/study_knobs.h"
+#include "scene/settings.h"
+#include "ui/editors/number_text.h"
+#include "ui/language/sentences.h"
+#include "ui/language/translated.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr double micrometresBelow = 1e-3;  // mm
+constexpr double millimetresToMicrometres = 1e3;
+
+QString roundedText(double value) {
+  return numberText(value, 2);
+}
+
+QString lengthText(double mm) {
+  return mm < micrometresBelow ? QObject::tr("%1 µm").arg(roundedText(mm * millimetresToMicrometres))
+                               : QObject::tr("%1 mm").arg(roundedText(mm));
+}
+
+QString boundText(const QString& pattern, double bound, const QString& text) {
+  if (std::isnan(bound)) return {};
+  return std::isinf(bound) ? pattern.arg(QObject::tr("not bounded")) : pattern.arg(text);
+}
+
+QString settingText(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::string path = assignment.substr(0, equals);
+  const auto value = QString::fromStdString(assignment.substr(equals + 1));
+  const std::vector<app::Knob>& list = app::knobs();
+  const auto knob =
+      std::find_if(list.begin(), list.end(), [&](const app::Knob& each) { return path == each.setting; });
+  QString name = knob != list.end() ? wordsOf(QString(knob->label)) : nameOf(scene::setting(path));
+  name[0] = name[0].toUpper();
+  bool isNumber = false;
+  value.toDouble(&isNumber);
+  return QObject::tr("%1: %2").arg(name, isNumber ? value : wordsOf(value));
+}
+
+QString keptText(const app::Limit& limit, double bound) {
+  const QString number = numberText(bound / unitOf(limit.quantity), 2);
+  switch (limit.quantity) {
+    case app::Quantity::depthMm:
+      return QObject::tr("depth at most %1 mm off").arg(number);
+    case app::Quantity::depthVoxels:
+      return QObject::tr("depth at most %1 voxels off").arg(number);
+    case app::Quantity::missed:
+      if (bound == 0.0) return QObject::tr("no pixels missed");
+      return QObject::tr("at most %1 % of pixels missed").arg(number);
+    case app::Quantity::normal:
+      return QObject::tr("normals at most %1° off").arg(number);
+    case app::Quantity::curvature:
+      return QObject::tr("curvature at most %1 % off").arg(number);
+    case app::Quantity::light:
+      break;
+  }
+  return QObject::tr("light at most %1 % off").arg(number);
+}
+
+}  // namespace
+
+QString accuracyText(const app::Accuracy& accuracy, bool curvature) {
+  const QString share = QObject::tr("%1 % not certain").arg(roundedText(100.0 * accuracy.uncertainShare()));
+  if (accuracy.seen == 0) return QObject::tr("Nothing is seen · %1").arg(share);
+  if (accuracy.seen == accuracy.uncertain) return QObject::tr("Nothing is seen for certain · %1").arg(share);
+  const double depth = accuracy.depthMm.most99, normal = accuracy.normalDegrees.most99,
+               relative = accuracy.relativeCurvature.most99;
+  QStringList parts{
+      boundText(QObject::tr("Depth ± %1"), depth, lengthText(depth)),
+      boundText(QObject::tr("normal ± %1"), normal, QObject::tr("%1°").arg(roundedText(normal)))};
+  if (curvature)
+    parts += boundText(QObject::tr("curvature ± %1"), relative,
+                       QObject::tr("%1 %").arg(roundedText(100.0 * relative)));
+  const double light = accuracy.relativeLightWithin;
+  parts += boundText(QObject::tr("light ± %1"), light, QObject::tr("%1 %").arg(roundedText(100.0 * light)));
+  parts += share;
+  parts.removeAll(QString());
+  return parts.join(" · ");
+}
+
+QString accuracyMeaning(const app::Accuracy& accuracy) {
+  QString text =
+      QObject::tr(
+          "How far the picture on screen may be from the same view in double precision: 99 % of "
+          "what is seen keeps these bounds, of light 95 %.\nA pixel is not certain where a rounding may show "
+          "another surface, as along edges.\nOne ray through the middle of each pixel, %1 "
+          "pixels.")
+          .arg(accuracy.pixels);
+  const double noise = accuracy.normalNoiseDegrees.median;
+  if (std::isfinite(noise) && noise > 0.0)
+    text += '\n' + QObject::tr("Noise of the data is not in them: it turns a typical normal by up to %1°.")
+                       .arg(roundedText(noise));
+  return text;
+}
+
+QString unitTextOf(app::Quantity quantity) {
+  switch (quantity) {
+    case app::Quantity::depthMm:
+      return QObject::tr("mm of depth");
+    case app::Quantity::depthVoxels:
+      return QObject::tr("voxels of depth");
+    case app::Quantity::missed:
+      return QObject::tr("% of pixels missed");
+    case app::Quantity::normal:
+      return QObject::tr("degrees of normals");
+    case app::Quantity::curvature:
+      return QObject::tr("% of curvature");
+    case app::Quantity::light:
+      break;
+  }
+  return QObject::tr("% of light");
+}
+
+double unitOf(app::Quantity quantity) {
+  const bool isPart = quantity == app::Quantity::missed || quantity == app::Quantity::curvature ||
+                      quantity == app::Quantity::light;
+  return isPart ? 0.01 : 1.0;
+}
+
+QString answerText(const app::TargetAnswer& answer) {
+  const app::Measured& chosen = answer.measured[answer.chosen];
+  QStringList lines;
+  for (const std::string& assignment : chosen.candidate.assignments) lines += settingText(assignment);
+  if (lines.isEmpty()) lines += QObject::tr("The settings as they are do it.");
+  QStringList kept;
+  for (const app::Limit& limit : answer.limits) {
+    const double bound = chosen.errors[app::indexOf(limit.quantity)].bound;
+    if (std::isfinite(bound)) kept += keptText(limit, bound);
+  }
+  const double time = answer.expectedMilliseconds;
+  const QString takes =
+      QObject::tr("A picture takes about %1 ms: %2")
+          .arg(numberText(time < 100.0 ? time : std::round(time / 10.0) * 10.0, 2 + (time >= 100.0 ? 4 : 0)),
+               kept.join(", "));
+  lines += takes;
+  return lines.join('\n');
+}
+
+QString refusalText(const base::Error& error) {
+  QString text = translatedWithParts(error.reason());
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+QString ignoredText(app::Quantity asked) {
+  switch (asked) {
+    case app::Quantity::light:
+      return QObject::tr("This picture reads no stored light, so there is nothing to choose");
+    case app::Quantity::curvature:
+      return QObject::tr(
+          "This picture reads no curvature that stands clear of the noise, so there is nothing to choose");
+    default:
+      break;
+  }
+  return QObject::tr("This picture has no such error, so there is nothing to choose");
+}
+
+QString nothingSeenText() {
+  return QObject::tr("Nothing of the first isosurface is seen, so nothing is chosen");
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,71 @@
+#include "ui/accuracy/picture_accuracy.h"
+
+#include <utility>
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int boundsPollMilliseconds = 50;
+
+bool samePicture(const PictureAccuracy::Subject& a, const PictureAccuracy::Subject& b) {
+  return a.volume == b.volume && a.scene == b.scene && a.light == b.light && a.size == b.size &&
+         a.onProcessor == b.onProcessor;
+}
+
+bool samePicture(const std::optional<PictureAccuracy::Subject>& a,
+                 const std::optional<PictureAccuracy::Subject>& b) {
+  return a.has_value() == b.has_value() && (!a || samePicture(*a, *b));
+}
+
+}  // namespace
+
+PictureAccuracy::PictureAccuracy(QObject* parent) : QObject(parent) {
+  pollTimer_.setInterval(boundsPollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &PictureAccuracy::poll);
+}
+
+void PictureAccuracy::show(std::optional<Subject> subject) {
+  if (subject) {  // which no bound depends on
+    subject->scene.marks.clear();
+    subject->scene.picture.letters = subject->scene.picture.scaleBar = subject->scene.picture.isovalue =
+        false;
+  }
+  if (samePicture(subject, shown_)) return;
+  drop();
+  shown_ = std::move(subject);
+  Q_EMIT changed();
+}
+
+bool PictureAccuracy::wanted() const {
+  return shown_ && !samePicture(shown_, measured_);
+}
+
+void PictureAccuracy::measure() {
+  if (job_ || !wanted()) return;
+  job_ = std::make_unique<app::AccuracyJob>(*shown_);
+  ++jobsBegun_;
+  pollTimer_.start();
+}
+
+void PictureAccuracy::drop() {
+  pollTimer_.stop();
+  job_.reset();
+}
+
+const std::optional<app::Accuracy>& PictureAccuracy::known() const {
+  static const std::optional<app::Accuracy> none;
+  return shown_ && samePicture(shown_, measured_) ? accuracy_ : none;
+}
+
+void PictureAccuracy::poll() {
+  if (!job_) return pollTimer_.stop();
+  if (!job_->finished()) return;
+  measured_ = shown_;
+  accuracy_ = job_->accuracy();
+  drop();
+  Q_EMIT changed();
+  Q_EMIT ended();
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,48 @@
+// How accurate the picture on screen is: measured on a background thread (app/jobs/accuracy_job.h), and known
+// only while the picture that it was measured of is on show.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QTimer>
+
+#include "app/jobs/accuracy_job.h"
+
+namespace isolux::ui {
+
+class PictureAccuracy : public QObject {
+  Q_OBJECT
+ public:
+  using Subject = app::AccuracyJob::Subject;
+
+  explicit PictureAccuracy(QObject* parent = nullptr);
+
+  // The finished picture on show; none: there is none, or nobody wants to know. A job for another one ends.
+  void show(std::optional<Subject> subject);
+  bool wanted() const;  // one is on show that was not measured
+  void measure();       // it is, unless it is measured already
+  void drop();          // the job ends; measure() begins anew
+
+  bool working() const { return job_ != nullptr; }
+  const std::optional<app::Accuracy>& known() const;  // of the picture on show
+  const std::optional<Subject>& subject() const { return shown_; }
+  int jobsBegun() const { return jobsBegun_; }
+
+ Q_SIGNALS:
+  void changed();  // what is known
+  void ended();    // the job, by itself
+
+ private:
+  void poll();
+
+  std::optional<Subject> shown_;
+  std::optional<Subject> measured_;  // what was measured last, and with what result: none, it failed
+  std::optional<app::Accuracy> accuracy_;
+  std::unique_ptr<app::AccuracyJob> job_;
+  QTimer pollTimer_;
+  int jobsBegun_ = 0;
+};
+
+}  // namespace isolux::ui

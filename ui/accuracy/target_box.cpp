@@ -1,0 +1,214 @@
+#include "ui/accuracy/target_box.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+#include "scene/rules/needs.h"
+#include "ui/accuracy/accuracy_text.h"
+#include "ui/editors/number_spin_box.h"
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int targetPollMilliseconds = 50;
+constexpr int narrowestNumber = 48, shortestUnit = 13;  // pixels; characters
+constexpr double mostAtFirst = 0.01, millisecondsAtFirst = 100.0;
+
+bool sameQuestion(const app::TargetJob::Subject& a, const app::TargetJob::Subject& b) {
+  return a.volume == b.volume && a.scene == b.scene && a.picture.size == b.picture.size &&
+         a.picture.pixelRatio == b.picture.pixelRatio && a.machine == b.machine;
+}
+
+}  // namespace
+
+TargetBox::TargetBox(QWidget* parent)
+    : QWidget(parent),
+      error_(new QRadioButton(tr("Error at most"), this)),
+      time_(new QRadioButton(tr("Time at most"), this)),
+      most_(new NumberSpinBox(this)),
+      milliseconds_(new NumberSpinBox(this)),
+      unit_(new QComboBox(this)),
+      find_(new QPushButton(this)),
+      apply_(new QPushButton(tr("Apply"), this)),
+      text_(new QLabel(this)) {
+  makeRows();
+  connect(most_, &QDoubleSpinBox::valueChanged, this, [this] { error_->setChecked(true); });
+  connect(milliseconds_, &QDoubleSpinBox::valueChanged, this, [this] { time_->setChecked(true); });
+  connect(unit_, &QComboBox::activated, this, [this] { error_->setChecked(true); });
+  connect(find_, &QPushButton::clicked, this, [this] {
+    if (job_)
+      drop();
+    else
+      find();
+  });
+  connect(apply_, &QPushButton::clicked, this, &TargetBox::apply);
+  pollTimer_.setInterval(targetPollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &TargetBox::poll);
+  showState();
+}
+
+void TargetBox::makeRows() {
+  error_->setChecked(true);
+  most_->setAccessibleName(tr("Error at most"));
+  milliseconds_->setAccessibleName(tr("Time at most, milliseconds"));
+  unit_->setAccessibleName(tr("Which error"));
+  for (const app::Quantity each : app::kAllQuantities) unit_->addItem(unitTextOf(each));
+  most_->setValue(mostAtFirst);
+  milliseconds_->setValue(millisecondsAtFirst);
+  for (NumberSpinBox* const box : {most_, milliseconds_}) {
+    box->setMinimum(0.0);
+    box->setMinimumWidth(narrowestNumber);
+  }
+  // The row is as wide as the panel has room, not the panel as wide as the longest unit.
+  unit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  unit_->setMinimumContentsLength(shortestUnit);
+  apply_->setToolTip(tr("Uses these settings, as one step of undo"));
+  text_->setWordWrap(true);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+  auto* rows = new QGridLayout;
+  rows->setHorizontalSpacing(8);
+  rows->setVerticalSpacing(6);
+  rows->setColumnStretch(1, 1);
+  rows->setColumnStretch(2, 2);
+  rows->addWidget(error_, 0, 0);
+  rows->addWidget(most_, 0, 1);
+  rows->addWidget(unit_, 0, 2);
+  rows->addWidget(time_, 1, 0);
+  rows->addWidget(milliseconds_, 1, 1);
+  rows->addWidget(new QLabel(tr("ms for a picture"), this), 1, 2);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(find_);
+  buttons->addWidget(apply_);
+  buttons->addStretch(1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addLayout(rows);
+  layout->addLayout(buttons);
+  layout->addWidget(text_);
+}
+
+void TargetBox::setSubject(const app::TargetJob::Subject& subject) {
+  const bool same = sameQuestion(subject, subject_);
+  subject_ = subject;
+  if (!same) drop();
+  showState();
+}
+
+void TargetBox::drop() {
+  const bool searched = searching();
+  pollTimer_.stop();
+  job_.reset();
+  answer_.reset();
+  said_.clear();
+  showState();
+  if (searched) Q_EMIT searchingChanged();
+}
+
+void TargetBox::askError(app::Quantity quantity, double most) {
+  error_->setChecked(true);
+  unit_->setCurrentIndex(static_cast<int>(app::indexOf(quantity)));
+  most_->setValue(most);
+}
+
+void TargetBox::askTime(double milliseconds) {
+  milliseconds_->setValue(milliseconds);
+  time_->setChecked(true);
+}
+
+bool TargetBox::asksTime() const {
+  return time_->isChecked();
+}
+
+app::Quantity TargetBox::quantity() const {
+  return app::kAllQuantities[static_cast<std::size_t>(std::max(unit_->currentIndex(), 0))];
+}
+
+QString TargetBox::questionName() const {
+  return asksTime() ? tr("Keep %1 ms").arg(milliseconds_->text())
+                    : tr("Keep %1 %2").arg(most_->text(), unit_->currentText());
+}
+
+// ---- The search
+// ------------------------------------------------------------------------------------------------
+
+void TargetBox::find() {
+  drop();
+  if (subject_.scene.isosurface.clipped && scene::cutsSurfaces(subject_.scene)) {
+    said_ = tr("Errors are known of the whole isosurface only: remove the cuts, or let them not cut it");
+    return showState();
+  }
+  app::TargetJob::Subject question = subject_;
+  question.limits.clear();
+  question.milliseconds = milliseconds_->value();
+  if (!asksTime()) question.limits = {{quantity(), most_->value() * unitOf(quantity())}};
+  const bool mayBeNone = !asksTime() && quantity() == app::Quantity::missed;
+  if (!mayBeNone && !((asksTime() ? question.milliseconds : question.limits.front().most) > 0.0)) {
+    said_ = tr("Nothing keeps 0: enter a number above it");
+    return showState();
+  }
+  job_ = std::make_unique<app::TargetJob>(std::move(question));
+  pollTimer_.start();
+  showState();
+  Q_EMIT searchingChanged();
+}
+
+void TargetBox::poll() {
+  if (!job_) return pollTimer_.stop();
+  if (!job_->finished()) return showState();
+  pollTimer_.stop();
+  const std::unique_ptr<app::TargetJob> job = std::move(job_);
+  take(*job);
+  showState();
+  Q_EMIT searchingChanged();
+}
+
+void TargetBox::take(const app::TargetJob& job) {
+  if (job.error()) {
+    said_ = refusalText(*job.error());
+  } else if (!job.answer()) {
+    said_ = nothingSeenText();
+  } else if (job.answer()->measured.empty() || (!asksTime() && job.answer()->asked == 0)) {
+    said_ = ignoredText(quantity());
+  } else {
+    answer_ = job.answer();
+    said_ = answerText(*answer_);
+  }
+}
+
+void TargetBox::apply() {
+  if (!answer_) return;
+  const app::Candidate& chosen = answer_->measured[answer_->chosen].candidate;
+  const Edit edit{app::applied(chosen, subject_.scene), questionName(), {}, false};
+  if (!(edit.scene == subject_.scene)) Q_EMIT edited(edit);
+}
+
+// ---- What is shown
+// ------------------------------------------------------------------------------------------------
+
+QString TargetBox::text() const {
+  return text_->text();
+}
+
+void TargetBox::showState() {
+  find_->setText(job_ ? tr("Stop") : tr("Find settings"));
+  find_->setEnabled(job_ || (subject_.volume && subject_.picture.size.x > 0));
+  for (QWidget* const control : std::initializer_list<QWidget*>{error_, time_, most_, milliseconds_, unit_})
+    control->setEnabled(!job_);
+  apply_->setEnabled(answer_ && !answer_->measured[answer_->chosen].candidate.assignments.empty());
+  const QString text = job_ ? tr("Searching … %1 %").arg(qRound(100.0 * job_->progress().fraction())) : said_;
+  if (text_->text() != text) text_->setText(text);
+  text_->setVisible(!text.isEmpty());
+}
+
+}  // namespace isolux::ui

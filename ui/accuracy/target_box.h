@@ -1,0 +1,70 @@
+// "Error at most", "Time at most": searches the settings that keep one of them for the view on show
+// (app/jobs/target_job.h), says what they cost, and applies them as one edit.
+//
+// A search begins with a click and ends at once when anything of its question changes.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QTimer>
+#include <QWidget>
+
+#include "app/jobs/target_job.h"
+#include "ui/document/edit.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QRadioButton;
+
+namespace isolux::ui {
+
+class NumberSpinBox;
+
+class TargetBox : public QWidget {
+  Q_OBJECT
+ public:
+  explicit TargetBox(QWidget* parent = nullptr);
+
+  // What is searched in; its limits are not read. Without a volume, or a size: nothing can be searched.
+  void setSubject(const app::TargetJob::Subject& subject);
+  void drop();  // the search, and what it found
+
+  void askError(app::Quantity quantity, double most);  // in unitTextOf(quantity)
+  void askTime(double milliseconds);
+  QPushButton* findButton() const { return find_; }
+  QPushButton* applyButton() const { return apply_; }
+  QString text() const;  // what was found, or why nothing was
+  bool searching() const { return job_ != nullptr; }
+  const std::optional<app::TargetAnswer>& answer() const { return answer_; }
+
+ Q_SIGNALS:
+  void searchingChanged();
+  void edited(const isolux::ui::Edit& edit);
+
+ private:
+  void makeRows();
+  void find();
+  void poll();
+  void take(const app::TargetJob& job);
+  void apply();
+  void showState();
+  bool asksTime() const;
+  app::Quantity quantity() const;
+  QString questionName() const;  // of the step of undo
+
+  app::TargetJob::Subject subject_;
+  std::unique_ptr<app::TargetJob> job_;
+  std::optional<app::TargetAnswer> answer_;
+  QString said_;  // of the last search
+  QTimer pollTimer_;
+
+  QRadioButton *error_, *time_;
+  NumberSpinBox *most_, *milliseconds_;
+  QComboBox* unit_;
+  QPushButton *find_, *apply_;
+  QLabel* text_;
+};
+
+}  // namespace isolux::ui
