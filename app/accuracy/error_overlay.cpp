@@ -122,13 +122,12 @@ class OverlayPainter {
     }
   }
 
-  // `seen`: what it should not lie on.
   std::optional<render::Tile> addLegend(const render::Legend& legend, scene::LegendCorner corner,
-                                        const std::vector<volume::Rectangle>& seen) {
+                                        const render::CoveredPixels& covered) {
     const glm::ivec2 size = image_.size;
     const render::LegendImage drawn = render::drawLegend(legend, std::min(size.y, 2 * size.x));
     if (drawn.size.x > size.x * 7 / 10 || drawn.size.y > size.y * 7 / 10) return std::nullopt;
-    const render::Tile place{render::legendPlace(corner, drawn.size, size, seen), drawn.size};
+    const render::Tile place{render::legendPlace(corner, drawn.size, size, covered), drawn.size};
     const glm::ivec2 low(place.origin.x, size.y - place.origin.y - drawn.size.y);
     for (int y = 0; y < drawn.size.y; ++y)
       for (int x = 0; x < drawn.size.x; ++x)
@@ -154,19 +153,22 @@ class OverlayPainter {
   int lineWidth_;
 };
 
-// Rows of pixels that show a surface, row 0 the lowest.
-std::vector<volume::Rectangle> surfaceOf(const PictureErrors& errors) {
-  volume::PictureArea area(errors.size);
-  for (int y = 0; y < errors.size.y; ++y) {
-    const auto row = errors.depthMm.begin() + static_cast<std::ptrdiff_t>(y) * errors.size.x;
-    const auto isSeen = [](float depth) { return !std::isnan(depth); };
-    const auto first = std::find_if(row, row + errors.size.x, isSeen);
-    if (first == row + errors.size.x) continue;
-    auto last = row + errors.size.x;
-    while (!isSeen(*(last - 1))) --last;
-    area.add(errors.size.y - 1 - y, static_cast<int>(first - row), static_cast<int>(last - row));
+// How many pixels of a rectangle, row 0 the lowest, show a surface or lie under what is `taken`.
+std::int64_t coveredOf(const PictureErrors& errors, const std::optional<render::Tile>& taken,
+                       const volume::Rectangle& rectangle) {
+  const glm::ivec2 low = glm::max(rectangle.low, glm::ivec2(0)),
+                   high = glm::min(rectangle.low + rectangle.size, errors.size);
+  std::int64_t covered = 0;
+  for (int y = low.y; y < high.y; ++y) {
+    const float* const row = &errors.depthMm[static_cast<std::size_t>(errors.size.y - 1 - y) *
+                                             static_cast<std::size_t>(errors.size.x)];
+    covered += std::count_if(row + low.x, row + high.x, [](float depth) { return !std::isnan(depth); });
   }
-  return area.rectangles();
+  if (taken) {
+    const glm::ivec2 shared = common(rectangle, {taken->origin, taken->size}).size;
+    covered += std::int64_t{shared.x} * shared.y;
+  }
+  return covered;
 }
 
 std::vector<std::string> hatchedLines(const OverlayWish& wish, const PictureErrors& errors,
@@ -253,9 +255,9 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
   painter.hatch(hatched);
   legend.hatched = hatchedLines(wish, errors, hatched);
   if (legend.colors.empty() && legend.hatched.empty()) return std::nullopt;
-  std::vector<volume::Rectangle> covered = surfaceOf(errors);
-  if (taken) covered.push_back({taken->origin, taken->size});
-  return painter.addLegend(legend, corner, covered);
+  return painter.addLegend(legend, corner, [&](const volume::Rectangle& rectangle) {
+    return coveredOf(errors, taken, rectangle);
+  });
 }
 
 }  // namespace isolux::app
