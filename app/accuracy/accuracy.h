@@ -1,6 +1,7 @@
 // What is said of the accuracy of a whole picture, and drawing what it takes to say it.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "app/accuracy/light_bounds.h"
@@ -22,7 +23,8 @@ struct Accuracy {
   BoundSpread normalNoiseDegrees, curvatureNoise;                    // at kNoiseLevel
   // Of stored light, at kLightLevel: of E, and in parts of the picture's mean E. NaN without any.
   BoundSpread light, relativeLight;
-  double relativeLightWithin = 0.0;  // what kLightLevel of the pixels do not exceed, in parts of the mean E
+  // What kLightLevel of the pixels do not exceed, in parts of the mean E.
+  double relativeLightWithin = std::numeric_limits<double>::quiet_NaN();
 
   double uncertainShare() const;  // of the picture's pixels
 };
