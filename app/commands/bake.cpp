@@ -14,6 +14,7 @@
 #include "base/number_text.h"
 #include "gi/file/bake_file.h"
 #include "scene/rules/relevance.h"
+#include "scene/settings.h"
 
 namespace isolux::app {
 
@@ -73,16 +74,13 @@ std::optional<gi::LatticePart> partOf(const std::string& text) {
   return part;
 }
 
-std::string partText(const std::optional<gi::LatticePart>& part, const char* between) {
-  return "part" + std::string(between) + std::to_string(part->index) + between + "of" + between +
-         std::to_string(part->count);
-}
-
 // L.vti, or of a part L.part-2-of-5.vti.
 fs::path fileOf(const fs::path& out, const std::optional<gi::LatticePart>& part) {
   if (!part) return out;
+  std::string words = gi::partWords(*part);
+  std::replace(words.begin(), words.end(), ' ', '-');
   fs::path file = out;
-  return file.replace_extension(partText(part, "-") + ".vti");
+  return file.replace_extension(words + ".vti");
 }
 
 // Which texels, in words that are the same for every part of a bake.
@@ -98,6 +96,9 @@ std::string texelsText(const BakeOptions& options, const scene::Scene& scene) {
     text += scene.camera.projection == scene::Projection::orthographic ? " orthographic " : " ";
     text += base::shortText(scene.camera.fov, 17);
   }
+  // What lookups read around a surface, and whose surface it is.
+  const nlohmann::json settings = scene::toJson(scene);
+  text += ", " + settings.at("gi").at("interpolation").dump() + " " + settings.at("hit").at("field").dump();
   text += ", surfaces " + base::shortText(*scene.isosurface.value, 17);
   for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
     if (extra.shown) text += " " + base::shortText(*extra.value, 17);
@@ -111,8 +112,7 @@ std::string resume(LightController& controller, const fs::path& out, const BakeO
   if (!fs::exists(out, missing)) return {};
   gi::BakeFacts facts;
   try {
-    facts = gi::readBakeFacts(out);
-    controller.load(out, progress);
+    facts = controller.load(out, progress);
   } catch (const base::Error& error) {
     if (error.kind() != base::ErrorKind::input) throw;
     return error.reason();
@@ -121,8 +121,8 @@ std::string resume(LightController& controller, const fs::path& out, const BakeO
   if (wanted && (!facts.part || facts.part->part != *wanted))
     base::throwInput(
         out.string(), "Array part",
-        (facts.part ? "is " + partText(facts.part->part, " ") : "is missing: this is a whole bake") +
-            ", not " + partText(wanted, " "));
+        (facts.part ? "is " + gi::partWords(facts.part->part) : "is missing: this is a whole bake") +
+            ", not " + gi::partWords(*wanted));
   const std::string here = controller.arithmetic();
   if (!options.mixArithmetic && !facts.arithmetic.empty() && facts.arithmetic != here)
     base::throwInput(

@@ -362,7 +362,7 @@ void LightController::save(const std::filesystem::path& file, base::Progress& pr
   gi::writeBakeFile(file, volume->grid(), light, progress);
 }
 
-void LightController::load(const std::filesystem::path& file, base::Progress& progress) {
+gi::BakeFacts LightController::load(const std::filesystem::path& file, base::Progress& progress) {
   const bool ofOne = gi::isOfOneIsovalue(file);
   {
     const std::lock_guard guard(parts_->mutex);
@@ -391,6 +391,7 @@ void LightController::load(const std::filesystem::path& file, base::Progress& pr
   before = parts_->publish(nullptr);
   parts_->hitsTold = true;
   parts_->changed.notify_all();
+  return std::move(stored.facts);
 }
 
 }  // namespace isolux::app

@@ -76,10 +76,11 @@ class LightController {
 
   // The bake as a file (gi/file/bake_file.h); none is written before anything is planned. `part`: what the
   // file says of the part that it is. load() takes over light that fits the scene: throws base::Error naming
-  // what differs. A file says by which arithmetic its light was computed, that of what was loaded included.
+  // what differs. A file says by which arithmetic its light was computed, that of what was loaded included;
+  // load() returns what the file says of itself.
   void save(const std::filesystem::path& file, base::Progress& progress,
             const std::optional<gi::BakedPart>& part = std::nullopt) const;
-  void load(const std::filesystem::path& file, base::Progress& progress);
+  gi::BakeFacts load(const std::filesystem::path& file, base::Progress& progress);
   // gi::arithmeticOf() what is planned, once that is settled; empty: nothing is.
   std::string arithmetic() const;
 

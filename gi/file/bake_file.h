@@ -53,9 +53,6 @@ void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, 
 StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,
                          const std::string& skyKey, const std::string& lampsKey, base::Progress& progress);
 
-// Throws as readBakeFile().
-BakeFacts readBakeFacts(const std::filesystem::path& path);
-
 // Whether a file's texels are lit where one isosurface passes them (LatticeGeometry::isovalue). Throws as
 // readBakeFile().
 bool isOfOneIsovalue(const std::filesystem::path& path);

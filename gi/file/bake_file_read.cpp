@@ -51,30 +51,6 @@ LightContent contentOf(const BakeHeader& header, const std::string& file) {
   throwInput(file, "Array content", "says nothing of the light that is stored");
 }
 
-BakeFacts factsOf(const BakeHeader& header, const std::string& file) {
-  BakeFacts facts;
-  if (const auto found = header.fields.find("arithmetic"); found != header.fields.end())
-    facts.arithmetic = found->second;
-  const auto found = header.fields.find("part");
-  if (found == header.fields.end()) return facts;
-  const json text = json::parse(found->second, nullptr, false);
-  const auto integer = [&](const char* name) {
-    return text.is_object() && text.contains(name) && text[name].is_number_integer()
-               ? text[name].get<std::int64_t>()
-               : -1;
-  };
-  const std::int64_t index = integer("part"), count = integer("of"), samples = integer("samples");
-  if (index < 1 || count < index || count > kMostParts || samples < 1 || samples > 0xffffffff ||
-      !text.contains("texels") || !text["texels"].is_string() || !text.contains("complete") ||
-      !text["complete"].is_boolean())
-    throwInput(file, "Array part", "says nothing of a part of a bake");
-  facts.part = {{static_cast<int>(index), static_cast<int>(count)},
-                static_cast<std::uint32_t>(samples),
-                text["texels"],
-                text["complete"]};
-  return facts;
-}
-
 void checkKey(const BakeHeader& header, const std::string& file, const std::string& field,
               const std::string& wanted) {
   const auto found = header.fields.find(field);
@@ -190,7 +166,7 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
       throwInput(file, "ImageData WholeExtent", "the lattice does not fit the volume");
 
   StoredLight light;
-  light.facts = factsOf(header, file);
+  light.facts = bakeFactsOf(header, file);
   const bool hasSky = header.arrays.contains("samples"), hasLamps = header.arrays.contains("samples_lamps");
   if (hasSky && !skyKey.empty()) {
     checkKey(header, file, "key", skyKey);
@@ -232,11 +208,6 @@ std::string keyDifference(const std::string& stored, const std::string& wanted) 
         return words + " differs";
       }
   return {};  // the same, written differently
-}
-
-BakeFacts readBakeFacts(const fs::path& path) {
-  const volume::FileBytes bytes(path);
-  return factsOf(readBakeHeader(bytes), bytes.name());
 }
 
 bool isOfOneIsovalue(const fs::path& path) {

@@ -1,5 +1,7 @@
 #include "gi/file/bake_header.h"
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 #include "volume/read/input/text.h"
 #include "volume/read/vtk/xml_tags.h"
@@ -80,6 +82,30 @@ BakeHeader readBakeHeader(const volume::Bytes& bytes) {
   if (!header.fields.contains("volume_hash"))
     throwInput(file, "Array volume_hash", "is missing: this is not a file of light");
   return header;
+}
+
+BakeFacts bakeFactsOf(const BakeHeader& header, const std::string& file) {
+  BakeFacts facts;
+  if (const auto found = header.fields.find("arithmetic"); found != header.fields.end())
+    facts.arithmetic = found->second;
+  const auto found = header.fields.find("part");
+  if (found == header.fields.end()) return facts;
+  const nlohmann::json text = nlohmann::json::parse(found->second, nullptr, false);
+  const auto integer = [&](const char* name) {
+    return text.is_object() && text.contains(name) && text[name].is_number_integer()
+               ? text[name].get<std::int64_t>()
+               : -1;
+  };
+  const std::int64_t index = integer("part"), count = integer("of"), samples = integer("samples");
+  if (index < 1 || count < index || count > kMostParts || samples < 1 || samples > 0xffffffff ||
+      !text.contains("texels") || !text["texels"].is_string() || !text.contains("complete") ||
+      !text["complete"].is_boolean())
+    throwInput(file, "Array part", "says nothing of a part of a bake");
+  facts.part = {{static_cast<int>(index), static_cast<int>(count)},
+                static_cast<std::uint32_t>(samples),
+                text["texels"],
+                text["complete"]};
+  return facts;
 }
 
 }  // namespace isolux::gi

@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "gi/file/bake_file.h"
 #include "volume/read/input/bytes.h"
 
 namespace isolux::gi {
@@ -31,5 +32,6 @@ inline constexpr const char* kBakeFileEnd = "\n  </AppendedData>\n</VTKFile>\n";
 
 // Throws base::Error{input} naming the file and what is not as this program writes it.
 BakeHeader readBakeHeader(const volume::Bytes& bytes);
+BakeFacts bakeFactsOf(const BakeHeader& header, const std::string& file);
 
 }  // namespace isolux::gi

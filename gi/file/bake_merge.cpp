@@ -30,7 +30,7 @@ constexpr std::size_t kOffsetDigits = 16;
 
 struct PartFile {
   explicit PartFile(const fs::path& path)
-      : bytes(path), header(readBakeHeader(bytes)), facts(readBakeFacts(path)) {
+      : bytes(path), header(readBakeHeader(bytes)), facts(bakeFactsOf(header, bytes.name())) {
     if (!facts.part) throwInput(name(), "Array part", "is missing: this is not a part of a bake");
   }
   const std::string& name() const { return bytes.name(); }
@@ -43,10 +43,6 @@ struct PartFile {
   BakeFacts facts;
 };
 using Parts = std::vector<std::unique_ptr<PartFile>>;
-
-std::string partWords(const LatticePart& part) {
-  return "part " + std::to_string(part.index) + " of " + std::to_string(part.count);
-}
 
 void eraseField(std::string& head, const std::string& name) {
   const std::string begin = "      <Array type=\"String\" Name=\"" + name + "\"", end = "</Array>\n";

@@ -18,6 +18,10 @@ std::uint64_t mortonCode(glm::ivec3 place) {
 
 }  // namespace
 
+std::string partWords(LatticePart part) {
+  return "part " + std::to_string(part.index) + " of " + std::to_string(part.count);
+}
+
 LatticeTiles tilesOf(const LatticeGeometry& lattice) {
   const glm::ivec3 blocks = lattice.blockDims(), tiles = (blocks + (kTileBlocks - 1)) / kTileBlocks;
   std::vector<std::uint64_t> codes;

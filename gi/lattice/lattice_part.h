@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "gi/bake/wish.h"
@@ -21,6 +22,8 @@ struct LatticePart {
   int index = 1, count = 1;  // 1 <= index <= count
   bool operator==(const LatticePart&) const = default;
 };
+
+std::string partWords(LatticePart part);  // "part 2 of 5"
 
 // The number of tiles, and of each block its tile's number in Morton order.
 struct LatticeTiles {

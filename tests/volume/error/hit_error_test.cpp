@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ class HitError : public testing::Test {
     blocks_.emplace(*grid_, 4, progress_);
   }
   // The ray through x, y = eye + 0.5.
-  HitEnclosure enclose(double isovalue, float eye = 8.0f, double fieldErrorElsewhere = 1e-4) {
+  HitEnclosure enclose(std::span<const RaySurface> surfaces, float eye, double fieldErrorElsewhere) {
     const PictureRays rays{.eye = {eye, eye, -20.0f},
                            .right = {1.0f, 0.0f, 0.0f},
                            .up = {0.0f, 1.0f, 0.0f},
@@ -38,8 +39,11 @@ class HitError : public testing::Test {
                            .orthographic = true,
                            .picture = {8, 8}};
     const Ray ray{{eye + 0.5, eye + 0.5, -20.0}, {0.0, 0.0, 1.0}};
+    return encloseHit({*grid_, *blocks_}, surfaces, rays, {4.5, 4.5}, ray, 0.0, fieldErrorElsewhere);
+  }
+  HitEnclosure enclose(double isovalue, float eye = 8.0f) {
     const RaySurface surface{isovalue};
-    return encloseHit({*grid_, *blocks_}, {&surface, 1}, rays, {4.5, 4.5}, ray, 0.0, fieldErrorElsewhere);
+    return enclose({&surface, 1}, eye, 1e-4);
   }
 
   base::Progress progress_;
@@ -97,17 +101,9 @@ TEST_F(HitError, AMissingVoxelAsNearAsARoundingIsNotCertain) {
 
 TEST_F(HitError, TheNearerOfTwoSurfacesCounts) {
   fill([](glm::ivec3 v) { return 10.0f * static_cast<float>(v.z); });
-  const PictureRays rays{.eye = {8.0f, 8.0f, -20.0f},
-                         .right = {1.0f, 0.0f, 0.0f},
-                         .up = {0.0f, 1.0f, 0.0f},
-                         .forward = {0.0f, 0.0f, 1.0f},
-                         .halfExtent = {4.0f, 4.0f},
-                         .orthographic = true,
-                         .picture = {8, 8}};
-  const Ray ray{{8.5, 8.5, -20.0}, {0.0, 0.0, 1.0}};
   // The nearer one is cut away before t = 25.
   const RaySurface surfaces[] = {{.isovalue = 90.0}, {.isovalue = 30.0, .begin = 25.0}};
-  const HitEnclosure hit = encloseHit({*grid_, *blocks_}, surfaces, rays, {4.5, 4.5}, ray, 0.0, 1e-4);
+  const HitEnclosure hit = enclose(surfaces, 8.0f, 1e-4);
   ASSERT_TRUE(hit.hit);
   EXPECT_EQ(hit.isovalue, 90.0);
   EXPECT_NEAR(hit.t, 29.0, 1e-12);
