@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/portable_math.h"
 #include "gi/sampling/built_in_light.h"
 #include "scene/rules/environment.h"
 
@@ -61,7 +62,7 @@ std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridG
     const glm::dvec3 brightness = lamp.intensity * lamp.color;
     if (lamp.kind == LampKind::directional) {
       light.toward = glm::normalize(lamp.direction);
-      light.cosHalfAngle = std::cos(0.5 * lamp.angle * std::numbers::pi / 180.0);
+      light.cosHalfAngle = base::portableCos(0.5 * lamp.angle * std::numbers::pi / 180.0);
       const double sine2 = (1.0 - light.cosHalfAngle) * (1.0 + light.cosHalfAngle);
       light.power = sine2 > 0.0 ? brightness / sine2 : std::numbers::pi * brightness;
     } else {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/color.h"
+#include "base/portable_math.h"
 #include "gi/harmonics/sh_rotation.h"
 #include "gi/harmonics/spherical_harmonics.h"
 
@@ -28,7 +29,7 @@ float exposureFor(const PictureLight& light, const scene::Scene& resolved) {
   double brightest = 0.0;
   for (int i = 0; i < directions; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / directions, r = std::sqrt(1.0 - z * z);
-    const glm::dvec3 normal(r * std::cos(golden * i), r * std::sin(golden * i), z);
+    const glm::dvec3 normal(r * base::portableCos(golden * i), r * base::portableSin(golden * i), z);
     double basis[9];
     evaluateSh(localOrder, normal, basis);
     glm::dvec3 irradiance(0.0);

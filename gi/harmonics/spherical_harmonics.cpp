@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/portable_math.h"
+
 namespace isolux::gi {
 
 namespace {
@@ -156,7 +158,7 @@ std::vector<double> projectSh(int order, const std::function<double(glm::dvec3)>
 GaussLegendre::GaussLegendre(int count) : nodes(count), weights(count) {
   assert(count >= 1);
   for (int i = 0; i < count; ++i) {
-    double x = -std::cos(pi * (i + 0.75) / (count + 0.5));  // near the root; Newton's steps to it
+    double x = -base::portableCos(pi * (i + 0.75) / (count + 0.5));  // near the root; Newton's steps to it
     double slope = 1.0;
     for (int step = 0; step < 8; ++step) {
       double below = 1.0, value = x;
@@ -182,15 +184,15 @@ SphereQuadrature::SphereQuadrature(int degree) {
     const double z = polar.nodes[i], radius = std::sqrt((1.0 - z) * (1.0 + z));
     for (int j = 0; j < around; ++j) {
       const double phi = 2.0 * pi * (j + 0.5) / around;
-      points_.push_back(
-          {{radius * std::cos(phi), radius * std::sin(phi), z}, polar.weights[i] * 2.0 * pi / around});
+      points_.push_back({{radius * base::portableCos(phi), radius * base::portableSin(phi), z},
+                         polar.weights[i] * 2.0 * pi / around});
     }
   }
 }
 
 double shWindow(int order, double strength, int l) {
   const double t = pi * strength * l / order;
-  return t == 0.0 ? 1.0 : std::sin(t) / t;
+  return t == 0.0 ? 1.0 : base::portableSin(t) / t;
 }
 
 void windowSh(int order, double strength, std::span<double> coefficients) {

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/portable_math.h"
+
 namespace isolux::gi {
 
 namespace {
@@ -22,7 +24,8 @@ double radians(double degrees) {
 // As the viewer of the front sees it: 0 is behind their back, -90 at their left; above the horizon.
 glm::dvec3 toward(double azimuth, double elevation) {
   const double a = radians(azimuth), e = radians(elevation);
-  return {std::cos(e) * std::sin(a), -std::cos(e) * std::cos(a), std::sin(e)};
+  return {base::portableCos(e) * base::portableSin(a), -base::portableCos(e) * base::portableCos(a),
+          base::portableSin(e)};
 }
 
 double smooth(double from, double to, double x) {
@@ -37,7 +40,7 @@ glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) {
 // 1 within the disc of this radius, falling to 0 over its soft edge. Degrees.
 double disc(const glm::dvec3& direction, const glm::dvec3& centre, double radius, double edge) {
   const double cosine = std::clamp(glm::dot(direction, centre), -1.0, 1.0);
-  return 1.0 - smooth(radians(radius - edge), radians(radius + edge), std::acos(cosine));
+  return 1.0 - smooth(radians(radius - edge), radians(radius + edge), base::portableAcos(cosine));
 }
 
 // 1 within a rectangle that faces the volume, seen from its middle: half its width and height in tangents.
@@ -87,7 +90,7 @@ glm::dvec3 overcast(const glm::dvec3& d) {
   static const glm::dvec3 sun = toward(-50.0, 48.0);
   if (d.z < 0.0) return mixed({0.28, 0.29, 0.30}, {0.09, 0.085, 0.075}, smooth(0.0, 0.15, -d.z));
   const glm::dvec3 cloud = glm::dvec3(0.80, 0.88, 0.98) * (1.0 + 2.0 * d.z) / 3.0;
-  const double veil = smooth(0.0, 0.15, d.z) * std::exp(5.0 * (glm::dot(d, sun) - 1.0));
+  const double veil = smooth(0.0, 0.15, d.z) * base::portableExp(5.0 * (glm::dot(d, sun) - 1.0));
   return mixed({0.28, 0.29, 0.30}, cloud, smooth(0.0, 0.08, d.z)) + veil * glm::dvec3(1.55, 1.50, 1.42);
 }
 
@@ -99,7 +102,7 @@ glm::dvec3 sunset(const glm::dvec3& d) {
   const glm::dvec3 ground = earth * (1.0 + 0.6 * std::max(near, 0.0));
   const glm::dvec3 glow = mixed({0.26, 0.24, 0.34}, {1.10, 0.50, 0.20}, smooth(-0.4, 1.0, near));
   glm::dvec3 sky = mixed(glow, {0.10, 0.18, 0.38}, smooth(0.0, 0.7, d.z));
-  sky += std::exp(14.0 * (near - 1.0)) * glm::dvec3(1.6, 0.75, 0.28);
+  sky += base::portableExp(14.0 * (near - 1.0)) * glm::dvec3(1.6, 0.75, 0.28);
   sky += disc(d, sun, 6.0, 2.0) * glm::dvec3(112.0, 70.0, 38.0);
   return mixed(ground, sky, smooth(-0.07, 0.05, d.z));
 }
@@ -129,7 +132,8 @@ Environment builtInEnvironment(scene::BuiltInLight light) {
       const double polar = std::numbers::pi * (row + 0.5) / kHeight;
       const double turn = 2.0 * std::numbers::pi * ((column + 0.5) / kWidth - 0.5);
       pixels.emplace_back(builtInRadiance(
-          light, {std::sin(polar) * std::sin(turn), std::sin(polar) * std::cos(turn), std::cos(polar)}));
+          light, {base::portableSin(polar) * base::portableSin(turn),
+                  base::portableSin(polar) * base::portableCos(turn), base::portableCos(polar)}));
     }
   return Environment::fromImage(kWidth, kHeight, std::move(pixels));
 }

@@ -12,6 +12,7 @@
 
 #include "base/color.h"
 #include "base/error.h"
+#include "base/portable_math.h"
 #include "base/random.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/sampling/directions.h"
@@ -163,7 +164,7 @@ void Environment::buildDistribution() {
   rowDensity_.resize(height_);
   sineSquaredHalf_.resize(height_ + 1);
   for (int row = 0; row <= height_; ++row) {
-    const double sine = std::sin(0.5 * pi * row / height_);
+    const double sine = base::portableSin(0.5 * pi * row / height_);
     sineSquaredHalf_[row] = static_cast<float>(sine * sine);
   }
   std::vector<double> rows(height_), columns(width_);
@@ -194,12 +195,13 @@ void Environment::buildDistribution() {
 double Environment::solidAngle(int row) const {
   // cos a - cos b = 2 sin((a + b) / 2) sin((b - a) / 2)
   const double middle = pi * (row + 0.5) / height_, half = 0.5 * pi / height_;
-  return 2.0 * pi / width_ * 2.0 * std::sin(middle) * std::sin(half);
+  return 2.0 * pi / width_ * 2.0 * base::portableSin(middle) * base::portableSin(half);
 }
 
 glm::dvec3 Environment::directionOf(double column, double row) const {
   const double polar = pi * row / height_, turn = 2.0 * pi * (column / width_ - 0.5);
-  return {std::sin(polar) * std::sin(turn), std::sin(polar) * std::cos(turn), std::cos(polar)};
+  return {base::portableSin(polar) * base::portableSin(turn),
+          base::portableSin(polar) * base::portableCos(turn), base::portableCos(polar)};
 }
 
 Environment::Pixel Environment::pixelOf(glm::vec3 d) const {
@@ -268,9 +270,9 @@ std::vector<glm::dvec3> Environment::project(int order) const {
   for (int m = 0; m < order; ++m)
     for (int column = 0; column < width_; ++column) {
       const double phi = 0.5 * pi - step * (column + 0.5) + pi;  // from +x toward +y, of the column's middle
-      const double span = m == 0 ? step : 2.0 * std::sin(0.5 * m * step) / m;
-      cosines[static_cast<std::size_t>(m) * width_ + column] = span * std::cos(m * phi);
-      sines[static_cast<std::size_t>(m) * width_ + column] = span * std::sin(m * phi);
+      const double span = m == 0 ? step : 2.0 * base::portableSin(0.5 * m * step) / m;
+      cosines[static_cast<std::size_t>(m) * width_ + column] = span * base::portableCos(m * phi);
+      sines[static_cast<std::size_t>(m) * width_ + column] = span * base::portableSin(m * phi);
     }
   const GaussLegendre rule(24);  // full precision even where one row is the whole sphere
   std::array<double, shTerms(maxShOrder)> y, row;
@@ -278,8 +280,8 @@ std::vector<glm::dvec3> Environment::project(int order) const {
     row.fill(0.0);
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
       const double polar = pi * (r + 0.5 + 0.5 * rule.nodes[k]) / height_;
-      evaluateSh(order, glm::dvec3(std::sin(polar), 0.0, std::cos(polar)), y.data());
-      const double weight = rule.weights[k] * 0.5 * pi / height_ * std::sin(polar);
+      evaluateSh(order, glm::dvec3(base::portableSin(polar), 0.0, base::portableCos(polar)), y.data());
+      const double weight = rule.weights[k] * 0.5 * pi / height_ * base::portableSin(polar);
       for (int i = 0; i < shTerms(order); ++i) row[i] += weight * y[i];
     }
     const glm::vec3* pixels = pixels_.data() + static_cast<std::size_t>(r) * width_;

@@ -7,6 +7,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/portable_math.h"
+
 namespace isolux::scene {
 
 namespace {
@@ -32,10 +34,15 @@ glm::dquat standing(WorldAxes axes) {
   return glm::quat_cast(glm::dmat3(glm::cross(back, up), back, up));
 }
 
+// Stored light depends on it: the same on every machine.
+glm::dquat turnAbout(const glm::dvec3& axis, double degrees) {
+  const double half = 0.5 * glm::radians(degrees);
+  return {base::portableCos(half), base::portableSin(half) * axis};
+}
+
 glm::dquat turned(const Environment& environment, WorldAxes axes) {
   const glm::dvec3 up = upOf(axes), right = glm::cross(up, frontOf(axes));
-  return glm::angleAxis(glm::radians(environment.azimuth), up) *
-         glm::angleAxis(glm::radians(-environment.elevation), right);
+  return turnAbout(up, environment.azimuth) * turnAbout(right, -environment.elevation);
 }
 
 }  // namespace
