@@ -21,6 +21,10 @@
 #include "readers/limits.h"
 #include "volume/read/process/wire.h"
 
+#ifdef ISOLUX_COVERAGE
+extern "C" void __gcov_dump();  // of libgcov, whose header knows no C++
+#endif
+
 namespace isolux::readers {
 
 using namespace volume;  // the other half of the exchange
@@ -247,6 +251,9 @@ int serve(const Abilities& abilities) {
   if (!endWithParent(request.parent)) return 0;
   limitReader(request.options.budgetBytes);
   const std::optional<Error> error = errorOf(connection, abilities, request);
+#ifdef ISOLUX_COVERAGE
+  __gcov_dump();  // after the last message the program may end this one
+#endif
   if (error)
     connection.send(MessageKind::failure, encode(*error));
   else if (request.task != Task::versions && request.task != Task::index)

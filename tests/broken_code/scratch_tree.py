@@ -37,6 +37,7 @@ function(focused name program)
 endfunction()
 """
 TEST = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", re.M)
+FOLDER_OF = {"property_tests": "properties", "gi_bake_tests": "gi"}  # of tests, where its name is another
 MEMORY = 8 << 30  # bytes of address space: broken loops may ask for any amount
 SHADERS = "resources/shaders/"
 TOO_LONG = "it takes too long"
@@ -96,7 +97,7 @@ class ScratchTree:
         for target, tests in wanted:
             plain = [re.sub(r"^\*/|/gpu$", "", one) for one in tests.split(":")]
             files = sorted(str(path.relative_to(ROOT)) for path, names in tests_of.items() if path.relative_to(ROOT / "tests").parts[0]
-                           == target.removesuffix("_tests") and any(fnmatch.fnmatchcase(name, one) for name in names for one in plain))
+                           == FOLDER_OF.get(target, target.removesuffix("_tests")) and any(fnmatch.fnmatchcase(name, one) for name in names for one in plain))
             name = "focused_" + hashlib.sha256(" ".join([target, *files]).encode()).hexdigest()[:12]
             self.focused[target, tests] = name
             sources = "".join(f" ${{PROJECT_SOURCE_DIR}}/{file}" for file in files)
