@@ -180,9 +180,8 @@ namespace {
 
 using Shader = GlObject<deleteShader>;
 
-Shader compiled(const GlPtr& pointer, GLenum stage, const std::string& name, const std::string& defines) {
+Shader compiled(const GlPtr& pointer, GLenum stage, const std::string& source, const std::string& words) {
   const Gl& gl = *pointer;
-  const std::string source = shaderSource(name, defines);
   const char* text = source.c_str();
   Shader shader(pointer, gl.CreateShader(stage));
   gl.ShaderSource(shader.id(), 1, &text, nullptr);
@@ -192,7 +191,7 @@ Shader compiled(const GlPtr& pointer, GLenum stage, const std::string& name, con
   if (!good) {
     char log[4096] = "";
     gl.GetShaderInfoLog(shader.id(), sizeof log, nullptr, log);
-    throw std::logic_error("shader " + name + " does not compile: " + log);
+    throw std::logic_error("shader " + words + " does not compile: " + log);
   }
   return shader;
 }
@@ -201,21 +200,27 @@ Shader compiled(const GlPtr& pointer, GLenum stage, const std::string& name, con
 
 Program::Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
                  const std::string& defines)
-    : GlObject(gl, gl->CreateProgram()) {
-  const Shader vertexShader = compiled(gl, GL_VERTEX_SHADER, vertex, defines);
-  const Shader fragmentShader = compiled(gl, GL_FRAGMENT_SHADER, fragment, defines);
-  gl->AttachShader(id(), vertexShader.id());
-  gl->AttachShader(id(), fragmentShader.id());
-  gl->LinkProgram(id());
-  gl->DetachShader(id(), vertexShader.id());
-  gl->DetachShader(id(), fragmentShader.id());
+    : Program(ofTexts(gl, shaderSource(vertex, defines), shaderSource(fragment, defines),
+                      vertex + " + " + fragment)) {}
+
+Program Program::ofTexts(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
+                         const std::string& words) {
+  Program program(gl, gl->CreateProgram());
+  const Shader vertexShader = compiled(gl, GL_VERTEX_SHADER, vertex, words);
+  const Shader fragmentShader = compiled(gl, GL_FRAGMENT_SHADER, fragment, words);
+  gl->AttachShader(program.id(), vertexShader.id());
+  gl->AttachShader(program.id(), fragmentShader.id());
+  gl->LinkProgram(program.id());
+  gl->DetachShader(program.id(), vertexShader.id());
+  gl->DetachShader(program.id(), fragmentShader.id());
   GLint good = 0;
-  gl->GetProgramiv(id(), GL_LINK_STATUS, &good);
+  gl->GetProgramiv(program.id(), GL_LINK_STATUS, &good);
   if (!good) {
     char log[4096] = "";
-    gl->GetProgramInfoLog(id(), sizeof log, nullptr, log);
-    throw std::logic_error("program " + vertex + " + " + fragment + " does not link: " + log);
+    gl->GetProgramInfoLog(program.id(), sizeof log, nullptr, log);
+    throw std::logic_error("program " + words + " does not link: " + log);
   }
+  return program;
 }
 
 GLint Program::location(const char* name) {

@@ -124,6 +124,9 @@ class Program : public GlObject<deleteProgram> {
   // Names of embedded shaders. Throws std::logic_error with the compiler's log: shaders are ours.
   Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
           const std::string& defines = "");
+  // Of GLSL texts (shader_library.h); `words` name them in errors.
+  static Program ofTexts(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
+                         const std::string& words);
 
   bool uses(const char* name) { return location(name) >= 0; }
   void set(const char* name, float value);
@@ -140,6 +143,7 @@ class Program : public GlObject<deleteProgram> {
   void setTexture(const char* name, int unit, const BufferTexture& texture);
 
  private:
+  Program(GlPtr gl, GLuint id) : GlObject(std::move(gl), id) {}
   GLint location(const char* name);
   std::unordered_map<std::string, GLint> locations_;
 };

@@ -14,16 +14,17 @@ std::string_view textOf(std::string_view name) {
   throw std::logic_error("no embedded shader " + std::string(name));
 }
 
-void append(std::string& out, std::string_view name, std::set<std::string>& seen) {
-  if (!seen.insert(std::string(name)).second) return;
-  std::istringstream lines{std::string(textOf(name))};
+void append(std::string& out, std::string_view text, std::set<std::string>& seen) {
+  std::istringstream lines{std::string(text)};
   std::string line;
   int number = 0;
   while (std::getline(lines, line)) {
     ++number;
     constexpr std::string_view directive = "#include \"";
     if (line.rfind(directive, 0) == 0) {
-      append(out, line.substr(directive.size(), line.find('"', directive.size()) - directive.size()), seen);
+      const std::string name =
+          line.substr(directive.size(), line.find('"', directive.size()) - directive.size());
+      if (seen.insert(name).second) append(out, textOf(name), seen);
       out += "#line " + std::to_string(number + 1) + "\n";
     } else {
       out += line + "\n";
@@ -34,9 +35,13 @@ void append(std::string& out, std::string_view name, std::set<std::string>& seen
 }  // namespace
 
 std::string shaderSource(std::string_view name, std::string_view defines) {
+  return shaderSourceOf(textOf(name), defines);
+}
+
+std::string shaderSourceOf(std::string_view text, std::string_view defines) {
   std::string out = "#version 450 core\n" + std::string(defines) + "#line 1\n";
   std::set<std::string> seen;
-  append(out, name, seen);
+  append(out, text, seen);
   return out;
 }
 

@@ -229,7 +229,7 @@ def reason(code, output):
     if code in (-signal.SIGXCPU, -signal.SIGKILL):
         return TOO_LONG
     failed = re.search(r"^\[  FAILED  \] (\S+?),? ", output, re.M)
-    if re.search(r"shader \S+ does not compile", output):
+    if re.search(r"shader .+ does not compile", output):
         return "the shader does not compile"
     if failed:
         return failed.group(1)

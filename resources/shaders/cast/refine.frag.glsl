@@ -40,7 +40,7 @@ void main() {
       f = fb;
     }
     // One side at both ends: the hardware's filter saw a crossing that is not there by a rounding; the nearer end it is.
-    bool crosses = (fa >= 0.0) != (fb >= 0.0) && !isMissing(fa) && !isMissing(fb);
+    bool crosses = (fa >= 0.0) != (fb >= 0.0);
     for (int i = 0; crosses && i < uRefinements; ++i) {
       t = clamp(b - fb * (b - a) / (fb - fa), a, b);
       f = fieldMinus(origin + t * direction, isovalue);

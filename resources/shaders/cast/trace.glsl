@@ -115,7 +115,7 @@ vec2 extremaOf(vec4 b) {
   if (discriminant > 0.0) {
     // Citardauq's form: the stable one of the two for each root.
     float q = -(c1 + (c1 >= 0.0 ? 1.0 : -1.0) * sqrt(discriminant));
-    vec2 roots = vec2(c2 != 0.0 ? q / c2 : 1.0, q != 0.0 ? c0 / q : 1.0);
+    vec2 roots = vec2(c2 != 0.0 ? q / c2 : 1.0, c0 / q);  // q is not 0
     roots = vec2(min(roots.x, roots.y), max(roots.x, roots.y));
     extrema = clamp(roots, 0.0, 1.0);
   }
