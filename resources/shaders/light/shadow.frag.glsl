@@ -62,8 +62,7 @@ void main() {
   float slope = length(trilinearGradient(clamp(origin, vec3(0.0), vec3(uDims - 1))));
   float back = 0.01 + 2.0 * min(info.r / max(slope, 1e-30), 0.5);
 #endif
-  vec3 ray = uVoxelFromWorld * p.ray;
-  origin -= ray * back / max(length(ray), 1e-30);
+  origin -= back * safeNormalize(uVoxelFromWorld * p.ray, vec3(0.0));
   float offset = (0.02 + 0.4 * (1.0 - facing) * (1.0 - facing)) * voxel, met;
   if (meets(origin, normal, offset, carried, inside, met)) offset = 0.5 * met;
   bool blocked = meets(origin + offset * normal, uVoxelFromWorld * uLight, never, carried, inside, met);

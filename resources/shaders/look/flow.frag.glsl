@@ -33,7 +33,7 @@ void gather(inout Sums sums, float noise, float s, float forward) {
 void follow(inout Sums sums, vec4 here, float way, float forward) {
   vec2 at = gl_FragCoord.xy, along = way * here.xy, size = vec2(textureSize(uField, 0));
   int steps = int(uHalfLength / uStep);
-  float part = 0.5 / float(max(steps, 1)), steady = 1.0;
+  float part = 0.5 / float(steps), steady = 1.0;  // of a way of no steps unused
   for (int i = 1; i <= steps; ++i) {
     at += uStep * along;
     // Where the surface ends, a streak does, which says nothing about the field.

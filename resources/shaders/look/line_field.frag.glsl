@@ -111,7 +111,7 @@ vec4 silhouette(ivec2 pixel, Point p) {
   outside = normalize(outside);
   none.xy = vec2(-outside.y, outside.x);
   if (!(kv > 0.0)) return none;  // flat or hollow: no outline
-  float c = -dot(p.normal, p.ray), inset = c * c / (1.0 + sqrt(max(1.0 - c * c, 0.0)));
+  float c = -dot(p.normal, p.ray), inset = c * c / (1.0 + sqrt(1.0 - c * c));  // c < 1: not seen head on
   float width = min(uContourWidth, 0.125 / (kv * p.footprint));
   // Its middle lies half a width inside.
   float inside = inset / (kv * p.footprint) - width + 0.5 * uContourWidth;

@@ -26,11 +26,11 @@ class FieldShaderGlTest : public ShaderGlTest {
     setVolume("uField", glm::ivec3(8), texelAt);
   }
   void expectTheSlope() {
-    setBoth([](glm::ivec3 v) { return 1e6 + kSlope * v.x; });
+    setBoth([](glm::ivec3 v) { return 1e6 + kSlope * (v.x + 3 * v.z); });
     const glm::vec4 derivatives = result();
     EXPECT_NEAR(derivatives.x, kSlope, 1e-3 * kSlope);
     EXPECT_NEAR(derivatives.y, 0.0, 1e-3 * kSlope);
-    EXPECT_NEAR(derivatives.z, 0.0, 1e-3 * kSlope);
+    EXPECT_NEAR(derivatives.z, 3.0 * kSlope, 1e-3 * kSlope);
   }
 };
 

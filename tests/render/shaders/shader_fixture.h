@@ -1,8 +1,10 @@
 // Shaders by themselves: a fragment shader, or functions of one, on values that no picture shows.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/gl/gl_objects.h"
@@ -58,12 +60,20 @@ class ShaderGlTest : public RenderGlTest {
   void set(const char* name, const Value& value) {
     program_.set(name, value);
   }
-  // A texture of one row.
+  // Pictures of this many rows: shaders that look at their neighbours are judged in the middle one.
+  void setRows(int rows) { rows_ = rows; }
+  // A texture: one row that is repeated, or each.
   void setRow(const std::string& name, const ShaderRow& texels) {
-    const auto width = static_cast<int>(texels.size());
-    render::Texture& texture = keep(render::Texture::make2D(context_->gl(), GL_RGBA32F, {width, 1}));
-    context_->gl()->TextureSubImage2D(texture.id(), 0, 0, 0, width, 1, GL_RGBA, GL_FLOAT, texels.data());
-    program_.setTexture(name.c_str(), static_cast<int>(textures_.size()) - 1, texture);
+    setImage(name, std::vector<ShaderRow>(static_cast<std::size_t>(rows_), texels));
+  }
+  void setImage(const std::string& name, const std::vector<ShaderRow>& rows) {
+    const auto width = static_cast<int>(rows[0].size());
+    render::Texture texture =
+        render::Texture::make2D(context_->gl(), GL_RGBA32F, {width, static_cast<int>(rows.size())});
+    for (std::size_t y = 0; y < rows.size(); ++y)
+      context_->gl()->TextureSubImage2D(texture.id(), 0, 0, static_cast<int>(y), width, 1, GL_RGBA, GL_FLOAT,
+                                        rows[y].data());
+    bind(name, std::move(texture));
   }
   void setInput(int k, const ShaderRow& texels) { setRow("uInputs[" + std::to_string(k) + "]", texels); }
   // A texture of a volume, x fastest.
@@ -73,11 +83,11 @@ class ShaderGlTest : public RenderGlTest {
     for (int z = 0; z < dims.z; ++z)
       for (int y = 0; y < dims.y; ++y)
         for (int x = 0; x < dims.x; ++x) texels.push_back(static_cast<float>(texelAt(glm::ivec3(x, y, z))));
-    render::Texture& texture = keep(render::Texture::make3D(context_->gl(), GL_R32F, dims, false));
+    render::Texture texture = render::Texture::make3D(context_->gl(), GL_R32F, dims, false);
     context_->gl()->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     context_->gl()->TextureSubImage3D(texture.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RED, GL_FLOAT,
                                       texels.data());
-    program_.setTexture(name, static_cast<int>(textures_.size()) - 1, texture);
+    bind(name, std::move(texture));
   }
   // A ray's surroundings: orthographic, along +z, one pixel a mm; world and voxels are one.
   void setPlainView(int pixels) {
@@ -90,8 +100,8 @@ class ShaderGlTest : public RenderGlTest {
     set("uWorldFromVoxel", glm::mat3(1.0f));
     set("uVoxelFromWorld", glm::mat3(1.0f));
     set("uOrthographic", 1);
-    set("uHalfExtent", glm::vec2(0.5f * static_cast<float>(pixels), 0.5f));
-    set("uPictureSize", glm::ivec2(pixels, 1));
+    set("uHalfExtent", 0.5f * glm::vec2(pixels, rows_));
+    set("uPictureSize", glm::ivec2(pixels, rows_));
     set("uOutward", -1.0f);
   }
 
@@ -101,17 +111,17 @@ class ShaderGlTest : public RenderGlTest {
     images_.clear();
     std::vector<const render::Texture*> targets;
     for (int i = 0; i <= kResult; ++i)
-      images_.push_back(render::Texture::make2D(gl, GL_RGBA32F, {pixels, 1}));
+      images_.push_back(render::Texture::make2D(gl, GL_RGBA32F, {pixels, rows_}));
     for (const render::Texture& image : images_) targets.push_back(&image);
     const render::Framebuffer framebuffer(gl, targets);
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    gl->Viewport(0, 0, pixels, 1);
+    gl->Viewport(0, 0, pixels, rows_);
     gl->UseProgram(program_.id());
     gl->BindVertexArray(array_.id());
     gl->DrawArrays(GL_TRIANGLES, 0, 3);
     std::vector<ShaderRow> rows;
     for (const render::Texture& image : images_) {
-      const std::vector<float> values = image.readFloats(4);
+      const std::vector<float> values = image.readFloats(4, {{0, rows_ / 2}, {pixels, 1}});
       ShaderRow& row = rows.emplace_back();
       for (std::size_t i = 0; i < values.size(); i += 4)
         row.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
@@ -124,14 +134,18 @@ class ShaderGlTest : public RenderGlTest {
  private:
   static constexpr int kResult = 7;  // the last location that every driver has
 
-  render::Texture& keep(render::Texture texture) {
-    textures_.push_back(std::make_unique<render::Texture>(std::move(texture)));
-    return *textures_.back();
+  void bind(const std::string& name, render::Texture texture) {
+    auto unit =
+        std::find_if(textures_.begin(), textures_.end(), [&](const auto& one) { return one.first == name; });
+    if (unit == textures_.end()) unit = textures_.emplace(unit, name, render::Texture());
+    unit->second = std::move(texture);
+    program_.setTexture(name.c_str(), static_cast<int>(unit - textures_.begin()), unit->second);
   }
 
+  int rows_ = 1;
   render::VertexArray array_;
   render::Program program_;
-  std::vector<std::unique_ptr<render::Texture>> textures_;  // by unit
+  std::vector<std::pair<std::string, render::Texture>> textures_;  // by unit
   std::vector<render::Texture> images_;
 };
 

@@ -49,7 +49,7 @@ TEST_F(TraceShaderGlTest, ExtremaOfCubics) {
 // Both ends lie on one side where the crossing is the cell's very entry: the nearer to 0 is the root.
 TEST_F(TraceShaderGlTest, ABracketOfOneSideEndsAtItsNearerEnd) {
   useFunctions(kTrace, "result.x = rootIn(given(0), vec2(0.0, 1.0));");
-  setInput(0, {{1e-9f, 0.5f, 0.8f, 1}, {1, 0.8f, 0.5f, 1e-9f}, {0.5f, 0.5f, 0.5f, 0.5f}});
+  setInput(0, {{1e-9f, 0.5f, 0.8f, 1}, {1, 0.8f, 0.5f, 1e-9f}, {-0.5f, -0.5f, -0.5f, -0.5f}});
   const ShaderRow roots = results(3);
   EXPECT_EQ(roots[0].x, 0.0f);
   EXPECT_EQ(roots[1].x, 1.0f);
@@ -156,25 +156,25 @@ TEST_F(TraceShaderGlTest, BehindAGapThatIsSteppedOverTheSideIsUnknown) {
   useFunctions(kCubic, R"(
     Crossing crossing = traceCubic(vec3(-1.0, 3.5, 3.5), vec3(1.0, 0.0, 0.0), 0.0, 100.0, false, 0);
     result = vec4(crossing.found, crossing.t - 1.0, 0, 0);)");
-  set("uDims", glm::ivec3(24, 8, 8));
+  set("uDims", glm::ivec3(32, 8, 8));
   set("uIsovalues", glm::vec4(0.0f));
   set("uIsovalueShifts", glm::vec4(0.0f));
   set("uGaps", 1);
   set("uFour", 4);
-  const auto texelAt = [](glm::ivec3 v) { return v.x < 6 ? -1.0 : v.x < 14 ? 1e30 : v.x < 18 ? 1.0 : -1.0; };
-  setVolume("uVolume", {24, 8, 8}, texelAt);
-  setVolume("uField", {24, 8, 8}, texelAt);
+  const auto texelAt = [](glm::ivec3 v) { return v.x < 6 ? -1.0 : v.x < 14 ? 1e30 : v.x < 22 ? 1.0 : -1.0; };
+  setVolume("uVolume", {32, 8, 8}, texelAt);
+  setVolume("uField", {32, 8, 8}, texelAt);
   const render::GlPtr& gl = context_->gl();
-  masks_ = render::Texture::make3D(gl, GL_RG32UI, {6, 2, 2}, false);
-  std::vector<std::uint32_t> masks(48, 0xffffffffu);
-  for (std::size_t i = 0; i < 24; ++i)
-    if (i % 6 == 1 || i % 6 == 2) masks[2 * i] = masks[2 * i + 1] = 0;  // cells 4 to 11
-  gl->TextureSubImage3D(masks_.id(), 0, 0, 0, 0, 6, 2, 2, GL_RG_INTEGER, GL_UNSIGNED_INT, masks.data());
+  masks_ = render::Texture::make3D(gl, GL_RG32UI, {8, 2, 2}, false);
+  std::vector<std::uint32_t> masks(64, 0xffffffffu);
+  for (std::size_t i = 0; i < 32; ++i)
+    if (i % 8 >= 1 && i % 8 <= 4) masks[2 * i] = masks[2 * i + 1] = 0;  // cells 4 to 19
+  gl->TextureSubImage3D(masks_.id(), 0, 0, 0, 0, 8, 2, 2, GL_RG_INTEGER, GL_UNSIGNED_INT, masks.data());
   gl->BindTextureUnit(12, masks_.id());
   set("uMasks", 12);
   const glm::vec4 hit = result();
   EXPECT_EQ(hit.x, 1.0f);
-  EXPECT_NEAR(hit.y, 17.5, 0.1);
+  EXPECT_NEAR(hit.y, 21.5, 0.1);
 }
 
 }  // namespace
