@@ -36,7 +36,7 @@ class LineShaderGlTest : public ShaderGlTest {
 
 TEST_F(LineShaderGlTest, WhatDoesNotChangeHasNoZero) {
   useFunctions({"line_field.frag.glsl"}, "result = lineAlong(given(0).xy, given(0).z, 1.0);", kRidges);
-  setInput(0, {{0, 0, 1, 0}, {0, 0, 0, 0}, {1e-30f, 0, 1, 0}, {0, 2, 1, 0}});
+  setInput(0, {{0, 0, 1, 0}, {0, 0, 0, 0}, {1e-10f, 0, 1, 0}, {0, 2, 1, 0}});
   const ShaderRow lines = results(4);
   EXPECT_EQ(lines[0], vec4(0, 0, kFar, 0));
   EXPECT_EQ(lines[1], vec4(0, 0, kFar, 0));
@@ -91,9 +91,9 @@ TEST_F(LineShaderGlTest, ASuggestiveContourOfWhatFacesTheViewerIsNone) {
   constexpr int kCount = 17;
   setRows(kCount);
   useShader("line_field.frag.glsl", kSuggestive);
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < 200; ++i) {
     const vec3 forward =
-        glm::normalize(vec3(0.1f * static_cast<float>(i), 1.0f, 2.0f + 0.03f * static_cast<float>(i)));
+        glm::normalize(vec3(0.013f * static_cast<float>(i), 1.0f, 2.0f + 0.031f * static_cast<float>(i)));
     const vec3 right = glm::normalize(glm::cross(forward, vec3(0, 1, 0)));
     setPoints(kCount, -forward, vec4(0), right);
     set("uForwardWorld", forward);

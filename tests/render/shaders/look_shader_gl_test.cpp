@@ -171,14 +171,14 @@ TEST_F(LookShaderGlTest, ATextureAtAGrazingAngle) {
   useFunctions(
       {"shade.frag.glsl"},
       kPlainPoint +
-          "p.normal = normalize(vec3(1.0, 0.0, -given(0).x)); p.footprint = 0.06;"
+          "p.normal = normalize(vec3(1.0, 0.0, -given(0).x)); p.footprint = given(0).y;"
           "result.xyz = baseColor(p, vec3(1.0), vec4(0.0), ivec2(0));",
       "#define LOOK 0\n#define LOOK_DEPTH 1\n#define LOOK_NORMAL 2\n#define LOOK_ACCESSIBILITY 3\n"
       "#define SHADING 1\n#define SHADING_TONE 2\n#define SHADING_GI 3\n#define SHADING_UNLIT 1\n"
       "#define TEXTURE 1\n#define TEXTURE_NONE 0\n#define TEXTURE_MARBLE 1\n#define TEXTURE_WOOD 2\n");
   set("uTextureScale", 1.0f);
   const float fifth = 0.2f / std::sqrt(1.0f - 0.04f);  // the tangent whose cosine is 0.2
-  setInput(0, {{fifth, 0, 0, 0}, {1e-3f, 0, 0, 0}, {1.0f, 0, 0, 0}});
+  setInput(0, {{fifth, 0.02f, 0, 0}, {1e-3f, 0.02f, 0, 0}, {fifth, 0.3f, 0, 0}});
   const ShaderRow colours = results(3);
   EXPECT_NEAR(colours[0].x, colours[1].x, 1e-4);
   EXPECT_GT(std::abs(colours[0].x - colours[2].x), 1e-3);

@@ -49,11 +49,15 @@ TEST_F(TraceShaderGlTest, ExtremaOfCubics) {
 // Both ends lie on one side where the crossing is the cell's very entry: the nearer to 0 is the root.
 TEST_F(TraceShaderGlTest, ABracketOfOneSideEndsAtItsNearerEnd) {
   useFunctions(kTrace, "result.x = rootIn(given(0), vec2(0.0, 1.0));");
-  setInput(0, {{1e-9f, 0.5f, 0.8f, 1}, {1, 0.8f, 0.5f, 1e-9f}, {-0.5f, -0.5f, -0.5f, -0.5f}});
-  const ShaderRow roots = results(3);
+  setInput(0, {{1e-9f, 0.5f, 0.8f, 1},
+               {1, 0.8f, 0.5f, 1e-9f},
+               {-0.5f, -0.5f, -0.5f, -0.5f},
+               {0.5f, 0.47f, 0.43f, 0.4f}});
+  const ShaderRow roots = results(4);
   EXPECT_EQ(roots[0].x, 0.0f);
   EXPECT_EQ(roots[1].x, 1.0f);
   EXPECT_EQ(roots[2].x, 0.0f);
+  EXPECT_EQ(roots[3].x, 1.0f);
 }
 
 // The crossing that a ray comes from lies at the next cell's entry, on either side of it by rounding.
