@@ -121,10 +121,8 @@ std::optional<SurfaceBrightness> measureBrightness(
 double exposureOf(const SurfaceBrightness& seen) {
   if (!(seen.highlight > 0.0)) return 0.0;
   const double limit = kBrightest / seen.highlight;
-  double factor = kMostOver * limit;
-  if (seen.median > 0.0)
-    factor = std::min(factor, std::max(std::min(kMiddle / seen.median, limit), kDarkestMiddle / seen.median));
-  return std::clamp(std::log2(factor), -kMostStops, kMostStops);
+  const double middle = std::max(std::min(kMiddle / seen.median, limit), kDarkestMiddle / seen.median);
+  return std::clamp(std::log2(std::min(kMostOver * limit, middle)), -kMostStops, kMostStops);
 }
 
 }  // namespace isolux::gi

@@ -110,7 +110,7 @@ TEST_F(LatticeShaderGlTest, PartsOfAnOpenSkyThatIsDark) {
   EXPECT_NEAR(result().x, 0.5, 1e-6);
 }
 
-TEST_F(ShaderGlTest, TheEnvironmentStraightUp) {
+TEST_F(ShaderGlTest, TheEnvironmentStraightUpAndDown) {
   useFunctions({"environment.glsl"}, "result.xyz = environmentAt(vec2(0.5));");
   setRows(4);
   setImage("uEnvironment", {{{4, 0, 0, 1}}, {{3, 0, 0, 1}}, {{2, 0, 0, 1}}, {{1, 0, 0, 1}}});
@@ -118,6 +118,8 @@ TEST_F(ShaderGlTest, TheEnvironmentStraightUp) {
   set("uForwardWorld", vec3(0, 0, 1));
   set("uEnvironmentFromWorld", glm::mat3(1.0001f));  // longer than 1 by more than a rounding
   EXPECT_EQ(result().x, 4.0f);
+  set("uForwardWorld", vec3(0, 0, -1));
+  EXPECT_EQ(result().x, 1.0f);
 }
 
 // A floor under a ceiling, a fiftieth of a voxel apart; light comes in all but along them. The way along the

@@ -105,5 +105,18 @@ TEST(NearestSurfacePoint, FarOffAndInGapsThereIsNone) {
   EXPECT_FALSE(nearestSurfacePoint(gap, {2.0f, 2.0f, 2.0f}, kReach, 0.0f));
 }
 
+// An edge of the surface whose cells all have a missing corner: there is no gradient to slide along.
+TEST(NearestSurfacePoint, BesideMissingVoxelsItIsANumber) {
+  const volume::Grid grid = gridOfVoxels(unitGeometry(glm::ivec3(8)), [](glm::dvec3 p) {
+    const bool missing = p.x == 3.0 && (p.y != 4.0 || p.z != 4.0);
+    return missing ? std::numeric_limits<double>::quiet_NaN() : 3.5 - p.x;
+  });
+  const auto point = nearestSurfacePoint(grid, {3.2f, 4.1f, 4.1f}, kReach, 0.0f);
+  ASSERT_TRUE(point);
+  EXPECT_FLOAT_EQ(point->x, 3.5f);
+  EXPECT_FLOAT_EQ(point->y, 4.0f);
+  EXPECT_FLOAT_EQ(point->z, 4.0f);
+}
+
 }  // namespace
 }  // namespace isolux::test
