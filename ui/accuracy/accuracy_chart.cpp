@@ -67,9 +67,11 @@ QCategoryAxis* logarithmicAxis(double low, double high) {
   axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   axis->setStartValue(std::log10(low) - 1.0);
   const std::vector<double> ticks = render::logarithmicTicks(low, high);
+  const QChar gap(0x00A0);  // or the last digit touches the tick
   for (const double tick : ticks)
-    axis->append(QString::fromStdString(render::logarithmicTickText(tick, render::areShownAsPowers(ticks))),
-                 std::log10(tick));
+    axis->append(
+        QString::fromStdString(render::logarithmicTickText(tick, render::areShownAsPowers(ticks))) + gap,
+        std::log10(tick));
   axis->setRange(std::log10(low), std::log10(high));
   return axis;
 }
@@ -83,7 +85,7 @@ AccuracyChart::AccuracyChart(QWidget* parent) : QChartView(parent) {
   setMouseTracking(true);
   setAccessibleName(tr("Error against time"));
   chart()->legend()->hide();
-  chart()->setMargins({});
+  chart()->setMargins({0, fontMetrics().height() / 2 + 2, 0, 0});  // of the uppermost tick's label
   chart()->layout()->setContentsMargins(0, 0, 0, 0);
   rebuild();
   connect(chart(), &QChart::plotAreaChanged, this, &AccuracyChart::placeLabels);

@@ -75,7 +75,9 @@ TEST(AccuracyChart, TicksOfTheErrorAreLabelledInOneWay) {
     dear.cost = 2.0;
     chart.show({cheap, dear}, "ms", "voxels");
     auto* const axis = qobject_cast<QCategoryAxis*>(chart.chart()->axes(Qt::Vertical).front());
-    return axis ? axis->categoriesLabels() : QStringList();
+    QStringList labels = axis ? axis->categoriesLabels() : QStringList();
+    for (QString& label : labels) label = label.trimmed();
+    return labels;
   };
   EXPECT_EQ(labelsOf(2.2e-5, 5e-5), QStringList({"10⁻⁵", "2·10⁻⁵", "5·10⁻⁵", "10⁻⁴"}));
   EXPECT_EQ(labelsOf(0.02, 3.0), QStringList({"0.01", "0.1", "1", "10"}));
