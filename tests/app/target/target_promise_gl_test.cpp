@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <ostream>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -26,6 +27,10 @@ struct Subject {
   std::string name, path;
   std::vector<std::string> assignments;
 };
+
+void PrintTo(const Subject& subject, std::ostream* out) {
+  *out << subject.name;
+}
 
 class TargetPromiseGlTest : public RenderGlTest, public testing::WithParamInterface<Subject> {
  protected:
