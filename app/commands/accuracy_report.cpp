@@ -26,10 +26,9 @@ nlohmann::ordered_json lightJson(const Accuracy& accuracy) {
           {"relative_within", finiteOrNull(accuracy.relativeLightWithin)}};
 }
 
-std::string figure(const char* what, double bound, const char* unit) {
+std::string figure(const std::string& what, double bound, const char* unit) {
   if (std::isnan(bound)) return "";
-  return std::string(what) + (std::isinf(bound) ? " not bounded" : " ± " + base::shortText(bound, 2) + unit) +
-         ", ";
+  return what + (std::isinf(bound) ? " not bounded" : " ± " + base::shortText(bound, 2) + unit) + ", ";
 }
 
 }  // namespace
@@ -60,7 +59,8 @@ std::string accuracyLine(const Accuracy& accuracy) {
             figure("normal", accuracy.normalDegrees.most99, " degrees") +
             figure("curvature", accuracy.curvature.most99, " 1/mm") +
             figure("noise turns normals by", accuracy.normalNoiseDegrees.most99, " degrees") +
-            figure("light of 95 % of it", 100.0 * accuracy.relativeLightWithin, " % of its mean");
+            figure("light of " + base::shortText(100.0 * kLightLevel, 3) + " % of it",
+                   100.0 * accuracy.relativeLightWithin, " % of its mean");
   return line + base::shortText(100.0 * accuracy.uncertainShare(), 2) + " % of pixels are not certain";
 }
 

@@ -62,10 +62,15 @@ json upgradeFrom4(json session, const std::string& file) {
   return session;
 }
 
+// Version 5 did not say that a picture's accuracy may stand in it, though some of its pictures carry it.
+json upgradeFrom5(json session, const std::string&) {
+  return session;
+}
+
 // upgrades[i] turns version i+1 into version i+2.
 using Upgrade = json (*)(json session, const std::string& file);
 constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1, upgradeFrom2, upgradeFrom3,
-                                                           upgradeFrom4};
+                                                           upgradeFrom4, upgradeFrom5};
 
 int versionOf(const json& session, const std::string& file) {
   const auto found = session.find(versionKey);

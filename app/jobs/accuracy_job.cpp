@@ -1,30 +1,14 @@
 #include "app/jobs/accuracy_job.h"
 
-#include <new>
 #include <utility>
 
 #include "app/jobs/field_job.h"
-#include "app/jobs/give_way.h"
 #include "app/jobs/rest_scene.h"
 #include "render/gl/gl_context.h"
 
 namespace isolux::app {
 
-AccuracyJob::AccuracyJob(Subject subject)
-    : work_(
-          [&] {
-            auto work = std::make_shared<Work>();
-            work->subject = std::move(subject);
-            return work;
-          }(),
-          run) {}
-
-AccuracyJob::~AccuracyJob() {
-  work_->progress.requestStop();
-}
-
-void AccuracyJob::measure(Work& work) {
-  const Subject& subject = work.subject;
+void AccuracyWork::run(base::Progress& progress) {
   const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
   context->makeCurrent();
   render::Renderer renderer(context->gl());
@@ -34,26 +18,15 @@ void AccuracyJob::measure(Work& work) {
   renderer.setVolume(subject.volume);
   renderer.setLight(subject.light);
   scene::Scene shown = subject.scene;
-  completeFields(shown, *subject.volume, true, work.progress);
-  shown = atRest(std::move(shown), *subject.volume, work.progress);
+  completeFields(shown, *subject.volume, true, progress);
+  shown = atRest(std::move(shown), *subject.volume, progress);
   render::FrameRequest request;
   request.size = subject.size;
-  request.stop = work.progress.token();
-  work.accuracy =
-      accuracyOf(measureErrors(renderer, std::move(shown), request, *subject.volume, work.progress,
-                               {subject.light, subject.volume}, subject.onProcessor));
-}
-
-void AccuracyJob::run(Work& work) {
-  giveWay();
-  try {
-    measure(work);
-  } catch (const base::Error& error) {
-    work.error = error;
-  } catch (const std::bad_alloc&) {
-    work.error.emplace(base::ErrorKind::memory, "", "", "not enough memory to bound the picture's errors");
-  }
-  work.finished.store(true, std::memory_order_release);
+  request.stop = progress.token();
+  PictureErrors errors = measureErrors(renderer, std::move(shown), request, *subject.volume, progress,
+                                       {subject.light, subject.volume}, subject.onProcessor);
+  accuracy = accuracyOf(errors);
+  if (subject.keepImages) images = std::make_shared<const PictureErrors>(std::move(errors));
 }
 
 }  // namespace isolux::app

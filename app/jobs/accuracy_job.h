@@ -1,52 +1,39 @@
 // Bounds the errors of a picture that is shown (app/accuracy) on a background thread, with a renderer of its
-// own that casts on the processor; the owner polls, and stops it when the user needs the machine.
+// own that casts on the processor.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
 
 #include "app/accuracy/accuracy.h"
-#include "base/error.h"
-#include "base/progress.h"
-#include "base/retire.h"
+#include "app/jobs/quiet_job.h"
 #include "gi/picture_light.h"
 
 namespace isolux::app {
 
-class AccuracyJob {
- public:
+struct AccuracyWork {
   struct Subject {
     std::shared_ptr<const volume::PreparedVolume> volume;
     scene::Scene scene;  // resolved, as it is shown in motion; what is there at rest is found here
     std::shared_ptr<const gi::PictureLight> light;  // that it is lit by; null: none
     glm::ivec2 size{0};                             // pixels
     bool onProcessor = false;                       // who drew it: its arithmetic is what is bounded
+    bool keepImages = false;                        // what each pixel errs by is wanted, too
   };
-  // Starts at once.
-  explicit AccuracyJob(Subject subject);
-  ~AccuracyJob();  // stops; the thread ends elsewhere
-  AccuracyJob(const AccuracyJob&) = delete;
-  AccuracyJob& operator=(const AccuracyJob&) = delete;
+  static constexpr const char* kDoes = "bound the picture's errors";
+  void run(base::Progress& progress);
 
-  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
-  const base::Progress& progress() const { return work_->progress; }
-  // After finished(): one of them is there.
-  const std::optional<Accuracy>& accuracy() const { return work_->accuracy; }
-  const std::optional<base::Error>& error() const { return work_->error; }
+  Subject subject;
+  std::optional<Accuracy> accuracy{};
+  std::shared_ptr<const PictureErrors> images{};
+};
 
- private:
-  struct Work {
-    Subject subject;
-    base::Progress progress;
-    std::atomic<bool> finished{false};
-    std::optional<Accuracy> accuracy;
-    std::optional<base::Error> error;
-  };
-  static void run(Work& work);
-  static void measure(Work& work);
-
-  base::RetiringThread<Work> work_;
+class AccuracyJob : public QuietJob<AccuracyWork> {
+ public:
+  using QuietJob::QuietJob;
+  // After finished(), without an error.
+  const std::optional<Accuracy>& accuracy() const { return work().accuracy; }
+  const std::shared_ptr<const PictureErrors>& images() const { return work().images; }  // null: not wanted
 };
 
 }  // namespace isolux::app

@@ -1,23 +1,19 @@
 // Searches the settings that keep an error or a time (app/target) for the view on show, on a background
-// thread with a renderer of its own; the owner polls, and stops it when the view or the scene changes.
+// thread with a renderer of its own; stopped when the view or the scene changes.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
+#include "app/jobs/quiet_job.h"
 #include "app/target/target_search.h"
-#include "base/error.h"
-#include "base/progress.h"
-#include "base/retire.h"
 #include "gi/picture_light.h"
 
 namespace isolux::app {
 
-class TargetJob {
- public:
+struct TargetWork {
   struct Subject {
     std::shared_ptr<const volume::PreparedVolume> volume;
     scene::Scene scene;                             // as the user gave it, with the camera of the view
@@ -27,34 +23,24 @@ class TargetJob {
     std::vector<Limit> limits;                      // empty: `milliseconds` is what is to be kept
     double milliseconds = 0.0;
   };
-  // Starts at once.
-  explicit TargetJob(Subject subject);
-  ~TargetJob();  // stops; the thread ends elsewhere
-  TargetJob(const TargetJob&) = delete;
-  TargetJob& operator=(const TargetJob&) = delete;
+  static constexpr const char* kDoes = "choose settings";
+  void run(base::Progress& progress);
+  static std::shared_ptr<const void> counted();  // one more search, until it goes
 
-  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
-  const base::Progress& progress() const { return work_->progress; }
+  Subject subject;
+  std::optional<TargetAnswer> answer{};
+  std::shared_ptr<const void> counts = counted();
+};
+
+// Its error, after finished(): that nothing keeps it, or what went wrong.
+class TargetJob : public QuietJob<TargetWork> {
+ public:
+  using QuietJob::QuietJob;
   // After finished(), without an error; none: nothing of the first isosurface is seen.
-  const std::optional<TargetAnswer>& answer() const { return work_->answer; }
-  // After finished(): that nothing keeps it, or what went wrong.
-  const std::optional<base::Error>& error() const { return work_->error; }
+  const std::optional<TargetAnswer>& answer() const { return work().answer; }
 
-  // Searches of this process whose threads have not ended.
+  // Searches of this process that have not ended.
   static int running();
-
- private:
-  struct Work {
-    Subject subject;
-    base::Progress progress;
-    std::atomic<bool> finished{false};
-    std::optional<TargetAnswer> answer;
-    std::optional<base::Error> error;
-  };
-  static void run(Work& work);
-  static void search(Work& work);
-
-  base::RetiringThread<Work> work_;
 };
 
 }  // namespace isolux::app

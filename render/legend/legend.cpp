@@ -101,7 +101,7 @@ struct Ticks {
     const double low = legend.low, high = legend.high;
     values = legend.logarithmic ? logarithmicTicks(low, high) : tickValues(low, high, count);
     if (!legend.logarithmic) format = tickFormat(values);
-    const bool powers = !values.empty() && (values.front() < 0.00099 || values.back() > 99999.0);
+    const bool powers = areShownAsPowers(values);
     for (const double value : values) {
       texts.push_back(legend.logarithmic ? logarithmicTickText(value, powers) : tickText(value, format));
       places.push_back(high == low          ? 0.5

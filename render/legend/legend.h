@@ -47,6 +47,8 @@ std::vector<double> tickValues(double low, double high, int count);
 // Of a logarithmic axis, 0 < low < high: powers of ten, and 2 and 5 times these where the range is short; an
 // end that has none near.
 std::vector<double> logarithmicTicks(double low, double high);
+// Whether these are written as powers of ten, all of them: where one would have too many digits.
+bool areShownAsPowers(const std::vector<double>& ticks);
 // "0.02", or as a power of ten "2·10⁻²".
 std::string logarithmicTickText(double value, bool asPower);
 

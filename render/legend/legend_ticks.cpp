@@ -54,6 +54,11 @@ std::vector<double> logarithmicTicks(double low, double high) {
   return all;
 }
 
+bool areShownAsPowers(const std::vector<double>& ticks) {
+  constexpr double smallest = 0.00099, largest = 99999.0;
+  return !ticks.empty() && (ticks.front() < smallest || ticks.back() > largest);
+}
+
 std::string logarithmicTickText(double value, bool asPower) {
   if (!asPower) return base::shortText(value, 3);
   const auto power = static_cast<int>(std::floor(std::log10(value) + 1e-9));

@@ -700,10 +700,10 @@
         <translation>Licht ± %1</translation>
     </message>
     <message>
-        <source>How far the picture on screen may be from the same view in double precision: 99 % of what is seen keeps these bounds, of light 95 %.
+        <source>How far the picture on screen may be from the same view in double precision: 99 % of what is seen keeps these bounds, of light %2 %.
 A pixel is not certain where a rounding may show another surface, as along edges.
 One ray through the middle of each pixel, %1 pixels.</source>
-        <translation>Wie weit das Bild auf dem Schirm von derselben Ansicht in doppelter Genauigkeit abweichen kann: 99 % des Sichtbaren halten diese Schranken ein, beim Licht 95 %.
+        <translation>Wie weit das Bild auf dem Schirm von derselben Ansicht in doppelter Genauigkeit abweichen kann: 99 % des Sichtbaren halten diese Schranken ein, beim Licht %2 %.
 Ein Pixel ist nicht sicher, wo eine Rundung eine andere Fläche zeigen kann, etwa an Kanten.
 Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
@@ -1706,6 +1706,45 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Loading the environment …</source>
         <translation>Umgebung wird geladen …</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::ErrorOverlayBox</name>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Errors shown in the picture</source>
+        <translation>Im Bild gezeigte Fehler</translation>
+    </message>
+    <message>
+        <source>Lays bounds of this error over the finished picture, as colours. Hatched is what may err by more than is entered above for it, and what is not certain</source>
+        <translation>Legt Schranken dieses Fehlers als Farben über das fertige Bild. Schraffiert ist, was um mehr abweichen kann, als oben dafür eingegeben ist, und was nicht sicher ist</translation>
+    </message>
+    <message>
+        <source>Errors in the picture</source>
+        <translation>Fehler im Bild</translation>
+    </message>
+    <message>
+        <source>No light is stored for this picture, or a surface is transparent: the look Global illumination stores some</source>
+        <translation>Für dieses Bild ist kein Licht gespeichert, oder eine Fläche ist durchsichtig: der Stil Globale Beleuchtung speichert welches</translation>
     </message>
 </context>
 <context>

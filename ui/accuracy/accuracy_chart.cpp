@@ -4,15 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include <QCategoryAxis>
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QGraphicsSimpleTextItem>
 #include <QLineSeries>
-#include <QLogValueAxis>
 #include <QMouseEvent>
 #include <QScatterSeries>
 #include <QValueAxis>
 
+#include "render/legend/legend.h"
 #include "ui/editors/number_text.h"
 #include "ui/window/style.h"
 
@@ -59,6 +60,22 @@ double roundStep(double range) {
   return 10.0 * power;
 }
 
+// Of decimal logarithms, labelled with the numbers themselves as the legend of a picture is: all of them as
+// powers of ten, or none. (QLogValueAxis labels full decades only, and mixes 0.0001 with 1e-05.)
+QCategoryAxis* logarithmicAxis(double low, double high) {
+  auto* axis = new QCategoryAxis;
+  axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+  axis->setStartValue(std::log10(low) - 1.0);
+  const std::vector<double> ticks = render::logarithmicTicks(low, high);
+  const QChar gap(0x00A0);  // or the last digit touches the tick
+  for (const double tick : ticks)
+    axis->append(
+        QString::fromStdString(render::logarithmicTickText(tick, render::areShownAsPowers(ticks))) + gap,
+        std::log10(tick));
+  axis->setRange(std::log10(low), std::log10(high));
+  return axis;
+}
+
 }  // namespace
 
 AccuracyChart::AccuracyChart(QWidget* parent) : QChartView(parent) {
@@ -68,7 +85,7 @@ AccuracyChart::AccuracyChart(QWidget* parent) : QChartView(parent) {
   setMouseTracking(true);
   setAccessibleName(tr("Error against time"));
   chart()->legend()->hide();
-  chart()->setMargins({});
+  chart()->setMargins({0, fontMetrics().height() / 2 + 2, 0, 0});  // of the uppermost tick's label
   chart()->layout()->setContentsMargins(0, 0, 0, 0);
   rebuild();
   connect(chart(), &QChart::plotAreaChanged, this, &AccuracyChart::placeLabels);
@@ -82,8 +99,8 @@ void AccuracyChart::show(std::vector<app::KnobPoint> points, const QString& cost
   rebuild();
 }
 
-double AccuracyChart::shownError(double error) const {
-  return std::max(error, least_);
+QPointF AccuracyChart::inAxes(const app::KnobPoint& point) const {
+  return {point.cost, std::log10(std::max(point.error, least_))};
 }
 
 void AccuracyChart::rebuild() {
@@ -113,7 +130,7 @@ void AccuracyChart::rebuild() {
   auto* ring = scatter(QScatterSeries::MarkerShapeCircle, ringPixels, Qt::transparent, colours::text);
   std::vector<QPointF> best;
   for (const app::KnobPoint& point : points_) {
-    const QPointF place(point.cost, shownError(point.error));
+    const QPointF place = inAxes(point);
     if (point.onFront) best.push_back(place);
     if (point.isDefault) ring->append(place);
     (point.isPresent ? present : ordinary)->append(place);
@@ -129,9 +146,7 @@ void AccuracyChart::rebuild() {
   cost->setTickAnchor(0.0);
   cost->setTickInterval(step);
   cost->setLabelFormat("%g");
-  auto* error = new QLogValueAxis;
-  error->setLabelFormat("%g");
-  error->setRange(least_, std::pow(10.0, std::ceil(std::log10(1.25 * largest))));
+  auto* error = logarithmicAxis(least_, std::pow(10.0, std::ceil(std::log10(1.25 * largest))));
   ink(cost, costLabel_);
   ink(error, errorLabel_);
   chart()->addAxis(cost, Qt::AlignBottom);
@@ -156,8 +171,7 @@ void AccuracyChart::placeLabels() {
   QList<QRectF> taken;
   const QRectF plot = chart()->plotArea();
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const QPointF at =
-        chart()->mapToPosition({points_[i].cost, shownError(points_[i].error)}, chart()->series().front());
+    const QPointF at = chart()->mapToPosition(inAxes(points_[i]), chart()->series().front());
     QGraphicsSimpleTextItem* const label = labels_[static_cast<qsizetype>(i)];
     const QSizeF size = label->boundingRect().size();
     const double gap = 0.6 * ringPixels;
@@ -180,8 +194,7 @@ void AccuracyChart::placeLabels() {
 }
 
 QPointF AccuracyChart::placeOf(std::size_t point) const {
-  const app::KnobPoint& of = points_.at(point);
-  const QPointF inChart = chart()->mapToPosition({of.cost, shownError(of.error)}, chart()->series().front());
+  const QPointF inChart = chart()->mapToPosition(inAxes(points_.at(point)), chart()->series().front());
   return mapFromScene(chart()->mapToScene(inChart));
 }
 

@@ -37,7 +37,8 @@ class AccuracyChart : public QChartView {
  private:
   void rebuild();
   void placeLabels();
-  double shownError(double error) const;  // an error of 0 stands at the axis's lower end
+  // Cost, and the decimal logarithm of the error; one of 0 stands at the axis's lower end.
+  QPointF inAxes(const app::KnobPoint& point) const;
   std::optional<std::size_t> pointAt(QPointF place) const;
 
   std::vector<app::KnobPoint> points_;

@@ -9,6 +9,7 @@
 
 #include "scene/settings.h"
 #include "ui/accuracy/accuracy_chart.h"
+#include "ui/accuracy/error_overlay_box.h"
 #include "ui/accuracy/target_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
@@ -76,6 +77,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
     : Panel(parent),
       picture_(new PictureAccuracy(this)),
       target_(new TargetBox(this)),
+      overlay_(new ErrorOverlayBox(this)),
       knobs_(new QComboBox(this)),
       chart_(new AccuracyChart(this)),
       state_(new QLabel(this)),
@@ -95,9 +97,13 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   layout->addWidget(key_);
   layout->addWidget(state_);
   layout->addWidget(target_);
+  layout->addWidget(overlay_);
   connect(picture_, &PictureAccuracy::changed, this, &AccuracyPanel::tellPicture);
   connect(picture_, &PictureAccuracy::ended, this, &AccuracyPanel::measure);
   connect(target_, &TargetBox::edited, this, &Panel::edited);
+  connect(target_, &TargetBox::limitChanged, this, &AccuracyPanel::showOverlay);
+  connect(overlay_, &ErrorOverlayBox::wantedChanged, this, &AccuracyPanel::wantOverlay);
+  connect(overlay_, &ErrorOverlayBox::painted, this, &AccuracyPanel::overlayPainted);
   connect(target_, &TargetBox::searchingChanged, this,
           [this] { target_->searching() ? drop() : measureSoon(); });
   connect(knobs_, &QComboBox::currentIndexChanged, this, &AccuracyPanel::showKnob);
@@ -122,6 +128,7 @@ void AccuracyPanel::setVolume(const VolumePointer& volume) {
   complete_ = false;
   drawn_ = {};
   drawn_.request.size = glm::ivec2(0);
+  pixels_ = {};
   showPicture();
   showTarget();
   listKnobs();

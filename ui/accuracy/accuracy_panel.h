@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include <QImage>
 #include <QTimer>
 
 #include "app/jobs/study_job.h"
@@ -23,6 +24,7 @@ class QLabel;
 namespace isolux::ui {
 
 class AccuracyChart;
+class ErrorOverlayBox;
 class TargetBox;
 
 class AccuracyPanel : public Panel {
@@ -37,6 +39,8 @@ class AccuracyPanel : public Panel {
   void setDrawing(bool draws);        // the window's own picture comes first
   void setComplete(bool complete);    // the picture on screen is the full one of the scene
   void setPreviewing(bool previews);  // the picture is not the document's
+  // The pixels on screen and where their legend stands, after setComplete().
+  void setPixels(const QImage& picture, const std::optional<render::Tile>& legend);
   void setLight(const LightPointer& light, bool changing);
   void seenChanged();  // its dock came to the front, or went
 
@@ -49,10 +53,13 @@ class AccuracyPanel : public Panel {
   int jobsBegun() const { return jobsBegun_; }
   const PictureAccuracy& picture() const { return *picture_; }
   TargetBox* target() const { return target_; }
+  ErrorOverlayBox* overlay() const { return overlay_; }
 
  Q_SIGNALS:
   // What is known of the picture on screen; empty: nothing, or nobody wants to know.
   void pictureKnown(const QString& text, const QString& meaning);
+  // The picture on screen with its errors laid over; null: nothing is. `of`: whose pixels they are.
+  void overlayPainted(const QImage& image, const QImage& of);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -73,6 +80,8 @@ class AccuracyPanel : public Panel {
   void showPicture();
   void tellPicture();
   void showTarget();
+  void wantOverlay();
+  void showOverlay();
   void showKnob();
   void showState();
   void choose(const QString& value);
@@ -88,6 +97,8 @@ class AccuracyPanel : public Panel {
     bool onProcessor = false;
   };
   Drawn reported_, drawn_;  // the last picture; the last full one
+  QImage pixels_;           // of the last full one
+  std::optional<render::Tile> legend_;
   bool complete_ = false, previewing_ = false, lightChanging_ = false;
   std::vector<app::Knob> acting_;
   std::map<std::string, Measured> measured_;  // by the knob's name
@@ -99,6 +110,7 @@ class AccuracyPanel : public Panel {
 
   PictureAccuracy* picture_;
   TargetBox* target_;
+  ErrorOverlayBox* overlay_;
   QComboBox* knobs_;
   AccuracyChart* chart_;
   QLabel *state_, *meaning_, *key_;

@@ -6,6 +6,7 @@
 #include "scene/rules/needs.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"
+#include "ui/accuracy/error_overlay_box.h"
 #include "ui/accuracy/target_box.h"
 
 namespace isolux::ui {
@@ -41,6 +42,35 @@ void AccuracyPanel::setComplete(bool complete) {
   measureSoon();
 }
 
+void AccuracyPanel::setPixels(const QImage& picture, const std::optional<render::Tile>& legend) {
+  pixels_ = picture;
+  legend_ = legend;
+  showOverlay();
+}
+
+// What the user has just asked to see goes before what nobody has.
+void AccuracyPanel::wantOverlay() {
+  picture_->keepImages(overlay_->wanted());
+  if (overlay_->wanted() && picture_->wanted()) job_.reset();
+  restTimer_.stop();
+  measure();
+  showOverlay();
+}
+
+void AccuracyPanel::showOverlay() {
+  ErrorOverlayBox::Shown shown;
+  if (volume_ && overlay_->wanted()) {
+    shown.errors = picture_->images();
+    if (shown.errors) shown.picture = pixels_;
+    const glm::dvec3 edges = volume_->grid().geometry().spacingMm();
+    shown.shortestEdgeMm = std::min({edges.x, edges.y, edges.z});
+    shown.corner = resolved_.look.legendCorner;
+    shown.legend = legend_;
+    shown.limit = target_->limit();
+  }
+  overlay_->setShown(shown);
+}
+
 void AccuracyPanel::showPicture() {
   const bool lit = scene::usesGi(resolved_);
   if (!isSeen() || !volume_ || !complete_ || previewing_ || (lit && lightChanging_))
@@ -56,6 +86,7 @@ void AccuracyPanel::tellPicture() {
   else
     Q_EMIT pictureKnown(accuracyText(*known, render::readsHessian(resolved_, drawn_.request)),
                         accuracyMeaning(*known));
+  showOverlay();
   showState();
 }
 

@@ -94,10 +94,11 @@ QString accuracyMeaning(const app::Accuracy& accuracy) {
   QString text =
       QObject::tr(
           "How far the picture on screen may be from the same view in double precision: 99 % of "
-          "what is seen keeps these bounds, of light 95 %.\nA pixel is not certain where a rounding may show "
+          "what is seen keeps these bounds, of light %2 %.\nA pixel is not certain where a rounding may show "
           "another surface, as along edges.\nOne ray through the middle of each pixel, %1 "
           "pixels.")
-          .arg(accuracy.pixels);
+          .arg(accuracy.pixels)
+          .arg(roundedText(100.0 * app::kLightLevel));
   const double noise = accuracy.normalNoiseDegrees.median;
   if (std::isfinite(noise) && noise > 0.0)
     text += '\n' + QObject::tr("Noise of the data is not in them: it turns a typical normal by up to %1°.")

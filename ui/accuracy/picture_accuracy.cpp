@@ -38,12 +38,15 @@ void PictureAccuracy::show(std::optional<Subject> subject) {
 }
 
 bool PictureAccuracy::wanted() const {
-  return shown_ && !samePicture(shown_, measured_);
+  if (!shown_) return false;
+  return !samePicture(shown_, measured_) || (keepsImages_ && accuracy_ && !images_);
 }
 
 void PictureAccuracy::measure() {
   if (job_ || !wanted()) return;
-  job_ = std::make_unique<app::AccuracyJob>(*shown_);
+  Subject subject = *shown_;
+  subject.keepImages = keepsImages_;
+  job_ = std::make_unique<app::AccuracyJob>(std::move(subject));
   ++jobsBegun_;
   pollTimer_.start();
 }
@@ -58,11 +61,22 @@ const std::optional<app::Accuracy>& PictureAccuracy::known() const {
   return shown_ && samePicture(shown_, measured_) ? accuracy_ : none;
 }
 
+void PictureAccuracy::keepImages(bool kept) {
+  if (std::exchange(keepsImages_, kept) == kept) return;
+  drop();
+  if (!kept) images_.reset();
+}
+
+std::shared_ptr<const app::PictureErrors> PictureAccuracy::images() const {
+  return known() ? images_ : nullptr;
+}
+
 void PictureAccuracy::poll() {
   if (!job_) return pollTimer_.stop();
   if (!job_->finished()) return;
   measured_ = shown_;
   accuracy_ = job_->accuracy();
+  images_ = job_->images();
   drop();
   Q_EMIT changed();
   Q_EMIT ended();

@@ -24,9 +24,12 @@ class PictureAccuracy : public QObject {
   bool wanted() const;  // one is on show that was not measured
   void measure();       // it is, unless it is measured already
   void drop();          // the job ends; measure() begins anew
+  // Whether what each pixel errs by is wanted, too, which takes memory.
+  void keepImages(bool kept);
 
   bool working() const { return job_ != nullptr; }
-  const std::optional<app::Accuracy>& known() const;  // of the picture on show
+  const std::optional<app::Accuracy>& known() const;         // of the picture on show
+  std::shared_ptr<const app::PictureErrors> images() const;  // of it; null: not known, or not kept
   const std::optional<Subject>& subject() const { return shown_; }
   int jobsBegun() const { return jobsBegun_; }
 
@@ -40,6 +43,8 @@ class PictureAccuracy : public QObject {
   std::optional<Subject> shown_;
   std::optional<Subject> measured_;  // what was measured last, and with what result: none, it failed
   std::optional<app::Accuracy> accuracy_;
+  std::shared_ptr<const app::PictureErrors> images_;  // of measured_
+  bool keepsImages_ = false;
   std::unique_ptr<app::AccuracyJob> job_;
   QTimer pollTimer_;
   int jobsBegun_ = 0;

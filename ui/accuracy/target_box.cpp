@@ -51,6 +51,9 @@ TargetBox::TargetBox(QWidget* parent)
       find();
   });
   connect(apply_, &QPushButton::clicked, this, &TargetBox::apply);
+  connect(most_, &QDoubleSpinBox::valueChanged, this, &TargetBox::limitChanged);
+  connect(unit_, &QComboBox::currentIndexChanged, this, &TargetBox::limitChanged);
+  connect(error_, &QRadioButton::toggled, this, &TargetBox::limitChanged);
   pollTimer_.setInterval(targetPollMilliseconds);
   connect(&pollTimer_, &QTimer::timeout, this, &TargetBox::poll);
   showState();
@@ -134,6 +137,11 @@ app::Quantity TargetBox::quantity() const {
   return app::kAllQuantities[static_cast<std::size_t>(std::max(unit_->currentIndex(), 0))];
 }
 
+std::optional<app::Limit> TargetBox::limit() const {
+  if (asksTime()) return std::nullopt;
+  return app::Limit{quantity(), most_->value() * unitOf(quantity())};
+}
+
 QString TargetBox::questionName() const {
   return asksTime() ? tr("Keep %1 ms").arg(milliseconds_->text())
                     : tr("Keep %1 %2").arg(most_->text(), unit_->currentText());
@@ -151,7 +159,7 @@ void TargetBox::find() {
   app::TargetJob::Subject question = subject_;
   question.limits.clear();
   question.milliseconds = milliseconds_->value();
-  if (!asksTime()) question.limits = {{quantity(), most_->value() * unitOf(quantity())}};
+  if (const std::optional<app::Limit> asked = limit()) question.limits = {*asked};
   const bool mayBeNone = !asksTime() && quantity() == app::Quantity::missed;
   if (!mayBeNone && !((asksTime() ? question.milliseconds : question.limits.front().most) > 0.0)) {
     said_ = tr("Nothing keeps 0: enter a number above it");

@@ -33,6 +33,7 @@ class TargetBox : public QWidget {
 
   void askError(app::Quantity quantity, double most);  // in unitTextOf(quantity)
   void askTime(double milliseconds);
+  std::optional<app::Limit> limit() const;  // the error that is entered; none: a time is
   QPushButton* findButton() const { return find_; }
   QPushButton* applyButton() const { return apply_; }
   QString text() const;  // what was found, or why nothing was
@@ -40,6 +41,7 @@ class TargetBox : public QWidget {
   const std::optional<app::TargetAnswer>& answer() const { return answer_; }
 
  Q_SIGNALS:
+  void limitChanged();
   void searchingChanged();
   void edited(const isolux::ui::Edit& edit);
 

@@ -99,6 +99,9 @@ class Viewport : public QWidget {
   glm::ivec2 pixelSize() const;                   // of the screen
   const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale
   const std::optional<render::Tile>& legend() const { return legend_; }  // where it stands in them
+  // Shown in place of the picture `of` while that is on screen; null: nothing is.
+  void setOver(const QImage& image, const QImage& of);
+  bool showsOver() const { return !over_.isNull() && overOf_ == image_.cacheKey(); }
   bool complete() const;        // the picture on screen is the full one
   QString description() const;  // GL strings, or why there is no picture
   const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
@@ -221,7 +224,8 @@ class Viewport : public QWidget {
   // Changes are counted. What is on screen: its pixels, what they were asked for, and after how many changes.
   // What was ordered last: the same.
   std::uint64_t changes_ = 1, shownChanges_ = 0, orderedChanges_ = 0;
-  QImage image_;
+  QImage image_, over_;
+  qint64 overOf_ = 0;  // QImage::cacheKey
   std::optional<render::Tile> legend_;
   render::FrameRequest shownRequest_, orderedRequest_;
   std::uint64_t orderNumber_ = 0;

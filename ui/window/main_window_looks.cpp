@@ -20,13 +20,14 @@ void MainWindow::connectLooks() {
   connect(viewport_, &Viewport::drawing, looks, &LooksPanel::setDrawing);
   auto* const accuracy = panel<AccuracyPanel>();
   connect(viewport_, &Viewport::drawing, accuracy, &AccuracyPanel::setDrawing);
-  const auto tellComplete = [this, accuracy] { accuracy->setComplete(viewport_->complete()); };
+  const auto tellComplete = [this] { tellAccuracy(); };
   connect(viewport_, &Viewport::drawn, accuracy, tellComplete);
   connect(document_, &Document::sceneChanged, accuracy, tellComplete);
   connect(light_, &BakedLight::lightChanged, accuracy, &AccuracyPanel::setLight);
   for (const Docked& docked : panels_)
     if (docked.panel == accuracy)
       connect(docked.dock, &QDockWidget::visibilityChanged, accuracy, &AccuracyPanel::seenChanged);
+  connect(accuracy, &AccuracyPanel::overlayPainted, viewport_, &Viewport::setOver);
   auto* const label = new QLabel(this);
   label->setObjectName("pictureAccuracy");
   label->setContentsMargins(10, 0, 0, 0);
@@ -42,6 +43,12 @@ void MainWindow::connectLooks() {
           });
 }
 
+void MainWindow::tellAccuracy() {
+  auto* const accuracy = panel<AccuracyPanel>();
+  accuracy->setComplete(viewport_->complete());
+  accuracy->setPixels(viewport_->complete() ? viewport_->shown() : QImage(), viewport_->legend());
+}
+
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {
   const VolumePointer& volume = document_->volume();
   previewing_ = scene && volume;
@@ -49,9 +56,8 @@ void MainWindow::preview(const std::optional<scene::Scene>& scene) {
     viewport_->setScene(*scene, scene::resolve(*scene, volume->facts));
   else
     viewport_->setScene(document_->scene(), document_->resolvedScene());
-  auto* const accuracy = panel<AccuracyPanel>();
-  accuracy->setComplete(viewport_->complete());
-  accuracy->setPreviewing(previewing_);
+  tellAccuracy();
+  panel<AccuracyPanel>()->setPreviewing(previewing_);
 }
 
 // A preview may be turned, but is not what is edited.

@@ -129,7 +129,7 @@ constexpr auto sheet = R"(
     QStatusBar::item { border: 0; }
     QDockWidget { font-weight: 600; }
     QDockWidget::title { background: @window; padding: 7px 10px; border-bottom: 1px solid @border; }
-    QTabBar::tab { padding: 6px 7px; border: 0; border-bottom: 2px solid transparent; color: @quietText; }
+    QTabBar::tab { padding: 6px 5px; border: 0; border-bottom: 2px solid transparent; color: @quietText; }
     QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
     QToolTip { border: 1px solid @border; padding: 4px; background: @raised; color: @text; }
     QMainWindow::separator { background: @border; width: 1px; height: 1px; }

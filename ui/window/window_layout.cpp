@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <QAction>
 #include <QActionGroup>
@@ -11,6 +12,7 @@
 #include <QMenu>
 #include <QScreen>
 #include <QSettings>
+#include <QTabBar>
 #include <QTimer>
 #include <QToolBar>
 
@@ -22,7 +24,8 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int stateVersion = 1;  // of what QMainWindow stores: another set of docks and bars
+constexpr double mostForTabs = 0.4;  // of the window's width
+constexpr int stateVersion = 1;      // of what QMainWindow stores: another set of docks and bars
 constexpr auto geometryKey = "window/geometry", stateKey = "window/state", layoutKey = "window/layout";
 
 struct NamedLayout {
@@ -88,6 +91,8 @@ void WindowLayout::addDock(QDockWidget* dock) {
   connect(dock, &QDockWidget::topLevelChanged, this, later);
   connect(dock, &QDockWidget::dockLocationChanged, this, later);
   connect(dock, &QDockWidget::visibilityChanged, this, later);
+  connect(dock, &QDockWidget::visibilityChanged, this,
+          [this] { QTimer::singleShot(0, this, &WindowLayout::giveTabsRoom); });
   later();
 }
 
@@ -104,6 +109,26 @@ void WindowLayout::styleTitle(QDockWidget* dock) {
   QWidget* const old = dock->titleBarWidget();
   dock->setTitleBarWidget(inTabs ? new QWidget(dock) : nullptr);
   delete old;
+}
+
+int WindowLayout::docksInPlace() const {
+  return static_cast<int>(std::count_if(docks_.begin(), docks_.end(), [](const QDockWidget* dock) {
+    return !dock->isHidden() && !dock->isFloating();
+  }));
+}
+
+// One more panel: wide enough for all their names, once. Who makes them narrower later gets shorter names.
+void WindowLayout::giveTabsRoom() {
+  const int before = std::exchange(inPlace_, docksInPlace());
+  if (inPlace_ <= before) return;
+  for (const QTabBar* bar : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+    const int wanted = bar->sizeHint().width();
+    if (!bar->isVisible() || bar->width() >= wanted || wanted > mostForTabs * window_->width()) continue;
+    for (int tab = 0; tab < bar->count(); ++tab)
+      for (QDockWidget* dock : docks_)
+        if (dock->windowTitle() == bar->tabText(tab) && isShownTo(dock))
+          window_->resizeDocks({dock}, {wanted}, Qt::Horizontal);
+  }
 }
 
 void WindowLayout::fillMenu(QMenu* menu) {
@@ -231,6 +256,7 @@ void WindowLayout::restore() {
     if (kept.value(layoutKey).toString() == named.stored) board_->arrange(named.layout);
   mendFloating();
   styleTitles();
+  inPlace_ = docksInPlace();
 }
 
 void WindowLayout::mendFloating() {

@@ -49,12 +49,15 @@ class WindowLayout : public QObject {
   void floatFront(bool floats);
   void goOn(int step);
   void mendFloating();
+  int docksInPlace() const;  // open, and not floating
+  void giveTabsRoom();
 
   QMainWindow* const window_;
   SliceBoard* const board_;
   Viewport* const picture_;
   std::vector<QDockWidget*> docks_;
   QActionGroup* layouts_;
+  int inPlace_ = 0;    // docksInPlace() as it was last
   QByteArray before_;  // full screen: which panels were open
 };
 

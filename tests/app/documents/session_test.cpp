@@ -98,7 +98,7 @@ TEST(Session, RoundTripsThroughAFile) {
 
 TEST(Session, IsVersionedJson) {
   const json stored = json::parse(sessionText(someScene(), "/data"));
-  EXPECT_EQ(stored["isolux_session"], 5);
+  EXPECT_EQ(stored["isolux_session"], 6);
   EXPECT_TRUE(stored["program"].is_string());
   EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
 }
@@ -202,7 +202,9 @@ TEST(Session, RefusesBadVersion1WithThePath) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 6})", "", {"/"}) == Scene{});
   EXPECT_TRUE(parseSession(R"({"isolux_session": 5})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "accuracy": {"pixels": 7}})", "", {"/"}) == Scene{});
   EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "scene": {}})", "", {"/"}) == Scene{});
   EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", {"/"}) == litAsBefore());
 }
@@ -226,7 +228,7 @@ TEST(Session, ValuesAreCheckedWithTheirPath) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 6, "scene": {"new": 1}})"),
+  EXPECT_THAT(refusal(R"({"isolux_session": 7, "scene": {"new": 1}})"),
               AllOf(HasSubstr("version 6"), HasSubstr("newer Isolux")));
   EXPECT_THAT(refusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }

@@ -144,6 +144,13 @@ TEST_F(Interrupts, EndRender) {
   interrupt({"render", "phantom:head:160", "--size", "1024x1024", "--out", "r.png"});
 }
 
+// Searches for settings draw, measure and bake beside one another.
+TEST_F(Interrupts, EndSearchesForSettings) {
+  interrupt({"render", "phantom:head:128", "--size", "800x600", "--error", "missed=0.1%", "--out", "r.png"});
+  interrupt({"render", "phantom:head:64", "--size", "256x192", "--look", "gi", "--error", "light=3%", "--out",
+             "r.png"});
+}
+
 TEST_F(Interrupts, EndBake) {
   interrupt({"bake", "phantom:head:96", "--out", "b.vti"});
 }

@@ -75,6 +75,8 @@ TEST(LegendTicksTest, LogarithmicOnesAreOneTwoAndFive) {
   EXPECT_THAT(logarithmicTicks(0.2, 5.0), Pointwise(DoubleNear(1e-12), {0.2, 0.5, 1.0, 2.0, 5.0}));
   EXPECT_THAT(logarithmicTicks(0.05, 50.0),
               Pointwise(DoubleNear(1e-12), {0.1, 1.0, 10.0, 50.0}));  // long, with an end of its own
+  EXPECT_TRUE(areShownAsPowers({1e-5, 1e-4, 1e-3, 1e-2}));
+  EXPECT_FALSE(areShownAsPowers({1e-3, 1e-2}));
   EXPECT_EQ(logarithmicTickText(0.02, false), "0.02");
   EXPECT_EQ(logarithmicTickText(2e-5, true), "2·10⁻⁵");
   EXPECT_EQ(logarithmicTickText(1e-4, true), "10⁻⁴");

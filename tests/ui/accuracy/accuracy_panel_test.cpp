@@ -2,6 +2,8 @@
 // edit.
 #include "ui/accuracy/accuracy_panel.h"
 
+#include <QCategoryAxis>
+#include <QChart>
 #include <QComboBox>
 #include <QLabel>
 #include <QTest>
@@ -59,6 +61,26 @@ TEST_F(AccuracyPanelTest, AnotherViewIsMeasuredAnew) {
   EXPECT_FALSE(panel()->complete());
   EXPECT_TRUE(waitUntil([&] { return panel()->complete(); }, 120000));
   EXPECT_GT(panel()->jobsBegun(), before);
+}
+
+// Every decade and what is between, all in one way: QLogValueAxis leaves the lowest out, and mixes 0.0001
+// with 1e-05.
+TEST(AccuracyChart, TicksOfTheErrorAreLabelledInOneWay) {
+  const auto labelsOf = [](double least, double most) {
+    ui::AccuracyChart chart;
+    app::KnobPoint cheap, dear;
+    cheap.error = most;
+    dear.error = least;
+    cheap.cost = 1.0;
+    dear.cost = 2.0;
+    chart.show({cheap, dear}, "ms", "voxels");
+    auto* const axis = qobject_cast<QCategoryAxis*>(chart.chart()->axes(Qt::Vertical).front());
+    QStringList labels = axis ? axis->categoriesLabels() : QStringList();
+    for (QString& label : labels) label = label.trimmed();
+    return labels;
+  };
+  EXPECT_EQ(labelsOf(2.2e-5, 5e-5), QStringList({"10⁻⁵", "2·10⁻⁵", "5·10⁻⁵", "10⁻⁴"}));
+  EXPECT_EQ(labelsOf(0.02, 3.0), QStringList({"0.01", "0.1", "1", "10"}));
 }
 
 TEST(AccuracyPanel, SaysWhatToDoWithoutAVolume) {

@@ -19,7 +19,9 @@ class TargetBoxTest : public WindowTest {
   void show(const char* phantom) {
     ASSERT_TRUE(load(*window_, phantom));
     fullPicture(*window_);
-    window_->showPanel("Accuracy");
+    window_->showPanel("Accuracy");  // which may make the panels wider, and the picture narrower
+    ASSERT_TRUE(comesToRest([&] { return static_cast<std::uint64_t>(window_->viewport()->width()); }));
+    fullPicture(*window_);
     ASSERT_TRUE(waitUntil([&] { return box()->findButton()->isEnabled(); }));
   }
   ui::TargetBox* box() { return window_->panel<ui::AccuracyPanel>()->target(); }

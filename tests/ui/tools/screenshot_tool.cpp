@@ -5,7 +5,8 @@
 //                     [--slices | --slices-alone] [--theme dark|light] [--preferences] [--cut-in-slice]
 //                     [--hints] [--entry TEXT] [--raw-dialog] [--browser] [--anonymous]
 //                     [--histogram-zoom FACTOR] [--light-at PERCENT] [--set PATH=VALUE]...
-//                     [--search QUANTITY=VALUE] [--language en|de] PATH
+//                     [--search QUANTITY=VALUE] [--errors depth|normal|kappa|light]
+//                     [--language en|de] PATH
 //
 // Needs a display; without one: xvfb-run -a -s "-screen 0 1920x1200x24" isolux_screenshot ...
 #include <cstdio>
@@ -32,6 +33,7 @@
 #include "scene/settings.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"
+#include "ui/accuracy/error_overlay_box.h"
 #include "ui/accuracy/target_box.h"
 #include "ui/browser/dicom_browser.h"
 #include "ui/browser/series_index.h"
@@ -151,8 +153,8 @@ int takePicture(const QCommandLineParser& options) {
   };
   const auto measured = [&] {
     const auto* const accuracy = window.panel<ui::AccuracyPanel>();
-    return !accuracy->isVisible() || accuracy->visibleRegion().isEmpty() ||
-           (accuracy->complete() && accuracy->picture().known());
+    if (!accuracy->isVisible() || accuracy->visibleRegion().isEmpty() || options.isSet("search")) return true;
+    return accuracy->picture().known() && (accuracy->complete() || options.isSet("errors"));
   };
   const auto drawn = [&] {
     return measured() && !window.light()->changing() &&
@@ -185,6 +187,15 @@ int takePicture(const QCommandLineParser& options) {
     target->findButton()->click();
     if (!waitUntil([&] { return !target->searching(); })) return fail("no settings in ten minutes");
   }
+  if (options.isSet("errors")) {
+    ui::ErrorOverlayBox* const overlay = window.panel<ui::AccuracyPanel>()->overlay();
+    const app::OverlayWish wish = app::parseOverlay(options.value("errors").toStdString(), {});
+    overlay->choose(wish.colors);
+    if (!waitUntil([&] {
+          return !overlay->note().isEmpty() || (window.viewport()->showsOver() && !overlay->working());
+        }))
+      return fail("no errors in ten minutes");
+  }
   if (options.isSet("hints")) window.greet();
   if (options.isSet("entry") && !trigger(window, options.value("entry"))) return fail("no such entry");
   settle.start();
@@ -215,6 +226,7 @@ int main(int argc, char** argv) {
          {"panel", "settings, looks, marks, volume, pieces, passes or accuracy.", "NAME", "settings"},
          {"find", "Search the settings for this.", "TEXT"},
          {"search", "In the Accuracy panel, the settings that keep this error.", "QUANTITY=VALUE"},
+         {"errors", "In the Accuracy panel, the errors shown in the picture.", "ERROR"},
          {"histogram-zoom", "Zoom the histogram about the isovalue.", "FACTOR", "1"},
          {"light-at", "As it is at so much of the stored light.", "PERCENT"},
          {"slices", "With slices beside the picture."},

@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/error_overlay_box.h"
 #include "ui/accuracy/target_box.h"
 #include "ui/document/baked_light.h"
 #include "ui/viewport/viewport.h"
@@ -104,7 +105,12 @@ TEST_F(WindowTest, TurningBesideTheAccuracyPanelNeverBlocksTheWindow) {
     const char* name;
     std::function<bool()> runs;
   };
-  for (const Work& work : {Work{"picture", picture}, Work{"study", study}, Work{"search", search}}) {
+  const auto overlay = [&] {
+    panel->overlay()->choose(app::ErrorImage::depth);
+    return window_->viewport()->showsOver();
+  };
+  for (const Work& work :
+       {Work{"picture", picture}, Work{"study", study}, Work{"search", search}, Work{"overlay", overlay}}) {
     ASSERT_TRUE(waitUntil(work.runs, 120000)) << work.name;
     const Watchdog watchdog;
     orbit(window_->viewport(), 1.5);

@@ -56,6 +56,22 @@ TEST_F(WindowTest, AMessageNeitherResizesThePictureNorRunsAPassAgain) {
   EXPECT_EQ(ran, 0);
 }
 
+TEST_F(WindowTest, EveryTabShowsItsWholeName) {
+  window_->resize(1280, 800);
+  const auto tabs = [&] {
+    for (QTabBar* bar : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+      if (bar->isVisible()) return bar;
+    return static_cast<QTabBar*>(nullptr);
+  };
+  ASSERT_TRUE(waitUntil([&] { return tabs() != nullptr; }));
+  const int before = tabs()->count();
+  EXPECT_GE(tabs()->width(), tabs()->sizeHint().width());
+  window_->showPanel("Accuracy");
+  ASSERT_TRUE(waitUntil([&] { return tabs()->count() == before + 1; }));
+  EXPECT_TRUE(waitUntil([&] { return tabs()->width() >= tabs()->sizeHint().width(); }))
+      << tabs()->width() << " of " << tabs()->sizeHint().width();
+}
+
 TEST_F(WindowTest, AQuestionWaitsForItsAnswerBehindNotesAndErrors) {
   ui::MessageBar& bar = *window_->messageBar();
   int restored = 0, discarded = 0;

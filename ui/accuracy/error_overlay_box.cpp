@@ -1,0 +1,132 @@
+#include "ui/accuracy/error_overlay_box.h"
+
+#include <cstring>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/window/style.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int overlayPollMilliseconds = 20;
+
+render::ColorImage colorImageOf(const QImage& image) {
+  const QImage bytes = image.convertToFormat(QImage::Format_RGBA8888);
+  render::ColorImage color;
+  color.size = {bytes.width(), bytes.height()};
+  const auto row = static_cast<std::size_t>(4) * static_cast<std::size_t>(bytes.width());
+  color.rgba.resize(row * static_cast<std::size_t>(bytes.height()));
+  for (int y = 0; y < bytes.height(); ++y)
+    std::memcpy(&color.rgba[row * static_cast<std::size_t>(y)], bytes.constScanLine(y), row);
+  return color;
+}
+
+bool sameLimit(const ErrorOverlayBox::Shown& a, const ErrorOverlayBox::Shown& b) {
+  return a.limit == b.limit && a.shortestEdgeMm == b.shortestEdgeMm;
+}
+
+}  // namespace
+
+ErrorOverlayBox::ErrorOverlayBox(QWidget* parent)
+    : QWidget(parent), errors_(new QComboBox(this)), note_(new QLabel(this)) {
+  errors_->addItem(tr("None"));
+  errors_->addItem(tr("Depth"), static_cast<int>(app::ErrorImage::depth));
+  errors_->addItem(tr("Normals"), static_cast<int>(app::ErrorImage::normal));
+  errors_->addItem(tr("Curvature"), static_cast<int>(app::ErrorImage::kappa));
+  errors_->addItem(tr("Light"), static_cast<int>(app::ErrorImage::light));
+  errors_->setAccessibleName(tr("Errors shown in the picture"));
+  errors_->setToolTip(
+      tr("Lays bounds of this error over the finished picture, as colours. Hatched is what may err by more "
+         "than is "
+         "entered above for it, and what is not certain"));
+  note_->setWordWrap(true);
+  setInk(note_, Ink::quiet);
+  note_->hide();
+  auto* const row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Errors in the picture"), this));
+  row->addWidget(errors_, 1);
+  auto* const layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  layout->addLayout(row);
+  layout->addWidget(note_);
+  connect(errors_, &QComboBox::currentIndexChanged, this, [this] {
+    Q_EMIT wantedChanged();
+    paint();
+  });
+  pollTimer_.setInterval(overlayPollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &ErrorOverlayBox::poll);
+}
+
+std::optional<app::ErrorImage> ErrorOverlayBox::chosen() const {
+  const QVariant error = errors_->currentData();
+  if (!error.isValid()) return std::nullopt;
+  return static_cast<app::ErrorImage>(error.toInt());
+}
+
+bool ErrorOverlayBox::wanted() const {
+  return chosen().has_value();
+}
+
+void ErrorOverlayBox::choose(std::optional<app::ErrorImage> error) {
+  errors_->setCurrentIndex(error ? errors_->findData(static_cast<int>(*error)) : 0);
+}
+
+QString ErrorOverlayBox::note() const {
+  return note_->isHidden() ? QString() : note_->text();
+}
+
+void ErrorOverlayBox::setShown(const Shown& shown) {
+  const bool same = shown.picture.cacheKey() == shown_.picture.cacheKey() && shown.errors == shown_.errors &&
+                    shown.corner == shown_.corner && sameLimit(shown, shown_);
+  shown_ = shown;
+  if (!same) paint();
+}
+
+void ErrorOverlayBox::paint() {
+  pollTimer_.stop();
+  job_.reset();
+  const std::optional<app::ErrorImage> error = chosen();
+  const glm::ivec2 size(shown_.picture.width(), shown_.picture.height());
+  const bool known = shown_.errors && shown_.errors->size == size && !shown_.picture.isNull();
+  const bool noLight = error == app::ErrorImage::light && known && shown_.errors->light.empty();
+  note_->setText(
+      tr("No light is stored for this picture, or a surface is transparent: the look Global "
+         "illumination stores some"));
+  note_->setVisible(noLight);
+  if (!error || !known || noLight) return take({});
+  app::OverlayWork::Subject subject;
+  subject.picture = [picture = shown_.picture] { return colorImageOf(picture); };
+  subject.errors = shown_.errors;
+  subject.wish = {true, error, {}};
+  if (shown_.limit) subject.wish.limits = {*shown_.limit};
+  subject.shortestEdgeMm = shown_.shortestEdgeMm;
+  subject.corner = shown_.corner;
+  subject.taken = shown_.legend;
+  job_ = std::make_unique<app::OverlayJob>(std::move(subject));
+  pollTimer_.start();
+}
+
+void ErrorOverlayBox::poll() {
+  if (!job_) return pollTimer_.stop();
+  if (!job_->finished()) return;
+  pollTimer_.stop();
+  const std::unique_ptr<app::OverlayJob> job = std::move(job_);
+  if (job->error()) return take({});
+  const render::ColorImage& image = job->painted();
+  take(QImage(image.rgba.data(), image.size.x, image.size.y, QImage::Format_RGBX8888)
+           .convertToFormat(QImage::Format_RGB32));
+}
+
+void ErrorOverlayBox::take(const QImage& image) {
+  const bool nothing = image.isNull() && !isPainted_;
+  isPainted_ = !image.isNull();
+  if (!nothing) Q_EMIT painted(image, shown_.picture);
+}
+
+}  // namespace isolux::ui
