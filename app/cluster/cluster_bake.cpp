@@ -159,7 +159,7 @@ ClusterResult ClusterBake::run(const std::string& path, ClusterScene scene, base
   return all;
 }
 
-bool ClusterBake::release(double seconds) {
+bool ClusterBake::release() {
   if (released_) return *released_;
   if (!setUp_) {
     ClusterSetup nothing;
@@ -170,11 +170,11 @@ bool ClusterBake::release(double seconds) {
     broadcastText(ranks_, bytes, unstopped);
     released_ = true;
   } else if (master_) {
-    released_ = master_->farewell(seconds);
+    released_ = master_->farewell(options_.farewellSeconds);
   } else {
     std::vector<RankReport> peers(static_cast<std::size_t>(ranks_.size()));
     peers[0].left = true;
-    released_ = farewellTo(ranks_, peers, seconds);
+    released_ = farewellTo(ranks_, peers, options_.farewellSeconds);
   }
   return *released_;
 }

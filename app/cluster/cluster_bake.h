@@ -17,6 +17,7 @@ namespace isolux::app {
 struct ClusterOptions {
   std::filesystem::path out{};
   double checkpointSeconds = 60.0;
+  double farewellSeconds = 5.0;  // that ranks are given to answer when they are told to stop
   bool mixArithmetic = false, sendVolume = false;
   std::optional<int> threads{};  // of this rank; none: as many as --threads allows
   bool threadsAsked = false;     // somebody has said how many
@@ -40,7 +41,7 @@ class ClusterBake {
   ClusterResult run(const std::string& path, ClusterScene scene, base::Progress& progress);
   // Tells the others that there is nothing (more) to do. True: all have answered, and Ranks::end() may
   // follow. Once run() has returned it knows.
-  bool release(double seconds = 5.0);
+  bool release();
 
  private:
   void sendScene(const std::string& path, ClusterScene& scene, base::Progress& progress);

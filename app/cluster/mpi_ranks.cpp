@@ -1,5 +1,6 @@
 #include "app/cluster/mpi_ranks.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -22,6 +23,15 @@ constexpr const char* kModule = "isolux-mpi.so";
 [[noreturn]] void failMpi(const std::string& reason) {
   base::throwInput(kModule, "",
                    reason + "; --no-mpi bakes without, isolux bake --part shares a bake out without MPI");
+}
+
+// Where the launcher is not MPI's own: tasks that find each other only by a plug-in of it.
+int tasksOfLauncher() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE")) return 1;
+  int most = 1;
+  for (const char* name : {"PMI_SIZE", "SLURM_STEP_NUM_TASKS"})
+    if (const char* const text = std::getenv(name)) most = std::max(most, std::atoi(text));
+  return most;
 }
 
 class ModuleRanks : public MpiRanks {
@@ -83,6 +93,10 @@ std::unique_ptr<MpiRanks> connectMpi() {
   if (!find) failMpi("is another program's");
   const IsoluxMpiModule& table = *find();
   if (table.begin() != 0) failMpi("MPI cannot be started");
+  const int started = tasksOfLauncher();
+  if (table.size() == 1 && started > 1)
+    failMpi("MPI does not connect the " + std::to_string(started) +
+            " tasks that were started (srun --mpi=pmix does)");
   return std::make_unique<ModuleRanks>(table);
 }
 
