@@ -38,7 +38,8 @@ Words joined(Words first, const Words& second) {
 Words bakeWords(const std::string& out, const Words& more = {},
                 const std::string& volume = "phantom:gyroid:48",
                 const std::string& samples = "gi.samples=16") {
-  return joined({"bake", volume, "--out", out, "--set", samples, "--set", "light.environment.builtin=studio"},
+  return joined({"bake", volume, "--out", out, "--set", samples, "--set", "light.environment.builtin=studio",
+                 "--set", "lamp1.shown=true"},
                 more);
 }
 
@@ -158,7 +159,7 @@ TEST_F(BakeOverMpi, AnyNumberOfRanksMakesTheBakeOfOne) {
 
 TEST_F(BakeOverMpi, ARankThatIsKilledEndsTheJobAndTheSameCommandGoesOn) {
   const auto words = [](const std::string& out) {
-    return bakeWords(out, {"--checkpoint", "0.1", "--threads", "1"}, "phantom:gyroid:64", "gi.samples=100");
+    return bakeWords(out, {"--checkpoint", "0.1", "--threads", "1"}, "phantom:gyroid:48", "gi.samples=16");
   };
   ASSERT_EQ(alone(words("whole.vti")).exitCode, 0);
   for (const int killed : {1, 0}) {
@@ -179,7 +180,7 @@ TEST_F(BakeOverMpi, ARankThatIsKilledEndsTheJobAndTheSameCommandGoesOn) {
 
 TEST_F(BakeOverMpi, ARankThatStandsStillIsNamedAndTheRestFinishes) {
   const auto words = [](const std::string& out) {
-    return bakeWords(out, {"--checkpoint", "0.1", "--threads", "1"}, "phantom:gyroid:64", "gi.samples=64");
+    return bakeWords(out, {"--checkpoint", "0.1", "--threads", "1"}, "phantom:gyroid:48", "gi.samples=16");
   };
   ASSERT_EQ(alone(words("whole.vti")).exitCode, 0);
   const RunResult result = signalled("light.vti", 1, SIGSTOP, words("light.vti"));
