@@ -1,12 +1,12 @@
 // isolux bake PATH --out FILE.vti: the light of a volume's isosurfaces, as a file. Under an MPI launcher all
 // ranks bake one file.
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <optional>
 
 #include "app/cluster/cluster_bake.h"
 #include "app/cluster/mpi_ranks.h"
+#include "app/commands/bake_part.h"
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/files.h"
@@ -66,51 +66,6 @@ gi::SeenPoints seenPoints(const BakeOptions& options, const scene::Scene& scene,
   request.aovs = {render::Aov::voxel};
   renderer.render(scene, request);
   return renderer.hitVoxels();
-}
-
-std::optional<gi::LatticePart> partOf(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  gi::LatticePart part;
-  const char* const end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, part.index);
-  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
-  const auto count = slash ? std::from_chars(index.ptr + 1, end, part.count) : index;
-  if (!slash || count.ec != std::errc() || count.ptr != end || part.index < 1 || part.index > part.count ||
-      part.count > gi::kMostParts)
-    throw base::Error(base::ErrorKind::usage, "", "--part",
-                      "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
-  return part;
-}
-
-// L.vti, or of a part L.part-2-of-5.vti.
-fs::path fileOf(const fs::path& out, const std::optional<gi::LatticePart>& part) {
-  if (!part) return out;
-  std::string words = gi::partWords(*part);
-  std::replace(words.begin(), words.end(), ' ', '-');
-  fs::path file = out;
-  return file.replace_extension(words + ".vti");
-}
-
-// Which texels, in words that are the same for every part of a bake.
-std::string texelsText(const BakeOptions& options, const scene::Scene& scene) {
-  if (scene.gi.extent == scene::GiExtent::full) return "full";
-  std::string text;
-  if (scene.gi.extent == scene::GiExtent::band) {
-    text = "band " + base::shortText(scene.gi.band->x, 17) + " " + base::shortText(scene.gi.band->y, 17);
-  } else {
-    text = "view " + options.size + " of";
-    for (const glm::dvec3& point : {*scene.camera.eye, *scene.camera.target, *scene.camera.up})
-      for (int a = 0; a < 3; ++a) text += " " + base::shortText(point[a], 17);
-    text += scene.camera.projection == scene::Projection::orthographic ? " orthographic " : " ";
-    text += base::shortText(scene.camera.fov, 17);
-  }
-  // What lookups read around a surface, and whose surface it is.
-  const nlohmann::json settings = scene::toJson(scene);
-  text += ", " + settings.at("gi").at("interpolation").dump() + " " + settings.at("hit").at("field").dump();
-  text += ", surfaces " + base::shortText(*scene.isosurface.value, 17);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) text += " " + base::shortText(*extra.value, 17);
-  return text;
 }
 
 // Goes on with a file of the same light; other light is replaced, as any picture would be. Returns why.
@@ -200,7 +155,8 @@ void bakeHere(const BakeOptions& options, base::Progress& progress) {
     // What there is, also when it ends here: writing is not stopped.
     base::Progress writing;
     std::optional<gi::BakedPart> said;
-    if (part) said = {*part, static_cast<std::uint32_t>(scene.gi.samples), texelsText(options, scene), false};
+    if (part)
+      said = {*part, static_cast<std::uint32_t>(scene.gi.samples), texelsText(options.size, scene), false};
     while (!controller.finish(progress, options.checkpointSeconds)) {
       controller.save(out, writing, said);
       progress.throwIfStopped();
