@@ -135,7 +135,7 @@ void ClusterBake::bake(const gi::StoredLight& finished, const ClusterScene& scen
     }
     pause.after(happened);
   }
-  bakedSeconds_ = secondsSinceTime(began_);
+  bakedSeconds_ = master_->seconds();
   checkpoints.end();
   write(stamped(finished));
   progress.throwIfStopped();
@@ -151,7 +151,6 @@ ClusterResult ClusterBake::run(const std::string& path, ClusterScene scene, base
   options.mixArithmetic = options_.mixArithmetic;
   ClusterHello own = helloOf(*light_, scene.volume->grid(), options_.threads, options_.threadsAsked);
   master_.emplace(ranks_, *light_, std::move(own), finished, options);
-  began_ = Clock::now();
   bake(finished, scene, progress);
   release();
   ClusterResult all = result(stamped(finished));

@@ -58,8 +58,7 @@ class ClusterBake {
   std::optional<bool> released_;
   std::optional<ClusterLight> light_;
   std::optional<ClusterMaster> master_;
-  std::chrono::steady_clock::time_point began_{};  // when the ranks were told of the scene
-  double bakedSeconds_ = 0.0;                      // until the last tile was finished
+  double bakedSeconds_ = 0.0;  // from the first tile to the last
 };
 
 // On the others, until rank 0 has no more to do: bakes what it is given. `load` reads the volume of a path of

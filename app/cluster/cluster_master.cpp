@@ -165,6 +165,7 @@ bool ClusterMaster::handOut() {
       std::all_of(peers_.begin(), peers_.end(), [](const RankReport& peer) { return peer.ready; });
   if (!all && secondsSinceThen(began_) < options_.readySeconds) return false;
   bool given = false;
+  if (!firstTileAt_) firstTileAt_ = std::chrono::steady_clock::now();
   for (int rank = 0; rank < ranks_.size(); ++rank) {
     if (!peers_[static_cast<std::size_t>(rank)].ready) continue;
     while (queue_.inHand(rank) < (queue_.anyLeft() ? 2u : 1u)) {
@@ -185,6 +186,10 @@ void ClusterMaster::give(int rank, std::uint32_t tile) {
     return;
   }
   ranks_.send(rank, static_cast<int>(ClusterMessage::work), bytesOf(tileMessage(tile, wish, finished_)));
+}
+
+double ClusterMaster::seconds() const {
+  return firstTileAt_ ? secondsSinceThen(*firstTileAt_) : 0.0;
 }
 
 double ClusterMaster::fraction() const {

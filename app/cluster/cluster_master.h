@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ class ClusterMaster {
   // the host: that of a rank that has ended, {input} of another volume, light, program or arithmetic, or of a
   // tile that two ranks have baked to different light.
   bool step();
+  double seconds() const;  // since the first tile was handed out
   bool isFinished() const { return queue_.finished(); }
   double fraction() const;
 
@@ -66,6 +68,7 @@ class ClusterMaster {
   TileQueue queue_;
   std::vector<RankReport> peers_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  std::optional<std::chrono::steady_clock::time_point> firstTileAt_;
 };
 
 // Sleeps a little, longer the longer nothing has happened (up to 4 ms).
