@@ -13,5 +13,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # either GPU or display.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libosmesa6")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core, qt6-translations-l10n, qt6-wayland, shared-mime-info")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gnuplot-nox, ffmpeg")  # plots of `isolux study`, movies of `isolux replay`
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gnuplot-nox, ffmpeg, openmpi-bin")  # plots of `isolux study`, movies, bakes over MPI
 include(CPack)

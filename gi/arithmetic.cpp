@@ -10,10 +10,16 @@ namespace isolux::gi {
 
 namespace {
 
+constexpr std::int64_t kFused = HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL | HWY_NEON;
+
+void takeTargets(std::int64_t targets) {
+  hwy::SetSupportedTargetsForTest(targets);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
 // Of gi/sampling/batch.cpp, which takes the best of the machine.
 std::string kindOfSampling() {
-  constexpr std::int64_t fused = HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL | HWY_NEON;
-  return (hwy::SupportedTargets() & fused) != 0 ? "fma" : "no-fma";
+  return (hwy::SupportedTargets() & kFused) != 0 ? "fma" : "no-fma";
 }
 
 std::string kindOfTracing(std::string_view target) {
@@ -36,6 +42,14 @@ std::string joinedArithmetic(const std::string& a, const std::string& b) {
 
 std::string arithmeticOf(const volume::IsosurfaceTracer& tracer) {
   return joinedArithmetic(kindOfTracing(tracer.target()), kindOfSampling());
+}
+
+NoFusedArithmetic::NoFusedArithmetic() {
+  takeTargets(hwy::SupportedTargets() & ~kFused);
+}
+
+NoFusedArithmetic::~NoFusedArithmetic() {
+  takeTargets(0);  // all that the machine has
 }
 
 }  // namespace isolux::gi

@@ -15,4 +15,14 @@ std::string arithmeticOf(const volume::IsosurfaceTracer& tracer);
 // Of texels of both: the kinds that either names. An empty one names none.
 std::string joinedArithmetic(const std::string& a, const std::string& b);
 
+// While it lives, what is begun is computed without fused multiplication, as on a processor that has none.
+// One at a time, and nothing may be computing when it comes or goes.
+class NoFusedArithmetic {
+ public:
+  NoFusedArithmetic();
+  ~NoFusedArithmetic();
+  NoFusedArithmetic(const NoFusedArithmetic&) = delete;
+  NoFusedArithmetic& operator=(const NoFusedArithmetic&) = delete;
+};
+
 }  // namespace isolux::gi

@@ -1,17 +1,22 @@
-// isolux bake PATH --out FILE.vti: the light of a volume's isosurfaces, as a file.
+// isolux bake PATH --out FILE.vti: the light of a volume's isosurfaces, as a file. Under an MPI launcher all
+// ranks bake one file.
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <optional>
 
+#include "app/cluster/cluster_bake.h"
+#include "app/cluster/mpi_ranks.h"
+#include "app/commands/bake_part.h"
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
+#include "app/light/light_resume.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
@@ -23,11 +28,13 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr double checkpointSeconds = 60.0;
-
 struct BakeOptions {
-  std::string path, out, stats, size = "1024x768", part;
+  std::string path, out, stats, size = "1024x768", part, arithmetic;
+  double checkpointSeconds = 60.0;
+  int pieces = 0;
   bool explain = false, overwrite = false, mixArithmetic = false;
+  bool mpi = false, noMpi = false, sendVolume = false;
+  CLI::Option* threads = nullptr;
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
 };
@@ -42,8 +49,9 @@ scene::Scene bakeScene(const BakeOptions& options, scene::Scene scene) {
   return scene;
 }
 
-void seeView(LightController& controller, const BakeOptions& options, const scene::Scene& scene,
-             const std::shared_ptr<const volume::PreparedVolume>& prepared, base::Progress& progress) {
+gi::SeenPoints seenPoints(const BakeOptions& options, const scene::Scene& scene,
+                          const std::shared_ptr<const volume::PreparedVolume>& prepared,
+                          base::Progress& progress) {
   prepared->cubicFields->makeFor(scene, progress);
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
@@ -57,52 +65,7 @@ void seeView(LightController& controller, const BakeOptions& options, const scen
   request.color = false;
   request.aovs = {render::Aov::voxel};
   renderer.render(scene, request);
-  controller.setVisible(renderer.hitVoxels());
-}
-
-std::optional<gi::LatticePart> partOf(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  gi::LatticePart part;
-  const char* const end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, part.index);
-  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
-  const auto count = slash ? std::from_chars(index.ptr + 1, end, part.count) : index;
-  if (!slash || count.ec != std::errc() || count.ptr != end || part.index < 1 || part.index > part.count ||
-      part.count > gi::kMostParts)
-    throw base::Error(base::ErrorKind::usage, "", "--part",
-                      "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
-  return part;
-}
-
-// L.vti, or of a part L.part-2-of-5.vti.
-fs::path fileOf(const fs::path& out, const std::optional<gi::LatticePart>& part) {
-  if (!part) return out;
-  std::string words = gi::partWords(*part);
-  std::replace(words.begin(), words.end(), ' ', '-');
-  fs::path file = out;
-  return file.replace_extension(words + ".vti");
-}
-
-// Which texels, in words that are the same for every part of a bake.
-std::string texelsText(const BakeOptions& options, const scene::Scene& scene) {
-  if (scene.gi.extent == scene::GiExtent::full) return "full";
-  std::string text;
-  if (scene.gi.extent == scene::GiExtent::band) {
-    text = "band " + base::shortText(scene.gi.band->x, 17) + " " + base::shortText(scene.gi.band->y, 17);
-  } else {
-    text = "view " + options.size + " of";
-    for (const glm::dvec3& point : {*scene.camera.eye, *scene.camera.target, *scene.camera.up})
-      for (int a = 0; a < 3; ++a) text += " " + base::shortText(point[a], 17);
-    text += scene.camera.projection == scene::Projection::orthographic ? " orthographic " : " ";
-    text += base::shortText(scene.camera.fov, 17);
-  }
-  // What lookups read around a surface, and whose surface it is.
-  const nlohmann::json settings = scene::toJson(scene);
-  text += ", " + settings.at("gi").at("interpolation").dump() + " " + settings.at("hit").at("field").dump();
-  text += ", surfaces " + base::shortText(*scene.isosurface.value, 17);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) text += " " + base::shortText(*extra.value, 17);
-  return text;
+  return renderer.hitVoxels();
 }
 
 // Goes on with a file of the same light; other light is replaced, as any picture would be. Returns why.
@@ -117,72 +80,165 @@ std::string resume(LightController& controller, const fs::path& out, const BakeO
     if (error.kind() != base::ErrorKind::input) throw;
     return error.reason();
   }
-  const auto wanted = partOf(options.part);
-  if (wanted && (!facts.part || facts.part->part != *wanted))
-    base::throwInput(
-        out.string(), "Array part",
-        (facts.part ? "is " + gi::partWords(facts.part->part) : "is missing: this is a whole bake") +
-            ", not " + gi::partWords(*wanted));
-  const std::string here = controller.arithmetic();
-  if (!options.mixArithmetic && !facts.arithmetic.empty() && facts.arithmetic != here)
-    base::throwInput(
-        out.string(), "Array arithmetic",
-        "is \"" + facts.arithmetic + "\", and this machine's \"" + here +
-            "\": the last bits of the light differ; --mix-arithmetic goes on, and the file says so");
+  checkMayGoOn(out, facts, partOf(options.part), controller.arithmetic(), options.mixArithmetic);
   return {};
 }
 
-void runBake(const BakeOptions& options, base::Progress& progress) {
+struct PreparedBake {
+  scene::Scene scene;  // resolved
+  std::shared_ptr<const volume::PreparedVolume> volume;
+};
+
+fs::path indexOfPieces(const BakeOptions& options) {
+  return fs::path(options.out).replace_extension(".pvti");
+}
+
+// Checks all that can be checked before the light is computed.
+PreparedBake prepareBake(const BakeOptions& options, const fs::path& out, base::Progress& progress) {
   if (fs::path(options.out).extension() != ".vti")
     throw base::Error(base::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
-  const auto part = partOf(options.part);
-  const fs::path out = fileOf(options.out, part);
+  if (options.pieces > 0 && !options.part.empty())
+    throw base::Error(base::ErrorKind::usage, "", "--pieces",
+                      "a part of a bake has no pieces: merge it first");
   requireSource(options.path, *options.scene);
-  scene::Scene scene = bakeScene(options, sceneOf(options.path, *options.scene));
-  if (!scene::giChoiceOf(scene).wanted)
+  PreparedBake bake;
+  bake.scene = bakeScene(options, sceneOf(options.path, *options.scene));
+  if (!scene::giChoiceOf(bake.scene).wanted)
     throw base::Error(base::ErrorKind::usage, "", "gi.mode",
-                      "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
-  OutputGuard guard = outputGuard(options.path, *options.scene, scene);
+                      "there is nothing to bake: " + scene::giChoiceOf(bake.scene).reason);
+  OutputGuard guard = outputGuard(options.path, *options.scene, bake.scene);
   checkOutput(guard, out.string(), "--out");
+  if (options.pieces > 0) checkOutput(guard, indexOfPieces(options).string(), "--pieces");
   checkOutput(guard, options.stats, "--stats");
   std::error_code missing;
   if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
     base::throwInput(out.string(), "", "holds something other than stored light; --overwrite replaces it");
-  const auto prepared = loadWithProgressBar(scene.source, progress);
-  scene = bakeScene(
-      options, resolvedSceneOf(options.path, *options.scene, *prepared, parseSize(options.size), progress));
+  bake.volume = loadWithProgressBar(bake.scene.source, progress);
+  bake.scene = bakeScene(options, resolvedSceneOf(options.path, *options.scene, *bake.volume,
+                                                  parseSize(options.size), progress));
+  return bake;
+}
 
+void reportBake(const BakeOptions& options, const PreparedBake& bake, const LightState& state,
+                const ordered_json& ranks) {
+  if (!options.stats.empty()) {
+    ordered_json json;
+    json["version"] = version();
+    json["bake"] = bakeJson(state);
+    if (!ranks.is_null()) json["bake"]["ranks"] = ranks;
+    json["data_hash"] = base::hexText(bake.volume->grid().hash());
+    writeTextFile(options.stats, jsonText(json));
+  }
+  if (options.explain) printBake(state);
+  for (const std::string& warning : state.warnings) printNote(warning);
+  printWarnings(bake.volume->volume);
+}
+
+void noteReplaced(const fs::path& out, const std::string& why) {
+  if (!why.empty()) printNote(out.string() + " held other light and was replaced: " + why);
+}
+
+void bakeHere(const BakeOptions& options, base::Progress& progress) {
+  const auto part = partOf(options.part);
+  const fs::path out = fileOf(options.out, part);
+  const PreparedBake bake = prepareBake(options, out, progress);
+  const scene::Scene& scene = bake.scene;
   LightController controller(
       {.threads = machineOf(*options.scene).threads, .innerSides = false, .part = part});
   std::string replaced;
-  controller.setScene(scene, prepared);
+  controller.setScene(scene, bake.volume);
   {
     const ProgressBar bar(progress);
     replaced = resume(controller, out, options, progress);
-    if (scene.gi.extent == scene::GiExtent::view) seeView(controller, options, scene, prepared, progress);
+    if (scene.gi.extent == scene::GiExtent::view)
+      controller.setVisible(seenPoints(options, scene, bake.volume, progress));
     // What there is, also when it ends here: writing is not stopped.
     base::Progress writing;
     std::optional<gi::BakedPart> said;
-    if (part) said = {*part, static_cast<std::uint32_t>(scene.gi.samples), texelsText(options, scene), false};
-    while (!controller.finish(progress, checkpointSeconds)) {
+    if (part)
+      said = {*part, static_cast<std::uint32_t>(scene.gi.samples), texelsText(options.size, scene), false};
+    while (!controller.finish(progress, options.checkpointSeconds)) {
       controller.save(out, writing, said);
       progress.throwIfStopped();
     }
     if (said) said->complete = true;
     controller.save(out, writing, said);
+    if (options.pieces > 0)
+      gi::writeBakePieces(indexOfPieces(options), options.pieces, bake.volume->grid(), controller.stored(),
+                          progress);
   }
-  if (!replaced.empty()) printNote(out.string() + " held other light and was replaced: " + replaced);
-  const LightState state = controller.state();
-  if (!options.stats.empty()) {
-    ordered_json json;
-    json["version"] = version();
-    json["bake"] = bakeJson(state);
-    json["data_hash"] = base::hexText(prepared->grid().hash());
-    writeTextFile(options.stats, jsonText(json));
+  noteReplaced(out, replaced);
+  reportBake(options, bake, controller.state(), nullptr);
+}
+
+ClusterOptions clusterOptions(const BakeOptions& options) {
+  return {.out = options.out,
+          .checkpointSeconds = options.checkpointSeconds,
+          .mixArithmetic = options.mixArithmetic,
+          .sendVolume = options.sendVolume,
+          .threads = machineOf(*options.scene).threads,
+          .threadsAsked = options.threads->count() > 0 || machineOf(*options.scene).threads};
+}
+
+void bakeAsFirst(const BakeOptions& options, ClusterBake& cluster, base::Progress& progress) {
+  if (!options.part.empty())
+    throw base::Error(base::ErrorKind::usage, "", "--part",
+                      "under MPI all ranks bake one file; --no-mpi bakes parts");
+  const PreparedBake bake = prepareBake(options, options.out, progress);
+  ClusterResult result;
+  {
+    const ProgressBar bar(progress);
+    ClusterScene scene{bake.scene, bake.volume, nullptr};
+    if (bake.scene.gi.extent == scene::GiExtent::view)
+      scene.seen = seenPoints(options, bake.scene, bake.volume, progress);
+    result = cluster.run(options.path, std::move(scene), progress);
+    if (options.pieces > 0)
+      gi::writeBakePieces(indexOfPieces(options), options.pieces, bake.volume->grid(), result.light,
+                          progress);
   }
-  if (options.explain) printBake(state);
-  for (const std::string& warning : state.warnings) printNote(warning);
-  printWarnings(prepared->volume);
+  noteReplaced(options.out, result.replaced);
+  for (const std::string& note : result.notes) printNote(note);
+  reportBake(options, bake, result.state, ranksJson(result.ranks));
+}
+
+void bakeAsOther(const BakeOptions& options, MpiRanks& ranks, base::Progress& progress) {
+  const auto load = [&](const std::string& path, const scene::Source& source) {
+    const bool same = path == options.path;
+    return volume::loadVolume(same ? source : sceneOf(options.path, *options.scene).source, progress);
+  };
+  const auto unheard = serveClusterBake(ranks, clusterOptions(options), load, progress);
+  if (!unheard) return ranks.end();
+  std::fprintf(stderr, "isolux: %s\n", unheard->what());
+  ranks.abort(static_cast<int>(unheard->kind()));
+}
+
+void bakeOverMpi(const BakeOptions& options, base::Progress& progress) {
+  const std::unique_ptr<MpiRanks> ranks = connectMpi();
+  if (ranks->rank() > 0) return bakeAsOther(options, *ranks, progress);
+  ClusterBake cluster(*ranks, clusterOptions(options));
+  int exitCode = 0;
+  try {
+    bakeAsFirst(options, cluster, progress);
+    if (cluster.release()) return ranks->end();
+  } catch (const base::Error& error) {
+    if (error.kind() == base::ErrorKind::interrupted) throw;  // the launcher ends the others
+    if (cluster.release()) {
+      ranks->end();
+      throw;
+    }
+    std::fprintf(stderr, "isolux: %s\n", error.what());
+    exitCode = static_cast<int>(error.kind());
+  }
+  ranks->abort(exitCode);  // one stands still: MPI has no other way to leave it
+}
+
+void runBake(const BakeOptions& options, base::Progress& progress) {
+  std::optional<gi::NoFusedArithmetic> lowered;
+  if (!options.arithmetic.empty()) lowered.emplace();
+  if (options.mpi || (startedByMpi() && !options.noMpi))
+    bakeOverMpi(options, progress);
+  else
+    bakeHere(options, progress);
 }
 
 }  // namespace
@@ -213,11 +269,33 @@ Command makeBake(CLI::App& program) {
   parser->add_flag(
       "--mix-arithmetic", options->mixArithmetic,
       "Go on with a bake that was begun on a processor whose last bits differ; the file says so");
+  parser
+      ->add_option("--arithmetic", options->arithmetic,
+                   "no-fma: compute without fused multiplication, as processors without AVX2 do, so that "
+                   "light is the same on both")
+      ->type_name("no-fma")
+      ->check(CLI::IsMember({"no-fma"}).description(""));
+  parser
+      ->add_option("--checkpoint", options->checkpointSeconds,
+                   "Write what there is every SECONDS; default 60")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 1e6).description(""));
+  parser
+      ->add_option("--pieces", options->pieces,
+                   "Write the light also as N pieces and their index (.pvti, opens in ParaView)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096).description(""));
+  CLI::Option* const mpi = parser->add_flag(
+      "--mpi", options->mpi, "Bake over the ranks of MPI also where no launcher's variables are there");
+  parser->add_flag("--no-mpi", options->noMpi, "Under an MPI launcher, too, bake alone")->excludes(mpi);
+  parser->add_flag("--send-volume", options->sendVolume,
+                   "Over MPI: rank 0 reads the volume and sends it to all");
   parser->add_flag("--overwrite", options->overwrite,
                    "Replace --out also where it is something other than stored light");
   parser->add_flag("--explain", options->explain, "Print what is stored, and why");
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
+  options->threads = parser->get_option("--threads");
   options->scene = addSceneOptions(*parser);
   addVolumeOptions(*parser, options->scene);
   parser->footer(
@@ -226,6 +304,7 @@ Command makeBake(CLI::App& program) {
       "  isolux bake engine.nii.gz --environment probe.hdr --out engine_light.vti\n"
       "  isolux bake ct.nii.gz --set gi.extent=band --set gi.band=200,400 --out bone.vti --stats bone.json\n"
       "  isolux bake ct.nii.gz --out ct.vti --part 1/3\n"
+      "  mpirun --bind-to none -n 4 isolux bake ct.nii.gz --out ct.vti\n"
       "  isolux render ct.nii.gz --look gi --light bone.vti --out bone.png");
   return {parser, [options](base::Progress& progress) { runBake(*options, progress); }};
 }

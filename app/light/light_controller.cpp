@@ -39,14 +39,6 @@ void add(gi::BakeCounters& sum, const gi::BakeCounters& one) {
   sum.idle = sum.idle && one.idle;
 }
 
-std::string nameOf(const scene::GiChoice& choice) {
-  static constexpr const char* names[] = {"auto", "off", "irradiance", "transfer", "vicinity", "shadow"};
-  const bool sky = choice.sky != scene::GiMode::off;
-  std::string name = sky ? names[static_cast<int>(choice.sky)] : choice.lamps ? "" : "off";
-  if (choice.lamps) name += sky ? " + lamps" : "lamps";
-  return name;
-}
-
 // Without what the light does not depend on and a viewer changes from picture to picture: turning the view
 // plans nothing anew.
 scene::Scene lightOf(scene::Scene scene) {
@@ -74,6 +66,14 @@ base::Error described(const std::exception_ptr& failure) {
 }
 
 }  // namespace
+
+std::string modeName(const scene::GiChoice& choice) {
+  static constexpr const char* names[] = {"auto", "off", "irradiance", "transfer", "vicinity", "shadow"};
+  const bool sky = choice.sky != scene::GiMode::off;
+  std::string name = sky ? names[static_cast<int>(choice.sky)] : choice.lamps ? "" : "off";
+  if (choice.lamps) name += sky ? " + lamps" : "lamps";
+  return name;
+}
 
 struct LightController::Parts {
   explicit Parts(Options options)
@@ -270,7 +270,7 @@ LightState LightController::state() const {
   const Parts& parts = *parts_;
   LightState state;
   state.choice = parts.plan.choice;
-  state.mode = nameOf(state.choice);
+  state.mode = modeName(state.choice);
   std::exception_ptr failure = parts.failure;
   state.warnings = parts.plan.warnings;
   state.counters.idle = true;
@@ -346,19 +346,25 @@ std::string LightController::arithmetic() const {
   return parts_->plan.arithmetic;
 }
 
+gi::StoredLight LightController::stored() const {
+  gi::StoredLight light;
+  const std::lock_guard guard(parts_->mutex);
+  if (parts_->plan.sky) light.sky = parts_->plan.sky->lattice();
+  if (parts_->plan.lamps) light.lamps = parts_->plan.lamps->lattice();
+  light.facts.arithmetic = gi::joinedArithmetic(parts_->plan.arithmetic, parts_->loadedArithmetic);
+  return light;
+}
+
 void LightController::save(const std::filesystem::path& file, base::Progress& progress,
                            const std::optional<gi::BakedPart>& part) const {
-  gi::StoredLight light;
+  gi::StoredLight light = stored();
+  if (!light.sky && !light.lamps) return;  // stopped before anything was planned
   light.facts.part = part;
   VolumePointer volume;
   {
     const std::lock_guard guard(parts_->mutex);
-    if (parts_->plan.sky) light.sky = parts_->plan.sky->lattice();
-    if (parts_->plan.lamps) light.lamps = parts_->plan.lamps->lattice();
-    light.facts.arithmetic = gi::joinedArithmetic(parts_->plan.arithmetic, parts_->loadedArithmetic);
     volume = parts_->volume;
   }
-  if (!light.sky && !light.lamps) return;  // stopped before anything was planned
   gi::writeBakeFile(file, volume->grid(), light, progress);
 }
 

@@ -32,11 +32,14 @@ struct LightState {
   enum class Phase { off, preparing, baking, paused, finished, failed };
   Phase phase = Phase::off;
   scene::GiChoice choice;     // what is stored, and why
-  std::string mode;           // "irradiance", "transfer + lamps", "off"
+  std::string mode;           // modeName()
   gi::BakeCounters counters;  // of the sky's and the lamps' light together
   std::optional<base::Error> error;
   std::vector<std::string> warnings;  // "3 pixels of the light probe are not numbers"
 };
+
+// "irradiance", "transfer + lamps", "off"
+std::string modeName(const scene::GiChoice& choice);
 
 class LightController {
  public:
@@ -80,6 +83,7 @@ class LightController {
   // load() returns what the file says of itself.
   void save(const std::filesystem::path& file, base::Progress& progress,
             const std::optional<gi::BakedPart>& part = std::nullopt) const;
+  gi::StoredLight stored() const;  // what save() writes
   gi::BakeFacts load(const std::filesystem::path& file, base::Progress& progress);
   // gi::arithmeticOf() what is planned, once that is settled; empty: nothing is.
   std::string arithmetic() const;

@@ -96,7 +96,10 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
     basis_.reset();
   plan_ = {};
   plan_.choice = choice;
-  if (choice.wanted) plan_.arithmetic = gi::arithmeticOf(*tracer_);
+  if (choice.wanted) {
+    plan_.arithmetic = gi::arithmeticOf(*tracer_);
+    plan_.target = tracer_->target();
+  }
   takeBakes();
   if (environment_->badPixels() > 0)
     plan_.warnings.push_back(std::to_string(environment_->badPixels()) +
@@ -121,7 +124,8 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
 void LightPlanner::loadEnvironment(const scene::Environment& settings) {
   std::string name = nameOf(settings);
   if (environment_ && name == environmentName_) return;
-  environment_ = gi::loadEnvironment(settings);
+  const bool ofFile = scene::kindOf(settings) == scene::EnvironmentKind::file;
+  environment_ = given_ && ofFile ? given_ : gi::loadEnvironment(settings);
   environmentName_ = std::move(name);
   projection_ = gi::projectEnvironment(*environment_, scene_.gi.shOrder);
   projectedOrder_ = scene_.gi.shOrder;

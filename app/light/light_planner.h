@@ -6,6 +6,7 @@
 // keys hold.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -38,6 +39,7 @@ struct LightPlan {
   std::shared_ptr<gi::LightBake> innerSky, innerLamps;
   std::vector<std::string> warnings;
   std::string arithmetic;  // gi::arithmeticOf() its tracer; empty: nothing is traced
+  std::string target;      // the instructions it is traced with: IsosurfaceTracer::target()
 
   std::vector<std::shared_ptr<gi::LightBake>> bakes() const;  // those that there are
 };
@@ -51,6 +53,10 @@ class LightPlanner {
   void setThreads(std::optional<int> threads) { threads_ = threads; }  // of the next plan
   // Wishes are for texels of this part of the lattice only. Before the first plan.
   void setPart(std::optional<gi::LatticePart> part) { part_ = part; }
+  // Bakes are asked for nothing: wishes() tells what for. Before the first plan.
+  void setOnlyPlans() { onlyPlans_ = true; }
+  // A light probe that was read elsewhere, whatever file a scene names.
+  void setEnvironment(std::shared_ptr<const gi::Environment> environment) { given_ = std::move(environment); }
   // Where texels are lit while gi.texels is automatic and the volume the same: as those of a file that was
   // read.
   void setTexelsOfFile(scene::GiTexels texels) { texelsOfFile_ = texels; }
@@ -74,6 +80,9 @@ class LightPlanner {
   void adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPart part);
 
   const LightPlan& current() const { return plan_; }
+  // What the bake of the sky's or the lamps' light would be asked for: each block once, in their order. Of a
+  // planner that only plans.
+  std::vector<gi::WantedBlock> wishes(gi::LightPart part) const;
 
  private:
   // What a bake was asked for besides what is seen.
@@ -91,7 +100,8 @@ class LightPlanner {
     std::shared_ptr<const gi::TexelEstimator> estimator;
     std::shared_ptr<gi::LightBake> bake;
     std::optional<Asked> asked;
-    std::shared_ptr<const gi::LightLattice> before;  // of another isovalue: PictureLight::skyBefore
+    std::array<std::vector<gi::WantedBlock>, 4> wished;  // where it only plans: by gi::Wish
+    std::shared_ptr<const gi::LightLattice> before;      // of another isovalue: PictureLight::skyBefore
   };
   struct Side {
     Part sky, lamps;
@@ -118,13 +128,14 @@ class LightPlanner {
   void publish();
   int reach() const;
 
-  bool background_, innerSides_, around_;
+  bool background_, innerSides_, around_, onlyPlans_ = false;
   std::optional<gi::LatticePart> part_;
   std::optional<scene::GiTexels> texelsOfFile_;
   std::optional<int> threads_;
   scene::Scene scene_;
   VolumePointer volume_;
 
+  std::shared_ptr<const gi::Environment> given_;
   std::string environmentName_;  // what environment_ was loaded from
   std::shared_ptr<const gi::Environment> environment_;
   int projectedOrder_ = 0;

@@ -1,4 +1,6 @@
 // What bakes are asked for: by what is seen, by what may be seen, and by what the scene wants beside it.
+#include <algorithm>
+
 #include "app/light/light_planner.h"
 #include "gi/texels/texel_band.h"
 #include "gi/texels/texel_sets.h"
@@ -78,7 +80,7 @@ void LightPlanner::wish(Part& part, const Asked& asked, base::Progress& progress
   };
   // A command that asks for all light hears at once that it does not fit; a window's grows as far as it goes.
   // Of a part nobody knows how many texels have light.
-  if (asked.extent == scene::GiExtent::full && !background_ && !part_)
+  if (asked.extent == scene::GiExtent::full && !background_ && !part_ && !onlyPlans_)
     part.bake->lattice()->checkThatAllFits();
   std::vector<gi::WantedBlock> band;
   if (asked.extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);
@@ -94,7 +96,24 @@ void LightPlanner::wish(Part& part, const Asked& asked, base::Progress& progress
 
 void LightPlanner::want(Part& part, gi::Wish wish, std::vector<gi::WantedBlock> blocks) const {
   if (part_) blocks = gi::blocksOfPart(part.bake->lattice()->geometry(), *part_, std::move(blocks));
-  part.bake->want(wish, std::move(blocks));
+  if (onlyPlans_)
+    part.wished[static_cast<std::size_t>(wish)] = std::move(blocks);
+  else
+    part.bake->want(wish, std::move(blocks));
+}
+
+std::vector<gi::WantedBlock> LightPlanner::wishes(gi::LightPart which) const {
+  const Part& part = which == gi::LightPart::sky ? outer_.sky : outer_.lamps;
+  std::vector<gi::WantedBlock> all;
+  for (const auto& blocks : part.wished) all.insert(all.end(), blocks.begin(), blocks.end());
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
+  std::vector<gi::WantedBlock> once;
+  for (const gi::WantedBlock& wanted : all)
+    if (!once.empty() && once.back().block == wanted.block)
+      once.back().texels |= wanted.texels;
+    else
+      once.push_back(wanted);
+  return once;
 }
 
 void LightPlanner::wishNothing() {

@@ -48,6 +48,14 @@ struct StoredLight {
 void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, const StoredLight& light,
                    base::Progress& progress);
 
+// The same light as slabs, each a .vti of its own, and their index (.pvti), which ParaView opens: at most
+// `pieces`, as many as there are layers of blocks. Neighbours share a slice. Each file is whole or as before;
+// the index comes last. Errors as above.
+void writeBakePieces(const std::filesystem::path& index, int pieces, const volume::Grid& grid,
+                     const StoredLight& light, base::Progress& progress);
+// The piece's file beside its index: L.pvti has L.piece-1-of-4.vti.
+std::filesystem::path bakePieceFile(const std::filesystem::path& index, int number, int count);
+
 // The lattices of those keys; an empty key: not wanted. Null where the file has no such lattice. Refuses a
 // file of another volume, and lattices of another key, with what differs as the reason.
 StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,

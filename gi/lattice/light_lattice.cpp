@@ -64,9 +64,14 @@ void LightLattice::write(std::uint32_t block, LatticeBlock in) {
   assert(in.places.size() == (geometry_.isovalue ? kTexelsOfBlock : 0));
   if (in.held.bytes() == 0)
     in.held = base::machineMemory().reserve(in.bytes(), "more stored light", remedyFor(content_));
-  const std::uint64_t baked = bakedOf(in);
-  const std::size_t bytes = in.bytes();
-  auto fresh = std::make_shared<const LatticeBlock>(std::move(in));  // the last that can throw
+  share(block, std::make_shared<const LatticeBlock>(std::move(in)));  // the last that can throw
+}
+
+void LightLattice::share(std::uint32_t block, std::shared_ptr<const LatticeBlock> fresh) {
+  assert(block < blocks_.size());
+  const std::uint64_t baked = fresh ? bakedOf(*fresh) : 0;
+  const std::size_t bytes = fresh ? fresh->bytes() : 0;
+  const bool there = fresh != nullptr;
   const std::lock_guard lock(mutex_);
   Stored& stored = blocks_[block];
   if (stored.block) {
@@ -77,6 +82,7 @@ void LightLattice::write(std::uint32_t block, LatticeBlock in) {
   }
   stored.block.swap(fresh);  // what was there is freed with the lock open
   stored.baked = baked;
+  if (!there) return;
   stored.revision = revision_.load(std::memory_order_relaxed) + 1;
   stored.older = newest_;
   stored.newer = kNone;

@@ -67,6 +67,9 @@ class LightLattice {
   std::shared_ptr<const LatticeBlock> at(std::uint32_t block) const;  // null: nothing is lit there
   bool read(std::uint32_t block, LatticeBlock& out) const;            // a copy; false: nothing is lit there
   void write(std::uint32_t block, LatticeBlock in);  // replaces the block, with a new revision
+  // Puts a block of a lattice of the same geometry and content here, without a copy; null: takes out what is
+  // here. No picture may read a lattice that blocks are taken out of: revisions do not tell of it.
+  void share(std::uint32_t block, std::shared_ptr<const LatticeBlock> fresh);
   // Drops all light; revisions go on. A LightBake that fills the lattice must be gone before.
   void clear();
 

@@ -1,5 +1,5 @@
 // Reads every #include of the tree: a layer may include only itself and what stands below it, Qt only ui/,
-// GL headers only render/ and ui/, the libraries that parse other people's files only readers/.
+// GL headers only render/ and ui/, the libraries that parse other people's files only readers/, MPI one file.
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -47,6 +47,11 @@ bool isParserHeader(const std::string& name) {
   return std::regex_match(name, parser);
 }
 
+bool isMpiHeader(const std::string& name) {
+  static const std::regex mpi(R"((mpi|mpi-ext|mpi_portable_platform)\.h)");
+  return std::regex_match(name, mpi);
+}
+
 // The readers are programs of their own: they stand beside gi and may include what it may.
 std::size_t rankOf(std::string_view path) {
   return path.starts_with("readers/") ? layerOf("gi/").value() : layerOf(path).value();
@@ -73,6 +78,8 @@ std::vector<std::string> wrongIncludes(const std::string& path, const std::strin
     if (name.starts_with("gi/") && isReader) complain("readers must not include gi");
     if (name.starts_with("readers/") && !isReader) complain("only readers include readers");
     if (isParserHeader(name) && !isReader) complain("parsers of other people's files only in readers");
+    if (isMpiHeader(name) && path != "app/cluster/mpi_module.cpp")
+      complain("MPI only in app/cluster/mpi_module.cpp");
     if (name.starts_with("tests/") || name.starts_with("bench/"))
       complain("the program must not include its tests");
     if (name.find("..") != std::string::npos) complain("include from the root of the tree");
@@ -124,6 +131,7 @@ TEST(IncludeDirection, AcceptsWhatIsAllowed) {
                     "#include <vtkNew.h>\n#include \"volume/grid.h\"\n#include \"readers/limits.h\"\n"),
       IsEmpty());
   EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/window.h\"\n"), IsEmpty());
+  EXPECT_THAT(wrongIncludes("app/cluster/mpi_module.cpp", "#include <mpi.h>\n"), IsEmpty());
 }
 
 TEST(IncludeDirection, FindsEachKindOfFault) {
@@ -141,6 +149,8 @@ TEST(IncludeDirection, FindsEachKindOfFault) {
   for (const char* line :
        {"#include <vtkNew.h>", "#include <OpenImageIO/imageio.h>", "#include <gdcm-3.0/gdcmTag.h>"})
     EXPECT_THAT(wrongIncludes("volume/a.h", line), ElementsAre(HasSubstr("only in readers"))) << line;
+  EXPECT_THAT(wrongIncludes("app/cluster/ranks.cpp", "#include <mpi.h>"),
+              ElementsAre(HasSubstr("MPI only in")));
   EXPECT_THAT(wrongIncludes("volume/a.h", "#include \"readers/limits.h\""),
               ElementsAre(HasSubstr("only readers include readers")));
   EXPECT_THAT(wrongIncludes("readers/serve.h", "#include \"gi/sampling/environment.h\""),

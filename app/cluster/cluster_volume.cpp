@@ -1,0 +1,93 @@
+#include "app/cluster/cluster_volume.h"
+
+#include <utility>
+#include <variant>
+
+#include "base/memory_budget.h"
+#include "volume/read/process/wire.h"
+
+namespace isolux::app {
+
+namespace {
+
+volume::VoxelArray voxelsOf(std::uint64_t type, std::size_t count) {
+  switch (type) {
+    case 0:
+      return std::vector<std::int8_t>(count);
+    case 1:
+      return std::vector<std::uint8_t>(count);
+    case 2:
+      return std::vector<std::int16_t>(count);
+    case 3:
+      return std::vector<std::uint16_t>(count);
+    default:
+      return std::vector<float>(count);
+  }
+}
+
+std::string headOf(const volume::Volume& volume) {
+  const volume::Grid& grid = *volume.grid;
+  volume::WireWriter out;
+  for (int a = 0; a < 3; ++a) out.put(static_cast<std::uint64_t>(grid.dims()[a]));
+  out.put(grid.geometry().worldFromVoxel);
+  out.put(grid.slope());
+  out.put(grid.intercept());
+  out.put(std::uint64_t{grid.voxels().index()});
+  out.put(static_cast<std::uint64_t>(volume.axes));
+  out.put(std::string_view(volume.name));
+  out.put(std::string_view(volume.format));
+  out.put(std::string_view(volume.unit));
+  return out.bytes();
+}
+
+std::span<std::byte> bytesOfVoxels(volume::VoxelArray& voxels) {
+  return std::visit([](auto& list) { return std::as_writable_bytes(std::span(list)); }, voxels);
+}
+
+}  // namespace
+
+std::shared_ptr<const volume::PreparedVolume> broadcastVolume(
+    Ranks& ranks, std::shared_ptr<const volume::PreparedVolume> volume, base::Progress& progress) {
+  std::string head = volume ? headOf(volume->volume) : std::string();
+  broadcastText(ranks, head, progress);
+  if (volume) {  // sent, never written
+    auto& voxels = const_cast<volume::VoxelArray&>(volume->grid().voxels());
+    ranks.broadcast(bytesOfVoxels(voxels), progress);
+    return volume;
+  }
+  volume::WireReader in(head);
+  volume::GridGeometry geometry;
+  constexpr std::uint64_t longest = std::uint64_t{1} << 30;
+  for (int a = 0; a < 3; ++a) geometry.dims[a] = static_cast<int>(in.number(1, longest));
+  geometry.worldFromVoxel = in.finiteMatrix();
+  const double slope = in.finite(), intercept = in.finite();
+  const std::uint64_t type = in.number(0, std::variant_size_v<volume::VoxelArray> - 1);
+  volume::Volume received;
+  received.axes = static_cast<scene::WorldAxes>(in.number(0, 2));
+  received.name = in.text();
+  received.format = in.text();
+  received.unit = in.text();
+  in.end();
+  constexpr std::size_t bytesOfType[] = {1, 1, 2, 2, 4};
+  base::machineMemory().check(geometry.voxelCount() * bytesOfType[type], "the volume that rank 0 sends", "");
+  volume::VoxelArray voxels = voxelsOf(type, geometry.voxelCount());
+  ranks.broadcast(bytesOfVoxels(voxels), progress);
+  received.grid = std::make_shared<volume::Grid>(geometry, std::move(voxels), slope, intercept, progress);
+  return volume::prepareVolume(std::move(received), progress);
+}
+
+std::shared_ptr<const gi::Environment> broadcastProbe(Ranks& ranks,
+                                                      std::shared_ptr<const gi::Environment> probe, int width,
+                                                      int height, base::Progress& progress) {
+  if (width == 0 || height == 0) return nullptr;
+  std::vector<glm::vec3> pixels;
+  if (probe)
+    pixels = probe->pixels();
+  else
+    pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  ranks.broadcast(std::as_writable_bytes(std::span(pixels)), progress);
+  if (probe) return probe;
+  return std::make_shared<gi::Environment>(gi::Environment::fromImage(width, height, std::move(pixels)));
+}
+
+}  // namespace isolux::app

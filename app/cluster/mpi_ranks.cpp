@@ -1,0 +1,103 @@
+#include "app/cluster/mpi_ranks.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include "app/cluster/mpi_module.h"
+#include "base/error.h"
+
+namespace isolux::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModule = "isolux-mpi.so";
+
+[[noreturn]] void failMpi(const std::string& reason) {
+  base::throwInput(kModule, "",
+                   reason + "; --no-mpi bakes without, isolux bake --part shares a bake out without MPI");
+}
+
+// Where the launcher is not MPI's own: tasks that find each other only by a plug-in of it.
+int tasksOfLauncher() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE")) return 1;
+  int most = 1;
+  for (const char* name : {"PMI_SIZE", "SLURM_STEP_NUM_TASKS"})
+    if (const char* const text = std::getenv(name)) most = std::max(most, std::atoi(text));
+  return most;
+}
+
+class ModuleRanks : public MpiRanks {
+ public:
+  explicit ModuleRanks(const IsoluxMpiModule& module)
+      : module_(module), rank_(module.rank()), size_(module.size()) {}
+
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+  void broadcast(std::span<std::byte> bytes, const base::Progress& progress) override {
+    const auto stops = [](void* context) {
+      return static_cast<const base::Progress*>(context)->stopRequested() ? 1 : 0;
+    };
+    if (module_.broadcast(bytes.data(), bytes.size(), stops, const_cast<base::Progress*>(&progress)) != 0)
+      throw base::Error(base::ErrorKind::interrupted, "", "", "stopped");
+  }
+  void send(int to, int kind, std::string bytes) override {
+    module_.send(to, kind, bytes.data(), bytes.size());
+  }
+  std::optional<RankMessage> next() override {
+    RankMessage message;
+    unsigned char* bytes = nullptr;
+    std::size_t count = 0;
+    if (module_.next(&message.from, &message.kind, &bytes, &count) == 0) return std::nullopt;
+    const std::unique_ptr<unsigned char, void (*)(unsigned char*)> held(bytes, module_.release);
+    message.bytes.assign(reinterpret_cast<const char*>(bytes), count);
+    return message;
+  }
+  bool allSent() override { return module_.unsent() == 0; }
+  void end() override { module_.end(); }
+  [[noreturn]] void abort(int exitCode) override {
+    std::fflush(nullptr);
+    module_.abort(exitCode);
+    ::_exit(exitCode);
+  }
+
+ private:
+  const IsoluxMpiModule& module_;
+  int rank_, size_;
+};
+
+}  // namespace
+
+bool startedByMpi() {
+  const auto has = [](const char* name) { return std::getenv(name) != nullptr; };
+  return has("OMPI_COMM_WORLD_SIZE") || has("PMIX_RANK") || (has("PMI_RANK") && has("PMI_SIZE"));
+}
+
+std::unique_ptr<MpiRanks> connectMpi() {
+  std::error_code unknown;
+  const fs::path module = fs::read_symlink("/proc/self/exe", unknown).parent_path() / kModule;
+  // Global: MPI's own plug-ins look for its symbols.
+  void* const library = ::dlopen(module.c_str(), RTLD_NOW | RTLD_GLOBAL);
+  if (!library) {
+    const char* const reason = ::dlerror();
+    failMpi(std::string("cannot be opened: ") + (reason ? reason : "unknown reason"));
+  }
+  const auto find = reinterpret_cast<const IsoluxMpiModule* (*)()>(::dlsym(library, "isoluxMpiModule"));
+  if (!find) failMpi("is another program's");
+  const IsoluxMpiModule& table = *find();
+  if (table.begin() != 0) failMpi("MPI cannot be started");
+  const int started = tasksOfLauncher();
+  if (table.size() == 1 && started > 1)
+    failMpi("MPI does not connect the " + std::to_string(started) +
+            " tasks that were started (srun --mpi=pmix does)");
+  return std::make_unique<ModuleRanks>(table);
+}
+
+}  // namespace isolux::app

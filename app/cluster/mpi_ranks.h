@@ -1,0 +1,24 @@
+// Ranks that an MPI launcher (mpirun, srun --mpi=pmix) has started.
+#pragma once
+
+#include <memory>
+
+#include "app/cluster/ranks.h"
+
+namespace isolux::app {
+
+// Whether a launcher's variables are there (OMPI_COMM_WORLD_SIZE, PMIX_RANK, PMI_RANK with PMI_SIZE).
+bool startedByMpi();
+
+class MpiRanks : public Ranks {
+ public:
+  // Ends all ranks, and the launcher with this exit code. For what end() would wait for in vain: one of them
+  // stands still. What is printed until then is flushed first.
+  [[noreturn]] virtual void abort(int exitCode) = 0;
+};
+
+// Opens isolux-mpi.so, which lies beside the program. Once in a process. Throws base::Error{input} with what
+// is missing.
+std::unique_ptr<MpiRanks> connectMpi();
+
+}  // namespace isolux::app
