@@ -132,7 +132,7 @@ void LightController::Parts::run(const std::stop_token& stop) {
     const scene::Scene now = scene;
     const VolumePointer of = volume;
     planner.setThreads(threads);
-    if (const auto texels = std::exchange(texelsOfFile, std::nullopt)) planner.setTexelsOfFile(*texels);
+    if (const auto texels = std::exchange(texelsOfFile, std::nullopt)) planner.setTexelsOfFile(*texels, of);
     // Looking whether to compress needs no points.
     const gi::SeenPoints seen = withScene || withHits ? hits : gi::SeenPoints();
     busy = withScene || withHits || cancel || compress;

@@ -53,7 +53,7 @@ int LightPlanner::threads() const {
 
 const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePointer& volume,
                                     base::Progress& progress) {
-  if (volume != volume_) texelsOfFile_.reset();
+  if (volume != volumeOfFile_.lock()) texelsOfFile_.reset();
   scene_ = given;
   if (scene_.gi.texels == scene::GiTexels::automatic && texelsOfFile_) scene_.gi.texels = *texelsOfFile_;
   const scene::Scene& resolved = scene_;

@@ -57,9 +57,12 @@ class LightPlanner {
   void setOnlyPlans() { onlyPlans_ = true; }
   // A light probe that was read elsewhere, whatever file a scene names.
   void setEnvironment(std::shared_ptr<const gi::Environment> environment) { given_ = std::move(environment); }
-  // Where texels are lit while gi.texels is automatic and the volume the same: as those of a file that was
+  // Where texels are lit while gi.texels is automatic and the volume this one: as those of a file that is
   // read.
-  void setTexelsOfFile(scene::GiTexels texels) { texelsOfFile_ = texels; }
+  void setTexelsOfFile(scene::GiTexels texels, const VolumePointer& volume) {
+    texelsOfFile_ = texels;
+    volumeOfFile_ = volume;
+  }
   ~LightPlanner() { stop(); }
   LightPlanner(const LightPlanner&) = delete;
   LightPlanner& operator=(const LightPlanner&) = delete;
@@ -131,6 +134,7 @@ class LightPlanner {
   bool background_, innerSides_, around_, onlyPlans_ = false;
   std::optional<gi::LatticePart> part_;
   std::optional<scene::GiTexels> texelsOfFile_;
+  std::weak_ptr<const volume::PreparedVolume> volumeOfFile_;
   std::optional<int> threads_;
   scene::Scene scene_;
   VolumePointer volume_;
