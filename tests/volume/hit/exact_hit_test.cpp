@@ -208,6 +208,9 @@ TEST(FirstHit, OddRaysEndWithoutAHit) {
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, 0}));
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, nan}));
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {nan, 8, -20}, {0, 0, 1}));
+  for (double at = 0.5; at < 15.0; at += 0.7)  // within the volume, in cells of all kinds
+    for (const glm::dvec3& direction : {glm::dvec3(0.0), glm::dvec3(0.0, 0.0, kInfinity), glm::dvec3(nan)})
+      EXPECT_FALSE(firstHit(grid, blocks, 0.0, glm::dvec3(at), direction)) << at << " " << direction.z;
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, kInfinity}));
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, -1}));
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {1e-320, 0, 1}, 5.0, 1.0));
