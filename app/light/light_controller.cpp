@@ -110,6 +110,7 @@ struct LightController::Parts {
             const gi::SeenPoints& seen);
   [[nodiscard]] LightPlan publish(const std::exception_ptr& failed);
   std::vector<std::shared_ptr<gi::LightBake>> bakes() const;
+  gi::StoredLight stored() const;
 };
 
 std::vector<std::shared_ptr<gi::LightBake>> LightController::Parts::bakes() const {
@@ -346,25 +347,30 @@ std::string LightController::arithmetic() const {
   return parts_->plan.arithmetic;
 }
 
-gi::StoredLight LightController::stored() const {
+gi::StoredLight LightController::Parts::stored() const {
   gi::StoredLight light;
-  const std::lock_guard guard(parts_->mutex);
-  if (parts_->plan.sky) light.sky = parts_->plan.sky->lattice();
-  if (parts_->plan.lamps) light.lamps = parts_->plan.lamps->lattice();
-  light.facts.arithmetic = gi::joinedArithmetic(parts_->plan.arithmetic, parts_->loadedArithmetic);
+  if (plan.sky) light.sky = plan.sky->lattice();
+  if (plan.lamps) light.lamps = plan.lamps->lattice();
+  light.facts.arithmetic = gi::joinedArithmetic(plan.arithmetic, loadedArithmetic);
   return light;
+}
+
+gi::StoredLight LightController::stored() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->stored();
 }
 
 void LightController::save(const std::filesystem::path& file, base::Progress& progress,
                            const std::optional<gi::BakedPart>& part) const {
-  gi::StoredLight light = stored();
-  if (!light.sky && !light.lamps) return;  // stopped before anything was planned
-  light.facts.part = part;
+  gi::StoredLight light;
   VolumePointer volume;
   {
     const std::lock_guard guard(parts_->mutex);
+    light = parts_->stored();
     volume = parts_->volume;
   }
+  if (!light.sky && !light.lamps) return;  // stopped before anything was planned
+  light.facts.part = part;
   gi::writeBakeFile(file, volume->grid(), light, progress);
 }
 
