@@ -10,6 +10,10 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+pkg_check_modules(libzstd REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(liblz4 REQUIRED IMPORTED_TARGET liblz4)
+pkg_check_modules(blosc REQUIRED IMPORTED_TARGET blosc)
+pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(glm REQUIRED IMPORTED_TARGET glm)
 pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
 pkg_check_modules(libhwy REQUIRED IMPORTED_TARGET libhwy)
@@ -22,6 +26,13 @@ endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_modules})
 find_package(DICOM REQUIRED)  # vtk-dicom
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Svg Charts)
+
+if(ISOLUX_PYTHON)
+  # Debian's Python, for which its pybind11 and NumPy are, whatever other one is on PATH.
+  set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that the module is for")
+  find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module NumPy)
+  find_package(pybind11 2.10 REQUIRED)
+endif()
 
 # Third-party headers are not ours to warn about.
 add_library(isolux_glm INTERFACE)

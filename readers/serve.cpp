@@ -155,6 +155,12 @@ void handOver(Connection& connection, const DecodedImage& image) {
   memory.append(std::as_bytes(std::span(image.pixels)));
 }
 
+void handOver(Connection& connection, const Hdf5Table& table) {
+  connection.send(MessageKind::chunks, encode(table.layout));
+  SharedMemory memory(connection);
+  memory.append(std::as_bytes(std::span(table.chunks)));
+}
+
 // Runs `read` with its progress passed on.
 template <typename Read>
 auto watched(Connection& connection, Read&& read) {
@@ -213,6 +219,11 @@ void answer(Connection& connection, const Abilities& abilities, const Request& r
       if (!abilities.preview) refuseTask();
       return handOver(connection, watched(connection, [&](base::Progress& progress) {
                         return abilities.preview(request.path, request.options, progress);
+                      }));
+    case Task::chunks:
+      if (!abilities.chunks) refuseTask();
+      return handOver(connection, watched(connection, [&](base::Progress& progress) {
+                        return abilities.chunks(request.path, request.options, progress);
                       }));
     case Task::versions:
       return connection.send(MessageKind::text, abilities.versions());

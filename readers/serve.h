@@ -9,9 +9,16 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "volume/bricks/hdf5/hdf5_layout.h"
 #include "volume/read/process/reader_messages.h"
 
 namespace isolux::readers {
+
+// A dataset and where its chunks lie.
+struct Hdf5Table {
+  volume::Hdf5Layout layout;
+  std::vector<volume::Hdf5Chunk> chunks;  // layout.chunkCount() of them
+};
 
 // What a reader can do; null for what it cannot. They throw base::Error; any other exception is taken as
 // damage to the file.
@@ -29,6 +36,8 @@ struct Abilities {
                                  base::Progress&) = nullptr;
   volume::DecodedImage (*preview)(const std::filesystem::path&, const volume::ReadOptions&,
                                   base::Progress&) = nullptr;
+  // Of an HDF5 file, the dataset options.series or else the largest; in the order of C arrays.
+  Hdf5Table (*chunks)(const std::filesystem::path&, const volume::ReadOptions&, base::Progress&) = nullptr;
   std::string (*versions)() = nullptr;
 };
 

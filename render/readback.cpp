@@ -97,6 +97,14 @@ glm::dvec3 normalAt(const Source& source, const DrawnFrame& drawn, std::size_t p
   return length > 0.0 ? g * (drawn.outward / length) : glm::dvec3(0.0);
 }
 
+// Unit, also where the gradient has so few bits that its normal does not stand at right angles to the
+// direction; 0 where there is no normal or no direction.
+glm::dvec3 directionAcross(glm::dvec3 normal, glm::dvec3 direction) {
+  const glm::dvec3 across = glm::cross(normal, direction);
+  const double length = glm::length(across);
+  return length > 0.0 ? across / length : glm::dvec3(0.0);
+}
+
 LinearImage topRowFirst(const Texture& texture, const FrameState* faces = nullptr) {
   const glm::ivec2 size(texture.size());
   LinearImage image{.size = size, .rgba = texture.readFloats(4)};
@@ -209,7 +217,7 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
         put(vectorAt(source.second, i));
         break;
       case Aov::direction2:
-        put(glm::cross(normalAt(source, drawn, i), vectorAt(source.second, i)));
+        put(directionAcross(normalAt(source, drawn, i), vectorAt(source.second, i)));
         break;
     }
   }

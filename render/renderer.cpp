@@ -241,7 +241,9 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
     frame.volume.emplace(frame.gl, volume);
     ++copiesMade;
   }
-  frame.onProcessor = onProcessor(volume && hasMasks() && takesProcessor(executor, *frame.gl), scene);
+  // The processor reads voxels in memory, shaders bricks of those that stay in a file.
+  const bool readable = volume && volume->grid().isWhole();
+  frame.onProcessor = onProcessor(readable && hasMasks() && takesProcessor(executor, *frame.gl), scene);
   if (frame.volume && frame.onProcessor.all) {
     frame.volume->requireFields(fieldsReadBy(scene, request));
   } else if (frame.volume) {

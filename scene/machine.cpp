@@ -18,6 +18,12 @@ std::vector<MachineSetting> makeMachineSettings() {
       "memory.layout", ISOLUX_MEMBER(memory.layout),
       "The volume as one texture, or as bricks of which only those needed are resident; auto takes one "
       "texture where it fits."));
+  list.push_back(choiceEntry<Machine>(
+      "memory.voxels", ISOLUX_MEMBER(voxels),
+      "Where a volume's voxels are while it is drawn: all in memory, or in the file, of which parts are read "
+      "when they are needed; auto leaves them in the file where they do not fit into memory."));
+  list.push_back(entry<Machine>("memory.ram_budget_mb", ISOLUX_MEMBER(ramBudgetMb), {16, 1048576}, "MiB",
+                                "Memory for parts of a volume that stays in its file."));
   list.push_back(entry<Machine>("gi.threads", ISOLUX_MEMBER(threads), {1, 1024}, "",
                                 "Threads that compute light; auto is one per core."));
   list.push_back(entry<Machine>(

@@ -4,6 +4,7 @@
 // are set like settings of the scene (--set memory.gpu_budget_mb=512); the window keeps them for its user.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,6 +17,11 @@ namespace isolux::scene {
 // What computes hits and derivatives: automatic is the processor where OpenGL is software.
 enum class Executor { automatic, gpu, cpu };
 
+// Where the voxels of a volume are while it is drawn: automatic leaves them in the file where that can be
+// read in parts and they do not fit into memory.
+enum class VoxelPlace : std::uint8_t { automatic, memory, file };
+
+// What textures are made by.
 struct Memory {
   int gpuBudgetMb = 2048;
   MemoryLayout layout = MemoryLayout::automatic;  // whole where it fits, else bricks
@@ -28,6 +34,8 @@ struct Machine {
   bool adaptive = true;          // pictures in motion shrink until they are quick enough
   double motionTarget = 25.0;    // milliseconds of a picture in motion
   Executor executor = Executor::automatic;
+  VoxelPlace voxels = VoxelPlace::automatic;
+  int ramBudgetMb = 1024;  // for voxels that stay in a file
   bool operator==(const Machine&) const = default;
 };
 

@@ -7,7 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/error.h"
 #include "base/hash.h"
+#include "volume/bricks/brick_source.h"
 #include "volume/parallel_steps.h"
 
 namespace isolux::volume {
@@ -114,6 +116,27 @@ std::vector<HashedPart> scanPieces(std::vector<T>& voxels, base::Progress& progr
   return pieces;
 }
 
+// An array of this type, without voxels.
+void setVoxelType(VoxelArray& voxels, VoxelType type) {
+  switch (type) {
+    case VoxelType::int8:
+      voxels = std::vector<std::int8_t>();
+      break;
+    case VoxelType::uint8:
+      voxels = std::vector<std::uint8_t>();
+      break;
+    case VoxelType::int16:
+      voxels = std::vector<std::int16_t>();
+      break;
+    case VoxelType::uint16:
+      voxels = std::vector<std::uint16_t>();
+      break;
+    default:
+      assert(type == VoxelType::float32);
+      voxels = std::vector<float>();
+  }
+}
+
 }  // namespace
 
 Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept)
@@ -130,24 +153,56 @@ Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double
       },
       voxels_);
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  base::Hasher hash;
-  hash.addWords(&geometry_.dims, sizeof geometry_.dims);
-  hash.addWords(&geometry_.worldFromVoxel, sizeof geometry_.worldFromVoxel);
-  const double numbers[] = {slope_, intercept_, static_cast<double>(voxels_.index())};
-  hash.addWords(numbers, sizeof numbers);
+  std::vector<std::uint64_t> hashes;
   held_ = base::machineMemory().count(bytes());
   for (const HashedPart& piece : pieces) {
     low = std::min(low, piece.least);
     high = std::max(high, piece.most);
     missing_ += piece.missing;
-    hash.addWords(&piece.hash, sizeof piece.hash);
+    hashes.push_back(piece.hash);
   }
-  hash_ = hash;
-  if (low > high) return;
-  storedMinimum_ = low;
-  storedMaximum_ = high;
-  minimum_ = valueOfStored(slope_ > 0 ? low : high);
-  maximum_ = valueOfStored(slope_ > 0 ? high : low);
+  hash_ = hashOf(geometry_, slope_, intercept_, storedType(), hashes);
+  if (low <= high) setRange(low, high);
+}
+
+std::uint64_t Grid::hashOf(const GridGeometry& geometry, double slope, double intercept, VoxelType stored,
+                           std::span<const std::uint64_t> pieces) {
+  base::Hasher hash;
+  hash.addWords(&geometry.dims, sizeof geometry.dims);
+  hash.addWords(&geometry.worldFromVoxel, sizeof geometry.worldFromVoxel);
+  VoxelArray ofType;
+  setVoxelType(ofType, stored);
+  const double numbers[] = {slope, intercept, static_cast<double>(ofType.index())};
+  hash.addWords(numbers, sizeof numbers);
+  for (const std::uint64_t piece : pieces) hash.addWords(&piece, sizeof piece);
+  return hash;
+}
+
+Grid::Grid(const GridGeometry& geometry, const VoxelFacts& facts, double slope, double intercept,
+           std::shared_ptr<BrickSource> source)
+    : geometry_(geometry),
+      slope_(slope),
+      intercept_(intercept),
+      missing_(facts.missing),
+      hash_(facts.hash),
+      source_(std::move(source)) {
+  assert(source_ && std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept));
+  setVoxelType(voxels_, facts.storedType);
+  if (missing_ < geometry_.voxelCount()) setRange(facts.storedMinimum, facts.storedMaximum);
+}
+
+void Grid::setRange(double storedMinimum, double storedMaximum) {
+  storedMinimum_ = storedMinimum;
+  storedMaximum_ = storedMaximum;
+  minimum_ = valueOfStored(slope_ > 0 ? storedMinimum : storedMaximum);
+  maximum_ = valueOfStored(slope_ > 0 ? storedMaximum : storedMinimum);
+}
+
+void Grid::throwNotWhole() const {
+  throw base::Error(base::ErrorKind::memory, source_->facts().name, "",
+                    "its voxels stay in the file, and this needs all of them in memory (" +
+                        base::memoryText(bytes()) +
+                        "): memory.voxels=memory reads them, where that much memory is there");
 }
 
 VoxelType Grid::storedType() const {
@@ -157,6 +212,7 @@ VoxelType Grid::storedType() const {
 }
 
 double Grid::stored(int x, int y, int z) const {
+  if (source_) return source_->stored({x, y, z});
   const std::size_t i = index(x, y, z);
   return std::visit([i](const auto& array) { return static_cast<double>(array[i]); }, voxels_);
 }

@@ -28,6 +28,8 @@ class Progress;
 
 namespace isolux::volume {
 
+class BrickSource;  // volume/bricks/brick_source.h
+
 // Types of files. Grids store only int8, uint8, int16, uint16 and float32.
 enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 std::string_view nameOf(VoxelType type);  // "int16", ...
@@ -56,6 +58,14 @@ struct GridGeometry {
 using VoxelArray = std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>,
                                 std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<float>>;
 
+// What a pass over the voxels finds, known without one (volume/bricks/volume_index.h): stored units.
+struct VoxelFacts {
+  VoxelType storedType = VoxelType::uint8;  // one of the five
+  double storedMinimum = 0.0, storedMaximum = 0.0;
+  std::size_t missing = 0;
+  std::uint64_t hash = 0;  // as Grid::hash()
+};
+
 class Grid {
  public:
   // Counts missing voxels (NaN; +-Inf become NaN), finds the range and the hash: one pass, on all cores.
@@ -65,10 +75,21 @@ class Grid {
   Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept,
        base::Progress& progress);
 
+  // Of voxels that stay in a file, of which parts are read when they are asked for. stored() and value() read
+  // them, slowly; voxels() throws.
+  Grid(const GridGeometry& geometry, const VoxelFacts& facts, double slope, double intercept,
+       std::shared_ptr<BrickSource> source);
+
   const GridGeometry& geometry() const { return geometry_; }
   glm::ivec3 dims() const { return geometry_.dims; }
   VoxelType storedType() const;
-  const VoxelArray& voxels() const { return voxels_; }
+  bool isWhole() const { return !source_; }                               // its voxels are in memory
+  const std::shared_ptr<BrickSource>& source() const { return source_; }  // null: they are
+  // All of them. Throws Error{memory} where they stay in a file: what needs them cannot be done there.
+  const VoxelArray& voxels() const {
+    if (source_) throwNotWhole();
+    return voxels_;
+  }
   VoxelArray takeVoxels() && { return std::move(voxels_); }
 
   double slope() const { return slope_; }
@@ -93,20 +114,27 @@ class Grid {
   double storedMinimum() const { return storedMinimum_; }
   double storedMaximum() const { return storedMaximum_; }
   std::size_t missingCount() const { return missing_; }
-  std::size_t bytes() const;
+  std::size_t bytes() const;  // of all voxels, wherever they are
   // 64-bit hash of dims, worldFromVoxel, slope, intercept, type and voxels: FNV-1a over 8-byte words, of the
   // header and then of the hashes of the voxels' pieces of 1 MiB, so that cores can share the work.
   std::uint64_t hash() const { return hash_; }
+  // The same of a volume whose pieces have these hashes.
+  static std::uint64_t hashOf(const GridGeometry& geometry, double slope, double intercept, VoxelType stored,
+                              std::span<const std::uint64_t> pieces);
 
  private:
+  [[noreturn]] void throwNotWhole() const;
+  void setRange(double storedMinimum, double storedMaximum);
+
   GridGeometry geometry_;
-  VoxelArray voxels_;
+  VoxelArray voxels_;  // none where there is a source
   double slope_, intercept_;
   double minimum_ = 0.0, maximum_ = 0.0;
   double storedMinimum_ = 0.0, storedMaximum_ = 0.0;
   std::size_t missing_ = 0;
   std::uint64_t hash_ = 0;
   base::MemoryBudget::Held held_;  // readers and makers ask before they allocate
+  std::shared_ptr<BrickSource> source_;
 };
 
 }  // namespace isolux::volume

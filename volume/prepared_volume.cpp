@@ -3,15 +3,22 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include <tbb/combinable.h>
 
+#include "base/error.h"
+#include "volume/bricks/brick_source.h"
+#include "volume/bricks/index_file.h"
+#include "volume/bricks/open_chunked.h"
 #include "volume/mesh/csg.h"
 #include "volume/parallel_steps.h"
+#include "volume/read/input/payload.h"
 #include "volume/statistics/plausibility.h"
+#include "volume/statistics/typical_step.h"
 
 namespace isolux::volume {
 
@@ -104,32 +111,6 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
   }
 }
 
-// What neighbouring voxels differ by where they differ, along any axis: the 90 % quantile over an even
-// subsample of the rows.
-double typicalStep(const Grid& grid, const base::Progress& progress) {
-  const glm::ivec3 n = grid.dims();
-  constexpr std::ptrdiff_t enough = 1 << 16;
-  const std::ptrdiff_t rows = std::ptrdiff_t{n.y} * n.z,
-                       stride = std::max<std::ptrdiff_t>(1, rows * n.x / enough);
-  std::vector<double> steps;
-  for (std::ptrdiff_t row = 0; row < rows; row += stride) {
-    progress.throwIfStopped();
-    const int y = static_cast<int>(row % n.y), z = static_cast<int>(row / n.y);
-    for (int x = 0; x < n.x; ++x) {
-      for (int axis = 0; axis < 3; ++axis) {
-        glm::ivec3 next(x, y, z);
-        if (++next[axis] == n[axis]) continue;
-        const double step = std::abs(grid.value(next.x, next.y, next.z) - grid.value(x, y, z));
-        if (step > 0.0) steps.push_back(step);  // false for missing voxels
-      }
-    }
-  }
-  if (steps.empty()) return 0.0;
-  const auto at = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() * 9 / 10);
-  std::nth_element(steps.begin(), at, steps.end());
-  return *at;
-}
-
 // The volume of a source, and the second one's isovalue where there is one.
 CsgResult readSource(const scene::Source& source, base::Progress& progress) {
   ReadOptions options = readOptions(source);
@@ -148,6 +129,12 @@ CsgResult readSource(const scene::Source& source, base::Progress& progress) {
                   progress);
 }
 
+std::vector<double> valuesOfRow(const Grid& grid, int y, int z) {
+  std::vector<double> values;
+  for (int x = 0; x < grid.dims().x; ++x) values.push_back(grid.value(x, y, z));
+  return values;
+}
+
 // A unit that cannot be right is worse than none.
 void noteImplausible(Volume& volume, const Histogram& histogram) {
   if (volume.unit != "HU" || !looksOffsetBy1024(histogram, volume.grid->minimum())) return;
@@ -155,22 +142,23 @@ void noteImplausible(Volume& volume, const Histogram& histogram) {
   volume.warnings.emplace_back("values look offset by 1024: not Hounsfield units as stored");
 }
 
-std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {
-  const Clock::time_point start = Clock::now();
+// With what is made when it is first asked for.
+std::shared_ptr<PreparedVolume> withBlocks(Volume volume, std::shared_ptr<const MinMaxBlocks> blocks) {
   auto prepared = std::make_shared<PreparedVolume>();
   prepared->volume = std::move(volume);
-  progress.report(0.0, "building blocks");
-  prepared->blocks = std::make_shared<MinMaxBlocks>(prepared->grid(), kBlockCells, progress);
-  progress.report(0.3, "building blocks");
-  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
+  prepared->blocks = std::move(blocks);
   prepared->cubicFields = std::make_shared<CubicFields>(prepared->volume.grid);
   prepared->derivativeChoices =
       std::make_shared<DerivativeChoices>(prepared->volume.grid, prepared->blocks, prepared->volume.noise);
   prepared->stillHits = std::make_shared<StillHits>(prepared->volume.grid, prepared->blocks);
   prepared->pieces = std::make_shared<PieceSets>(prepared->volume.grid, prepared->blocks);
   prepared->secondVolumes = std::make_shared<SecondVolumes>(prepared->volume.grid);
-  progress.report(0.7, "counting values");
-  prepared->histogram = makeHistogram(prepared->grid(), 512, progress);
+  return prepared;
+}
+
+void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogram, double typicalStep,
+              base::Progress& progress) {
+  prepared->histogram = std::move(histogram);
   noteImplausible(prepared->volume, prepared->histogram);
   const std::optional<double>& known = prepared->volume.isovalue;
   prepared->facts.suggestedIsovalue =
@@ -181,17 +169,119 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress)
   prepared->facts.spacingMm = prepared->grid().geometry().spacingMm();
   prepared->facts.minimum = prepared->grid().minimum();
   prepared->facts.maximum = prepared->grid().maximum();
-  prepared->facts.typicalStep = typicalStep(prepared->grid(), progress);
+  prepared->facts.typicalStep = typicalStep;
   setBounds(*prepared, progress);
+}
+
+std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  progress.report(0.0, "building blocks");
+  auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
+  const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
+  progress.report(0.3, "building blocks");
+  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
+  progress.report(0.7, "counting values");
+  const Grid& grid = prepared->grid();
+  Histogram histogram = makeHistogram(grid, 512, progress);
+  const double step = typicalStep(
+      grid.dims(), [&](int y, int z) { return valuesOfRow(grid, y, z); }, progress);
+  setFacts(prepared, std::move(histogram), step, progress);
   prepared->prepareSeconds = secondsSince(start);
   progress.report(1.0, "ready");
   return prepared;
+}
+
+// The index of the file, made where there is none; what hinders keeping it is a warning.
+VolumeIndex indexOf(const ChunkedVolume& file, const scene::Source& source,
+                    std::vector<std::string>& warnings, base::Progress& progress) {
+  const IndexFile kept(source.path, readOptions(source));
+  std::optional<VolumeIndex> index = kept.find(file);
+  if (index) return std::move(*index);
+  try {
+    kept.make(file, {}, index, progress);
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::input || !index || !index->isComplete()) throw;
+    warnings.push_back(std::string("the index could not be kept: ") + error.what());
+  }
+  return std::move(*index);
+}
+
+// What is left of the budget beside the blocks, their flags and masks, which are in memory all the time; at
+// least a quarter.
+std::size_t brickBudget(int ramBudgetMb, const MinMaxBlocks& blocks) {
+  const std::size_t budget = static_cast<std::size_t>(ramBudgetMb) << 20,
+                    index =
+                        blocks.count() * (2 * sizeof(float) + sizeof(std::uint8_t) + sizeof(std::uint64_t));
+  return std::max(budget / 4, budget - std::min(budget, index));
+}
+
+std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedVolume>& file,
+                                            const scene::Source& source, int ramBudgetMb,
+                                            base::Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  const ChunkedFacts& facts = file->facts();
+  Volume volume;
+  volume.name = std::filesystem::path(source.path).filename().string();
+  volume.format = facts.format;
+  volume.fileType = facts.storedType;
+  volume.unit = facts.unit;
+  volume.axes = facts.axes;
+  volume.components = facts.channels;
+  volume.timeSteps = facts.times;
+  volume.warnings = facts.warnings;
+  noteChoices(volume, readOptions(source));
+  const VolumeIndex index = indexOf(*file, source, volume.warnings, progress);
+  const double readSeconds = secondsSince(start);
+  auto bricks = std::make_shared<BrickSource>(file, VolumePart{source.timeStep, source.component},
+                                              brickBudget(ramBudgetMb, *index.blocks()));
+  const auto gridOf = [&](double slope, double intercept) {
+    return std::make_shared<Grid>(facts.levels.front().geometry, index.voxelFacts(slope, intercept), slope,
+                                  intercept, bricks);
+  };
+  std::shared_ptr<Grid> grid = gridOf(facts.slope, facts.intercept);
+  bool scaled = facts.slope != 1.0 || facts.intercept != 0.0;
+  if (scaled && !scalingIsUsable(*grid)) {
+    volume.warnings.emplace_back(kScalingLeftOut);
+    grid = gridOf(1.0, 0.0);
+    scaled = false;
+  }
+  noteMissing(volume, *grid);
+  volume.grid = std::move(grid);
+  const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), index.blocks());
+  setFacts(prepared, index.histogram(prepared->grid()), index.typicalStep(scaled), progress);
+  prepared->readSeconds = readSeconds;
+  prepared->prepareSeconds = secondsSince(start) - readSeconds;
+  return prepared;
+}
+
+// What the voxels of a volume take in memory, with the bounds of boxes that pictures skip space by.
+std::size_t wholeBytes(const ChunkedFacts& facts) {
+  const std::size_t voxels = facts.levels.front().geometry.voxelCount();
+  return voxels * bytesOf(facts.storedType) + voxels / 2;
+}
+
+// Null: its voxels are read whole.
+std::shared_ptr<const ChunkedVolume> fileToStayIn(const scene::Source& source, scene::VoxelPlace place,
+                                                  base::Progress& progress) {
+  if (place == scene::VoxelPlace::memory) return nullptr;
+  std::string reason;
+  const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
+  if (place == scene::VoxelPlace::file && !file)
+    base::throwInput(source.path, "memory.voxels=file", "cannot be read in parts: " + reason);
+  if (!file || place == scene::VoxelPlace::file) return file;
+  return wholeBytes(file->facts()) > base::machineMemory().left() ? file : nullptr;
 }
 
 }  // namespace
 
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
   return prepare(std::move(volume), progress);
+}
+
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::Machine& machine,
+                                                 base::Progress& progress) {
+  const std::shared_ptr<const ChunkedVolume> file = fileToStayIn(source, machine.voxels, progress);
+  return file ? prepareFile(file, source, machine.ramBudgetMb, progress) : loadVolume(source, progress);
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, base::Progress& progress) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "scene/machine.h"
 #include "scene/rules/automatic.h"
 #include "volume/color/second_volume.h"
 #include "volume/field/cubic_fields.h"
@@ -22,8 +23,9 @@ inline constexpr int kBlockCells = 8;
 struct PreparedVolume {
   Volume volume;
   std::shared_ptr<const MinMaxBlocks> blocks;
-  std::shared_ptr<const BoxBounds> boxes;    // of the trilinear field, for blocks of BoxBounds::kBlockCells
-  std::shared_ptr<CubicFields> cubicFields;  // made when first asked for
+  // Of the trilinear field, for blocks of BoxBounds::kBlockCells; null where voxels stay in their file.
+  std::shared_ptr<const BoxBounds> boxes;
+  std::shared_ptr<CubicFields> cubicFields;              // made when first asked for
   std::shared_ptr<DerivativeChoices> derivativeChoices;  // so are they
   std::shared_ptr<const StillHits> stillHits;            // and these
   std::shared_ptr<const PieceSets> pieces;               // and these
@@ -38,6 +40,11 @@ struct PreparedVolume {
 // readVolume(), the combination with a second volume (csg.h), and the derived structures. Throws
 // base::Error.
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, base::Progress& progress);
+// The same for who only draws: a file that can be read in parts stays where it is if `machine` says so, or if
+// it does not fit (volume/bricks). Its index is read, or made and kept beside it
+// (volume/bricks/volume_index.h); grid() is not whole.
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::Machine& machine,
+                                                 base::Progress& progress);
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -94,6 +94,10 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
       "What computes hits and derivatives: auto, gpu, cpu; short for --set picture.executor=NAME");
   add("--raw", assign("source.raw"), "TEXT",
       "How to read a file without header: \"WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]\"");
+  add("--time-step", assign("source.time_step"), "N",
+      "Which time step of a file that has several, from 0; short for --set source.time_step=N");
+  add("--channel", assign("source.component"), "N",
+      "Which channel or component, from 0; -1: the magnitude; short for --set source.component=N");
   return options;
 }
 
@@ -351,6 +355,13 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
                                                                   base::Progress& progress) {
   const ProgressBar bar(progress);
   return volume::loadVolume(source, progress);
+}
+
+std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
+                                                                  const scene::Machine& machine,
+                                                                  base::Progress& progress) {
+  const ProgressBar bar(progress);
+  return volume::loadVolume(source, machine, progress);
 }
 
 void printWarnings(const volume::Volume& volume) {

@@ -35,6 +35,7 @@ Command makeInfo(CLI::App& program);
 Command makeRender(CLI::App& program);
 Command makeBake(CLI::App& program);
 Command makeMerge(CLI::App& program);
+Command makeIndex(CLI::App& program);
 Command makeReference(CLI::App& program);
 Command makeReplay(CLI::App& program);
 Command makeStudy(CLI::App& program);
@@ -96,6 +97,10 @@ void addReads(OutputGuard& guard, const std::string& path, const SceneOptions& o
 void checkOutput(OutputGuard& guard, const std::string& file, const std::string& option);
 
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
+                                                                  base::Progress& progress);
+// The same for a command that only draws: voxels may stay in their file (memory.voxels).
+std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
+                                                                  const scene::Machine& machine,
                                                                   base::Progress& progress);
 // "isolux: note: TEXT" on stderr, one line whatever the text holds.
 void printNote(const std::string& text);

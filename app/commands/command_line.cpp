@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/suggestion.h"
+#include "volume/bricks/hdf5/hdf5.h"
 
 namespace isolux::app {
 
@@ -64,7 +65,7 @@ void declare(Program& program) {
       "130 interrupted.\n\n"
       "Example:\n  isolux ct.nii.gz --isovalue 300");
   for (const auto make :
-       {makeInfo, makeRender, makeBake, makeMerge, makeReference, makeReplay, makeStudy, makeProbe,
+       {makeInfo, makeRender, makeBake, makeMerge, makeIndex, makeReference, makeReplay, makeStudy, makeProbe,
         makeMeasure, makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor})
     program.commands.push_back(make(parser));
   addMemoryOption(parser);
@@ -157,7 +158,8 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
   WindowRequest request;
   request.scene = sceneOf(options.path, *options.scene);
   std::error_code ignored;  // a shell is the better place for this message than an empty window
-  if (!options.path.empty() && !options.path.starts_with("phantom:") && !fs::exists(options.path, ignored))
+  if (!options.path.empty() && !options.path.starts_with("phantom:") && !fs::exists(options.path, ignored) &&
+      !volume::hdf5PathOf(options.path))
     base::throwInput(options.path, "", "does not exist");
   if (!options.path.empty() && isRecording(options.path))
     base::throwInput(options.path, "",

@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "app/commands/command.h"
+#include "app/commands/doctor.h"
 #include "app/process/external_program.h"
 #include "app/version.h"
 #include "base/memory_budget.h"
@@ -27,8 +28,8 @@ namespace isolux::app {
 
 namespace {
 
-void row(const std::string& name, const std::string& text) {
-  std::cout << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') << text << '\n';
+void row(std::ostream& out, const std::string& name, const std::string& text) {
+  out << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') << text << '\n';
 }
 
 std::string memoryText() {
@@ -70,7 +71,7 @@ double hitMilliseconds(render::Renderer& renderer, const scene::Scene& scene, sc
 }
 
 // Which executor finds hits and gradients sooner here, and which one is taken.
-void printExecutors(base::Progress& progress) {
+void printExecutors(std::ostream& out, base::Progress& progress) {
   const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
   context->makeCurrent();
   scene::Source source;
@@ -85,56 +86,56 @@ void printExecutors(base::Progress& progress) {
     return base::shortText(hitMilliseconds(renderer, scene, executor), 3) + " ms, of the cubic field " +
            base::shortText(hitMilliseconds(renderer, cubic, executor), 3) + " ms";
   };
-  std::cout << "\nHits and gradients of a picture of 256x256 (phantom:gyroid:96):\n";
+  out << "\nHits and gradients of a picture of 256x256 (phantom:gyroid:96):\n";
   const bool taken = render::takesProcessor(scene::Executor::automatic, *context->gl());
-  std::cout << (taken ? "  " : "* ") << "gpu: " << measured(scene::Executor::gpu) << '\n';
+  out << (taken ? "  " : "* ") << "gpu: " << measured(scene::Executor::gpu) << '\n';
   if (!volume::SurfaceCaster::available()) {
-    std::cout << "  cpu: this processor has none of the vector instructions needed\n";
+    out << "  cpu: this processor has none of the vector instructions needed\n";
     return;
   }
-  std::cout << (taken ? "* " : "  ") << "cpu: " << measured(scene::Executor::cpu) << " ("
-            << volume::SurfaceCaster::target() << ")\n"
-            << "* is what --executor auto takes: the processor where OpenGL is software.\n";
-}
-
-void runDoctor(base::Progress& progress) {
-  row("isolux", std::string(version()));
-  row("compiler", __VERSION__);
-  row("CPU threads", std::to_string(tbb::info::default_concurrency()));
-  row("memory", memoryText());
-  row("memory budget", bytesText(base::machineMemory().limit()));
-  for (const std::string& version : volume::readerVersions(progress)) row("file reader", version);
-  row("oneTBB", TBB_runtime_version());
-  row("GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));
-  row("JSON", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
-  row("CLI11", CLI11_VERSION);
-  row("ffmpeg", movieText(progress));
-
-  std::cout << "\nGraphics contexts without a window (OpenGL 4.5 core), in the order they are tried:\n";
-  std::string chosen;
-  for (const render::ContextProbe& probe : render::probeContexts()) {
-    progress.throwIfStopped();
-    std::cout << (probe.chosen ? "* " : "  ") << probe.kind << ": "
-              << (probe.works ? "works: " : "does not work: ") << probe.detail << '\n';
-    if (probe.chosen) chosen = probe.kind;
-  }
-  if (chosen.empty())
-    std::cout << "None works, so `isolux render` and `isolux replay` cannot draw; install libosmesa6 or an "
-                 "EGL driver.\n";
-  else
-    std::cout
-        << "* " << chosen
-        << " is what --context auto takes: a GPU through EGL goes first, then OSMesa, then software EGL.\n";
-  if (!chosen.empty()) printExecutors(progress);
+  out << (taken ? "* " : "  ") << "cpu: " << measured(scene::Executor::cpu) << " ("
+      << volume::SurfaceCaster::target() << ")\n"
+      << "* is what --executor auto takes: the processor where OpenGL is software.\n";
 }
 
 }  // namespace
+
+void printDoctor(std::ostream& out, base::Progress& progress) {
+  row(out, "isolux", std::string(version()));
+  row(out, "compiler", __VERSION__);
+  row(out, "CPU threads", std::to_string(tbb::info::default_concurrency()));
+  row(out, "memory", memoryText());
+  row(out, "memory budget", bytesText(base::machineMemory().limit()));
+  for (const std::string& version : volume::readerVersions(progress)) row(out, "file reader", version);
+  row(out, "oneTBB", TBB_runtime_version());
+  row(out, "GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));
+  row(out, "JSON",
+      dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
+  row(out, "CLI11", CLI11_VERSION);
+  row(out, "ffmpeg", movieText(progress));
+
+  out << "\nGraphics contexts without a window (OpenGL 4.5 core), in the order they are tried:\n";
+  std::string chosen;
+  for (const render::ContextProbe& probe : render::probeContexts()) {
+    progress.throwIfStopped();
+    out << (probe.chosen ? "* " : "  ") << probe.kind << ": " << (probe.works ? "works: " : "does not work: ")
+        << probe.detail << '\n';
+    if (probe.chosen) chosen = probe.kind;
+  }
+  if (chosen.empty())
+    out << "None works, so `isolux render` and `isolux replay` cannot draw; install libosmesa6 or an "
+           "EGL driver.\n";
+  else
+    out << "* " << chosen
+        << " is what --context auto takes: a GPU through EGL goes first, then OSMesa, then software EGL.\n";
+  if (!chosen.empty()) printExecutors(out, progress);
+}
 
 Command makeDoctor(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("doctor", "Say what this machine offers: graphics contexts, memory, libraries");
   parser->footer("Example:\n  isolux doctor");
-  return {parser, [](base::Progress& progress) { runDoctor(progress); }};
+  return {parser, [](base::Progress& progress) { printDoctor(std::cout, progress); }};
 }
 
 }  // namespace isolux::app

@@ -55,11 +55,6 @@ std::optional<volume::WorldBox> boxOf(const std::string& text) {
   return box;
 }
 
-std::string openReason(const volume::SurfaceMeasure& surface) {
-  if (surface.meetsBorder) return "the inside goes on beyond the volume's border";
-  return "the inside goes on where voxels are missing";
-}
-
 void refuseWhatIsNoSurface(const MeasureOptions& options, const MeasuredSurface& measured,
                            const volume::SurfaceMeasure& surface) {
   const std::string at = "isovalue " + base::shortText(measured.surface.isovalue);
@@ -70,17 +65,6 @@ void refuseWhatIsNoSurface(const MeasureOptions& options, const MeasuredSurface&
                          base::shortText(measured.prepared.grid().maximum()));
   if (options.closed && surface.open())
     base::throwInput(measured.file, at, "the surface is open: " + openReason(surface));
-}
-
-ordered_json surfaceJson(const volume::SurfaceMeasure& surface) {
-  ordered_json json;
-  json["area_mm2"] = measuredJson(surface.areaMm2, surface.areaParts);
-  json["volume_mm3"] = measuredJson(surface.volumeMm3, surface.volumeParts);
-  json["volume_per_value_mm3"] = surface.volumePerValue;
-  json["cells"] = surface.cells;
-  json["open"] = surface.open();
-  if (surface.open()) json["open_reason"] = openReason(surface);
-  return json;
 }
 
 struct SizedSurface {

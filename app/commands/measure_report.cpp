@@ -84,6 +84,22 @@ ordered_json measuredJson(const volume::Measured& measured, const volume::ErrorP
   return json;
 }
 
+std::string openReason(const volume::SurfaceMeasure& surface) {
+  if (surface.meetsBorder) return "the inside goes on beyond the volume's border";
+  return "the inside goes on where voxels are missing";
+}
+
+ordered_json surfaceJson(const volume::SurfaceMeasure& surface) {
+  ordered_json json;
+  json["area_mm2"] = measuredJson(surface.areaMm2, surface.areaParts);
+  json["volume_mm3"] = measuredJson(surface.volumeMm3, surface.volumeParts);
+  json["volume_per_value_mm3"] = surface.volumePerValue;
+  json["cells"] = surface.cells;
+  json["open"] = surface.open();
+  if (surface.open()) json["open_reason"] = openReason(surface);
+  return json;
+}
+
 void printMeasures(const ordered_json& json, std::ostream& out) {
   const std::string unit = json["unit"].get<std::string>(), one = unit.empty() ? "unit of value" : unit;
   printRow(out, "isovalue",

@@ -33,6 +33,7 @@
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
+#include "scene/rules/whole_voxels.h"
 #include "scene/setting/assignment.h"
 
 namespace isolux::app {
@@ -171,7 +172,7 @@ class RenderRun {
     if (pictures.pictures.empty()) return noteMovie(pictures);  // all of them are there
     const std::string& path = pictures.path;
     const scene::Scene asked = sceneOf(path, *options_.scene);
-    prepared_ = loadWithProgressBar(asked.source, progress_);
+    prepared_ = loadWithProgressBar(asked.source, machine_, progress_);
     if (!context_) makeRenderer();
     renderer_->setVolume(prepared_);
     readsLight_ = !options_.light.empty();
@@ -226,6 +227,7 @@ class RenderRun {
     scene = scene::resolve(std::move(scene), prepared_->facts);
     request_.supersampling = request_.aovs.empty() ? scene.picture.supersampling : 1;
     request_.pixelRatio = scene.picture.pixelRatio;
+    if (!prepared_->grid().isWhole()) refuseWithoutVoxels(scene);
     Drawn drawn;
     std::optional<PictureErrors> errors;
     std::optional<Accuracy> accuracy;
@@ -254,6 +256,18 @@ class RenderRun {
                    accuracy);
     }
     report(asked, scene, drawn, picture, accuracy);
+  }
+
+  void refuseWithoutVoxels(const scene::Scene& scene) const {
+    std::optional<std::string> needs = scene::needsWholeVoxels(scene);
+    if (!needs && (options_.accuracy || overlay_.asked || !images_.errors.empty()))
+      needs = "bounds of errors: without them it can be drawn";
+    if (!needs && options_.target.any()) needs = "choosing settings by error or time";
+    if (needs)
+      throw Error(
+          ErrorKind::memory, prepared_->volume.name, "",
+          "its voxels stay in the file (memory.voxels), and all of them in memory would be needed for " +
+              *needs);
   }
 
   void paintOverlay(const PictureErrors& errors, const scene::Scene& scene,

@@ -11,6 +11,7 @@
 #include "app/version.h"
 #include "base/number_text.h"
 #include "scene/rules/ghosts.h"
+#include "volume/bricks/brick_source.h"
 #include "volume/cast/surface_caster.h"
 
 namespace isolux::app {
@@ -23,6 +24,17 @@ std::uint64_t peakBytes() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+// Of a volume that stays in its file: what was read of it.
+ordered_json partsJson(const volume::Grid& grid) {
+  if (grid.isWhole()) return nullptr;
+  const volume::BrickSource& source = *grid.source();
+  return {{"read", source.bricksRead()},
+          {"bytes", source.brickBytes()},
+          {"file_bytes", source.bytesRead()},
+          {"kept_bytes", source.bytesKept()},
+          {"budget_bytes", source.budgetBytes()}};
 }
 
 }  // namespace
@@ -63,6 +75,7 @@ ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& r
   json["accuracy"] = accuracy ? accuracyJson(*accuracy) : ordered_json(nullptr);
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
+  json["parts"] = partsJson(prepared.grid());
   json["data_hash"] = base::hexText(prepared.grid().hash());
   json["read_seconds"] = prepared.readSeconds;
   json["prepare_seconds"] = prepared.prepareSeconds;

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/commands/command.h"
+#include "app/commands/settings_report.h"
 #include "base/number_text.h"
 #include "scene/looks.h"
 #include "scene/machine.h"
@@ -96,6 +97,8 @@ void forEachSetting(const std::string& word,
     if (matches(setting, word)) each(setting, setting.defaultValue(), true);
 }
 
+}  // namespace
+
 nlohmann::ordered_json settingsJson(const std::string& word) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   forEachSetting(word, [&](const SettingInfo& setting, const nlohmann::json& byDefault, bool ofMachine) {
@@ -116,6 +119,8 @@ nlohmann::ordered_json settingsJson(const std::string& word) {
   });
   return list;
 }
+
+namespace {
 
 void printText(std::ostream& out, const std::string& word) {
   forEachSetting(word, [&](const SettingInfo& setting, const nlohmann::json& byDefault, bool) {

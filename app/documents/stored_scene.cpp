@@ -6,6 +6,7 @@
 #include "app/documents/anonymous.h"
 #include "app/documents/places.h"
 #include "base/error.h"
+#include "volume/bricks/hdf5/hdf5.h"
 
 namespace isolux::app {
 
@@ -63,8 +64,9 @@ std::string pathFromStored(const std::string& stored, const StoredFolders& folde
   for (const fs::path& folder : folders)
     candidates.push_back((absoluteFolder(folder) / stored).lexically_normal());
   std::error_code ignored;
-  const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                  [&](const fs::path& candidate) { return fs::exists(candidate, ignored); });
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const fs::path& candidate) {
+    return fs::exists(candidate, ignored) || volume::hdf5PathOf(candidate.string());
+  });
   return (found == candidates.end() ? candidates.front() : *found).string();
 }
 

@@ -9,7 +9,8 @@ namespace isolux::render {
 
 namespace {
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
-constexpr int kSmallestArea = 8;  // rays per axis
+constexpr int kSmallestArea = 8;   // rays per axis
+constexpr int kAreaOfFiles = 128;  // rays per axis whose bricks are neighbours in a file
 }  // namespace
 
 BrickRounds::BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits)
@@ -17,7 +18,8 @@ BrickRounds::BrickRounds(FrameState& frame, Pass& pass, std::function<void()> dr
       pass_(pass),
       bricks_(*frame.volume->bricks()),
       drawAtHits_(std::move(drawAtHits)),
-      complete_(frame.request.brickUploadBytes == 0) {}
+      complete_(frame.request.brickUploadBytes == 0),
+      largestArea_(bricks_.readsTwice() ? kAreaOfFiles : std::numeric_limits<int>::max()) {}
 
 void BrickRounds::castRound(const volume::Rectangle& area, bool again) {
   frame_.raysOfRound = area;
@@ -39,8 +41,8 @@ std::size_t BrickRounds::cast() {
 // After a round over the area.
 std::size_t BrickRounds::settle(const volume::Rectangle& area) {
   std::size_t stuckAt = 0;  // rays that waited when nothing could be replaced
-  while (bricks_.waitingRays() > 0) {
-    if (bricks_.nextReplaced() >= bricks_.frameRound()) drawAtHits_();
+  while (bricks_.waitingRays() > 0 && glm::max(area.size.x, area.size.y) <= largestArea_) {
+    if (bricks_.wouldReplace()) drawAtHits_();
     // What rays of this round used on their way stays, or none would get further.
     const bool served = bricks_.serve(bricks_.thisRound(), kNoLimit) > 0;
     if (!served && bricks_.waitingRays() == stuckAt) break;

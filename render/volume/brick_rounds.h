@@ -31,7 +31,8 @@ class BrickRounds {
   Pass& pass_;
   Bricks& bricks_;
   std::function<void()> drawAtHits_;
-  bool complete_;  // a picture of which nothing may be missing
+  bool complete_;    // a picture of which nothing may be missing
+  int largestArea_;  // rays per axis that are cast together
 };
 
 }  // namespace isolux::render

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <tuple>
 
 #include "base/error.h"
+#include "volume/bricks/brick_source.h"
 
 namespace isolux::render {
 
@@ -58,12 +60,34 @@ glm::ivec3 checkedSlots(const Gl& gl, std::size_t slotBytes, int apron, std::siz
   return dims;
 }
 
+// Of a volume that stays in its file, bricks that are about to be uploaded are read by several threads: as
+// long as the requests live, and no more than half of what its source keeps.
+std::vector<volume::BrickSource::Request> readAhead(const TexelSource& texels, glm::ivec3 dims, int apron,
+                                                    const std::vector<BrickCache::Brick>& wanted,
+                                                    std::size_t most) {
+  std::vector<volume::BrickSource::Request> requests;
+  volume::BrickSource* const source = texels.parts();
+  if (!source) return requests;
+  const std::size_t each = texels.texelBytes() * brickTexelCount(apron);
+  const std::size_t count = std::min({wanted.size(), most, source->budgetBytes() / 2 / each});
+  for (std::size_t i = 0; i < count; ++i) {
+    const int b = static_cast<int>(wanted[i]);
+    const glm::ivec3 at(b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y));
+    for (auto& request :
+         source->requestBox(0, at * brickCells - apron, glm::ivec3(brickTexels(apron)), -static_cast<int>(i)))
+      requests.push_back(std::move(request));
+  }
+  return requests;
+}
+
 }  // namespace
 
-Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, std::size_t budgetBytes)
+Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, std::size_t budgetBytes,
+               Moved moved)
     : gl_(std::move(gl)),
       channels_(std::move(channels)),
       apron_(apron),
+      moved_(std::move(moved)),
       dims_(brickDims(channels_[0]->dims())),
       slotDims_(checkedSlots(*gl_, slotBytes(channels_, apron_), apron_, product(dims_), budgetBytes)),
       cache_(product(dims_), std::min(product(slotDims_), product(dims_))),
@@ -93,6 +117,11 @@ bool Bricks::holdsAll() const {
   return cache_.slots() == product(dims_);
 }
 
+bool Bricks::readsTwice() const {
+  const volume::BrickSource* const source = channels_[0]->parts();
+  return source && source->budgetBytes() < channels_[0]->bytes();
+}
+
 void Bricks::beginFrame() {
   frameBegins_ = true;
   uploaded_ = evicted_ = 0;
@@ -119,6 +148,14 @@ void Bricks::endRound() {
     else if (marks_[i] == kAskedFor)
       wanted_.push_back(brick);
   }
+  if (volume::BrickSource* const source = channels_[0]->parts()) {
+    const auto partOf = [&](BrickCache::Brick brick) {
+      const glm::ivec3 part = source->brickOf(0, brickAt(brick) * brickCells);
+      return std::tuple(part.z, part.y, part.x);
+    };
+    std::stable_sort(wanted_.begin(), wanted_.end(),
+                     [&](BrickCache::Brick a, BrickCache::Brick b) { return partOf(a) < partOf(b); });
+  }
 }
 
 bool Bricks::canServe(BrickCache::Round kept) const {
@@ -129,6 +166,8 @@ std::size_t Bricks::serve(BrickCache::Round kept, std::size_t limitBytes) {
   const auto begin = std::chrono::steady_clock::now();
   const std::size_t each = slotBytes(channels_, apron_);
   std::size_t count = 0, next = 0;
+  const std::vector<volume::BrickSource::Request> ahead =
+      readAhead(*channels_[0], dims_, apron_, wanted_, limitBytes / each);
   for (; next < wanted_.size() && (count == 0 || (count + 1) * each <= limitBytes); ++next) {
     const BrickCache::Brick brick = wanted_[next];
     if (cache_.slotOf(brick)) continue;  // asked for twice
@@ -161,6 +200,7 @@ void Bricks::setEntry(BrickCache::Brick brick, bool isResident) const {
   const glm::ivec3 at = brickAt(brick);
   gl_->TextureSubImage3D(table_.id(), 0, at.x, at.y, at.z, 1, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
                          entry);
+  if (moved_) moved_(at, isResident);
 }
 
 void Bricks::upload(BrickCache::Brick brick, BrickCache::Slot slot) {

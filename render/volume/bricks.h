@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "render/gl/gl_objects.h"
@@ -19,8 +20,11 @@ class Bricks {
  public:
   // Nothing is resident yet. The cache takes what fits into the budget and the driver's 3D textures, at most
   // all bricks. Throws base::Error{memory} when not even a handful fits. `channels` outlive this. apron: as
-  // the lookups need it (brick_cache.h); programs are told by BRICK_APRON.
-  Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, std::size_t budgetBytes);
+  // the lookups need it (brick_cache.h); programs are told by BRICK_APRON. moved: told whenever a brick has
+  // become resident, or has made room.
+  using Moved = std::function<void(glm::ivec3 brick, bool isResident)>;
+  Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, std::size_t budgetBytes,
+         Moved moved = {});
 
   void bind(Program& program) const;  // uBricks, texture unit 15
   const Texture& texture(std::size_t channel) const { return caches_[channel]; }
@@ -31,6 +35,9 @@ class Bricks {
   std::size_t slots() const { return cache_.slots(); }
   std::size_t resident() const { return cache_.resident(); }
   bool holdsAll() const;  // once resident, a brick stays
+  // They come from a file of which not all parts stay in memory: who asks for neighbours together has fewer
+  // read.
+  bool readsTwice() const;
 
   // A frame has rounds of rays; what its first and later rounds use is known until the next frame's first
   // round.
@@ -43,6 +50,8 @@ class Bricks {
   // `kept` stay. Returns how many.
   std::size_t serve(BrickCache::Round kept, std::size_t limitBytes);
   bool canServe(BrickCache::Round kept) const;
+  // What was asked for does not fit beside what is resident.
+  bool wouldReplace() const { return cache_.resident() + wanted_.size() > cache_.slots(); }
   void forgetWanted() { wanted_.clear(); }
   BrickCache::Round thisRound() const { return cache_.round(); }
   BrickCache::Round frameRound() const { return frameRound_; }  // the first of the frame
@@ -60,6 +69,7 @@ class Bricks {
   GlPtr gl_;
   std::vector<const TexelSource*> channels_;
   int apron_;
+  Moved moved_;
   glm::ivec3 dims_, slotDims_;
   BrickCache cache_;
   std::vector<Texture> caches_;

@@ -47,6 +47,7 @@ std::vector<FieldAt> sourcesOf(const std::vector<FieldAt>& fields) {
 GpuVolume::GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume)
     : gl_(std::move(gl)), volume_(std::move(volume)) {
   checkBlocks(*gl_, *volume_->blocks, volume_->volume.name);
+  if (!grid().isWhole()) parts_ = std::make_unique<PartBoxes>(volume_->volume.grid);
 }
 
 bool GpuVolume::hasCells() const {
@@ -109,7 +110,18 @@ void GpuVolume::makeBricks(std::size_t budgetBytes) {
     sources.push_back(&channel->source);
     if (channel->scaled) apron = quinticApron;
   }
-  bricks_.emplace(gl_, std::move(sources), apron, budgetBytes);
+  Bricks::Moved moved;
+  if (parts_) {
+    parts_->clear();
+    moved = [this](glm::ivec3 brick, bool isResident) {
+      parts_->moved(brick, isResident);
+      for (const auto& surface : surfaces_) surface->updateMasks(brick);
+    };
+  }
+  // The masks of blocks, of large volumes, are not small.
+  const std::size_t masks = volume_->blocks->count() * sizeof(std::uint64_t);
+  bricks_.emplace(gl_, std::move(sources), apron,
+                  std::max(budgetBytes / 4, budgetBytes - std::min(budgetBytes, masks)), std::move(moved));
   ++bricksMade_;
 }
 
@@ -141,8 +153,9 @@ void GpuVolume::require(const std::vector<FieldAt>& fields, const scene::Memory&
   layout_.reset();
   dropOthers(sourcesOf(fields));
   const std::size_t budgetBytes = static_cast<std::size_t>(memory.gpuBudgetMb) << 20;
-  const bool whole = memory.layout == scene::MemoryLayout::whole ||
-                     (memory.layout == scene::MemoryLayout::automatic && fitsWhole(budgetBytes));
+  const bool whole =
+      memory.layout == scene::MemoryLayout::whole ||
+      (memory.layout == scene::MemoryLayout::automatic && grid().isWhole() && fitsWhole(budgetBytes));
   if (whole)
     makeWhole(budgetBytes);
   else
@@ -217,8 +230,8 @@ SurfaceBlocks& GpuVolume::blocksOf(scene::Field field) {
     boxes = {volume_, &made.boxes};
   }
   if (surfaces_.size() == kKeptFields) surfaces_.erase(surfaces_.begin());
-  surfaces_.push_back(
-      std::make_unique<SurfaceBlocks>(gl_, volume_, field, std::move(blocks), std::move(boxes)));
+  surfaces_.push_back(std::make_unique<SurfaceBlocks>(gl_, volume_, field, std::move(blocks),
+                                                      std::move(boxes), parts_.get()));
   return *surfaces_.back();
 }
 

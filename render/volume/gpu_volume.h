@@ -10,6 +10,7 @@
 
 #include "render/gl/gl_objects.h"
 #include "render/volume/bricks.h"
+#include "render/volume/part_boxes.h"
 #include "render/volume/surface_blocks.h"
 #include "render/volume/volume_texture.h"
 #include "scene/machine.h"
@@ -135,6 +136,7 @@ class GpuVolume {
   std::shared_ptr<const volume::PreparedVolume> volume_;
   Channels channels_;                    // the samples are the first
   std::optional<scene::Memory> layout_;  // by which textures of all channels are made
+  std::unique_ptr<PartBoxes> parts_;     // none: boxes of the whole volume are known
   std::optional<Bricks> bricks_;
   std::size_t bricksMade_ = 0;
 

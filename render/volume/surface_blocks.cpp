@@ -12,12 +12,13 @@ namespace isolux::render {
 
 SurfaceBlocks::SurfaceBlocks(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume,
                              scene::Field field, std::shared_ptr<const volume::MinMaxBlocks> blocks,
-                             std::shared_ptr<const volume::BoxBounds> boxes)
+                             std::shared_ptr<const volume::BoxBounds> boxes, const PartBoxes* parts)
     : gl_(std::move(gl)),
       volume_(std::move(volume)),
       field_(field),
       active_(std::move(blocks)),
-      boxes_(std::move(boxes)) {}
+      boxes_(std::move(boxes)),
+      parts_(parts) {}
 
 void SurfaceBlocks::activate(std::vector<float> storedIsovalues, Hidden hidden) {
   const std::uint64_t key = volume::keyOf(hidden.voxels);
@@ -52,23 +53,47 @@ std::size_t SurfaceBlocks::activeBricks() const {
 
 void SurfaceBlocks::updateMasks() {
   const std::vector<std::uint8_t>& flags = active_.flags();
-  if (active_.blocks().blockCells() == volume::BoxBounds::kBlockCells) {
+  if (boxes_ && active_.blocks().blockCells() == volume::BoxBounds::kBlockCells) {
     if (hidden_.surfaces.empty())
       boxes_->masks(storedIsovalues_, flags, masks_);
     else
       volume::shownBoxes(volume_->grid(), *boxes_, hidden_.surfaces, field_ != scene::Field::trilinear, flags,
                          masks_);
-  } else {  // of another size (benchmarks): every box of an active one
+  } else {  // of another size (benchmarks), or not known yet: every box of an active one
     masks_.resize(flags.size());
     std::transform(flags.begin(), flags.end(), masks_.begin(),
                    [](std::uint8_t flag) { return flag ? ~std::uint64_t{0} : std::uint64_t{0}; });
+    if (parts_)
+      for (const glm::ivec3& brick : parts_->resident()) takeMasks(brick);
   }
+}
+
+PartBoxes::Blocks SurfaceBlocks::takeMasks(glm::ivec3 brick) {
+  PartBoxes::Blocks found = parts_->masks(brick, storedIsovalues_, active_);
+  const glm::ivec3 size = found.size;
+  for (std::size_t i = 0; i < found.masks.size(); ++i) {
+    const int at = static_cast<int>(i);
+    const glm::ivec3 block =
+        found.low + glm::ivec3(at % size.x, at / size.x % size.y, at / (size.x * size.y));
+    masks_[blocks().index(block)] = found.masks[i];
+  }
+  return found;
+}
+
+void SurfaceBlocks::updateMasks(glm::ivec3 brick) {
+  if (masks_.empty()) return;  // no surface yet
+  const PartBoxes::Blocks found = takeMasks(brick);
+  if (uploaded_ == Uploaded::nothing || found.masks.empty()) return;
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_->TextureSubImage3D(texture_.id(), 0, found.low.x, found.low.y, found.low.z, found.size.x, found.size.y,
+                         found.size.z, GL_RG_INTEGER, GL_UNSIGNED_INT, found.masks.data());
 }
 
 bool SurfaceBlocks::mayHaveCells(const scene::Hit& hit) const {
   const glm::ivec3 dims = active_.blocks().dims();
   return hit.method == scene::HitMethod::exact && hit.field == scene::Field::trilinear &&
-         volume_->grid().missingCount() == 0 && blocks().blockCells() == volume::BoxBounds::kBlockCells &&
+         volume_->grid().isWhole() && volume_->grid().missingCount() == 0 &&
+         blocks().blockCells() == volume::BoxBounds::kBlockCells &&
          2 * std::max({dims.x, dims.y, dims.z}) <= gl_->max3dTexture;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/gl/gl_objects.h"
+#include "render/volume/part_boxes.h"
 #include "scene/scene.h"
 #include "volume/pieces/hidden_pieces.h"
 #include "volume/pieces/shown_boxes.h"
@@ -18,10 +19,11 @@ namespace isolux::render {
 
 class SurfaceBlocks {
  public:
-  // Blocks and boxes are the field's, and live as long as this.
+  // Blocks and boxes are the field's, and live as long as this. No boxes: the volume stays in its file, and
+  // what is known of them is in `parts`, which lives as long, too.
   SurfaceBlocks(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume, scene::Field field,
                 std::shared_ptr<const volume::MinMaxBlocks> blocks,
-                std::shared_ptr<const volume::BoxBounds> boxes);
+                std::shared_ptr<const volume::BoxBounds> boxes, const PartBoxes* parts);
 
   scene::Field field() const { return field_; }
   // What of the surfaces is hidden; empty where all is shown.
@@ -37,6 +39,9 @@ class SurfaceBlocks {
   std::span<const std::uint64_t> masks() const { return masks_; }
   std::size_t activeBricks() const;  // bricks that hold an active block
 
+  // What `parts` knows of a brick has changed.
+  void updateMasks(glm::ivec3 brick);
+
   // GpuVolume::prepareMasks() and bindMasks().
   void prepareMasks(const scene::Hit& hit);
   void bindMasks(Program& program, const scene::Hit& hit, int unit);
@@ -49,6 +54,7 @@ class SurfaceBlocks {
 
  private:
   void updateMasks();
+  PartBoxes::Blocks takeMasks(glm::ivec3 brick);
   void uploadHidden();
   bool mayHaveCells(const scene::Hit& hit) const;
   void upload(bool cells);
@@ -58,6 +64,7 @@ class SurfaceBlocks {
   scene::Field field_;
   volume::ActiveBlocks active_;
   std::shared_ptr<const volume::BoxBounds> boxes_;
+  const PartBoxes* parts_;
   std::vector<std::uint64_t> masks_;
   std::vector<float> storedIsovalues_;         // of the masks
   mutable std::optional<std::size_t> bricks_;  // counted when asked for

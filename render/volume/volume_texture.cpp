@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/error.h"
 #include "render/constants.h"
+#include "volume/bricks/brick_source.h"
+#include "volume/bricks/stored_type.h"
 #include "volume/field/value_scaling.h"
 
 namespace isolux::render {
@@ -13,15 +16,15 @@ namespace isolux::render {
 namespace {
 
 template <class Voxel, class Texel, class Convert>
-void convertBox(const std::vector<Voxel>& voxels, glm::ivec3 dims, glm::ivec3 first, glm::ivec3 size,
-                Texel* out, Convert convert) {
+void convertRows(const Voxel* voxels, glm::ivec3 dims, glm::ivec3 first, glm::ivec3 size, Texel* out,
+                 Convert convert) {
   const int from = std::clamp(-first.x, 0, size.x);           // texels before the first voxel
   const int to = std::clamp(dims.x - first.x, from, size.x);  // and behind the last
   const auto row = [&](int y, int z) {
     const std::size_t line =
         static_cast<std::size_t>(std::clamp(first.z + z, 0, dims.z - 1)) * static_cast<std::size_t>(dims.y) +
         static_cast<std::size_t>(std::clamp(first.y + y, 0, dims.y - 1));
-    return voxels.data() + line * static_cast<std::size_t>(dims.x);
+    return voxels + line * static_cast<std::size_t>(dims.x);
   };
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y) {
@@ -34,7 +37,11 @@ void convertBox(const std::vector<Voxel>& voxels, glm::ivec3 dims, glm::ivec3 fi
 
 }  // namespace
 
-TexelSource::TexelSource(const volume::Grid& grid) : dims_(grid.dims()), voxels_(&grid.voxels()) {
+TexelSource::TexelSource(const volume::Grid& grid)
+    : dims_(grid.dims()),
+      parts_(grid.source()),
+      partsType_(grid.storedType()),
+      voxels_(grid.isWhole() ? &grid.voxels() : nullptr) {
   using volume::VoxelType;
   switch (grid.storedType()) {
     case VoxelType::int8:
@@ -67,6 +74,7 @@ TexelSource::TexelSource(const volume::Coefficients& coefficients, glm::ivec3 di
 }
 
 std::size_t TexelSource::texelBytes() const {
+  if (parts_) return volume::bytesOf(partsType_);
   if (!voxels_) return sizeof(float);
   return std::visit([](const auto& voxels) { return sizeof(voxels[0]); }, *voxels_);
 }
@@ -84,25 +92,35 @@ GLenum TexelSource::type() const {
   return texelBytes() == 1 ? GL_UNSIGNED_BYTE : texelBytes() == 2 ? GL_UNSIGNED_SHORT : GL_FLOAT;
 }
 
+template <class Voxel>
+void TexelSource::convertBox(const Voxel* voxels, glm::ivec3 dims, glm::ivec3 first, glm::ivec3 size,
+                             void* texels) const {
+  if constexpr (std::is_same_v<Voxel, float>) {
+    convertRows(voxels, dims, first, size, static_cast<float*>(texels),
+                [shift = -exponent_, offset = subtracted_](float v) {
+                  return std::isnan(v) ? missingTexel : std::ldexp(v - offset, shift);
+                });
+  } else {
+    using Unsigned = std::make_unsigned_t<Voxel>;
+    constexpr int bias = std::is_signed_v<Voxel> ? (sizeof(Voxel) == 1 ? 128 : 32768) : 0;
+    convertRows(voxels, dims, first, size, static_cast<Unsigned*>(texels),
+                [](Voxel v) { return static_cast<Unsigned>(static_cast<int>(v) + bias); });
+  }
+}
+
 void TexelSource::copyBox(glm::ivec3 first, glm::ivec3 size, void* texels) const {
-  const auto copy = [&](const auto& voxels) {
-    using T = typename std::decay_t<decltype(voxels)>::value_type;
-    if constexpr (std::is_same_v<T, float>) {
-      convertBox(voxels, dims_, first, size, static_cast<float*>(texels),
-                 [shift = -exponent_, offset = subtracted_](float v) {
-                   return std::isnan(v) ? missingTexel : std::ldexp(v - offset, shift);
-                 });
-    } else {
-      using Unsigned = std::make_unsigned_t<T>;
-      constexpr int bias = std::is_signed_v<T> ? (sizeof(T) == 1 ? 128 : 32768) : 0;
-      convertBox(voxels, dims_, first, size, static_cast<Unsigned*>(texels),
-                 [](T v) { return static_cast<Unsigned>(static_cast<int>(v) + bias); });
-    }
-  };
-  if (voxels_)
-    std::visit(copy, *voxels_);
-  else
-    copy(*coefficients_);
+  if (parts_) {
+    const volume::GridGeometry box{.dims = size};
+    volume::withStoredType(partsType_, [&](auto zero) {
+      std::vector<decltype(zero)> voxels(box.voxelCount());
+      parts_->copyBox(0, first, size, std::as_writable_bytes(std::span(voxels)));
+      convertBox(voxels.data(), size, glm::ivec3(0), size, texels);
+    });
+  } else if (voxels_) {
+    std::visit([&](const auto& voxels) { convertBox(voxels.data(), dims_, first, size, texels); }, *voxels_);
+  } else {
+    convertBox(coefficients_->data(), dims_, first, size, texels);
+  }
 }
 
 Texture uploadWhole(const GlPtr& gl, const TexelSource& source, std::size_t budgetBytes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "render/gl/gl_objects.h"
@@ -19,6 +20,7 @@ namespace isolux::render {
 // Keeps pointers to the voxels it is made from.
 class TexelSource {
  public:
+  // Where the grid's voxels stay in a file, copyBox() waits for them and throws base::Error{input}.
   explicit TexelSource(const volume::Grid& grid);
   // Coefficients on the axes of a grid (volume::interpolatingCoefficients): texels are those of their values,
   // as of a float32 volume, and offset() is theirs.
@@ -34,9 +36,17 @@ class TexelSource {
 
   // The texels of voxels first .. first + size - 1, x fastest; beyond the border the border voxel repeats.
   void copyBox(glm::ivec3 first, glm::ivec3 size, void* texels) const;
+  // Null: they are in memory. Else who reads ahead what copyBox() will be asked for.
+  volume::BrickSource* parts() const { return parts_.get(); }
 
  private:
+  template <class Voxel>
+  void convertBox(const Voxel* voxels, glm::ivec3 dims, glm::ivec3 first, glm::ivec3 size,
+                  void* texels) const;
+
   glm::ivec3 dims_;
+  std::shared_ptr<volume::BrickSource> parts_;  // of voxels of this type, or:
+  volume::VoxelType partsType_ = volume::VoxelType::uint8;
   const volume::VoxelArray* voxels_ = nullptr;  // or:
   const std::vector<float>* coefficients_ = nullptr;
   double scale_ = 1.0, offset_ = 0.0;

@@ -775,6 +775,10 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>DICOM</translation>
     </message>
     <message>
+        <source>HDF5</source>
+        <translation>HDF5</translation>
+    </message>
+    <message>
         <source>MetaImage</source>
         <translation>MetaImage</translation>
     </message>
@@ -805,6 +809,10 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Volumes</source>
         <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Zarr</source>
+        <translation>Zarr</translation>
     </message>
 </context>
 <context>
@@ -5113,6 +5121,14 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Grafikspeicher, den die Voxel belegen dürfen.</translation>
     </message>
     <message>
+        <source>Memory for parts of a volume that stays in its file.</source>
+        <translation>Arbeitsspeicher für Teile eines Volumens, das in seiner Datei bleibt.</translation>
+    </message>
+    <message>
+        <source>Where a volume&apos;s voxels are while it is drawn: all in memory, or in the file, of which parts are read when they are needed; auto leaves them in the file where they do not fit into memory.</source>
+        <translation>Wo die Voxel eines Volumens liegen, während es gezeichnet wird: alle im Arbeitsspeicher oder in der Datei, von der Teile gelesen werden, wenn sie gebraucht werden; auto lässt sie in der Datei, wenn sie nicht in den Arbeitsspeicher passen.</translation>
+    </message>
+    <message>
         <source>How a second volume is combined with the first, as solids on one grid.</source>
         <translation>Wie ein zweites Volumen mit dem ersten verknüpft wird, als Körper auf einem Gitter.</translation>
     </message>
@@ -7066,6 +7082,14 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Grafikspeicher</translation>
     </message>
     <message>
+        <source>voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>ram budget mb</source>
+        <translation>Arbeitsspeicher</translation>
+    </message>
+    <message>
         <source>grain</source>
         <translation>Körnung</translation>
     </message>
@@ -7764,6 +7788,22 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>Strength of the key light&apos;s shadow</source>
         <translation>Stärke des Schattens des Hauptlichts</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Indexing</source>
+        <translation>Erfassen der Voxel</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Arbeitsspeicher</translation>
+    </message>
+    <message>
+        <source>indexing</source>
+        <translation>Voxel werden erfasst</translation>
     </message>
 </context>
 </TS>

@@ -238,6 +238,13 @@ std::span<const Named<MemoryLayout>> choicesOf() {
 }
 
 template <>
+std::span<const Named<VoxelPlace>> choicesOf() {
+  static constexpr Named<VoxelPlace> names[] = {
+      {VoxelPlace::automatic, "auto"}, {VoxelPlace::memory, "memory"}, {VoxelPlace::file, "file"}};
+  return names;
+}
+
+template <>
 std::span<const Named<Executor>> choicesOf() {
   static constexpr Named<Executor> names[] = {
       {Executor::automatic, "auto"}, {Executor::gpu, "gpu"}, {Executor::cpu, "cpu"}};

@@ -119,7 +119,7 @@ def tables(listed):
             waiting = [place for place in places if place.open == words]
             missed = " **Taken out: no test noticed.**" if words == "no test" else ""
             untried.append(f"- {once(map(where, waiting))}: {guard['wrong']}; {guard['guard']}.{missed}")
-    return {"figures of guards": figures, "guards": "\n".join(table), "kept guards": "\n".join(kept), "open guards": "\n".join(untried)}
+    return {"figures of guards": figures, "guards": "\n".join(table), "kept guards": "\n".join(kept), "open guards": "\n".join(untried) or "- none"}
 
 
 def sentence(words):

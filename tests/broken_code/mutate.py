@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Changes constants and comparisons of the arithmetic, one at a time, and asks whether a test notices: ./dev mutate [--help].
 
-mutate.toml says which files, and which tests are closest to each; survivors.toml lists changes that no test can notice, with the
+mutate.toml says which files, which tests are closest to each, and which are asked next; survivors.toml lists changes that no test can notice, with the
 reason. Everything happens in a copy of the tree (scratch_tree.py). Which changes are tried follows from the seed alone.
 Exit code: 0 at least 95 % of those tried were noticed (accepted ones aside), 1 fewer, 2 the script itself could not run."""
 
@@ -29,9 +29,9 @@ OTHERS = {"<": ("<=", ">="), "<=": ("<", ">"), ">": (">=", "<="), ">=": (">", "<
 
 
 class Mutant:
-    def __init__(self, file, text, begin, end, new, tests, ordinals):
+    def __init__(self, file, text, begin, end, new, stages, ordinals):
         self.file, self.begin, self.end, self.new = file, begin, end, new
-        self.program, self.tests = tests.split()
+        self.stages = stages  # (program, tests)...
         self.line = text.count("\n", 0, begin) + 1
         first, last = text.rfind("\n", 0, begin) + 1, text.find("\n", end)
         self.before = text[first:last].strip()
@@ -55,28 +55,29 @@ def changed_number(number, suffix):
     return ("1.0" if value == 0.0 else repr(2.0 * value)) + suffix
 
 
-def mutants_of(file, text, tests):
+def mutants_of(file, text, stages):
     code = PASSED_OVER.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
     ordinals = {}
     for found in NUMBER.finditer(code):
-        yield Mutant(file, text, found.start(), found.end(), changed_number(*found.groups()), tests, ordinals)
+        yield Mutant(file, text, found.start(), found.end(), changed_number(*found.groups()), stages, ordinals)
     for found in COMPARISON.finditer(code):
         for other in OTHERS[found.group()]:
-            yield Mutant(file, text, found.start(), found.end(), other, tests, ordinals)
+            yield Mutant(file, text, found.start(), found.end(), other, stages, ordinals)
 
 
 def all_mutants():
     with open(os.path.join(HERE, "mutate.toml"), "rb") as file:
-        scopes = tomllib.load(file)["scope"]
+        content = tomllib.load(file)
     seen, listed = set(), []
-    for scope in scopes:  # the first that names a file
+    for scope in content["scope"]:  # the first that names a file
+        stages = [tuple(content["named"].get(stage, stage).split()) for stage in scope["tests"]]
         for pattern in scope["files"]:
             paths = sorted(path for path in scratch_tree.ROOT.glob(pattern) if path not in seen)
             if not paths and not list(scratch_tree.ROOT.glob(pattern)):
                 raise scratch_tree.Trouble(f"mutate.toml: there is no file {pattern}")
             for path in paths:
                 seen.add(path)
-                listed += mutants_of(str(path.relative_to(scratch_tree.ROOT)), path.read_text(), scope["tests"])
+                listed += mutants_of(str(path.relative_to(scratch_tree.ROOT)), path.read_text(), stages)
     return listed
 
 
@@ -104,11 +105,16 @@ def try_all(chosen, arguments):
         kept.forget(mutant.key for mutant in chosen)
     todo = [mutant for mutant in chosen if mutant.key not in kept.of]
     if todo:
-        wanted = list(dict.fromkeys((mutant.program, mutant.tests) for mutant in todo))
+        wanted = list(dict.fromkeys(stage for mutant in todo for stage in mutant.stages))
         judge = scratch_tree.Judge(scratch_tree.ScratchTree(arguments.jobs, wanted), wanted)
     for mutant in todo:
         changed = {mutant.file: mutant.broken((judge.tree.path / mutant.file).read_text())}
-        state, words, seconds = judge.judge(changed, mutant.program, mutant.tests)
+        seconds = 0.0
+        for program, tests in mutant.stages:
+            state, words, more = judge.judge(changed, program, tests)
+            seconds += more
+            if state != "unnoticed":
+                break
         kept.put(mutant.key, state, words, seconds, file=mutant.file, line=mutant.line, before=mutant.before, after=mutant.after)
         print(f"{state:16} {mutant.file}:{mutant.line} {mutant.after} ({seconds:.0f} s)", flush=True)
     return report(chosen, kept)

@@ -31,7 +31,7 @@ FILE_SIZE = 1 << 30
 SMALL = ["--size", "32x24"]
 EXIT_CODES = {0, 2, 3, 4, 5}
 # Half of the mutants are DICOM, which is decoded by the most code of others.
-SHARES = {"dicom": 10, "vti": 2, "vtp": 2, "light": 2, "nifti": 1, "headers": 2, "tiff": 1, "mesh": 1, "probe": 1,
+SHARES = {"dicom": 10, "vti": 2, "vtp": 2, "light": 2, "nifti": 1, "headers": 2, "tiff": 1, "mesh": 1, "array": 2, "probe": 1,
           "session": 1, "recording": 1}
 
 
@@ -114,6 +114,12 @@ def contents(folder):
     return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
 
 
+def write_files(folder, files):
+    for name, data in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(data)
+
+
 def run(program, words, results, inputs, work):
     """Runs the program in an empty folder; raises Outcome."""
     work.mkdir()
@@ -164,8 +170,7 @@ def try_one(options, family, number):
     try:
         inputs = folder / "in"
         inputs.mkdir()
-        for name, data in files.items():
-            (inputs / name).write_bytes(data)
+        write_files(inputs, files)
         if family.name == "recording" and too_long_to_replay(files[chosen.name]):
             return family.name, number, None, 0, 0.0
         path = str(inputs) if chosen.open_folder else str(inputs / chosen.name)
@@ -204,8 +209,7 @@ def check_seeds(options, families):
             with tempfile.TemporaryDirectory() as folder:
                 inputs = pathlib.Path(folder) / "in"
                 inputs.mkdir()
-                for name, data in seed.files.items():
-                    (inputs / name).write_bytes(data)
+                write_files(inputs, seed.files)
                 path = str(inputs) if seed.open_folder else str(inputs / seed.name)
                 words, results = commands(family.name, path, inputs, random.Random(1))
                 code, _ = run(options.isolux, words, results, inputs, pathlib.Path(folder) / "work")

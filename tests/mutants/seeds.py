@@ -261,6 +261,35 @@ def tiff(maker):
             Seed("", stack, "folder", open_folder=True)]
 
 
+def arrays(maker):
+    """Zarr folders, and HDF5 files."""
+    try:
+        import h5py
+        import numcodecs
+        import zarr
+    except ImportError as error:
+        maker.notes.append(f"no Zarr and no HDF5: {error}")
+        return []
+    values = wave(8, 7, 6)
+    seeds = []
+    for name, codec in (("plain", None), ("zlib", numcodecs.Zlib(3)), ("zstd", numcodecs.Zstd(3)), ("lz4", numcodecs.LZ4()),
+                        ("blosc", numcodecs.Blosc("lz4", 3, 1))):
+        folder = maker.folder / f"{name}.zarr"
+        group = zarr.open_group(str(folder), "w")
+        group.create_dataset("0", data=values, chunks=(3, 4, 5), compressor=codec)
+        group.attrs["multiscales"] = [{
+            "version": "0.4", "axes": [{"name": a, "type": "space", "unit": "millimeter"} for a in "zyx"],
+            "datasets": [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": [2, 1, 1]}]}]}]
+        files = {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+        seeds.append(Seed("", files, f"Zarr {name}", open_folder=True))
+    for name, words in (("contiguous", {}), ("deflate", {"chunks": (3, 4, 5), "compression": "gzip", "shuffle": True}),
+                        ("fletcher32", {"chunks": (3, 4, 5), "fletcher32": True})):
+        with h5py.File(maker.folder / "a.h5", "w", libver="latest" if words else "earliest") as file:
+            file.create_dataset("v", data=values, **words).attrs["element_size_um"] = [2000.0, 1000.0, 1000.0]
+        seeds.append(Seed("a.h5", {"a.h5": (maker.folder / "a.h5").read_bytes()}, f"HDF5 {name}"))
+    return seeds
+
+
 def light(maker):
     words = ["--set", "gi.samples=1", "--set", "gi.lattice_scale=0.5"]
     made = maker.made("light.vti", "bake", "phantom:ball:8", "--out", "light.vti", *words)
@@ -309,4 +338,4 @@ def recordings(maker):
 
 
 FAMILIES = {"dicom": dicom, "vti": vti, "vtp": vtp, "light": light, "nifti": nifti, "headers": headers, "tiff": tiff,
-            "mesh": meshes, "probe": probes, "session": sessions, "recording": recordings}
+            "mesh": meshes, "array": arrays, "probe": probes, "session": sessions, "recording": recordings}

@@ -43,7 +43,7 @@ bool isGlHeader(const std::string& name) {
 
 // Of libraries that end the program on damaged files: they belong into the readers' processes.
 bool isParserHeader(const std::string& name) {
-  static const std::regex parser(R"((vtk[A-Z][A-Za-z0-9]*\.h)|((OpenImageIO|gdcm)[A-Za-z0-9.-]*/.*))");
+  static const std::regex parser(R"(((vtk|H5)[A-Z]?[A-Za-z0-9]*\.h)|(hdf5\.h)|((OpenImageIO|gdcm)[A-Za-z0-9.-]*/.*))");
   return std::regex_match(name, parser);
 }
 
@@ -52,15 +52,22 @@ bool isMpiHeader(const std::string& name) {
   return std::regex_match(name, mpi);
 }
 
-// The readers are programs of their own: they stand beside gi and may include what it may.
+bool isPythonHeader(const std::string& name) {
+  return name.starts_with("pybind11/") || name.starts_with("numpy/") || name == "Python.h";
+}
+
+// The readers are programs of their own: they stand beside gi and may include what it may. The Python module
+// stands beside ui and may include what is below that.
 std::size_t rankOf(std::string_view path) {
-  return path.starts_with("readers/") ? layerOf("gi/").value() : layerOf(path).value();
+  if (path.starts_with("readers/")) return layerOf("gi/").value();
+  if (path.starts_with("python/")) return layerOf("app/").value();
+  return layerOf(path).value();
 }
 
 // One line for each include of `path` (relative to the tree, inside a layer) that points the wrong way.
 std::vector<std::string> wrongIncludes(const std::string& path, const std::string& content) {
   static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^">]+)[">])re");
-  const bool isReader = path.starts_with("readers/");
+  const bool isReader = path.starts_with("readers/"), isPython = path.starts_with("python/");
   const std::size_t own = rankOf(path);
   std::vector<std::string> wrong;
   std::istringstream stream(content);
@@ -76,6 +83,8 @@ std::vector<std::string> wrongIncludes(const std::string& path, const std::strin
     if (target && *target > own)
       complain(std::string(layers[own]) + " must not include " + std::string(layers[*target]));
     if (name.starts_with("gi/") && isReader) complain("readers must not include gi");
+    if (name.starts_with("python/") && !isPython) complain("only the Python module includes python");
+    if (isPythonHeader(name) && !isPython) complain("Python only in python");
     if (name.starts_with("readers/") && !isReader) complain("only readers include readers");
     if (isParserHeader(name) && !isReader) complain("parsers of other people's files only in readers");
     if (isMpiHeader(name) && path != "app/cluster/mpi_module.cpp")
@@ -86,7 +95,8 @@ std::vector<std::string> wrongIncludes(const std::string& path, const std::strin
     if (isQtHeader(name) && layers[own] != "ui") complain("Qt only in ui");
     if (isGlHeader(name) && layers[own] != "render" && layers[own] != "ui")
       complain("GL only in render and ui");
-    if (match[1] == "\"" && !target && !name.starts_with("readers/") && fs::path(name).has_parent_path())
+    if (match[1] == "\"" && !target && !name.starts_with("readers/") && !name.starts_with("python/") &&
+        fs::path(name).has_parent_path())
       complain("no such layer");
   }
   return wrong;
@@ -103,6 +113,7 @@ TEST(IncludeDirection, NoFileOfTheTreePointsTheWrongWay) {
   int files = 0;
   std::vector<std::string_view> folders(layers.begin(), layers.end());
   folders.emplace_back("readers");
+  folders.emplace_back("python");
   for (const std::string_view layer : folders) {
     if (!fs::exists(root / layer)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / layer)) {
@@ -130,6 +141,10 @@ TEST(IncludeDirection, AcceptsWhatIsAllowed) {
       wrongIncludes("readers/vtk/vti.cpp",
                     "#include <vtkNew.h>\n#include \"volume/grid.h\"\n#include \"readers/limits.h\"\n"),
       IsEmpty());
+  EXPECT_THAT(wrongIncludes("python/core.h",
+                            "#include <pybind11/numpy.h>\n#include \"app/commands/command.h\"\n#include "
+                            "\"python/desk.h\"\n"),
+              IsEmpty());
   EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/window.h\"\n"), IsEmpty());
   EXPECT_THAT(wrongIncludes("app/cluster/mpi_module.cpp", "#include <mpi.h>\n"), IsEmpty());
 }
@@ -153,6 +168,12 @@ TEST(IncludeDirection, FindsEachKindOfFault) {
               ElementsAre(HasSubstr("MPI only in")));
   EXPECT_THAT(wrongIncludes("volume/a.h", "#include \"readers/limits.h\""),
               ElementsAre(HasSubstr("only readers include readers")));
+  EXPECT_THAT(wrongIncludes("python/core.h", "#include \"ui/window.h\""),
+              ElementsAre(HasSubstr("must not include ui")));
+  EXPECT_THAT(wrongIncludes("ui/a.h", "#include \"python/core.h\""),
+              ElementsAre(HasSubstr("only the Python module")));
+  EXPECT_THAT(wrongIncludes("app/a.h", "#include <pybind11/numpy.h>"),
+              ElementsAre(HasSubstr("Python only in python")));
   EXPECT_THAT(wrongIncludes("readers/serve.h", "#include \"gi/sampling/environment.h\""),
               ElementsAre(HasSubstr("readers must not include gi")));
   EXPECT_THAT(wrongIncludes("app/a.h", "#include \"../ui/window.h\""), testing::Contains(HasSubstr("root")));

@@ -35,7 +35,7 @@ TEST(Machine, AssignmentsAreThoseOfTheCommandLine) {
 }
 
 TEST(Machine, NoPathIsOfTheSceneAndOfTheMachine) {
-  EXPECT_EQ(machineSettings().size(), 6u);
+  EXPECT_EQ(machineSettings().size(), 8u);
   for (const MachineSetting& s : machineSettings()) {
     EXPECT_TRUE(isOfMachine(s.path + "=1"));
     EXPECT_THROW(setting(s.path), base::Error) << s.path;

@@ -28,15 +28,23 @@ struct Planes {
 }  // namespace
 
 TrilinearOracle::TrilinearOracle(const volume::Grid& grid)
-    : grid_(grid),
+    : grid_(&grid),
+      dims_(grid.dims()),
       stored_(
           std::visit([](const auto& v) { return std::vector<float>(v.begin(), v.end()); }, grid.voxels())) {}
+
+TrilinearOracle::TrilinearOracle(glm::ivec3 dims, Value value) : dims_(dims), value_(std::move(value)) {}
+
+double TrilinearOracle::cornerOf(glm::ivec3 voxel) const {
+  if (value_) return value_(voxel);
+  return grid_->valueOfStored(static_cast<double>(stored_[grid_->index(voxel.x, voxel.y, voxel.z)]));
+}
 
 std::optional<double> TrilinearOracle::firstHit(double isovalue, const volume::Ray& ray) const {
   Real begin = ray.tMinimum, end = ray.tMaximum;
   std::array<Planes, 3> planes;
   for (std::size_t a = 0; a < 3; ++a) {
-    const int axis = static_cast<int>(a), last = grid_.dims()[axis] - 1;
+    const int axis = static_cast<int>(a), last = dims_[axis] - 1;
     Planes& p = planes[a];
     p.origin = ray.origin[axis];
     p.direction = ray.direction[axis];
@@ -80,15 +88,12 @@ std::optional<long double> TrilinearOracle::searchCell(Real isovalue, const volu
   glm::ivec3 cell;
   for (int axis = 0; axis < 3; ++axis)
     cell[axis] = std::clamp(static_cast<int>(std::floor(ray.origin[axis] + middle * ray.direction[axis])), 0,
-                            grid_.dims()[axis] - 2);
-  const std::size_t base = grid_.index(cell.x, cell.y, cell.z);
-  const std::size_t dy = static_cast<std::size_t>(grid_.dims().x),
-                    dz = dy * static_cast<std::size_t>(grid_.dims().y);
+                            dims_[axis] - 2);
   std::array<double, 8> corner;
   bool below = false, above = false;
   for (std::size_t i = 0; i < 8; ++i) {
-    corner[i] =
-        grid_.valueOfStored(static_cast<double>(stored_[base + (i & 1) + (i >> 1 & 1) * dy + (i >> 2) * dz]));
+    const int corners = static_cast<int>(i);
+    corner[i] = cornerOf(cell + glm::ivec3(corners & 1, corners >> 1 & 1, corners >> 2));
     if (std::isnan(corner[i])) {
       side = 0;
       return std::nullopt;

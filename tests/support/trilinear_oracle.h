@@ -6,6 +6,7 @@
 // middle, and the cubic in it is that through four samples, in the power basis, cut at its extrema.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,16 +19,23 @@ namespace isolux::test {
 class TrilinearOracle {
  public:
   explicit TrilinearOracle(const volume::Grid& grid);
+  // Of values by a formula: of a volume that is too large for memory.
+  using Value = std::function<double(glm::ivec3 voxel)>;
+  TrilinearOracle(glm::ivec3 dims, Value value);
 
-  const volume::Grid& grid() const { return grid_; }
+  const volume::Grid& grid() const { return *grid_; }  // of the first constructor
   std::optional<double> firstHit(double isovalue, const volume::Ray& ray) const;
 
  private:
   using Real = long double;
   std::optional<Real> searchCell(Real isovalue, const volume::Ray& ray, Real t0, Real t1, int& side) const;
 
-  const volume::Grid& grid_;
+  double cornerOf(glm::ivec3 voxel) const;
+
+  const volume::Grid* grid_ = nullptr;
+  glm::ivec3 dims_;
   std::vector<float> stored_;  // holds every stored type exactly
+  Value value_;                // or this
 };
 
 // How hits compare with the oracle's. Distances along the ray in voxels.

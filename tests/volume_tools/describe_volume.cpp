@@ -1,14 +1,72 @@
 // describe_volume PATH [COMPONENT [TIMESTEP]]: prints what readVolume() made of PATH as one JSON object, with
-// the values at 27 voxels spread over the volume. Exit code of the Error, its text on stderr.
+// the values at 27 voxels spread over the volume, and a sum over all of them. Of what can be read in parts
+// (Zarr, HDF5), parts are read, too, and compared ("parts_differ"). Exit code of the Error, its text on
+// stderr.
 #include <cstdlib>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "volume/bricks/open_arrays.h"
 #include "volume/read/reader.h"
 
 namespace {
+
+// The sum of all values, each times (x + 2 y + 3 z) mod 11: tells voxels that lie elsewhere.
+double placedSum(const isolux::volume::Grid& grid) {
+  double sum = 0.0;
+  const glm::ivec3 n = grid.dims();
+  for (int z = 0; z < n.z; ++z)
+    for (int y = 0; y < n.y; ++y)
+      for (int x = 0; x < n.x; ++x)
+        sum += grid.value(x, y, z) * static_cast<double>((x + 2 * y + 3 * z) % 11);
+  return sum;
+}
+
+// Voxels of 40 boxes that are not those of the whole.
+template <class T>
+int differences(const isolux::volume::ChunkedVolume& parts, isolux::volume::VolumePart part,
+                const isolux::volume::Grid& whole) {
+  std::uint32_t state = 1;
+  const auto below = [&](int n) {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<int>((state >> 8) % static_cast<std::uint32_t>(n));
+  };
+  int different = 0;
+  const glm::ivec3 n = whole.dims();
+  for (int box = 0; box < 40; ++box) {
+    const glm::ivec3 low(below(n.x), below(n.y), below(n.z));
+    const glm::ivec3 size(1 + below(n.x - low.x), 1 + below(n.y - low.y), 1 + below(n.z - low.z));
+    std::vector<T> voxels(static_cast<std::size_t>(size.x * size.y * size.z));
+    parts.read(part, 0, low, size, std::as_writable_bytes(std::span(voxels)));
+    std::size_t i = 0;
+    for (int z = 0; z < size.z; ++z)
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x, ++i)
+          if (static_cast<float>(whole.value(low.x + x, low.y + y, low.z + z)) !=
+              static_cast<float>(voxels[i]))
+            ++different;
+  }
+  return different;
+}
+
+int differences(const isolux::volume::ChunkedVolume& parts, isolux::volume::VolumePart part,
+                const isolux::volume::Grid& whole) {
+  using isolux::volume::VoxelType;
+  switch (parts.facts().storedType) {
+    case VoxelType::int8:
+      return differences<std::int8_t>(parts, part, whole);
+    case VoxelType::uint8:
+      return differences<std::uint8_t>(parts, part, whole);
+    case VoxelType::int16:
+      return differences<std::int16_t>(parts, part, whole);
+    case VoxelType::uint16:
+      return differences<std::uint16_t>(parts, part, whole);
+    default:
+      return differences<float>(parts, part, whole);
+  }
+}
 
 nlohmann::json describe(const isolux::volume::Volume& volume) {
   const auto& grid = *volume.grid;
@@ -39,6 +97,7 @@ nlohmann::json describe(const isolux::volume::Volume& volume) {
           {"slope", grid.slope()},
           {"intercept", grid.intercept()},
           {"range", {grid.minimum(), grid.maximum()}},
+          {"placed_sum", placedSum(grid)},
           {"missing", grid.missingCount()},
           {"samples", samples},
           {"warnings", volume.warnings}};
@@ -57,7 +116,12 @@ int main(int argc, char** argv) {
   isolux::base::Progress progress;
   try {
     const auto volume = isolux::volume::readVolume(argv[1], options, progress);
-    std::cout << describe(volume).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    nlohmann::json json = describe(volume);
+    if (const auto parts = isolux::volume::openArrays(argv[1], "", progress)) {
+      json["parts_differ"] = differences(*parts, {options.timeStep, options.component}, *volume.grid);
+      json["levels"] = parts->facts().levels.size();
+    }
+    std::cout << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
     return 0;
   } catch (const isolux::base::Error& error) {
     std::cerr << error.what() << '\n';

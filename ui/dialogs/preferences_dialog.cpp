@@ -37,6 +37,11 @@ QString labelOf(const scene::SettingInfo& setting) {
   return known != labels.end() ? known->second : wordsOf(QString::fromStdString(setting.path));
 }
 
+// The window reads volumes whole: where voxels stay is for `isolux render`.
+bool actsInTheWindow(const scene::MachineSetting& setting) {
+  return setting.path != "memory.voxels" && setting.path != "memory.ram_budget_mb";
+}
+
 QString describe(const scene::MachineSetting& setting) {
   const nlohmann::json value = setting.defaultValue();
   const QString text = QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
@@ -57,6 +62,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   grid->setHorizontalSpacing(14);
   grid->setVerticalSpacing(9);
   for (const scene::MachineSetting& setting : scene::machineSettings()) {
+    if (!actsInTheWindow(setting)) continue;
     const int line = static_cast<int>(rows_.size());
     Row row{&setting, new QLabel(labelOf(setting), this), makeValueWidget(setting, this), nullptr};
     row.label->setBuddy(row.value);

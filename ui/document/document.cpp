@@ -166,7 +166,8 @@ void Document::startLoading(const scene::Scene& scene, After after) {
   pendingCompletion_ = {};
   pendingScene_ = scene;
   loadBegin_ = std::chrono::steady_clock::now();
-  job_ = std::make_unique<app::LoadJob>(scene.source);
+  job_ = ahead_.take(scene.source);
+  if (!job_) job_ = std::make_unique<app::LoadJob>(scene.source);
   pollTimer_.start();
   Q_EMIT loadStarted(shortName(scene.source.path));
 }
@@ -215,7 +216,7 @@ void Document::finishLoading() {
   }
   const scene::Scene before = scene();
   const VolumePointer volume = job->volume();
-  loadedSource_ = job->source();
+  const scene::Source shownSource = std::exchange(loadedSource_, job->source());
   QString name = tr("Open %1").arg(shortName(loadedSource_.path));
   if (after_ == After::replaceDocument) {
     completePending(*volume);
@@ -227,6 +228,7 @@ void Document::finishLoading() {
     name = pendingName_;
   }
   volume_ = volume;
+  ahead_.moved(shownSource, loadedSource_, *volume);
   Q_EMIT volumeChanged(volume_);
   if (after_ == After::keepScene) {
     announce();  // undo() recorded the change already
@@ -267,6 +269,16 @@ void Document::restoreDocument() {
 void Document::changeSource(const volume::PreparedVolume& volume) {
   scene::Scene next = scene();  // edits made while it loaded stay
   const bool otherSeries = next.source.series != loadedSource_.series;
+  scene::Source otherStep = next.source;
+  otherStep.timeStep = loadedSource_.timeStep;
+  if (otherStep == loadedSource_) {  // steps are there to be compared: as it is on screen
+    const scene::Scene resolved = resolvedScene();
+    next.isosurface.value = resolved.isosurface.value;
+    next.camera = resolved.camera;
+    next.source = loadedSource_;
+    history_.edit(next, pendingName_.toStdString());
+    return;
+  }
   next.source = loadedSource_;
   if (otherSeries) makeAutomatic(next);
   if (next.isosurface.value && (*next.isosurface.value <= volume.grid().minimum() ||

@@ -20,6 +20,7 @@
 #include "app/documents/recording.h"
 #include "app/documents/unsaved_work.h"
 #include "app/jobs/load_job.h"
+#include "app/jobs/step_ahead.h"
 #include "scene/flow_clock.h"
 #include "ui/document/edit.h"
 
@@ -123,6 +124,7 @@ class Document : public QObject {
   QString sessionFile_;
 
   std::unique_ptr<app::LoadJob> job_;
+  app::StepAhead ahead_;
   std::vector<std::unique_ptr<app::LoadJob>> stopping_;  // cancelled, still finding their way out
   After after_ = After::replaceDocument;
   scene::Scene pendingScene_;

@@ -7,9 +7,11 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QSlider>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -75,13 +77,22 @@ VolumePanel::VolumePanel(QWidget* parent)
   series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   series_->setMinimumContentsLength(12);
   component_ = new QComboBox(choiceBox_);
-  timeStep_ = new QSpinBox(choiceBox_);
+  timeRow_ = new QWidget(choiceBox_);
+  timeSlider_ = new QSlider(Qt::Horizontal, timeRow_);
+  timeSlider_->setTracking(false);
+  timeSlider_->setPageStep(1);
+  timeSlider_->setAccessibleName(tr("Time step"));
+  timeStep_ = new QSpinBox(timeRow_);
   timeStep_->setKeyboardTracking(false);
+  auto* timeLayout = new QHBoxLayout(timeRow_);
+  timeLayout->setContentsMargins(0, 0, 0, 0);
+  timeLayout->addWidget(timeSlider_, 1);
+  timeLayout->addWidget(timeStep_);
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   choices_->setContentsMargins(0, 0, 0, 8);
   choices_->addRow(tr("Series"), series_);
   choices_->addRow(tr("Component"), component_);
-  choices_->addRow(tr("Time step"), timeStep_);
+  choices_->addRow(tr("Time step"), timeRow_);
   choiceBox_->setLayout(choices_);
 
   source_ = new SourcePanel(this);
@@ -126,6 +137,7 @@ VolumePanel::VolumePanel(QWidget* parent)
     edit.scene.source.timeStep = step;
     Q_EMIT edited(edit);
   });
+  connect(timeSlider_, &QSlider::valueChanged, timeStep_, &QSpinBox::setValue);
 }
 
 WrappedText* VolumePanel::addRow(const QString& name) {
@@ -225,7 +237,8 @@ void VolumePanel::showFacts() {
 }
 
 void VolumePanel::showChoices() {
-  const QSignalBlocker blockSeries(series_), blockComponent(component_), blockTime(timeStep_);
+  const QSignalBlocker blockSeries(series_), blockComponent(component_), blockTime(timeStep_),
+      blockSlider(timeSlider_);
   series_->clear();
   component_->clear();
   const bool severalSeries = volume_ && volume_->volume.seriesChoices.size() > 1;
@@ -248,10 +261,12 @@ void VolumePanel::showChoices() {
     timeStep_->setRange(0, volume_->volume.timeSteps - 1);
     timeStep_->setSuffix(tr(" of 0 … %1").arg(volume_->volume.timeSteps - 1));
     timeStep_->setValue(scene_.source.timeStep);
+    timeSlider_->setRange(0, volume_->volume.timeSteps - 1);
+    timeSlider_->setValue(scene_.source.timeStep);
   }
   choices_->setRowVisible(series_, severalSeries);
   choices_->setRowVisible(component_, severalComponents);
-  choices_->setRowVisible(timeStep_, severalSteps);
+  choices_->setRowVisible(timeRow_, severalSteps);
   choiceBox_->setVisible(severalSeries || severalComponents || severalSteps);
 }
 

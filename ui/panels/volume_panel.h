@@ -6,6 +6,7 @@
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QSlider;
 class QSpinBox;
 
 namespace isolux::ui {
@@ -24,6 +25,7 @@ class VolumePanel : public Panel {
   QComboBox* seriesChoice() const { return series_; }
   QComboBox* componentChoice() const { return component_; }
   QSpinBox* timeStepChoice() const { return timeStep_; }
+  QSlider* timeSlider() const { return timeSlider_; }
   SourcePanel* sourcePanel() const { return source_; }
   QString warnings() const;
 
@@ -41,6 +43,8 @@ class VolumePanel : public Panel {
   QWidget* choiceBox_;
   QComboBox *series_, *component_;
   QSpinBox* timeStep_;
+  QSlider* timeSlider_;  // the same, where it is let go
+  QWidget* timeRow_;
   SourcePanel* source_;
 };
 

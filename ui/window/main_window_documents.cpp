@@ -32,6 +32,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/window_layout.h"
+#include "volume/bricks/zarr/zarr.h"
 
 namespace isolux::ui {
 
@@ -55,7 +56,7 @@ std::vector<MessageBar::Answer> showInFolder(const QString& file) {
 // ------------------------------------------------------------------------------------------------
 
 void MainWindow::openPath(const QString& path) {
-  if (QFileInfo(path).isDir()) {
+  if (QFileInfo(path).isDir() && !volume::isZarrFolder(path.toStdString())) {
     openFolder(path);
   } else if (mayDiscard()) {
     document_->open(path);

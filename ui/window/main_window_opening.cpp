@@ -14,6 +14,8 @@
 #include "ui/window/load_card.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "volume/bricks/hdf5/hdf5.h"
+#include "volume/bricks/zarr/zarr.h"
 
 namespace isolux::ui {
 
@@ -55,7 +57,8 @@ void MainWindow::openSeries(const QString& folder, const QString& series) {
 // At the start. A folder that says no series may hold several.
 void MainWindow::openRequested(const app::WindowRequest& request, const scene::Scene& scene) {
   const QString path = QString::fromStdString(scene.source.path);
-  if (!request.sessionFile.empty() || !scene.source.series.empty() || !QFileInfo(path).isDir()) {
+  if (!request.sessionFile.empty() || !scene.source.series.empty() || !QFileInfo(path).isDir() ||
+      volume::isZarrFolder(scene.source.path)) {
     document_->openScene(scene, QString::fromStdString(request.sessionFile), request.completed);
     return;
   }
@@ -77,7 +80,9 @@ void MainWindow::browseFolders() {
 // -------------------------------------------------------------------------------------------------
 
 void MainWindow::openRecent(const RecentFile& file) {
-  if (!file.path.startsWith("phantom:") && !QFileInfo::exists(file.path)) removeRecentFile(file.path);
+  if (!file.path.startsWith("phantom:") && !QFileInfo::exists(file.path) &&
+      !volume::hdf5PathOf(file.path.toStdString()))
+    removeRecentFile(file.path);
   if (file.series.isEmpty())
     openPath(file.path);
   else

@@ -8,14 +8,13 @@ namespace {
 
 // Of odd samples with period 2 (length - 1).
 HalfKernel foldedTo(std::size_t length, const HalfKernel& kernel) {
-  const std::size_t last = length - 1, period = 2 * last;
+  const std::size_t period = 2 * (length - 1);
   if (kernel.size() <= length) return kernel;
   HalfKernel folded(length);
   for (std::size_t k = 0; k < kernel.size(); ++k) {
     const std::size_t at = k % period, distance = std::min(at, period - at);
-    // Distances 0 and `last` have one place in a period, the others two.
-    const bool once = distance == 0 || distance == last;
-    folded[distance] += (k == 0 || !once ? 1.0 : distance == 0 ? 2.0 : 1.0) * kernel[k];
+    // Weights stand for both sides, but the one at distance 0, where k and -k come together.
+    folded[distance] += (distance == 0 && k > 0 ? 2.0 : 1.0) * kernel[k];
   }
   return folded;
 }

@@ -78,8 +78,10 @@ std::optional<glm::vec3> nearestSurfacePoint(const Grid& grid, glm::vec3 voxel, 
   glm::vec3 nearest = *start;
   for (int i = 0; i < kSlides; ++i) {
     const glm::dvec3 at(nearest), gradient = sampleTrilinear(grid, at).gradient;
+    const double squared = glm::dot(gradient, gradient);
+    if (!(squared > 0.0)) break;  // NaN too
     // The foot of the perpendicular on the tangent plane.
-    const glm::dvec3 foot = from + gradient * (glm::dot(at - from, gradient) / glm::dot(gradient, gradient));
+    const glm::dvec3 foot = from + gradient * (glm::dot(at - from, gradient) / squared);
     const std::optional<glm::vec3> closer = ontoSurface(grid, foot, value);
     if (hidden.voxels && closer && shown.hiddenAt(*closer)) break;
     if (!closer || distanceSquared(*closer, voxel) >= distanceSquared(nearest, voxel)) break;

@@ -41,6 +41,7 @@ std::optional<ProbedPoint> PointProbe::at(glm::dvec3 world) const {
   const FieldSample shape = shape_.atVoxel(point.voxel);
   if (!std::isfinite(point.value) || !std::isfinite(shape.value)) return std::nullopt;
   point.gradient = shape.gradient;
+  point.hessian = shape.hessian;
   point.curvature = principalCurvature(point.gradient, shape.hessian, outward_);
   point.confidence = curvatureConfidence(point.curvature, point.gradient, curvatureScale_);
   point.scaleMm = shape_.scaleMm();

@@ -19,6 +19,7 @@ struct ProbedPoint {
   glm::dvec3 world{0.0}, voxel{0.0};
   double value = 0.0;              // data units, of hit.field
   glm::dvec3 gradient{0.0};        // data units per mm, world, of the field at the scale
+  glm::dmat3 hessian{0.0};         // data units per mm^2, the same
   PrincipalCurvature curvature{};  // with the normal; zero where the gradient vanishes
   double confidence = 0.0, scaleMm = 0.0;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
 #include <glm/matrix.hpp>
 
@@ -334,15 +333,16 @@ ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, boo
   return header;
 }
 
-Volume readNifti(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
-  fs::path headerPath = path;
+NiftiFiles openNifti(const fs::path& path) {
+  NiftiFiles files{.header = {}, .headerPath = path, .dataPath = path};
   const std::string extension =
       lowered((path.extension() == ".gz" ? path.stem() : path).extension().string());
   if (extension == ".img") {
-    headerPath = counterpart(path, ".hdr");
-    if (headerPath.empty()) throwInput(path.string(), "", "the header (.hdr) of this .img file is missing");
+    files.headerPath = counterpart(path, ".hdr");
+    if (files.headerPath.empty())
+      throwInput(path.string(), "", "the header (.hdr) of this .img file is missing");
   }
-  const FileBytes headerBytes(headerPath);
+  const FileBytes headerBytes(files.headerPath);
   if (headerBytes.size() == 0) throwInput(headerBytes.name(), "", "the file is empty");
   const bool compressedHeader = isGzip(headerBytes);
   const std::string head =
@@ -350,22 +350,26 @@ Volume readNifti(const fs::path& path, const ReadOptions& options, base::Progres
   if (compressedHeader && head.empty())
     throwInput(headerBytes.name(), "byte 0", "the compressed data are damaged");
   bool pairs = false;
-  ImageHeader header = parseNiftiHeader(head, headerBytes.name(), pairs);
-
-  std::optional<FileBytes> data;
+  files.header = parseNiftiHeader(head, headerBytes.name(), pairs);
+  files.dataPath = files.headerPath;
   if (pairs) {
-    const fs::path image = extension == ".img" ? path : counterpart(headerPath, ".img");
-    if (image.empty())
+    files.dataPath = extension == ".img" ? path : counterpart(files.headerPath, ".img");
+    if (files.dataPath.empty())
       throwInput(headerBytes.name(), "data file", "the .img file beside this header is missing");
-    data.emplace(image);
   }
-  const Bytes& bytes = data ? static_cast<const Bytes&>(*data) : headerBytes;
-  if (isGzip(bytes)) {
-    header.payload.encoding = Encoding::zlib;
-    header.payload.skipDecoded = header.payload.offset;
-    header.payload.offset = 0;
+  Payload& payload = files.header.payload;
+  if (pairs ? isGzip(FileBytes(files.dataPath)) : compressedHeader) {
+    payload.encoding = Encoding::zlib;
+    payload.skipDecoded = payload.offset;
+    payload.offset = 0;
   }
-  return volumeFrom(std::move(header), bytes, openBeside(headerPath), options, progress);
+  return files;
+}
+
+Volume readNifti(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+  NiftiFiles files = openNifti(path);
+  const FileBytes bytes(files.dataPath);
+  return volumeFrom(std::move(files.header), bytes, openBeside(files.headerPath), options, progress);
 }
 
 }  // namespace isolux::volume

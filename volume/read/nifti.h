@@ -8,6 +8,7 @@
 // are refused: they do not say what is left. Throws base::Error{input} with the field's name.
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 
 #include "volume/read/input/bytes.h"
@@ -22,6 +23,13 @@ constexpr std::size_t niftiHeaderBytes = 540;  // the longer of the two versions
 ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, bool& pairs);
 
 bool looksLikeNifti(std::string_view head);
+
+// Of one file, or of a pair of which `path` is either: header, and where the voxels are.
+struct NiftiFiles {
+  ImageHeader header;
+  std::filesystem::path headerPath, dataPath;
+};
+NiftiFiles openNifti(const std::filesystem::path& path);
 
 Volume readNifti(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 

@@ -3,10 +3,12 @@
 #include <new>
 
 #include "base/error.h"
+#include "volume/bricks/hdf5/hdf5.h"
+#include "volume/bricks/zarr/zarr.h"
 #include "volume/phantom/phantom.h"
 #include "volume/read/dicom/dicom_files.h"
+#include "volume/read/file_format.h"
 #include "volume/read/input/bytes.h"
-#include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 #include "volume/read/mesh/mesh.h"
 #include "volume/read/meta_image.h"
@@ -26,38 +28,27 @@ namespace {
 
 using ReadFunction = Volume (*)(const fs::path&, const ReadOptions&, base::Progress&);
 
-std::string extensionOf(const fs::path& path) {
-  const std::string last = lowered(path.extension().string());
-  return last == ".gz" ? lowered(path.stem().extension().string()) + last : last;
-}
-
-// By content first, then by name; nullptr for a file without a known header.
-ReadFunction readerOf(const Bytes& bytes, const fs::path& path) {
-  const std::string head = bytes.head(4096);
-  const std::string extension = extensionOf(path);
-  if (head.starts_with("NRRD0")) return readNrrd;
-  if (head.starts_with("# vtk DataFile")) return readVtkLegacy;
-  if (isMesh(head, extension)) return readMesh;
-  if (head.find("<VTKFile") != std::string::npos) return readVti;
-  if (looksLikeTiff(head)) return readTiff;
-  if (looksLikeDicom(head)) return readDicom;
-  if (looksLikeNifti(head)) return readNifti;
-  if (head.starts_with("\x1f\x8b") && looksLikeNifti(inflatedHead(bytes, niftiHeaderBytes))) return readNifti;
-  if (looksLikeMetaImage(head)) return readMetaImage;
-  if (extension == ".mhd" || extension == ".mha") return readMetaImage;
-  if (extension == ".nrrd" || extension == ".nhdr") return readNrrd;
-  if (extension == ".nii" || extension == ".nii.gz" || extension == ".hdr" || extension == ".hdr.gz")
-    return readNifti;
-  if (extension == ".vtk") return readVtkLegacy;
-  if (extension == ".vti") return readVti;
-  if (extension == ".tif" || extension == ".tiff") return readTiff;
-  if (extension == ".dcm") return readDicom;
-  if (extension == ".img" || extension == ".img.gz") {  // of a NIfTI pair, unless its header is missing
-    for (const char* ending : {".hdr", ".hdr.gz"}) {
-      std::error_code ignored;
-      fs::path header = extension == ".img" ? path : path.parent_path() / path.stem();
-      if (fs::exists(header.replace_extension(ending), ignored)) return readNifti;
-    }
+// nullptr for a file without a known header.
+ReadFunction readerOf(FileFormat format) {
+  switch (format) {
+    case FileFormat::nrrd:
+      return readNrrd;
+    case FileFormat::vtkLegacy:
+      return readVtkLegacy;
+    case FileFormat::mesh:
+      return readMesh;
+    case FileFormat::vti:
+      return readVti;
+    case FileFormat::tiff:
+      return readTiff;
+    case FileFormat::dicom:
+      return readDicom;
+    case FileFormat::nifti:
+      return readNifti;
+    case FileFormat::metaImage:
+      return readMetaImage;
+    case FileFormat::unknown:
+      break;
   }
   return nullptr;
 }
@@ -108,16 +99,21 @@ Volume readAny(const std::string& path, const ReadOptions& options, base::Progre
   if (!file.has_filename()) file = file.parent_path();  // "folder/"
   std::error_code ignored;
   Volume volume;
-  if (fs::is_directory(file, ignored)) {
+  if (const fs::path zarr = zarrFolderOf(file); !zarr.empty()) {
+    file = zarr;
+    volume = readZarr(file, options, progress);
+  } else if (fs::is_directory(file, ignored)) {
     volume = readFolder(file, options, progress);
   } else if (!options.raw.empty()) {
     volume = readRaw(file, options, progress);
+  } else if (const auto dataset = hdf5PathOf(path)) {
+    volume = readHdf5(*dataset, options, progress);
   } else {
     ReadFunction read = nullptr;
     {
       const FileBytes bytes(file);  // closed before the reader opens it
       if (bytes.size() == 0) throwInput(path, "", "the file is empty");
-      read = readerOf(bytes, file);
+      read = readerOf(formatOf(bytes, file));
     }
     if (!read)
       throwInput(path, "byte 0",
@@ -145,31 +141,35 @@ std::optional<BoxMm> meshBounds(const std::string& path, const ReadOptions& opti
                                 base::Progress& progress) {
   std::error_code ignored;
   if (!options.raw.empty() || !fs::is_regular_file(path, ignored)) return std::nullopt;
-  if (const FileBytes bytes(path); readerOf(bytes, path) != readMesh) return std::nullopt;
+  if (const FileBytes bytes(path); formatOf(bytes, path) != FileFormat::mesh) return std::nullopt;
   return readMeshBounds(path, options, progress);
 }
 
 bool needsRawDescription(const fs::path& path) {
   try {
     const FileBytes bytes(path);
-    return bytes.size() > 0 && readerOf(bytes, path) == nullptr;
+    if (looksLikeHdf5(bytes)) return false;
+    return bytes.size() > 0 && formatOf(bytes, path) == FileFormat::unknown;
   } catch (const base::Error&) {
     return false;
   }
 }
 
 std::vector<std::string> fileFilters() {
-  return {("Volumes (*.nii *.nii.gz *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.raw "
-           "*.stl *.obj *.ply *.vtp)"),
-          "NIfTI (*.nii *.nii.gz *.hdr *.img)",
-          "MetaImage (*.mhd *.mha)",
-          "NRRD (*.nrrd *.nhdr)",
-          "VTK (*.vti *.vtk)",
-          "DICOM (*.dcm)",
-          "TIFF (*.tif *.tiff)",
-          "Triangle meshes (*.stl *.obj *.ply *.vtp)",
-          "Raw (*.raw *.bin *.dat *.img)",
-          "All files (*)"};
+  return {
+      ("Volumes (*.nii *.nii.gz *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.h5 *.hdf5 "
+       "zarr.json .zattrs *.raw *.stl *.obj *.ply *.vtp)"),
+      "NIfTI (*.nii *.nii.gz *.hdr *.img)",
+      "MetaImage (*.mhd *.mha)",
+      "NRRD (*.nrrd *.nhdr)",
+      "VTK (*.vti *.vtk)",
+      "DICOM (*.dcm)",
+      "TIFF (*.tif *.tiff)",
+      "Zarr (zarr.json .zattrs .zarray .zgroup)",
+      "HDF5 (*.h5 *.hdf5 *.hdf *.ilp *.nxs *.mat)",
+      "Triangle meshes (*.stl *.obj *.ply *.vtp)",
+      "Raw (*.raw *.bin *.dat *.img)",
+      "All files (*)"};
 }
 
 }  // namespace isolux::volume

@@ -3,6 +3,8 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "volume/bricks/hdf5/hdf5.h"
+#include "volume/bricks/zarr/zarr.h"
 #include "volume/read/dicom/dicom_files.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
@@ -44,6 +46,18 @@ void addSlicesOf(const fs::path& folder, int depth, std::vector<fs::path>& files
   }
 }
 
+// Of the many files of a Zarr folder so many that no list takes seconds.
+void addFilesUnder(const fs::path& folder, std::vector<fs::path>& files) {
+  constexpr std::size_t most = 100000;
+  std::error_code error;
+  constexpr auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator entry(folder, options, error), end;
+       !error && entry != end && files.size() < most; entry.increment(error)) {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored)) files.push_back(entry->path());
+  }
+}
+
 // The data files that a MetaImage or NRRD header names.
 std::vector<std::string> namesInHeader(const fs::path& file) {
   const std::string head = headOf(file, kLongestHeader);
@@ -75,6 +89,11 @@ std::vector<fs::path> filesOfVolume(const std::string& path) {
   fs::path file(path);
   if (!file.has_filename()) file = file.parent_path();  // "folder/"
   std::error_code ignored;
+  if (const fs::path zarr = zarrFolderOf(file); !zarr.empty()) {
+    addFilesUnder(zarr, files);
+    return files;
+  }
+  if (const auto dataset = hdf5PathOf(path)) return {dataset->file};
   if (fs::is_directory(file, ignored)) {
     addSlicesOf(file, kDeepestDicomFolder, files);
     return files;

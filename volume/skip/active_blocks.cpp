@@ -8,8 +8,10 @@
 
 namespace isolux::volume {
 
-ActiveBlocks::ActiveBlocks(std::shared_ptr<const MinMaxBlocks> blocks)
-    : blocks_(std::move(blocks)), isovaluesIn_(blocks_->count()), flags_(blocks_->count()) {
+ActiveBlocks::ActiveBlocks(std::shared_ptr<const MinMaxBlocks> blocks, std::size_t mostSorted)
+    : blocks_(std::move(blocks)), isSorted_(blocks_->count() <= mostSorted), flags_(blocks_->count()) {
+  if (!isSorted_) return;
+  isovaluesIn_.resize(blocks_->count());
   for (std::size_t i = 0; i < blocks_->count(); ++i) {
     if (!(blocks_->minimum(i) < blocks_->maximum(i))) continue;
     const auto block = static_cast<std::uint32_t>(i);
@@ -32,6 +34,12 @@ std::span<const std::uint32_t> ActiveBlocks::update(std::span<const float> store
 
   touched_.clear();
   changed_.clear();
+  if (!isSorted_) {
+    if (wanted == isovalues_) return changed_;
+    isovalues_ = wanted;
+    look();
+    return changed_;
+  }
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (wanted[i] != isovalues_[i]) move(isovalues_[i], wanted[i]);
   isovalues_ = wanted;
@@ -44,6 +52,18 @@ std::span<const std::uint32_t> ActiveBlocks::update(std::span<const float> store
     changed_.push_back(block);
   }
   return changed_;
+}
+
+void ActiveBlocks::look() {
+  for (std::uint32_t block = 0; block < blocks_->count(); ++block) {
+    const std::uint8_t flag = std::any_of(isovalues_.begin(), isovalues_.end(),
+                                          [&](float isovalue) { return blocks_->active(block, isovalue); });
+    if (flag == flags_[block]) continue;
+    flags_[block] = flag;
+    flag ? ++activeCount_ : --activeCount_;
+    changed_.push_back(block);
+  }
+  changed_.shrink_to_fit();
 }
 
 void ActiveBlocks::touch(std::uint32_t block, int change) {

@@ -23,7 +23,9 @@ class ActiveBlocks {
   static constexpr std::size_t kMaximumIsovalues = 4;
 
   // No isovalue: nothing is active. Sorts the blocks, multithreaded; 16 bytes per block that is not constant.
-  explicit ActiveBlocks(std::shared_ptr<const MinMaxBlocks> blocks);
+  // More blocks than mostSorted (1290 voxels per axis) are not sorted: each update looks at all.
+  explicit ActiveBlocks(std::shared_ptr<const MinMaxBlocks> blocks,
+                        std::size_t mostSorted = std::size_t{1} << 22);
 
   // Makes active what MinMaxBlocks::active() says for any of the isovalues (at most four, in any order; NaN
   // is active nowhere). Returns the blocks whose flag changed, each once, in no particular order; the list is
@@ -43,10 +45,12 @@ class ActiveBlocks {
   // No isovalue: below every block.
   static constexpr float kNone = -std::numeric_limits<float>::infinity();
 
+  void look();  // at all blocks
   void move(float from, float to);
   void touch(std::uint32_t block, int change);
 
   std::shared_ptr<const MinMaxBlocks> blocks_;
+  bool isSorted_;
   std::vector<Bound> byMinimum_, byMaximum_;  // ascending; without blocks that are constant or missing
   std::array<float, kMaximumIsovalues> isovalues_{kNone, kNone, kNone, kNone};  // ascending
   std::vector<std::uint8_t> isovaluesIn_;                                       // of each block

@@ -17,6 +17,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBoxes = 4;             // per axis of a block
+constexpr double kSteps = 65535.0;    // of bounds, between the least and the greatest value
 constexpr int kMostRows = 8 + 1 + 2;  // voxels of a block on an axis, with an apron of 1
 
 struct Range {
@@ -126,10 +127,17 @@ BoxBounds BoxBounds::ofCubic(const Coefficients& coefficients, const Grid& grid,
   return result;
 }
 
+BoxBounds BoxBounds::ofPart(const VoxelArray& voxels, glm::ivec3 dims, const Grid& whole,
+                            base::Progress& progress) {
+  BoxBounds result(dims, progress);
+  const Range range = rangeOf(whole);
+  std::visit([&](const auto& part) { result.fill(part, range.low, range.high, dims, 0, progress); }, voxels);
+  return result;
+}
+
 template <class T>
 void BoxBounds::fill(const std::vector<T>& voxels, float lowest, float highest, glm::ivec3 voxelDims,
                      int apron, base::Progress& progress) {
-  constexpr double steps = 65535.0;
   origin_ = static_cast<double>(lowest);
   const double extent = static_cast<double>(highest) - origin_;
   if (!(extent > 0.0)) {  // constant or missing: nothing can be crossed
@@ -140,11 +148,11 @@ void BoxBounds::fill(const std::vector<T>& voxels, float lowest, float highest, 
     }
     return;
   }
-  scale_ = steps / extent;
+  scale_ = kSteps / extent;
+  // Each step of it is monotone, rounded or not: of an isovalue within bounds, too, it lies within theirs.
   const auto quantised = [&](float v, bool up) {
     const double q = (static_cast<double>(v) - origin_) * scale_;
-    return static_cast<std::uint16_t>(
-        std::clamp(up ? std::ceil(q + 1e-6) : std::floor(q - 1e-6), 0.0, steps));
+    return static_cast<std::uint16_t>(std::clamp(up ? std::ceil(q) : std::floor(q), 0.0, kSteps));
   };
   const auto width = static_cast<std::size_t>(dims_.x), height = static_cast<std::size_t>(dims_.y);
   parallelSteps(height * static_cast<std::size_t>(dims_.z), progress, {}, [&](std::size_t row) {
@@ -170,8 +178,10 @@ void BoxBounds::masks(std::span<const float> storedIsovalues, const std::vector<
   std::vector<Level> levels;
   for (const float stored : storedIsovalues) {
     const double q = (static_cast<double>(stored) - origin_) * scale_;
-    if (q >= 0.0 && q <= 65535.0)
-      levels.push_back({static_cast<std::uint16_t>(std::floor(q)), static_cast<std::uint16_t>(std::ceil(q))});
+    if (!(q >= 0.0 && q < kSteps + 0.5)) continue;  // rounding may put the greatest value above
+    const double within = std::min(q, kSteps);
+    levels.push_back(
+        {static_cast<std::uint16_t>(std::floor(within)), static_cast<std::uint16_t>(std::ceil(within))});
   }
   result.resize(bounds_.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bounds_.size(), 512),

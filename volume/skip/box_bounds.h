@@ -30,6 +30,11 @@ class BoxBounds {
   static BoxBounds ofCubic(const Grid& grid, base::Progress& progress);
   static BoxBounds ofCubic(const Coefficients& coefficients, const Grid& grid, base::Progress& progress);
 
+  // Of the trilinear field of a part of a volume: `dims` voxels, x fastest. Bounds are those of the same
+  // voxels in the BoxBounds of `whole`, whose voxels need not be in memory.
+  static BoxBounds ofPart(const VoxelArray& voxels, glm::ivec3 dims, const Grid& whole,
+                          base::Progress& progress);
+
   glm::ivec3 blockDims() const { return dims_; }
   // Of each block a mask: bit x + 4 y + 16 z is set where that box can hold a crossing of one of the
   // isovalues (at most four); 0 for blocks whose flag is 0. `flags`: one byte per block, x fastest.

@@ -14,13 +14,17 @@ namespace {
 // Minimum and maximum of the voxels [low, high] (inclusive); comparisons with NaN are false, so missing
 // voxels do not count.
 template <class T>
-void blockRange(const std::vector<T>& voxels, const Grid& grid, glm::ivec3 low, glm::ivec3 high,
-                float& minimum, float& maximum) {
+void blockRange(const T* voxels, glm::ivec3 dims, glm::ivec3 low, glm::ivec3 high, float& minimum,
+                float& maximum) {
   T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
   const int width = high.x - low.x + 1;
   for (int z = low.z; z <= high.z; ++z) {
     for (int y = low.y; y <= high.y; ++y) {
-      const T* row = voxels.data() + grid.index(low.x, y, z);
+      const T* row =
+          voxels +
+          (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(y)) *
+              static_cast<std::size_t>(dims.x) +
+          low.x;
       for (int x = 0; x < width; ++x) {
         least = row[x] < least ? row[x] : least;
         most = row[x] > most ? row[x] : most;
@@ -39,8 +43,8 @@ MinMaxBlocks::MinMaxBlocks(glm::ivec3 voxels, int blockCells) : blockCells_(bloc
   dims_ = (cells + blockCells - 1) / blockCells;
   const std::size_t total = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
                             static_cast<std::size_t>(dims_.z);
-  minimum_.resize(total);
-  maximum_.resize(total);
+  minimum_.resize(total, std::numeric_limits<float>::max());
+  maximum_.resize(total, std::numeric_limits<float>::lowest());
 }
 
 MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& progress)
@@ -75,12 +79,39 @@ void MinMaxBlocks::fill(const std::vector<T>& voxels, const Grid& grid, int apro
         const glm::ivec3 low = glm::max(first - apron, glm::ivec3(0));
         const glm::ivec3 high = glm::min(first + blockCells_ + apron, grid.dims() - 1);
         const std::size_t i = index(block);
-        blockRange(voxels, grid, low, high, minimum_[i], maximum_[i]);
+        blockRange(voxels.data(), grid.dims(), low, high, minimum_[i], maximum_[i]);
       }
     }
   });
   progress.throwIfStopped();
 }
+
+template <class T>
+void MinMaxBlocks::setLayers(int layer, std::span<const T> slab, glm::ivec3 voxels,
+                             base::Progress& progress) {
+  const std::size_t slice = static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y);
+  if (count() == 0 || slice == 0) return;
+  const int first = layer * blockCells_, slices = static_cast<int>(slab.size() / slice);
+  const int behind = std::min(first + slices, voxels.z);  // the first slice that is not given
+  const int layers = behind == voxels.z ? dims_.z - layer : (slices - 1) / blockCells_;
+  tbb::parallel_for(0, std::max(layers, 0) * dims_.y, [&](int row) {
+    if (progress.stopRequested()) return;
+    for (int x = 0; x < dims_.x; ++x) {
+      const glm::ivec3 block(x, row % dims_.y, layer + row / dims_.y);
+      const glm::ivec3 low = block * blockCells_, high = glm::min(low + blockCells_, voxels - 1);
+      const glm::ivec3 down(0, 0, first);
+      const std::size_t i = index(block);
+      blockRange(slab.data(), voxels, low - down, high - down, minimum_[i], maximum_[i]);
+    }
+  });
+  progress.throwIfStopped();
+}
+
+template void MinMaxBlocks::setLayers(int, std::span<const std::int8_t>, glm::ivec3, base::Progress&);
+template void MinMaxBlocks::setLayers(int, std::span<const std::uint8_t>, glm::ivec3, base::Progress&);
+template void MinMaxBlocks::setLayers(int, std::span<const std::int16_t>, glm::ivec3, base::Progress&);
+template void MinMaxBlocks::setLayers(int, std::span<const std::uint16_t>, glm::ivec3, base::Progress&);
+template void MinMaxBlocks::setLayers(int, std::span<const float>, glm::ivec3, base::Progress&);
 
 std::size_t MinMaxBlocks::activeBlocks(float storedIsovalue, std::vector<std::uint8_t>& flags) const {
   flags.resize(count());

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -28,6 +29,18 @@ class MinMaxBlocks {
  public:
   // blockCells: 4 or 8. Multithreaded; throws Error{interrupted}.
   MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& progress);
+
+  // Made a slab after the other: for `voxels` of which nothing is known yet (minimum > maximum everywhere).
+  MinMaxBlocks(glm::ivec3 voxels, int blockCells);
+  // Blocks of the layers from `layer` on, of the slices layer * blockCells ... in `slab`, which is as wide
+  // and as high as the volume. A layer of which only the first slices are given is left as it was; the
+  // volume's last layer takes what there is. Multithreaded; throws Error{interrupted}.
+  template <class T>
+  void setLayers(int layer, std::span<const T> slab, glm::ivec3 voxels, base::Progress& progress);
+  void set(std::size_t block, float minimum, float maximum) {
+    minimum_[block] = minimum;
+    maximum_[block] = maximum;
+  }
 
   // Bounds of the cubic B-spline whose coefficients are the samples themselves, or those given (one per
   // voxel of `grid`: interpolatingCoefficients()): stored units, of those without their offset.
@@ -57,7 +70,6 @@ class MinMaxBlocks {
   std::size_t activeBlocks(float storedIsovalue, std::vector<std::uint8_t>& flags) const;
 
  private:
-  MinMaxBlocks(glm::ivec3 voxels, int blockCells);
   // `apron`: voxels beyond its own that a block's bounds cover on every side.
   template <class T>
   void fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress);

@@ -157,10 +157,19 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
   return choice;
 }
 
+// Where voxels stay in their file no noise is measured, and derivatives are those of the samples.
+DerivativeChoice choiceWithoutVoxels(const DerivativeQuestion& question) {
+  DerivativeChoice choice;
+  choice.noise = question.noise.value_or(0.0);
+  choice.noiseReason = choice.scaleReason = choice.normalReason =
+      "its voxels stay in the file (memory.voxels), and are not measured";
+  return choice;
+}
+
 }  // namespace
 
 scene::NoiseModel DerivativeChoices::noise(base::Progress& progress) const {
-  if (knownNoise_) return {{0.0}, {*knownNoise_}, glm::dvec3(0.0)};
+  if (knownNoise_ || !grid_->isWhole()) return {{0.0}, {knownNoise_.value_or(0.0)}, glm::dvec3(0.0)};
   {
     const std::lock_guard lock(mutex_);
     if (noise_) return *noise_;
@@ -186,6 +195,7 @@ std::optional<DerivativeChoice> DerivativeChoices::find(const DerivativeQuestion
 DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
                                            base::Progress& progress) const {
   if (const auto found = find(question)) return *found;
+  if (!grid_->isWhole()) return choiceWithoutVoxels(question);
   const scene::NoiseModel model = noise(progress);
   const double noise = question.noise.value_or(model.at(question.isovalue));
   DerivativeChoice choice;

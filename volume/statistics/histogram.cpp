@@ -7,6 +7,7 @@
 #include <tbb/combinable.h>
 
 #include "volume/parallel_steps.h"
+#include "volume/statistics/value_bins.h"
 
 namespace isolux::volume {
 
@@ -226,45 +227,54 @@ Histogram makeHistogram(const Grid& grid, int bins) {
   return makeHistogram(grid, bins, unwatched);
 }
 
-Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
+ValueBins ValueBins::of(VoxelType type, double low, double high, int most) {
+  ValueBins bins;
+  const std::size_t limit = static_cast<std::size_t>(std::max(most, 1));
+  bins.whole = type != VoxelType::float32;
+  if (bins.whole) {
+    // Whole values per bin, or some bins would hold one value more than others and show as a comb.
+    bins.first = static_cast<std::int64_t>(low);
+    const std::int64_t values = static_cast<std::int64_t>(high) - bins.first + 1;
+    bins.perBin = (values + static_cast<std::int64_t>(limit) - 1) / static_cast<std::int64_t>(limit);
+    bins.count = static_cast<std::size_t>((values + bins.perBin - 1) / bins.perBin);
+    bins.low = static_cast<double>(bins.first) - 0.5;
+    bins.high = bins.low + static_cast<double>(bins.perBin) * static_cast<double>(bins.count);
+  } else {
+    bins.count = high > low ? limit : 1;
+    bins.scale = high > low ? static_cast<double>(bins.count) / (high - low) : 0.0;
+    bins.low = low;
+    bins.high = high;
+  }
+  return bins;
+}
+
+Histogram histogramOf(const ValueBins& bins, std::vector<std::uint64_t> counts, const Grid& grid) {
   Histogram histogram;
-  const std::size_t limit = static_cast<std::size_t>(std::max(bins, 1));
-  std::visit(
-      [&](const auto& voxels) {
-        using T = typename std::decay_t<decltype(voxels)>::value_type;
-        double low = grid.storedMinimum(), high = grid.storedMaximum();
-        if constexpr (std::is_integral_v<T>) {
-          // Whole values per bin, or some bins would hold one value more than others and show as a comb.
-          const auto first = static_cast<std::int64_t>(low), last = static_cast<std::int64_t>(high);
-          const std::int64_t values = last - first + 1;
-          const std::int64_t perBin =
-              (values + static_cast<std::int64_t>(limit) - 1) / static_cast<std::int64_t>(limit);
-          const std::size_t used = static_cast<std::size_t>((values + perBin - 1) / perBin);
-          histogram.counts = countVoxels(voxels, used, progress, [first, perBin](T v) {
-            return static_cast<std::size_t>((static_cast<std::int64_t>(v) - first) / perBin);
-          });
-          low = static_cast<double>(first) - 0.5;
-          high = low + static_cast<double>(perBin) * static_cast<double>(used);
-        } else {
-          const std::size_t used = high > low ? limit : 1;
-          const double scale = high > low ? static_cast<double>(used) / (high - low) : 0.0;
-          histogram.counts = countVoxels(voxels, used, progress, [low, scale](T v) {
-            return static_cast<std::size_t>(std::max((static_cast<double>(v) - low) * scale, 0.0));
-          });
-        }
-        histogram.minimum = grid.valueOfStored(low);
-        histogram.maximum = grid.valueOfStored(high);
-        if (grid.slope() < 0.0) {
-          std::swap(histogram.minimum, histogram.maximum);
-          std::reverse(histogram.counts.begin(), histogram.counts.end());
-        }
-      },
-      grid.voxels());
+  histogram.counts = std::move(counts);
+  histogram.minimum = grid.valueOfStored(bins.low);
+  histogram.maximum = grid.valueOfStored(bins.high);
+  if (grid.slope() < 0.0) {
+    std::swap(histogram.minimum, histogram.maximum);
+    std::reverse(histogram.counts.begin(), histogram.counts.end());
+  }
   for (const Peak& peak : findPeaks(smoothedLog(histogram.counts))) {
     if (histogram.peaks.size() == kMaximumPeaks) break;
     histogram.peaks.push_back(histogram.binCentre(peak.bin));
   }
   return histogram;
+}
+
+Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
+  const ValueBins binning =
+      ValueBins::of(grid.storedType(), grid.storedMinimum(), grid.storedMaximum(), bins);
+  return std::visit(
+      [&](const auto& voxels) {
+        using T = typename std::decay_t<decltype(voxels)>::value_type;
+        return histogramOf(
+            binning,
+            countVoxels(voxels, binning.count, progress, [&binning](T v) { return binning.binOf(v); }), grid);
+      },
+      grid.voxels());
 }
 
 double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit) {

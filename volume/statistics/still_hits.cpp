@@ -18,6 +18,7 @@ bool StillHits::gains(double share) const {
 }
 
 std::optional<double> StillHits::find(double isovalue) const {
+  if (!grid_->isWhole()) return 0.0;  // no spline is made of voxels that stay in their file
   const std::lock_guard lock(mutex_);
   const auto found =
       std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.isovalue == isovalue; });

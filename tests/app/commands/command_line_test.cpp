@@ -557,5 +557,27 @@ TEST(CommandLine, ARecordingIsKnownAndSaysHowItIsReplayed) {
   EXPECT_THAT(result.err, HasSubstr("isolux replay r.jsonl --out"));
 }
 
+// The nth of the three volumes has values 10 n ... 10 n + 7.
+TEST(CommandLine, TimeStepsAndChannelsAreChosenInAWord) {
+  const fs::path folder = test::temporaryFolder();
+  for (const std::string kind : {"list", "vector"}) {
+    std::ofstream file(folder / (kind + ".nrrd"), std::ios::binary);
+    file << "NRRD0004\ntype: uint8\nencoding: raw\ndimension: 4\nsizes: 2 2 2 3\nkinds: domain domain domain "
+         << kind << "\n\n";
+    for (int volume = 0; volume < 3; ++volume)
+      for (int i = 0; i < 8; ++i) file.put(static_cast<char>(10 * volume + i));
+  }
+  const auto range = [&](const char* file, const char* option, const char* n) {
+    const RunResult result = callIsolux({"info", file, option, n, "--json"}, folder);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return json::parse(result.out)["range"];
+  };
+  EXPECT_EQ(range("list.nrrd", "--time-step", "2"), (json{20.0, 27.0}));
+  EXPECT_EQ(range("vector.nrrd", "--channel", "1"), (json{10.0, 17.0}));
+  const RunResult beyond = callIsolux({"info", "list.nrrd", "--time-step", "3"}, folder);
+  EXPECT_EQ(beyond.exitCode, 2);
+  EXPECT_TRUE(beyond.isOneErrorLine()) << beyond.err;
+}
+
 }  // namespace
 }  // namespace isolux::app

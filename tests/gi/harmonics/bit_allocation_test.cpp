@@ -64,6 +64,25 @@ TEST(BitAllocation, NoComponentGetsMoreThanAFieldHolds) {
   EXPECT_LE(*std::max_element(bits.begin(), bits.end()), kMostFieldBits);
 }
 
+TEST(BitAllocation, AQuantiserOfEqualNumbersHasNoSteps) {
+  const std::vector<double> equal(100, 3.0);
+  for (const int bits : {0, 4}) {
+    const Quantizer quantizer = quantizerOf(equal, bits);
+    EXPECT_EQ(quantizer.low, 3.0);
+    EXPECT_EQ(quantizer.step, 0.0);
+  }
+}
+
+TEST(BitAllocation, AFieldGoesToTheFullestWordWithRoom) {
+  std::vector<int> bits = {16, 12, 8, 2};
+  const std::vector<FieldPlace> places = placeFields(bits, 2);
+  const int expected[][2] = {{0, 0}, {0, 16}, {1, 0}, {0, 28}};
+  for (std::size_t k = 0; k < bits.size(); ++k) {
+    EXPECT_EQ(places[k].word, expected[k][0]) << k;
+    EXPECT_EQ(places[k].shift, expected[k][1]) << k;
+  }
+}
+
 TEST(BitAllocation, FieldsShareNoBitAndLieInOneWord) {
   std::mt19937 random(2);
   for (int trial = 0; trial < 200; ++trial) {

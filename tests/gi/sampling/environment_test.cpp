@@ -379,6 +379,7 @@ TEST(Environment, NonFinitePixelsBecomeTheMeanOfTheirNeighboursAndAreCounted) {
   EXPECT_EQ(none.badPixels(), 2u);
   EXPECT_TRUE(none.isBlack());
   EXPECT_EQ(Environment::constant({1, 1, 1}).badPixels(), 0u);
+  EXPECT_EQ(Environment::constant({0.5, 0.5, 0.5}).badPixels(), 0u);
 }
 
 // Probabilities are whole numbers of 2^-31; what shines a little must not fall below one, wherever it stands.

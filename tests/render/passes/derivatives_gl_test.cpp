@@ -216,7 +216,7 @@ TEST_P(DerivativesGlTest, TheBorderHasNoConfidence) {
   scene::Scene scene;
   scene.isosurface.value = 0.3;
   const CurvatureImages seen = curvatureImages(volume, scene);
-  int border = 0, trusted = 0;
+  int border = 0, trusted = 0, besideLow = 0, besideHigh = 0;
   for (std::size_t i = 0; i < seen.pixels(); ++i) {
     if (!seen.isHit(i)) continue;
     const glm::dvec3 p = at(seen.voxel, i);
@@ -226,10 +226,14 @@ TEST_P(DerivativesGlTest, TheBorderHasNoConfidence) {
       EXPECT_EQ(seen.confidence.values[i], 0.0f);
     } else if (seen.confidence.values[i] > 0.9f) {
       ++trusted;
+      besideLow += std::min({p.x, p.y, p.z}) < 1.99;  // of the next cells the samples are all there
+      besideHigh += std::max({p.x, p.y, p.z}) > 29.01;
     }
   }
   EXPECT_GT(border, 50);
   EXPECT_GT(trusted, 500);
+  EXPECT_GT(besideLow, 20);
+  EXPECT_GT(besideHigh, 20);
 }
 
 // A smooth random field with structures of a few voxels.

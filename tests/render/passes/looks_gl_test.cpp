@@ -148,6 +148,24 @@ TEST_F(LooksGlTest, ACameraLightTurnsWithTheCamera) {
   EXPECT_GT(std::fabs(grey(at(80, 64)) - fixed), 0.1);
 }
 
+TEST_F(LooksGlTest, ALightOfNoDirectionShinesAlongTheView) {
+  const auto ball = phantom("ball", 48);
+  draw(ball, {"look.mode=lambert"});
+  scene::Scene scene = scene_;
+  render::FrameRequest request;
+  request.size = {128, 128};
+  const auto drawnBy = [&](scene::LightSpace space, const glm::dvec3& direction) {
+    scene.light.space = space;
+    scene.light.direction = direction;
+    renderer_->render(scene, request);
+    return renderer_->readLinear().rgba;
+  };
+  const std::vector<float> fromViewer = drawnBy(scene::LightSpace::camera, {0.0, 0.0, 1.0});
+  EXPECT_EQ(drawnBy(scene::LightSpace::camera, glm::dvec3(0.0)), fromViewer);
+  EXPECT_EQ(drawnBy(scene::LightSpace::world, glm::dvec3(0.0)), fromViewer);
+  EXPECT_NE(drawnBy(scene::LightSpace::camera, {0.0, 1.0, 0.0}), fromViewer);
+}
+
 // The ball's field is its distance: kappa1 = kappa2 = 1/R on the surface, and gradients are far above noise.
 TEST_F(LooksGlTest, MeasuresOfABallAreTheMapsColors) {
   const auto ball = phantom("ball", 96);

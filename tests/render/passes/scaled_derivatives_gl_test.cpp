@@ -7,6 +7,7 @@
 #include "tests/render/gl_fixture.h"
 #include "tests/support/analytic_fields.h"
 #include "volume/field/curvature.h"
+#include "volume/field/noise_gain.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::test {
@@ -120,6 +121,43 @@ TEST_P(ScaledDerivativesGlTest, AgreeAtBorders) {
 }
 
 // Of values like 1e6 + small the small part is what derivatives are made of.
+// Confidences of noisy data, which is noisier still where the volume ends.
+TEST_P(ScaledDerivativesGlTest, ConfidencesCountTheNoiseWithinAndAtBorders) {
+  const auto volume = phantom("gyroid", 32);
+  const volume::Grid& grid = volume->grid();
+  scene::Scene scene;
+  scene.isosurface.value = 0.3;
+  scene.derivatives.scale = 1.0;
+  scene.derivatives.normalScale = 0.0;
+  scene.derivatives.noise = 0.1;
+  images(volume, scene, kSize);
+  const render::AovImage hit = renderer_->readAov(Aov::hit), voxel = renderer_->readAov(Aov::voxel),
+                         confidence = renderer_->readAov(Aov::curvature_confidence);
+  base::Progress progress;
+  const auto field = volume->cubicFields->make(scene.derivatives.field, 1.0, progress);
+  const volume::CurvatureScale within =
+      volume::curvatureScale(grid.geometry(), scene.derivatives.field, 0.1,
+                             volume->derivativeChoices->noise(progress).correlation, 1.0);
+  int middling = 0, border = 0;
+  for (std::size_t i = 0; i < hit.values.size(); ++i) {
+    if (hit.values[i] != 1.0f) continue;
+    const glm::dvec3 p = at(voxel, i);
+    const volume::FieldSample sample = volume::sampleScaled(*field, grid, p);
+    const glm::dvec3 g = volume::worldGradient(grid.geometry(), sample.gradient);
+    const double more =
+        volume::noiseAtBorder(p, grid.dims(), volume::deviationsInVoxels(grid.geometry(), 1.0));
+    volume::CurvatureScale scale = within;
+    scale.hessianNoise *= more;
+    const double expected = volume::curvatureConfidence(
+        volume::principalCurvature(g, volume::worldHessian(grid.geometry(), sample.hessian)), g, scale);
+    EXPECT_NEAR(confidence.values[i], expected, 2e-3) << p.x << ' ' << p.y << ' ' << p.z;
+    middling += expected > 0.2 && expected < 0.8;
+    border += more > 1.5;
+  }
+  EXPECT_GT(middling, 40);
+  EXPECT_GT(border, 50);
+}
+
 TEST_P(ScaledDerivativesGlTest, ALargeConstantInTheValuesCostsNothing) {
   const auto truth = phantom("torus", 48);
   std::vector<float> shifted;

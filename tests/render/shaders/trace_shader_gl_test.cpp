@@ -46,6 +46,21 @@ TEST_F(TraceShaderGlTest, ExtremaOfCubics) {
   }
 }
 
+// A change that only the cell's end shows has its crossing before that end.
+TEST_F(TraceShaderGlTest, BracketsLieWithinTheirCell) {
+  useFunctions(kTrace,
+               "vec2 bracket; result.x = float(firstChange(given(0), given(1).x > 0.0, bracket)); result.yz "
+               "= bracket;");
+  setInput(0, {{-3, -2, -1, 1}, {-1, 0, 1, 2}, {1, 0.5f, 0.2f, -0.1f}});
+  setInput(1, {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}});  // inside
+  const ShaderRow found = results(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(found[i].x, 1.0f) << i;
+    EXPECT_GE(found[i].y, 0.0f) << i;
+    EXPECT_EQ(found[i].z, 1.0f) << i;
+  }
+}
+
 // Both ends lie on one side where the crossing is the cell's very entry: the nearer to 0 is the root.
 TEST_F(TraceShaderGlTest, ABracketOfOneSideEndsAtItsNearerEnd) {
   useFunctions(kTrace, "result.x = rootIn(given(0), vec2(0.0, 1.0));");

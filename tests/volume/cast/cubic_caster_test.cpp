@@ -148,5 +148,37 @@ TEST(CubicCaster, ValueErrorsAreThoseOfTheField) {
   }
 }
 
+// Ridges that rise above the isovalue by a sixth of a rounding of their samples; those before and behind lose
+// one in a cell's bounds.
+TEST(CubicCaster, LosesNoHitWhereACellsBoundsAreARoundingNarrowerThanTheField) {
+  struct Ridge {
+    float before, top, behind;
+  };
+  for (const Ridge& ridge : {Ridge{-0x1.b24ce4p+0f, 0x1.5b1e2p-1f, -0x1.03ef5ap+0f},
+                             Ridge{-0x1.57c494p+0f, 0x1.2e31d8p-1f, -0x1.049f1ap+0f},
+                             Ridge{-0x1.e91eb4p+0f, 0x1.915768p-1f, -0x1.39901ap+0f}}) {
+    const Prepared volume(
+        test::gridOfVoxels(test::unitGeometry(glm::ivec3(12)),
+                           [&](glm::dvec3 p) {
+                             return p.x == 6.0 ? ridge.top : p.x < 6.0 ? ridge.before : ridge.behind;
+                           }),
+        {0.0}, scene::Field::cubic);
+    const PictureRays rays = view(0, volume.grid().dims());
+    for (const TracerTarget target : targets()) {
+      const CrossingImage picture = cast(volume.caster(target), rays);
+      const auto width = static_cast<std::size_t>(kSize.x);
+      int hits = 0, lost = 0;
+      for (std::size_t i = 0; i < picture.points.size(); ++i) {
+        const CubicHit expected = volume.firstHit(0.0, rayOf(rays, glm::dvec2(i % width, i / width) + 0.5));
+        if (!expected.hit || !expected.certain) continue;
+        ++hits;
+        lost += picture.points[i].w < 0.0f;
+      }
+      EXPECT_GT(hits, 400);
+      EXPECT_EQ(lost, 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace isolux::volume

@@ -482,5 +482,10 @@ TEST(CurvatureAccuracy, AnAddedConstantChangesNothing) {
   }
 }
 
+TEST(CurvatureConfidence, OfNoScaleNothingIsFlatNorNoise) {
+  const PrincipalCurvature slight{.kappa1 = 1e-9, .kappa2 = -1e-9, .normal = {0.0, 0.0, 1.0}};
+  EXPECT_EQ(curvatureConfidence(slight, {0.0, 0.0, 1e-9}, CurvatureScale()), 1.0);
+}
+
 }  // namespace
 }  // namespace isolux::volume

@@ -355,6 +355,44 @@ TEST(FirstHitCubic, AtATouchItSaysThatItCannotTell) {
   EXPECT_GT(uncertain, 0);
 }
 
+// Where a ray begins to run within the surface: x = 4 from y = 6 on, in cells with both sides.
+TEST(FirstHitCubic, AStretchThatIsZeroThroughoutLiesInside) {
+  const Field field(test::gridOfVoxels(test::unitGeometry({9, 12, 4}),
+                                       [](glm::dvec3 p) { return p.x - 4.0 - std::max(0.0, 5.0 - p.y); }),
+                    false);
+  const CubicHit found = field.firstHit(0.0, {{4.0, -3.0, 1.5}, {0.0, 1.0, 0.0}});
+  ASSERT_TRUE(found.hit);
+  EXPECT_EQ(found.hit->voxel.y, 6.0);
+  EXPECT_TRUE(found.hit->entering);
+  EXPECT_TRUE(found.certain);
+  const SideChanges within = sideChangesOfCell(field.grid, 0.0, {4, 7, 1}, {0.0, 0.0, 0.5}, {0.0, 1.0, 0.5});
+  EXPECT_EQ(within.first, Side::inside);
+  EXPECT_EQ(within.count, 0u);
+}
+
+// All samples of a cell are the isovalue: the side behind it, which the cells before only come near to.
+TEST(FirstHitCubic, APlateauAtTheIsovalueLiesInside) {
+  const Field field(test::gridOfVoxels(test::unitGeometry({12, 4, 4}),
+                                       [](glm::dvec3 p) { return std::min(0.0, p.x - 4.0); }),
+                    false);
+  const CubicHit found = field.firstHit(0.0, {{-3.0, 1.25, 1.5}, {1.0, 0.0, 0.0}});
+  ASSERT_TRUE(found.hit);
+  EXPECT_EQ(found.hit->voxel.x, 5.0);
+  EXPECT_TRUE(found.hit->entering);
+}
+
+// A billionth of a voxel of a cell beside the ray's: what is all rounding there, because a sample near by is
+// large, is no doubt where the next cell shows the crossing.
+TEST(FirstHitCubic, ADoubtAtThePlaceOfTheHitIsNone) {
+  const Field field(test::gridOfVoxels(test::unitGeometry({12, 12, 4}),
+                                       [](glm::dvec3 p) { return p.x > 6.0 ? 1e6 : p.x - 5.0; }),
+                    false);
+  const CubicHit found = field.firstHit(0.5e-9, {{2.0, 2.0 - 1e-9, 1.5}, {1.0, 1.0, 0.0}});
+  ASSERT_TRUE(found.hit);
+  EXPECT_NEAR(found.hit->voxel.x, 5.0, 2e-9);
+  EXPECT_TRUE(found.certain);
+}
+
 TEST(FirstHitCubic, ThePolynomialAlongAStretchIsTheFieldAndItsHullHoldsIt) {
   std::array<double, 64> c;
   for (std::uint64_t round = 0; round < 200; ++round) {

@@ -14,6 +14,7 @@
 
 #include "base/random.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/invalid_operations.h"
 #include "tests/support/rays.h"
 #include "tests/support/test_data.h"
 #include "tests/support/trilinear_oracle.h"
@@ -198,6 +199,15 @@ TEST(FirstHit, APlateauAtTheIsovalueIsEnteredAndATouchedPeakIsNot) {
   ASSERT_TRUE(out);
   EXPECT_EQ(out->voxel.x, 8.0);
   EXPECT_FALSE(out->entering);
+}
+
+TEST(FirstHit, AnIsovalueThatIsNoNumberIsRefusedBeforeItIsCompared) {
+  const Grid grid = test::phantomGrid("ball", 16);
+  base::Progress progress;
+  const MinMaxBlocks blocks(grid, 8, progress);
+  const test::InvalidOperations invalid;
+  EXPECT_FALSE(firstHit(grid, blocks, std::nan(""), {8, 8, -20}, {0, 0, 1}));
+  EXPECT_FALSE(invalid.met());
 }
 
 TEST(FirstHit, OddRaysEndWithoutAHit) {

@@ -118,5 +118,23 @@ TEST(NearestSurfacePoint, BesideMissingVoxelsItIsANumber) {
   EXPECT_FLOAT_EQ(point->z, 4.0f);
 }
 
+// The same, and the volume's first voxel lies on the surface: where a place that is no number is looked up.
+TEST(NearestSurfacePoint, WithoutAGradientItDoesNotSlide) {
+  const volume::Grid gap = gridOfVoxels(unitGeometry(glm::ivec3(8)), [](glm::dvec3 p) {
+    if (p == glm::dvec3(0.0)) return 0.0;
+    const bool missing = p.x == 3.0 && (p.y != 4.0 || p.z != 4.0);
+    return missing ? std::numeric_limits<double>::quiet_NaN() : 3.5 - p.x;
+  });
+  const auto beside = nearestSurfacePoint(gap, {3.2f, 4.1f, 4.1f}, kReach, 0.0f);
+  ASSERT_TRUE(beside);
+  EXPECT_EQ(*beside, glm::vec3(3.5f, 4.0f, 4.0f));
+  // The foot lies where all is -1.
+  const volume::Grid plateau =
+      gridOfVoxels(unitGeometry({4, 3, 2}), [](glm::dvec3 p) { return p.x > 0.0 || p.y > 1.0 ? -1.0 : p.y; });
+  const auto crossing = nearestSurfacePoint(plateau, {1.95f, 0.3f, 0.0f}, kReach, 0.0f);
+  ASSERT_TRUE(crossing);
+  EXPECT_EQ(*crossing, glm::vec3(0.5f, 1.0f, 0.0f));
+}
+
 }  // namespace
 }  // namespace isolux::test

@@ -107,6 +107,27 @@ TEST(ShownHits, InCellsOfTwoPiecesAreOfTheShownOne) {
   }
 }
 
+// Two pieces in one block, a plane of missing voxels between them: the side before the gap says nothing of
+// that behind it.
+TEST(ShownHits, BehindAGapWithinABlockTheSideIsThatOfTheOtherPiece) {
+  const glm::ivec3 dims(20, 9, 9);
+  HiddenVoxels voxels(dims);
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y) voxels.hide(0, 3, y, z);
+  const Ray ray{{-5.0, 4.25, 4.5}, {1.0, 0.0, 0.0}};
+  for (const double sign : {1.0, -1.0}) {
+    const Grid grid = test::gridOfVoxels(test::unitGeometry(dims), [&](glm::dvec3 p) {
+      return p.x == 3.0 ? std::nan("") : p.x < 12.0 ? sign : -sign;
+    });
+    for (const scene::Field field : {scene::Field::trilinear, scene::Field::cubic}) {
+      const auto hit =
+          Hits(grid, field)(ray, {&voxels, sign > 0.0 ? scene::Inside::above : scene::Inside::below});
+      ASSERT_TRUE(hit);
+      EXPECT_NEAR(hit->voxel.x, 11.5, 1e-12);
+    }
+  }
+}
+
 TEST(ShownCells, AscendToTheCornerOfThePiece) {
   const Grid grid = test::SplitCells::grid();
   const HiddenVoxels voxels = test::SplitCells::hidden();

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/invalid_operations.h"
 #include "volume/field/reconstruct.h"
 #include "volume/skip/min_max_blocks.h"
 
@@ -115,6 +116,17 @@ TEST(BoxBoundsTest, RoundingIsOutward) {
       }
 }
 
+// Their steps would be infinite, and any value's place among them 0 times that.
+TEST(BoxBoundsTest, OfConstantVolumesNothingIsCountedInSteps) {
+  const GridGeometry geometry = GridGeometry::make({9, 9, 9}, glm::dvec3(1.0));
+  base::Progress progress;
+  std::vector<std::uint64_t> masks;
+  const float isovalues[] = {4.0f};
+  const test::InvalidOperations invalid;
+  BoxBounds(Grid(geometry, std::vector<float>(729, 4.0f)), progress).masks(isovalues, {1}, masks);
+  EXPECT_FALSE(invalid.met());
+}
+
 TEST(BoxBoundsTest, ConstantAndOutsideHaveNone) {
   const GridGeometry geometry = GridGeometry::make({9, 9, 9}, glm::dvec3(1.0));
   std::vector<std::uint64_t> masks;
@@ -125,6 +137,20 @@ TEST(BoxBoundsTest, ConstantAndOutsideHaveNone) {
   std::mt19937 random(9);
   BoxBounds(randomGrid({9, 9, 9}, random, false), progress).masks(isovalues, {1}, masks);
   EXPECT_EQ(masks[0], 0u);
+}
+
+// 65535 / 29 times 29 is more than 65535 in double precision.
+TEST(BoxBoundsTest, TheGreatestValueIsWithinTheBounds) {
+  const GridGeometry geometry = GridGeometry::make({9, 9, 9}, glm::dvec3(1.0));
+  base::Progress progress;
+  for (int greatest = 1; greatest <= 255; ++greatest) {
+    std::vector<std::uint8_t> voxels(729, 0);
+    voxels[0] = static_cast<std::uint8_t>(greatest);
+    std::vector<std::uint64_t> masks;
+    const auto isovalue = static_cast<float>(greatest);
+    BoxBounds(Grid(geometry, voxels), progress).masks(std::span(&isovalue, 1), {1}, masks);
+    EXPECT_EQ(masks[0], 1u) << greatest;
+  }
 }
 
 }  // namespace

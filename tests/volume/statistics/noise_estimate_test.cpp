@@ -110,5 +110,19 @@ TEST(NoiseEstimate, ManagesShortAxesAndMissingVoxels) {
   }
 }
 
+// Along none of its axes there is room for five voxels.
+TEST(NoiseEstimate, ManagesVolumesThatAreShortAlongEveryAxis) {
+  for (const glm::ivec3& dims : {glm::ivec3(4, 4, 4), glm::ivec3(4, 3, 4)}) {
+    double mean = 0.0;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      const Grid grid = test::gridOfVoxels(test::unitGeometry(dims), [&](glm::dvec3 p) {
+        return 2.0 * base::normalNoise(seed, static_cast<std::uint64_t>(p.x + 4.0 * (p.y + 4.0 * p.z)));
+      });
+      mean += deviationOf(grid) / 50.0;
+    }
+    EXPECT_NEAR(mean, 2.0, 1.0) << dims.y;
+  }
+}
+
 }  // namespace
 }  // namespace isolux::volume

@@ -312,17 +312,48 @@ FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const Open
   return voxels;
 }
 
-namespace {
+std::vector<PlainBytes> plainBytes(const ImageHeader& header, const Bytes& own, const OpenBeside& beside) {
+  const Payload& payload = header.payload;
+  const std::uint64_t files = std::max<std::uint64_t>(1, payload.files.size());
+  if (header.elements() % files != 0)
+    throwInput(own.name(), "data file",
+               std::to_string(files) + " data files cannot share " + std::to_string(header.elements()) +
+                   " values equally");
+  const std::uint64_t shareBytes = header.elements() / files * bytesOf(header.type);
+  std::vector<PlainBytes> result(files);
+  for (std::uint64_t file = 0; file < files; ++file) {
+    if (!payload.files.empty()) result[file].beside = beside(payload.files[file]);
+    const Bytes& bytes = result[file].beside ? *result[file].beside : own;
+    result[file].begin = beginOf(payload, bytes, shareBytes);
+    checkClaim(payload, bytes, result[file].begin, shareBytes, shareBytes / bytesOf(header.type));
+  }
+  return result;
+}
 
-constexpr const char* kScalingLeftOut = "slope and intercept are too extreme to apply; left out";
-
-// Values are finite, also their differences, and the stored range is not mapped to a single one.
 bool scalingIsUsable(const Grid& grid) {
   const double range = grid.maximum() - grid.minimum();
   return std::isfinite(range) && (range > 0.0 || grid.storedMinimum() == grid.storedMaximum());
 }
 
-}  // namespace
+void noteChoices(Volume& volume, const ReadOptions& options) {
+  if (volume.components > 1) {
+    const std::string shown =
+        options.component < 0 ? "their magnitude" : "component " + std::to_string(options.component);
+    volume.warnings.push_back(std::to_string(volume.components) + " components per voxel, " + shown +
+                              " is shown; source.component chooses another, -1 the magnitude");
+  }
+  if (volume.timeSteps > 1)
+    volume.warnings.push_back(std::to_string(volume.timeSteps) + " time steps, step " +
+                              std::to_string(options.timeStep) +
+                              " is shown; source.time_step chooses another");
+}
+
+void noteMissing(Volume& volume, const Grid& grid) {
+  if (grid.missingCount() > 0)
+    volume.warnings.push_back(std::to_string(grid.missingCount()) + " of " +
+                              std::to_string(grid.geometry().voxelCount()) +
+                              " voxels are NaN or infinite and count as missing");
+}
 
 Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOptions& options,
                     base::Progress& progress) {
@@ -334,16 +365,7 @@ Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOp
   volume.components = static_cast<int>(header.components * header.slowComponents);
   volume.timeSteps = static_cast<int>(header.timeSteps);
   volume.warnings = header.warnings;
-  if (volume.components > 1) {
-    const std::string shown =
-        options.component < 0 ? "their magnitude" : "component " + std::to_string(options.component);
-    volume.warnings.push_back(std::to_string(volume.components) + " components per voxel, " + shown +
-                              " is shown; source.component chooses another, -1 the magnitude");
-  }
-  if (volume.timeSteps > 1)
-    volume.warnings.push_back(std::to_string(volume.timeSteps) + " time steps, step " +
-                              std::to_string(options.timeStep) +
-                              " is shown; source.time_step chooses another");
+  noteChoices(volume, options);
 
   StoredVoxels stored = toStored(std::move(voxels), progress, volume.warnings);
   double slope = header.slope, intercept = header.intercept;
@@ -375,10 +397,7 @@ Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOp
     grid = std::make_shared<Grid>(geometry, std::move(*grid).takeVoxels(), stored.slope, stored.intercept,
                                   progress);
   }
-  if (grid->missingCount() > 0)
-    volume.warnings.push_back(std::to_string(grid->missingCount()) + " of " +
-                              std::to_string(geometry.voxelCount()) +
-                              " voxels are NaN or infinite and count as missing");
+  noteMissing(volume, *grid);
   volume.grid = std::move(grid);
   progress.report(1.0, "reading");
   return volume;

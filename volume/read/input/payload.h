@@ -5,6 +5,10 @@
 // for text. Memory: the chosen component of the chosen time step in the file's type, and 1 MiB chunks.
 #pragma once
 
+#include <memory>
+#include <string_view>
+#include <vector>
+
 #include "base/progress.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/convert.h"
@@ -17,6 +21,23 @@ namespace isolux::volume {
 FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const OpenBeside& beside,
                          const ReadOptions& options, base::Progress& progress,
                          std::vector<std::string>& warnings);
+
+// The bytes of an uncompressed payload: files in order, each with the same number of bytes from `begin` on.
+// Throws Error{input} as decodePayload() does where a file cannot hold what the header claims.
+struct PlainBytes {
+  std::unique_ptr<Bytes> beside;  // null: in the file with the header
+  std::uint64_t begin = 0;
+};
+std::vector<PlainBytes> plainBytes(const ImageHeader& header, const Bytes& own, const OpenBeside& beside);
+
+// Whether a header's slope and intercept can be applied: values are finite, also their differences, and the
+// stored range is not mapped to a single one.
+bool scalingIsUsable(const Grid& grid);
+inline constexpr std::string_view kScalingLeftOut = "slope and intercept are too extreme to apply; left out";
+
+// What a user should know: that the file has more than is shown, that voxels are missing.
+void noteChoices(Volume& volume, const ReadOptions& options);
+void noteMissing(Volume& volume, const Grid& grid);
 
 // Everything after the header: checks, decodes, converts and fills the Volume (all but `name`).
 Volume volumeFrom(ImageHeader header, const Bytes& own, const OpenBeside& beside, const ReadOptions& options,

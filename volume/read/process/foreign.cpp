@@ -16,6 +16,7 @@ constexpr const char* vtkReader = "isolux-reader-vtk";
 constexpr const char* dicomReader = "isolux-reader-dicom";
 constexpr const char* imageReader = "isolux-reader-images";
 constexpr const char* surfaceReader = "isolux-reader-surface";
+constexpr const char* hdf5Reader = "isolux-reader-hdf5";
 
 Request requestFor(Task task, const fs::path& path, const ReadOptions& options) {
   Request request;
@@ -137,7 +138,7 @@ DecodedImage readImage(const fs::path& path, base::Progress& progress) {
 
 std::vector<std::string> readerVersions(base::Progress& progress) {
   std::vector<std::string> lines;
-  for (const char* name : {vtkReader, dicomReader, imageReader, surfaceReader}) {
+  for (const char* name : {vtkReader, dicomReader, imageReader, surfaceReader, hdf5Reader}) {
     try {
       ReaderProcess reader(readerProgram(name), requestFor(Task::versions, name, ReadOptions()), progress);
       lines.push_back(reader.expect(MessageKind::text));

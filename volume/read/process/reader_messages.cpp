@@ -55,7 +55,7 @@ std::string encode(const Request& request) {
 Request decodeRequest(std::string_view body) {
   WireReader wire(body);
   Request request;
-  request.task = static_cast<Task>(wire.number(1, static_cast<std::uint64_t>(Task::preview)));
+  request.task = static_cast<Task>(wire.number(1, static_cast<std::uint64_t>(Task::chunks)));
   request.path = wire.text();
   request.options.series = wire.text();
   request.options.component = static_cast<int>(static_cast<std::int64_t>(wire.number()));

@@ -22,7 +22,7 @@
 namespace isolux::volume {
 
 inline constexpr std::uint64_t kMessageMark =
-    0x33525855'4c4f5349;  // "ISOLUXR3": the last digit is the version
+    0x34525855'4c4f5349;  // "ISOLUXR4": the last digit is the version
 inline constexpr std::size_t kMessageHeadBytes = 24;
 inline constexpr std::uint64_t kLongestMessage = std::uint64_t{64} << 20;
 
@@ -37,13 +37,15 @@ enum class MessageKind : std::uint64_t {
   image,     // reader: size of an image
   text,      // reader: versions of its libraries; its last word
   series,    // reader: a DicomSeries that it has found, or knows more of
+  chunks,    // reader: an Hdf5Layout (volume/bricks/hdf5/hdf5_layout.h) without its table of chunks
   index,     // reader: a DicomIndexEnd, when it has looked at all files; its last word
   done       // reader: the shared memory is filled; its last word
 };
 
 // contour: of samples that the program puts into the shared memory.
-// index: of the DICOM series of a folder; preview: a small image of one frame of a DICOM file.
-enum class Task : std::uint64_t { volume = 1, mesh, image, versions, contour, index, preview };
+// index: of the DICOM series of a folder; preview: a small image of one frame of a DICOM file; chunks: where
+// those of an HDF5 dataset (`series`) lie.
+enum class Task : std::uint64_t { volume = 1, mesh, image, versions, contour, index, preview, chunks };
 
 struct Request {
   Task task = Task::volume;

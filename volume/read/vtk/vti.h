@@ -8,15 +8,18 @@
 // of the cell data). Throws base::Error{input} naming element and attribute.
 #pragma once
 
+#include <optional>
+
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
 
 namespace isolux::volume {
 
 struct VtiHeader {
-  ImageHeader image;   // payload unused
-  std::string array;   // its name
-  bool cells = false;  // in the cell data
+  ImageHeader image;             // payload unused
+  std::string array;             // its name
+  bool cells = false;            // in the cell data
+  std::optional<Payload> plain;  // where its voxels are bytes of the file
 };
 
 // Everything that is checked before VTK sees the file.

@@ -338,6 +338,11 @@ void Check::checkBinary(std::uint64_t begin, std::uint64_t end, bool base64) {
     const std::uint64_t stated = number(bytesAt(begin, end, base64, 0, width), 0);
     if (stated != claim) differs(stated);
     if (held < width || claim > held - width) truncated();
+    if (base64) return;
+    header_.plain.emplace();
+    header_.plain->offset = begin + width;
+    header_.plain->moreMayFollow = true;
+    header_.plain->endianness = layout_.big ? Endianness::big : Endianness::little;
     return;
   }
   // Compressed: number of blocks, bytes of a block, bytes of a last shorter block (0: none), compressed

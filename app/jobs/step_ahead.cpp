@@ -1,0 +1,35 @@
+#include "app/jobs/step_ahead.h"
+
+#include <utility>
+
+#include "base/memory_budget.h"
+
+namespace isolux::app {
+
+namespace {
+
+// With the bounds of boxes and blocks that space is skipped by.
+std::size_t bytesOf(const volume::PreparedVolume& volume) {
+  return volume.grid().bytes() + volume.grid().geometry().voxelCount();
+}
+
+}  // namespace
+
+void StepAhead::moved(const scene::Source& from, const scene::Source& to,
+                      const volume::PreparedVolume& shown) {
+  job_.reset();  // which stops it and does not wait
+  scene::Source next = to;
+  next.timeStep = from.timeStep;
+  if (next != from || to.timeStep == from.timeStep) return;
+  next.timeStep = to.timeStep + (to.timeStep > from.timeStep ? 1 : -1);
+  if (next.timeStep < 0 || next.timeStep >= shown.volume.timeSteps) return;
+  if (base::machineMemory().left() < 2 * bytesOf(shown)) return;
+  job_ = std::make_unique<LoadJob>(std::move(next));
+}
+
+std::unique_ptr<LoadJob> StepAhead::take(const scene::Source& source) {
+  if (job_ && (job_->source() != source || (job_->finished() && job_->error()))) job_.reset();
+  return std::move(job_);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,386 @@
+#!/usr/bin/python3
+"""Compares Isolux's readers of Zarr and HDF5 with what wrote the files: zarr-python and numcodecs, h5py.
+
+usage: compare_chunked.py DESCRIBE_VOLUME
+
+DESCRIBE_VOLUME is the test tool of tests/volume_tools; it also reads parts of each volume and compares them with the whole.
+Zarr 3, which these packages do not write, is put together here by its specification, with their codecs and a CRC-32C bit by
+bit. Values say where they are. Exit code 77: a package is missing (skipped)."""
+
+import itertools
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py
+    import numcodecs
+    import numpy
+    import zarr
+except ImportError as error:
+    print("skipped:", error)
+    sys.exit(77)
+
+failures = 0
+count = 0
+
+
+def fail(what, got, wanted):
+    global failures
+    failures += 1
+    print(f"FAILED {what}: {got} instead of {wanted}")
+
+
+def check(what, got, wanted, tolerance=0.0):
+    if not numpy.allclose(numpy.asarray(got, float), numpy.asarray(wanted, float), rtol=1e-12, atol=tolerance):
+        fail(what, got, wanted)
+
+
+def run(tool, path, *arguments):
+    return subprocess.run([tool, str(path), *map(str, arguments)], capture_output=True, text=True)
+
+
+def compare(tool, what, path, values, component=0, time=0, spacing=None, origin=None, **facts):
+    """`values`: of that component and time step, [z, y, x]."""
+    global count
+    count += 1
+    done = run(tool, path, component, time)
+    if done.returncode:
+        return fail(what, done.stderr.strip(), "a volume")
+    got = json.loads(done.stdout)
+    values = numpy.asarray(values, float)
+    check(f"{what} dims", got["dims"], values.shape[::-1])
+    z, y, x = numpy.meshgrid(*(numpy.arange(n) for n in values.shape), indexing="ij")
+    check(f"{what} sum", got["placed_sum"], (values * ((x + 2 * y + 3 * z) % 11)).sum(), 1e-6)
+    check(f"{what} range", got["range"], [values.min(), values.max()])
+    for sample in got["samples"]:
+        i, j, k = sample["voxel"]
+        check(f"{what} at {sample['voxel']}", sample["value"], values[k, j, i])
+    if "parts_differ" not in got or (component >= 0 and got["parts_differ"] != 0):
+        fail(f"{what} parts", got.get("parts_differ"), 0)
+    if spacing:
+        check(f"{what} spacing", got["spacing_mm"], spacing)
+    if origin:
+        check(f"{what} origin", [got["world_from_voxel"][i] for i in (3, 7, 11)], origin)
+    for key, wanted in facts.items():
+        if got[key] != wanted:
+            fail(f"{what} {key}", got[key], wanted)
+    return got
+
+
+def refused(tool, what, path, *reasons, code=3):
+    """One line that holds all of `reasons`."""
+    global count
+    count += 1
+    done = run(tool, path)
+    text = done.stderr.strip()
+    if done.returncode != code or "\n" in text or not all(r in text for r in reasons):
+        fail(f"{what} refused", (done.returncode, text), (code, reasons))
+
+
+def field(shape, dtype="f8"):
+    """Numbers that fit a byte, and tell their places."""
+    index = numpy.indices(shape)
+    weights = (1, 3, 7, 5, 11)[:len(shape)]
+    total = sum(w * i for w, i in zip(weights[::-1], index[::-1]))
+    kind = numpy.dtype(dtype)
+    if kind.kind == "b":
+        return (total % 3 == 0).astype(kind)
+    values = total % 120 - (50 if kind.kind in "if" else 0)
+    return (values * (0.25 if kind.kind == "f" else 1)).astype(kind)
+
+
+def zarr_v2(tool, folder):
+    shape, chunks = (13, 17, 21), (5, 8, 6)
+    for number, dtype in enumerate(["|b1", "|i1", "|u1", "<i2", ">i2", "<u2", ">u2", "<i4", ">u4", "<i8", ">u8", "<f2",
+                                    ">f2", "<f4", ">f4", "<f8", ">f8"]):
+        path = folder / f"type{number}.zarr"
+        values = field(shape, dtype)
+        order, separator = "CF"[number % 2], "./"[number // 2 % 2]
+        zarr.open(str(path), "w", shape=shape, chunks=chunks, dtype=dtype, order=order,
+                  dimension_separator=separator)[...] = values
+        compare(tool, f"Zarr 2 {dtype} {order} {separator}", path, values, format="Zarr 2",
+                type={"|b1": "uint8", "<f2": "float32", ">f2": "float32"}.get(dtype, numpy.dtype(dtype).name))
+    codecs = [None, numcodecs.Zlib(3), numcodecs.GZip(3), numcodecs.Zstd(3), numcodecs.LZ4()]
+    codecs += [numcodecs.Blosc(name, 3, shuffle) for name in ("blosclz", "lz4", "lz4hc", "zlib", "zstd")
+               for shuffle in (0, 1, 2)]
+    values = field(shape, "<u2") * 257
+    for number, codec in enumerate(codecs):
+        path = folder / f"codec{number}.zarr"
+        zarr.open(str(path), "w", shape=shape, chunks=chunks, dtype="<u2", compressor=codec, order="CF"[number % 2],
+                  filters=[numcodecs.Shuffle(2)] if number in (1, 3) else None)[...] = values
+        compare(tool, f"Zarr 2 {codec}", path, values)
+    path = folder / "holes.zarr"
+    holes = numpy.full(shape, 77, "<i2")
+    holes[2:7, 3:9, 5:20] = 5
+    zarr.open(str(path), "w", shape=shape, chunks=chunks, dtype="<i2", fill_value=77,
+              write_empty_chunks=False)[...] = holes
+    got = compare(tool, "Zarr 2 with missing chunks", path, holes)
+    if got and not any("chunks are not in the file" in w for w in got["warnings"]):
+        fail("missing chunks", got["warnings"], "a warning")
+    flat = field((1, 17, 21), "<u2")
+    zarr.open(str(folder / "flat.zarr"), "w", shape=(17, 21), chunks=(4, 30), dtype="<u2")[...] = flat[0]
+    compare(tool, "Zarr 2 of two axes", folder / "flat.zarr", flat)
+
+
+def ome(tool, folder):
+    shape = {"t": 3, "c": 2, "z": 7, "y": 12, "x": 10}
+    size = {"t": 1.0, "c": 1.0, "z": 2.5, "y": 0.5, "x": 0.4}  # of voxels, in micrometers
+    for number, axes in enumerate(["tczyx", "czyx", "tzyx", "zyx", "ctzyx", "tcxyz", "cyx"]):
+        path = folder / f"image{number}.zarr"
+        group = zarr.open_group(str(path), "w")
+        values = field([shape[a] for a in axes], "<u2")
+        group.create_dataset("0", data=values, chunks=[3] * len(axes), dimension_separator="/")
+        half = values[tuple(slice(None, None, 2) if a in "xyz" else slice(None) for a in axes)]
+        group.create_dataset("1", data=half, chunks=[4] * len(axes), dimension_separator="/")
+        steps = [{"type": "scale", "scale": [size[a] for a in axes]},
+                 {"type": "translation", "translation": [8.0 if a in "xyz" else 0.0 for a in axes]}]
+        coarse = [{"type": "scale", "scale": [size[a] * (2 if a in "xyz" else 1) for a in axes]},
+                  {"type": "translation", "translation": [8.0 + size[a] / 2 if a in "xyz" else 0.0 for a in axes]}]
+        kinds = {"t": "time", "c": "channel"}
+        group.attrs["multiscales"] = [{
+            "version": "0.4", "name": "wave",
+            "axes": [{"name": a, "type": kinds.get(a, "space")} | ({} if a in "tc" else {"unit": "micrometer"})
+                     for a in axes],
+            "datasets": [{"path": "0", "coordinateTransformations": steps},
+                         {"path": "1", "coordinateTransformations": coarse}],
+            "coordinateTransformations": [{"type": "scale", "scale": [2.0 if a == "x" else 1.0 for a in axes]}]}]
+        named = dict(zip(axes, range(len(axes))))
+
+        def part(array, channel, time):
+            wanted = [named[a] for a in "tczyx" if a in named]
+            turned = numpy.transpose(array, wanted)
+            if "t" in axes:
+                turned = turned[time]
+            if "c" in axes:
+                turned = turned[channel]
+            return turned.reshape((1,) * (3 - turned.ndim) + turned.shape)
+
+        depth = 2.5e-3 if "z" in axes else 1.0
+        times, channels = (shape[a] if a in axes else 1 for a in "tc")
+        for channel, time in itertools.product(range(channels), range(times)):
+            compare(tool, f"OME-Zarr {axes} channel {channel} time {time}", path, part(values, channel, time), channel, time,
+                    spacing=[0.8e-3, 0.5e-3, depth], origin=[16e-3, 8e-3, 8e-3 if "z" in axes else 0.0], name="wave",
+                    format="OME-Zarr 0.4", components=channels, time_steps=times, levels=2)
+        compare(tool, f"OME-Zarr {axes} level 1", path / "1", part(half, 0, 0),
+                spacing=[1.6e-3, 1e-3, 2 * depth if "z" in axes else 1.0], levels=1)
+        if channels > 1:
+            lengths = numpy.sqrt(sum(part(values, c, 0).astype(float) ** 2 for c in range(channels))).astype("f4")
+            compare(tool, f"OME-Zarr {axes} magnitude", path, lengths, -1)
+        refused_word = run(tool, path, 0, 7)
+        if times < 8 and refused_word.returncode != 2:
+            fail(f"OME-Zarr {axes} time 7", refused_word.returncode, 2)
+
+
+def crc32c(data):
+    crc = 0xffffffff
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0x82f63b78 if crc & 1 else 0)
+    return crc ^ 0xffffffff
+
+
+def packed(values, codecs, dtype):
+    """A chunk as the codecs of Zarr 3 say."""
+    data = None
+    for codec in codecs:
+        name, given = codec["name"], codec.get("configuration", {})
+        if name == "transpose":
+            values = numpy.transpose(values, given["order"])
+        elif name == "bytes":
+            big = given.get("endian") == "big"
+            data = numpy.ascontiguousarray(values).astype(numpy.dtype(dtype).newbyteorder(">" if big else "<")).tobytes()
+        elif name == "crc32c":
+            data += struct.pack("<I", crc32c(data))
+        else:
+            maker = {"gzip": numcodecs.GZip, "zstd": numcodecs.Zstd, "blosc": numcodecs.Blosc,
+                     "numcodecs.zlib": numcodecs.Zlib, "numcodecs.lz4": numcodecs.LZ4}[name]
+            words = {k: v for k, v in given.items() if k in ("level", "cname", "clevel", "blocksize")}
+            if name == "blosc":
+                words["shuffle"] = {"noshuffle": 0, "shuffle": 1, "bitshuffle": 2}[given["shuffle"]]
+            data = bytes(maker(**words).encode(data))
+    return data
+
+
+def chunk_of(values, index, chunk, fill):
+    """Chunks reach over the end; nothing where all of one is the fill value."""
+    out = numpy.full(chunk, fill, values.dtype)
+    part = values[tuple(slice(i * c, (i + 1) * c) for i, c in zip(index, chunk))]
+    out[tuple(slice(0, n) for n in part.shape)] = part
+    return None if (part == fill).all() else out
+
+
+def write_zarr3(path, values, chunk, codecs, shard=None, fill=0, separator="/", keys="default", location="end",
+                index_codecs=None, names=None):
+    path.mkdir(parents=True)
+    index_codecs = index_codecs or [{"name": "bytes", "configuration": {"endian": "little"}}, {"name": "crc32c"}]
+    sharded = [{"name": "sharding_indexed", "configuration": {
+        "chunk_shape": list(chunk), "codecs": codecs, "index_codecs": index_codecs, "index_location": location}}]
+    outer = shard or chunk
+    meta = {"zarr_format": 3, "node_type": "array", "shape": list(values.shape), "data_type": values.dtype.name,
+            "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": list(outer)}},
+            "chunk_key_encoding": {"name": keys, "configuration": {"separator": separator}}, "fill_value": fill,
+            "codecs": sharded if shard else codecs, "attributes": {}}
+    if names:
+        meta["dimension_names"] = names
+    (path / "zarr.json").write_text(json.dumps(meta))
+    grid = [-(-n // c) for n, c in zip(values.shape, outer)]
+    for index in itertools.product(*map(range, grid)):
+        block = chunk_of(values, index, outer, fill)
+        if block is None:
+            continue
+        if shard:
+            data, table, at = b"", b"", 0
+            entries = 1
+            for s, c in zip(shard, chunk):
+                entries *= s // c
+            head = 16 * entries + (4 if len(index_codecs) == 2 else 0) if location == "start" else 0
+            for inner in itertools.product(*(range(s // c) for s, c in zip(shard, chunk))):
+                piece = chunk_of(block, inner, chunk, fill)
+                if piece is None:
+                    table += b"\xff" * 16
+                    continue
+                data += b"gap"  # chunks need not follow each other
+                bytes_ = packed(piece, codecs, values.dtype)
+                order = ">QQ" if index_codecs[0]["configuration"]["endian"] == "big" else "<QQ"
+                table += struct.pack(order, head + len(data), len(bytes_))
+                data += bytes_
+            if len(index_codecs) == 2:
+                table += struct.pack("<I", crc32c(table))
+            data = table + data if location == "start" else data + table
+        else:
+            data = packed(block, codecs, values.dtype)
+        key = separator.join((["c"] if keys == "default" else []) + [str(i) for i in index])
+        (path / key).parent.mkdir(parents=True, exist_ok=True)
+        (path / key).write_bytes(data)
+
+
+def zarr_v3(tool, folder):
+    shape, chunk, shard = (13, 17, 21), (4, 3, 5), (8, 9, 10)
+    little, big = ({"name": "bytes", "configuration": {"endian": e}} for e in ("little", "big"))
+    blosc = {"name": "blosc", "configuration": {"cname": "zstd", "clevel": 3, "shuffle": "bitshuffle", "typesize": 2,
+                                                "blocksize": 0}}
+    turn = {"name": "transpose", "configuration": {"order": [2, 0, 1]}}
+    again = {"name": "transpose", "configuration": {"order": [1, 0, 2]}}
+    gzip = {"name": "gzip", "configuration": {"level": 3}}
+    zstd = {"name": "zstd", "configuration": {"level": 3, "checksum": False}}
+    crc = {"name": "crc32c"}
+    pipelines = [[little], [big], [little, gzip], [little, zstd], [big, blosc], [turn, little, zstd, crc],
+                 [turn, again, big], [little, crc], [little, {"name": "numcodecs.zlib", "configuration": {"level": 1}}],
+                 [little, {"name": "numcodecs.lz4", "configuration": {}}]]
+    for number, codecs in enumerate(pipelines):
+        values = field(shape, "u2") * 257
+        names = "+".join(c["name"] for c in codecs)
+        write_zarr3(folder / f"v3_{number}.zarr", values, chunk, codecs, separator="/."[number % 2],
+                    keys=("default", "v2")[number // 2 % 2])
+        compare(tool, f"Zarr 3 {names}", folder / f"v3_{number}.zarr", values, format="Zarr 3")
+        write_zarr3(folder / f"shards_{number}.zarr", values, chunk, codecs, shard, fill=257,
+                    location=("end", "start")[number % 2],
+                    index_codecs=[[little, crc], [big], [big, crc], [little]][number % 4])
+        compare(tool, f"Zarr 3 shards of {names}", folder / f"shards_{number}.zarr", values)
+    for dtype in ("bool", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float16", "float32",
+                  "float64"):
+        values = field(shape, dtype)
+        for words in (little, big):
+            path = folder / f"v3_{dtype}_{words is big}.zarr"
+            write_zarr3(path, values, chunk, [words, zstd], shard if words is big else None,
+                        fill=bool(0) if dtype == "bool" else 0)
+            compare(tool, f"Zarr 3 {dtype}", path, values)
+    values = field((3, 2, 5, 6, 7), "float32")
+    write_zarr3(folder / "named.zarr", values, (2, 1, 3, 3, 3), [little], names=["z", "channel", "time", "y", "x"])
+    compare(tool, "Zarr 3 with names of axes", folder / "named.zarr", values[:, 1, 2], 1, 2, components=2, time_steps=5)
+    image = folder / "ome3.zarr"
+    write_zarr3(image / "s0", values, (2, 1, 3, 3, 3), [little], (4, 2, 6, 6, 9))
+    image_meta = {"version": "0.5", "multiscales": [{
+        "axes": [{"name": "t", "type": "time"}, {"name": "c", "type": "channel"}] +
+                [{"name": a, "type": "space", "unit": "nanometer"} for a in "zyx"],
+        "datasets": [{"path": "s0", "coordinateTransformations": [{"type": "scale", "scale": [1, 1, 40, 10, 10]}]}]}]}
+    (image / "zarr.json").write_text(json.dumps({"zarr_format": 3, "node_type": "group", "attributes": {"ome": image_meta}}))
+    compare(tool, "OME-Zarr 0.5", image, values[2, 1], 1, 2, spacing=[1e-5, 1e-5, 4e-5], format="OME-Zarr 0.5")
+    compare(tool, "OME-Zarr 0.5 by its zarr.json", image / "zarr.json", values[0, 0])
+
+
+def hdf5(tool, folder):
+    shape, chunks = (13, 17, 21), (5, 8, 6)
+    for number, dtype in enumerate(["|b1", "|i1", "|u1", "<i2", ">i2", "<u2", ">u2", "<i4", ">u4", "<i8", ">u8", "<f2", ">f4",
+                                    "<f8", ">f8"]):
+        values = field(shape, dtype)
+        path = folder / f"type{number}.h5"
+        with h5py.File(path, "w", userblock_size=512 * (number % 2), libver=("earliest", "latest")[number // 2 % 2]) as file:
+            file.create_dataset("a/chunked", data=values, chunks=chunks, compression="gzip")
+            file.create_dataset("whole", data=values[:, :, :20])
+        compare(tool, f"HDF5 {dtype} chunked", f"{path}:/a/chunked", values, format="HDF5")
+        compare(tool, f"HDF5 {dtype} contiguous", f"{path}:/whole", values[:, :, :20])
+        compare(tool, f"HDF5 {dtype} largest", path, values)
+    for number, words in enumerate([{}, {"compression": "gzip"}, {"compression": "gzip", "shuffle": True},
+                                    {"fletcher32": True}, {"compression": "gzip", "shuffle": True, "fletcher32": True},
+                                    {"shuffle": True}]):
+        for limits in (None, (None, None, None), (13, 17, None)):  # with each another index of chunks
+            path = folder / f"filters{number}_{limits is None}_{limits and limits[0]}.h5"
+            values = field(shape, "<u2") * 257
+            with h5py.File(path, "w", libver="latest") as file:
+                made = file.create_dataset("v", shape=shape, dtype="<u2", chunks=chunks, maxshape=limits, fillvalue=9, **words)
+                made[:6, 8:, :] = values[:6, 8:, :]
+                made.attrs["element_size_um"] = [2.0, 0.5, 0.25]
+                seen = made[...]
+            compare(tool, f"HDF5 {words} {limits}", path, seen, spacing=[0.25e-3, 0.5e-3, 2e-3])
+    path = folder / "axes.h5"
+    values = field((4, 6, 5, 7, 3), "<f4")  # t, z, y, x, c
+    tags = {"axes": [{"key": k, "typeFlags": 2, "resolution": 0, "description": ""} for k in "tzyxc"]}
+    with h5py.File(path, "w") as file:
+        made = file.create_dataset("data", data=values, chunks=(1, 4, 4, 4, 3))
+        made.attrs["axistags"] = json.dumps(tags)
+        labelled = file.create_dataset("labelled", data=values[0, :, :, :, 0])
+        for axis, label in enumerate("xyz"):
+            labelled.dims[axis].label = label
+        file.create_dataset("nothing", shape=(4, 5, 6), dtype="f4", chunks=(2, 2, 2), fillvalue=2.5)
+        packed_ = file.create_dataset("lzf", data=values[0, :, :, :, 0], chunks=(2, 2, 2), compression="lzf")
+        assert packed_.compression == "lzf"
+        mixed = file.create_dataset("mixed", shape=(4, 4, 4), dtype="u1", chunks=(2, 4, 4), compression="gzip")
+        mixed[...] = 7
+        mixed.id.write_direct_chunk((2, 0, 0), bytes(range(32)), 1)  # this one without the filter
+    compare(tool, "HDF5 axistags", path, values[2, ..., 1], 1, 2, components=3, time_steps=4)
+    compare(tool, "HDF5 labels", f"{path}:/labelled", values[0, :, :, :, 0].T)
+    compare(tool, "HDF5 without chunks", f"{path}:/nothing", numpy.full((4, 5, 6), 2.5))
+    plain = numpy.full((4, 4, 4), 7)
+    plain[2:] = numpy.arange(32).reshape(2, 4, 4)
+    compare(tool, "HDF5 filter mask", f"{path}:/mixed", plain)
+    refused(tool, "HDF5 lzf", f"{path}:/lzf", "axes.h5", "/lzf", "filter lzf")
+    refused(tool, "HDF5 wrong name", f"{path}:/other", "/other", "/data")
+    whole = (folder / "filters2_True_None.h5").read_bytes()
+    with h5py.File(folder / "filters2_True_None.h5", "r") as file:
+        address = file["v"].id.get_chunk_info(3)
+    (folder / "cut.h5").write_bytes(whole[:len(whole) // 2])
+    refused(tool, "HDF5 cut", folder / "cut.h5", "cut.h5", "damaged")
+    bad = bytearray(whole)
+    for i in range(address.byte_offset, address.byte_offset + address.size):
+        bad[i] ^= 0x5a
+    (folder / "bad.h5").write_bytes(bad)
+    refused(tool, "HDF5 damaged chunk", folder / "bad.h5", "bad.h5", "chunk ", "deflate data are damaged")
+    with h5py.File(folder / "filters3_True_None.h5", "r") as file:
+        address = file["v"].id.get_chunk_info(2)
+    bad = bytearray((folder / "filters3_True_None.h5").read_bytes())
+    bad[address.byte_offset + 5] ^= 1
+    (folder / "sum.h5").write_bytes(bad)
+    refused(tool, "HDF5 checksum", folder / "sum.h5", "sum.h5", "chunk ", "checksum is wrong")
+    (folder / "empty.h5").write_bytes(whole[:8])
+    refused(tool, "HDF5 of a signature", folder / "empty.h5", "empty.h5", "damaged")
+
+
+def main():
+    tool = sys.argv[1]
+    with tempfile.TemporaryDirectory() as temporary:
+        for part in (zarr_v2, ome, zarr_v3, hdf5):
+            folder = pathlib.Path(temporary) / part.__name__
+            folder.mkdir()
+            part(tool, folder)
+    print(f"{count} volumes compared, {failures} differences")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

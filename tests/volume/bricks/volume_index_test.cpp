@@ -1,0 +1,208 @@
+// The index of a file: what is made of the same volume in memory, however it was come by.
+#include "volume/bricks/volume_index.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/support/test_data.h"
+#include "tests/support/volumes.h"
+#include "volume/bricks/brick_source.h"
+#include "volume/bricks/index_file.h"
+#include "volume/bricks/plain_file.h"
+#include "volume/prepared_volume.h"
+#include "volume/write/writer.h"
+
+namespace isolux::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+void expectSameBlocks(const volume::MinMaxBlocks& a, const volume::MinMaxBlocks& b) {
+  ASSERT_EQ(a.dims(), b.dims());
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < a.count(); ++i)
+    if (a.minimum(i) != b.minimum(i) || a.maximum(i) != b.maximum(i)) ++differing;
+  EXPECT_EQ(differing, 0u) << "of " << a.count();
+}
+
+void expectSameFacts(const scene::VolumeFacts& a, const scene::VolumeFacts& b) {
+  EXPECT_EQ(a.minimum, b.minimum);
+  EXPECT_EQ(a.maximum, b.maximum);
+  EXPECT_EQ(a.suggestedIsovalue, b.suggestedIsovalue);
+  EXPECT_EQ(a.suggestedIsovalues, b.suggestedIsovalues);
+  EXPECT_EQ(a.typicalStep, b.typicalStep);
+  EXPECT_EQ(a.boundsMinMm, b.boundsMinMm);
+  EXPECT_EQ(a.boundsMaxMm, b.boundsMaxMm);
+  EXPECT_EQ(a.spacingMm, b.spacingMm);
+  EXPECT_EQ(a.axes, b.axes);
+}
+
+// Loaded from the file, in parts and whole.
+void expectSameVolume(const scene::Source& source) {
+  base::Progress progress;
+  scene::Machine machine;
+  machine.voxels = scene::VoxelPlace::file;
+  const auto whole = volume::loadVolume(source, progress);
+  for (const char* from : {"made", "read again"}) {
+    SCOPED_TRACE(from);
+    const auto parts = volume::loadVolume(source, machine, progress);
+    EXPECT_FALSE(parts->grid().isWhole());
+    EXPECT_EQ(parts->volume.name, whole->volume.name);
+    EXPECT_EQ(parts->volume.warnings, whole->volume.warnings);
+    EXPECT_EQ(parts->grid().hash(), whole->grid().hash());
+    EXPECT_EQ(parts->grid().missingCount(), whole->grid().missingCount());
+    EXPECT_EQ(parts->grid().storedType(), whole->grid().storedType());
+    EXPECT_EQ(parts->grid().storedMinimum(), whole->grid().storedMinimum());
+    EXPECT_EQ(parts->grid().storedMaximum(), whole->grid().storedMaximum());
+    EXPECT_EQ(parts->histogram.counts, whole->histogram.counts);
+    EXPECT_EQ(parts->histogram.minimum, whole->histogram.minimum);
+    EXPECT_EQ(parts->histogram.maximum, whole->histogram.maximum);
+    EXPECT_EQ(parts->histogram.peaks, whole->histogram.peaks);
+    expectSameBlocks(*parts->blocks, *whole->blocks);
+    expectSameFacts(parts->facts, whole->facts);
+    EXPECT_THROW(parts->grid().voxels(), base::Error);
+    const glm::ivec3 at = (whole->grid().dims() - 1) / glm::ivec3(2, 3, 4);
+    const double there = whole->grid().value(at.x, at.y, at.z), read = parts->grid().value(at.x, at.y, at.z);
+    EXPECT_TRUE(there == read || (std::isnan(there) && std::isnan(read)));
+  }
+}
+
+class Indexes : public testing::Test {
+ protected:
+  std::shared_ptr<const volume::ChunkedVolume> write(const volume::Grid& grid, const char* name = "v.nrrd") {
+    file_ = folder_ / name;
+    writeVolume(grid, file_);
+    std::string reason;
+    return volume::openPlainFile(file_, {}, reason);
+  }
+  volume::IndexFile indexFile() const { return volume::IndexFile(file_.string(), {}); }
+  scene::Source source() const {
+    scene::Source source;
+    source.path = file_.string();
+    return source;
+  }
+  fs::path folder_ = temporaryFolder(), file_;
+  base::Progress progress_;
+};
+
+TEST_F(Indexes, EqualWhatIsMadeOfPhantomsInMemory) {
+  for (const char* name : {"head", "ball", "gyroid", "noise"}) {
+    SCOPED_TRACE(name);
+    write(phantomGrid(name, 61));
+    expectSameVolume(source());
+    EXPECT_TRUE(fs::exists(folder_ / "v.nrrd.index"));
+  }
+}
+
+TEST_F(Indexes, EqualOfEveryTypeWithMissingVoxels) {
+  const glm::ivec3 dims(37, 20, 31);
+  const std::size_t count = unitGeometry(dims).voxelCount();
+  const auto raw = [&]<class T>(T, const std::string& type) {
+    SCOPED_TRACE(type);
+    std::vector<T> voxels(count);
+    for (std::size_t i = 0; i < count; ++i)
+      voxels[i] =
+          static_cast<T>(100.0 * std::sin(0.01 * static_cast<double>(i)) + (i % 7 == 0 ? 20.0 : 27.0));
+    if constexpr (std::is_same_v<T, float>)
+      for (std::size_t i = 0; i < count; i += 11) voxels[i] = i % 2 ? NAN : -INFINITY;
+    file_ = folder_ / ("v-" + type + ".raw");
+    std::ofstream(file_, std::ios::binary)
+        .write(reinterpret_cast<const char*>(voxels.data()), static_cast<std::streamsize>(count * sizeof(T)));
+    scene::Source source = this->source();
+    source.raw = "37x20x31 " + type + " spacing 0.5,1,2";
+    expectSameVolume(source);
+  };
+  raw(std::int8_t{}, "int8");
+  raw(std::uint8_t{}, "uint8");
+  raw(std::int16_t{}, "int16");
+  raw(std::uint16_t{}, "uint16");
+  raw(float{}, "float32");
+}
+
+TEST_F(Indexes, ThinVolumesHaveNoBlocks) {
+  for (const glm::ivec3& dims : {glm::ivec3(9, 9, 1), glm::ivec3(1, 40, 9), glm::ivec3(10, 17, 9)}) {
+    write(phantomGrid("plane", dims));
+    expectSameVolume(source());
+  }
+}
+
+// Units of more than a slab, pieces of the hash across their borders: parts, in any order, are the whole.
+TEST_F(Indexes, PartsJoinToTheIndexMadeAtOnce) {
+  const auto file = write(phantomGrid("ball", glm::ivec3(300, 301, 120)));
+  std::optional<volume::VolumeIndex> once, part, joined;
+  indexFile().make(*file, {}, once, progress_);
+  ASSERT_GT(once->units(), 3u);
+  fs::remove(folder_ / "v.nrrd.index");
+  for (const int i : {3, 1}) indexFile().make(*file, {i, 3}, part, progress_);
+  EXPECT_FALSE(indexFile().find(*file));
+  indexFile().make(*file, {}, joined, progress_);
+  EXPECT_LT(joined->bytesRead(), once->bytesRead() * 3 / 4);  // a third, and the histogram's pass
+  EXPECT_EQ(joined->voxelFacts(1.0, 0.0).hash, once->voxelFacts(1.0, 0.0).hash);
+  expectSameBlocks(*joined->blocks(), *once->blocks());
+  EXPECT_EQ(joined->brickRanges(), once->brickRanges());
+  expectSameVolume(source());
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(folder_))
+    files += entry.path().filename().string().find("part") != std::string::npos;
+  EXPECT_EQ(files, 0u);  // parts are gone
+}
+
+// A reader that stops after some slabs.
+class StopsEarly final : public volume::ChunkedVolume {
+ public:
+  StopsEarly(std::shared_ptr<const volume::ChunkedVolume> file, int reads, base::Progress& progress)
+      : file_(std::move(file)), left_(reads), progress_(progress) {}
+  const volume::ChunkedFacts& facts() const override { return file_->facts(); }
+  std::size_t read(volume::VolumePart part, std::size_t level, glm::ivec3 low, glm::ivec3 size,
+                   std::span<std::byte> voxels) const override {
+    if (left_-- == 0) progress_.requestStop();
+    return file_->read(part, level, low, size, voxels);
+  }
+
+ private:
+  std::shared_ptr<const volume::ChunkedVolume> file_;
+  mutable int left_;
+  base::Progress& progress_;
+};
+
+TEST_F(Indexes, WhatWasDoneBeforeAnInterruptIsNotDoneAgain) {
+  const auto file = write(phantomGrid("ball", glm::ivec3(300, 301, 120)));
+  base::Progress stopped;
+  std::optional<volume::VolumeIndex> index;
+  EXPECT_THROW(indexFile().make(StopsEarly(file, 2, stopped), {}, index, stopped), base::Error);
+  ASSERT_TRUE(fs::exists(folder_ / "v.nrrd.index.part-1-of-1"));
+  indexFile().make(*file, {}, index, progress_);
+  std::optional<volume::VolumeIndex> once;
+  fs::remove(folder_ / "v.nrrd.index");
+  indexFile().make(*file, {}, once, progress_);
+  EXPECT_LT(index->bytesRead(), once->bytesRead());
+  EXPECT_EQ(index->voxelFacts(1.0, 0.0).hash, once->voxelFacts(1.0, 0.0).hash);
+}
+
+TEST_F(Indexes, OfAnotherFileCutOffOrDamagedCountAsNone) {
+  auto file = write(phantomGrid("ball", 40));
+  std::optional<volume::VolumeIndex> index;
+  const fs::path kept = indexFile().make(*file, {}, index, progress_);
+  ASSERT_TRUE(indexFile().find(*file));
+  const auto bytes = fs::file_size(kept);
+  std::fstream(kept, std::ios::in | std::ios::out | std::ios::binary)
+      .seekp(static_cast<std::streamoff>(bytes / 2))
+      .put('\x55')
+      .put('\xaa');
+  EXPECT_FALSE(indexFile().find(*file));
+  index.reset();
+  indexFile().make(*file, {}, index, progress_);
+  fs::resize_file(kept, bytes - 20);
+  EXPECT_FALSE(indexFile().find(*file));
+  indexFile().make(*file, {}, index, progress_);
+  fs::last_write_time(file_, fs::last_write_time(file_) + std::chrono::seconds(5));
+  EXPECT_FALSE(indexFile().find(*file));
+}
+
+}  // namespace
+}  // namespace isolux::test

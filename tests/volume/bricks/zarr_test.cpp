@@ -1,0 +1,229 @@
+// Zarr folders made by hand: what is refused, and how; parts of what is read. Files by independent writers:
+// compare_chunked.py.
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/support/test_data.h"
+#include "tests/volume/read/reader_support.h"
+#include "volume/bricks/chunks/checksums.h"
+#include "volume/bricks/open_arrays.h"
+#include "volume/bricks/zarr/zarr.h"
+
+namespace isolux::volume {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+using testing::HasSubstr;
+
+// 4 x 4 x 4 of uint16 in chunks of 2 x 3 x 4 (z, y, x), uncompressed; values z * 100 + y * 10 + x.
+Files plainArray() {
+  Files files;
+  files[".zarray"] = R"({"zarr_format": 2, "shape": [4, 4, 4], "chunks": [2, 3, 4], "dtype": "<u2",
+    "compressor": null, "fill_value": 7, "order": "C", "filters": null})";
+  for (int cz = 0; cz < 2; ++cz)
+    for (int cy = 0; cy < 2; ++cy) {
+      std::vector<std::uint16_t> voxels;
+      for (int z = 2 * cz; z < 2 * cz + 2; ++z)
+        for (int y = 3 * cy; y < 3 * cy + 3; ++y)
+          for (int x = 0; x < 4; ++x) voxels.push_back(static_cast<std::uint16_t>(z * 100 + y * 10 + x));
+      files[std::to_string(cz) + "." + std::to_string(cy) + ".0"] = test::bytesOf(voxels);
+    }
+  return files;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+OpenedZarr opened(const Files& files) {
+  return openZarr(std::make_shared<const MemoryStore>(files), "", "test.zarr", "");
+}
+
+std::vector<std::uint16_t> readBox(const ChunkedVolume& volume, glm::ivec3 low, glm::ivec3 size) {
+  std::vector<std::uint16_t> voxels(static_cast<std::size_t>(size.x * size.y * size.z));
+  volume.read({}, 0, low, size, std::as_writable_bytes(std::span(voxels)));
+  return voxels;
+}
+
+// What opening and reading all of it throws; "" where nothing.
+std::string refusal(const Files& files) {
+  try {
+    const OpenedZarr zarr = opened(files);
+    base::Progress progress;
+    wholeVolume(*zarr.volume, {}, progress);
+    return {};
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::input);
+    return error.what();
+  }
+}
+
+TEST(Zarr, ABoxAcrossChunksHasItsOwnVoxels) {
+  const OpenedZarr zarr = opened(plainArray());
+  EXPECT_EQ(zarr.volume->facts().levels[0].chunkDims, glm::ivec3(4, 3, 2));
+  EXPECT_THAT(readBox(*zarr.volume, {1, 2, 1}, {2, 2, 2}),
+              testing::ElementsAre(121, 122, 131, 132, 221, 222, 231, 232));
+}
+
+TEST(Zarr, OfAChunkThatIsNotPackedOnlyWhatIsAskedForIsRead) {
+  const OpenedZarr zarr = opened(plainArray());
+  std::vector<std::uint16_t> voxels(2);
+  EXPECT_EQ(zarr.volume->read({}, 0, {1, 1, 1}, {2, 1, 1}, std::as_writable_bytes(std::span(voxels))), 4u);
+  EXPECT_THAT(voxels, testing::ElementsAre(111, 112));
+}
+
+TEST(Zarr, AMissingChunkHasTheFillValue) {
+  Files files = plainArray();
+  files.erase("1.0.0");
+  const OpenedZarr zarr = opened(files);
+  EXPECT_THAT(readBox(*zarr.volume, {0, 2, 1}, {1, 2, 2}), testing::ElementsAre(120, 130, 7, 230));
+}
+
+TEST(Zarr, DamagedChunksAreNamed) {
+  Files files = plainArray();
+  files["1.0.0"].resize(47);
+  EXPECT_THAT(refusal(files), testing::AllOf(HasSubstr("1.0.0: chunk 1/0/0"), HasSubstr("47 bytes")));
+  for (const char* codec : {"zlib", "gzip", "zstd", "lz4", "blosc"}) {
+    Files packed = plainArray();
+    packed[".zarray"] = replaced(packed[".zarray"], R"("compressor": null)",
+                                 std::string(R"("compressor": {"id": ")") + codec + R"("})");
+    EXPECT_THAT(refusal(packed), testing::AllOf(HasSubstr(": chunk "), HasSubstr("data are damaged")))
+        << codec;
+    for (auto& [name, bytes] : packed)
+      if (name != ".zarray") bytes.clear();
+    EXPECT_THAT(refusal(packed), HasSubstr("damaged")) << codec;
+  }
+}
+
+TEST(Zarr, MetadataThatCannotBeAreRefused) {
+  const std::string good = plainArray()[".zarray"];
+  const std::pair<const char*, const char*> cases[] = {
+      {"[4, 4, 4]", "[4, 4, 0]"},
+      {"[4, 4, 4]", "[4, 4, -4]"},
+      {"[4, 4, 4]", "[4, 4, 4.5]"},
+      {"[4, 4, 4]", "[4, 4]"},
+      {"[4, 4, 4]", "[4, 4, 70000]"},
+      {"[4, 4, 4]", "4"},
+      {"[4, 4, 4]", "[]"},
+      {"[2, 3, 4]", "[2, 3, 18446744073709551615]"},
+      {"[2, 3, 4]", "[4294967296, 4294967296, 4294967296]"},
+      {"[2, 3, 4]", "[0, 3, 4]"},
+      {"\"<u2\"", "\"<c8\""},
+      {"\"<u2\"", "\"<u3\""},
+      {"\"<u2\"", "[[\"a\", \"<u2\"]]"},
+      {"\"<u2\"", "\"|u2\""},
+      {"\"C\"", "\"D\""},
+      {"null", "{\"id\": \"bz2\"}"},
+      {"null", "{}"},
+      {"\"zarr_format\": 2", "\"zarr_format\": 9"},
+      {"7", "\"x\""},
+      {"7", "{}"},
+      {"{", "["},
+      {"\"filters\": null", "\"filters\": [{\"id\": \"delta\"}]"}};
+  for (const auto& [what, by] : cases) {
+    Files files = plainArray();
+    files[".zarray"] = replaced(good, what, by);
+    EXPECT_THAT(refusal(files), testing::AnyOf(HasSubstr(".zarray"), HasSubstr("dims: an axis has 70000")))
+        << by;
+  }
+}
+
+TEST(Zarr, APathThatLeavesTheFolderIsRefused) {
+  for (const char* path : {"../secret", "/etc", "a/../../b"}) {
+    Files files;
+    files[".zattrs"] = std::string(R"({"multiscales": [{"axes": ["z", "y", "x"], "datasets": [{"path": ")") +
+                       path + R"("}]}]})";
+    EXPECT_THAT(refusal(files), HasSubstr("leaves the folder")) << path;
+  }
+}
+
+// Level 1 has half of the voxels of level 0, at twice their distance.
+Files image(const std::string& spacing, const std::string& levelOne) {
+  Files files;
+  for (const auto& [name, text] : plainArray()) files["0/" + name] = text;
+  files["1/.zarray"] = replaced(plainArray()[".zarray"], "[4, 4, 4]", "[2, 2, 2]");
+  files[".zattrs"] =
+      R"({"multiscales": [{"version": "0.4", "axes": [{"name": "z", "type": "space", "unit": "mm"},
+    {"name": "y", "type": "space", "unit": "mm"}, {"name": "x", "type": "space", "unit": "mm"}], "datasets": [
+    {"path": "0", "coordinateTransformations": [{"type": "scale", "scale": )" +
+      spacing + R"(}]}, {"path": "1", "coordinateTransformations": [)" + levelOne + "]}]}]}";
+  return files;
+}
+
+TEST(Zarr, LevelsWithoutAPlaceShareTheirOuterFaces) {
+  const OpenedZarr zarr = opened(image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})"));
+  const ChunkedFacts& facts = zarr.volume->facts();
+  ASSERT_EQ(facts.levels.size(), 2u);
+  EXPECT_EQ(facts.levels[0].geometry.spacingMm(), glm::dvec3(1, 2, 3));
+  EXPECT_EQ(facts.levels[1].geometry.originMm(), glm::dvec3(0.5, 1, 1.5));
+}
+
+TEST(Zarr, ALevelThatLiesElsewhereIsLeftOut) {
+  const OpenedZarr zarr = opened(image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]},
+    {"type": "translation", "translation": [0, 0, 40]})"));
+  EXPECT_EQ(zarr.volume->facts().levels.size(), 1u);
+  EXPECT_THAT(zarr.volume->facts().warnings, testing::Contains(HasSubstr("does not lie where level 0 lies")));
+}
+
+// One shard of 2 x 2 x 2 chunks of one voxel each.
+Files shard(bool damagedIndex, std::uint64_t offset) {
+  Files files;
+  files["zarr.json"] = R"({"zarr_format": 3, "node_type": "array", "shape": [2, 2, 2], "data_type": "uint16",
+    "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": [2, 2, 2]}},
+    "chunk_key_encoding": {"name": "default"}, "fill_value": 5, "codecs": [{"name": "sharding_indexed",
+    "configuration": {"chunk_shape": [1, 1, 1], "codecs": [{"name": "bytes", "configuration": {"endian": "little"}}],
+    "index_codecs": [{"name": "bytes", "configuration": {"endian": "little"}}, {"name": "crc32c"}]}}]})";
+  std::string data = test::bytesOf(std::vector<std::uint16_t>{10, 11, 12, 13, 14, 15, 16, 17});
+  std::vector<std::uint64_t> index;
+  for (std::uint64_t i = 0; i < 8; ++i) {
+    const bool missing = i == 6;
+    index.push_back(missing ? ~std::uint64_t{0} : i == 3 ? offset : 2 * i);
+    index.push_back(missing ? ~std::uint64_t{0} : 2);
+  }
+  const std::string table = test::bytesOf(index);
+  std::uint32_t sum = crc32c(std::as_bytes(std::span(table)));
+  if (damagedIndex) ++sum;
+  files["c/0/0/0"] = data + table + test::bytesOf(std::vector<std::uint32_t>{sum});
+  return files;
+}
+
+TEST(Zarr, ShardsAreReadByTheirIndex) {
+  const OpenedZarr zarr = opened(shard(false, 6));
+  EXPECT_THAT(readBox(*zarr.volume, {0, 0, 0}, {2, 2, 2}),
+              testing::ElementsAre(10, 11, 12, 13, 14, 15, 5, 17));
+  EXPECT_THAT(refusal(shard(true, 6)), HasSubstr("checksum of the shard's index is wrong"));
+  EXPECT_THAT(refusal(shard(false, 1000)), HasSubstr("chunk 0/1/1: damaged: it lies behind the end"));
+}
+
+TEST(Zarr, AVanishedArrayIsNoEmptyOne) {
+  const std::filesystem::path path = test::temporaryFolder() / "a.zarr";
+  std::filesystem::create_directories(path);
+  for (const auto& [name, bytes] : plainArray()) test::writeFile(path / name, bytes);
+  base::Progress progress;
+  const auto volume = openArrays(path.string(), "", progress);
+  ASSERT_TRUE(volume);
+  EXPECT_EQ(readBox(*volume, {0, 0, 0}, {1, 1, 1}).front(), 0);
+  std::filesystem::remove_all(path);
+  EXPECT_THROW(readBox(*volume, {0, 0, 0}, {1, 1, 1}), base::Error);
+}
+
+TEST(Zarr, SumsAreThoseOfTheirStandards) {
+  const std::string digits = "123456789";
+  EXPECT_EQ(crc32c(std::as_bytes(std::span(digits))), 0xe3069283u);  // RFC 3720's check value
+  const std::string word = "abcde";
+  // 0x6162 + 0x6364 + 0x6500 and the sums of these sums, modulo 65535, by hand.
+  const std::uint32_t a = 0x6162, b = 0x6364, c = 0x6500;
+  const std::uint32_t first = (a + b + c) % 65535, second = (3 * a + 2 * b + c) % 65535;
+  EXPECT_EQ(fletcher32(std::as_bytes(std::span(word))), second << 16 | first);
+}
+
+}  // namespace
+}  // namespace isolux::volume

@@ -1,0 +1,387 @@
+#include "volume/bricks/brick_source.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstring>
+#include <list>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <tuple>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+
+#include "base/error.h"
+#include "base/memory_budget.h"
+#include "base/retire.h"
+#include "volume/bricks/stored_type.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kMostReaders = 8;
+constexpr int kLeastChunk = 8;                                  // per axis: thinner chunks are rows
+constexpr std::size_t kMostChunkBytes = std::size_t{16} << 20;  // larger ones are read in bricks
+
+std::size_t countOf(glm::ivec3 size) {
+  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+         static_cast<std::size_t>(size.z);
+}
+
+// How a level is cut into bricks: brick b holds voxels b * edge - before .. (b + 1) * edge - 1 + behind.
+struct Cut {
+  glm::ivec3 dims, edge;
+  int before = 0, behind = 0;
+
+  glm::ivec3 bricks() const { return glm::max((dims + edge - 1) / edge, glm::ivec3(1)); }
+  glm::ivec3 low(glm::ivec3 brick) const { return glm::max(brick * edge - before, glm::ivec3(0)); }
+  glm::ivec3 behindLast(glm::ivec3 brick) const { return glm::min((brick + 1) * edge + behind, dims); }
+};
+
+Cut cutOf(const ChunkedLevel& level, VoxelType type) {
+  const glm::ivec3 dims = level.geometry.dims, chunk = glm::min(level.chunkDims, dims);
+  const bool boxes = glm::all(glm::greaterThanEqual(chunk, glm::min(glm::ivec3(kLeastChunk), dims))) &&
+                     glm::any(glm::greaterThan(chunk, glm::ivec3(1))) &&
+                     countOf(chunk) * bytesOf(type) <= kMostChunkBytes;
+  if (boxes) return {dims, chunk};
+  return {dims, glm::ivec3(BrickSource::kRowBrick), BrickSource::kApron, BrickSource::kApron + 1};
+}
+
+struct Key {
+  std::size_t level;
+  std::size_t brick;
+  bool operator==(const Key&) const = default;
+};
+
+struct KeyHash {
+  std::size_t operator()(const Key& key) const { return key.brick * 31 + key.level; }
+};
+
+}  // namespace
+
+struct BrickSource::State {
+  // A brick that is in memory, being read, or asked for.
+  struct Entry {
+    std::shared_ptr<const Brick> brick;  // in memory
+    bool reading = false;
+    std::optional<base::Error> error;  // of the last reading, for those who waited for it
+    std::uint64_t readings = 0;        // that have ended
+    int waiting = 0;                   // who looks at `error`
+    std::list<Key>::iterator recent;   // of bricks in memory
+  };
+  struct Wish {
+    Key key;
+    std::weak_ptr<void> wanted;
+  };
+
+  std::shared_ptr<const ChunkedVolume> file;
+  VolumePart part;
+  std::size_t budget = 0;
+  std::vector<Cut> cuts;  // of the levels
+  base::MemoryBudget::Held held;
+
+  mutable std::mutex mutex;
+  std::condition_variable ended, wished;
+  std::unordered_map<Key, Entry, KeyHash> entries;
+  std::list<Key> recent;  // the most recently used first
+  std::multimap<int, Wish, std::greater<>> wishes;
+  std::vector<std::unique_ptr<base::RetiringThread<State>>> threads;
+  bool stopping = false;
+  std::size_t keptBytes = 0;
+  std::uint64_t readBytes = 0, bricks = 0, voxelBytes = 0;
+
+  glm::ivec3 indexOf(Key key) const {
+    const glm::ivec3 n = cuts[key.level].bricks();
+    const auto x = static_cast<std::size_t>(n.x), y = static_cast<std::size_t>(n.y);
+    return {static_cast<int>(key.brick % x), static_cast<int>(key.brick / x % y),
+            static_cast<int>(key.brick / (x * y))};
+  }
+  Key keyOf(std::size_t level, glm::ivec3 index) const {
+    const glm::ivec3 n = cuts[level].bricks();
+    return {level, (static_cast<std::size_t>(index.z) * static_cast<std::size_t>(n.y) +
+                    static_cast<std::size_t>(index.y)) *
+                           static_cast<std::size_t>(n.x) +
+                       static_cast<std::size_t>(index.x)};
+  }
+
+  std::shared_ptr<const Brick> get(Key key);
+  void readNow(Key key, std::unique_lock<std::mutex>& lock);
+  void keep(Key key, std::shared_ptr<const Brick> brick);
+  void work();
+};
+
+// With the lock, which is let go while the file is read.
+void BrickSource::State::readNow(Key key, std::unique_lock<std::mutex>& lock) {
+  entries[key].reading = true;
+  lock.unlock();
+  auto brick = std::make_shared<Brick>();
+  std::optional<base::Error> error;
+  std::size_t bytes = 0;
+  try {
+    const Cut& cut = cuts[key.level];
+    brick->low = cut.low(indexOf(key));
+    brick->size = cut.behindLast(indexOf(key)) - brick->low;
+    brick->voxels.resize(countOf(brick->size) * bytesOf(file->facts().storedType));
+    bytes = file->read(part, key.level, brick->low, brick->size, brick->voxels);
+  } catch (const base::Error& failed) {
+    error = failed;
+  } catch (const std::bad_alloc&) {
+    error = base::Error(base::ErrorKind::memory, file->facts().name, "", "not enough memory for a brick");
+  }
+  lock.lock();
+  Entry& entry = entries[key];
+  entry.reading = false;
+  ++entry.readings;
+  entry.error = error;
+  if (!error) {
+    readBytes += bytes;
+    voxelBytes += brick->voxels.size();
+    ++bricks;
+    keep(key, std::move(brick));
+  } else if (entry.waiting == 0) {
+    entries.erase(key);
+  }
+  ended.notify_all();
+}
+
+void BrickSource::State::keep(Key key, std::shared_ptr<const Brick> brick) {
+  Entry& entry = entries[key];
+  keptBytes += brick->voxels.size();
+  entry.brick = std::move(brick);
+  recent.push_front(key);
+  entry.recent = recent.begin();
+  for (auto at = recent.end(); keptBytes > budget && recent.size() > 1;) {
+    if (--at == recent.begin()) break;
+    const auto oldest = entries.find(*at);
+    keptBytes -= oldest->second.brick->voxels.size();
+    oldest->second.brick.reset();
+    if (oldest->second.waiting == 0 && !oldest->second.reading) entries.erase(oldest);
+    at = recent.erase(at);
+  }
+}
+
+std::shared_ptr<const BrickSource::Brick> BrickSource::State::get(Key key) {
+  std::unique_lock lock(mutex);
+  for (;;) {
+    Entry& entry = entries[key];
+    if (entry.brick) {
+      recent.splice(recent.begin(), recent, entry.recent);
+      return entry.brick;
+    }
+    ++entry.waiting;  // keeps the entry where it is
+    const std::uint64_t before = entry.readings;
+    if (entry.reading)
+      ended.wait(lock, [&] { return entry.readings != before; });
+    else
+      readNow(key, lock);
+    --entry.waiting;
+    if (entry.brick) continue;
+    const std::optional<base::Error> error = entry.error;
+    if (entry.waiting == 0 && !entry.reading) entries.erase(key);
+    if (error) throw base::Error(*error);
+  }
+}
+
+void BrickSource::State::work() {
+  std::unique_lock lock(mutex);
+  for (;;) {
+    wished.wait(lock, [&] { return stopping || !wishes.empty(); });
+    if (stopping) return;
+    const Wish wish = wishes.begin()->second;
+    wishes.erase(wishes.begin());
+    if (wish.wanted.expired()) continue;
+    const auto found = entries.find(wish.key);
+    if (found == entries.end() || (!found->second.brick && !found->second.reading)) readNow(wish.key, lock);
+  }
+}
+
+BrickSource::BrickSource(std::shared_ptr<const ChunkedVolume> file, VolumePart part, std::size_t budgetBytes)
+    : state_(std::make_shared<State>()) {
+  state_->file = std::move(file);
+  state_->part = part;
+  state_->budget = budgetBytes;
+  std::size_t whole = 0;
+  for (const ChunkedLevel& level : facts().levels) {
+    state_->cuts.push_back(cutOf(level, facts().storedType));
+    whole += level.geometry.voxelCount() * bytesOf(facts().storedType);
+  }
+  state_->held = base::machineMemory().reserve(std::min(budgetBytes, 2 * whole), "parts of the volume",
+                                               "a lower memory.ram_budget_mb needs less");
+}
+
+BrickSource::~BrickSource() {
+  const std::lock_guard lock(state_->mutex);
+  state_->stopping = true;
+  state_->wishes.clear();
+  state_->wished.notify_all();
+  // Its threads hold the state, and the state its threads: they are let go here, and end elsewhere.
+  base::retire(std::move(state_->threads));
+  state_->threads.clear();
+}
+
+const ChunkedVolume& BrickSource::file() const {
+  return *state_->file;
+}
+
+const ChunkedFacts& BrickSource::facts() const {
+  return state_->file->facts();
+}
+
+VolumePart BrickSource::part() const {
+  return state_->part;
+}
+
+glm::ivec3 BrickSource::bricksPerAxis(std::size_t level) const {
+  return state_->cuts[level].bricks();
+}
+
+glm::ivec3 BrickSource::brickOf(std::size_t level, glm::ivec3 voxel) const {
+  return voxel / state_->cuts[level].edge;
+}
+
+std::shared_ptr<const BrickSource::Brick> BrickSource::brick(std::size_t level, glm::ivec3 index) {
+  return state_->get(state_->keyOf(level, index));
+}
+
+bool BrickSource::has(std::size_t level, glm::ivec3 index) const {
+  const std::lock_guard lock(state_->mutex);
+  const auto found = state_->entries.find(state_->keyOf(level, index));
+  return found != state_->entries.end() && found->second.brick;
+}
+
+BrickSource::Request BrickSource::request(std::size_t level, glm::ivec3 index, int priority) {
+  const Key key = state_->keyOf(level, index);
+  const std::lock_guard lock(state_->mutex);
+  if (const auto found = state_->entries.find(key); found != state_->entries.end() && found->second.brick)
+    return {};
+  const auto wanted = std::make_shared<int>(0);
+  state_->wishes.emplace(priority, State::Wish{key, wanted});
+  if (state_->threads.empty()) {
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    for (std::size_t i = 0; i < std::min(cores, kMostReaders); ++i)
+      state_->threads.push_back(
+          std::make_unique<base::RetiringThread<State>>(state_, [](State& state) { state.work(); }));
+  }
+  state_->wished.notify_one();
+  return Request(wanted);
+}
+
+namespace {
+
+// A run of voxels on an axis that lies in one brick; coordinates may be beyond the border.
+struct Run {
+  int brick, from, behind;
+};
+
+// One brick where it holds all of it, else as the edges of bricks say.
+std::vector<Run> runsOf(const Cut& cut, int axis, int first, int size) {
+  const int n = cut.dims[axis], edge = cut.edge[axis];
+  const int low = std::clamp(first, 0, n - 1), high = std::clamp(first + size - 1, 0, n - 1);
+  const int middle = std::clamp(first + size / 2, 0, n - 1) / edge;
+  if (low >= cut.low(glm::ivec3(middle))[axis] && high < cut.behindLast(glm::ivec3(middle))[axis])
+    return {{middle, first, first + size}};
+  std::vector<Run> runs;
+  for (int at = first; at < first + size;) {
+    const int brick = std::clamp(at, 0, n - 1) / edge;
+    const int behind = brick == (n - 1) / edge ? first + size : std::min((brick + 1) * edge, first + size);
+    runs.push_back({brick, at, behind});
+    at = behind;
+  }
+  return runs;
+}
+
+// One line of a box out of a row of voxels; beyond the border the border voxel repeats.
+template <class T>
+void copyLine(const T* row, int rowLow, int n, Run run, T* out) {
+  for (int x = run.from; x < std::min(run.behind, 0); ++x) *out++ = row[0 - rowLow];
+  const int from = std::clamp(run.from, 0, n), behind = std::clamp(run.behind, 0, n);
+  if (behind > from) out = std::copy(row + (from - rowLow), row + (behind - rowLow), out);
+  for (int x = std::max(run.from, n); x < run.behind; ++x) *out++ = row[n - 1 - rowLow];
+}
+
+}  // namespace
+
+void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, std::span<std::byte> voxels) {
+  const Cut& cut = state_->cuts[level];
+  const auto runsX = runsOf(cut, 0, first.x, size.x), runsY = runsOf(cut, 1, first.y, size.y),
+             runsZ = runsOf(cut, 2, first.z, size.z);
+  const auto line = [](const Brick& brick, int y, int z) {
+    return (static_cast<std::size_t>(z - brick.low.z) * static_cast<std::size_t>(brick.size.y) +
+            static_cast<std::size_t>(y - brick.low.y)) *
+           static_cast<std::size_t>(brick.size.x);
+  };
+  const auto copy = [&](const Brick& from, Run x, Run y, Run z) {
+    withStoredType(facts().storedType, [&](auto zero) {
+      using T = decltype(zero);
+      const T* const stored = reinterpret_cast<const T*>(from.voxels.data());
+      T* const out = reinterpret_cast<T*>(voxels.data());
+      for (int k = z.from; k < z.behind; ++k)
+        for (int j = y.from; j < y.behind; ++j) {
+          const std::size_t row =
+              line(from, std::clamp(j, 0, cut.dims.y - 1), std::clamp(k, 0, cut.dims.z - 1));
+          const std::size_t to = (static_cast<std::size_t>(k - first.z) * static_cast<std::size_t>(size.y) +
+                                  static_cast<std::size_t>(j - first.y)) *
+                                     static_cast<std::size_t>(size.x) +
+                                 static_cast<std::size_t>(x.from - first.x);
+          copyLine(stored + row, from.low.x, cut.dims.x, x, out + to);
+        }
+    });
+  };
+  for (const Run& z : runsZ)
+    for (const Run& y : runsY)
+      for (const Run& x : runsX) copy(*brick(level, {x.brick, y.brick, z.brick}), x, y, z);
+}
+
+std::vector<BrickSource::Request> BrickSource::requestBox(std::size_t level, glm::ivec3 first,
+                                                          glm::ivec3 size, int priority) {
+  const Cut& cut = state_->cuts[level];
+  std::vector<Request> requests;
+  for (const Run& z : runsOf(cut, 2, first.z, size.z))
+    for (const Run& y : runsOf(cut, 1, first.y, size.y))
+      for (const Run& x : runsOf(cut, 0, first.x, size.x))
+        requests.push_back(request(level, {x.brick, y.brick, z.brick}, priority));
+  return requests;
+}
+
+double BrickSource::stored(glm::ivec3 voxel) {
+  const std::shared_ptr<const Brick> from = brick(0, brickOf(0, voxel));
+  const glm::ivec3 at = voxel - from->low;
+  const std::size_t i = (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(from->size.y) +
+                         static_cast<std::size_t>(at.y)) *
+                            static_cast<std::size_t>(from->size.x) +
+                        static_cast<std::size_t>(at.x);
+  return withStoredType(facts().storedType, [&](auto zero) {
+    decltype(zero) value;
+    std::memcpy(&value, from->voxels.data() + i * sizeof value, sizeof value);
+    return static_cast<double>(value);
+  });
+}
+
+std::uint64_t BrickSource::bytesRead() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->readBytes;
+}
+
+std::uint64_t BrickSource::bricksRead() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->bricks;
+}
+
+std::uint64_t BrickSource::brickBytes() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->voxelBytes;
+}
+
+std::size_t BrickSource::bytesKept() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->keptBytes;
+}
+
+std::size_t BrickSource::budgetBytes() const {
+  return state_->budget;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,59 @@
+// A volume in a file, of which parts are read when they are asked for: what is drawn of volumes larger than
+// memory.
+//
+// Level 0 is the volume itself; coarser levels, where the file has them, hold means of what is below. All
+// levels lie in one world. Voxels are stored numbers, in the machine's byte order; missing ones are NaN
+// (float32 only).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "scene/world_axes.h"
+#include "volume/grid.h"
+
+namespace isolux::volume {
+
+struct ChunkedLevel {
+  GridGeometry geometry;
+  glm::ivec3 chunkDims{
+      0};  // voxels that the file keeps together; a part of whole chunks is read without waste
+};
+
+// Which volume of a file that has several.
+struct VolumePart {
+  int time = 0, channel = 0;
+};
+
+// What the file says of itself.
+struct ChunkedFacts {
+  std::string name;    // of the file, for messages
+  std::string format;  // "NRRD", "OME-Zarr 0.4", ...
+  std::string unit;    // of values; "" where it says none
+  scene::WorldAxes axes = scene::WorldAxes::zUp;
+  VoxelType storedType = VoxelType::uint8;  // int8, uint8, int16, uint16 or float32
+  double slope = 1.0, intercept = 0.0;      // value = slope * stored + intercept; finite, slope not 0
+  std::vector<ChunkedLevel> levels;         // at least one, the finest first
+  int times = 1, channels = 1;
+  std::vector<std::string> warnings;  // one line each
+};
+
+class ChunkedVolume {
+ public:
+  virtual ~ChunkedVolume() = default;
+
+  virtual const ChunkedFacts& facts() const = 0;
+
+  // Voxels low .. low + size - 1 of a level, which must lie in it, x fastest, into `voxels`, which has
+  // bytesOf(storedType) bytes for each. Any number of threads may read at a time. Returns the bytes read from
+  // the file. Throws base::Error{input} naming file and chunk: cut off, vanished, damaged, packed in another
+  // way.
+  virtual std::size_t read(VolumePart part, std::size_t level, glm::ivec3 low, glm::ivec3 size,
+                           std::span<std::byte> voxels) const = 0;
+};
+
+}  // namespace isolux::volume

@@ -1,0 +1,125 @@
+#include "volume/bricks/hdf5/hdf5.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "volume/bricks/hdf5/hdf5_array.h"
+#include "volume/bricks/zarr/ome.h"
+#include "volume/read/input/image_header.h"
+#include "volume/read/length_doubt.h"
+#include "volume/read/process/reader_process.h"
+
+namespace isolux::volume {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// vigra's: {"axes": [{"key": "z", ...}, ...]}. Empty where it is anything else.
+std::vector<std::string> keysOfAxisTags(const std::string& text) {
+  std::vector<std::string> keys;
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("axes") || !json["axes"].is_array()) return keys;
+  for (const auto& axis : json["axes"]) {
+    if (!axis.is_object() || !axis.contains("key") || !axis["key"].is_string()) return {};
+    keys.push_back(axis["key"].get<std::string>());
+  }
+  return keys;
+}
+
+std::vector<std::string> axisNamesOf(const Hdf5Layout& layout) {
+  std::vector<std::string> names = keysOfAxisTags(layout.axisTags);
+  if (names.size() != layout.dims.size()) names = layout.labels;
+  if (names.size() != layout.dims.size()) names.clear();
+  return names;
+}
+
+// element_size_um has the sizes of z, y and x, whatever other axes there are.
+glm::dvec3 spacingOfElements(const Hdf5Layout& layout, std::vector<std::string>& warnings) {
+  const std::vector<double>& um = layout.elementSizeUm;
+  if (um.size() == 3) return 1e-3 * glm::dvec3(um[2], um[1], um[0]);
+  warnings.push_back("the dataset does not say how large voxels are (no attribute element_size_um); " +
+                     std::string(kSpacingAssumed));
+  return glm::dvec3(1.0);
+}
+
+Hdf5Layout announcedLayout(ReaderProcess& reader) {
+  return reader.announced(MessageKind::chunks, decodeHdf5Layout);
+}
+
+}  // namespace
+
+std::optional<Hdf5Path> hdf5PathOf(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored)) {
+    try {
+      if (looksLikeHdf5(FileBytes(path))) return Hdf5Path{path, ""};
+    } catch (const base::Error&) {  // who reads it will say why it cannot be
+    }
+    return std::nullopt;
+  }
+  for (std::size_t at = path.rfind(":/"); at != std::string::npos && at > 0; at = path.rfind(":/", at - 1)) {
+    const fs::path file(path.substr(0, at));
+    if (fs::is_regular_file(file, ignored)) return Hdf5Path{file, path.substr(at + 1)};
+  }
+  return std::nullopt;
+}
+
+bool looksLikeHdf5(const Bytes& bytes) {
+  constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
+  for (std::uint64_t at = 0; at + signature.size() <= bytes.size() && at <= std::uint64_t{1} << 20;
+       at = at == 0 ? 512 : 2 * at) {
+    std::string head(signature.size(), '\0');
+    bytes.read(at, std::as_writable_bytes(std::span(head)));
+    if (head == signature) return true;
+  }
+  return false;
+}
+
+OpenedHdf5 openHdf5(const Hdf5Path& path, base::Progress& progress) {
+  Request request;
+  request.task = Task::chunks;
+  request.path = path.file.string();
+  request.options.series = path.dataset;
+  request.options.budgetBytes = base::machineMemory().left();
+  ReaderProcess reader(readerProgram("isolux-reader-hdf5"), request, progress);
+  const Hdf5Layout layout = announcedLayout(reader);
+  reader.receive(bulkBytes(layout));
+  std::vector<Hdf5Chunk> chunks(static_cast<std::size_t>(layout.chunkCount()));
+  reader.read(0, std::as_writable_bytes(std::span(chunks)));
+  reader.forgetMemory();
+  const std::string name = path.file.string();
+  const ArrayAxes axes = axesNamed(axisNamesOf(layout), layout.dims, name, layout.dataset);
+  ChunkedFacts facts;
+  facts.name = name;
+  facts.format = "HDF5";
+  facts.levels.resize(1);
+  const glm::dvec3 spacing = spacingOfElements(layout, facts.warnings);
+  facts.levels[0].geometry.worldFromVoxel =
+      checkedGeometry(glm::dmat3(1.0), spacing, glm::dvec3(0.0), name, facts.warnings);
+  OpenedHdf5 opened;
+  opened.dataset = layout.dataset;
+  opened.choices = layout.others;
+  opened.volume = std::make_unique<ArrayVolume>(
+      std::move(facts), axes,
+      std::vector<std::shared_ptr<const ChunkedArray>>{
+          std::make_shared<const Hdf5Array>(path.file, layout, std::move(chunks))});
+  return opened;
+}
+
+Volume readHdf5(const Hdf5Path& path, const ReadOptions& options, base::Progress& progress) {
+  progress.report(0.0, "reading");
+  const Hdf5Path wanted{path.file, path.dataset.empty() ? options.series : path.dataset};
+  OpenedHdf5 opened = openHdf5(wanted, progress);
+  Volume volume = wholeVolume(*opened.volume, options, progress);
+  volume.name = path.file.filename().string() + (path.dataset.empty() ? "" : ":" + path.dataset);
+  if (path.dataset.empty()) volume.seriesChoices = opened.choices;
+  if (volume.seriesChoices.size() > 1 && options.series.empty())
+    volume.warnings.push_back(std::to_string(volume.seriesChoices.size()) + " datasets; the largest, " +
+                              opened.dataset + ", is shown; source.series chooses another");
+  return volume;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,54 @@
+#include "volume/bricks/open_chunked.h"
+
+#include <filesystem>
+
+#include "base/error.h"
+#include "volume/bricks/open_arrays.h"
+#include "volume/bricks/plain_file.h"
+#include "volume/read/reader.h"
+
+namespace isolux::volume {
+
+namespace {
+
+void checkPart(const ChunkedFacts& facts, const scene::Source& source) {
+  const auto refuse = [&](const char* setting, const char* what, int asked, int has) {
+    throw base::Error(base::ErrorKind::usage, source.path, setting,
+                      std::string(what) + " " + std::to_string(asked) + " is asked for; the file has " +
+                          std::to_string(has) + " (0 is the first)");
+  };
+  if (source.component >= facts.channels)
+    refuse("source.component", "component", source.component, facts.channels);
+  if (source.timeStep < 0 || source.timeStep >= facts.times)
+    refuse("source.time_step", "time step", source.timeStep, facts.times);
+}
+
+}  // namespace
+
+std::shared_ptr<const ChunkedVolume> openChunked(const scene::Source& source, std::string& reason,
+                                                 base::Progress& progress) {
+  std::error_code ignored;
+  if (source.path.starts_with("phantom:")) {
+    reason = "phantoms are no files";
+    return nullptr;
+  }
+  if (source.csg != scene::Csg::none) {
+    reason = "a second volume is combined with it (source.csg)";
+    return nullptr;
+  }
+  if (source.component < 0) {
+    reason = "the magnitude of its components is asked for (source.component)";
+    return nullptr;
+  }
+  std::shared_ptr<const ChunkedVolume> file;
+  if (source.raw.empty()) file = openArrays(source.path, source.series, progress);
+  if (!file && std::filesystem::is_directory(source.path, ignored)) {
+    reason = "it is a folder";
+    return nullptr;
+  }
+  if (!file) file = openPlainFile(source.path, readOptions(source), reason);
+  if (file) checkPart(file->facts(), source);
+  return file;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,19 @@
+// Volumes whose voxels are plain bytes of a file: raw, and NRRD, MetaImage, NIfTI and .vti (appended, raw)
+// without compression. Headers are read by the readers of whole files (volume/read).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "volume/bricks/chunked_volume.h"
+#include "volume/read/reader.h"
+
+namespace isolux::volume {
+
+// Null, with one line why, where its voxels cannot be read in parts: packed, written as text, of a type that
+// is stored as another one. Throws base::Error{input} where the file is damaged as its reader would.
+std::shared_ptr<const ChunkedVolume> openPlainFile(const std::filesystem::path& path,
+                                                   const ReadOptions& options, std::string& reason);
+
+}  // namespace isolux::volume

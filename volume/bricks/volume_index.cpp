@@ -1,0 +1,374 @@
+#include "volume/bricks/volume_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include <tbb/combinable.h>
+
+#include "base/hash.h"
+#include "volume/bricks/stored_type.h"
+#include "volume/parallel_steps.h"
+#include "volume/statistics/typical_step.h"
+#include "volume/statistics/value_bins.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kHashedBytes = std::size_t{1} << 20;     // as Grid::hash()
+constexpr std::size_t kLeastUnitBytes = std::size_t{8} << 20;  // pieces of the hash overlap units by one
+constexpr int kHistogramBins = 512;                            // as prepareVolume() makes them
+
+std::size_t valuesOf(VoxelType type) {
+  return type == VoxelType::float32 ? 0 : std::size_t{1} << (8 * bytesOf(type));
+}
+
+template <class T>
+std::size_t countIndex(T value) {
+  return static_cast<std::size_t>(static_cast<int>(value) -
+                                  static_cast<int>(std::numeric_limits<T>::lowest()));
+}
+
+std::size_t sliceOf(glm::ivec3 dims) {
+  return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
+}
+
+}  // namespace
+
+VolumeIndex::VolumeIndex(const ChunkedFacts& facts, VolumePart part)
+    : facts_(facts), part_(part), isWhole_(facts.storedType != VoxelType::float32) {
+  const std::size_t width = bytesOf(facts_.storedType), slice = sliceOf(dims());
+  const std::size_t layerBytes = slice * width * kIndexBlockCells;
+  layersOfUnit_ = static_cast<int>((kLeastUnitBytes + layerBytes - 1) / layerBytes);
+  pieceVoxels_ = kHashedBytes / width;
+  const auto units = static_cast<std::size_t>((dims().z + slicesOfUnit() - 1) / slicesOfUnit());
+  const std::size_t voxels = slice * static_cast<std::size_t>(dims().z);
+  held_ = base::machineMemory().reserve(voxels / 512 * 2 * sizeof(float), "the index of the volume",
+                                        "a volume of fewer voxels needs less");
+  done_.resize(units, 0);
+  least_.resize(units, std::numeric_limits<float>::max());
+  most_.resize(units, std::numeric_limits<float>::lowest());
+  missing_.resize(units, 0);
+  hashes_.resize((voxels + pieceVoxels_ - 1) / pieceVoxels_, 0);
+  blocks_ = std::make_shared<MinMaxBlocks>(dims(), kIndexBlockCells);
+  counts_.resize(valuesOf(facts_.storedType), 0);
+}
+
+std::size_t VolumeIndex::unitsDone() const {
+  return static_cast<std::size_t>(std::count(done_.begin(), done_.end(), std::uint8_t{1}));
+}
+
+template <class T>
+void VolumeIndex::scanUnit(const ChunkedVolume& file, std::size_t unit, base::Progress& progress) {
+  const std::size_t slice = sliceOf(dims());
+  const int first = static_cast<int>(unit) * slicesOfUnit();
+  const int own = std::min(slicesOfUnit(), dims().z - first);
+  // The blocks end with the first slice of the next unit, and the last piece of the hash beyond the unit's
+  // end.
+  const std::size_t begin = static_cast<std::size_t>(first) * slice,
+                    end = begin + static_cast<std::size_t>(own) * slice;
+  const std::size_t firstPiece = (begin + pieceVoxels_ - 1) / pieceVoxels_,
+                    behindPiece = (end + pieceVoxels_ - 1) / pieceVoxels_;
+  const std::size_t lastVoxel = std::max(end, behindPiece * pieceVoxels_);
+  const int behind =
+      std::min(dims().z, std::max(first + own + 1, static_cast<int>((lastVoxel + slice - 1) / slice)));
+  std::vector<T> slab(static_cast<std::size_t>(behind - first) * slice);
+  bytesRead_ += file.read(part_, 0, {0, 0, first}, {dims().x, dims().y, behind - first},
+                          std::as_writable_bytes(std::span(slab)));
+  progress.throwIfStopped();
+
+  parallelSteps(behindPiece - std::min(firstPiece, behindPiece), progress, {}, [&](std::size_t i) {
+    const std::size_t from = (firstPiece + i) * pieceVoxels_ - begin;
+    const std::size_t length = std::min(pieceVoxels_, slab.size() - from);
+    hashes_[firstPiece + i] = base::Hasher().addWords(slab.data() + from, length * sizeof(T));
+  });
+
+  struct Found {
+    T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
+    std::uint64_t missing = 0;
+    std::vector<std::uint64_t> counts;
+  };
+  tbb::combinable<Found> partial(
+      [this] { return Found{.counts = std::vector<std::uint64_t>(counts_.size())}; });
+  parallelPieces(end - begin, std::size_t{1} << 18, progress, {}, [&](std::size_t from, std::size_t to) {
+    Found& found = partial.local();
+    for (std::size_t i = from; i != to; ++i) {
+      const T v = slab[i];
+      if constexpr (std::is_floating_point_v<T>) {
+        if (std::isnan(v)) {
+          ++found.missing;
+          continue;
+        }
+      } else {
+        ++found.counts[countIndex(v)];
+      }
+      found.least = v < found.least ? v : found.least;
+      found.most = v > found.most ? v : found.most;
+    }
+  });
+  const std::size_t blockSlices =
+      static_cast<std::size_t>(std::min(own + 1, dims().z - first));  // without what is hashed only
+  blocks_->setLayers(first / kIndexBlockCells, std::span<const T>(slab).first(blockSlices * slice), dims(),
+                     progress);
+  // From here on nothing throws: a unit counts once.
+  partial.combine_each([&](const Found& found) {
+    missing_[unit] += found.missing;
+    if (found.least <= found.most) {
+      least_[unit] = std::min(least_[unit], static_cast<float>(found.least));
+      most_[unit] = std::max(most_[unit], static_cast<float>(found.most));
+    }
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += found.counts[i];
+  });
+  done_[unit] = 1;
+}
+
+void VolumeIndex::scan(const ChunkedVolume& file, IndexPart part, base::Progress& progress,
+                       const std::function<void()>& keep) {
+  const auto i = static_cast<std::size_t>(part.i), n = static_cast<std::size_t>(part.n);
+  const std::size_t from = units() * (i - 1) / n, to = units() * i / n;
+  const std::size_t unitBytes =
+      static_cast<std::size_t>(slicesOfUnit() + 2) * sliceOf(dims()) * bytesOf(facts_.storedType);
+  const base::MemoryBudget::Held slab = base::machineMemory().reserve(unitBytes, "a slab of the volume", "");
+  for (std::size_t unit = from; unit < to; ++unit) {
+    progress.throwIfStopped();
+    progress.report(static_cast<double>(unit - from) / static_cast<double>(to - from), "indexing");
+    if (done_[unit]) continue;
+    withStoredType(facts_.storedType, [&](auto zero) { scanUnit<decltype(zero)>(file, unit, progress); });
+    keep();
+  }
+}
+
+void VolumeIndex::join(const VolumeIndex& other) {
+  // Counts are of all units together: of those that both have done they cannot be told apart.
+  for (std::size_t unit = 0; unit < units(); ++unit)
+    if (done_[unit] && other.done_[unit]) return;
+  const std::size_t slice = sliceOf(dims());
+  for (std::size_t unit = 0; unit < units(); ++unit) {
+    if (!other.done_[unit]) continue;
+    done_[unit] = 1;
+    least_[unit] = other.least_[unit];
+    most_[unit] = other.most_[unit];
+    missing_[unit] = other.missing_[unit];
+    const std::size_t begin = unit * static_cast<std::size_t>(slicesOfUnit()) * slice;
+    const std::size_t end = begin + static_cast<std::size_t>(slicesOfUnit()) * slice;
+    for (std::size_t piece = (begin + pieceVoxels_ - 1) / pieceVoxels_;
+         piece < std::min(hashes_.size(), (end + pieceVoxels_ - 1) / pieceVoxels_); ++piece)
+      hashes_[piece] = other.hashes_[piece];
+    const auto layer =
+        static_cast<std::size_t>(blocks_->dims().x) * static_cast<std::size_t>(blocks_->dims().y);
+    const auto layers = static_cast<std::size_t>(layersOfUnit_);
+    for (std::size_t block = unit * layers * layer;
+         block < std::min(blocks_->count(), (unit + 1) * layers * layer); ++block)
+      blocks_->set(block, other.blocks_->minimum(block), other.blocks_->maximum(block));
+  }
+  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+}
+
+double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double intercept,
+                           base::Progress& progress) {
+  const auto rowOf = [&](int y, int z) {
+    std::vector<double> values(static_cast<std::size_t>(dims().x));
+    withStoredType(facts_.storedType, [&](auto zero) {
+      std::vector<decltype(zero)> stored(values.size());
+      bytesRead_ +=
+          file.read(part_, 0, {0, y, z}, {dims().x, 1, 1}, std::as_writable_bytes(std::span(stored)));
+      std::transform(stored.begin(), stored.end(), values.begin(),
+                     [&](auto v) { return slope * static_cast<double>(v) + intercept; });
+    });
+    return values;
+  };
+  return volume::typicalStep(dims(), rowOf, progress);
+}
+
+void VolumeIndex::finish(const ChunkedVolume& file, base::Progress& progress) {
+  if (isFinished_) return;
+  typicalStep_ = typicalStoredStep_ = stepOf(file, facts_.slope, facts_.intercept, progress);
+  if (facts_.slope != 1.0 || facts_.intercept != 0.0) typicalStoredStep_ = stepOf(file, 1.0, 0.0, progress);
+  if (!isWhole_) countFloats(file, progress);
+  isFinished_ = true;
+}
+
+void VolumeIndex::countFloats(const ChunkedVolume& file, base::Progress& progress) {
+  const VoxelFacts found = voxelFacts(1.0, 0.0);
+  const bool any = found.missing < sliceOf(dims()) * static_cast<std::size_t>(dims().z);
+  const ValueBins bins = ValueBins::of(VoxelType::float32, any ? found.storedMinimum : 0.0,
+                                       any ? found.storedMaximum : 0.0, kHistogramBins);
+  std::vector<std::uint64_t> sum(bins.count, 0);
+  const std::size_t slice = sliceOf(dims());
+  const int step = slicesOfUnit();
+  for (int z = 0; z < dims().z; z += step) {
+    progress.throwIfStopped();
+    progress.report(static_cast<double>(z) / dims().z, "counting values");
+    const int slices = std::min(step, dims().z - z);
+    std::vector<float> slab(static_cast<std::size_t>(slices) * slice);
+    bytesRead_ +=
+        file.read(part_, 0, {0, 0, z}, {dims().x, dims().y, slices}, std::as_writable_bytes(std::span(slab)));
+    tbb::combinable<std::vector<std::uint64_t>> partial(
+        [&] { return std::vector<std::uint64_t>(bins.count); });
+    parallelPieces(slab.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t from, std::size_t to) {
+      std::vector<std::uint64_t>& counts = partial.local();
+      for (std::size_t i = from; i != to; ++i)
+        if (!std::isnan(slab[i])) ++counts[std::min(bins.binOf(slab[i]), bins.count - 1)];
+    });
+    partial.combine_each([&](const std::vector<std::uint64_t>& counts) {
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
+    });
+  }
+  counts_ = std::move(sum);
+}
+
+VoxelFacts VolumeIndex::voxelFacts(double slope, double intercept) const {
+  VoxelFacts found{.storedType = facts_.storedType};
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t unit = 0; unit < units(); ++unit) {
+    found.missing += missing_[unit];
+    if (least_[unit] > most_[unit]) continue;
+    low = std::min(low, static_cast<double>(least_[unit]));
+    high = std::max(high, static_cast<double>(most_[unit]));
+  }
+  if (low <= high) {
+    found.storedMinimum = low;
+    found.storedMaximum = high;
+  }
+  found.hash = Grid::hashOf(facts_.levels.front().geometry, slope, intercept, facts_.storedType, hashes_);
+  return found;
+}
+
+std::vector<float> VolumeIndex::brickRanges() const {
+  constexpr int perBrick = 4;
+  const glm::ivec3 blocks = blocks_->dims(), bricks = (blocks + perBrick - 1) / perBrick;
+  const std::size_t count = sliceOf(bricks) * static_cast<std::size_t>(bricks.z);
+  std::vector<float> ranges(2 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    ranges[2 * i] = std::numeric_limits<float>::max();
+    ranges[2 * i + 1] = std::numeric_limits<float>::lowest();
+  }
+  for (int z = 0; z < blocks.z; ++z)
+    for (int y = 0; y < blocks.y; ++y)
+      for (int x = 0; x < blocks.x; ++x) {
+        const std::size_t block = blocks_->index({x, y, z});
+        const auto brick = (static_cast<std::size_t>(z / perBrick) * static_cast<std::size_t>(bricks.y) +
+                            static_cast<std::size_t>(y / perBrick)) *
+                               static_cast<std::size_t>(bricks.x) +
+                           static_cast<std::size_t>(x / perBrick);
+        ranges[2 * brick] = std::min(ranges[2 * brick], blocks_->minimum(block));
+        ranges[2 * brick + 1] = std::max(ranges[2 * brick + 1], blocks_->maximum(block));
+      }
+  return ranges;
+}
+
+Histogram VolumeIndex::histogram(const Grid& grid) const {
+  const ValueBins bins =
+      ValueBins::of(facts_.storedType, grid.storedMinimum(), grid.storedMaximum(), kHistogramBins);
+  if (!isWhole_) return histogramOf(bins, counts_, grid);
+  std::vector<std::uint64_t> counts(bins.count, 0);
+  const bool isSigned = facts_.storedType == VoxelType::int8 || facts_.storedType == VoxelType::int16;
+  const int lowest = isSigned ? -static_cast<int>(counts_.size() / 2) : 0;
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    if (counts_[i] > 0)
+      counts[std::min(bins.binOf(lowest + static_cast<int>(i)), bins.count - 1)] += counts_[i];
+  return histogramOf(bins, std::move(counts), grid);
+}
+
+namespace {
+
+// Either direction of the same list of members.
+struct Writer {
+  const std::function<void(const void*, std::size_t)>& put;
+  template <class T>
+  bool number(T& value) {
+    put(&value, sizeof value);
+    return true;
+  }
+  template <class T>
+  bool array(std::vector<T>& values, std::size_t) {
+    std::uint64_t count = values.size();
+    put(&count, sizeof count);
+    if (!values.empty()) put(values.data(), values.size() * sizeof(T));
+    return true;
+  }
+};
+
+struct Reader {
+  std::span<const std::byte> bytes;
+  base::Hasher& sum;
+  bool take(void* to, std::size_t count) {
+    if (bytes.size() < count) return false;
+    if (count == 0) return true;
+    std::memcpy(to, bytes.data(), count);
+    sum.addWords(to, count);
+    bytes = bytes.subspan(count);
+    return true;
+  }
+  template <class T>
+  bool number(T& value) {
+    return take(&value, sizeof value);
+  }
+  template <class T>
+  bool array(std::vector<T>& values, std::size_t expected) {
+    std::uint64_t count = 0;
+    if (!number(count) || count != expected) return false;
+    values.resize(expected);
+    return take(values.data(), expected * sizeof(T));
+  }
+};
+
+}  // namespace
+
+template <class Io>
+bool VolumeIndex::transfer(Io& io) {
+  std::uint32_t version = 1, type = static_cast<std::uint32_t>(facts_.storedType);
+  glm::ivec3 size = dims();
+  std::int32_t layers = layersOfUnit_, time = part_.time, channel = part_.channel;
+  std::uint8_t finished = isFinished_ ? 1 : 0;
+  std::uint64_t countSize = counts_.size();
+  if (!io.number(version) || !io.number(type) || !io.number(size) || !io.number(layers) || !io.number(time) ||
+      !io.number(channel) || !io.number(finished) || !io.number(typicalStep_) ||
+      !io.number(typicalStoredStep_) || !io.number(countSize))
+    return false;
+  const bool same = version == 1 && type == static_cast<std::uint32_t>(facts_.storedType) && size == dims() &&
+                    layers == layersOfUnit_ && time == part_.time && channel == part_.channel;
+  const bool countsFit = isWhole_ ? countSize == counts_.size() : countSize <= std::size_t{kHistogramBins};
+  if (!same || !countsFit) return false;
+  std::vector<float> minima(blocks_->count()), maxima(blocks_->count());
+  for (std::size_t i = 0; i < minima.size(); ++i) {
+    minima[i] = blocks_->minimum(i);
+    maxima[i] = blocks_->maximum(i);
+  }
+  const std::size_t count = units();
+  if (!io.array(done_, count) || !io.array(least_, count) || !io.array(most_, count) ||
+      !io.array(missing_, count) || !io.array(hashes_, hashes_.size()) ||
+      !io.array(minima, blocks_->count()) || !io.array(maxima, blocks_->count()) ||
+      !io.array(counts_, countSize))
+    return false;
+  for (std::size_t i = 0; i < minima.size(); ++i) blocks_->set(i, minima[i], maxima[i]);
+  isFinished_ = finished != 0;
+  // Nothing of a file is believed that memory depends on.
+  return std::all_of(done_.begin(), done_.end(), [](std::uint8_t d) { return d <= 1; });
+}
+
+void VolumeIndex::write(const std::function<void(const void*, std::size_t)>& put) const {
+  VolumeIndex copy = *this;  // transfer() writes into what it reads
+  Writer writer{put};
+  copy.transfer(writer);
+}
+
+std::size_t VolumeIndex::mostBytes() const {
+  std::size_t sum = 0;
+  write([&](const void*, std::size_t count) { sum += count; });
+  return sum + static_cast<std::size_t>(kHistogramBins) * sizeof(std::uint64_t);
+}
+
+bool VolumeIndex::read(std::span<const std::byte> bytes, base::Hasher& sum) {
+  VolumeIndex copy(facts_, part_);
+  Reader reader{bytes, sum};
+  if (!copy.transfer(reader) || !reader.bytes.empty()) return false;
+  *this = std::move(copy);
+  return true;
+}
+
+}  // namespace isolux::volume
