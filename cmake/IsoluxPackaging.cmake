@@ -14,4 +14,18 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libosmesa6")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core, qt6-translations-l10n, qt6-wayland, shared-mime-info")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gnuplot-nox, ffmpeg, openmpi-bin")  # plots of `isolux study`, movies, bakes over MPI
+# The Python module is a package of its own, of the same run.
+if(ISOLUX_PYTHON)
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_COMPONENTS_ALL Unspecified python)
+  set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME isolux)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "isosurfaces in Python\nThe module isolux: pictures, exact first hits with error bounds, and curvature in\ndouble precision, of NumPy arrays and volume files.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-isolux)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "isolux (= ${PROJECT_VERSION}), python3 (>= 3.11), python3 (<< 3.12), python3-numpy, libegl1, libgl1-mesa-dri, libosmesa6")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS " ")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-nibabel, ffmpeg")
+endif()
 include(CPack)

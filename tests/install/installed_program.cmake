@@ -32,7 +32,16 @@ if(NOT mark STREQUAL "89504e470d0a1a0a")
   message(FATAL_ERROR "ball.png is no PNG")
 endif()
 
-foreach(reader vtk dicom images surface)
+if(PYTHON)  # the module, which finds a reader, too
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${PREFIX}/lib/python3/dist-packages ${PYTHON} -c
+    "import isolux\nv = isolux.open('ball.vti')\nprint(v)\nv.render(look='lambert', size=(64, 48)).save('python.png')")
+  expect("16 x 16 x 16 voxels .z, y, x.")
+  if(NOT EXISTS ${PREFIX}/python.png)
+    message(FATAL_ERROR "the module drew nothing")
+  endif()
+endif()
+
+foreach(reader vtk dicom images hdf5 surface)
   if(NOT EXISTS ${PREFIX}/libexec/isolux/isolux-reader-${reader})
     message(FATAL_ERROR "isolux-reader-${reader} is not installed")
   endif()

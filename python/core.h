@@ -1,0 +1,87 @@
+// A volume as Python holds it: voxels and all that was made of them, and, on its desk's thread, the graphics
+// context, the renderer and the stored light that its pictures share.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/numpy.h>
+
+#include "app/accuracy/accuracy.h"
+#include "app/accuracy/error_images.h"
+#include "app/commands/command.h"
+#include "app/light/light_controller.h"
+#include "python/desk.h"
+#include "render/renderer.h"
+#include "render/still_picture.h"
+#include "volume/prepared_volume.h"
+
+namespace isolux::python {
+
+struct PictureWish {
+  app::SceneOptions scene;
+  std::optional<glm::ivec2> size;
+  std::string images;  // of --aov; empty: none
+  bool color = true, linear = false, explain = false, accuracy = false, lightAround = false;
+  std::string light;  // a file of `isolux bake`
+  render::ContextChoice context = render::ContextChoice::automatic;
+};
+
+struct Picture {
+  glm::ivec2 size{0};
+  render::ColorImage color;  // empty unless asked for
+  std::optional<render::LinearImage> linear;
+  std::vector<render::AovImage> images;
+  std::vector<app::FloatChannel> errors;
+  scene::Scene scene;  // as it was drawn, all that is automatic filled in
+  std::optional<app::Accuracy> accuracy;
+  std::string stats;  // JSON
+  std::vector<std::string> notes;
+};
+
+// Work on the desk keeps the volume: an interrupted caller may be gone before it ends.
+class Core : public std::enable_shared_from_this<Core> {
+ public:
+  // Reads `path`, which may be a session; `assignments` are of the source.
+  static std::shared_ptr<Core> open(const std::string& path, const app::SceneOptions& options,
+                                    const pybind11::object& told);
+  // `array`: C-ordered (z, y, x) of a type of VoxelType. `directions`: columns are the voxel axes x, y, z.
+  // Throws Error{usage, memory}.
+  static std::shared_ptr<Core> ofArray(const pybind11::array& array, glm::dvec3 spacingMm,
+                                       glm::dvec3 originMm, glm::dmat3 directions, const std::string& name,
+                                       const std::string& unit, bool anatomical,
+                                       const pybind11::object& told);
+
+  std::shared_ptr<const Picture> render(const PictureWish& wish, const pybind11::object& told);
+  // Runs it on the desk with the scene as the wish says, resolved.
+  void ask(const app::SceneOptions& options,
+           const std::function<void(const scene::Scene&, base::Progress&)>& question,
+           const pybind11::object& told);
+  // Writes all light of the scene to a .vti; returns what --stats says of it.
+  std::string bake(const app::SceneOptions& options, const std::string& file, bool overwrite,
+                   const pybind11::object& told);
+  // Returns study.json.
+  std::string study(const app::SceneOptions& options, const std::string& knobs, glm::ivec2 size, int repeat,
+                    const pybind11::object& told);
+  void forgetLight(const pybind11::object& told);
+
+  const std::shared_ptr<const volume::PreparedVolume>& prepared() const { return prepared_; }
+  const std::string& path() const { return path_; }  // "" of an array
+
+ private:
+  struct Graphics;  // lives on the desk's thread
+  Core();
+  scene::Scene sceneOf(const app::SceneOptions& options) const;
+  Graphics& graphics(render::ContextChoice choice);
+  std::shared_ptr<Picture> draw(const PictureWish& wish, base::Progress& progress);
+
+  std::string path_;
+  scene::Source source_;  // as it was read
+  std::shared_ptr<const volume::PreparedVolume> prepared_;
+  std::shared_ptr<std::unique_ptr<Graphics>> graphics_;
+  Desk desk_;
+};
+
+}  // namespace isolux::python

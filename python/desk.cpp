@@ -1,0 +1,150 @@
+#include "python/desk.h"
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include <unistd.h>
+
+namespace isolux::python {
+
+namespace py = pybind11;
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+namespace {
+
+constexpr milliseconds kSignals{10};   // how often the one who waits looks for signals
+constexpr milliseconds kTold{50};      // how often it tells how far the work is
+constexpr milliseconds kStopping{60};  // how long work that is stopped is waited for
+
+std::atomic<bool> isEnding{false};
+std::thread::id endingThread;
+
+// A daemon thread that took the lock of a Python that ends would be ended in the middle of our functions.
+void parkIfEnding() {
+  if (!isEnding.load() || std::this_thread::get_id() == endingThread) return;
+  while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+}  // namespace
+
+void endPython() {
+  endingThread = std::this_thread::get_id();
+  isEnding.store(true);
+}
+
+struct Desk::Job {
+  Work work;
+  base::Progress progress;
+  std::mutex mutex;
+  std::condition_variable ended;
+  bool done = false;
+  std::exception_ptr failure;
+
+  bool waitFor(milliseconds time) {
+    std::unique_lock lock(mutex);
+    return ended.wait_for(lock, time, [this] { return done; });
+  }
+  void finish(std::exception_ptr with) {
+    work = nullptr;  // whose captures the caller may be waiting to see gone
+    {
+      const std::lock_guard lock(mutex);
+      done = true;
+      failure = std::move(with);
+    }
+    ended.notify_all();
+  }
+};
+
+Desk::Desk(std::function<void()> leave) : process_(::getpid()) {
+  auto jobs = std::make_shared<Jobs>();
+  jobs->leave = std::move(leave);
+  thread_ = std::make_unique<base::RetiringThread<Jobs>>(std::move(jobs), [](Jobs& own) { work(own); });
+}
+
+Desk::~Desk() {
+  if (::getpid() != process_) {  // the thread stayed in the process that was forked
+    static_cast<void>(thread_.release());
+    return;
+  }
+  {
+    const std::lock_guard lock((*thread_)->mutex);
+    (*thread_)->leaving = true;
+    if ((*thread_)->running) (*thread_)->running->progress.requestStop();
+    for (const std::shared_ptr<Job>& job : (*thread_)->waiting) job->progress.requestStop();
+  }
+  (*thread_)->changed.notify_all();
+}
+
+void Desk::work(Jobs& jobs) {
+  std::unique_lock lock(jobs.mutex);
+  while (true) {
+    jobs.changed.wait(lock, [&] { return jobs.leaving || !jobs.waiting.empty(); });
+    if (jobs.waiting.empty()) break;
+    jobs.running = std::move(jobs.waiting.front());
+    jobs.waiting.pop_front();
+    const std::shared_ptr<Job> job = jobs.running;
+    lock.unlock();
+    std::exception_ptr failure;
+    try {
+      job->progress.throwIfStopped();
+      job->work(job->progress);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    job->finish(std::move(failure));
+    lock.lock();
+    jobs.running.reset();
+  }
+  lock.unlock();
+  jobs.leave();
+}
+
+void Desk::requireOwnProcess() const {
+  if (::getpid() != process_)
+    throw std::runtime_error(
+        "a volume does not outlive fork(): open it in the new process, or start that by \"spawn\"");
+}
+
+void Desk::run(Work work, const py::object& told) {
+  requireOwnProcess();
+  const auto job = std::make_shared<Job>();
+  job->work = std::move(work);
+  {
+    const py::gil_scoped_release released;
+    {
+      const std::lock_guard lock((*thread_)->mutex);
+      (*thread_)->waiting.push_back(job);
+    }
+    (*thread_)->changed.notify_all();
+    Clock::time_point last = Clock::now();
+    while (!job->waitFor(kSignals)) {
+      parkIfEnding();
+      const py::gil_scoped_acquire acquired;
+      bool raised = ::PyErr_CheckSignals() != 0;
+      if (!raised && !told.is_none() && Clock::now() - last >= kTold) {
+        last = Clock::now();
+        PyObject* const answer =
+            ::PyObject_CallFunction(told.ptr(), "ds", job->progress.fraction(), job->progress.stage());
+        raised = answer == nullptr;
+        Py_XDECREF(answer);
+      }
+      if (!raised) continue;
+      job->progress.requestStop();
+      py::error_already_set error;  // takes what was raised
+      {
+        const py::gil_scoped_release again;
+        job->waitFor(kStopping);
+      }
+      throw error;
+    }
+    parkIfEnding();
+  }
+  if (job->failure) std::rethrow_exception(job->failure);
+}
+
+}  // namespace isolux::python

@@ -1,0 +1,58 @@
+// Where the work of one volume is done: a thread of its own, so that an OpenGL context stays on one thread
+// and whoever waits can be interrupted.
+//
+// Python's lock is not held while the work runs. The thread that waits takes it back every few milliseconds
+// to look for signals and to tell how far the work is.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include <pybind11/pybind11.h>
+#include <sys/types.h>
+
+#include "base/progress.h"
+#include "base/retire.h"
+
+namespace isolux::python {
+
+// Python ends, on this thread: others that wait for work do not come back, because there is nothing to come
+// back to.
+void endPython();
+
+using Work = std::function<void(base::Progress&)>;
+
+class Desk {
+ public:
+  // `leave` is called on the desk's thread when the desk is given up.
+  explicit Desk(std::function<void()> leave);
+  ~Desk();  // stops what is under way; does not wait for it
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  // Runs `work` after what others have asked for, and waits. `told`: called with (fraction, stage) now and
+  // then, or None. Throws what the work throws, and pybind11::error_already_set where a signal or `told`
+  // raises: then the work is stopped, and waited for a moment only. With Python's lock held.
+  void run(Work work, const pybind11::object& told);
+
+ private:
+  struct Job;
+  struct Jobs {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<std::shared_ptr<Job>> waiting;
+    std::shared_ptr<Job> running;
+    bool leaving = false;
+    std::function<void()> leave;
+  };
+  static void work(Jobs& jobs);
+  void requireOwnProcess() const;
+
+  pid_t process_;
+  std::unique_ptr<base::RetiringThread<Jobs>> thread_;
+};
+
+}  // namespace isolux::python

@@ -1,0 +1,83 @@
+"""What is asked for in Python, as the command line has it: settings as PATH=VALUE, in order."""
+
+import json
+
+import numpy as np
+
+from . import _isolux
+from ._settings import settings
+
+
+def value_text(value):
+    """As it is typed after --set PATH=."""
+    if value is None:
+        return "auto"
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if hasattr(value, "__fspath__"):
+        return str(value.__fspath__())
+    if isinstance(value, dict):
+        return json.dumps(value)
+    try:
+        parts = list(value)
+    except TypeError:
+        raise ValueError(f"a setting cannot be {value!r}") from None
+    if any(isinstance(part, (list, tuple, dict, np.ndarray)) for part in parts):
+        return json.dumps([part.tolist() if isinstance(part, np.ndarray) else part for part in parts])
+    return ",".join(value_text(part) for part in parts)
+
+
+def _environment(value):
+    text = value_text(value)
+    if text not in settings()["light.environment.builtin"].choices:
+        return ["light.environment.file=" + text]
+    return ["light.environment.file=", "light.environment.constant=auto", "light.environment.builtin=" + text]
+
+
+def _camera(camera):
+    names = ("eye", "target", "up", "fov")
+    if isinstance(camera, dict):
+        unknown = set(camera) - {*names, "projection"}
+        if unknown:
+            raise ValueError(f"camera: there is no {', '.join(sorted(map(str, unknown)))}; there are {', '.join(names)}, projection")
+        pairs = camera.items()
+    else:
+        parts = camera.split() if isinstance(camera, str) else tuple(camera)
+        if len(parts) != 4:
+            raise ValueError("camera: eye, target, up and fov are needed, or a dictionary of some of them")
+        pairs = zip(names, parts)
+    return [f"camera.{name}={value_text(value)}" for name, value in pairs]
+
+
+def scene_of(isovalue=None, look=None, environment=None, camera=None, settings=None, *, session="", preset="", shift=0.0,
+             view="", azimuth=0.0, elevation=0.0, zoom=1.0, fit=""):
+    """The options of a scene. What is given as `settings` wins over the short forms."""
+    words = []
+    if isovalue is not None:
+        words.append("isosurface.value=" + value_text(isovalue))
+    if look is not None:
+        words.append("look.mode=" + value_text(look))
+    if environment is not None:
+        words += _environment(environment)
+    if camera is not None:
+        words += _camera(camera)
+    for path, value in dict(settings or {}).items():
+        words.append(f"{path}={value_text(value)}")
+    if fit not in ("", None, "surface", "volume"):
+        raise ValueError(f'fit: {fit!r} is neither "surface" nor "volume"')
+    scene = _isolux.Scene()
+    scene.assignments = words
+    scene.session = value_text(session or "")
+    scene.preset = value_text(preset or "")
+    scene.shift = float(shift)
+    scene.view = view or ""
+    scene.camera(float(azimuth), float(elevation), float(zoom), fit or "")
+    return scene

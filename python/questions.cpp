@@ -1,0 +1,191 @@
+#include "python/questions.h"
+
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "app/commands/measure_report.h"
+#include "app/commands/piece_report.h"
+#include "base/error.h"
+#include "base/number_text.h"
+#include "volume/clip/surface_cut.h"
+#include "volume/hit/exact_hit.h"
+#include "volume/measure/piece_measure.h"
+#include "volume/measure/point_probe.h"
+#include "volume/measure/surface_point.h"
+#include "volume/measure/voxel_noise.h"
+#include "volume/parallel_steps.h"
+#include "volume/pieces/shown_pieces.h"
+#include "volume/read/length_doubt.h"
+
+namespace isolux::python {
+
+namespace py = pybind11;
+using base::Error;
+using base::ErrorKind;
+
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kPiece = 256;  // rays or points at a time: a stop is heard between
+
+// What all rays of a question have in common.
+struct Question {
+  const volume::PreparedVolume& prepared;
+  const volume::SurfaceOf& surface;
+  const volume::SurfaceCut& cut;
+  glm::dmat4 voxelFromWorld;
+};
+
+void hitOne(const Question& question, glm::dvec3 origin, glm::dvec3 given, std::size_t i, Hits& hits) {
+  const double length = glm::length(given);
+  if (!(length > 0.0) || !std::isfinite(length)) return;
+  const glm::dvec3 direction = glm::normalize(given);
+  const glm::dvec3 from(question.voxelFromWorld * glm::dvec4(origin, 1.0)),
+      along(question.voxelFromWorld * glm::dvec4(direction, 0.0));
+  const double isovalue = question.surface.isovalue;
+  const volume::ClipRegion::Stretch kept = question.cut.stretchOf(isovalue, from, along);
+  const auto hit = firstHit(question.prepared.grid(), *question.prepared.blocks, isovalue, from, along,
+                            std::max(0.0, kept.begin), kept.end);
+  if (!hit) return;
+  hits.t[i] = hit->t;
+  hits.position[i] = origin + direction * hit->t;
+  hits.valueError[i] = hit->valueError;
+  hits.entering[i] = hit->entering == (question.surface.inside == scene::Inside::above);
+  const auto point = surfacePoint(question.surface, hits.position[i]);
+  if (!point) return;
+  hits.normal[i] = point->normal;
+  const double cosine = std::abs(glm::dot(point->normal, direction));
+  if (cosine > 0.0) hits.error[i] = offsetError(*point) / cosine;
+}
+
+}  // namespace
+
+Hits hits(Core& core, const app::SceneOptions& options, std::vector<glm::dvec3> origins,
+          std::vector<glm::dvec3> directions, const py::object& told) {
+  struct Given {
+    std::vector<glm::dvec3> origins, directions;
+    Hits hits;
+  };
+  const auto given = std::make_shared<Given>(Given{std::move(origins), std::move(directions), {}});
+  core.ask(
+      options,
+      [given, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
+        const std::size_t count = given->origins.size();
+        Hits& hits = given->hits;
+        hits.t.assign(count, kNothing);
+        hits.error = hits.valueError = hits.t;
+        hits.position.assign(count, glm::dvec3(kNothing));
+        hits.normal = hits.position;
+        hits.entering.assign(count, 0);
+        const double isovalue = scene.isosurface.value.value();
+        const volume::SurfaceOf surface{
+            prepared->grid(),
+            isovalue,
+            scene.isosurface.inside,
+            {{isovalue}, {scene.derivatives.noise.value_or(0.0)}, glm::dvec3(0.0)}};
+        const volume::SurfaceCut cut(scene, prepared->grid().geometry());
+        const Question question{*prepared, surface, cut, prepared->grid().geometry().voxelFromWorld()};
+        volume::parallelPieces(count, kPiece, progress, {0.0, 1.0, "casting rays"},
+                               [&](std::size_t begin, std::size_t end) {
+                                 for (std::size_t i = begin; i < end; ++i)
+                                   hitOne(question, given->origins[i], given->directions[i], i, hits);
+                               });
+      },
+      told);
+  return std::move(given->hits);
+}
+
+Probed probe(Core& core, const app::SceneOptions& options, std::vector<glm::dvec3> points,
+             const py::object& told) {
+  struct Given {
+    std::vector<glm::dvec3> points;
+    Probed probed;
+  };
+  const auto given = std::make_shared<Given>(Given{std::move(points), {}});
+  core.ask(
+      options,
+      [given, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
+        const std::size_t count = given->points.size();
+        Probed& probed = given->probed;
+        probed.value.assign(count, kNothing);
+        probed.confidence = probed.value;
+        probed.gradient.assign(count, glm::dvec3(kNothing));
+        probed.normal = probed.gradient;
+        probed.hessian.assign(count,
+                              glm::dmat3(glm::dvec3(kNothing), glm::dvec3(kNothing), glm::dvec3(kNothing)));
+        probed.kappa.assign(count, glm::dvec2(kNothing));
+        probed.scaleMm = scene.derivatives.scale.value_or(0.0);
+        const volume::PointProbe probe(prepared, scene, progress);
+        volume::parallelPieces(count, kPiece, progress, {0.0, 1.0, "probing"},
+                               [&](std::size_t begin, std::size_t end) {
+                                 for (std::size_t i = begin; i < end; ++i) {
+                                   const auto point = probe.at(given->points[i]);
+                                   if (!point) continue;
+                                   probed.value[i] = point->value;
+                                   probed.gradient[i] = point->gradient;
+                                   probed.hessian[i] = point->hessian;
+                                   probed.confidence[i] = point->confidence;
+                                   if (point->curvature.normal == glm::dvec3(0.0)) continue;
+                                   probed.normal[i] = point->curvature.normal;
+                                   probed.kappa[i] = {point->curvature.kappa1, point->curvature.kappa2};
+                                 }
+                               });
+      },
+      told);
+  return std::move(given->probed);
+}
+
+namespace {
+
+using nlohmann::ordered_json;
+
+// As `isolux measure` (app/commands/measure.cpp), of the surface as a whole.
+ordered_json measured(const volume::PreparedVolume& prepared, const scene::Scene& scene,
+                      base::Progress& progress) {
+  const volume::SurfaceQuestion question{scene.isosurface.value.value(),
+                                         scene.isosurface.inside,
+                                         std::nullopt,
+                                         volume::voxelNoise(prepared, scene, progress),
+                                         {}};
+  const auto pieces = prepared.pieces->at(question.isovalue, question.inside, progress);
+  std::vector<bool> shown;
+  if (volume::hidesPieces(scene.pieces)) shown = volume::shownPieces(*pieces, scene.pieces);
+  const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
+  if (measures.whole.cells == 0)
+    throw Error(ErrorKind::usage, "", "isovalue " + base::shortText(question.isovalue),
+                "there is no surface; values reach from " + base::shortText(prepared.grid().minimum()) +
+                    " to " + base::shortText(prepared.grid().maximum()));
+  ordered_json json{{"isovalue", question.isovalue},
+                    {"unit", prepared.volume.unit},
+                    {"inside", question.inside == scene::Inside::above ? "above" : "below"},
+                    {"noise", question.noise.at(question.isovalue)}};
+  json.update(app::surfaceJson(measures.whole));
+  json["pieces"] = ordered_json::array();
+  for (std::size_t id = 0; id < measures.pieces.size(); ++id)
+    if (shown.empty() || shown[id]) json["pieces"].push_back(app::pieceJson(id, measures.pieces[id]));
+  return json;
+}
+
+}  // namespace
+
+std::string measure(Core& core, const app::SceneOptions& options, bool anyway, const py::object& told) {
+  const auto doubt = volume::lengthDoubt(core.prepared()->volume.warnings);
+  if (doubt && !anyway)
+    base::throwInput(core.path(), "",
+                     "lengths are doubtful: " + *doubt + "; anyway=True measures all the same");
+  const auto text = std::make_shared<std::string>();
+  core.ask(
+      options,
+      [text, doubt, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
+        app::refuseCuts(scene, "measure");
+        ordered_json json = measured(*prepared, scene, progress);
+        if (doubt) json["doubt"] = *doubt;
+        *text = json.dump();
+      },
+      told);
+  return *text;
+}
+
+}  // namespace isolux::python

@@ -1,0 +1,272 @@
+"""How the module behaves: errors, interrupts, threads, progress, memory, references."""
+
+import gc
+import io
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+import warnings
+import weakref
+
+import numpy as np
+
+import isolux
+from isolux import _progress
+from support import ball, failure, temporary_folder
+
+
+def resident_bytes():
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE")
+
+
+class Errors(unittest.TestCase):
+    def test_they_say_what_the_command_says(self):
+        volume = isolux.open("phantom:ball:16")
+        for kind, call, words in (
+                (OSError, lambda: isolux.open("/nowhere.nii"), ["info", "/nowhere.nii"]),
+                (ValueError, lambda: isolux.open("phantom:bal:16"), ["info", "phantom:bal:16"]),
+                (ValueError, lambda: volume.render(settings={"look.mod": "gi"}),
+                 ["render", "phantom:ball:16", "--out", "/tmp/x.png", "--set", "look.mod=gi"]),
+                (ValueError, lambda: volume.render(look="shiny"),
+                 ["render", "phantom:ball:16", "--out", "/tmp/x.png", "--look", "shiny"]),
+                (ValueError, lambda: volume.render(aovs="dept"),
+                 ["render", "phantom:ball:16", "--out", "/tmp/x.exr", "--aov", "dept"]),
+                (OSError, lambda: volume.render(look="gi", environment="/nowhere.hdr"),
+                 ["render", "phantom:ball:16", "--out", "/tmp/x.png", "--look", "gi", "--environment", "/nowhere.hdr"]),
+                (ValueError, lambda: volume.render(preset="ct_bone"),
+                 ["render", "phantom:ball:16", "--out", "/tmp/x.png", "--preset", "ct_bone"]),
+                (OSError, lambda: volume.render(session="/nowhere.isolux"),
+                 ["render", "phantom:ball:16", "--out", "/tmp/x.png", "--session", "/nowhere.isolux"])):
+            with self.subTest(words):
+                line = failure(*words)
+                with self.assertRaises((OSError, ValueError)) as caught:
+                    call()
+                self.assertEqual(str(caught.exception), line)
+                self.assertIsInstance(caught.exception, (kind, ValueError))
+                self.assertNotIn("\n", line)
+
+    def test_arguments(self):
+        volume = isolux.Volume(ball(12))
+        for words in ({"size": 12}, {"size": (0, 4)}, {"size": (99999, 4)}, {"size": "big"}, {"image": False},
+                      {"camera": (1, 2)}, {"camera": {"eyes": 1}}, {"context": "vulkan"}, {"fit": "all"}, {"view": "below"},
+                      {"settings": {"source.path": "x"}}, {"settings": {"isosurface.value": object()}}):
+            with self.subTest(words), self.assertRaises(ValueError):
+                volume.render(**words)
+        with self.assertRaises(TypeError):
+            volume.render(progress=5)
+        with self.assertRaises(TypeError):
+            volume.render(no_such_word=5)
+
+    def test_a_closed_volume(self):
+        volume = isolux.Volume(ball(12))
+        volume.close()
+        for call in (lambda: volume.render(), lambda: volume.hits((0, 0, 0), (0, 0, 1)), lambda: volume.measure()):
+            with self.assertRaisesRegex(ValueError, "closed"):
+                call()
+        self.assertIn("closed", repr(volume))
+
+
+class Interrupts(unittest.TestCase):
+    def interrupt(self, call, after):
+        """Seconds from the signal to KeyboardInterrupt."""
+        sent = []
+
+        def send():
+            time.sleep(after)
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        thread = threading.Thread(target=send)
+        thread.start()
+        with self.assertRaises(KeyboardInterrupt):
+            call()
+        seconds = time.monotonic() - sent[0]
+        thread.join()
+        return seconds
+
+    def test_long_work_stops_and_the_volume_goes_on(self):
+        volume = isolux.Volume(ball(48, 16))
+        words = {"look": "gi", "settings": {"gi.samples": 65536, "gi.extent": "full"}, "size": (64, 48)}
+        seconds = self.interrupt(lambda: volume.render(0, **words), 0.4)
+        print(f"stored light ended {1000 * seconds:.0f} ms after the signal", file=sys.stderr)
+        self.assertTrue(np.isfinite(volume.render(0, "lambert", size=(32, 24), aovs="depth").aov.depth).any())
+
+    def test_rays_stop(self):
+        volume = isolux.Volume(np.random.default_rng(1).normal(size=(64, 64, 64)).astype(np.float32))
+        origins = np.random.default_rng(2).uniform(0, 63, (1_000_000, 3))
+        seconds = self.interrupt(lambda: volume.hits(origins, np.random.default_rng(3).normal(size=3), 9.0), 0.3)
+        print(f"rays ended {1000 * seconds:.0f} ms after the signal", file=sys.stderr)
+
+    def test_a_function_that_raises_stops_the_work(self):
+        volume = isolux.Volume(ball(48, 16))
+
+        def tell(fraction, stage):
+            raise RuntimeError("enough")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            volume.render(0, "gi", settings={"gi.samples": 65536, "gi.extent": "full"}, size=(64, 48), progress=tell)
+
+
+class Threads(unittest.TestCase):
+    def test_python_runs_meanwhile(self):
+        volume = isolux.Volume(ball(32, 11))
+        counted, done = [0], threading.Event()
+
+        def count():
+            while not done.is_set():
+                counted[0] += 1
+                time.sleep(0)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        before = counted[0]
+        volume.render(0, "gi", settings={"gi.samples": 256, "gi.extent": "full"}, size=(64, 48))
+        during = counted[0] - before
+        done.set()
+        thread.join()
+        self.assertGreater(during, 20)
+
+    def test_two_threads_draw_two_volumes(self):
+        sizes = (20, 28)
+        alone = [isolux.Volume(ball(n, n / 3)).render(0, "lambert", size=(60, 40)).image for n in sizes]
+        drawn = [[], []]
+
+        def draw(i):
+            with isolux.Volume(ball(sizes[i], sizes[i] / 3)) as volume:
+                for _ in range(8):
+                    drawn[i].append(volume.render(0, "lambert", size=(60, 40)).image)
+                    volume.render(0, "normal", size=(60, 40))
+
+        threads = [threading.Thread(target=draw, args=(i,)) for i in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for i in range(2):
+            self.assertEqual(len(drawn[i]), 8)
+            for image in drawn[i]:
+                np.testing.assert_array_equal(image, alone[i])
+
+    def test_two_threads_ask_one_volume(self):
+        volume = isolux.Volume(ball(24, 8))
+        alone = {look: volume.render(0, look, size=(40, 30)).image for look in ("lambert", "normal")}
+        wrong = []
+
+        def draw(look):
+            for _ in range(10):
+                if not np.array_equal(volume.render(0, look, size=(40, 30)).image, alone[look]):
+                    wrong.append(look)
+
+        threads = [threading.Thread(target=draw, args=(look,)) for look in alone]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(wrong, [])
+
+    def test_a_forked_process_is_told(self):
+        volume = isolux.Volume(ball(12))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            child = os.fork()
+        if child == 0:
+            try:
+                volume.render(0, size=(8, 8))
+            except RuntimeError:
+                os._exit(7)
+            os._exit(0)
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 7)
+
+    def test_python_ends_with_volumes_open(self):
+        for text in ("import isolux; v = isolux.open('phantom:ball:16'); v.render(look='lambert', size=(20, 20))",
+                     "import isolux, threading; v = isolux.open('phantom:ball:32')\n"
+                     "threading.Thread(target=lambda: v.render(look='gi', settings={'gi.samples': 4096}), daemon=True).start()"):
+            done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, timeout=60, check=False)
+            with self.subTest(text):
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
+class Progress(unittest.TestCase):
+    def test_a_function_hears_how_far_it_is(self):
+        heard = []
+        isolux.Volume(ball(40, 13)).render(0, "gi", settings={"gi.samples": 256, "gi.extent": "full"}, size=(64, 48),
+                                           progress=lambda fraction, stage: heard.append((fraction, stage)))
+        self.assertTrue(heard)
+        self.assertTrue(all(0 <= fraction <= 1 and isinstance(stage, str) for fraction, stage in heard))
+
+    def test_the_bar(self):
+        out = io.StringIO()
+        bar = _progress.Bar(out)
+        bar(0.0, "reading")
+        bar(0.5, "reading")
+        bar.close()
+        self.assertIn("reading:  50%|##########          |", out.getvalue())
+        self.assertTrue(out.getvalue().endswith("\r"))
+
+
+class Memory(unittest.TestCase):
+    def test_pictures_leave_nothing(self):
+        volume = isolux.Volume(ball(24, 8))
+
+        def draw(count):
+            for i in range(count):
+                volume.render(0, ("lambert", "normal", "kappa1")[i % 3], size=(96, 64), aovs=["depth"] if i % 2 else ())
+
+        draw(60)
+        gc.collect()
+        before = resident_bytes()
+        draw(int(os.environ.get("ISOLUX_PYTHON_RENDERS", "150")))
+        gc.collect()
+        self.assertLess(resident_bytes(), 1.05 * before)
+
+    def test_volumes_leave_nothing(self):
+        def turn():
+            with isolux.Volume(ball(40, 8)) as volume:
+                volume.render(0, "lambert", size=(40, 30))
+
+        for _ in range(24):
+            turn()
+        isolux._isolux.await_ends(5)
+        before = resident_bytes()
+        for _ in range(24):
+            turn()
+        isolux._isolux.await_ends(5)
+        self.assertLess(resident_bytes(), 1.15 * before)
+
+    def test_references(self):
+        array = ball(16, 5)
+        before = sys.getrefcount(array)
+        volume = isolux.Volume(array)
+        self.assertEqual(sys.getrefcount(array), before)
+        picture = volume.render(0, "lambert", size=(20, 16), aovs="depth")
+        drawn = picture._drawn
+        held = sys.getrefcount(drawn)
+        depth = picture.aov.depth
+        self.assertGreater(sys.getrefcount(drawn), held)
+        picture._aov = None
+        del depth
+        gc.collect()
+        self.assertEqual(sys.getrefcount(drawn), held)
+        for thing in (volume, picture):
+            self.assertEqual(sys.getrefcount(thing), 4)  # two names, the tuple, the argument
+        gone = weakref.ref(volume)
+        del volume, thing
+        gc.collect()
+        self.assertIsNone(gone())
+
+        def tell(fraction, stage):
+            pass
+
+        own = sys.getrefcount(tell)
+        with isolux.Volume(array, progress=tell) as other:
+            other.render(0, "lambert", size=(20, 16), progress=tell)
+        self.assertEqual(sys.getrefcount(tell), own)
+
+
+if __name__ == "__main__":
+    unittest.main()
