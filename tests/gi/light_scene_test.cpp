@@ -21,7 +21,7 @@ namespace {
 
 using namespace isolux::test;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 scene::Scene giScene(const volume::PreparedVolume& volume) {
   scene::Scene scene;

@@ -14,7 +14,7 @@ namespace isolux::test {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi, kStep = 0.25;  // voxels
+constexpr double kStep = 0.25;  // voxels
 
 struct InsideMoments {
   double volume = 0.0;
@@ -47,7 +47,7 @@ BallCurvature ballCurvature(const volume::Grid& grid, double isovalue, glm::dvec
   const double r = radiusVoxels, mm = grid.geometry().spacingMm().x;
   const InsideMoments inside = momentsOf(grid, isovalue, voxel, r);
   BallCurvature out;
-  out.mean = 4.0 / (kPi * std::pow(r, 4)) * (2.0 * kPi / 3.0 * std::pow(r, 3) - inside.volume) / mm;
+  out.mean = 4.0 / (std::numbers::pi * std::pow(r, 4)) * (2.0 * std::numbers::pi / 3.0 * std::pow(r, 3) - inside.volume) / mm;
   const glm::dvec3 barycentre = inside.first / inside.volume, n = glm::normalize(barycentre);
   const glm::dmat3 about = inside.second - inside.volume * glm::outerProduct(barycentre, barycentre);
   // In the tangent plane: a 2x2 matrix.
@@ -58,7 +58,7 @@ BallCurvature ballCurvature(const volume::Grid& grid, double isovalue, glm::dvec
   const double root = std::hypot(0.5 * (a - c), b), most = 0.5 * (a + c) + root, least = 0.5 * (a + c) - root;
   // More curvature, smaller moment.
   const auto kappa = [&](double own, double other) {
-    return (6.0 / (kPi * std::pow(r, 6)) * (other - 3.0 * own) + 8.0 / (5.0 * r)) / mm;
+    return (6.0 / (std::numbers::pi * std::pow(r, 6)) * (other - 3.0 * own) + 8.0 / (5.0 * r)) / mm;
   };
   out.kappa1 = kappa(least, most);
   out.kappa2 = kappa(most, least);

@@ -1,8 +1,6 @@
 // isolux mesh: an isosurface as triangles in each format, with what is known at its points.
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,12 +17,6 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 constexpr double kRadius = 0.35 * 31.0;  // of phantom:ball:32, mm, about the world's origin
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ostringstream content;
-  content << std::ifstream(file, std::ios::binary).rdbuf();
-  return content.str();
-}
 
 // The Float32 array of this name of a .vtp as Isolux writes them.
 std::vector<float> arrayOf(const std::string& vtp, const std::string& name) {

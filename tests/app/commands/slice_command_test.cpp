@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-constexpr double kRadius = 0.35 * 31.0;  // of phantom:ball:32, mm, about the world's origin
+constexpr double kSliceRadius = 0.35 * 31.0;  // of phantom:ball:32, mm, about the world's origin
 
 class SliceCommand : public testing::Test {
  protected:
@@ -102,7 +102,7 @@ TEST_F(SliceCommand, ItsContourIsTheBallsCircle) {
   ASSERT_EQ(stats["contours"].size(), 1u);
   EXPECT_EQ(stats["contours"][0]["curves"], 1);
   EXPECT_EQ(stats["contours"][0]["closed"], 1);
-  const double circle = std::sqrt(kRadius * kRadius - 16.0);
+  const double circle = std::sqrt(kSliceRadius * kSliceRadius - 16.0);
   EXPECT_NEAR(stats["contours"][0]["length_mm"].get<double>(), 2.0 * std::numbers::pi * circle, 0.3);
   EXPECT_EQ(stats["letters"]["left"], "\u2212Y");  // a ball has no sides
   EXPECT_EQ(stats["convention"], "orientation not stated");

@@ -54,7 +54,7 @@ void writeFile(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-std::string refusal(const std::string& text) {
+std::string sessionRefusal(const std::string& text) {
   try {
     parseSession(text, "some.isolux", {"/data"});
   } catch (const base::Error& error) {
@@ -81,8 +81,8 @@ TEST(Session, OfBeforeBuiltInLightsKeepsItsSkyAndItsExposure) {
             glm::dvec3(1.0));
   EXPECT_EQ(read(R"({"isolux_session": 2})").picture.metering, scene::Metering::lights);
   EXPECT_TRUE(read(R"({"isolux_session": 4})") == derivedAsBefore()) << "later ones have the light of now";
-  EXPECT_THAT(refusal(R"({"isolux_session": 3, "scene": {"light": 7}})"), HasSubstr("light"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 3, "scene": 7})"), HasSubstr("scene"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "scene": {"light": 7}})"), HasSubstr("light"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "scene": 7})"), HasSubstr("scene"));
 }
 
 TEST(Session, RoundTripsThroughAFile) {
@@ -194,11 +194,11 @@ TEST(Session, OfBeforeScalesKeepsItsDerivatives) {
 }
 
 TEST(Session, RefusesBadVersion1WithThePath) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"camera.fow": 3}})"), HasSubstr("camera.fow"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"fov": 3}})"), HasSubstr("settings.fov"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": {"a.b.c": 3}})"), HasSubstr("settings.a.b.c"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 1, "settings": []})"), HasSubstr("settings"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 1, "scene": {}})"), HasSubstr("scene: unknown key"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": {"camera.fow": 3}})"), HasSubstr("camera.fow"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": {"fov": 3}})"), HasSubstr("settings.fov"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": {"a.b.c": 3}})"), HasSubstr("settings.a.b.c"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": []})"), HasSubstr("settings"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "scene": {}})"), HasSubstr("scene: unknown key"));
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
@@ -210,40 +210,40 @@ TEST(Session, MissingKeysTakeDefaults) {
 }
 
 TEST(Session, UnknownKeysFailWithTheirPath) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scenes": {}})"), HasSubstr("scenes: unknown key"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fow": 1}}})"),
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "scenes": {}})"), HasSubstr("scenes: unknown key"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "scene": {"camera": {"fow": 1}}})"),
               AllOf(HasSubstr("scene.camera.fow"), HasSubstr("did you mean camera.fov?")));
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"kamera": {}}})"), HasSubstr("scene.kamera"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "settings": {}})"), HasSubstr("settings"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "scene": {"kamera": {}}})"), HasSubstr("scene.kamera"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "settings": {}})"), HasSubstr("settings"));
 }
 
 TEST(Session, ValuesAreCheckedWithTheirPath) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": 500}}})"),
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": 500}}})"),
               AllOf(HasSubstr("scene.camera.fov"), HasSubstr("500"), HasSubstr("1 to 160")));
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": "wide"}}})"),
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": "wide"}}})"),
               HasSubstr("scene.camera.fov"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": 1e999}}})"),
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "scene": {"camera": {"fov": 1e999}}})"),
               HasSubstr("out of range"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "scene": 7})"), HasSubstr("scene"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "scene": 7})"), HasSubstr("scene"));
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 7, "scene": {"new": 1}})"),
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 7, "scene": {"new": 1}})"),
               AllOf(HasSubstr("version 6"), HasSubstr("newer Isolux")));
-  EXPECT_THAT(refusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 
 TEST(Session, WhatIsNoSessionSaysSo) {
-  EXPECT_THAT(refusal(""), HasSubstr("JSON"));
-  EXPECT_THAT(refusal("{\"isolux_session\": 2,}"), HasSubstr("byte 22"));
-  EXPECT_THAT(refusal("[]"), HasSubstr("not a session"));
-  EXPECT_THAT(refusal("{}"), HasSubstr("isolux_session"));
+  EXPECT_THAT(sessionRefusal(""), HasSubstr("JSON"));
+  EXPECT_THAT(sessionRefusal("{\"isolux_session\": 2,}"), HasSubstr("byte 22"));
+  EXPECT_THAT(sessionRefusal("[]"), HasSubstr("not a session"));
+  EXPECT_THAT(sessionRefusal("{}"), HasSubstr("isolux_session"));
   for (const char* version : {"0", "-1", "1.5", "\"2\"", "null", "true"})
-    EXPECT_THAT(refusal(std::string("{\"isolux_session\": ") + version + "}"), HasSubstr("version must be"));
-  EXPECT_THAT(refusal("{\"isolux_session\": 2, \"scene\": {\"source\": {\"path\": \"\xff\"}}}"),
+    EXPECT_THAT(sessionRefusal(std::string("{\"isolux_session\": ") + version + "}"), HasSubstr("version must be"));
+  EXPECT_THAT(sessionRefusal("{\"isolux_session\": 2, \"scene\": {\"source\": {\"path\": \"\xff\"}}}"),
               HasSubstr("byte"));
   const std::string deep(300000, '[');
-  EXPECT_THAT(refusal(deep + std::string(300000, ']')), HasSubstr("not a session"));
+  EXPECT_THAT(sessionRefusal(deep + std::string(300000, ']')), HasSubstr("not a session"));
 }
 
 TEST(Session, TravelsInAPicture) {
@@ -344,10 +344,10 @@ TEST(Session, AnotherVolumeOfTheSameNameBesideThePictureIsNotTaken) {
 }
 
 TEST(Session, PlacesThatAreNoneAreRefused) {
-  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": 7})"), HasSubstr("places"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": {"source.path": 7}})"), HasSubstr("source.path"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 3, "places": {"camera.fov": "a"}})"), HasSubstr("camera.fov"));
-  EXPECT_THAT(refusal(R"({"isolux_session": 2, "places": {}})"), HasSubstr("places"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "places": 7})"), HasSubstr("places"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "places": {"source.path": 7}})"), HasSubstr("source.path"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "places": {"camera.fov": "a"}})"), HasSubstr("camera.fov"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "places": {}})"), HasSubstr("places"));
 }
 
 TEST(Session, BrokenPicturesCarryNone) {

@@ -11,7 +11,7 @@ namespace isolux::app {
 
 namespace {
 
-constexpr glm::ivec2 pixels{800, 600};
+constexpr glm::ivec2 windowPixels{800, 600};
 
 double raysOf(const render::FrameRequest& request) {
   return static_cast<double>(request.size.x) * request.size.y * request.supersampling * request.supersampling;
@@ -33,7 +33,7 @@ std::vector<double> gesture(PictureQuality& quality, Machine& machine, Motion mo
   std::vector<double> rays;
   for (int i = 0; i < count; ++i) {
     quality.changed(motion);
-    const render::FrameRequest request = quality.request(pixels);
+    const render::FrameRequest request = quality.request(windowPixels);
     rays.push_back(raysOf(request));
     quality.measured(machine.time(request), motion);
   }
@@ -59,29 +59,29 @@ TEST(PictureQuality, WhatFollowsASlowFullPictureAtRestIsNoDraft) {
     quality.setLightChanging(light);
     EXPECT_FALSE(quality.refine());  // it rests
     quality.measured(900.0, Motion::rays);
-    EXPECT_EQ(quality.request(pixels).size, pixels);
-    EXPECT_EQ(quality.request(pixels).supersampling, light ? 1 : 2);
+    EXPECT_EQ(quality.request(windowPixels).size, windowPixels);
+    EXPECT_EQ(quality.request(windowPixels).supersampling, light ? 1 : 2);
     quality.changed(Motion::rays);
     quality.measured(900.0, Motion::rays);
-    EXPECT_LT(quality.request(pixels).size.x, pixels.x);  // moving, it is slow now
+    EXPECT_LT(quality.request(windowPixels).size.x, windowPixels.x);  // moving, it is slow now
   }
 }
 
 TEST(PictureQuality, IsQuickWhileMovingThenSharpThenFull) {
   PictureQuality quality;
   set(quality, 2);
-  EXPECT_EQ(quality.request(pixels).supersampling, 1);
+  EXPECT_EQ(quality.request(windowPixels).supersampling, 1);
   quality.measured(400.0, Motion::rays);
-  EXPECT_LT(quality.request(pixels).size.x, 400);
+  EXPECT_LT(quality.request(windowPixels).size.x, 400);
   EXPECT_TRUE(quality.refine());
-  EXPECT_EQ(quality.request(pixels).size, pixels);
-  EXPECT_EQ(quality.request(pixels).supersampling, 1);
+  EXPECT_EQ(quality.request(windowPixels).size, windowPixels);
+  EXPECT_EQ(quality.request(windowPixels).supersampling, 1);
   EXPECT_FALSE(quality.complete());
   quality.measured(300.0, Motion::rays);
   EXPECT_DOUBLE_EQ(quality.pauseMilliseconds(), 600.0);  // half of what the last step will take
   EXPECT_TRUE(quality.refine());
-  EXPECT_EQ(quality.request(pixels).size, pixels);
-  EXPECT_EQ(quality.request(pixels).supersampling, 2);
+  EXPECT_EQ(quality.request(windowPixels).size, windowPixels);
+  EXPECT_EQ(quality.request(windowPixels).supersampling, 2);
   EXPECT_TRUE(quality.complete());
   EXPECT_FALSE(quality.refine());
   quality.changed(Motion::rays);
@@ -101,10 +101,10 @@ TEST(PictureQuality, ConvergesToTheTargetWithinAFewPicturesAndStays) {
         EXPECT_TRUE(std::all_of(rays.begin() + 5, rays.end(), [&](double r) { return r == rays.back(); }))
             << where;
         const double settled = fixed + perMillion * rays.back() * 1e-6;
-        const bool smallest = rays.back() < 0.07 * pixels.x * pixels.y;
+        const bool smallest = rays.back() < 0.07 * windowPixels.x * windowPixels.y;
         EXPECT_TRUE(settled <= target || smallest) << where << ": " << settled;
         // Nor coarser than needed: four times the rays, in proportion, are too many, or all are cast already.
-        const bool all = rays.back() == 4.0 * pixels.x * pixels.y;
+        const bool all = rays.back() == 4.0 * windowPixels.x * windowPixels.y;
         EXPECT_TRUE(all || 4.0 * settled > 0.7 * target) << where << ": " << settled;
       }
     }
@@ -127,12 +127,12 @@ TEST(PictureQuality, FollowsAMachineThatBecomesSlowerOrQuicker) {
   PictureQuality quality;
   set(quality, 2);
   Machine machine{1.0, 5.0};
-  EXPECT_EQ(gesture(quality, machine, Motion::rays, 5).back(), 4.0 * pixels.x * pixels.y);
+  EXPECT_EQ(gesture(quality, machine, Motion::rays, 5).back(), 4.0 * windowPixels.x * windowPixels.y);
   machine.perMillion = 400.0;
   const double slow = gesture(quality, machine, Motion::rays, 5).back();
   EXPECT_LE(1.0 + 400e-6 * slow, 50.0);
   machine.perMillion = 5.0;
-  EXPECT_EQ(gesture(quality, machine, Motion::rays, 5).back(), 4.0 * pixels.x * pixels.y);
+  EXPECT_EQ(gesture(quality, machine, Motion::rays, 5).back(), 4.0 * windowPixels.x * windowPixels.y);
 }
 
 TEST(PictureQuality, TheFullPictureFollowsAtRestFromAnyLevel) {
@@ -147,8 +147,8 @@ TEST(PictureQuality, TheFullPictureFollowsAtRestFromAnyLevel) {
         while (quality.refine()) ++steps;
         EXPECT_LE(steps, 2);
         EXPECT_TRUE(quality.complete());
-        EXPECT_EQ(quality.request(pixels).size, pixels);
-        EXPECT_EQ(quality.request(pixels).supersampling, supersampling);
+        EXPECT_EQ(quality.request(windowPixels).size, windowPixels);
+        EXPECT_EQ(quality.request(windowPixels).supersampling, supersampling);
       }
     }
   }
@@ -160,7 +160,7 @@ TEST(PictureQuality, OffMeansEveryPictureIsTheFullOne) {
   Machine machine{10.0, 3000.0};
   for (const Motion motion : {Motion::rays, Motion::look})
     for (const double rays : gesture(quality, machine, motion, 20))
-      EXPECT_EQ(rays, 9.0 * pixels.x * pixels.y);
+      EXPECT_EQ(rays, 9.0 * windowPixels.x * windowPixels.y);
   EXPECT_TRUE(quality.complete());
   EXPECT_FALSE(quality.refine());
 }
@@ -174,7 +174,7 @@ TEST(PictureQuality, AQuickLookKeepsTheSizeThatIsOnScreen) {
   EXPECT_EQ(gesture(quality, shading, Motion::look, 10).back(), moving);
   while (quality.refine()) {
   }
-  EXPECT_EQ(gesture(quality, shading, Motion::look, 10).back(), 4.0 * pixels.x * pixels.y);
+  EXPECT_EQ(gesture(quality, shading, Motion::look, 10).back(), 4.0 * windowPixels.x * windowPixels.y);
   EXPECT_TRUE(quality.complete());
   EXPECT_EQ(gesture(quality, machine, Motion::rays, 1).back(),
             moving);  // what rays can afford is not forgotten
@@ -193,12 +193,12 @@ TEST(PictureQuality, AnAnimationIsAsFineAsTheTargetAllowsAndWaitsForNothing) {
   EXPECT_TRUE(quality.refine());
   quality.animated();
   for (int i = 0; i < 5; ++i) {
-    quality.measured(slowShading.time(quality.request(pixels)), Motion::look);
+    quality.measured(slowShading.time(quality.request(windowPixels)), Motion::look);
     quality.animated();
   }
-  EXPECT_LE(slowShading.time(quality.request(pixels)), 50.0);
-  EXPECT_EQ(quality.request(pixels).size, pixels);
-  EXPECT_EQ(quality.request(pixels).supersampling, 1);
+  EXPECT_LE(slowShading.time(quality.request(windowPixels)), 50.0);
+  EXPECT_EQ(quality.request(windowPixels).size, windowPixels);
+  EXPECT_EQ(quality.request(windowPixels).supersampling, 1);
 }
 
 TEST(PictureQuality, WhileLightComesInPicturesStaySharpAndTheFullOneFollows) {

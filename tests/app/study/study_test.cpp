@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float noNumber = std::numeric_limits<float>::quiet_NaN();
 
 // One pixel after the other: what the reference sees, and what was drawn.
 struct View {
@@ -32,8 +32,8 @@ struct View {
     const bool found = !std::isnan(depthMm);
     drawn.hit.push_back(found ? 1.0f : 0.0f);
     drawn.depthMm.push_back(depthMm);
-    drawn.normal.insert(drawn.normal.end(), {0.0f, found ? 0.0f : nan, found ? 1.0f : nan});
-    drawn.kappa.insert(drawn.kappa.end(), {found ? 0.5f : nan, found ? -0.25f : nan});
+    drawn.normal.insert(drawn.normal.end(), {0.0f, found ? 0.0f : noNumber, found ? 1.0f : noNumber});
+    drawn.kappa.insert(drawn.kappa.end(), {found ? 0.5f : noNumber, found ? -0.25f : noNumber});
     hangs.push_back(undecided);
   }
   Errors errors(double flat = 0.01) const {
@@ -47,15 +47,15 @@ const TrueHit background{};
 
 TEST(StudyErrors, MissedAndInventedPixelsAreTold) {
   View view;
-  view.add(background, nan);
+  view.add(background, noNumber);
   view.add(surface, 100.0f);
-  view.add(surface, nan);        // missed
+  view.add(surface, noNumber);        // missed
   view.add(surface, 103.0f);     // the crossing behind: missed
   view.add(surface, 101.6f);     // nearer to the one behind: missed
   view.add(surface, 101.4f);     // the first, badly
   view.add(surface, 95.0f);      // 2.5 voxels in front: invented
   view.add(background, 50.0f);   // invented
-  view.add(surface, nan, true);  // undecided
+  view.add(surface, noNumber, true);  // undecided
   view.add(background, 1.0f, true);
   const Errors errors = view.errors();
   EXPECT_EQ(errors.pixels, 10u);

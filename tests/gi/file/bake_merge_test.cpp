@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 constexpr const char* kSkyKey = R"({"volume":"1","lattice_scale":1.0})";
-constexpr const char* kLampsKey = R"({"volume":"1","lamps":[]})";
-const LightContent kTransfer{LightContent::Kind::transfer, 1, 2};
-const LightContent kIrradiance{LightContent::Kind::irradiance, 3, 0};
+constexpr const char* kMergeLampsKey = R"({"volume":"1","lamps":[]})";
+const LightContent kGreyTransfer{LightContent::Kind::transfer, 1, 2};
+const LightContent kColourIrradiance{LightContent::Kind::irradiance, 3, 0};
 
 class BakeMerge : public testing::Test {
  protected:
@@ -58,8 +58,8 @@ class BakeMerge : public testing::Test {
   void write(const std::string& name, int index, int count) { write(name, index, count, Words()); }
   void write(const std::string& name, int index, int count, const Words& words) {
     const LatticePart part{index, count};
-    StoredLight light{baked(kTransfer, words.skyKey, part, words.samples),
-                      baked(kIrradiance, kLampsKey, part, words.samples)};
+    StoredLight light{baked(kGreyTransfer, words.skyKey, part, words.samples),
+                      baked(kColourIrradiance, kMergeLampsKey, part, words.samples)};
     light.facts.arithmetic = words.arithmetic;
     if (count > 1) light.facts.part = {part, words.samples, words.texels, words.complete};
     writeBakeFile(at(name), grid_, light, progress_);
@@ -142,7 +142,7 @@ TEST_F(BakeMerge, MixedArithmeticIsSaid) {
   write("part1", 1, 2);
   write("part2", 2, 2, {.arithmetic = "no-fma"});
   merge({"part1", "part2"}, true);
-  const BakeFacts facts = readBakeFile(at("merged.vti"), grid_, kSkyKey, kLampsKey, progress_).facts;
+  const BakeFacts facts = readBakeFile(at("merged.vti"), grid_, kSkyKey, kMergeLampsKey, progress_).facts;
   EXPECT_EQ(facts.arithmetic, "fma, no-fma");
   EXPECT_FALSE(facts.part);
 }
@@ -150,7 +150,7 @@ TEST_F(BakeMerge, MixedArithmeticIsSaid) {
 // A file whose name lies about its part: two have the same texels.
 TEST_F(BakeMerge, TexelsOfTwoPartsAreFound) {
   write("part1", 1, 2);
-  StoredLight light{baked(kTransfer, kSkyKey, {1, 2}, 16), baked(kIrradiance, kLampsKey, {1, 2}, 16)};
+  StoredLight light{baked(kGreyTransfer, kSkyKey, {1, 2}, 16), baked(kColourIrradiance, kMergeLampsKey, {1, 2}, 16)};
   light.facts = {"fma", BakedPart{{2, 2}, 16, "full", true}};
   writeBakeFile(at("part2"), grid_, light, progress_);
   EXPECT_THAT(refusal({"part1", "part2"}), HasSubstr("has texels of another part"));

@@ -13,7 +13,7 @@
 namespace isolux::gi {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 glm::dvec3 randomDirection(std::uint32_t i) {
   return glm::normalize(glm::dvec3(uniformSphere(samplePair(DirectionSequence::random, 5, i, 0))));

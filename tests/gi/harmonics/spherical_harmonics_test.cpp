@@ -14,10 +14,10 @@
 namespace isolux::gi {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int allTerms = shTerms(maxShOrder);
 
-glm::dvec3 randomDirection(std::uint32_t i) {
+glm::dvec3 sphereDirection(std::uint32_t i) {
   return glm::normalize(glm::dvec3(uniformSphere(samplePair(DirectionSequence::random, 3, i, 0))));
 }
 
@@ -39,7 +39,7 @@ TEST(SphericalHarmonics, AreThoseOfEquation12) {
     const glm::dvec3 d = i == 0   ? glm::dvec3(0, 0, 1)
                          : i == 1 ? glm::dvec3(0, 0, -1)
                          : i == 2 ? glm::dvec3(-1, 0, 0)
-                                  : randomDirection(i);
+                                  : sphereDirection(i);
     std::array<double, allTerms> y;
     evaluateSh(maxShOrder, d, y.data());
     EXPECT_NEAR(y[0], 0.282095, 1e-6);
@@ -86,7 +86,7 @@ TEST(SphericalHarmonics, AreOrthonormalToOrder8) {
 
 TEST(SphericalHarmonics, EveryOrderIsABeginningOfTheNextAndFloatFollowsDouble) {
   for (int i = 0; i < 500; ++i) {
-    const glm::dvec3 d = randomDirection(i);
+    const glm::dvec3 d = sphereDirection(i);
     std::array<double, allTerms> all;
     evaluateSh(maxShOrder, d, all.data());
     for (int order = 1; order <= maxShOrder; ++order) {
@@ -172,7 +172,7 @@ TEST(CosineLobe, IsTheProjectionOfTheClampedCosine) {
 TEST(Irradiance, OfAConstantSkyIsPi) {
   for (int order = 1; order <= maxShOrder; ++order) {
     const auto sky = projectSh(order, [](glm::dvec3) { return 1.0; });
-    for (int i = 0; i < 100; ++i) EXPECT_NEAR(irradianceSh(order, sky, randomDirection(i)), pi, 1e-12);
+    for (int i = 0; i < 100; ++i) EXPECT_NEAR(irradianceSh(order, sky, sphereDirection(i)), pi, 1e-12);
   }
 }
 
@@ -195,7 +195,7 @@ TEST(Irradiance, OfAHalfBrightSkyIsExact) {
     std::vector<glm::dvec3> color(sky.size());
     for (std::size_t i = 0; i < sky.size(); ++i) color[i] = sky[i] * glm::dvec3(1, 10, 0);
     for (int i = 0; i < 100; ++i) {
-      const glm::dvec3 normal = randomDirection(i);
+      const glm::dvec3 normal = sphereDirection(i);
       const double expected = pi * (1 + glm::dot(up, normal)) / 2;
       EXPECT_NEAR(irradianceSh(order, sky, normal), expected, 1e-12);
       EXPECT_NEAR(irradianceSh(order, color, normal).g, 10 * expected, 1e-11);

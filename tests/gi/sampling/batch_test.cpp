@@ -17,7 +17,7 @@
 namespace isolux::gi {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float below1 = 1.0f - 0x1p-24f;
 
 float noise(std::uint64_t stream, std::uint64_t i) {

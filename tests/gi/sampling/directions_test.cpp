@@ -21,7 +21,7 @@ namespace {
 using test::chiSquaredLimit;
 using test::Moments;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array<DirectionSequence, 3> sequences{DirectionSequence::sobol_owen, DirectionSequence::r2,
                                                      DirectionSequence::random};
 

@@ -27,11 +27,11 @@ namespace {
 using test::chiSquaredLimit;
 using test::Moments;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-double luminance(glm::dvec3 c) {
+double brightness(glm::dvec3 c) {
   return base::luminance(c);
 }
 
@@ -144,7 +144,7 @@ TEST(Environment, PdfIntegratesToOneAndFollowsLuminance) {
     for (int row = 0; row < environment.height(); ++row)
       for (int column = 0; column < environment.width(); ++column) {
         const double area = environment.solidAngle(row);
-        const double pixel = environment.isBlack() ? 1.0 : luminance(environment.radiance(at(column, row)));
+        const double pixel = environment.isBlack() ? 1.0 : brightness(environment.radiance(at(column, row)));
         integral += environment.pdf(at(column, row)) * area;
         lightOfRow[row] += pixel * area;
         light += pixel * area;
@@ -154,7 +154,7 @@ TEST(Environment, PdfIntegratesToOneAndFollowsLuminance) {
       for (int column = 0; column < environment.width(); ++column) {
         const glm::vec3 d = at(column, row);
         const double area = environment.solidAngle(row);
-        const double pixel = environment.isBlack() ? 1.0 : luminance(environment.radiance(d));
+        const double pixel = environment.isBlack() ? 1.0 : brightness(environment.radiance(d));
         if (pixel == 0.0) {
           EXPECT_EQ(environment.pdf(d), 0.0f) << name;
           continue;
@@ -276,13 +276,13 @@ TEST(Environment, IrradianceByBothSamplingsIsThatOfQuadrature) {
     Moments byLight, byCosine;
     for (int i = 0; i < 100000; ++i) {
       const Environment::Sample s = environment.sample(point(i));
-      byLight.add(luminance(s.radiance) * std::max(0.0f, glm::dot(glm::vec3(normal), s.direction)) / s.pdf);
-      byCosine.add(pi * luminance(environment.radiance(frame.toWorld(cosineHemisphere(point(i + 1000000))))));
+      byLight.add(brightness(s.radiance) * std::max(0.0f, glm::dot(glm::vec3(normal), s.direction)) / s.pdf);
+      byCosine.add(pi * brightness(environment.radiance(frame.toWorld(cosineHemisphere(point(i + 1000000))))));
     }
-    EXPECT_LT(std::abs(byLight.z(luminance(expected))), 4.5) << name;
+    EXPECT_LT(std::abs(byLight.z(brightness(expected))), 4.5) << name;
     // A sun that no cosine direction meets has an empirical variance without meaning.
     if (std::string(name) != "sun" && std::string(name) != "blue" && std::string(name) != "sparse") {
-      EXPECT_LT(std::abs(byCosine.z(luminance(expected))), 4.5) << name;
+      EXPECT_LT(std::abs(byCosine.z(brightness(expected))), 4.5) << name;
     }
   }
 }

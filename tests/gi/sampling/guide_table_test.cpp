@@ -25,7 +25,7 @@ std::vector<std::uint32_t> startsOf(const std::vector<double>& weights) {
   return starts;
 }
 
-std::vector<std::vector<std::uint32_t>> cases() {
+std::vector<std::vector<std::uint32_t>> startLists() {
   std::vector<std::vector<std::uint32_t>> all;
   for (const std::size_t count : {1u, 2u, 3u, 17u, 64u, 1000u}) {
     std::vector<double> even(count, 1.0), steep(count), gaps(count), one(count, 0.0), last(count, 1e-9);
@@ -42,7 +42,7 @@ std::vector<std::vector<std::uint32_t>> cases() {
 }
 
 TEST(GuideTable, FindsWhatABinarySearchFinds) {
-  for (const std::vector<std::uint32_t>& starts : cases()) {
+  for (const std::vector<std::uint32_t>& starts : startLists()) {
     std::vector<std::uint32_t> guide(guideSize(starts.size()));
     ASSERT_LE(guide.size(), starts.size() + 1);
     fillGuide(starts, guide);
@@ -67,7 +67,7 @@ TEST(GuideTable, FindsWhatABinarySearchFinds) {
 
 // Averaged over all numbers, which is over all cells: the intervals that a search has left.
 TEST(GuideTable, LeavesFewIntervals) {
-  for (const std::vector<std::uint32_t>& starts : cases()) {
+  for (const std::vector<std::uint32_t>& starts : startLists()) {
     std::vector<std::uint32_t> guide(guideSize(starts.size()));
     fillGuide(starts, guide);
     double left = 0.0;

@@ -19,7 +19,7 @@ namespace {
 using scene::LampKind;
 using test::InvalidOperations;
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float piFloat = std::numbers::pi_v<float>;
 constexpr glm::vec3 up(0.0f, 0.0f, 1.0f);
 
 // Voxels of 1 mm, of which (4, 4, 4) is the world's origin.
@@ -50,7 +50,7 @@ TEST(LampSampler, ALampAtThePointIsChosenByWhatItGivesThere) {
                              lampAt(LampKind::sphere, {0.0, 0.0, 0.0}, 3.0, 2.0),
                              lampAt(LampKind::point, {0.0, 0.0, 2.0}, 4.0)};
   const LampSampler sampler(lamps, geometry);
-  const float sphere = 3.0f * pi, point = 4.0f / 4.0f;
+  const float sphere = 3.0f * piFloat, point = 4.0f / 4.0f;
   const InvalidOperations invalid;
   float probability = 0.0f;
   EXPECT_EQ(sampler.choose(origin, up, 0.0f, probability), 1);
@@ -78,7 +78,7 @@ TEST(LampSampler, APointLampGrowsNoBrighterThanAThousandthOfAVoxelAway) {
   }
 }
 
-// From everywhere inside, pi times the radiance, and every sample lies on the sphere.
+// From everywhere inside, piFloat times the radiance, and every sample lies on the sphere.
 TEST(LampSampler, InsideASphereLampTheLightIsThatOfAllDirections) {
   constexpr float radius = 3.0f;
   const LampLight lamps[] = {lampAt(LampKind::sphere, {0.0, 0.0, 0.0}, 7.0, radius)};
@@ -88,7 +88,7 @@ TEST(LampSampler, InsideASphereLampTheLightIsThatOfAllDirections) {
     for (std::uint32_t i = 0; i < 64; ++i) {
       const glm::vec2 u = samplePair(DirectionSequence::random, 5, i, 0);
       const LampSample sample = sampler.sample(0, origin + fromCentre, up, u);
-      EXPECT_NEAR(sample.irradiance.g, 7.0f * pi, 1e-5f);
+      EXPECT_NEAR(sample.irradiance.g, 7.0f * piFloat, 1e-5f);
       EXPECT_NEAR(glm::length(fromCentre + sample.toward), radius, 2e-6f);
       EXPECT_GE(sample.toward.z, -1e-6f);  // above the surface
     }

@@ -16,7 +16,7 @@ namespace {
 using namespace isolux::test;
 using volume::GridGeometry;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 constexpr double cavityRadius = 20.0, lampRadius = 2.0, lampRadiance = 5.0;
 

@@ -13,7 +13,7 @@ using namespace isolux::test;
 using scene::LampKind;
 using volume::GridGeometry;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 constexpr double ballRadius = 7.0, ballHeight = 4.0;
 

@@ -14,7 +14,7 @@ namespace {
 using namespace isolux::test;
 using volume::GridGeometry;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Inside is below the plane through the origin.
 Field halfSpace(glm::dvec3 normal) {

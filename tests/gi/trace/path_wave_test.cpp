@@ -15,14 +15,14 @@ namespace {
 
 using namespace isolux::test;
 
-LightScene plane() {
+LightScene wavePlane() {
   return lightSceneOf(volumeOf(cube(16), [](glm::dvec3 p) { return -p.z; }));
 }
 
 TEST(PathSetup, GradientsThatAreNoneHaveNoNormal) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                   infinity = std::numeric_limits<float>::infinity();
-  const PathSetup setup(std::make_shared<const LightScene>(plane()));
+  const PathSetup setup(std::make_shared<const LightScene>(wavePlane()));
   const auto expectNone = [&](const glm::vec3& gradient) {
     EXPECT_EQ(setup.normalOf(gradient), glm::vec3(0.0f))
         << gradient.x << ' ' << gradient.y << ' ' << gradient.z;
@@ -44,7 +44,7 @@ TEST(PathSetup, GradientsThatAreNoneHaveNoNormal) {
 // pi times the largest float is infinite.
 TEST(PathTracer, RadianceNearTheLargestFloatGivesANumber) {
   for (const double share : {0.0, 0.5}) {
-    LightScene light = plane();
+    LightScene light = wavePlane();
     light.environment = environmentOf(8, 4, [](glm::dvec3 d) { return 3.3e38 - 1e37 * d.z; });
     light.environmentShare = share;
     light.bounces = 2;

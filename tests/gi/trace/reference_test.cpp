@@ -17,7 +17,7 @@ namespace {
 
 using namespace isolux::test;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class ReferencePicture : public ::testing::Test {
  protected:

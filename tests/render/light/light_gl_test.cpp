@@ -18,7 +18,6 @@ namespace {
 
 using Settings = std::vector<std::string>;
 const Settings kHalf = {"gi.precision=half", "gi.interpolation=trilinear"};
-constexpr double kPi = std::numbers::pi;
 constexpr float kHalfStep = 1.0f / 2048.0f;  // relative rounding of half floats
 
 Settings with(Settings settings, const Settings& more) {
@@ -305,7 +304,7 @@ TEST_F(LightGlTest, LampsWithoutShadowsAreTheirFormulas) {
         const glm::dvec3 x = world * glm::dvec4(voxel, 1.0);
         const glm::dvec3 a = point.positionMm - x, b = sphere.positionMm - x;
         glm::dvec3 e = point.power * std::max(glm::dot(n, a), 0.0) / std::pow(glm::length(a), 3.0);
-        e += sphere.power * kPi * 25.0 * std::max(glm::dot(n, b), 0.0) / std::pow(glm::length(b), 3.0);
+        e += sphere.power * std::numbers::pi * 25.0 * std::max(glm::dot(n, b), 0.0) / std::pow(glm::length(b), 3.0);
         return e + sun.power * std::max(glm::dot(n, sun.toward), 0.0);
       },
       1e-3, 1e-4);
@@ -458,7 +457,7 @@ TEST_F(LightGlTest, WhatDoesNotFitIsLocalAndReported) {
   const auto lattice = emptyLattice(dimsOf(volume), 2.0);
   writeAll(*lattice, [](glm::ivec3) { return constant(glm::vec3(1.0f)); });
   auto light = pictureLight(lattice);
-  light->irradianceSh[0] = glm::vec3(static_cast<float>(std::sqrt(4.0 * kPi)));  // E = 1, as it is stored
+  light->irradianceSh[0] = glm::vec3(static_cast<float>(std::sqrt(4.0 * std::numbers::pi)));  // E = 1, as it is stored
   const Settings small = with(kHalf, {"memory.gpu_budget_mb=64", "memory.layout=whole"});
   draw(volume, light, small);
   EXPECT_GT(report_.light.withoutRoom, 0u);
@@ -488,7 +487,7 @@ TEST_F(LightGlTest, TheInnerSideHasLocalLight) {
   const auto lattice = emptyLattice(dimsOf(volume), 1.0);
   writeAll(*lattice, [](glm::ivec3) { return constant(glm::vec3(1.0f)); });
   auto light = pictureLight(lattice);
-  light->irradianceSh[0] = glm::vec3(7.0f * static_cast<float>(std::sqrt(4.0 * kPi)));
+  light->irradianceSh[0] = glm::vec3(7.0f * static_cast<float>(std::sqrt(4.0 * std::numbers::pi)));
   draw(volume, light, with(kHalf, {"isosurface.inside=below"}));
   expectIrradiance([](auto, auto) { return glm::dvec3(7.0); }, 1e-5);
 }
@@ -571,7 +570,7 @@ TEST_F(LightGlTest, TheLookIsReflectedIrradiance) {
          with(kHalf, {"isosurface.albedo=0.8,0.5,0.2",
                       std::string("picture.exposure=") + (exposure[0] == 'a' ? "auto" : exposure)}));
     const render::LinearImage linear = renderer_->readLinear();
-    const double scale = (exposure[0] == 'a' ? 0.5 : 4.0) / kPi;
+    const double scale = (exposure[0] == 'a' ? 0.5 : 4.0) / std::numbers::pi;
     for (std::size_t i = 0; i < hit_.values.size(); ++i) {
       if (hit_.values[i] == 0.0f) continue;
       const glm::dvec3 want = scale * glm::dvec3(0.8, 0.5, 0.2) * glm::dvec3(0.5, 1.0, 2.0);
@@ -588,8 +587,8 @@ TEST_F(LightGlTest, TransparentSurfacesHaveTheirLight) {
   const auto lattice = emptyLattice(dimsOf(volume), 1.0);
   writeAll(*lattice, [](glm::ivec3) { return constant(glm::vec3(1.0f)); });
   auto light = pictureLight(lattice);
-  light->automaticExposure = static_cast<float>(std::log2(kPi));                        // colour = albedo E
-  light->irradianceSh[0] = glm::vec3(0.5f * static_cast<float>(std::sqrt(4.0 * kPi)));  // E = 0.5
+  light->automaticExposure = static_cast<float>(std::log2(std::numbers::pi));                        // colour = albedo E
+  light->irradianceSh[0] = glm::vec3(0.5f * static_cast<float>(std::sqrt(4.0 * std::numbers::pi)));  // E = 0.5
   draw(volume, light, with(kHalf, {"isosurface.albedo=1,1,1", "isosurface.opacity=0.5"}));
   const render::LinearImage linear = renderer_->readLinear();
   const std::size_t middle = (48 * 96 + 48);

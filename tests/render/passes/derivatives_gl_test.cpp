@@ -16,7 +16,7 @@
 namespace isolux::test {
 namespace {
 
-constexpr glm::ivec2 kSize{112, 96};
+constexpr glm::ivec2 kDerivativesSize{112, 96};
 
 struct CurvatureImages {
   render::AovImage hit, voxel, position, gradient, hessian, kappa, direction1, direction2, confidence;
@@ -28,7 +28,7 @@ class DerivativesGlTest : public ExecutorsGlTest {
  protected:
   CurvatureImages curvatureImages(const std::shared_ptr<const volume::PreparedVolume>& volume,
                                   const scene::Scene& scene) {
-    images(volume, scene, kSize);
+    images(volume, scene, kDerivativesSize);
     using render::Aov;
     const auto read = [&](Aov aov) { return renderer_->readAov(aov); };
     return {read(Aov::hit),        read(Aov::voxel),      read(Aov::position),
@@ -305,10 +305,10 @@ TEST_P(DerivativesGlTest, CurvatureIsOfTheSurfaceAlone) {
       const bool flipped = glm::determinant(moved.world) < 0.0;
       const double length = std::cbrt(std::abs(glm::determinant(moved.world)));
       int compared = 0, differ = 0, hitsDiffer = 0;
-      for (int y = 0; y < kSize.y; ++y)
-        for (int x = 0; x < kSize.x; ++x) {
-          const auto i = static_cast<std::size_t>(y * kSize.x + x);
-          const auto j = static_cast<std::size_t>(y * kSize.x + (flipped ? kSize.x - 1 - x : x));
+      for (int y = 0; y < kDerivativesSize.y; ++y)
+        for (int x = 0; x < kDerivativesSize.x; ++x) {
+          const auto i = static_cast<std::size_t>(y * kDerivativesSize.x + x);
+          const auto j = static_cast<std::size_t>(y * kDerivativesSize.x + (flipped ? kDerivativesSize.x - 1 - x : x));
           if (before.isHit(i) != after.isHit(j)) ++hitsDiffer;
           if (!before.isHit(i) || !after.isHit(j)) continue;
           ++compared;
@@ -349,7 +349,7 @@ TEST_P(DerivativesGlTest, HitsLieOnTheSurfaceWithinTheirStatedError) {
       for (const auto method : {scene::HitMethod::exact, scene::HitMethod::sampled}) {
         scene.hit.field = field;
         scene.hit.method = method;
-        const Images seen = images(volume, scene, kSize);
+        const Images seen = images(volume, scene, kDerivativesSize);
         int hits = 0;
         for (std::size_t i = 0; i < seen.hit.values.size(); ++i) {
           if (seen.hit.values[i] != 1.0f) continue;

@@ -13,7 +13,7 @@ namespace {
 using render::Aov;
 using VolumePointer = std::shared_ptr<const volume::PreparedVolume>;
 
-constexpr glm::ivec2 kSize{64, 56};
+constexpr glm::ivec2 kEdgeSize{64, 56};
 
 // A ball of soft boundary, 10 % noise, in a box of bright voxels at one side.
 VolumePointer softBall(const volume::GridGeometry& geometry, bool gap) {
@@ -34,7 +34,7 @@ struct Apart {
 class EdgeGlTest : public ExecutorsGlTest {
  protected:
   Apart against(const VolumePointer& volume, scene::Scene scene) {
-    images(volume, scene, kSize);
+    images(volume, scene, kEdgeSize);
     const render::AovImage hit = renderer_->readAov(Aov::hit), voxel = renderer_->readAov(Aov::voxel),
                            offset = renderer_->readAov(Aov::edge_offset),
                            strength = renderer_->readAov(Aov::edge_strength);

@@ -29,7 +29,7 @@ const std::map<std::string, const char*> kValues = {
 };
 
 // Another valid value of the setting, far enough from that of the scene to be seen.
-json otherValue(const scene::Setting& s, const scene::Scene& scene) {
+json changedValue(const scene::Setting& s, const scene::Scene& scene) {
   const json now = s.get(scene);
   switch (s.type) {
     case scene::SettingType::number: {
@@ -77,7 +77,7 @@ void setOther(const scene::Setting& setting, scene::Scene& scene) {
   if (given != kValues.end())
     scene::applyAssignment(scene, setting.path + "=" + given->second);
   else
-    setting.set(scene, otherValue(setting, scene));
+    setting.set(scene, changedValue(setting, scene));
 }
 
 // What changes nothing in pictures as small as these, though it does in others.

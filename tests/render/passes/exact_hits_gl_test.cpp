@@ -14,7 +14,7 @@
 namespace isolux::test {
 namespace {
 
-constexpr glm::ivec2 kSize{128, 112};
+constexpr glm::ivec2 kExactHitsSize{128, 112};
 
 // What the pictures of one field count against the reference.
 struct Counts {
@@ -31,26 +31,26 @@ class ExactHitsGlTest : public ExecutorsGlTest {
   // ray within a hundredth of a pixel agrees with what was drawn.
   void compare(const std::shared_ptr<const volume::PreparedVolume>& volume, const scene::Scene& scene,
                const Reference& reference, Counts& counts) {
-    const Images seen = images(volume, scene, kSize);
+    const Images seen = images(volume, scene, kExactHitsSize);
     const glm::dmat4 voxelFromWorld = volume->grid().geometry().voxelFromWorld();
     const auto expectedAt = [&](glm::dvec2 pixel) {
-      const glm::dvec2 ndc(2.0 * (pixel.x + 0.5) / kSize.x - 1.0, 1.0 - 2.0 * (pixel.y + 0.5) / kSize.y);
+      const glm::dvec2 ndc(2.0 * (pixel.x + 0.5) / kExactHitsSize.x - 1.0, 1.0 - 2.0 * (pixel.y + 0.5) / kExactHitsSize.y);
       const scene::Ray r =
-          scene::rayThrough(scene::frameOf(scene_.camera), ndc, static_cast<double>(kSize.x) / kSize.y);
+          scene::rayThrough(scene::frameOf(scene_.camera), ndc, static_cast<double>(kExactHitsSize.x) / kExactHitsSize.y);
       volume::Ray ray;
       ray.origin = glm::dvec3(voxelFromWorld * glm::dvec4(r.origin, 1.0));
       ray.direction = glm::dmat3(voxelFromWorld) * r.direction;
       if (scene.camera.projection == scene::Projection::orthographic) ray.tMinimum = -1e6;
       return reference(ray);
     };
-    for (int i = 0; i < kSize.x * kSize.y; ++i) {
+    for (int i = 0; i < kExactHitsSize.x * kExactHitsSize.y; ++i) {
       const auto pixel = static_cast<std::size_t>(i);
       const bool hit = seen.hit.values[pixel] == 1.0f;
       const auto agrees = [&](const volume::CubicHit& expected) {
         if (expected.hit.has_value() != hit) return false;
         return !hit || glm::length(at(seen.voxel, pixel) - expected.hit->voxel) < 0.05;
       };
-      const glm::dvec2 at2(i % kSize.x, i / kSize.x);
+      const glm::dvec2 at2(i % kExactHitsSize.x, i / kExactHitsSize.x);
       const volume::CubicHit expected = expectedAt(at2);
       if (agrees(expected)) {
         if (hit) {

@@ -5,7 +5,7 @@
 namespace isolux::test {
 namespace {
 
-constexpr glm::ivec2 kSize{96, 80};
+constexpr glm::ivec2 kHiddenPiecesSize{96, 80};
 
 class HiddenPiecesGlTest : public ExecutorsGlTest {
  protected:
@@ -27,7 +27,7 @@ class HiddenPiecesGlTest : public ExecutorsGlTest {
                             const scene::Scene& scene) {
     renderer_->setVolume(volume);
     render::FrameRequest request;
-    request.size = kSize;
+    request.size = kHiddenPiecesSize;
     renderer_->render(scene::resolve(scene, volume->facts), request);
     return renderer_->readColor();
   }
@@ -41,9 +41,9 @@ TEST_P(HiddenPiecesGlTest, PicturesAreThoseOfAVolumeWithoutTheHiddenBalls) {
                               "hit.field=cubic", "hit.method=sampled"})
     for (int k = 0; k < 5; ++k) {
       const scene::Scene scene = assigned({"look.mode=lambert", setting}, view(k));
-      const Images expected = images(shown, scene, kSize);
+      const Images expected = images(shown, scene, kHiddenPiecesSize);
       const render::ColorImage expectedColors = colors(shown, scene);
-      const Images seen = images(all, hiding(balls, scene), kSize);
+      const Images seen = images(all, hiding(balls, scene), kHiddenPiecesSize);
       EXPECT_EQ(seen.hit.values, expected.hit.values) << setting << ' ' << k;
       for (std::size_t i = 0; i < seen.hit.values.size(); ++i)
         if (expected.hit.values[i] == 1.0f && seen.hit.values[i] == 1.0f) {
@@ -74,7 +74,7 @@ TEST_P(HiddenPiecesGlTest, InCellsOfTwoPiecesTheShownOneIsSeen) {
     scene.camera.target = {15.5, 15.5, 11.5};
     scene.camera.eye = *scene.camera.target + 0.6 * (*scene.camera.eye - glm::dvec3(23.5));
     scene.pieces.hidden = {{2.0, 2.0, 10.0}};
-    const Images seen = images(volume, scene, kSize);
+    const Images seen = images(volume, scene, kHiddenPiecesSize);
     int wrong = 0;
     for (std::size_t i = 0; i < seen.hit.values.size(); ++i) {
       if (seen.hit.values[i] != 1.0f) continue;

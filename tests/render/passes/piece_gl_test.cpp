@@ -17,7 +17,7 @@ namespace {
 
 using render::Aov;
 
-constexpr glm::ivec2 kSize{96, 80};
+constexpr glm::ivec2 kPieceSize{96, 80};
 
 class PieceGlTest : public ExecutorsGlTest {
  protected:
@@ -38,7 +38,7 @@ class PieceGlTest : public ExecutorsGlTest {
   Seen piecesSeen(const std::shared_ptr<const volume::PreparedVolume>& volume, const scene::Scene& scene) {
     renderer_->setVolume(volume);
     render::FrameRequest request;
-    request.size = kSize;
+    request.size = kPieceSize;
     request.color = false;
     request.aovs = {Aov::hit, Aov::voxel, Aov::piece};
     renderer_->render(scene::resolve(scene, volume->facts), request);
@@ -156,7 +156,7 @@ TEST_P(PieceGlTest, CostsNothingWhereItIsNotAskedFor) {
   const auto volume = prepared(gridOfBalls(pieceBalls(), true));
   renderer_->setVolume(volume);
   render::FrameRequest request;
-  request.size = kSize;
+  request.size = kPieceSize;
   const auto stateOf = [](const render::FrameReport& report) {
     const auto at = std::find_if(report.passes.begin(), report.passes.end(),
                                  [](const auto& pass) { return pass.name == "piece"; });

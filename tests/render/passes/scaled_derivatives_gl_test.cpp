@@ -16,9 +16,9 @@ namespace {
 using render::Aov;
 using VolumePointer = std::shared_ptr<const volume::PreparedVolume>;
 
-constexpr glm::ivec2 kSize{112, 96};
+constexpr glm::ivec2 kScaledDerivativesSize{112, 96};
 
-double largest(const glm::dmat3& m) {
+double largestPart(const glm::dmat3& m) {
   double most = 0.0;
   for (int c = 0; c < 3; ++c)
     for (int r = 0; r < 3; ++r) most = std::max(most, std::abs(m[c][r]));
@@ -27,7 +27,7 @@ double largest(const glm::dmat3& m) {
 
 render::FrameRequest picture() {
   render::FrameRequest request;
-  request.size = kSize;
+  request.size = kScaledDerivativesSize;
   return request;
 }
 
@@ -39,7 +39,7 @@ struct Worst {
 class ScaledDerivativesGlTest : public ExecutorsGlTest {
  protected:
   Worst against(const VolumePointer& volume, const scene::Scene& scene) {
-    images(volume, scene, kSize);
+    images(volume, scene, kScaledDerivativesSize);
     const render::AovImage hit = renderer_->readAov(Aov::hit), voxel = renderer_->readAov(Aov::voxel),
                            gradient = renderer_->readAov(Aov::gradient),
                            hessian = renderer_->readAov(Aov::hessian), kappa = renderer_->readAov(Aov::kappa),
@@ -63,14 +63,14 @@ class ScaledDerivativesGlTest : public ExecutorsGlTest {
       const float* s = &hessian.values[6 * i];
       const glm::dmat3 seen(s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2]);
       worst.gradient = std::max(worst.gradient, glm::length(at(gradient, i) - g) * least / typical);
-      worst.hessian = std::max(worst.hessian, largest(seen - h) * least * least / typical);
+      worst.hessian = std::max(worst.hessian, largestPart(seen - h) * least * least / typical);
       const glm::dvec3 n =
           volume::worldGradient(grid.geometry(), volume::sampleScaled(*shaded, grid, p).gradient);
       if (glm::length(n) * least > 0.2 * typical)
         worst.normal = std::max(worst.normal, glm::length(at(normal, i) + glm::normalize(n)));
       if (glm::length(g) * least < 0.2 * typical) continue;
       const auto k = volume::principalCurvature(g, h);
-      const double size = largest(h) / glm::length(g);
+      const double size = largestPart(h) / glm::length(g);
       worst.kappa = std::max({worst.kappa, std::abs(kappa.values[2 * i] - k.kappa1) / size,
                               std::abs(kappa.values[2 * i + 1] - k.kappa2) / size});
     }
@@ -130,7 +130,7 @@ TEST_P(ScaledDerivativesGlTest, ConfidencesCountTheNoiseWithinAndAtBorders) {
   scene.derivatives.scale = 1.0;
   scene.derivatives.normalScale = 0.0;
   scene.derivatives.noise = 0.1;
-  images(volume, scene, kSize);
+  images(volume, scene, kScaledDerivativesSize);
   const render::AovImage hit = renderer_->readAov(Aov::hit), voxel = renderer_->readAov(Aov::voxel),
                          confidence = renderer_->readAov(Aov::curvature_confidence);
   base::Progress progress;

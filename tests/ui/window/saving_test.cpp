@@ -29,10 +29,10 @@ namespace isolux::test {
 
 namespace {
 
-void trigger(ui::MainWindow& window, const QString& text) {
+void triggerEntry(ui::MainWindow& window, const QString& text) {
   for (QAction* menu : window.menuBar()->actions())
     for (QAction* action : menu->menu()->actions())
-      if (action->text().startsWith(text)) return action->trigger();
+      if (action->text().startsWith(text)) return action->triggerEntry();
   ADD_FAILURE() << "no entry " << text.toStdString();
 }
 
@@ -53,12 +53,12 @@ TEST_F(WindowTest, ANameWithoutSuffixIsAskedAboutBeforeItReplacesAFile) {
   std::ofstream((file + ".isolux").toStdString()) << "precious";
   {
     DialogAnswers answers(QMessageBox::Save, file);  // and No to overwriting
-    trigger(*window_, "Save session &as");
+    triggerEntry(*window_, "Save session &as");
     EXPECT_EQ(answers.overwriteQuestions(), 1);
   }
   EXPECT_EQ(contentOf(file + ".isolux"), "precious");
   DialogAnswers answers(QMessageBox::Save, file + "2");
-  trigger(*window_, "Save session &as");
+  triggerEntry(*window_, "Save session &as");
   EXPECT_EQ(window_->document()->sessionFile(), file + "2.isolux");
   EXPECT_EQ(barText(*window_), "Saved head2.isolux");
   ASSERT_EQ(window_->messageBar()->buttons().size(), 1u);
@@ -69,10 +69,10 @@ TEST_F(WindowTest, SavingIsProposedBesideTheVolumeByItsName) {
   const QString volume = writeBall(16);
   ASSERT_TRUE(load(*window_, volume));
   DialogAnswers answers(QMessageBox::Cancel);
-  trigger(*window_, "Save session &as");
+  triggerEntry(*window_, "Save session &as");
   EXPECT_EQ(answers.proposal(), "ball.isolux");
   EXPECT_EQ(answers.folder(), QFileInfo(volume).absolutePath());
-  trigger(*window_, "Save p&icture");
+  triggerEntry(*window_, "Save p&icture");
   EXPECT_TRUE(waitUntil([&] { return answers.proposal() == "ball.png"; }))
       << answers.proposal().toStdString();
   EXPECT_EQ(answers.folder(), QFileInfo(volume).absolutePath());
@@ -91,7 +91,7 @@ TEST_F(WindowTest, APictureIsWrittenInTheFormatOfItsNameOrRefused) {
   EXPECT_TRUE(window_->savePicture(file + ".exr"));
   EXPECT_EQ(contentOf(file + ".exr").substr(0, 4), "\x76\x2f\x31\x01");
   DialogAnswers answers(QMessageBox::Cancel, file);
-  trigger(*window_, "Save p&icture");
+  triggerEntry(*window_, "Save p&icture");
   EXPECT_TRUE(waitUntil([&] { return barText(*window_) == "Saved ball.png"; })) << barText(*window_);
   EXPECT_TRUE(QFileInfo::exists(file + ".png"));
 }
@@ -134,9 +134,9 @@ TEST_F(WindowTest, ARecordingSaysWhereItWentAndIsKnownWhenItIsOpened) {
   ASSERT_TRUE(load(*window_, "phantom:ball:16"));
   const QString file = newFile("tour");
   DialogAnswers answers(QMessageBox::Cancel, file);
-  trigger(*window_, "Start &recording");
+  triggerEntry(*window_, "Start &recording");
   ASSERT_TRUE(window_->document()->recording());
-  trigger(*window_, "Stop &recording");
+  triggerEntry(*window_, "Stop &recording");
   EXPECT_NE(barText(*window_).find("Saved tour.jsonl"), std::string::npos) << barText(*window_);
   EXPECT_NE(barText(*window_).find("isolux replay tour.jsonl --out"), std::string::npos) << barText(*window_);
   window_->messageBar()->clear();

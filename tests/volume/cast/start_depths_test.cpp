@@ -10,7 +10,7 @@ namespace {
 
 constexpr glm::ivec3 kVoxels{41, 30, 53};
 constexpr glm::ivec3 kBlocks{5, 4, 7};
-constexpr glm::ivec2 kSize{64, 48};
+constexpr glm::ivec2 kPicture{64, 48};
 
 PictureRays raysFrom(glm::vec3 eye, glm::vec3 at, bool orthographic) {
   PictureRays rays;
@@ -20,7 +20,7 @@ PictureRays raysFrom(glm::vec3 eye, glm::vec3 at, bool orthographic) {
   rays.right = glm::normalize(glm::cross(rays.forward, glm::vec3(0.1f, 1.0f, 0.2f)));
   rays.up = glm::cross(rays.right, rays.forward);
   rays.halfExtent = orthographic ? glm::vec2(40, 30) : glm::vec2(0.8f, 0.6f);
-  rays.picture = kSize;
+  rays.picture = kPicture;
   return rays;
 }
 
@@ -38,8 +38,8 @@ TEST(StartDepths, HoldEveryPointOfEveryBlockWithABox) {
     const glm::vec3 offset = glm::vec3(random(1, trial), random(2, trial), random(3, trial)) - 0.5f;
     const bool inside = trial % 3 == 0;
     const PictureRays rays = raysFrom(middle + (inside ? 30.0f : 200.0f) * offset, middle, trial % 5 == 1);
-    const StartDepths depths = startDepths(rays, kSize, kVoxels, {kBlocks, masks});
-    ASSERT_EQ(depths.tiles, (kSize + 3) / 4);
+    const StartDepths depths = startDepths(rays, kPicture, kVoxels, {kBlocks, masks});
+    ASSERT_EQ(depths.tiles, (kPicture + 3) / 4);
     for (std::uint64_t i = 0; i < 4000; ++i) {
       const glm::vec3 p = glm::vec3(random(4, i), random(5, i), random(6, i)) * glm::vec3(kVoxels - 1);
       const glm::ivec3 block = glm::ivec3(p) / 8;
@@ -50,7 +50,7 @@ TEST(StartDepths, HoldEveryPointOfEveryBlockWithABox) {
       if (!rays.orthographic && depth <= 0.01f) continue;
       const glm::vec2 plane =
           glm::vec2(glm::dot(to, rays.right), glm::dot(to, rays.up)) / (rays.orthographic ? 1.0f : depth);
-      const glm::vec2 pixel = (plane / rays.halfExtent * 0.5f + 0.5f) * glm::vec2(kSize);
+      const glm::vec2 pixel = (plane / rays.halfExtent * 0.5f + 0.5f) * glm::vec2(kPicture);
       if (pixel.x < 0.0f || pixel.y < 0.0f || pixel.x >= 64.0f || pixel.y >= 48.0f) continue;
       const StartDepths::Depths tile =
           depths.at(static_cast<int>(pixel.x) / 4, static_cast<int>(pixel.y) / 4);
@@ -65,11 +65,11 @@ TEST(StartDepths, HoldEveryPointOfEveryBlockWithABox) {
 TEST(StartDepths, AreEmptyWhereNoBlockIs) {
   std::vector<std::uint64_t> masks(static_cast<std::size_t>(kBlocks.x * kBlocks.y * kBlocks.z), 0);
   const PictureRays rays = raysFrom({20, 15, -80}, {20, 15, 26}, false);
-  for (const auto& depths : startDepths(rays, kSize, kVoxels, {kBlocks, masks}).depths)
+  for (const auto& depths : startDepths(rays, kPicture, kVoxels, {kBlocks, masks}).depths)
     EXPECT_GT(depths.first, depths.last);
   masks[0] = 1;  // a corner: a few tiles
   int tiles = 0;
-  for (const auto& depths : startDepths(rays, kSize, kVoxels, {kBlocks, masks}).depths)
+  for (const auto& depths : startDepths(rays, kPicture, kVoxels, {kBlocks, masks}).depths)
     tiles += depths.first <= depths.last;
   EXPECT_GT(tiles, 0);
   EXPECT_LT(tiles, 20);
@@ -80,10 +80,10 @@ TEST(StartDepths, KnowTheEye) {
   std::vector<std::uint64_t> masks(static_cast<std::size_t>(kBlocks.x * kBlocks.y * kBlocks.z), 0);
   masks[0] = 1;
   const PictureRays away = raysFrom({-20, -20, -20}, {-80, -80, -80}, false);
-  for (const auto& depths : startDepths(away, kSize, kVoxels, {kBlocks, masks}).depths)
+  for (const auto& depths : startDepths(away, kPicture, kVoxels, {kBlocks, masks}).depths)
     EXPECT_GT(depths.first, depths.last);
   const PictureRays within = raysFrom({4, 4, 4}, {80, 80, 80}, false);
-  for (const auto& depths : startDepths(within, kSize, kVoxels, {kBlocks, masks}).depths) {
+  for (const auto& depths : startDepths(within, kPicture, kVoxels, {kBlocks, masks}).depths) {
     EXPECT_LE(depths.first, 0.0f);
     EXPECT_GT(depths.last, 0.0f);
   }

@@ -14,7 +14,7 @@
 namespace isolux::volume {
 namespace {
 
-std::vector<TracerTarget> targets() {
+std::vector<TracerTarget> vectorTargets() {
   std::vector<TracerTarget> list = IsosurfaceTracer::availableTargets();
   std::erase(list, TracerTarget::scalar);
   return list;
@@ -61,7 +61,7 @@ template <class Derive, class Reference>
 void expectDerivatives(const Grid& grid, const Derive& derive, const Reference& reference, int reach,
                        double gradientError, double hessianError) {
   const std::vector<glm::vec4> points = pointsIn(grid.dims());
-  for (const TracerTarget target : targets()) {
+  for (const TracerTarget target : vectorTargets()) {
     Images images(points.size()), alone(points.size());
     derive(points, DerivativeImages{images.gradient, images.diagonal, images.mixed}, target);
     derive(points, DerivativeImages{alone.gradient, {}, {}}, target);
@@ -176,7 +176,7 @@ TEST(SurfaceDerivatives, SayWhereSamplesAreMissing) {
   });
   const std::vector<glm::vec4> points = {
       {6.5f, 8.2f, 8.3f, 1.0f}, {7.5f, 7.5f, 7.5f, 1.0f}, {3.5f, 3.5f, 3.5f, 1.0f}};
-  for (const TracerTarget target : targets()) {
+  for (const TracerTarget target : vectorTargets()) {
     Images images(points.size());
     surfaceDerivatives(grid, DerivedField::spline, nullptr, points, all(points),
                        {images.gradient, images.diagonal, images.mixed}, target);

@@ -14,7 +14,7 @@
 namespace isolux::volume {
 namespace {
 
-constexpr int kSize = 16;
+constexpr int kHitSize = 16;
 constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
 // Voxels of 1 mm, so that t is voxels; the picture of 8 x 8 rays looks along z from z = -20.
@@ -22,10 +22,10 @@ class HitError : public testing::Test {
  protected:
   void fill(const std::function<float(glm::ivec3)>& field) {
     std::vector<float> values;
-    for (int z = 0; z < kSize; ++z)
-      for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) values.push_back(field({x, y, z}));
-    grid_.emplace(GridGeometry::make(glm::ivec3(kSize), glm::dvec3(1.0), glm::dvec3(0.0), glm::dmat3(1.0)),
+    for (int z = 0; z < kHitSize; ++z)
+      for (int y = 0; y < kHitSize; ++y)
+        for (int x = 0; x < kHitSize; ++x) values.push_back(field({x, y, z}));
+    grid_.emplace(GridGeometry::make(glm::ivec3(kHitSize), glm::dvec3(1.0), glm::dvec3(0.0), glm::dmat3(1.0)),
                   std::move(values));
     blocks_.emplace(*grid_, 4, progress_);
   }

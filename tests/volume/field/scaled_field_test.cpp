@@ -41,7 +41,7 @@ WorldSample worldSample(const ScaledField& field, const Grid& grid, dvec3 voxel)
   return {s.value, worldGradient(grid.geometry(), s.gradient), worldHessian(grid.geometry(), s.hessian)};
 }
 
-dvec3 toWorld(const GridGeometry& geometry, dvec3 voxel) {
+dvec3 worldOf(const GridGeometry& geometry, dvec3 voxel) {
   return dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
 }
 
@@ -109,14 +109,14 @@ std::vector<Case> shearedBlobs() {
 // The largest errors of gradient and Hessian, relative to the largest of the smoothed blob.
 void expectBlob(const Case& c, double scale, Field field, double bound) {
   const dvec3 last = dvec3(c.geometry.dims - 1);
-  const Blob blob{toWorld(c.geometry, 0.5 * last + dvec3(0.3, -0.2, 0.1)), c.deviation};
+  const Blob blob{worldOf(c.geometry, 0.5 * last + dvec3(0.3, -0.2, 0.1)), c.deviation};
   const Grid grid = gridOfWorld(c.geometry, blob);
   const ScaledField field_ = scaled(grid, scale, field);
   double gradientOff = 0.0, hessianOff = 0.0, gradientMost = 0.0, hessianMost = 0.0;
   for (std::uint64_t i = 0; i < 3000; ++i) {
     const dvec3 p = randomPoint(i, 0.3 * last, 0.7 * last);
     const WorldSample found = worldSample(field_, grid, p);
-    const WorldSample expected = blob.smoothed(toWorld(c.geometry, p), scale);
+    const WorldSample expected = blob.smoothed(worldOf(c.geometry, p), scale);
     gradientOff = std::max(gradientOff, glm::distance(found.gradient, expected.gradient));
     hessianOff = std::max(hessianOff, largest(found.hessian - expected.hessian));
     gradientMost = std::max(gradientMost, glm::length(expected.gradient));

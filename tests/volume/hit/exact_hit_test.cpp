@@ -24,7 +24,7 @@
 namespace isolux::volume {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBeyond = std::numeric_limits<double>::infinity();
 
 using test::HitTally;
 
@@ -168,7 +168,7 @@ TEST(FirstHit, ConstantVolumesAndThoseWithoutCellsHaveNoSurface) {
   base::Progress progress;
   const Grid constant(GridGeometry::make({9, 9, 9}, glm::dvec3(1)), std::vector<std::uint8_t>(729, 7));
   const MinMaxBlocks blocks(constant, 4, progress);
-  for (const double iso : {6.5, 7.0, 7.5, -kInfinity, kInfinity, std::nan("")})
+  for (const double iso : {6.5, 7.0, 7.5, -kBeyond, kBeyond, std::nan("")})
     EXPECT_FALSE(firstHit(constant, blocks, iso, {-3, 4, 4.5}, {1, 0.1, 0}));
   const Grid flat(GridGeometry::make({9, 1, 9}, glm::dvec3(1)), std::vector<float>(81, 1.0f));
   const MinMaxBlocks none(flat, 8, progress);
@@ -219,9 +219,9 @@ TEST(FirstHit, OddRaysEndWithoutAHit) {
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, nan}));
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {nan, 8, -20}, {0, 0, 1}));
   for (double at = 0.5; at < 15.0; at += 0.7)  // within the volume, in cells of all kinds
-    for (const glm::dvec3& direction : {glm::dvec3(0.0), glm::dvec3(0.0, 0.0, kInfinity), glm::dvec3(nan)})
+    for (const glm::dvec3& direction : {glm::dvec3(0.0), glm::dvec3(0.0, 0.0, kBeyond), glm::dvec3(nan)})
       EXPECT_FALSE(firstHit(grid, blocks, 0.0, glm::dvec3(at), direction)) << at << " " << direction.z;
-  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, kInfinity}));
+  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, kBeyond}));
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, -1}));
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {1e-320, 0, 1}, 5.0, 1.0));
   EXPECT_FALSE(firstHit(grid, blocks, 0.0, {100, 8, 8}, {0, 0, 1}));

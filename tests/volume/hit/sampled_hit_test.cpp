@@ -23,14 +23,14 @@ struct Subject {
   MinMaxBlocks blocks;
 };
 
-struct Tally {
+struct SampledTally {
   int hits = 0, missed = 0, invented = 0;
   double rmsVoxels = 0.0;
 };
 
 // Against exact hits. A sampled hit more than a step behind the exact one has missed it.
-Tally compare(const Subject& subject, const SampledOptions& options, std::uint64_t rays) {
-  Tally tally;
+SampledTally compare(const Subject& subject, const SampledOptions& options, std::uint64_t rays) {
+  SampledTally tally;
   int matched = 0;
   for (std::uint64_t i = 0; i < rays; ++i) {
     const Ray ray = test::randomRay(i, subject.grid.dims());
@@ -61,7 +61,7 @@ TEST(FirstHitSampled, MissesFewerThinSheetsTheDenserItSamples) {
   const Subject sheet("sheet", 32);  // 0.3 voxels thick
   std::vector<int> missed;
   for (const double rate : {0.5, 1.0, 2.0, 4.0, 8.0}) {
-    const Tally tally = compare(sheet, {rate, 8.0, 0.0, 8}, 4000);
+    const SampledTally tally = compare(sheet, {rate, 8.0, 0.0, 8}, 4000);
     EXPECT_EQ(tally.invented, 0) << rate;
     EXPECT_GT(tally.hits, 1500);
     missed.push_back(tally.missed);
@@ -80,7 +80,7 @@ TEST(FirstHitSampled, RefinementComesNearTheExactHit) {
   const Subject gyroid("gyroid", 48);
   double before = 1.0;
   for (const int refinements : {0, 1, 2, 4, 8}) {
-    const Tally tally = compare(gyroid, {4.0, 1.0, 0.0, refinements}, 4000);
+    const SampledTally tally = compare(gyroid, {4.0, 1.0, 0.0, refinements}, 4000);
     EXPECT_EQ(tally.invented, 0);
     EXPECT_LT(tally.missed, tally.hits / 50);
     EXPECT_LT(tally.rmsVoxels, before);

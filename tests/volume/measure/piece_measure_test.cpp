@@ -13,12 +13,12 @@
 namespace isolux::test {
 namespace {
 
-struct Measured {
+struct MeasuredPieces {
   volume::PieceMeasures pieces;
   volume::SurfaceMeasure whole;
 };
 
-Measured measured(volume::Grid of, double isovalue, const std::vector<bool>& shown = {}) {
+MeasuredPieces measured(volume::Grid of, double isovalue, const std::vector<bool>& shown = {}) {
   base::Progress progress;
   const auto grid = std::make_shared<const volume::Grid>(std::move(of));
   const volume::MinMaxBlocks blocks(*grid, 8, progress);
@@ -37,7 +37,7 @@ volume::Grid threeBalls() {
 }
 
 TEST(PieceMeasureTest, BallsHaveTheirSizes) {
-  const Measured balls = measured(threeBalls(), 0.0);
+  const MeasuredPieces balls = measured(threeBalls(), 0.0);
   ASSERT_EQ(balls.pieces.pieces.size(), 3u);
   const double radii[] = {9.0, 6.0, 4.0}, middles[] = {30.1, 9.3, 52.2};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -53,14 +53,14 @@ TEST(PieceMeasureTest, BallsHaveTheirSizes) {
 }
 
 TEST(PieceMeasureTest, OnlyShownOnesCount) {
-  const Measured balls = measured(threeBalls(), 0.0, {false, true, false});
+  const MeasuredPieces balls = measured(threeBalls(), 0.0, {false, true, false});
   EXPECT_NEAR(balls.pieces.whole.volumeMm3.value, balls.pieces.pieces[1].surface.volumeMm3.value, 1e-9);
 }
 
 // Noise has cells of every kind, among them some that hold several pieces.
 TEST(PieceMeasureTest, PiecesAddUp) {
   for (const double isovalue : {0.0, 0.8}) {
-    const Measured noise = measured(
+    const MeasuredPieces noise = measured(
         gridOfVoxels(unitGeometry({15, 12, 13}),
                      [](glm::dvec3 p) { return std::sin(131.0 * p.x + 17.0 * p.y * p.y + 7.3 * p.z * p.x); }),
         isovalue);

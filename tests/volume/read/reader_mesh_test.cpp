@@ -88,7 +88,7 @@ TEST(ReaderMesh, PolyDataStripsAndEncodings) {
   EXPECT_NEAR(v.grid->maximum(), 1.5, 0.25);
 }
 
-struct Broken {
+struct BrokenMesh {
   const char* what;
   const char* name;
   std::string content;
@@ -120,7 +120,7 @@ TEST(ReaderMesh, BrokenFilesAreRefusedWithOneLine) {
   cutStl.resize(cutStl.size() - 10);
   std::string hugeStl(84, '\0');
   hugeStl.replace(80, 4, "\xff\xff\xff\xff");
-  const Broken cases[] = {
+  const BrokenMesh cases[] = {
       {"no faces", "a.obj", points, "no triangles"},
       {"index too large", "b.obj", points + "f 1 2 4\n", "line 4"},
       {"index far too large", "b2.obj", points + "f 1 2 99999999999\n", "names point"},
@@ -160,7 +160,7 @@ TEST(ReaderMesh, BrokenFilesAreRefusedWithOneLine) {
       {"vtp cut", "f.vtp", vtp("3", "0 1 2", "3").substr(0, 200), ""},
       {"vtp no piece", "g.vtp", "<VTKFile type=\"PolyData\"></VTKFile>", "Piece"},
   };
-  for (const Broken& c : cases) {
+  for (const BrokenMesh& c : cases) {
     SCOPED_TRACE(c.what);
     test::writeFile(folder / c.name, c.content);
     test::expectError(folder / c.name, c.reason, coarse());

@@ -9,22 +9,22 @@ namespace {
 using scene::WorldAxes;
 using test::writeFile;
 
-const std::string voxels = test::bytesOf(test::ramp<std::uint8_t>(8));
+const std::string voxelBytes = test::bytesOf(test::ramp<std::uint8_t>(8));
 
 std::string metaImage(const std::string& fields) {
   return "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\n" + fields +
-         "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + voxels;
+         "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + voxelBytes;
 }
 
 std::string nrrd(const std::string& fields) {
-  return "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n" + fields + "\n" + voxels;
+  return "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n" + fields + "\n" + voxelBytes;
 }
 
 std::string nifti(int sform, int qform) {
   test::NiftiFile file;
   file.sformCode = sform;
   file.qformCode = qform;
-  file.voxels = voxels;
+  file.voxels = voxelBytes;
   return file.bytes();
 }
 
@@ -59,7 +59,7 @@ TEST(Orientation, OnlyWhatTheFileStatesIsAnatomical) {
       {"legacy.vtk",
        "# vtk DataFile Version 3.0\nt\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nORIGIN 0 0 0\n"
        "SPACING 1 1 1\nPOINT_DATA 8\nSCALARS v unsigned_char 1\nLOOKUP_TABLE default\n" +
-           voxels + "\n",
+           voxelBytes + "\n",
        WorldAxes::zUp},
       {"mesh.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
        WorldAxes::yUp},
@@ -74,7 +74,7 @@ TEST(Orientation, OnlyWhatTheFileStatesIsAnatomical) {
     EXPECT_EQ(read.axes, entry.axes);
     EXPECT_EQ(test::warns(read, "do not agree"), std::string(entry.file) == "contradiction.mha");
   }
-  writeFile(folder / "v.raw", voxels);
+  writeFile(folder / "v.raw", voxelBytes);
   volume::ReadOptions raw;
   raw.raw = "2x2x2 uint8";
   EXPECT_EQ(test::readFile(folder / "v.raw", raw).axes, WorldAxes::zUp);

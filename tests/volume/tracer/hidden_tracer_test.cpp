@@ -11,11 +11,11 @@
 namespace isolux::volume {
 namespace {
 
-constexpr std::uint64_t kRays = 60000;
+constexpr std::uint64_t kHiddenRays = 60000;
 
 std::vector<TraceRay> raysOf(glm::ivec3 dims, std::initializer_list<float> isovalues) {
   std::vector<TraceRay> rays;
-  for (std::uint64_t i = 0; i < kRays; ++i) {
+  for (std::uint64_t i = 0; i < kHiddenRays; ++i) {
     const Ray ray = test::randomRay(i, dims);
     rays.push_back(
         {glm::vec3(ray.origin), glm::vec3(ray.direction), isovalues.begin()[i % isovalues.size()]});
