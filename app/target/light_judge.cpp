@@ -78,6 +78,10 @@ void LightJudge::draw(const scene::Scene& scene, base::Progress& progress) {
   base::Progress inner;  // a bake's own fraction is not the search's
   const std::stop_callback stop(progress.token(), [&inner] { inner.requestStop(); });
   lightPicture(controller_, renderer_, scene, whole, volume_, inner);
+  if (whole.supersampling > 1) {  // which casts no ray through a pixel's centre, where light is judged
+    whole.supersampling = 1;
+    lightPicture(controller_, renderer_, scene, whole, volume_, inner);
+  }
   std::vector<std::vector<float>> drawn =
       drawnImages(renderer_, litScene(scene, whole), size_, whole.aovs, progress);
   const std::vector<float> depthMm = std::move(drawn[0]);
