@@ -26,6 +26,10 @@ std::vector<Setting> makeSettings() {
                    "Which component of a file with several per voxel; -1 is their magnitude."));
   add(entry<Scene>("source.time_step", ISOLUX_MEMBER(source.timeStep), {0, 1e6}, "",
                    "Which time step of a file with several."));
+  add(entry<Scene>(
+      "source.level", ISOLUX_MEMBER(source.level), {0, 16}, "",
+      "How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as "
+      "many along each axis, from the file where it has them."));
   add(entry<Scene>("source.mesh_voxels", ISOLUX_MEMBER(source.meshVoxels), {16, 1024}, "voxels",
                    "How finely a triangle mesh becomes a distance field: voxels along its longest axis."));
   add(choiceEntry<Scene>("source.csg", ISOLUX_MEMBER(source.csg),

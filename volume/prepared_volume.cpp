@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "volume/bricks/brick_source.h"
+#include "volume/bricks/coarse_level.h"
 #include "volume/bricks/index_file.h"
 #include "volume/bricks/open_chunked.h"
 #include "volume/mesh/csg.h"
@@ -111,6 +112,20 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
   }
 }
 
+// Who hears that a volume is too large for memory hears which level of it is not.
+Volume readWhole(const scene::Source& source, const ReadOptions& options, base::Progress& progress) {
+  try {
+    return readVolume(source.path, options, progress);
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::memory) throw;
+    const int level = levelThatFits(source, progress);
+    if (level == 0) throw;
+    throw base::Error(
+        error.kind(), error.file(), error.place(),
+        error.reason() + "; source.level=" + std::to_string(level) + " reads a coarser level that fits");
+  }
+}
+
 // The volume of a source, and the second one's isovalue where there is one.
 CsgResult readSource(const scene::Source& source, base::Progress& progress) {
   ReadOptions options = readOptions(source);
@@ -120,7 +135,7 @@ CsgResult readSource(const scene::Source& source, base::Progress& progress) {
   if (combines && source.csg == scene::Csg::unite)
     options.alsoHold = meshBounds(source.csgPath, second, progress);
   CsgResult result;
-  result.volume = readVolume(source.path, options, progress);
+  result.volume = source.level > 0 ? readLevel(source, progress) : readWhole(source, options, progress);
   if (source.csg != scene::Csg::none && !combines)
     result.volume.warnings.emplace_back("source.csg_path is empty: there is no second volume to combine");
   if (!combines) return result;
@@ -263,7 +278,11 @@ std::size_t wholeBytes(const ChunkedFacts& facts) {
 // Null: its voxels are read whole.
 std::shared_ptr<const ChunkedVolume> fileToStayIn(const scene::Source& source, scene::VoxelPlace place,
                                                   base::Progress& progress) {
-  if (place == scene::VoxelPlace::memory) return nullptr;
+  if (place == scene::VoxelPlace::memory || (source.level > 0 && place == scene::VoxelPlace::automatic))
+    return nullptr;
+  if (source.level > 0)
+    throw base::Error(base::ErrorKind::usage, source.path, "memory.voxels=file",
+                      "is of level 0 alone, and source.level is " + std::to_string(source.level));
   std::string reason;
   const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
   if (place == scene::VoxelPlace::file && !file)

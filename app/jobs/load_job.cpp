@@ -3,6 +3,8 @@
 #include <new>
 #include <utility>
 
+#include "volume/bricks/coarse_level.h"
+
 namespace isolux::app {
 
 namespace {
@@ -31,9 +33,18 @@ LoadJob::~LoadJob() {
   work_->progress.requestStop();
 }
 
+scene::Source LoadJob::loaded() const {
+  scene::Source source = work_->source;
+  source.level = work_->level;
+  return source;
+}
+
 void LoadJob::run(Work& work) {
   try {
-    work.volume = freedElsewhere(volume::loadVolume(work.source, work.progress));
+    scene::Source source = work.source;
+    if (source.level == 0) source.level = volume::levelThatFits(source, work.progress);
+    work.level = source.level;
+    work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
   } catch (const base::Error& error) {
     work.error = error;
   } catch (const std::bad_alloc&) {

@@ -18,16 +18,19 @@ class LoadJob {
   explicit LoadJob(scene::Source source);  // starts at once
   ~LoadJob();                              // stops
 
-  const scene::Source& source() const { return work_->source; }
+  const scene::Source& source() const { return work_->source; }  // as it was asked for
   base::Progress& progress() { return work_->progress; }
   bool finished() const { return work_->finished.load(std::memory_order_acquire); }
-  // After finished(): the volume, or the error.
+  // After finished(): the volume, or the error; what was loaded is the finest level that fits into memory
+  // (source.level), where none was asked for.
+  scene::Source loaded() const;
   std::shared_ptr<const volume::PreparedVolume> volume() const { return work_->volume; }
   const std::optional<base::Error>& error() const { return work_->error; }
 
  private:
   struct Work {
     scene::Source source;
+    int level = 0;
     base::Progress progress;
     std::atomic<bool> finished{false};
     std::shared_ptr<const volume::PreparedVolume> volume;

@@ -1689,6 +1689,10 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>The recording stopped: %1. What was recorded until then is kept.</source>
         <translation>Die Aufzeichnung endete: %1. Was bis dahin aufgezeichnet war, bleibt erhalten.</translation>
     </message>
+    <message>
+        <source>Coarser level</source>
+        <translation>Gröbere Stufe</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::DocumentKeeper</name>
@@ -2669,6 +2673,10 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     <message>
         <source>Presets start at the right place for a CT or an MR; Ctrl+F finds every setting; F1 lists mouse and keys. Everything you do can be undone.</source>
         <translation>Vorlagen beginnen für CT oder MR an der richtigen Stelle; Strg+F findet jede Option; F1 zeigt Maus und Tasten. Alles lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Overview: level %1</source>
+        <translation>Übersicht: Stufe %1</translation>
     </message>
 </context>
 <context>
@@ -4108,6 +4116,18 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>About the volume</source>
         <translation>Über das Volumen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Choose level</source>
+        <translation>Stufe wählen</translation>
+    </message>
+    <message>
+        <source>0 is the voxels of the file; each further level has the means of twice as many along each axis</source>
+        <translation>0 sind die Voxel der Datei; jede weitere Stufe hat die Mittel von doppelt so vielen je Achse</translation>
     </message>
 </context>
 <context>
@@ -5703,6 +5723,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>What the surface is called in lists and at its line on the histogram.</source>
         <translation>Wie die Fläche in Listen und an ihrer Linie im Histogramm heißt.</translation>
+    </message>
+    <message>
+        <source>How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as many along each axis, from the file where it has them.</source>
+        <translation>Wie grob eine große Datei gelesen wird: 0 sind ihre eigenen Voxel, jede weitere Stufe die Mittel von doppelt so vielen je Achse, aus der Datei, wo sie diese hat.</translation>
     </message>
 </context>
 <context>

@@ -70,8 +70,8 @@ TEST(Settings, CoversEveryMemberOfScene) {
   const Scene scene;
   const auto& [source, isosurface, extraIsosurfaces, pieces, clip, slice, marks, hit, derivatives, edge,
                colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
-  [[maybe_unused]] const auto& [path, raw, series, component, timeStep, meshVoxels, csg, csgPath, csgValue] =
-      source;
+  [[maybe_unused]] const auto& [path, raw, series, component, timeStep, volumeLevel, meshVoxels, csg, csgPath,
+                                csgValue] = source;
   [[maybe_unused]] const auto& [name, value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
                                 opacity, facing, layers, clipped, ghost, ghostOpacity] = isosurface;
   [[maybe_unused]] const auto& [shown, name2, value2, albedo2, opacity2, facing2, clipped2] =
@@ -104,7 +104,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
                                 isovalue, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            9u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 9);
+            10u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 9);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

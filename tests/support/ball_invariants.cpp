@@ -47,7 +47,8 @@ BallCurvature ballCurvature(const volume::Grid& grid, double isovalue, glm::dvec
   const double r = radiusVoxels, mm = grid.geometry().spacingMm().x;
   const InsideMoments inside = momentsOf(grid, isovalue, voxel, r);
   BallCurvature out;
-  out.mean = 4.0 / (std::numbers::pi * std::pow(r, 4)) * (2.0 * std::numbers::pi / 3.0 * std::pow(r, 3) - inside.volume) / mm;
+  out.mean = 4.0 / (std::numbers::pi * std::pow(r, 4)) *
+             (2.0 * std::numbers::pi / 3.0 * std::pow(r, 3) - inside.volume) / mm;
   const glm::dvec3 barycentre = inside.first / inside.volume, n = glm::normalize(barycentre);
   const glm::dmat3 about = inside.second - inside.volume * glm::outerProduct(barycentre, barycentre);
   // In the tangent plane: a 2x2 matrix.

@@ -216,9 +216,10 @@ void Document::finishLoading() {
   }
   const scene::Scene before = scene();
   const VolumePointer volume = job->volume();
-  const scene::Source shownSource = std::exchange(loadedSource_, job->source());
+  const scene::Source shownSource = std::exchange(loadedSource_, job->loaded());
   QString name = tr("Open %1").arg(shortName(loadedSource_.path));
   if (after_ == After::replaceDocument) {
+    pendingScene_.source.level = loadedSource_.level;
     completePending(*volume);
     replaceDocument();
   } else if (after_ == After::restoreDocument) {
@@ -226,6 +227,11 @@ void Document::finishLoading() {
   } else if (after_ == After::editSource) {
     changeSource(*volume);
     name = pendingName_;
+  }
+  if (scene().source.level != loadedSource_.level) {  // less fits into memory than when this was saved
+    scene::Scene next = scene();
+    next.source.level = loadedSource_.level;
+    history_.edit(next, tr("Coarser level").toStdString());
   }
   volume_ = volume;
   ahead_.moved(shownSource, loadedSource_, *volume);

@@ -88,11 +88,16 @@ VolumePanel::VolumePanel(QWidget* parent)
   timeLayout->setContentsMargins(0, 0, 0, 0);
   timeLayout->addWidget(timeSlider_, 1);
   timeLayout->addWidget(timeStep_);
+  level_ = new QSpinBox(choiceBox_);
+  level_->setKeyboardTracking(false);
+  level_->setToolTip(
+      tr("0 is the voxels of the file; each further level has the means of twice as many along each axis"));
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   choices_->setContentsMargins(0, 0, 0, 8);
   choices_->addRow(tr("Series"), series_);
   choices_->addRow(tr("Component"), component_);
   choices_->addRow(tr("Time step"), timeRow_);
+  choices_->addRow(tr("Level"), level_);
   choiceBox_->setLayout(choices_);
 
   source_ = new SourcePanel(this);
@@ -138,6 +143,11 @@ VolumePanel::VolumePanel(QWidget* parent)
     Q_EMIT edited(edit);
   });
   connect(timeSlider_, &QSlider::valueChanged, timeStep_, &QSpinBox::setValue);
+  connect(level_, &QSpinBox::valueChanged, this, [this](int level) {
+    Edit edit{scene_, tr("Choose level"), {}, false};
+    edit.scene.source.level = level;
+    Q_EMIT edited(edit);
+  });
 }
 
 WrappedText* VolumePanel::addRow(const QString& name) {
@@ -238,12 +248,14 @@ void VolumePanel::showFacts() {
 
 void VolumePanel::showChoices() {
   const QSignalBlocker blockSeries(series_), blockComponent(component_), blockTime(timeStep_),
-      blockSlider(timeSlider_);
+      blockSlider(timeSlider_), blockLevel(level_);
   series_->clear();
   component_->clear();
   const bool severalSeries = volume_ && volume_->volume.seriesChoices.size() > 1;
   const bool severalComponents = volume_ && volume_->volume.components > 1;
   const bool severalSteps = volume_ && volume_->volume.timeSteps > 1;
+  const bool coarse =
+      volume_ && scene_.source.level > 0;  // of a file that may have no more levels nothing is said
   if (severalSeries) {
     for (const std::string& choice : volume_->volume.seriesChoices) {  // "UID<TAB>description, N slices"
       const QString entry = QString::fromStdString(choice);
@@ -264,10 +276,13 @@ void VolumePanel::showChoices() {
     timeSlider_->setRange(0, volume_->volume.timeSteps - 1);
     timeSlider_->setValue(scene_.source.timeStep);
   }
+  level_->setRange(0, volume_ ? volume_->volume.coarsestLevel : 0);
+  level_->setValue(scene_.source.level);
   choices_->setRowVisible(series_, severalSeries);
   choices_->setRowVisible(component_, severalComponents);
   choices_->setRowVisible(timeRow_, severalSteps);
-  choiceBox_->setVisible(severalSeries || severalComponents || severalSteps);
+  choices_->setRowVisible(level_, coarse);
+  choiceBox_->setVisible(severalSeries || severalComponents || severalSteps || coarse);
 }
 
 }  // namespace isolux::ui

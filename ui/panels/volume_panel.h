@@ -25,6 +25,7 @@ class VolumePanel : public Panel {
   QComboBox* seriesChoice() const { return series_; }
   QComboBox* componentChoice() const { return component_; }
   QSpinBox* timeStepChoice() const { return timeStep_; }
+  QSpinBox* levelChoice() const { return level_; }
   QSlider* timeSlider() const { return timeSlider_; }
   SourcePanel* sourcePanel() const { return source_; }
   QString warnings() const;
@@ -43,6 +44,7 @@ class VolumePanel : public Panel {
   QWidget* choiceBox_;
   QComboBox *series_, *component_;
   QSpinBox* timeStep_;
+  QSpinBox* level_;
   QSlider* timeSlider_;  // the same, where it is let go
   QWidget* timeRow_;
   SourcePanel* source_;

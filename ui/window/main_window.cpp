@@ -82,6 +82,7 @@ MainWindow::MainWindow(QWidget* parent)
           this, [this](const QString& folder, const QString& series) { openSeries(folder, series); })),
       recentPictures_(new RecentPictures(viewport_)),
       pointedLabel_(new QLabel(this)),
+      coarseLabel_(new QLabel(this)),
       recordingLabel_(new QLabel(this)),
       pictureDot_(new PictureDot(this)) {
   setAcceptDrops(true);
@@ -138,12 +139,15 @@ void MainWindow::makePanels() {
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDocumentMode(true);
 
+  setInk(coarseLabel_, Ink::warning);
+  coarseLabel_->setContentsMargins(10, 0, 10, 0);
   setInk(recordingLabel_, Ink::error);
   recordingLabel_->setContentsMargins(10, 0, 10, 0);
   pointedLabel_->setContentsMargins(10, 0, 0, 0);
   statusBar()->addWidget(pointedLabel_, 1);
   // The text under the pointer gives way, so that the window can be as narrow as before.
   pointedLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  statusBar()->addPermanentWidget(coarseLabel_);
   statusBar()->addPermanentWidget(lightStatus_);
   statusBar()->addPermanentWidget(recordingLabel_);
   statusBar()->addPermanentWidget(pictureDot_);
@@ -327,6 +331,10 @@ void MainWindow::showState() {
   copyCommand_->setEnabled(loaded);
   copyPicture_->setEnabled(loaded);
   mesh_->setEnabled(loaded);
+  const int level = loaded ? document_->scene().source.level : 0;
+  coarseLabel_->setText(level > 0 ? tr("Overview: level %1").arg(level) : "");
+  coarseLabel_->setToolTip(level > 0 ? QString::fromStdString(document_->volume()->volume.warnings.front())
+                                     : "");
   const bool recording = document_->recording();
   record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);

@@ -91,6 +91,7 @@ class MainWindow : public QMainWindow {
   LoadCard* loadCard() const { return loadCard_; }
   BakedLight* light() const { return light_; }
   LightStatus* lightStatus() const { return lightStatus_; }
+  QLabel* coarseLabel() const { return coarseLabel_; }  // empty where the file's own voxels are shown
 
   QMenu* presetsMenu() const { return presetsMenu_; }
   // A shell command that draws the picture as it is saved; empty without a volume.
@@ -235,7 +236,7 @@ class MainWindow : public QMainWindow {
   bool follows_ = false;      // takes over a camera now
   RecentFile shownFile_;      // what is open, as the recent files have it
   QString pointedText_;       // without the piece
-  QLabel *pointedLabel_, *recordingLabel_;
+  QLabel *pointedLabel_, *coarseLabel_, *recordingLabel_;
   PictureDot* pictureDot_;
   QPointer<Tour> tour_;
   QPointer<TourCard> greeting_;

@@ -194,9 +194,11 @@ TEST(Session, OfBeforeScalesKeepsItsDerivatives) {
 }
 
 TEST(Session, RefusesBadVersion1WithThePath) {
-  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": {"camera.fow": 3}})"), HasSubstr("camera.fow"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": {"camera.fow": 3}})"),
+              HasSubstr("camera.fow"));
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": {"fov": 3}})"), HasSubstr("settings.fov"));
-  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": {"a.b.c": 3}})"), HasSubstr("settings.a.b.c"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": {"a.b.c": 3}})"),
+              HasSubstr("settings.a.b.c"));
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "settings": []})"), HasSubstr("settings"));
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "scene": {}})"), HasSubstr("scene: unknown key"));
 }
@@ -239,7 +241,8 @@ TEST(Session, WhatIsNoSessionSaysSo) {
   EXPECT_THAT(sessionRefusal("[]"), HasSubstr("not a session"));
   EXPECT_THAT(sessionRefusal("{}"), HasSubstr("isolux_session"));
   for (const char* version : {"0", "-1", "1.5", "\"2\"", "null", "true"})
-    EXPECT_THAT(sessionRefusal(std::string("{\"isolux_session\": ") + version + "}"), HasSubstr("version must be"));
+    EXPECT_THAT(sessionRefusal(std::string("{\"isolux_session\": ") + version + "}"),
+                HasSubstr("version must be"));
   EXPECT_THAT(sessionRefusal("{\"isolux_session\": 2, \"scene\": {\"source\": {\"path\": \"\xff\"}}}"),
               HasSubstr("byte"));
   const std::string deep(300000, '[');
@@ -345,8 +348,10 @@ TEST(Session, AnotherVolumeOfTheSameNameBesideThePictureIsNotTaken) {
 
 TEST(Session, PlacesThatAreNoneAreRefused) {
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "places": 7})"), HasSubstr("places"));
-  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "places": {"source.path": 7}})"), HasSubstr("source.path"));
-  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "places": {"camera.fov": "a"}})"), HasSubstr("camera.fov"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "places": {"source.path": 7}})"),
+              HasSubstr("source.path"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 3, "places": {"camera.fov": "a"}})"),
+              HasSubstr("camera.fov"));
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "places": {}})"), HasSubstr("places"));
 }
 

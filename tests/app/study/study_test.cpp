@@ -50,11 +50,11 @@ TEST(StudyErrors, MissedAndInventedPixelsAreTold) {
   view.add(background, noNumber);
   view.add(surface, 100.0f);
   view.add(surface, noNumber);        // missed
-  view.add(surface, 103.0f);     // the crossing behind: missed
-  view.add(surface, 101.6f);     // nearer to the one behind: missed
-  view.add(surface, 101.4f);     // the first, badly
-  view.add(surface, 95.0f);      // 2.5 voxels in front: invented
-  view.add(background, 50.0f);   // invented
+  view.add(surface, 103.0f);          // the crossing behind: missed
+  view.add(surface, 101.6f);          // nearer to the one behind: missed
+  view.add(surface, 101.4f);          // the first, badly
+  view.add(surface, 95.0f);           // 2.5 voxels in front: invented
+  view.add(background, 50.0f);        // invented
   view.add(surface, noNumber, true);  // undecided
   view.add(background, 1.0f, true);
   const Errors errors = view.errors();

@@ -150,7 +150,8 @@ TEST_F(BakeMerge, MixedArithmeticIsSaid) {
 // A file whose name lies about its part: two have the same texels.
 TEST_F(BakeMerge, TexelsOfTwoPartsAreFound) {
   write("part1", 1, 2);
-  StoredLight light{baked(kGreyTransfer, kSkyKey, {1, 2}, 16), baked(kColourIrradiance, kMergeLampsKey, {1, 2}, 16)};
+  StoredLight light{baked(kGreyTransfer, kSkyKey, {1, 2}, 16),
+                    baked(kColourIrradiance, kMergeLampsKey, {1, 2}, 16)};
   light.facts = {"fma", BakedPart{{2, 2}, 16, "full", true}};
   writeBakeFile(at("part2"), grid_, light, progress_);
   EXPECT_THAT(refusal({"part1", "part2"}), HasSubstr("has texels of another part"));

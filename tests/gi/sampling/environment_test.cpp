@@ -277,7 +277,8 @@ TEST(Environment, IrradianceByBothSamplingsIsThatOfQuadrature) {
     for (int i = 0; i < 100000; ++i) {
       const Environment::Sample s = environment.sample(point(i));
       byLight.add(brightness(s.radiance) * std::max(0.0f, glm::dot(glm::vec3(normal), s.direction)) / s.pdf);
-      byCosine.add(pi * brightness(environment.radiance(frame.toWorld(cosineHemisphere(point(i + 1000000))))));
+      byCosine.add(pi *
+                   brightness(environment.radiance(frame.toWorld(cosineHemisphere(point(i + 1000000))))));
     }
     EXPECT_LT(std::abs(byLight.z(brightness(expected))), 4.5) << name;
     // A sun that no cosine direction meets has an empirical variance without meaning.

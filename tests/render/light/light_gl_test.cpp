@@ -304,7 +304,8 @@ TEST_F(LightGlTest, LampsWithoutShadowsAreTheirFormulas) {
         const glm::dvec3 x = world * glm::dvec4(voxel, 1.0);
         const glm::dvec3 a = point.positionMm - x, b = sphere.positionMm - x;
         glm::dvec3 e = point.power * std::max(glm::dot(n, a), 0.0) / std::pow(glm::length(a), 3.0);
-        e += sphere.power * std::numbers::pi * 25.0 * std::max(glm::dot(n, b), 0.0) / std::pow(glm::length(b), 3.0);
+        e += sphere.power * std::numbers::pi * 25.0 * std::max(glm::dot(n, b), 0.0) /
+             std::pow(glm::length(b), 3.0);
         return e + sun.power * std::max(glm::dot(n, sun.toward), 0.0);
       },
       1e-3, 1e-4);
@@ -457,7 +458,8 @@ TEST_F(LightGlTest, WhatDoesNotFitIsLocalAndReported) {
   const auto lattice = emptyLattice(dimsOf(volume), 2.0);
   writeAll(*lattice, [](glm::ivec3) { return constant(glm::vec3(1.0f)); });
   auto light = pictureLight(lattice);
-  light->irradianceSh[0] = glm::vec3(static_cast<float>(std::sqrt(4.0 * std::numbers::pi)));  // E = 1, as it is stored
+  light->irradianceSh[0] =
+      glm::vec3(static_cast<float>(std::sqrt(4.0 * std::numbers::pi)));  // E = 1, as it is stored
   const Settings small = with(kHalf, {"memory.gpu_budget_mb=64", "memory.layout=whole"});
   draw(volume, light, small);
   EXPECT_GT(report_.light.withoutRoom, 0u);
@@ -587,8 +589,9 @@ TEST_F(LightGlTest, TransparentSurfacesHaveTheirLight) {
   const auto lattice = emptyLattice(dimsOf(volume), 1.0);
   writeAll(*lattice, [](glm::ivec3) { return constant(glm::vec3(1.0f)); });
   auto light = pictureLight(lattice);
-  light->automaticExposure = static_cast<float>(std::log2(std::numbers::pi));                        // colour = albedo E
-  light->irradianceSh[0] = glm::vec3(0.5f * static_cast<float>(std::sqrt(4.0 * std::numbers::pi)));  // E = 0.5
+  light->automaticExposure = static_cast<float>(std::log2(std::numbers::pi));  // colour = albedo E
+  light->irradianceSh[0] =
+      glm::vec3(0.5f * static_cast<float>(std::sqrt(4.0 * std::numbers::pi)));  // E = 0.5
   draw(volume, light, with(kHalf, {"isosurface.albedo=1,1,1", "isosurface.opacity=0.5"}));
   const render::LinearImage linear = renderer_->readLinear();
   const std::size_t middle = (48 * 96 + 48);

@@ -308,7 +308,8 @@ TEST_P(DerivativesGlTest, CurvatureIsOfTheSurfaceAlone) {
       for (int y = 0; y < kDerivativesSize.y; ++y)
         for (int x = 0; x < kDerivativesSize.x; ++x) {
           const auto i = static_cast<std::size_t>(y * kDerivativesSize.x + x);
-          const auto j = static_cast<std::size_t>(y * kDerivativesSize.x + (flipped ? kDerivativesSize.x - 1 - x : x));
+          const auto j =
+              static_cast<std::size_t>(y * kDerivativesSize.x + (flipped ? kDerivativesSize.x - 1 - x : x));
           if (before.isHit(i) != after.isHit(j)) ++hitsDiffer;
           if (!before.isHit(i) || !after.isHit(j)) continue;
           ++compared;

@@ -34,9 +34,10 @@ class ExactHitsGlTest : public ExecutorsGlTest {
     const Images seen = images(volume, scene, kExactHitsSize);
     const glm::dmat4 voxelFromWorld = volume->grid().geometry().voxelFromWorld();
     const auto expectedAt = [&](glm::dvec2 pixel) {
-      const glm::dvec2 ndc(2.0 * (pixel.x + 0.5) / kExactHitsSize.x - 1.0, 1.0 - 2.0 * (pixel.y + 0.5) / kExactHitsSize.y);
-      const scene::Ray r =
-          scene::rayThrough(scene::frameOf(scene_.camera), ndc, static_cast<double>(kExactHitsSize.x) / kExactHitsSize.y);
+      const glm::dvec2 ndc(2.0 * (pixel.x + 0.5) / kExactHitsSize.x - 1.0,
+                           1.0 - 2.0 * (pixel.y + 0.5) / kExactHitsSize.y);
+      const scene::Ray r = scene::rayThrough(scene::frameOf(scene_.camera), ndc,
+                                             static_cast<double>(kExactHitsSize.x) / kExactHitsSize.y);
       volume::Ray ray;
       ray.origin = glm::dvec3(voxelFromWorld * glm::dvec4(r.origin, 1.0));
       ray.direction = glm::dmat3(voxelFromWorld) * r.direction;

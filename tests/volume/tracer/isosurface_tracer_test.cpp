@@ -9,6 +9,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
+#include <iostream>
 #include <limits>
 #include <memory>
 #include <span>
@@ -541,6 +543,39 @@ std::string nameOfTarget(const testing::TestParamInfo<TracerTarget>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Targets, IsosurfaceTracerOn, testing::ValuesIn(IsosurfaceTracer::availableTargets()),
                          nameOfTarget);
+
+// What stored light of one kind of arithmetic rests on (docs/clusters.md, "The same bits").
+TEST(IsosurfaceTracer, FusedTargetsGiveTheSameBits) {
+  std::vector<TracerTarget> fused = IsosurfaceTracer::availableTargets();
+  std::erase_if(fused, [](TracerTarget t) { return t != TracerTarget::avx2 && t != TracerTarget::avx512; });
+  if (fused.size() < 2) {
+    std::cout << "this machine has no two of them\n";
+    return;
+  }
+  constexpr int kFusedRays = 500'000;  // of each grid
+  const GridPointer noise = phantom("noise", glm::ivec3(40));
+  const GridPointer grids[] = {noise, quantised<std::int16_t>(*noise, -1024, 3071, 0.5)};
+  for (const GridPointer& grid : grids) {
+    const std::vector<TraceRay> rays = bakeRays(*grid, Inside::above, kFusedRays, 0.1, 7);
+    ASSERT_EQ(rays.size(), std::size_t{kFusedRays});
+    std::vector<glm::vec3> at;
+    for (const TraceRay& ray : rays) at.push_back(ray.origin);
+    base::Progress progress;
+    std::vector<float> first[2];
+    std::vector<glm::vec3> gradients[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+      const IsosurfaceTracer subject(grid, Inside::above, progress, fused[i]);
+      first[i].resize(rays.size());
+      subject.firstEntries(rays, first[i]);
+      gradients[i].resize(at.size());
+      subject.gradients(at, gradients[i]);
+    }
+    EXPECT_EQ(std::memcmp(first[0].data(), first[1].data(), first[0].size() * sizeof(float)), 0);
+    EXPECT_EQ(std::memcmp(gradients[0].data(), gradients[1].data(), at.size() * sizeof(glm::vec3)), 0);
+    EXPECT_GT(std::count_if(first[0].begin(), first[0].end(), [](float t) { return std::isfinite(t); }),
+              100'000);
+  }
+}
 
 TEST(IsosurfaceTracer, ChoosesTheWidestTarget) {
   const GridPointer grid = phantom("ball", {8, 8, 8});

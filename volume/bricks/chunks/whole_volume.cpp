@@ -1,31 +1,13 @@
 // A chunked volume read as a whole.
 #include <cmath>
 
-#include "base/error.h"
+#include "volume/bricks/chunked_header.h"
 #include "volume/bricks/chunks/array_volume.h"
 #include "volume/read/input/payload.h"
 
 namespace isolux::volume {
 
 namespace {
-
-ImageHeader headerOf(const ArrayVolume& volume) {
-  const ChunkedFacts& facts = volume.facts();
-  const GridGeometry& geometry = facts.levels.front().geometry;
-  ImageHeader header;
-  header.format = facts.format;
-  header.type = volume.fileType();
-  header.dims = {geometry.dims.x, geometry.dims.y, geometry.dims.z};
-  header.components = facts.channels;
-  header.timeSteps = facts.times;
-  header.worldFromVoxel = geometry.worldFromVoxel;
-  header.axes = facts.axes;
-  header.unit = facts.unit;
-  header.slope = facts.slope;
-  header.intercept = facts.intercept;
-  header.warnings = facts.warnings;
-  return header;
-}
 
 // The square root of the sum of squares over all channels.
 ArrayVolume::Whole magnitudeOf(const ArrayVolume& volume, int time, base::Progress& progress) {
@@ -50,37 +32,26 @@ ArrayVolume::Whole magnitudeOf(const ArrayVolume& volume, int time, base::Progre
 }
 
 // Two more of the voxels in double precision while a magnitude is made.
-void checkWholeBudget(const ArrayVolume& volume, const ImageHeader& header, const std::string& file,
-                      const ReadOptions& options) {
-  try {
-    checkBudget(header, file, options);
-    if (options.component < 0)
-      checkBudget(header.voxels() * (bytesOf(header.type) + sizeof(double) + sizeof(float)), "the magnitude",
-                  "source.component = 0 needs less", file, options);
-  } catch (const base::Error& error) {
-    const std::size_t levels = volume.facts().levels.size();
-    if (levels < 2 || error.kind() != base::ErrorKind::memory) throw;
-    const glm::ivec3 dims = volume.facts().levels.back().geometry.dims;
-    throw base::Error(error.kind(), error.file(), error.place(),
-                      error.reason() + "; the file has " + std::to_string(levels - 1) +
-                          " coarser levels, the last of " + std::to_string(dims.x) + "x" +
-                          std::to_string(dims.y) + "x" + std::to_string(dims.z) +
-                          " voxels: each is a folder of its own that can be opened");
-  }
+void checkWholeBudget(const ImageHeader& header, const std::string& file, const ReadOptions& options) {
+  checkBudget(header, file, options);
+  if (options.component < 0)
+    checkBudget(header.voxels() * (bytesOf(header.type) + sizeof(double) + sizeof(float)), "the magnitude",
+                "source.component = 0 needs less", file, options);
 }
 
 }  // namespace
 
 Volume wholeVolume(const ArrayVolume& volume, const ReadOptions& options, base::Progress& progress) {
   const std::string& file = volume.facts().name;
-  ImageHeader header = headerOf(volume);
+  const ChunkedFacts& facts = volume.facts();
+  ImageHeader header = chunkedHeader(facts, facts.levels.front().geometry, volume.fileType());
   // How voxels become those of a Grid is decided when all are known: what is said of parts does not hold.
   std::erase_if(header.warnings, [](const std::string& warning) {
     return warning.find("are read as float32") != std::string::npos;
   });
   checkDims(header, file, "dims");
   checkChoices(header, file, options);
-  checkWholeBudget(volume, header, file, options);
+  checkWholeBudget(header, file, options);
   ArrayVolume::Whole whole = options.component < 0
                                  ? magnitudeOf(volume, options.timeStep, progress)
                                  : volume.readWhole({options.timeStep, options.component}, progress);
