@@ -67,9 +67,9 @@ double noise(int x, int y, int z) {
 
 TEST_F(CoarseLevel, VoxelsAreTheMeansOfThoseThatTheyStandFor) {
   const glm::ivec3 dims(37, 22, 19);
-  const auto uint16 = filled<std::uint16_t>(dims, [](int... at) { return 65535.0 * noise(at...); });
-  const auto int16 = filled<std::int16_t>(dims, [](int... at) { return 2000.0 * noise(at...) - 1000.0; });
-  auto floats = filled<float>(dims, [](int... at) { return noise(at...); });
+  const auto uint16 = filled<std::uint16_t>(dims, [](auto... at) { return 65535.0 * noise(at...); });
+  const auto int16 = filled<std::int16_t>(dims, [](auto... at) { return 2000.0 * noise(at...) - 1000.0; });
+  auto floats = filled<float>(dims, [](auto... at) { return noise(at...); });
   const auto index = [&](int x, int y, int z) {
     return static_cast<std::size_t>((z * dims.y + y) * dims.x + x);
   };
