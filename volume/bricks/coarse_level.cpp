@@ -36,7 +36,7 @@ Origin originOf(const ChunkedFacts& facts, int level) {
 }
 
 std::string timesText(glm::dvec3 n) {
-  return base::shortText(n.x, 3) + "x" + base::shortText(n.y, 3) + "x" + base::shortText(n.z, 3);
+  return base::shortText(n.x) + "x" + base::shortText(n.y) + "x" + base::shortText(n.z);
 }
 
 // Voxels of the file's level that are read at a time: whole chunks and whole means, and some megabytes of
@@ -154,7 +154,7 @@ std::string levelNote(const ChunkedFacts& facts, int level) {
   const GridGeometry coarse = levelGeometry(facts, level);
   const glm::dvec3 factor = coarse.spacingMm() / whole.spacingMm(), thin = 2.0 * coarse.spacingMm();
   return "level " + std::to_string(level) + ": each voxel is the mean of " + timesText(factor) +
-         " of the file's " + timesText(glm::dvec3(whole.dims)) + "; what is thinner than " +
+         " of the file's " + timesText(whole.dims) + "; what is thinner than " +
          base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
 }
 

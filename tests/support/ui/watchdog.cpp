@@ -1,19 +1,40 @@
 #include "tests/support/ui/watchdog.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace isolux::test {
+
+namespace {
+
+double processorMilliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+double slownessNow() {
+  constexpr double kQuietMs = 3.1;
+  std::vector<double> taken;
+  for (int run = 0; run < 7; ++run) {
+    const double begin = processorMilliseconds();
+    std::map<std::string, std::vector<int>> objects;
+    for (unsigned i = 0; i < 8000; ++i)
+      objects["an object of a window " + std::to_string(i * 2654435761u)].assign(8, run);
+    objects.clear();
+    taken.push_back(processorMilliseconds() - begin);
+  }
+  std::sort(taken.begin(), taken.end());
+  return std::max(1.0, taken[taken.size() / 2] / kQuietMs);
+}
 
 Watchdog::Watchdog() {
   const QAbstractEventDispatcher* const dispatcher = QAbstractEventDispatcher::instance();
   connect(dispatcher, &QAbstractEventDispatcher::awake, this, &Watchdog::wake);
   connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, &Watchdog::sleep);
-}
-
-double Watchdog::processorMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
 // Nested loops wake within a turn: it goes on.
