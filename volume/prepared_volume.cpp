@@ -113,13 +113,13 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
 }
 
 // Who hears that a volume is too large for memory hears which level of it is not.
-Volume readWhole(const scene::Source& source, const ReadOptions& options, base::Progress& progress) {
+Volume readAsked(const scene::Source& source, const ReadOptions& options, base::Progress& progress) {
   try {
-    return readVolume(source.path, options, progress);
+    return source.level > 0 ? readLevel(source, progress) : readVolume(source.path, options, progress);
   } catch (const base::Error& error) {
     if (error.kind() != base::ErrorKind::memory) throw;
-    const int level = levelThatFits(source, progress);
-    if (level == 0) throw;
+    const int level = levelThatFits(source, progress, source.level + 1);
+    if (level <= source.level) throw;
     throw base::Error(
         error.kind(), error.file(), error.place(),
         error.reason() + "; source.level=" + std::to_string(level) + " reads a coarser level that fits");
@@ -135,7 +135,7 @@ CsgResult readSource(const scene::Source& source, base::Progress& progress) {
   if (combines && source.csg == scene::Csg::unite)
     options.alsoHold = meshBounds(source.csgPath, second, progress);
   CsgResult result;
-  result.volume = source.level > 0 ? readLevel(source, progress) : readWhole(source, options, progress);
+  result.volume = readAsked(source, options, progress);
   if (source.csg != scene::Csg::none && !combines)
     result.volume.warnings.emplace_back("source.csg_path is empty: there is no second volume to combine");
   if (!combines) return result;
@@ -269,12 +269,6 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   return prepared;
 }
 
-// What the voxels of a volume take in memory, with the bounds of boxes that pictures skip space by.
-std::size_t wholeBytes(const ChunkedFacts& facts) {
-  const std::size_t voxels = facts.levels.front().geometry.voxelCount();
-  return voxels * bytesOf(facts.storedType) + voxels / 2;
-}
-
 // Null: its voxels are read whole.
 std::shared_ptr<const ChunkedVolume> fileToStayIn(const scene::Source& source, scene::VoxelPlace place,
                                                   base::Progress& progress) {
@@ -288,7 +282,7 @@ std::shared_ptr<const ChunkedVolume> fileToStayIn(const scene::Source& source, s
   if (place == scene::VoxelPlace::file && !file)
     base::throwInput(source.path, "memory.voxels=file", "cannot be read in parts: " + reason);
   if (!file || place == scene::VoxelPlace::file) return file;
-  return wholeBytes(file->facts()) > base::machineMemory().left() ? file : nullptr;
+  return levelBytes(file->facts(), 0) > base::machineMemory().left() ? file : nullptr;
 }
 
 }  // namespace

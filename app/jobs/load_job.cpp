@@ -20,11 +20,12 @@ std::shared_ptr<const volume::PreparedVolume> freedElsewhere(
 
 }  // namespace
 
-LoadJob::LoadJob(scene::Source source)
+LoadJob::LoadJob(scene::Source source, bool coarser)
     : work_(
           [&] {
             auto work = std::make_shared<Work>();
             work->source = std::move(source);
+            work->coarser = coarser;
             return work;
           }(),
           run) {}
@@ -42,9 +43,20 @@ scene::Source LoadJob::loaded() const {
 void LoadJob::run(Work& work) {
   try {
     scene::Source source = work.source;
-    if (source.level == 0) source.level = volume::levelThatFits(source, work.progress);
-    work.level = source.level;
-    work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
+    const bool mayChoose = work.coarser && source.level == 0;
+    if (mayChoose) source.level = volume::levelThatFits(source, work.progress);
+    const auto load = [&] {
+      work.level = source.level;
+      work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
+    };
+    try {
+      load();
+    } catch (const base::Error& error) {  // it takes more than its header said
+      if (!mayChoose || source.level > 0 || error.kind() != base::ErrorKind::memory) throw;
+      source.level = volume::levelThatFits(source, work.progress, 1);
+      if (source.level == 0) throw;
+      load();
+    }
   } catch (const base::Error& error) {
     work.error = error;
   } catch (const std::bad_alloc&) {

@@ -15,14 +15,15 @@ namespace isolux::app {
 
 class LoadJob {
  public:
-  explicit LoadJob(scene::Source source);  // starts at once
-  ~LoadJob();                              // stops
+  // Starts at once. `coarser`: of a volume that does not fit into memory, and of which no level is asked for,
+  // the finest level that fits (volume/bricks/coarse_level.h).
+  explicit LoadJob(scene::Source source, bool coarser = false);
+  ~LoadJob();  // stops
 
   const scene::Source& source() const { return work_->source; }  // as it was asked for
   base::Progress& progress() { return work_->progress; }
   bool finished() const { return work_->finished.load(std::memory_order_acquire); }
-  // After finished(): the volume, or the error; what was loaded is the finest level that fits into memory
-  // (source.level), where none was asked for.
+  // After finished(): what was loaded, with its level; the volume, or the error.
   scene::Source loaded() const;
   std::shared_ptr<const volume::PreparedVolume> volume() const { return work_->volume; }
   const std::optional<base::Error>& error() const { return work_->error; }
@@ -30,7 +31,8 @@ class LoadJob {
  private:
   struct Work {
     scene::Source source;
-    int level = 0;
+    bool coarser = false;
+    int level = 0;  // that was loaded
     base::Progress progress;
     std::atomic<bool> finished{false};
     std::shared_ptr<const volume::PreparedVolume> volume;

@@ -167,7 +167,9 @@ void Document::startLoading(const scene::Scene& scene, After after) {
   pendingScene_ = scene;
   loadBegin_ = std::chrono::steady_clock::now();
   job_ = ahead_.take(scene.source);
-  if (!job_) job_ = std::make_unique<app::LoadJob>(scene.source);
+  if (!job_)
+    job_ = std::make_unique<app::LoadJob>(scene.source,
+                                          after == After::replaceDocument || after == After::restoreDocument);
   pollTimer_.start();
   Q_EMIT loadStarted(shortName(scene.source.path));
 }

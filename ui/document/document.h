@@ -51,6 +51,7 @@ class Document : public QObject {
   const QString& sessionFile() const { return sessionFile_; }  // empty: not saved yet
   QString name() const;                                        // for the title bar
   // Since the volume's bytes were read; for the time to the first picture.
+  int shownLevel() const { return volume_ ? loadedSource_.level : 0; }  // source.level of volume()
   double secondsSinceRead() const;
 
   // A volume, DICOM folder, "phantom:NAME[:SIZE]", session, or picture that carries a session. Keeps the

@@ -130,6 +130,7 @@ VolumePanel::VolumePanel(QWidget* parent)
   connect(series_, &QComboBox::activated, this, [this] {
     Edit edit{scene_, tr("Choose series"), {}, false};
     edit.scene.source.series = series_->currentData().toString().toStdString();
+    edit.scene.source.level = 0;
     Q_EMIT edited(edit);
   });
   connect(component_, &QComboBox::activated, this, [this] {

@@ -331,10 +331,13 @@ void MainWindow::showState() {
   copyCommand_->setEnabled(loaded);
   copyPicture_->setEnabled(loaded);
   mesh_->setEnabled(loaded);
-  const int level = loaded ? document_->scene().source.level : 0;
+  const int level = document_->shownLevel();
   coarseLabel_->setText(level > 0 ? tr("Overview: level %1").arg(level) : "");
-  coarseLabel_->setToolTip(level > 0 ? QString::fromStdString(document_->volume()->volume.warnings.front())
-                                     : "");
+  const auto tip = [&] {
+    const std::vector<std::string>& notes = document_->volume()->volume.warnings;
+    return level > 0 && !notes.empty() ? QString::fromStdString(notes.front()) : QString();
+  };
+  coarseLabel_->setToolTip(loaded ? tip() : QString());
   const bool recording = document_->recording();
   record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);

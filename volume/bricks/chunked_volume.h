@@ -20,8 +20,9 @@ namespace isolux::volume {
 
 struct ChunkedLevel {
   GridGeometry geometry;
-  glm::ivec3 chunkDims{
-      0};  // voxels that the file keeps together; a part of whole chunks is read without waste
+  // Voxels that the file keeps together; a part of whole chunks is read without waste.
+  glm::ivec3 chunkDims{0};
+  bool cheapParts = false;  // any rows are
 };
 
 // Which volume of a file that has several.
@@ -36,6 +37,7 @@ struct ChunkedFacts {
   std::string unit;    // of values; "" where it says none
   scene::WorldAxes axes = scene::WorldAxes::zUp;
   VoxelType storedType = VoxelType::uint8;  // int8, uint8, int16, uint16 or float32
+  std::size_t wholeVoxelBytes = 0;          // of a voxel while all are read; 0: those of the stored type
   double slope = 1.0, intercept = 0.0;      // value = slope * stored + intercept; finite, slope not 0
   std::vector<ChunkedLevel> levels;         // at least one, the finest first
   int times = 1, channels = 1;

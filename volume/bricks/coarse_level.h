@@ -1,9 +1,10 @@
 // Coarser levels of a volume that can be read in parts: an overview of what does not fit in memory.
 //
 // Level 0 is the file's voxels; level n those of the file's own level n, or, where it has fewer, the means of
-// 2 x 2 x 2 voxels of what is below, as many times as are missing. Means are rounded to the stored type;
-// missing voxels do not count, and a mean of missing voxels alone is missing. At the far borders the last
-// voxels repeat.
+// 2 voxels of what is below along each axis, as many times as are missing; an axis of which fewer than 8
+// voxels would be left stays as it is. Means are rounded to the stored type; missing voxels do not count, and
+// a mean of missing voxels alone is missing. At the far borders the last voxels repeat. Beside a level and
+// the chunks in hand nothing is in memory.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +17,21 @@
 
 namespace isolux::volume {
 
-// Of no axis is less left than 8 voxels that has more in the file.
+// Behind it nothing would change.
 int coarsestLevel(const ChunkedFacts& facts);
 // 0 <= level <= coarsestLevel().
 GridGeometry levelGeometry(const ChunkedFacts& facts, int level);
-// Of a level's voxels in memory, with the bounds of boxes that pictures skip space by.
+// What a level's voxels take in memory while they are read, with the bounds of boxes that pictures skip space
+// by.
 std::size_t levelBytes(const ChunkedFacts& facts, int level);
 
 // What level is missing and what that hides, in a sentence.
 std::string levelNote(const ChunkedFacts& facts, int level);
 
-// The finest level of `source` that fits into what the machine's memory budget has left: 0 where the volume
-// itself does, or where it cannot be read in parts; the coarsest where none fits. Errors of opening it count
-// as 0: whoever reads it is told.
-int levelThatFits(const scene::Source& source, base::Progress& progress);
+// The finest level of `source`, from `finest` on, that fits into what the machine's memory budget has left: 0
+// where the volume itself does, or where it cannot be read in parts; the coarsest where none fits. Errors of
+// opening it count as 0: whoever reads it is told.
+int levelThatFits(const scene::Source& source, base::Progress& progress, int finest = 0);
 
 // `source` at its level, as readVolume(); levelNote() is its first warning. Throws base::Error: usage where
 // it has no such level or cannot be read in parts, memory, input, interrupted.

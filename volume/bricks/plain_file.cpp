@@ -96,6 +96,7 @@ class PlainFile final : public ChunkedVolume {
                            static_cast<int>(header_.dims[2])};
     level.geometry.worldFromVoxel = header_.worldFromVoxel;
     level.chunkDims = {level.geometry.dims.x, 1, 1};
+    level.cheapParts = true;
     facts_.levels = {level};
     facts_.times = static_cast<int>(header_.timeSteps);
     facts_.channels = static_cast<int>(header_.components * header_.slowComponents);

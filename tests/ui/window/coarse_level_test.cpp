@@ -59,6 +59,10 @@ TEST_F(WindowTest, AVolumeThatDoesNotFitIsShownAsAnOverviewThatSaysSo) {
   ASSERT_TRUE(waitUntil([&] { return !document->loading() && document->scene().source.level == 0; }));
   EXPECT_EQ(document->volume()->grid().dims(), glm::ivec3(kLarge));
   EXPECT_EQ(window_->coarseLabel()->text(), "");
+  document->undo();  // the label is that of what is shown
+  EXPECT_EQ(window_->coarseLabel()->text(), "");
+  ASSERT_TRUE(waitUntil([&] { return !document->loading() && document->scene().source.level == 1; }));
+  EXPECT_EQ(window_->coarseLabel()->text(), "Overview: level 1");
 }
 
 }  // namespace

@@ -87,6 +87,19 @@ TEST(Zarr, AMissingChunkHasTheFillValue) {
   EXPECT_THAT(readBox(*zarr.volume, {0, 2, 1}, {1, 2, 2}), testing::ElementsAre(120, 130, 7, 230));
 }
 
+// As a Grid of the whole holds them.
+TEST(Zarr, InfiniteVoxelsAreMissing) {
+  Files files;
+  files[".zarray"] = R"({"zarr_format": 2, "shape": [1, 1, 4], "chunks": [1, 1, 2], "dtype": "<f8",
+    "compressor": null, "fill_value": "Infinity", "order": "C", "filters": null})";
+  files["0.0.0"] = test::bytesOf(std::vector<double>{2.5, -1e300});
+  const OpenedZarr zarr = opened(files);
+  std::vector<float> voxels(4);
+  zarr.volume->read({}, 0, {0, 0, 0}, {4, 1, 1}, std::as_writable_bytes(std::span(voxels)));
+  EXPECT_THAT(voxels, testing::ElementsAre(2.5f, testing::IsNan(), testing::IsNan(), testing::IsNan()));
+  EXPECT_EQ(zarr.volume->facts().wholeVoxelBytes, 12u) << "doubles, and the floats made of them";
+}
+
 TEST(Zarr, DamagedChunksAreNamed) {
   Files files = plainArray();
   files["1.0.0"].resize(47);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <mutex>
+#include <span>
 #include <type_traits>
 
 #include "base/error.h"
@@ -92,7 +95,9 @@ ArrayVolume::ArrayVolume(ChunkedFacts facts, ArrayAxes axes,
                  "its type, axes, time steps or channels are not those of level 0");
     facts_.levels[level].geometry.dims = dimsOf(layout, axes_);
     facts_.levels[level].chunkDims = chunkOf(layout);
+    facts_.levels[level].cheapParts = arrays_[level]->plain();
   }
+  if (facts_.storedType != finest.type) facts_.wholeVoxelBytes = bytesOf(finest.type) + sizeof(float);
   facts_.times = static_cast<int>(along(axes_.time, finest.dims));
   facts_.channels = static_cast<int>(along(axes_.channel, finest.dims));
   if (facts_.storedType != finest.type && finest.type != VoxelType::float32)
@@ -179,7 +184,11 @@ std::size_t ArrayVolume::read(VolumePart part, std::size_t level, glm::ivec3 low
   std::size_t bytes = 0;
   withType(facts_.storedType, [&](auto zero) {
     using To = decltype(zero);
-    bytes = readBox(part, level, box, box, reinterpret_cast<To*>(voxels.data()), nullptr);
+    To* const first = reinterpret_cast<To*>(voxels.data());
+    bytes = readBox(part, level, box, box, first, nullptr);
+    if constexpr (std::is_same_v<To, float>)
+      for (float& voxel : std::span(first, voxels.size() / sizeof(float)))
+        if (!std::isfinite(voxel)) voxel = std::numeric_limits<float>::quiet_NaN();
   });
   return bytes;
 }
