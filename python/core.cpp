@@ -43,7 +43,11 @@ struct Core::Graphics {
     std::unique_ptr<app::LightController> controller;
     bool around = false;
     std::optional<int> threads;
-    std::string file;  // that it has read
+    // The file that it has read, as it was then, and for which light.
+    std::string file;
+    fs::file_time_type time;
+    std::uintmax_t bytes = 0;
+    scene::Scene lit;
   };
   Light pictures, images;
 
@@ -58,6 +62,26 @@ struct Core::Graphics {
     }
     return one;
   }
+  // Reads `file` unless it is what is there already.
+  static void load(Light& light, const std::string& file, scene::Scene lit,
+                   const std::shared_ptr<const volume::PreparedVolume>& volume, base::Progress& progress) {
+    std::error_code ignored;
+    const auto time = fs::last_write_time(file, ignored);
+    const auto bytes = fs::file_size(file, ignored);
+    scene::Scene key = lit;  // light does not depend on these
+    key.camera = {};
+    key.picture = {};
+    key.look = {};
+    key.marks.clear();
+    if (light.file == file && light.time == time && light.bytes == bytes && light.lit == key) return;
+    light.file.clear();  // and stays so where it cannot be read
+    light.controller->setScene(lit, volume);
+    light.controller->load(file, progress);
+    light.file = file;
+    light.time = time;
+    light.bytes = bytes;
+    light.lit = std::move(key);
+  }
 };
 
 Core::Core()
@@ -67,7 +91,8 @@ Core::Core()
 std::shared_ptr<Core> Core::open(const std::string& path, const app::SceneOptions& options,
                                  const py::object& told) {
   const std::shared_ptr<Core> core(new Core);
-  core->path_ = path;
+  std::error_code ignored;  // a later change of folder changes nothing
+  core->path_ = fs::exists(path, ignored) ? fs::absolute(path).string() : path;
   core->desk_.run(
       [core, options](base::Progress& progress) {
         core->source_ = app::sceneOf(core->path_, options).source;
@@ -221,11 +246,10 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
     request.pixelRatio = scene.picture.pixelRatio;
     Graphics::Light& light = own.light(ofImages, wish);
     progress.report(0.0, "drawing");
-    if (!wish.light.empty() && light.file != wish.light) {
-      light.controller->setScene(app::litScene(scene, request), prepared_);
-      light.controller->load(wish.light, progress);
-      light.file = wish.light;
-    }
+    if (wish.light.empty())
+      light.file.clear();
+    else
+      Graphics::load(light, wish.light, app::litScene(scene, request), prepared_, progress);
     app::completeFields(scene, *prepared_, !request.aovs.empty(), progress);
     app::lightPicture(*light.controller, *own.renderer, scene, request, prepared_, progress);
     const scene::Scene shown = request.aovs.empty() ? app::atRest(scene, *prepared_, progress) : scene;
@@ -238,6 +262,7 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
       const app::PictureErrors errors = app::measureErrors(*own.renderer, shown, request, *prepared_,
                                                            progress, {light.controller->light(), prepared_});
       picture->accuracy = app::accuracyOf(errors);
+      if (!request.color) picture->exr = app::channelsOf(drawn.picture.aovs, wanted, errors);
       if (!request.color)
         for (const app::ErrorImage image : wanted.errors)
           for (const app::ErrorImageInfo& info : app::errorImages())
@@ -273,10 +298,13 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
     request.linear = wish.linear;
     render::StillPicture drawn = drawOne(request, false);
     if (wish.linear) picture->linear = std::move(drawn.linear);
-    app::annotate(scene, *prepared_, drawn.report, drawn.color);
-    picture->color = std::move(drawn.color);
+    if (wish.color) {
+      app::annotate(scene, *prepared_, drawn.report, drawn.color);
+      picture->color = std::move(drawn.color);
+    }
   }
   picture->scene = std::move(scene);
+  picture->opened = path_;
   return picture;
 }
 

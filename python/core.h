@@ -35,7 +35,9 @@ struct Picture {
   std::optional<render::LinearImage> linear;
   std::vector<render::AovImage> images;
   std::vector<app::FloatChannel> errors;
-  scene::Scene scene;  // as it was drawn, all that is automatic filled in
+  std::vector<app::FloatChannel> exr;  // all images and errors, where errors were asked for
+  std::string opened;                  // what the volume was opened from; empty: an array
+  scene::Scene scene;                  // as it was drawn, all that is automatic filled in
   std::optional<app::Accuracy> accuracy;
   std::string stats;  // JSON
   std::vector<std::string> notes;

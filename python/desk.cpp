@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -63,7 +64,14 @@ struct Desk::Job {
 Desk::Desk(std::function<void()> leave) : process_(::getpid()) {
   auto jobs = std::make_shared<Jobs>();
   jobs->leave = std::move(leave);
-  thread_ = std::make_unique<base::RetiringThread<Jobs>>(std::move(jobs), [](Jobs& own) { work(own); });
+  thread_ =
+      std::make_unique<base::RetiringThread<Jobs>>(jobs, [here = std::this_thread::get_id()](Jobs& own) {
+        if (std::this_thread::get_id() == here)
+          own.refused = true;
+        else
+          work(own);
+      });
+  if (jobs->refused) throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
 }
 
 Desk::~Desk() {

@@ -46,6 +46,7 @@ class Desk {
     std::deque<std::shared_ptr<Job>> waiting;
     std::shared_ptr<Job> running;
     bool leaving = false;
+    bool refused = false;  // by the system: there is no thread
     std::function<void()> leave;
   };
   static void work(Jobs& jobs);

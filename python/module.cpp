@@ -154,6 +154,9 @@ void save(const Picture& picture, const std::string& name) {
   const fs::path file(name);
   app::OutputGuard guard;
   if (!picture.scene.source.path.empty()) guard.reads(picture.scene);
+  std::error_code ignored;
+  if (fs::is_regular_file(picture.opened, ignored))
+    guard.reads(picture.opened, "what the volume was opened from");
   app::checkOutput(guard, name, "save");
   const std::string session = sessionOf(picture, file.parent_path());
   if (file.extension() == ".png") {
@@ -162,6 +165,8 @@ void save(const Picture& picture, const std::string& name) {
     app::writePng(picture.color, file, session);
   } else if (file.extension() != ".exr") {
     throw Error(ErrorKind::usage, name, "", "the name of a picture must end in .png or .exr");
+  } else if (!picture.exr.empty()) {
+    app::writeExr(picture.size, picture.exr, file, session);
   } else if (!picture.images.empty() || picture.linear) {
     app::writeExr(picture.images.empty() ? &*picture.linear : nullptr, picture.images, file, session);
   } else {
@@ -231,10 +236,17 @@ void definePicture(py::module_& module) {
       .def("images", imagesOf)
       .def_readonly("stats", &Picture::stats)
       .def_readonly("notes", &Picture::notes)
-      .def("session", [](const Picture& picture) { return sessionOf(picture, fs::current_path()); })
-      .def("save", save)
+      .def(
+          "session", [](const Picture& picture) { return sessionOf(picture, fs::current_path()); },
+          py::call_guard<py::gil_scoped_release>())
+      .def("save", save, py::call_guard<py::gil_scoped_release>())
       .def("png", [](const Picture& picture) {
-        return py::bytes(app::pngBytes(picture.color, sessionOf(picture, fs::current_path())));
+        std::string bytes;
+        {
+          const py::gil_scoped_release released;
+          bytes = app::pngBytes(picture.color, sessionOf(picture, fs::current_path()));
+        }
+        return py::bytes(bytes);
       });
 }
 

@@ -36,6 +36,8 @@ def voxels_of(array):
         raise ValueError(f"array: there are no voxels (shape {array.shape})")
     if array.dtype.kind == "b":
         return array.astype(np.uint8)
+    if not array.dtype.isnative:
+        array = array.astype(array.dtype.newbyteorder("="))
     if array.dtype == np.float16:
         return array.astype(np.float32)
     if array.dtype.kind == "f" and array.dtype.itemsize > 8:
@@ -43,9 +45,7 @@ def voxels_of(array):
             narrow = array.astype(np.float64)
         if not np.array_equal(narrow, array, equal_nan=True):
             warn(f"{array.dtype} values were rounded to float64", 4)
-        return narrow
-    if not array.dtype.isnative:
-        array = array.astype(array.dtype.newbyteorder("="))
+        array = narrow
     if array.dtype.itemsize > 2 and array.dtype != np.float32 and _changes(array):
         warn(f"{array.dtype} values are kept as float32: they change by up to one part in 2^23 of their range", 4)
     return array

@@ -27,7 +27,10 @@ def film(pictures, path, fps=24):
                                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
             if frame.shape != size:
                 raise ValueError(f"pictures of a film are of one size, not {size[1]} x {size[0]} and {frame.shape[1]} x {frame.shape[0]}")
-            writer.stdin.write(frame.tobytes())
+            try:
+                writer.stdin.write(frame.tobytes())
+            except BrokenPipeError:  # it has ended, and says why
+                break
         if writer is None:
             raise ValueError("a film needs pictures")
         said = writer.communicate()[1]

@@ -8,6 +8,13 @@ from . import _isolux
 from ._settings import settings
 
 
+def _plain(part):
+    """Of NumPy, for JSON."""
+    if isinstance(part, (np.generic, np.ndarray)):
+        return part.tolist()
+    raise ValueError(f"a setting cannot hold {part!r}")
+
+
 def value_text(value):
     """As it is typed after --set PATH=."""
     if value is None:
@@ -25,13 +32,13 @@ def value_text(value):
     if hasattr(value, "__fspath__"):
         return str(value.__fspath__())
     if isinstance(value, dict):
-        return json.dumps(value)
+        return json.dumps(value, default=_plain)
     try:
         parts = list(value)
     except TypeError:
         raise ValueError(f"a setting cannot be {value!r}") from None
     if any(isinstance(part, (list, tuple, dict, np.ndarray)) for part in parts):
-        return json.dumps([part.tolist() if isinstance(part, np.ndarray) else part for part in parts])
+        return json.dumps(parts, default=_plain)
     return ",".join(value_text(part) for part in parts)
 
 

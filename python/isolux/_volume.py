@@ -278,7 +278,9 @@ def open(path, *, settings=None, raw="", progress=None):  # noqa: A001
 
 def from_nibabel(image, *, progress=None):
     """A volume of an image of nibabel, in its place in the patient (RAS becomes LPS)."""
-    affine = np.asarray(image.affine, dtype=np.float64)
+    affine = np.array(image.affine, dtype=np.float64)
+    units = getattr(image.header, "get_xyzt_units", lambda: ("mm", ""))()[0]
+    affine[:3] *= {"meter": 1000.0, "micron": 0.001}.get(units, 1.0)
     to_lps = np.diag([-1.0, -1.0, 1.0])
     columns = to_lps @ affine[:3, :3]
     spacing = np.linalg.norm(columns, axis=0)

@@ -69,7 +69,7 @@ class Refused(unittest.TestCase):
 class Taken(unittest.TestCase):
     def test_types_keep_their_values(self):
         base = (10 * smooth_field((4, 5, 6))).round()
-        for dtype in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f2", "f4", "f8", "g", ">i2", ">f4", ">f8", ">u8", "?"):
+        for dtype in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f2", "f4", "f8", "g", ">i2", ">f2", ">f4", ">f8", ">u8", "?"):
             array = (base - base.min()).astype(dtype)
             with self.subTest(dtype), warnings.catch_warnings():
                 warnings.simplefilter("error")
@@ -80,6 +80,8 @@ class Taken(unittest.TestCase):
         wide = np.array([0.1, 1e6 + 0.01, 3.3, 7.7, 1e6, 2e6, 5.5, 0.0]).reshape(2, 2, 2)
         with self.assertWarns(isolux.IsoluxWarning):
             isolux.Volume(wide)
+        with self.assertWarnsRegex(isolux.IsoluxWarning, "kept as float32"):
+            isolux.Volume(wide.astype(np.longdouble))
         with self.assertWarnsRegex(isolux.IsoluxWarning, "rounded to float64"):
             isolux.Volume((np.arange(27, dtype=np.longdouble) / 3).reshape(3, 3, 3))
 
@@ -182,6 +184,9 @@ class Axes(unittest.TestCase):
         ras = affine @ [1, 2, 3, 1]
         np.testing.assert_allclose(volume.world([1, 2, 3]), [-ras[0], -ras[1], ras[2]])
         np.testing.assert_allclose(values_of(volume, array.shape), array, rtol=1e-12)
+        image = nibabel.Nifti1Image(array, affine)
+        image.header.set_xyzt_units("micron")
+        np.testing.assert_allclose(isolux.from_nibabel(image).world([1, 2, 3]), volume.world([1, 2, 3]) / 1000)
 
 
 if __name__ == "__main__":

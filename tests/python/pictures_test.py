@@ -166,6 +166,49 @@ class WhatAPictureHas(unittest.TestCase):
         seen = np.isfinite(picture.aov.depth)
         self.assertTrue((picture.aov.error_depth[seen] > 0).all())
 
+    def test_bounds_of_errors_are_in_the_file(self):
+        with temporary_folder() as folder, isolux.open("phantom:ball:24") as volume:
+            ours, theirs = os.path.join(folder, "a.exr"), os.path.join(folder, "b.exr")
+            command("render", "phantom:ball:24", "--out", theirs, "--size", "60x45", "--aov", "depth,error_depth", "--look", "lambert")
+            volume.render(size=(60, 45), look="lambert", aovs=["depth", "error_depth"], image=False).save(ours)
+            self.assertEqual(bytes_of(ours), bytes_of(theirs))
+
+    def test_a_session_stays_what_it_was_when_it_was_opened(self):
+        before = os.getcwd()
+        with temporary_folder() as folder, temporary_folder() as other, isolux.open("phantom:ball:16") as volume:
+            volume.render(isovalue=2, size=(20, 16), look="normal", azimuth=50).save(os.path.join(folder, "a.png"))
+            try:
+                os.chdir(folder)
+                with isolux.open("a.png") as reopened:
+                    picture = reopened.render(size=(20, 16))
+                    os.chdir(other)
+                    np.testing.assert_array_equal(reopened.render(size=(20, 16)).image, picture.image)
+                    with self.assertRaises(ValueError):
+                        picture.save(os.path.join(folder, "a.png"))
+            finally:
+                os.chdir(before)
+
+    def test_numbers_of_numpy_are_numbers(self):
+        plane = np.array([0, 0, 4, 0, 0, 1], dtype=np.float32)
+        for one in ([list(plane)], plane[None], [plane]):
+            self.volume.render(isovalue=0, size=(20, 16), settings={"clip.planes": one})
+        with self.assertRaises(ValueError):
+            self.volume.render(settings={"clip.planes": [[object()]]})
+
+    def test_another_light_is_not_taken_for_that_of_the_file(self):
+        with temporary_folder() as folder, isolux.open("phantom:ball:16") as volume:
+            file = os.path.join(folder, "light.vti")
+            few = {"gi.samples": 4}
+            volume.bake(file, environment="studio", settings=few)
+            words = {"look": "gi", "size": (20, 16), "light": file}
+            first = volume.render(environment="studio", settings=few, **words)
+            with self.assertRaises(OSError):
+                volume.render(environment="sunset", settings=few, **words)
+            with self.assertRaises(OSError):
+                volume.render(environment="sunset", settings=few, **words)
+            again = volume.render(environment="studio", settings=few, **words)
+            np.testing.assert_array_equal(first.image, again.image)
+
     def test_nothing_is_written_over_what_is_read(self):
         with temporary_folder() as folder:
             file = os.path.join(folder, "ball.png")

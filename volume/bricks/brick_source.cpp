@@ -262,8 +262,11 @@ BrickSource::Request BrickSource::request(std::size_t level, glm::ivec3 index, i
   if (state_->threads.empty()) {
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     for (std::size_t i = 0; i < std::min(cores, kMostReaders); ++i)
-      state_->threads.push_back(
-          std::make_unique<base::RetiringThread<State>>(state_, [](State& state) { state.work(); }));
+      state_->threads.push_back(std::make_unique<base::RetiringThread<State>>(
+          state_, [here = std::this_thread::get_id()](State& state) {
+            // Where the system refuses a thread nothing is read ahead.
+            if (std::this_thread::get_id() != here) state.work();
+          }));
   }
   state_->wished.notify_one();
   return Request(wanted);
