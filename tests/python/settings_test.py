@@ -39,7 +39,7 @@ class OneList(unittest.TestCase):
     def test_the_stub_is_made_of_it(self):
         made = subprocess.run([sys.executable, "-m", "isolux._stub"], capture_output=True, text=True, check=True).stdout
         with open(os.path.join(SOURCE, "python", "isolux", "__init__.pyi"), encoding="utf-8") as file:
-            self.assertEqual(file.read(), made, "PYTHONPATH=build/dev/python python3 -m isolux._stub > python/isolux/__init__.pyi")
+            self.assertEqual(file.read(), made, "PYTHONPATH=build/test/python python3 -m isolux._stub > python/isolux/__init__.pyi")
         compile(made, "__init__.pyi", "exec")
 
     def test_the_stub_has_every_name(self):
