@@ -41,9 +41,11 @@ std::array<int, 3> channelsOf(const OIIO::ImageSpec& spec) {
 
 // All channels of rows `begin` .. `end` - 1.
 bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end, float* out) {
-  if (spec.tile_width == 0)
-    return input.read_scanlines(0, 0, spec.y + begin, spec.y + end, 0, 0, spec.nchannels,
-                                OIIO::TypeDesc::FLOAT, out);
+  if (spec.tile_width == 0) {  // one by one: read_scanlines() makes room for 64 MB of them each time
+    for (int row = begin; row < end; ++row, out += std::size_t(spec.width) * spec.nchannels)
+      if (!input.read_scanline(spec.y + row, 0, OIIO::TypeDesc::FLOAT, out)) return false;
+    return true;
+  }
   return input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end, 0, 1, 0,
                           spec.nchannels, OIIO::TypeDesc::FLOAT, out);
 }
