@@ -1,6 +1,7 @@
 #include "volume/bricks/volume_index.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -10,6 +11,7 @@
 #include <tbb/combinable.h>
 
 #include "base/hash.h"
+#include "volume/bricks/slice_reader.h"
 #include "volume/bricks/stored_type.h"
 #include "volume/parallel_steps.h"
 #include "volume/statistics/typical_step.h"
@@ -63,7 +65,7 @@ std::size_t VolumeIndex::unitsDone() const {
 }
 
 template <class T>
-void VolumeIndex::scanUnit(const ChunkedVolume& file, std::size_t unit, base::Progress& progress) {
+void VolumeIndex::scanUnit(SliceReader& reader, std::size_t unit, base::Progress& progress) {
   const std::size_t slice = sliceOf(dims());
   const int first = static_cast<int>(unit) * slicesOfUnit();
   const int own = std::min(slicesOfUnit(), dims().z - first);
@@ -76,10 +78,7 @@ void VolumeIndex::scanUnit(const ChunkedVolume& file, std::size_t unit, base::Pr
   const std::size_t lastVoxel = std::max(end, behindPiece * pieceVoxels_);
   const int behind =
       std::min(dims().z, std::max(first + own + 1, static_cast<int>((lastVoxel + slice - 1) / slice)));
-  std::vector<T> slab(static_cast<std::size_t>(behind - first) * slice);
-  bytesRead_ += file.read(part_, 0, {0, 0, first}, {dims().x, dims().y, behind - first},
-                          std::as_writable_bytes(std::span(slab)));
-  progress.throwIfStopped();
+  const std::span<const T> slab = reader.slices<T>(first, behind, progress);
 
   parallelSteps(behindPiece - std::min(firstPiece, behindPiece), progress, {}, [&](std::size_t i) {
     const std::size_t from = (firstPiece + i) * pieceVoxels_ - begin;
@@ -112,8 +111,7 @@ void VolumeIndex::scanUnit(const ChunkedVolume& file, std::size_t unit, base::Pr
   });
   const std::size_t blockSlices =
       static_cast<std::size_t>(std::min(own + 1, dims().z - first));  // without what is hashed only
-  blocks_->setLayers(first / kIndexBlockCells, std::span<const T>(slab).first(blockSlices * slice), dims(),
-                     progress);
+  blocks_->setLayers(first / kIndexBlockCells, slab.first(blockSlices * slice), dims(), progress);
   // From here on nothing throws: a unit counts once.
   partial.combine_each([&](const Found& found) {
     missing_[unit] += found.missing;
@@ -130,14 +128,15 @@ void VolumeIndex::scan(const ChunkedVolume& file, IndexPart part, base::Progress
                        const std::function<void()>& keep) {
   const auto i = static_cast<std::size_t>(part.i), n = static_cast<std::size_t>(part.n);
   const std::size_t from = units() * (i - 1) / n, to = units() * i / n;
-  const std::size_t unitBytes =
-      static_cast<std::size_t>(slicesOfUnit() + 2) * sliceOf(dims()) * bytesOf(facts_.storedType);
-  const base::MemoryBudget::Held slab = base::machineMemory().reserve(unitBytes, "a slab of the volume", "");
+  const int ofPiece = static_cast<int>(pieceVoxels_ / sliceOf(dims()));
+  SliceReader reader(file, part_, slicesOfUnit() + ofPiece + 2);
   for (std::size_t unit = from; unit < to; ++unit) {
     progress.throwIfStopped();
     progress.report(static_cast<double>(unit - from) / static_cast<double>(to - from), "indexing");
     if (done_[unit]) continue;
-    withStoredType(facts_.storedType, [&](auto zero) { scanUnit<decltype(zero)>(file, unit, progress); });
+    const std::uint64_t before = reader.bytesRead();
+    withStoredType(facts_.storedType, [&](auto zero) { scanUnit<decltype(zero)>(reader, unit, progress); });
+    bytesRead_ += reader.bytesRead() - before;
     keep();
   }
 }
@@ -170,16 +169,41 @@ void VolumeIndex::join(const VolumeIndex& other) {
 
 double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double intercept,
                            base::Progress& progress) {
-  const auto rowOf = [&](int y, int z) {
-    std::vector<double> values(static_cast<std::size_t>(dims().x));
-    withStoredType(facts_.storedType, [&](auto zero) {
-      std::vector<decltype(zero)> stored(values.size());
-      bytesRead_ +=
-          file.read(part_, 0, {0, y, z}, {dims().x, 1, 1}, std::as_writable_bytes(std::span(stored)));
-      std::transform(stored.begin(), stored.end(), values.begin(),
-                     [&](auto v) { return slope * static_cast<double>(v) + intercept; });
+  // A row is asked for with those behind and above it, which mostly lie in the same chunks.
+  struct Rows {
+    int y = 0, z = 0;
+    glm::ivec2 size{0};
+    std::vector<double> values;
+  } rows;
+  const ChunkedLevel& level = facts_.levels.front();
+  const int width = level.cheapParts ? dims().x : std::clamp(level.chunkDims.x, 1, dims().x);
+  const auto read = [&]<class T>(T, int y, int z) {
+    rows = {y, z, {std::min(2, dims().y - y), std::min(2, dims().z - z)}, {}};
+    rows.values.resize(static_cast<std::size_t>(rows.size.x) * static_cast<std::size_t>(rows.size.y) *
+                       static_cast<std::size_t>(dims().x));
+    std::atomic<std::uint64_t> bytes{0};
+    parallelSteps(static_cast<std::size_t>((dims().x + width - 1) / width), progress, {}, [&](std::size_t i) {
+      const int x = static_cast<int>(i) * width;
+      const glm::ivec3 box(std::min(width, dims().x - x), rows.size);
+      std::vector<T> stored(sliceOf(box) * static_cast<std::size_t>(box.z));
+      bytes += file.read(part_, 0, {x, y, z}, box, std::as_writable_bytes(std::span(stored)));
+      const auto length = static_cast<std::size_t>(box.x);
+      for (std::size_t row = 0; row < stored.size() / length; ++row)
+        for (std::size_t at = 0; at < length; ++at)
+          rows.values[row * static_cast<std::size_t>(dims().x) + static_cast<std::size_t>(x) + at] =
+              slope * static_cast<double>(stored[row * length + at]) + intercept;
     });
-    return values;
+    bytesRead_ += bytes;
+  };
+  const auto rowOf = [&](int y, int z) {
+    const auto isThere = [&] {
+      return y >= rows.y && y < rows.y + rows.size.x && z >= rows.z && z < rows.z + rows.size.y;
+    };
+    if (!isThere()) withStoredType(facts_.storedType, [&](auto zero) { read(zero, y, z); });
+    const auto length = static_cast<std::size_t>(dims().x);
+    const std::size_t row = static_cast<std::size_t>(z - rows.z) * static_cast<std::size_t>(rows.size.x) +
+                            static_cast<std::size_t>(y - rows.y);
+    return std::span<const double>(rows.values).subspan(row * length, length);
   };
   return volume::typicalStep(dims(), rowOf, progress);
 }
@@ -198,15 +222,12 @@ void VolumeIndex::countFloats(const ChunkedVolume& file, base::Progress& progres
   const ValueBins bins = ValueBins::of(VoxelType::float32, any ? found.storedMinimum : 0.0,
                                        any ? found.storedMaximum : 0.0, kHistogramBins);
   std::vector<std::uint64_t> sum(bins.count, 0);
-  const std::size_t slice = sliceOf(dims());
   const int step = slicesOfUnit();
+  SliceReader reader(file, part_, step);
   for (int z = 0; z < dims().z; z += step) {
     progress.throwIfStopped();
     progress.report(static_cast<double>(z) / dims().z, "counting values");
-    const int slices = std::min(step, dims().z - z);
-    std::vector<float> slab(static_cast<std::size_t>(slices) * slice);
-    bytesRead_ +=
-        file.read(part_, 0, {0, 0, z}, {dims().x, dims().y, slices}, std::as_writable_bytes(std::span(slab)));
+    const std::span<const float> slab = reader.slices<float>(z, std::min(z + step, dims().z), progress);
     tbb::combinable<std::vector<std::uint64_t>> partial(
         [&] { return std::vector<std::uint64_t>(bins.count); });
     parallelPieces(slab.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t from, std::size_t to) {
@@ -218,6 +239,7 @@ void VolumeIndex::countFloats(const ChunkedVolume& file, base::Progress& progres
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
     });
   }
+  bytesRead_ += reader.bytesRead();
   counts_ = std::move(sum);
 }
 

@@ -20,6 +20,8 @@
 
 namespace isolux::volume {
 
+class SliceReader;
+
 inline constexpr int kIndexBlockCells = 8;
 
 // Part i of n, from 1: i <= n.
@@ -41,7 +43,8 @@ class VolumeIndex {
   bool isComplete() const { return unitsDone() == units() && isFinished_; }
 
   // Reads the units of the part that are not done. Between units keep() is called, which may save what there
-  // is. Memory: two units. Throws Error: input, memory, interrupted.
+  // is. Memory: a unit and a layer of chunks (volume/bricks/slice_reader.h). Throws Error: input, memory,
+  // interrupted.
   void scan(const ChunkedVolume& file, IndexPart part, base::Progress& progress,
             const std::function<void()>& keep);
   // Takes what `other`, of the same volume, has done and this has not.
@@ -69,7 +72,7 @@ class VolumeIndex {
 
  private:
   template <class T>
-  void scanUnit(const ChunkedVolume& file, std::size_t unit, base::Progress& progress);
+  void scanUnit(SliceReader& reader, std::size_t unit, base::Progress& progress);
   void countFloats(const ChunkedVolume& file, base::Progress& progress);
   double stepOf(const ChunkedVolume& file, double slope, double intercept, base::Progress& progress);
   int slicesOfUnit() const { return layersOfUnit_ * kIndexBlockCells; }

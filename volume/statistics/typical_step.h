@@ -14,8 +14,8 @@
 namespace isolux::volume {
 
 // What neighbours differ by where they differ, along any axis: the 90 % quantile over an even subsample of
-// the rows. rowOf(y, z): the values of a row, NaN where missing. 0 where nothing differs. Throws
-// Error{interrupted}, and what rowOf throws.
+// the rows. rowOf(y, z): the values of a row, NaN where missing, until it is called again. 0 where nothing
+// differs. Throws Error{interrupted}, and what rowOf throws.
 template <class RowOf>
 double typicalStep(glm::ivec3 dims, const RowOf& rowOf, const base::Progress& progress) {
   constexpr std::ptrdiff_t enough = 1 << 16;
@@ -29,11 +29,12 @@ double typicalStep(glm::ivec3 dims, const RowOf& rowOf, const base::Progress& pr
   for (std::ptrdiff_t row = 0; row < rows; row += stride) {
     progress.throwIfStopped();
     const int y = static_cast<int>(row % dims.y), z = static_cast<int>(row / dims.y);
-    const std::vector<double> values = rowOf(y, z);
+    const auto here = rowOf(y, z);
+    const std::vector<double> values(here.begin(), here.end());
     for (std::size_t x = 1; x < values.size(); ++x) add(values[x - 1], values[x]);
     for (const bool up : {false, true}) {
       if (up ? z + 1 == dims.z : y + 1 == dims.y) continue;
-      const std::vector<double> next = up ? rowOf(y, z + 1) : rowOf(y + 1, z);
+      const auto next = up ? rowOf(y, z + 1) : rowOf(y + 1, z);
       for (std::size_t x = 0; x < values.size(); ++x) add(values[x], next[x]);
     }
   }

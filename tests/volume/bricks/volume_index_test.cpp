@@ -1,6 +1,7 @@
 // The index of a file: what is made of the same volume in memory, however it was come by.
 #include "volume/bricks/volume_index.h"
 
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -11,9 +12,11 @@
 #include "base/error.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
+#include "tests/volume/bricks/grid_as_file.h"
 #include "volume/bricks/brick_source.h"
 #include "volume/bricks/index_file.h"
 #include "volume/bricks/plain_file.h"
+#include "volume/bricks/slice_reader.h"
 #include "volume/prepared_volume.h"
 #include "volume/write/writer.h"
 
@@ -152,7 +155,59 @@ TEST_F(Indexes, PartsJoinToTheIndexMadeAtOnce) {
   EXPECT_EQ(files, 0u);  // parts are gone
 }
 
-// A reader that stops after some slabs.
+// However thin the units are beside the chunks.
+TEST_F(Indexes, EachChunkIsUnpackedOnce) {
+  const glm::ivec3 dims(300, 301, 120);
+  const volume::Grid grid = phantomGrid("ball", dims);
+  const volume::GridGeometry geometry = grid.geometry();
+  const GridAsFile rows(grid, {dims.x, 1, 1});
+  volume::VolumeIndex whole(rows.facts(), {});
+  whole.scan(rows, {}, progress_, [] {});
+  for (const glm::ivec3& chunk : {glm::ivec3(64, 64, 50), glm::ivec3(300, 301, 64), glm::ivec3(100, 301, 120),
+                                  glm::ivec3(300, 50, 1), glm::ivec3(7, 300, 33)}) {
+    SCOPED_TRACE(testing::Message() << chunk.x << "x" << chunk.y << "x" << chunk.z);
+    const GridAsFile file(grid, chunk);
+    volume::VolumeIndex index(file.facts(), {});
+    ASSERT_GT(index.units(), 3u);
+    index.scan(file, {}, progress_, [] {});
+    const glm::ivec3 chunks = (dims + chunk - 1) / chunk;
+    EXPECT_LE(file.reads, chunks.x * chunks.y * chunks.z);  // thin ones several at a time
+    EXPECT_EQ(file.readsWithin, 0);
+    EXPECT_EQ(file.voxelsRead, geometry.voxelCount());
+    EXPECT_EQ(index.voxelFacts(1.0, 0.0).hash, whole.voxelFacts(1.0, 0.0).hash);
+    expectSameBlocks(*index.blocks(), *whole.blocks());
+  }
+}
+
+// Where a layer of chunks is more than a quarter of what is left.
+TEST_F(Indexes, LayersOfChunksAreReadInPartsWhereMemoryIsShort) {
+  const glm::ivec3 dims(300, 301, 120), chunk(64, 64, 100);
+  const volume::Grid grid = phantomGrid("ball", dims);
+  const GridAsFile file(grid, chunk);
+  const std::size_t slice = 300 * 301 * sizeof(float), limit = base::machineMemory().limit();
+  base::machineMemory().setLimit(base::machineMemory().held() + 100 * slice);
+  {
+    volume::SliceReader reader(file, {}, 30);
+    EXPECT_LE(base::machineMemory().left(), 60 * slice);
+    EXPECT_GE(base::machineMemory().left(), 40 * slice);
+    for (int z = 0; z < dims.z; z += 10) {
+      const int behind = std::min(z + 13, dims.z);
+      const std::span<const float> slices = reader.slices<float>(z, behind, progress_);
+      ASSERT_EQ(slices.size() * sizeof(float), static_cast<std::size_t>(behind - z) * slice);
+      std::size_t differing = 0, i = 0;
+      for (int k = z; k < behind; ++k)
+        for (int j = 0; j < dims.y; ++j)
+          for (int x = 0; x < dims.x; ++x, ++i)
+            differing += static_cast<double>(slices[i]) != grid.stored(x, j, k);
+      ASSERT_EQ(differing, 0u) << z;
+    }
+    EXPECT_EQ(reader.bytesRead(), grid.geometry().voxelCount() * sizeof(float));
+  }
+  base::machineMemory().setLimit(limit);
+  EXPECT_EQ(file.reads, 5 * 5 * 5);  // a layer of 100 slices in four parts, the rest of the volume in one
+}
+
+// A reader that stops after some parts of slabs.
 class StopsEarly final : public volume::ChunkedVolume {
  public:
   StopsEarly(std::shared_ptr<const volume::ChunkedVolume> file, int reads, base::Progress& progress)
@@ -166,7 +221,7 @@ class StopsEarly final : public volume::ChunkedVolume {
 
  private:
   std::shared_ptr<const volume::ChunkedVolume> file_;
-  mutable int left_;
+  mutable std::atomic<int> left_;
   base::Progress& progress_;
 };
 
@@ -174,7 +229,7 @@ TEST_F(Indexes, WhatWasDoneBeforeAnInterruptIsNotDoneAgain) {
   const auto file = write(phantomGrid("ball", glm::ivec3(300, 301, 120)));
   base::Progress stopped;
   std::optional<volume::VolumeIndex> index;
-  EXPECT_THROW(indexFile().make(StopsEarly(file, 2, stopped), {}, index, stopped), base::Error);
+  EXPECT_THROW(indexFile().make(StopsEarly(file, 7, stopped), {}, index, stopped), base::Error);
   ASSERT_TRUE(fs::exists(folder_ / "v.nrrd.index.part-1-of-1"));
   indexFile().make(*file, {}, index, progress_);
   std::optional<volume::VolumeIndex> once;
