@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "volume/bricks/brick_source.h"
+#include "volume/bricks/chunked_header.h"
 #include "volume/bricks/coarse_level.h"
 #include "volume/bricks/index_file.h"
 #include "volume/bricks/open_chunked.h"
@@ -236,7 +237,7 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   const Clock::time_point start = Clock::now();
   const ChunkedFacts& facts = file->facts();
   Volume volume;
-  volume.name = std::filesystem::path(source.path).filename().string();
+  takeNames(volume, facts);
   volume.format = facts.format;
   volume.fileType = facts.storedType;
   volume.unit = facts.unit;

@@ -36,16 +36,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   base::Progress progress;
   base::machineMemory().setLimit(16 * fuzz::budgetBytes);  // of chunks
   try {
-    const volume::OpenedZarr opened = volume::openZarr(store, "", "input", "");
-    const volume::ChunkedFacts& facts = opened.volume->facts();
+    const auto opened = volume::openZarr(store, "", "input", "");
+    const volume::ChunkedFacts& facts = opened->facts();
     for (std::size_t level = 0; level < facts.levels.size(); ++level) {
       const glm::ivec3 dims = facts.levels[level].geometry.dims, part = glm::min(dims, glm::ivec3(8));
       std::vector<std::byte> voxels(512 * volume::bytesOf(facts.storedType));
-      opened.volume->read({facts.times - 1, facts.channels - 1}, level, dims - part, part, voxels);
+      opened->read({facts.times - 1, facts.channels - 1}, level, dims - part, part, voxels);
     }
     volume::ReadOptions options;
     options.budgetBytes = fuzz::budgetBytes;
-    fuzz::prepare(volume::wholeVolume(*opened.volume, options, progress), progress);
+    fuzz::prepare(volume::wholeVolume(*opened, options, progress), progress);
   } catch (const base::Error&) {
     return 0;
   }

@@ -1,8 +1,12 @@
 // What a chunked volume says of itself in the words of a header, for volume/read/input/payload.h.
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "volume/bricks/chunked_volume.h"
 #include "volume/read/input/image_header.h"
+#include "volume/read/reader.h"
 
 namespace isolux::volume {
 
@@ -21,6 +25,12 @@ inline ImageHeader chunkedHeader(const ChunkedFacts& facts, const GridGeometry& 
   header.intercept = facts.intercept;
   header.warnings = facts.warnings;
   return header;
+}
+
+// What a volume is called and which others its file has.
+inline void takeNames(Volume& volume, const ChunkedFacts& facts) {
+  volume.name = facts.title.empty() ? std::filesystem::path(facts.name).filename().string() : facts.title;
+  volume.seriesChoices = facts.choices;
 }
 
 }  // namespace isolux::volume

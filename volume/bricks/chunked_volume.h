@@ -33,6 +33,7 @@ struct VolumePart {
 // What the file says of itself.
 struct ChunkedFacts {
   std::string name;    // of the file, for messages
+  std::string title;   // what the volume is called where that is not the file's name
   std::string format;  // "NRRD", "OME-Zarr 0.4", ...
   std::string unit;    // of values; "" where it says none
   scene::WorldAxes axes = scene::WorldAxes::zUp;
@@ -41,6 +42,8 @@ struct ChunkedFacts {
   double slope = 1.0, intercept = 0.0;      // value = slope * stored + intercept; finite, slope not 0
   std::vector<ChunkedLevel> levels;         // at least one, the finest first
   int times = 1, channels = 1;
+  std::vector<std::string>
+      choices;  // "SERIES<TAB>what it is" of all volumes of the file; empty where there is one
   std::vector<std::string> warnings;  // one line each
 };
 

@@ -255,7 +255,7 @@ Volume readLevel(const scene::Source& source, base::Progress& progress) {
   });
   Volume volume = finishVolume(header, std::move(voxels), options, progress);
   volume.coarsestLevel = coarsestLevel(facts);
-  volume.name = std::filesystem::path(source.path).filename().string();
+  takeNames(volume, facts);
   return volume;
 }
 

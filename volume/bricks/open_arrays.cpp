@@ -7,11 +7,8 @@ namespace isolux::volume {
 
 std::shared_ptr<const ChunkedVolume> openArrays(const std::string& path, const std::string& series,
                                                 base::Progress& progress) {
-  if (const auto folder = zarrFolderOf(path); !folder.empty()) return openZarr(folder, series).volume;
-  if (auto dataset = hdf5PathOf(path)) {
-    if (dataset->dataset.empty()) dataset->dataset = series;
-    return openHdf5(*dataset, progress).volume;
-  }
+  if (const auto folder = zarrFolderOf(path); !folder.empty()) return openZarr(folder, series);
+  if (const auto dataset = hdf5PathOf(path)) return openHdf5(*dataset, series, progress);
   return nullptr;
 }
 

@@ -167,6 +167,36 @@ TEST_F(CoarseLevel, FilesOwnLevelsComeFirst) {
   EXPECT_EQ(one.coarsestLevel, 1) << "8 voxels are left";
 }
 
+// However the volume is read: whole, from its file, a coarser level.
+TEST_F(CoarseLevel, OtherVolumesOfAFileAreOffered) {
+  const std::filesystem::path folder = test::temporaryFolder() / "several.zarr";
+  for (const char* name : {"ct", "mr"}) {
+    std::filesystem::create_directories(folder / name);
+    std::ofstream(folder / name / ".zarray")
+        << R"({"zarr_format": 2, "shape": [16,16,16], "chunks": [16,16,16], "dtype": "|u1", "compressor": null,
+               "fill_value": 0, "order": "C", "filters": null})";
+    std::ofstream(folder / name / "0.0.0", std::ios::binary) << std::string(4096, name[0]);
+  }
+  std::ofstream(folder / ".zgroup") << R"({"zarr_format": 2})";
+  scene::Source source;
+  source.path = folder.string();
+  scene::Machine inFile;
+  inFile.voxels = scene::VoxelPlace::file;
+  for (const char* series : {"", "mr"}) {
+    source.series = series;
+    for (const auto& volume : {at(source, 0), at(source, 1), loadVolume(source, inFile, progress_)->volume}) {
+      EXPECT_EQ(volume.name, "several.zarr");
+      EXPECT_THAT(volume.seriesChoices, testing::ElementsAre("ct\tct", "mr\tmr"));
+      const auto note = testing::Contains(HasSubstr("2 images; the first is shown"));
+      if (*series)
+        EXPECT_THAT(volume.warnings, Not(note));
+      else
+        EXPECT_THAT(volume.warnings, note);
+      EXPECT_EQ(volume.grid->value(1, 1, 1), *series ? 'm' : 'c');
+    }
+  }
+}
+
 TEST_F(CoarseLevel, WhatThereIsNotIsRefused) {
   const glm::ivec3 dims(64, 20, 20);
   const scene::Source source = written(dims, "uint8", std::vector<std::uint8_t>(64 * 400, 3));

@@ -43,7 +43,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), by);
 }
 
-OpenedZarr opened(const Files& files) {
+std::unique_ptr<ArrayVolume> opened(const Files& files) {
   return openZarr(std::make_shared<const MemoryStore>(files), "", "test.zarr", "");
 }
 
@@ -56,9 +56,9 @@ std::vector<std::uint16_t> readBox(const ChunkedVolume& volume, glm::ivec3 low, 
 // What opening and reading all of it throws; "" where nothing.
 std::string refusal(const Files& files) {
   try {
-    const OpenedZarr zarr = opened(files);
+    const auto zarr = opened(files);
     base::Progress progress;
-    wholeVolume(*zarr.volume, {}, progress);
+    wholeVolume(*zarr, {}, progress);
     return {};
   } catch (const base::Error& error) {
     EXPECT_EQ(error.kind(), base::ErrorKind::input);
@@ -67,24 +67,24 @@ std::string refusal(const Files& files) {
 }
 
 TEST(Zarr, ABoxAcrossChunksHasItsOwnVoxels) {
-  const OpenedZarr zarr = opened(plainArray());
-  EXPECT_EQ(zarr.volume->facts().levels[0].chunkDims, glm::ivec3(4, 3, 2));
-  EXPECT_THAT(readBox(*zarr.volume, {1, 2, 1}, {2, 2, 2}),
+  const auto zarr = opened(plainArray());
+  EXPECT_EQ(zarr->facts().levels[0].chunkDims, glm::ivec3(4, 3, 2));
+  EXPECT_THAT(readBox(*zarr, {1, 2, 1}, {2, 2, 2}),
               testing::ElementsAre(121, 122, 131, 132, 221, 222, 231, 232));
 }
 
 TEST(Zarr, OfAChunkThatIsNotPackedOnlyWhatIsAskedForIsRead) {
-  const OpenedZarr zarr = opened(plainArray());
+  const auto zarr = opened(plainArray());
   std::vector<std::uint16_t> voxels(2);
-  EXPECT_EQ(zarr.volume->read({}, 0, {1, 1, 1}, {2, 1, 1}, std::as_writable_bytes(std::span(voxels))), 4u);
+  EXPECT_EQ(zarr->read({}, 0, {1, 1, 1}, {2, 1, 1}, std::as_writable_bytes(std::span(voxels))), 4u);
   EXPECT_THAT(voxels, testing::ElementsAre(111, 112));
 }
 
 TEST(Zarr, AMissingChunkHasTheFillValue) {
   Files files = plainArray();
   files.erase("1.0.0");
-  const OpenedZarr zarr = opened(files);
-  EXPECT_THAT(readBox(*zarr.volume, {0, 2, 1}, {1, 2, 2}), testing::ElementsAre(120, 130, 7, 230));
+  const auto zarr = opened(files);
+  EXPECT_THAT(readBox(*zarr, {0, 2, 1}, {1, 2, 2}), testing::ElementsAre(120, 130, 7, 230));
 }
 
 // As a Grid of the whole holds them.
@@ -93,11 +93,11 @@ TEST(Zarr, InfiniteVoxelsAreMissing) {
   files[".zarray"] = R"({"zarr_format": 2, "shape": [1, 1, 4], "chunks": [1, 1, 2], "dtype": "<f8",
     "compressor": null, "fill_value": "Infinity", "order": "C", "filters": null})";
   files["0.0.0"] = test::bytesOf(std::vector<double>{2.5, -1e300});
-  const OpenedZarr zarr = opened(files);
+  const auto zarr = opened(files);
   std::vector<float> voxels(4);
-  zarr.volume->read({}, 0, {0, 0, 0}, {4, 1, 1}, std::as_writable_bytes(std::span(voxels)));
+  zarr->read({}, 0, {0, 0, 0}, {4, 1, 1}, std::as_writable_bytes(std::span(voxels)));
   EXPECT_THAT(voxels, testing::ElementsAre(2.5f, testing::IsNan(), testing::IsNan(), testing::IsNan()));
-  EXPECT_EQ(zarr.volume->facts().wholeVoxelBytes, 12u) << "doubles, and the floats made of them";
+  EXPECT_EQ(zarr->facts().wholeVoxelBytes, 12u) << "doubles, and the floats made of them";
 }
 
 TEST(Zarr, DamagedChunksAreNamed) {
@@ -172,18 +172,18 @@ Files image(const std::string& spacing, const std::string& levelOne) {
 }
 
 TEST(Zarr, LevelsWithoutAPlaceShareTheirOuterFaces) {
-  const OpenedZarr zarr = opened(image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})"));
-  const ChunkedFacts& facts = zarr.volume->facts();
+  const auto zarr = opened(image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})"));
+  const ChunkedFacts& facts = zarr->facts();
   ASSERT_EQ(facts.levels.size(), 2u);
   EXPECT_EQ(facts.levels[0].geometry.spacingMm(), glm::dvec3(1, 2, 3));
   EXPECT_EQ(facts.levels[1].geometry.originMm(), glm::dvec3(0.5, 1, 1.5));
 }
 
 TEST(Zarr, ALevelThatLiesElsewhereIsLeftOut) {
-  const OpenedZarr zarr = opened(image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]},
+  const auto zarr = opened(image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]},
     {"type": "translation", "translation": [0, 0, 40]})"));
-  EXPECT_EQ(zarr.volume->facts().levels.size(), 1u);
-  EXPECT_THAT(zarr.volume->facts().warnings, testing::Contains(HasSubstr("does not lie where level 0 lies")));
+  EXPECT_EQ(zarr->facts().levels.size(), 1u);
+  EXPECT_THAT(zarr->facts().warnings, testing::Contains(HasSubstr("does not lie where level 0 lies")));
 }
 
 // One shard of 2 x 2 x 2 chunks of one voxel each.
@@ -209,9 +209,8 @@ Files shard(bool damagedIndex, std::uint64_t offset) {
 }
 
 TEST(Zarr, ShardsAreReadByTheirIndex) {
-  const OpenedZarr zarr = opened(shard(false, 6));
-  EXPECT_THAT(readBox(*zarr.volume, {0, 0, 0}, {2, 2, 2}),
-              testing::ElementsAre(10, 11, 12, 13, 14, 15, 5, 17));
+  const auto zarr = opened(shard(false, 6));
+  EXPECT_THAT(readBox(*zarr, {0, 0, 0}, {2, 2, 2}), testing::ElementsAre(10, 11, 12, 13, 14, 15, 5, 17));
   EXPECT_THAT(refusal(shard(true, 6)), HasSubstr("checksum of the shard's index is wrong"));
   EXPECT_THAT(refusal(shard(false, 1000)), HasSubstr("chunk 0/1/1: damaged: it lies behind the end"));
 }

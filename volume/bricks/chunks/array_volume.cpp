@@ -178,6 +178,11 @@ std::size_t ArrayVolume::readBox(VolumePart part, std::size_t level, Box box, Bo
   return bytes;
 }
 
+void ArrayVolume::setChoices(std::vector<std::string> choices, std::string warning) {
+  facts_.choices = std::move(choices);
+  if (!warning.empty()) facts_.warnings.push_back(std::move(warning));
+}
+
 std::size_t ArrayVolume::read(VolumePart part, std::size_t level, glm::ivec3 low, glm::ivec3 size,
                               std::span<std::byte> voxels) const {
   const Box box{low, size};

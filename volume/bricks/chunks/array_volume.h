@@ -29,6 +29,10 @@ class ArrayVolume final : public ChunkedVolume {
   ArrayVolume(ChunkedFacts facts, ArrayAxes axes, std::vector<std::shared_ptr<const ChunkedArray>> arrays);
 
   const ChunkedFacts& facts() const override { return facts_; }
+  // As the facts say it, where that is known later.
+  void setTitle(std::string title) { facts_.title = std::move(title); }
+  void setChoices(std::vector<std::string> choices,
+                  std::string warning);  // warning: empty, or of the one chosen
   VoxelType fileType() const { return arrays_.front()->layout().type; }
 
   std::size_t read(VolumePart part, std::size_t level, glm::ivec3 low, glm::ivec3 size,

@@ -58,7 +58,9 @@ Volume wholeVolume(const ArrayVolume& volume, const ReadOptions& options, base::
   if (whole.missingChunks > 0)
     header.warnings.push_back(std::to_string(whole.missingChunks) + " of " + std::to_string(whole.chunks) +
                               " chunks are not in the file: their voxels have its fill value");
-  return finishVolume(header, std::move(whole.voxels), options, progress);
+  Volume made = finishVolume(header, std::move(whole.voxels), options, progress);
+  takeNames(made, facts);
+  return made;
 }
 
 }  // namespace isolux::volume

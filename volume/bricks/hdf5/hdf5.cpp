@@ -78,11 +78,12 @@ bool looksLikeHdf5(const Bytes& bytes) {
   return false;
 }
 
-OpenedHdf5 openHdf5(const Hdf5Path& path, base::Progress& progress) {
+std::unique_ptr<ArrayVolume> openHdf5(const Hdf5Path& path, const std::string& series,
+                                      base::Progress& progress) {
   Request request;
   request.task = Task::chunks;
   request.path = path.file.string();
-  request.options.series = path.dataset;
+  request.options.series = path.dataset.empty() ? series : path.dataset;
   request.options.budgetBytes = base::machineMemory().left();
   ReaderProcess reader(readerProgram("isolux-reader-hdf5"), request, progress);
   const Hdf5Layout layout = announcedLayout(reader);
@@ -99,27 +100,20 @@ OpenedHdf5 openHdf5(const Hdf5Path& path, base::Progress& progress) {
   const glm::dvec3 spacing = spacingOfElements(layout, facts.warnings);
   facts.levels[0].geometry.worldFromVoxel =
       checkedGeometry(glm::dmat3(1.0), spacing, glm::dvec3(0.0), name, facts.warnings);
-  OpenedHdf5 opened;
-  opened.dataset = layout.dataset;
-  opened.choices = layout.others;
-  opened.volume = std::make_unique<ArrayVolume>(
+  facts.title = path.file.filename().string() + (path.dataset.empty() ? "" : ":" + path.dataset);
+  if (path.dataset.empty()) facts.choices = layout.others;
+  if (facts.choices.size() > 1 && series.empty())
+    facts.warnings.push_back(std::to_string(facts.choices.size()) + " datasets; the largest, " +
+                             layout.dataset + ", is shown; source.series chooses another");
+  return std::make_unique<ArrayVolume>(
       std::move(facts), axes,
       std::vector<std::shared_ptr<const ChunkedArray>>{
           std::make_shared<const Hdf5Array>(path.file, layout, std::move(chunks))});
-  return opened;
 }
 
 Volume readHdf5(const Hdf5Path& path, const ReadOptions& options, base::Progress& progress) {
   progress.report(0.0, "reading");
-  const Hdf5Path wanted{path.file, path.dataset.empty() ? options.series : path.dataset};
-  OpenedHdf5 opened = openHdf5(wanted, progress);
-  Volume volume = wholeVolume(*opened.volume, options, progress);
-  volume.name = path.file.filename().string() + (path.dataset.empty() ? "" : ":" + path.dataset);
-  if (path.dataset.empty()) volume.seriesChoices = opened.choices;
-  if (volume.seriesChoices.size() > 1 && options.series.empty())
-    volume.warnings.push_back(std::to_string(volume.seriesChoices.size()) + " datasets; the largest, " +
-                              opened.dataset + ", is shown; source.series chooses another");
-  return volume;
+  return wholeVolume(*openHdf5(path, options.series, progress), options, progress);
 }
 
 }  // namespace isolux::volume

@@ -24,16 +24,12 @@ std::optional<Hdf5Path> hdf5PathOf(const std::string& path);
 // By the signature, which may stand behind other data.
 bool looksLikeHdf5(const Bytes& bytes);
 
-struct OpenedHdf5 {
-  std::unique_ptr<ArrayVolume> volume;
-  std::string dataset;
-  std::vector<std::string> choices;  // "/DATASET<TAB>what it is" of all; empty where there is one
-};
+// Starts the reader. `series` names a dataset where the path does not; choices are "/DATASET<TAB>what it is".
+// Throws base::Error (input, memory, interrupted).
+std::unique_ptr<ArrayVolume> openHdf5(const Hdf5Path& path, const std::string& series,
+                                      base::Progress& progress);
 
-// Starts the reader. Throws base::Error (input, memory, interrupted).
-OpenedHdf5 openHdf5(const Hdf5Path& path, base::Progress& progress);
-
-// The whole of it, as volume::readVolume gives it; options.series names a dataset where the path does not.
+// The whole of it, as volume::readVolume gives it.
 Volume readHdf5(const Hdf5Path& path, const ReadOptions& options, base::Progress& progress);
 
 }  // namespace isolux::volume

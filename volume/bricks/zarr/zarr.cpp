@@ -209,28 +209,36 @@ fs::path zarrFolderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-OpenedZarr openZarr(std::shared_ptr<const ZarrStore> store, const std::string& key, const std::string& name,
-                    const std::string& series) {
+std::unique_ptr<ArrayVolume> openZarr(std::shared_ptr<const ZarrStore> store, const std::string& key,
+                                      const std::string& name, const std::string& series) {
   if (ZarrArray::isArray(*store, key)) {
     if (const auto image = imageOfLevel(*store, key))
-      return {volumeOfImage(store, parentAndName(key).first, *image, name), "", {}};
-    return {volumeOfArray(std::make_shared<const ZarrArray>(store, key), name), "", {}};
+      return volumeOfImage(store, parentAndName(key).first, *image, name);
+    return volumeOfArray(std::make_shared<const ZarrArray>(store, key), name);
   }
-  if (const auto image = omeOf(*store, key))
-    return {volumeOfImage(store, key, *image, name), image->name, {}};
+  if (const auto image = omeOf(*store, key)) {
+    auto volume = volumeOfImage(store, key, *image, name);
+    volume->setTitle(image->name);
+    return volume;
+  }
   const std::vector<std::string> images = imagesIn(*store, key);
   if (images.empty())
     throwInput(name, "", "the Zarr group holds no image and no array; open a folder in it that does");
   const std::string chosen = series.empty() ? images.front() : series;
   if (std::find(images.begin(), images.end(), chosen) == images.end())
     throw base::Error(base::ErrorKind::usage, name, "source.series", "there is no image \"" + chosen + "\"");
-  OpenedZarr opened = openZarr(store, joinedKey(key, chosen), name, "");
-  if (images.size() > 1)
-    for (const std::string& image : images) opened.choices.push_back(image + "\t" + image);
-  return opened;
+  auto volume = openZarr(store, joinedKey(key, chosen), name, "");
+  if (images.size() == 1) return volume;
+  std::vector<std::string> choices;
+  for (const std::string& image : images) choices.push_back(image + "\t" + image);
+  volume->setChoices(std::move(choices),
+                     series.empty() ? std::to_string(images.size()) +
+                                          " images; the first is shown, source.series chooses another"
+                                    : "");
+  return volume;
 }
 
-OpenedZarr openZarr(const fs::path& folder, const std::string& series) {
+std::unique_ptr<ArrayVolume> openZarr(const fs::path& folder, const std::string& series) {
   // The folder above is looked at, too: it may say where this one's voxels lie.
   const fs::path whole = fs::absolute(folder).lexically_normal();
   const fs::path path = whole.has_filename() ? whole : whole.parent_path();
@@ -241,14 +249,7 @@ OpenedZarr openZarr(const fs::path& folder, const std::string& series) {
 }
 
 Volume readZarr(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
-  OpenedZarr opened = openZarr(path, options.series);
-  Volume volume = wholeVolume(*opened.volume, options, progress);
-  volume.name = opened.name;
-  volume.seriesChoices = std::move(opened.choices);
-  if (volume.seriesChoices.size() > 1 && options.series.empty())
-    volume.warnings.push_back(std::to_string(volume.seriesChoices.size()) +
-                              " images; the first is shown, source.series chooses another");
-  return volume;
+  return wholeVolume(*openZarr(path, options.series), options, progress);
 }
 
 }  // namespace isolux::volume

@@ -11,23 +11,17 @@
 
 namespace isolux::volume {
 
-struct OpenedZarr {
-  std::unique_ptr<ArrayVolume> volume;
-  std::string name;                  // as the file calls the image; may be empty
-  std::vector<std::string> choices;  // "NAME<TAB>NAME" of each image where the folder holds several
-};
-
 // True for a folder with the metadata of a Zarr group or array.
 bool isZarrFolder(const std::filesystem::path& folder);
 // The Zarr folder that `path` is or, being a metadata file of it, lies in; else empty.
 std::filesystem::path zarrFolderOf(const std::filesystem::path& path);
 
-// `series`: which image of a folder with several, by the name of its folder; empty: the first. Throws
-// base::Error{input}.
-OpenedZarr openZarr(const std::filesystem::path& folder, const std::string& series = "");
+// `series`: which image of a folder with several, by the name of its folder; empty: the first. Their choices
+// are "NAME<TAB>NAME". Throws base::Error{input}.
+std::unique_ptr<ArrayVolume> openZarr(const std::filesystem::path& folder, const std::string& series = "");
 // The same of the folder `key` of any store; `name` for messages.
-OpenedZarr openZarr(std::shared_ptr<const ZarrStore> store, const std::string& key, const std::string& name,
-                    const std::string& series);
+std::unique_ptr<ArrayVolume> openZarr(std::shared_ptr<const ZarrStore> store, const std::string& key,
+                                      const std::string& name, const std::string& series);
 
 // The whole of it, as volume::readVolume gives it.
 Volume readZarr(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
