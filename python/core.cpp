@@ -14,6 +14,7 @@
 #include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
+#include "app/light/light_resume.h"
 #include "app/study/study.h"
 #include "app/study_report/study_report.h"
 #include "app/version.h"
@@ -349,15 +350,16 @@ scene::Scene bakedScene(scene::Scene scene) {
 
 }  // namespace
 
-std::string Core::bake(const app::SceneOptions& options, const std::string& file, bool overwrite,
-                       const py::object& told) {
+Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool overwrite,
+                 bool mixArithmetic, const py::object& told) {
   constexpr double checkpointSeconds = 60.0;
-  const auto stats = std::make_shared<std::string>();
+  const auto baked = std::make_shared<Baked>();
   const fs::path out(file);
   if (out.extension() != ".vti")
     throw Error(ErrorKind::usage, file, "", "the name of a bake must end in .vti");
   desk_.run(
-      [self = shared_from_this(), this, options, out, overwrite, stats](base::Progress& progress) {
+      [self = shared_from_this(), this, options, out, overwrite, mixArithmetic,
+       baked](base::Progress& progress) {
         const scene::Scene scene = bakedScene(scene::resolve(bakedScene(sceneOf(options)), prepared_->facts));
         if (!scene::giChoiceOf(scene).wanted)
           throw Error(ErrorKind::usage, "", "gi.mode",
@@ -372,11 +374,14 @@ std::string Core::bake(const app::SceneOptions& options, const std::string& file
         app::LightController controller({.threads = app::machineOf(options).threads, .innerSides = false});
         controller.setScene(scene, prepared_);
         if (exists && gi::looksLikeBakeFile(out)) {
+          std::optional<gi::BakeFacts> facts;
           try {
-            controller.load(out, progress);  // goes on from it
+            facts = controller.load(out, progress);  // goes on from it
           } catch (const Error& error) {
             if (error.kind() != ErrorKind::input) throw;
+            baked->notes.push_back(out.string() + " held other light and was replaced: " + error.reason());
           }
+          if (facts) app::checkMayGoOn(out, *facts, std::nullopt, controller.arithmetic(), mixArithmetic);
         }
         base::Progress writing;  // what there is, also when it ends here: writing is not stopped
         while (!controller.finish(progress, checkpointSeconds)) {
@@ -386,12 +391,14 @@ std::string Core::bake(const app::SceneOptions& options, const std::string& file
         controller.save(out, writing);
         nlohmann::ordered_json json;
         json["version"] = app::version();
-        json["bake"] = app::bakeJson(controller.state());
+        const app::LightState state = controller.state();
+        json["bake"] = app::bakeJson(state);
         json["data_hash"] = base::hexText(prepared_->grid().hash());
-        *stats = json.dump();
+        baked->stats = json.dump();
+        baked->notes.insert(baked->notes.end(), state.warnings.begin(), state.warnings.end());
       },
       told);
-  return *stats;
+  return *baked;
 }
 
 std::string Core::study(const app::SceneOptions& options, const std::string& knobs, glm::ivec2 size,

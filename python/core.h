@@ -43,6 +43,11 @@ struct Picture {
   std::vector<std::string> notes;
 };
 
+struct Baked {
+  std::string stats;               // JSON
+  std::vector<std::string> notes;  // one line each
+};
+
 // Work on the desk keeps the volume: an interrupted caller may be gone before it ends.
 class Core : public std::enable_shared_from_this<Core> {
  public:
@@ -61,9 +66,9 @@ class Core : public std::enable_shared_from_this<Core> {
   void ask(const app::SceneOptions& options,
            const std::function<void(const scene::Scene&, base::Progress&)>& question,
            const pybind11::object& told);
-  // Writes all light of the scene to a .vti; returns what --stats says of it.
-  std::string bake(const app::SceneOptions& options, const std::string& file, bool overwrite,
-                   const pybind11::object& told);
+  // Writes all light of the scene to a .vti, as `isolux bake` does; stats are what --stats says of it.
+  Baked bake(const app::SceneOptions& options, const std::string& file, bool overwrite, bool mixArithmetic,
+             const pybind11::object& told);
   // Returns study.json.
   std::string study(const app::SceneOptions& options, const std::string& knobs, glm::ivec2 size, int repeat,
                     const pybind11::object& told);

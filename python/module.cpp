@@ -296,7 +296,12 @@ void defineVolume(py::module_& module) {
       .def("hits", hitsOf)
       .def("probe", probedOf)
       .def("measure", measure)
-      .def("bake", &Core::bake)
+      .def("bake",
+           [](Core& core, const app::SceneOptions& options, const std::string& file, bool overwrite,
+              bool mixArithmetic, const py::object& told) {
+             const Baked baked = core.bake(options, file, overwrite, mixArithmetic, told);
+             return py::make_tuple(baked.stats, baked.notes);
+           })
       .def("study",
            [](Core& core, const app::SceneOptions& options, const std::string& knobs,
               const std::array<int, 2>& size, int repeat, const py::object& told) {

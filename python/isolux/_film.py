@@ -12,7 +12,7 @@ def film(pictures, path, fps=24):
     program = shutil.which("ffmpeg")
     if program is None:
         raise RuntimeError("a film needs ffmpeg, which was not found")
-    path = os.fspath(path)
+    path = os.fsdecode(path)
     if not path.lower().endswith((".mp4", ".webm", ".mkv", ".gif")):
         raise ValueError(f"{path}: the name of a film must end in .mp4, .webm, .mkv or .gif")
     stem, ending = os.path.splitext(path)

@@ -1,11 +1,11 @@
 """A picture that was drawn."""
 
 import json
-import os
 
 import numpy as np
 
 from ._records import Record
+from ._scene import path_text
 
 
 class Picture:
@@ -59,7 +59,7 @@ class Picture:
 
     def save(self, path):
         """Writes a .png (the image, with its session inside) or an .exr (the deferred images; else `linear`)."""
-        self._drawn.save(os.fspath(path))
+        self._drawn.save(path_text(path))
 
     def _repr_png_(self):
         return None if self.image is None else self._drawn.png()

@@ -1,6 +1,7 @@
 """What is asked for in Python, as the command line has it: settings as PATH=VALUE, in order."""
 
 import json
+import os
 
 import numpy as np
 
@@ -15,6 +16,21 @@ def _plain(part):
     raise ValueError(f"a setting cannot hold {part!r}")
 
 
+def text_of(words):
+    """Text that files can hold; ValueError of names that are no Unicode."""
+    if isinstance(words, bytes):
+        words = os.fsdecode(words)
+    try:
+        words.encode()
+    except UnicodeEncodeError:
+        raise ValueError(f"{words!r}: names that are not UTF-8 cannot be written into sessions; rename it") from None
+    return words
+
+
+def path_text(path):
+    return text_of(os.fspath(path))
+
+
 def value_text(value):
     """As it is typed after --set PATH=."""
     if value is None:
@@ -24,13 +40,13 @@ def value_text(value):
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if isinstance(value, str):
-        return value
+        return text_of(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (int, float)):
         return repr(value)
     if hasattr(value, "__fspath__"):
-        return str(value.__fspath__())
+        return path_text(value)
     if isinstance(value, dict):
         return json.dumps(value, default=_plain)
     try:

@@ -25,6 +25,7 @@ _ANNOTATIONS = {
     "image": "bool", "linear": "bool", "light": "Path", "light_around": "bool", "accuracy": "bool", "explain": "bool",
     "context": 'Literal["auto", "egl", "osmesa"]', "progress": "Progress", "view": "Any", "origins": "ArrayLike",
     "directions": "ArrayLike", "points": "ArrayLike", "index": "ArrayLike", "anyway": "bool", "path": "Path", "overwrite": "bool",
+    "mix_arithmetic": "bool",
     "knobs": "str | Iterable[str]", "repeat": "int", "array": "ArrayLike", "spacing": "float | Sequence[float]",
     "origin": "Sequence[float]", "axes": "str", "name": "str", "unit": "str", "anatomical": "bool", "raw": "str", "word": "str",
     "pictures": "Iterable[Picture | NDArray[np.uint8]]", "fps": "float", "dtype": "Any", "drawn": "Any"}

@@ -11,7 +11,7 @@ from ._arrays import order_of, rows_of, three_numbers, voxels_of, warn
 from ._picture import Picture
 from ._progress import told
 from ._records import Record
-from ._scene import scene_of, value_text
+from ._scene import path_text, scene_of, value_text
 from ._settings import settings as _settings
 
 _open_volumes = weakref.WeakSet()
@@ -235,14 +235,17 @@ class Volume:
         with told(progress) as tell:
             return Record(json.loads(self._own().measure(scene_of(isovalue, settings=settings), bool(anyway), tell)))
 
-    def bake(self, path, isovalue=None, *, environment=None, overwrite=False, settings=None, progress=None):
+    def bake(self, path, isovalue=None, *, environment=None, overwrite=False, mix_arithmetic=False, settings=None, progress=None):
         """Stores the light of all isosurfaces as a .vti: `render(light=path)`, ParaView. A bake of the same light goes on.
 
-        Returns what it cost: the keys of `isolux bake --stats`.
+        `mix_arithmetic`: also where another kind of processor began it. Returns what it cost: the keys of `isolux bake --stats`.
         """
         with told(progress) as tell:
             scene = scene_of(isovalue, environment=environment, settings=settings)
-            return Record(json.loads(self._own().bake(scene, os.fspath(path), bool(overwrite), tell)))
+            text, notes = self._own().bake(scene, path_text(path), bool(overwrite), bool(mix_arithmetic), tell)
+        for note in notes:
+            warn(note, 3)
+        return Record(json.loads(text))
 
     def study(self, knobs="", isovalue=None, *, size=(256, 256), repeat=7, settings=None, progress=None):
         """What accuracy costs in time: error against time of each quality setting (docs/accuracy.md).
@@ -267,8 +270,8 @@ def open(path, *, settings=None, raw="", progress=None):  # noqa: A001
         words.setdefault("source.raw", raw)
     volume = Volume.__new__(Volume)
     volume._axes = "zyx"
-    name = os.fspath(path)
-    if not isinstance(name, str) or not name:
+    name = path_text(path)
+    if not name:
         raise ValueError("path: the name of a file is needed")
     with told(progress) as tell:
         core = _isolux.Core.open(name, scene_of(settings=words), tell)

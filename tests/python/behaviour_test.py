@@ -62,6 +62,14 @@ class Errors(unittest.TestCase):
         with self.assertRaises(TypeError):
             volume.render(no_such_word=5)
 
+    def test_names_that_are_no_unicode(self):
+        with isolux.open(b"phantom:ball:16") as volume:
+            for ask in (lambda: isolux.open("/tmp/\udcff.nii"), lambda: isolux.open(b"/tmp/\xff.nii"),
+                        lambda: volume.bake("/tmp/\udcff.vti"), lambda: volume.render(light="/tmp/\udcff.vti"),
+                        lambda: volume.render(size=(8, 8)).save("/tmp/\udcff.png")):
+                with self.assertRaisesRegex(ValueError, "UTF-8"):
+                    ask()
+
     def test_a_closed_volume(self):
         volume = isolux.Volume(ball(12))
         volume.close()

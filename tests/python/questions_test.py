@@ -192,6 +192,8 @@ class LightAndStudies(unittest.TestCase):
                 self.assertGreater(stats.bake.texels, 0)
                 picture = volume.render(0, "gi", size=(40, 30), light=file, **words)
                 self.assertEqual(picture.stats.bake.mode, stats.bake.mode)
+                with self.assertWarnsRegex(isolux.IsoluxWarning, "held other light and was replaced"):
+                    volume.bake(file, 0, **dict(words, environment="overcast"))
                 with self.assertRaises(ValueError):
                     volume.bake(os.path.join(folder, "light.png"), 0)
                 with open(os.path.join(folder, "other.vti"), "w", encoding="utf-8") as other:
