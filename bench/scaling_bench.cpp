@@ -9,6 +9,7 @@
 #include "bench/bench.h"
 #include "bench/pass_times.h"
 #include "render/gl/gl_context.h"
+#include "tests/support/paths.h"
 
 namespace isolux::bench {
 namespace {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
+#include "tests/support/paths.h"
 
 namespace isolux::test {
 

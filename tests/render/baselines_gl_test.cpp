@@ -10,6 +10,7 @@
 #include "render/still_picture.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/picture_difference.h"
+#include "tests/support/paths.h"
 #include "tests/support/picture_flip.h"
 
 namespace isolux::test {

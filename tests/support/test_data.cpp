@@ -1,4 +1,5 @@
 #include "tests/support/test_data.h"
+#include "tests/support/paths.h"
 
 #include <stdlib.h>
 #include <sys/stat.h>

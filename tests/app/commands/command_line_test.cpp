@@ -17,6 +17,7 @@
 #include "scene/machine.h"
 #include "scene/settings.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/paths.h"
 #include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 

@@ -8,6 +8,7 @@
 #include "app/files/image_io.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/app/same_picture/distance.h"
+#include "tests/support/paths.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::test {

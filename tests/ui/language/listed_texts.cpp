@@ -16,6 +16,7 @@
 #include "scene/machine.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
+#include "tests/support/paths.h"
 #include "ui/editors/number_text.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"

@@ -15,6 +15,7 @@
 #include "app/documents/autosave.h"
 #include "app/marks/mark_kinds.h"
 #include "app/target/target.h"
+#include "tests/support/paths.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/window_fixture.h"
 #include "tests/ui/language/listed_texts.h"

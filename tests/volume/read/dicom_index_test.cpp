@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tests/support/paths.h"
 #include "tests/support/test_data.h"
 #include "tests/volume/read/dicom_disc.h"
 #include "volume/read/process/dicom_index.h"

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/support/paths.h"
 #include "tests/volume/read/reader_support.h"
 #include "volume/read/process/foreign.h"
 #include "volume/read/process/reader_process.h"
