@@ -7,6 +7,7 @@
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -25,6 +26,16 @@ constexpr milliseconds kStopping{60};  // how long work that is stopped is waite
 std::atomic<bool> isEnding{false};
 std::thread::id endingThread;
 
+// All that are alive, each with its process: a fork has those of the other, too, whose threads it lacks.
+struct Desks {
+  std::mutex mutex;
+  std::vector<std::pair<Desk*, pid_t>> alive;
+};
+Desks& desks() {
+  static auto* const all = new Desks;  // for good: desks outlive static objects
+  return *all;
+}
+
 // A daemon thread that took the lock of a Python that ends would be ended in the middle of our functions.
 void parkIfEnding() {
   if (!isEnding.load() || std::this_thread::get_id() == endingThread) return;
@@ -36,6 +47,7 @@ void parkIfEnding() {
 void endPython() {
   endingThread = std::this_thread::get_id();
   isEnding.store(true);
+  Desk::retireAll();
 }
 
 struct Desk::Job {
@@ -72,6 +84,8 @@ Desk::Desk(std::function<void()> leave) : process_(::getpid()) {
           work(own);
       });
   if (jobs->refused) throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+  const std::lock_guard lock(desks().mutex);
+  desks().alive.emplace_back(this, process_);
 }
 
 Desk::~Desk() {
@@ -79,6 +93,14 @@ Desk::~Desk() {
     static_cast<void>(thread_.release());
     return;
   }
+  const std::lock_guard lock(desks().mutex);
+  std::erase(desks().alive, std::pair(this, process_));
+  retire();
+}
+
+// With the lock of all desks.
+void Desk::retire() {
+  if (!thread_) return;
   {
     const std::lock_guard lock((*thread_)->mutex);
     (*thread_)->leaving = true;
@@ -86,6 +108,13 @@ Desk::~Desk() {
     for (const std::shared_ptr<Job>& job : (*thread_)->waiting) job->progress.requestStop();
   }
   (*thread_)->changed.notify_all();
+  thread_.reset();
+}
+
+void Desk::retireAll() {
+  const std::lock_guard lock(desks().mutex);
+  for (const auto& [desk, process] : desks().alive)
+    if (process == ::getpid()) desk->retire();
 }
 
 void Desk::work(Jobs& jobs) {
@@ -124,11 +153,14 @@ void Desk::run(Work work, const py::object& told) {
   job->work = std::move(work);
   {
     const py::gil_scoped_release released;
+    parkIfEnding();
     {
-      const std::lock_guard lock((*thread_)->mutex);
+      const std::lock_guard lock(desks().mutex);
+      if (!thread_) throw std::runtime_error("Python ends");
+      const std::lock_guard own((*thread_)->mutex);
       (*thread_)->waiting.push_back(job);
+      (*thread_)->changed.notify_all();
     }
-    (*thread_)->changed.notify_all();
     Clock::time_point last = Clock::now();
     while (!job->waitFor(kSignals)) {
       parkIfEnding();

@@ -30,6 +30,9 @@ class Desk {
   // `leave` is called on the desk's thread when the desk is given up.
   explicit Desk(std::function<void()> leave);
   ~Desk();  // stops what is under way; does not wait for it
+  // Python ends: every desk stops what it is at, whoever still holds it; base::awaitRetired() waits for their
+  // threads.
+  static void retireAll();
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
 
@@ -50,10 +53,11 @@ class Desk {
     std::function<void()> leave;
   };
   static void work(Jobs& jobs);
+  void retire();
   void requireOwnProcess() const;
 
   pid_t process_;
-  std::unique_ptr<base::RetiringThread<Jobs>> thread_;
+  std::unique_ptr<base::RetiringThread<Jobs>> thread_;  // null once Python ends
 };
 
 }  // namespace isolux::python
