@@ -18,7 +18,7 @@ namespace isolux::volume {
 
 class SliceReader {
  public:
-  // most: slices that are asked for at a time. Both files stay the caller's. Throws Error{memory}.
+  // most: slices that are asked for at a time. The file must outlive it. Throws Error{memory}.
   SliceReader(const ChunkedVolume& file, VolumePart part, int most);
 
   // The slices first .. behind - 1 as stored, until the next call. `first` never falls. Throws Error: input,
