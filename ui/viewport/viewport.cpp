@@ -148,7 +148,7 @@ void Viewport::refine() {
     return orderSoon();  // if all its rays are to be told
   }
   quality_.refine();
-  orderSoon();  // showed() starts the timer for the stage after this one
+  orderSoon();  // refineSoon() starts the timer for the stage after this one
 }
 
 void Viewport::setInteracting(bool interacting) {

@@ -165,6 +165,7 @@ class Viewport : public QWidget {
   void redraw(
       app::Motion motion = app::Motion::rays);  // something changed: a quick picture now, a full one soon
   void refine();
+  void refineSoon();
   void rest();  // a gesture has ended
   std::uint64_t answer(std::uint64_t order);
   void viewChanged();

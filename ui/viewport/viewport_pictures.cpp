@@ -161,7 +161,8 @@ void Viewport::order() {
                         sameRays(orderedRequest_, request);
   const bool isThere = current() && !bricksPending_ && !lightPending_ && shownAtRest_ == atRest &&
                        sameRays(shownRequest_, request) && !tellsAll;
-  if (onItsWay || isThere) return;
+  if (isThere) return refineSoon();  // the picture in motion was as fine as this stage asks for
+  if (onItsWay) return;
   setDrawing(true);
   orderedRequest_ = request;
   orderedChanges_ = changes_;
@@ -264,9 +265,7 @@ void Viewport::showed(const app::DrawnPicture& picture, std::uint64_t view) {
   if (underMouse()) pointTimer_.start();  // another point may lie under a pointer that rests
   bricksPending_ = report.bricks.pending;
   lightPending_ = report.light.pending;
-  const bool waits = refineTimer_.isActive();  // an animation draws while a finer picture is on its way
-  if (current() && quality_.stage() == app::PictureQuality::Stage::sharp && quality_.mayRefine() && !waits)
-    refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
+  refineSoon();
   const bool empty = report.empty && !fieldsPending_;
   overlay_->setNote(fieldsPending_ && fieldJob_ && fieldJob_->isFor(resolved_) ? fieldNote(*fieldJob_)
                     : empty ? translatedSentence(report.empty->reason)
@@ -276,6 +275,13 @@ void Viewport::showed(const app::DrawnPicture& picture, std::uint64_t view) {
   tellSeen(picture, view);
   Q_EMIT reported(report, picture.request);
   Q_EMIT drawn(picture.milliseconds, complete());
+}
+
+// The stage after the sharp picture on screen.
+void Viewport::refineSoon() {
+  const bool waits = refineTimer_.isActive();  // an animation draws while a finer picture is on its way
+  if (current() && quality_.stage() == app::PictureQuality::Stage::sharp && quality_.mayRefine() && !waits)
+    refineTimer_.start(static_cast<int>(quality_.pauseMilliseconds()));
 }
 
 void Viewport::tellSeen(const app::DrawnPicture& picture, std::uint64_t view) {

@@ -2,6 +2,7 @@
 #include "tests/support/ui/window_fixture.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QMouseEvent>
 #include <QTest>
@@ -199,6 +200,33 @@ TEST_F(ViewportTest, PicturesInMotionAreRefinedWhenItRests) {
   QThread::msleep(300);  // nothing but time: the window is busy
   EXPECT_FALSE(viewport()->complete());
   EXPECT_TRUE(waitUntil([&] { return viewport()->complete(); }));
+}
+
+// A busy machine: what was quick enough in motion is no longer, but is already what the stage after it asks for.
+TEST_F(ViewportTest, APictureInMotionOfTheFullSizeIsRefinedToo) {
+  scene::Scene scene = window_->document()->scene(), resolved = window_->document()->resolvedScene();
+  const auto draw = [&](double fov, int supersampling, double target) {
+    scene.camera.fov = resolved.camera.fov = fov;
+    scene.picture.supersampling = resolved.picture.supersampling = supersampling;
+    scene::Machine machine;
+    machine.motionTarget = target;
+    viewport()->setMachine(machine);
+    viewport()->setScene(scene, resolved);
+  };
+  draw(31.0, 1, 2000.0);  // what is in motion grows to the full size
+  fullPicture(*window_);
+  bool fullSizeInMotion = false;
+  const auto connection = QObject::connect(
+      viewport(), &ui::Viewport::reported,
+      [&, first = true](const render::FrameReport&, const render::FrameRequest& request) mutable {
+        const double ratio = viewport()->devicePixelRatioF();
+        if (std::exchange(first, false))
+          fullSizeInMotion = request.supersampling == 1 && request.size.x >= viewport()->width() * ratio - 1.0;
+      });
+  draw(32.0, 2, 5.0);
+  fullPicture(*window_);
+  QObject::disconnect(connection);
+  EXPECT_TRUE(fullSizeInMotion);
 }
 
 }  // namespace isolux::test
