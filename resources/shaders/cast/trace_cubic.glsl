@@ -142,18 +142,50 @@ bool firstRoot9(float b[10], bool inside, bool first, out float s, inout bool ce
 #ifdef HIDDEN
 uniform vec4 uSampleIsovalues;  // texels of uVolume
 
-// Of the spline at p, which lies inside: the piece that the ascent among the cell's samples leads to, and beside all
-// inside samples those around that are hidden.
+bool sampleInside(float texel, int k) { return (texel >= uSampleIsovalues[k]) == uInsideHigh; }
+
+// Of the spline at p, in the cell's [0, 1]^3, which lies inside: whether the piece is hidden of the sample that the
+// ascent in the cell leads to, or where that one lies outside, of the nearest inside one among the 4 x 4 x 4 around.
 bool splineHidden(ivec3 cell, vec3 p, int k) {
   vec4 low, high;
   cellCorners(cell, low, high);
-  int corner = ascend(low, high, clamp(p - vec3(cell), 0.0, 1.0));
+  int corner = ascend(low, high, p);
   ivec3 at = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-  float texel = at.z == 0 ? low[corner & 3] : high[corner & 3];
-  if ((texel >= uSampleIsovalues[k]) == uInsideHigh) return hiddenBit(min(cell + at, uDims - 1), k) != 0u;
+  if (sampleInside(at.z == 0 ? low[corner] : high[corner - 4], k)) return hiddenBit(min(cell + at, uDims - 1), k) != 0u;
+  ivec3 shift = texelShift(cell);
+  float least = 1e30;
+  bool hidden = false;
   for (int i = 0; i < 64; ++i) {
     ivec3 voxel = clamp(cell + ivec3(i & 3, i >> 2 & 3, i >> 4) - 1, ivec3(0), uDims - 1);
-    if (hiddenBit(voxel, k) != 0u) return true;
+    vec3 apart = vec3(voxel - cell) - p;
+    if (dot(apart, apart) >= least || !sampleInside(texelFetch(uVolume, voxel + shift, 0).r, k)) continue;
+    least = dot(apart, apart);
+    hidden = hiddenBit(voxel, k) != 0u;
+  }
+  return hidden;
+}
+
+// The first s at which what is seen of surface k changes its side: the polynomial's sides with what is hidden taken as
+// outside. Between two of its roots a stretch is of one piece, which its middle tells. seen: the side before, where
+// `known`; set to that of the stretch's begin where not.
+bool firstShownRoot9(float b[10], int k, bool known, inout bool seen, bool first, ivec3 cell, vec3 from, vec3 to,
+                     out float s, inout bool certain) {
+  bool side = known && (seen == uInsideHigh || first) ? seen : b[0] >= 0.0;
+  float begin = 0.0;
+  for (int part = 0; part < 10; ++part) {
+    float root;
+    bool changes = firstRoot9(b, side, first, root, certain);
+    float end = changes ? mix(begin, 1.0, root) : 1.0;
+    bool now = side == uInsideHigh && splineHidden(cell, mix(from, to, 0.5 * (begin + end)), k) ? !side : side;
+    if (!known) seen = now;
+    known = true;
+    s = begin;
+    if (now != seen) return true;
+    if (!changes) return false;
+    keepRight(b, root);
+    begin = end;
+    side = !side;
+    first = true;  // the root that it begins at is on either side of it by rounding
   }
   return false;
 }
@@ -183,27 +215,27 @@ Crossing traceCubic(vec3 origin, vec3 direction, float t, float tEnd, bool carri
       int below = sidesOf(least), above = sidesOf(most);
       if (!known || below != inside || above != inside) {  // not all samples on the ray's sides
         float b[10];
-        bernstein9(rows, clamp(origin + t * direction - vec3(place.cell), 0.0, 1.0),
-                   clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0), b);
+        vec3 from = clamp(origin + t * direction - vec3(place.cell), 0.0, 1.0),
+             to = clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0);
+        bernstein9(rows, from, to, b);
         if (!known) inside = sidesOf(b[0]);
-#ifdef HIDDEN
-        for (int k = 0; k < SURFACES && !known; ++k)
-          if (((inside >> k & 1) != 0) == uInsideHigh && splineHidden(place.cell, origin + t * direction, k)) inside ^= 1 << k;
-#endif
-        known = true;
         float nearest = 2.0;
         for (int k = 0; k < SURFACES; ++k) {
           float own[10];
           for (int m = 0; m < 10; ++m) own[m] = b[m] - uIsovalueShifts[k];
           float s;
-          if (!firstRoot9(own, (inside >> k & 1) != 0, first, s, certain) || s >= nearest) continue;
+          bool seen = (inside >> k & 1) != 0;
 #ifdef HIDDEN
-          // What lies behind a hidden piece in its cell is found at the next one's entry.
-          if (splineHidden(place.cell, origin + mix(t, tOut, s) * direction, k)) continue;
+          bool changes = firstShownRoot9(own, k, known, seen, first, place.cell, from, to, s, certain);
+          inside = seen ? inside | 1 << k : inside & ~(1 << k);
+#else
+          bool changes = firstRoot9(own, seen, first, s, certain);
 #endif
+          if (!changes || s >= nearest) continue;
           nearest = s;
           crossing.surface = k;
         }
+        known = true;
         if (nearest <= 1.0) {
           crossing.found = true;
           crossing.t = mix(t, tOut, nearest);

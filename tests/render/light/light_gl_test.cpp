@@ -116,6 +116,45 @@ TEST_F(LightGlTest, TrilinearLookupsAreExactForLinearLight) {
   }
 }
 
+// The B-spline of the texels, that of the border being repeated beyond it, summed up here in double
+// precision.
+TEST_F(LightGlTest, TricubicLookupsAreTheSplineOfTheTexels) {
+  const auto volume = phantom("ball", volume::GridGeometry::make({21, 33, 26}, glm::dvec3(1.0, 0.7, 1.3)));
+  const auto lattice = emptyLattice(dimsOf(volume), 0.15);
+  const glm::ivec3 last = lattice->geometry().dims - 1;
+  const auto lightOf = [](glm::ivec3 t) {
+    return glm::vec3(1 + t.x * t.x, 1 + t.y * t.y, 1 + t.x + 2 * t.y + t.z * t.z);
+  };
+  writeAll(*lattice, [&](glm::ivec3 t) { return constant(lightOf(t)); });
+  draw(volume, pictureLight(lattice), with(kHalf, {"gi.interpolation=tricubic"}));
+  int atBorder[2] = {};
+  const auto spline = [&](glm::dvec3 voxel, auto) {
+    const glm::dvec3 texel = lattice->geometry().texelOf(voxel);
+    const glm::ivec3 base(glm::floor(texel));
+    for (int axis = 0; axis < 3; ++axis) {
+      atBorder[0] += base[axis] == 0;
+      atBorder[1] += base[axis] + 2 > last[axis];
+    }
+    const auto weight = [](double distance) {
+      const double d = std::abs(distance);
+      return d < 1.0 ? 2.0 / 3.0 - d * d + 0.5 * d * d * d : d < 2.0 ? std::pow(2.0 - d, 3.0) / 6.0 : 0.0;
+    };
+    glm::dvec3 sum(0.0);
+    for (int z = -1; z <= 2; ++z)
+      for (int y = -1; y <= 2; ++y)
+        for (int x = -1; x <= 2; ++x) {
+          const glm::ivec3 at = base + glm::ivec3(x, y, z);
+          const glm::dvec3 beside = texel - glm::dvec3(at);
+          sum += weight(beside.x) * weight(beside.y) * weight(beside.z) *
+                 glm::dvec3(lightOf(glm::clamp(at, glm::ivec3(0), last)));
+        }
+    return sum;
+  };
+  expectIrradiance(spline, kHalfStep, 1e-4);
+  EXPECT_GT(atBorder[0], 100);
+  EXPECT_GT(atBorder[1], 100);
+}
+
 // Stored in parts of what an open sky gives each normal, that sky's own light is found between texels of
 // other normals: on this ball the light itself differs by up to a quarter among the eight of a lookup.
 TEST_F(LightGlTest, WeightedLookupsAreExactForAnOpenSky) {

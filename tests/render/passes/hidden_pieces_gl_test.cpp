@@ -1,4 +1,6 @@
 // Pieces that are not shown: pictures are those of a volume without them.
+#include <algorithm>
+
 #include "tests/render/gl_fixture.h"
 #include "tests/support/hidden_balls.h"
 
@@ -21,6 +23,13 @@ class HiddenPiecesGlTest : public ExecutorsGlTest {
     scene.camera.target = glm::dvec3(23.5);
     scene.camera.up = {0.0, 0.0, 1.0};
     scene.camera.eye = *scene.camera.target + 90.0 * glm::dvec3(std::cos(azimuth), std::sin(azimuth), height);
+    return scene;
+  }
+  static scene::Scene splitView(int k) {
+    scene::Scene scene = view(k);
+    scene.camera.target = {15.5, 15.5, 11.5};
+    scene.camera.eye = *scene.camera.target + 0.6 * (*scene.camera.eye - glm::dvec3(23.5));
+    scene.pieces.hidden = {{2.0, 2.0, 10.0}};
     return scene;
   }
   render::ColorImage colors(const std::shared_ptr<const volume::PreparedVolume>& volume,
@@ -65,16 +74,30 @@ TEST_P(HiddenPiecesGlTest, ShowingThemAgainIsSeen) {
   EXPECT_EQ(colors(all, scene).rgba, whole);
 }
 
+// The eye stands in a hidden ball and looks at others.
+TEST_P(HiddenPiecesGlTest, FromWithinAHiddenPieceTheOthersAreSeen) {
+  const std::vector<PieceBall> balls = pieceBalls();
+  const auto all = prepared(gridOfBalls(balls, true)), shown = prepared(gridOfBalls(balls, false));
+  for (const char* field : {"hit.field=trilinear", "hit.field=cubic"})
+    for (const std::size_t eye : {1u, 3u})
+      for (const std::size_t target : {0u, 2u, 4u}) {
+        scene::Scene scene = assigned({"look.mode=lambert", field}, view(0));
+        scene.camera.eye = balls[eye].middle + glm::dvec3(0.3, 0.2, 0.1);
+        scene.camera.target = balls[target].middle;
+        scene.camera.fov = 60.0;
+        const Images expected = images(shown, scene, kHiddenPiecesSize),
+                     seen = images(all, hiding(balls, scene), kHiddenPiecesSize);
+        EXPECT_EQ(seen.hit.values, expected.hit.values) << field << ' ' << eye << ' ' << target;
+        EXPECT_GT(std::count(expected.hit.values.begin(), expected.hit.values.end(), 1.0f), 200);
+      }
+}
+
 // In cells of two pieces too: what is seen is of the shown one.
 TEST_P(HiddenPiecesGlTest, InCellsOfTwoPiecesTheShownOneIsSeen) {
   const auto volume = prepared(SplitCells::grid());
   int hits = 0;
   for (int k = 0; k < 5; ++k) {
-    scene::Scene scene = view(k);
-    scene.camera.target = {15.5, 15.5, 11.5};
-    scene.camera.eye = *scene.camera.target + 0.6 * (*scene.camera.eye - glm::dvec3(23.5));
-    scene.pieces.hidden = {{2.0, 2.0, 10.0}};
-    const Images seen = images(volume, scene, kHiddenPiecesSize);
+    const Images seen = images(volume, splitView(k), kHiddenPiecesSize);
     int wrong = 0;
     for (std::size_t i = 0; i < seen.hit.values.size(); ++i) {
       if (seen.hit.values[i] != 1.0f) continue;
@@ -84,6 +107,29 @@ TEST_P(HiddenPiecesGlTest, InCellsOfTwoPiecesTheShownOneIsSeen) {
     EXPECT_EQ(wrong, 0) << k;
   }
   EXPECT_GT(hits, 2000);
+}
+
+// Splines round the gap off, and the pieces touch: shaders decide as the processor does whose a point is.
+TEST_P(HiddenPiecesGlTest, InCellsOfTwoPiecesOfASplineAsTheProcessorHasIt) {
+  const auto volume = prepared(SplitCells::grid());
+  for (int k = 0; k < 5; ++k) {
+    const scene::Scene scene = assigned({"hit.field=cubic"}, splitView(k));
+    const Images seen = images(volume, scene, kHiddenPiecesSize);
+    scene::applyAssignment(machine_, "picture.executor=cpu");
+    renderer_->setMachine(machine_);
+    const Images expected = images(volume, scene, kHiddenPiecesSize);
+    scene::applyAssignment(machine_, std::string("picture.executor=") + GetParam());
+    renderer_->setMachine(machine_);
+    std::size_t hits = 0, different = 0;
+    for (std::size_t i = 0; i < expected.hit.values.size(); ++i) {
+      const bool hit = expected.hit.values[i] == 1.0f;
+      hits += hit;
+      different += seen.hit.values[i] != expected.hit.values[i] ||
+                   (hit && glm::distance(at(seen.voxel, i), at(expected.voxel, i)) > 1e-2);
+    }
+    EXPECT_GT(hits, 400u) << k;
+    EXPECT_LE(different, hits / 200) << k;
+  }
 }
 
 }  // namespace

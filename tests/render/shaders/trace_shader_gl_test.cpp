@@ -51,14 +51,16 @@ TEST_F(TraceShaderGlTest, BracketsLieWithinTheirCell) {
   useFunctions(kTrace,
                "vec2 bracket; result.x = float(firstChange(given(0), given(1).x > 0.0, bracket)); result.yz "
                "= bracket;");
-  setInput(0, {{-3, -2, -1, 1}, {-1, 0, 1, 2}, {1, 0.5f, 0.2f, -0.1f}});
-  setInput(1, {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}});  // inside
-  const ShaderRow found = results(3);
-  for (std::size_t i = 0; i < 3; ++i) {
+  // The last one changes behind two extrema, which lie on the side before.
+  setInput(0, {{-3, -2, -1, 1}, {-1, 0, 1, 2}, {1, 0.5f, 0.2f, -0.1f}, {-1, -0.2f, -2.5f, 1}});
+  setInput(1, {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 0}});  // inside
+  const ShaderRow found = results(4);
+  for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(found[i].x, 1.0f) << i;
     EXPECT_GE(found[i].y, 0.0f) << i;
     EXPECT_EQ(found[i].z, 1.0f) << i;
   }
+  EXPECT_GT(found[3].y, 0.3f);
 }
 
 // Both ends lie on one side where the crossing is the cell's very entry: the nearer to 0 is the root.

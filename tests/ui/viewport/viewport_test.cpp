@@ -202,7 +202,8 @@ TEST_F(ViewportTest, PicturesInMotionAreRefinedWhenItRests) {
   EXPECT_TRUE(waitUntil([&] { return viewport()->complete(); }));
 }
 
-// A busy machine: what was quick enough in motion is no longer, but is already what the stage after it asks for.
+// A busy machine: what was quick enough in motion is no longer, but is already what the stage after it asks
+// for.
 TEST_F(ViewportTest, APictureInMotionOfTheFullSizeIsRefinedToo) {
   scene::Scene scene = window_->document()->scene(), resolved = window_->document()->resolvedScene();
   const auto draw = [&](double fov, int supersampling, double target) {
@@ -221,7 +222,8 @@ TEST_F(ViewportTest, APictureInMotionOfTheFullSizeIsRefinedToo) {
       [&, first = true](const render::FrameReport&, const render::FrameRequest& request) mutable {
         const double ratio = viewport()->devicePixelRatioF();
         if (std::exchange(first, false))
-          fullSizeInMotion = request.supersampling == 1 && request.size.x >= viewport()->width() * ratio - 1.0;
+          fullSizeInMotion =
+              request.supersampling == 1 && request.size.x >= viewport()->width() * ratio - 1.0;
       });
   draw(32.0, 2, 5.0);
   fullPicture(*window_);

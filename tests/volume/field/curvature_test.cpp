@@ -184,6 +184,17 @@ TEST(CurvatureConfidence, IsZeroAtUmbilicsFlatsAndGradientsWithinNoiseAndOneWher
   }
 }
 
+// A saddle, whose two curvatures differ by twice their size: only c_s is less than 1 here.
+TEST(CurvatureConfidence, GrowsWithACurvaturesSizeFromThreeToSixteenDeviations) {
+  const PrincipalCurvature saddle = principalCurvature(dvec3(0, 0, -1), dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 0));
+  for (const double size : {2.5, 3.0, 4.0, 6.0, 9.5, 13.0, 16.0, 20.0}) {
+    const double s = std::clamp((size - 3.0) / 13.0, 0.0, 1.0);
+    EXPECT_NEAR(curvatureConfidence(saddle, dvec3(0, 0, -1), {0.0, 0.01, 1.0 / size}),
+                0.75 + 0.25 * s * s * (3.0 - 2.0 * s), 1e-12)
+        << size;
+  }
+}
+
 TEST(CurvatureConfidence, OfDataWithoutNoiseIsANumber) {
   for (const dmat3& hessian : {dmat3(0.0), dmat3(1.0), dmat3(-1.0)})
     EXPECT_EQ(curvatureConfidence(principalCurvature(dvec3(0, 0, -1), hessian), dvec3(0, 0, -1), {0.0, 0.01}),

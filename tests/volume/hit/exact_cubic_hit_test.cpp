@@ -370,6 +370,22 @@ TEST(FirstHitCubic, AStretchThatIsZeroThroughoutLiesInside) {
   EXPECT_EQ(within.count, 0u);
 }
 
+// Nine steps of 2^-50 beside the isovalue are more than what rounding adds where samples are 1.5 from it: the
+// side is known there, and at a step it is not.
+TEST(FirstHitCubic, TheSideIsKnownBeyondRounding) {
+  const Field field(test::gridOfVoxels(test::unitGeometry({9, 9, 4}), [](glm::dvec3 p) { return p.x; }),
+                    false);
+  const auto sideAt = [&](double depth) {  // along y, x = 4.5
+    return sideChangesOfCell(field.grid, 4.5 - depth, {4, 4, 1}, {0.5, 0.0, 0.5}, {0.5, 1.0, 0.5});
+  };
+  for (const double sign : {1.0, -1.0}) {
+    const SideChanges clear = sideAt(9.0 * sign * 0x1p-50);
+    EXPECT_EQ(clear.first, sign > 0.0 ? Side::inside : Side::outside) << sign;
+    EXPECT_EQ(clear.count, 0u) << sign;
+    EXPECT_EQ(sideAt(sign * 0x1p-50).first, Side::unknown) << sign;
+  }
+}
+
 // All samples of a cell are the isovalue: the side behind it, which the cells before only come near to.
 TEST(FirstHitCubic, APlateauAtTheIsovalueLiesInside) {
   const Field field(test::gridOfVoxels(test::unitGeometry({12, 4, 4}),
