@@ -4,11 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "base/color.h"
+#include "app/accuracy/overlay_painter.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/quantiles.h"
-#include "render/legend/legend_overlay.h"
 #include "scene/color_maps.h"
 
 namespace isolux::app {
@@ -16,8 +15,6 @@ namespace isolux::app {
 namespace {
 
 constexpr const char* kLimits = "limits";
-constexpr int kColors = 256;
-constexpr double kDarkest = 0.55;  // of a colour, where the picture is black
 constexpr double kLowEnd = 0.01, kHighEnd = 0.99;
 
 // What is coloured: bounds in the unit of the legend.
@@ -84,91 +81,6 @@ std::optional<glm::dvec2> rangeOf(const std::vector<double>& bounds) {
                    base::niceAbove(base::quantile(known, kHighEnd)));
   if (range.y < 10.0 * range.x) range.x = 0.1 * range.y;
   return range;
-}
-
-class OverlayPainter {
- public:
-  explicit OverlayPainter(render::ColorImage& image)
-      : image_(image), lineWidth_(std::max(1, std::min(image.size.x, image.size.y) / 240)) {}
-
-  // NaN: the pixel keeps its own; infinite: grey.
-  void color(const std::vector<double>& bounds, glm::dvec2 range) {
-    const std::vector<glm::vec3> colors = scene::colorMapSamples(scene::ColorMap::cividis, kColors);
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-      if (std::isnan(bounds[i])) continue;
-      glm::dvec3 at(0.35);
-      if (std::isfinite(bounds[i])) {
-        const double place =
-            bounds[i] > 0.0 ? std::log(bounds[i] / range.x) / std::log(range.y / range.x) : 0.0;
-        at = colors[static_cast<std::size_t>(std::lround(std::clamp(place, 0.0, 1.0) * (kColors - 1)))];
-      }
-      std::uint8_t* const pixel = &image_.rgba[4 * i];
-      const double bright = (0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2]) / 255.0;
-      const double shade = kDarkest + (1.0 - kDarkest) * bright;
-      for (int c = 0; c < 3; ++c) pixel[c] = base::screenByte(at[c] * shade);
-      pixel[3] = 255;
-    }
-  }
-
-  void hatch(const std::vector<std::uint8_t>& hatched) {
-    for (std::size_t i = 0; i < hatched.size(); ++i) {
-      const auto width = static_cast<std::size_t>(image_.size.x);
-      const render::Hatch part =
-          render::hatchAt({static_cast<int>(i % width), static_cast<int>(i / width)}, lineWidth_);
-      if (!hatched[i] || part == render::Hatch::none) continue;
-      const float grey = part == render::Hatch::dark ? render::kHatchDark : render::kHatchBright;
-      std::fill_n(&image_.rgba[4 * i], 3, static_cast<std::uint8_t>(std::lround(255.0f * grey)));
-      image_.rgba[4 * i + 3] = 255;
-    }
-  }
-
-  std::optional<render::Tile> addLegend(const render::Legend& legend, scene::LegendCorner corner,
-                                        const render::CoveredPixels& covered) {
-    const glm::ivec2 size = image_.size;
-    const render::LegendImage drawn = render::drawLegend(legend, std::min(size.y, 2 * size.x));
-    if (drawn.size.x > size.x * 7 / 10 || drawn.size.y > size.y * 7 / 10) return std::nullopt;
-    const render::Tile place{render::legendPlace(corner, drawn.size, size, covered), drawn.size};
-    const glm::ivec2 low(place.origin.x, size.y - place.origin.y - drawn.size.y);
-    for (int y = 0; y < drawn.size.y; ++y)
-      for (int x = 0; x < drawn.size.x; ++x)
-        blend(&drawn.rgba[4 * indexOf({x, y}, drawn.size)],
-              &image_.rgba[4 * indexOf(low + glm::ivec2(x, y), size)]);
-    return place;
-  }
-
- private:
-  static std::size_t indexOf(glm::ivec2 p, glm::ivec2 size) {
-    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(p.x);
-  }
-  // Premultiplied over straight alpha.
-  static void blend(const std::uint8_t* over, std::uint8_t* pixel) {
-    const double below = pixel[3] / 255.0 * (1.0 - over[3] / 255.0), covered = over[3] / 255.0 + below;
-    if (covered <= 0.0) return;
-    for (int c = 0; c < 3; ++c)
-      pixel[c] = static_cast<std::uint8_t>(std::lround((over[c] + pixel[c] * below) / covered));
-    pixel[3] = static_cast<std::uint8_t>(std::lround(255.0 * covered));
-  }
-
-  render::ColorImage& image_;
-  int lineWidth_;
-};
-
-// How many pixels of a rectangle, row 0 the lowest, show a surface or lie under what is `taken`.
-std::int64_t coveredOf(const PictureErrors& errors, const std::optional<render::Tile>& taken,
-                       const volume::Rectangle& rectangle) {
-  const glm::ivec2 low = glm::max(rectangle.low, glm::ivec2(0)),
-                   high = glm::min(rectangle.low + rectangle.size, errors.size);
-  std::int64_t covered = 0;
-  for (int y = low.y; y < high.y; ++y) {
-    const float* const row = &errors.depthMm[static_cast<std::size_t>(errors.size.y - 1 - y) *
-                                             static_cast<std::size_t>(errors.size.x)];
-    covered += std::count_if(row + low.x, row + high.x, [](float depth) { return !std::isnan(depth); });
-  }
-  if (taken) {
-    const glm::ivec2 shared = common(rectangle, {taken->origin, taken->size}).size;
-    covered += std::int64_t{shared.x} * shared.y;
-  }
-  return covered;
 }
 
 std::vector<std::string> hatchedLines(const OverlayWish& wish, const PictureErrors& errors,
@@ -248,16 +160,16 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
     if (range) {
       legend.low = range->x;
       legend.high = range->y;
-      legend.colors = scene::colorMapSamples(scene::ColorMap::cividis, kColors);
+      legend.colors = scene::colorMapSamples(scene::ColorMap::cividis, kOverlayColors);
     }
   }
   const std::vector<std::uint8_t> hatched = hatchedPixels(errors, wish, shortestEdgeMm);
   painter.hatch(hatched);
   legend.hatched = hatchedLines(wish, errors, hatched);
   if (legend.colors.empty() && legend.hatched.empty()) return std::nullopt;
-  return painter.addLegend(legend, corner, [&](const volume::Rectangle& rectangle) {
-    return coveredOf(errors, taken, rectangle);
-  });
+  std::vector<std::uint8_t> seen(errors.depthMm.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = std::isnan(errors.depthMm[i]) ? 0 : 1;
+  return painter.addLegend(legend, corner, seen, taken);
 }
 
 }  // namespace isolux::app

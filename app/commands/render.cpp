@@ -3,12 +3,15 @@
 #include <cstdio>
 #include <iostream>
 #include <optional>
+#include <sstream>
+#include <utility>
 
 #include <unistd.h>
 
 #include "app/accuracy/accuracy.h"
 #include "app/accuracy/error_images.h"
 #include "app/accuracy/error_overlay.h"
+#include "app/accuracy/hidden_structure.h"
 #include "app/annotation/annotation.h"
 #include "app/commands/accuracy_report.h"
 #include "app/commands/command.h"
@@ -62,9 +65,26 @@ RenderPlan planOf(const RenderOptions& options) {
       {options.paths, options.out, options.stats, options.sweep, options.turntable, *options.frames});
 }
 
+bool marksStructure(const RenderOptions& options) {
+  return options.overlay == kStructureOverlay;
+}
+
 OverlayWish overlayOf(const RenderOptions& options) {
+  if (marksStructure(options)) return {};
   const std::string& error = options.target.error;
   return parseOverlay(options.overlay, error.empty() ? std::vector<Limit>{} : parseErrorTarget(error));
+}
+
+// Of --aov, without kHiddenStructure, and whether that is among them.
+std::pair<std::string, bool> imageList(const std::string& list) {
+  std::string others, name;
+  bool found = false;
+  for (std::istringstream names(list); std::getline(names, name, ',');)
+    if (name == kHiddenStructure)
+      found = true;
+    else
+      others += (others.empty() ? "" : ",") + name;
+  return {others, found};
 }
 
 // Checked before anything slow starts.
@@ -81,19 +101,20 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
   request.supersampling = scene.picture.supersampling;
   request.pixelRatio = scene.picture.pixelRatio;
   request.linear = extension == ".exr";
-  if (overlayOf(options).asked && extension != ".png")
+  if (!options.overlay.empty() && extension != ".png")
     throw Error(ErrorKind::usage, out, "",
                 "--error-overlay is painted on .png pictures; --aov has the numbers");
   if (!options.aov.empty()) {
     request.linear = false;
-    const WantedImages wanted = parseImageList(options.aov);
+    const auto [list, structure] = imageList(options.aov);
+    const WantedImages wanted = structure && list.empty() ? WantedImages{} : parseImageList(list);
     request.aovs = wanted.aovs;
     const auto has = [](const auto& list, auto image) {
       return std::find(list.begin(), list.end(), image) != list.end();
     };
     if (has(wanted.errors, ErrorImage::light) && !has(wanted.aovs, render::Aov::irradiance))
       request.aovs.push_back(render::Aov::irradiance);            // so that light is stored
-    if (request.aovs.empty()) request.aovs = {render::Aov::hit};  // errors alone are asked for
+    if (request.aovs.empty()) request.aovs = {render::Aov::hit};  // others alone are asked for
     if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
     request.color = false;
     request.supersampling = 1;
@@ -122,7 +143,8 @@ Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::
 
 void writePicture(const render::StillPicture& picture, const render::FrameRequest& request,
                   const std::string& name, const scene::Scene& scene, const WantedImages& images,
-                  const PictureErrors& errors, const std::optional<Accuracy>& accuracy) {
+                  const PictureErrors& errors, const std::optional<Accuracy>& accuracy,
+                  const std::vector<FloatChannel>& others) {
   const auto sessionIn = [&](const fs::path& folder) {
     const std::string text = sessionText(scene, folder);
     return accuracy ? sessionWithAccuracy(text, *accuracy) : text;
@@ -136,10 +158,13 @@ void writePicture(const render::StillPicture& picture, const render::FrameReques
   const std::string session = sessionIn(out.parent_path());
   if (out.extension() == ".png")
     writePng(picture.color, out, session);
-  else if (images.errors.empty())
+  else if (images.errors.empty() && others.empty())
     writeExr(request.linear ? &picture.linear : nullptr, picture.aovs, out, session);
-  else
-    writeExr(errors.size, channelsOf(picture.aovs, images, errors), out, session);
+  else {
+    std::vector<FloatChannel> channels = channelsOf(picture.aovs, images, errors);
+    channels.insert(channels.end(), others.begin(), others.end());
+    writeExr(request.size, channels, out, session);
+  }
 }
 
 void checkRenderOutputs(const RenderOptions& options, const RenderPlan& plan) {
@@ -179,7 +204,12 @@ class RenderRun {
     target_.reset();
     isChosen_ = false;
     request_ = requestOf(options_, path, asked, pictures.pictures.front().out);
-    if (!options_.aov.empty()) images_ = parseImageList(options_.aov);
+    if (!options_.aov.empty()) {
+      const auto [list, structure] = imageList(options_.aov);
+      writesStructure_ = structure;
+      images_ = structure && list.empty() ? WantedImages{} : parseImageList(list);
+    }
+    findIndex(asked.source);
     const scene::Scene base = startingScene(path);
     for (const PlannedPicture& picture : pictures.pictures) {
       progress_.throwIfStopped();
@@ -231,6 +261,7 @@ class RenderRun {
     Drawn drawn;
     std::optional<PictureErrors> errors;
     std::optional<Accuracy> accuracy;
+    std::optional<HiddenStructure> structure;
     {
       progress_.report(0.0, "drawing");
       const ProgressBar bar(progress_);
@@ -250,12 +281,41 @@ class RenderRun {
             measureErrors(*renderer_, shown, request_, *prepared_, progress_, {light_.light(), prepared_});
       if (overlay_.asked) paintOverlay(*errors, scene, drawn.picture);
       if (errors) accuracy = accuracyOf(*errors);
+      if (whole_ && (asksStructure() || !picture.stats.empty() || options_.explain))
+        structure = hiddenStructure(*renderer_, shown, request_, *prepared_, *whole_, progress_);
+      if (structure && marksStructure(options_)) {
+        const auto legend = paintStructure(*structure, scene.look.legendCorner, drawn.picture.report.legend,
+                                           drawn.picture.color);
+        if (!drawn.picture.report.legend) drawn.picture.report.legend = legend;
+      }
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
       writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}),
-                   accuracy);
+                   accuracy, otherChannels(structure));
     }
-    report(asked, scene, drawn, picture, accuracy);
+    report(asked, scene, drawn, picture, accuracy, structure);
+  }
+
+  bool asksStructure() const { return writesStructure_ || marksStructure(options_); }
+
+  // Of a coarser level: what is known of the volume itself.
+  void findIndex(const scene::Source& source) {
+    whole_.reset();
+    if (source.level == 0) return;
+    whole_ = volume::indexedVolume(source, progress_);
+    if (!whole_ && asksStructure())
+      throw Error(ErrorKind::usage, source.path, marksStructure(options_) ? "--error-overlay" : "--aov",
+                  "what a coarser level hides is known from the volume's index, which `isolux index` makes");
+  }
+
+  std::vector<FloatChannel> otherChannels(const std::optional<HiddenStructure>& structure) const {
+    if (!writesStructure_) return {};
+    FloatChannel channel{kHiddenStructure, std::vector<float>(pixels(), 0.0F)};  // level 0 hides nothing
+    if (structure) channel.values.assign(structure->hides.begin(), structure->hides.end());
+    return {channel};
+  }
+  std::size_t pixels() const {
+    return static_cast<std::size_t>(request_.size.x) * static_cast<std::size_t>(request_.size.y);
   }
 
   void refuseWithoutVoxels(const scene::Scene& scene) const {
@@ -299,13 +359,15 @@ class RenderRun {
   }
 
   void report(const scene::Derivatives& asked, const scene::Scene& scene, const Drawn& drawn,
-              const PlannedPicture& picture, const std::optional<Accuracy>& accuracy) {
+              const PlannedPicture& picture, const std::optional<Accuracy>& accuracy,
+              const std::optional<HiddenStructure>& structure) {
     if (!picture.stats.empty() || options_.explain) {
       const DerivativeFacts derivatives =
           derivativeFacts(*renderer_, asked, scene, request_, drawn.picture.report, *prepared_);
       if (!picture.stats.empty()) {
         nlohmann::ordered_json json = renderJson(scene, request_, *prepared_, context_->description(), drawn,
                                                  light_, derivatives, accuracy);
+        json["level"] = levelJson(scene.source.level, prepared_->grid(), structure);
         if (target_) json["target"] = targetJson(*target_);
         writeTextFile(picture.stats, jsonText(json));
       }
@@ -318,10 +380,12 @@ class RenderRun {
         printBake(light_.state());
         printExposure(scene, light_.light().get());
         if (accuracy) std::printf("%s\n", accuracyLine(*accuracy).c_str());
+        if (structure) std::printf("%s\n", structureLine(*structure).c_str());
       }
     }
     for (const std::string& warning : light_.state().warnings) printNote(warning);
     noteOfPicture(scene, drawn.picture.report);
+    if (structure && structure->blocks > 0) printNote(structureLine(*structure));
     if (target_)
       for (const std::string& note : std::exchange(target_->notes, {})) printNote("--error: " + note);
   }
@@ -343,8 +407,10 @@ class RenderRun {
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   render::FrameRequest request_;
-  WantedImages images_;                 // of --aov
-  std::optional<TargetAnswer> target_;  // of the volume; none: nothing was asked for, or is seen
+  WantedImages images_;                         // of --aov
+  bool writesStructure_ = false;                // so does it
+  std::optional<volume::IndexedVolume> whole_;  // of a volume read at a coarser level
+  std::optional<TargetAnswer> target_;          // of the volume; none: nothing was asked for, or is seen
   bool isChosen_ = false;
   bool readsLight_ = false;  // of a file, before the volume's first picture
 };
@@ -386,7 +452,8 @@ Command makeRender(CLI::App& program) {
       ->type_name("WxH");
   parser
       ->add_option("--aov", options->aov,
-                   "Write these deferred images to the .exr instead of the colours: " + imageNames())
+                   "Write these deferred images to the .exr instead of the colours: " + imageNames() + ", " +
+                       kHiddenStructure)
       ->type_name("LIST");
   parser
       ->add_option("--stats", options->stats,
@@ -399,7 +466,8 @@ Command makeRender(CLI::App& program) {
   parser
       ->add_option("--error-overlay", options->overlay,
                    "Paint the bounds of an error on the picture (" + overlayNames() +
-                       "), hatched where they exceed --error; limits: hatching alone")
+                       "), hatched where they exceed --error; limits: hatching alone; " + kStructureOverlay +
+                       ": hatching where source.level may hide a surface")
       ->type_name("ERROR");
   parser
       ->add_option("--light", options->light,

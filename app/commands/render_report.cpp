@@ -82,6 +82,15 @@ ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& r
   return json;
 }
 
+ordered_json levelJson(int level, const volume::Grid& grid, const std::optional<HiddenStructure>& structure) {
+  if (level == 0) return nullptr;
+  const glm::dvec3 thin = 2.0 * grid.geometry().spacingMm();
+  ordered_json json{{"level", level}, {"may_hide_thinner_than_mm", std::max({thin.x, thin.y, thin.z})}};
+  json["hides"] = structure ? ordered_json{{"blocks", structure->blocks}, {"share", structure->share()}}
+                            : ordered_json(nullptr);
+  return json;
+}
+
 void printPasses(const render::FrameReport& report) {
   std::size_t width = 4;
   for (const render::PassReport& pass : report.passes) width = std::max(width, pass.name.size());

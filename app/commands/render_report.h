@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/accuracy/accuracy.h"
+#include "app/accuracy/hidden_structure.h"
 #include "app/commands/derivative_report.h"
 #include "app/light/light_controller.h"
 #include "render/gl/gl_context.h"
@@ -24,6 +25,10 @@ nlohmann::ordered_json renderJson(const scene::Scene& scene, const render::Frame
                                   const render::ContextDescription& context, const Drawn& drawn,
                                   const LightController& light, const DerivativeFacts& derivatives,
                                   const std::optional<Accuracy>& accuracy);
+
+// Of a volume read at a coarser level; null at level 0. structure: none where the volume has no index.
+nlohmann::ordered_json levelJson(int level, const volume::Grid& grid,
+                                 const std::optional<HiddenStructure>& structure);
 
 void printPasses(const render::FrameReport& report);
 // Notes on stderr about a picture that has been written.

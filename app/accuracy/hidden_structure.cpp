@@ -1,0 +1,119 @@
+#include "app/accuracy/hidden_structure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "app/accuracy/overlay_painter.h"
+#include "app/interaction/surface_pick.h"
+#include "base/number_text.h"
+#include "render/passes/view_uniforms.h"
+#include "render/still_picture.h"
+#include "scene/camera.h"
+#include "scene/rules/ghosts.h"
+#include "volume/clip/surface_cut.h"
+#include "volume/parallel_steps.h"
+
+namespace isolux::app {
+
+namespace {
+
+std::vector<double> shownIsovalues(scene::Scene scene) {
+  scene::addGhosts(scene);
+  std::vector<double> values;
+  if (scene.isosurface.opacity > 0.0) values.push_back(scene.isosurface.value.value());
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
+  return values;
+}
+
+std::string thinText(double mm) {
+  return base::shortText(mm, 3) + " mm";
+}
+
+}  // namespace
+
+double HiddenStructure::share() const {
+  if (hides.empty()) return 0.0;
+  return static_cast<double>(std::count(hides.begin(), hides.end(), std::uint8_t{1})) /
+         static_cast<double>(hides.size());
+}
+
+HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
+                                const render::FrameRequest& request, const volume::PreparedVolume& level,
+                                const volume::IndexedVolume& whole, base::Progress& progress) {
+  const glm::ivec2 size = request.size;
+  const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  const glm::dvec3 thin = 2.0 * level.grid().geometry().spacingMm();
+  HiddenStructure out{size, std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0), 0,
+                      std::max({thin.x, thin.y, thin.z})};
+  const std::vector<double> isovalues = shownIsovalues(drawn);
+  const volume::LevelGaps gaps(whole, level.grid(), isovalues, progress);
+  out.blocks = gaps.count();
+
+  render::FrameRequest hits;
+  hits.size = size;
+  hits.color = false;
+  hits.aovs = {render::Aov::voxel};
+  hits.stop = request.stop;
+  const std::vector<float> voxels = render::drawStill(renderer, drawn, hits, progress).aovs.at(0).values;
+
+  const scene::CameraFrame frame = scene::frameOf(drawn.camera);
+  const double aspect = static_cast<double>(size.x) / size.y;
+  const double startMm = render::ViewUniforms(drawn.camera, aspect, level.grid().geometry()).rayStartMm;
+  const glm::dmat4 wholeFromLevel =
+      glm::inverse(whole.geometry.worldFromVoxel) * level.grid().geometry().worldFromVoxel;
+  const volume::SurfaceCut cut(drawn, whole.geometry);
+  volume::parallelSteps(
+      static_cast<std::size_t>(size.y), progress, {0.0, 1.0, "looking for what the level hides"},
+      [&](std::size_t y) {
+        for (int x = 0; x < size.x; ++x) {
+          const std::size_t i = y * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+          const glm::dvec2 ndc((x + 0.5) / size.x * 2.0 - 1.0,
+                               1.0 - (static_cast<double>(y) + 0.5) / size.y * 2.0);
+          volume::Ray ray = viewRay(whole.geometry, frame, ndc, aspect, startMm);
+          const glm::dvec3 hit(voxels[3 * i], voxels[3 * i + 1], voxels[3 * i + 2]);
+          out.seen[i] = std::isnan(hit.x) ? 0 : 1;
+          if (out.seen[i])
+            ray.tMaximum =
+                glm::dot(glm::dvec3(wholeFromLevel * glm::dvec4(hit, 1.0)) - ray.origin, ray.direction) /
+                glm::dot(ray.direction, ray.direction);
+          // What is kept of any of the isosurfaces.
+          volume::ClipRegion::Stretch kept{ray.tMaximum, ray.tMinimum};
+          for (const double isovalue : isovalues) {
+            const volume::ClipRegion::Stretch one = cut.stretchOf(isovalue, ray.origin, ray.direction);
+            if (one.empty()) continue;
+            kept.begin = std::min(kept.begin, one.begin);
+            kept.end = std::max(kept.end, one.end);
+          }
+          ray.tMinimum = std::max(ray.tMinimum, kept.begin);
+          ray.tMaximum = std::min(ray.tMaximum, kept.end);
+          out.hides[i] = ray.tMinimum < ray.tMaximum && gaps.on(ray) ? 1 : 0;
+        }
+      });
+  return out;
+}
+
+std::string structureLine(const HiddenStructure& structure) {
+  return "the level may hide structure thinner than " + thinText(structure.thinnestMm) + " in " +
+         base::shortText(100.0 * structure.share(), 3) + " % of the picture (" +
+         std::to_string(structure.blocks) + " blocks of 8x8x8 cells)";
+}
+
+std::optional<render::Tile> paintStructure(const HiddenStructure& structure, scene::LegendCorner corner,
+                                           const std::optional<render::Tile>& taken,
+                                           render::ColorImage& image) {
+  if (structure.share() == 0.0) return std::nullopt;
+  OverlayPainter painter(image);
+  painter.hatch(structure.hides);
+  render::Legend legend;
+  legend.quantity = "Coarser level";
+  legend.hatched = {"may hide structure", "thinner than " + thinText(structure.thinnestMm)};
+  return painter.addLegend(legend, corner, structure.seen, taken);
+}
+
+}  // namespace isolux::app
