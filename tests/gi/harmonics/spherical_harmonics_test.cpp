@@ -68,6 +68,29 @@ TEST(SphericalHarmonics, AreThoseOfEquation12) {
   }
 }
 
+// The integral of x^a y^b z^c over the sphere is 4 pi (a-1)!! (b-1)!! (c-1)!! / (a+b+c+1)!!, of odd powers 0.
+TEST(SphereQuadrature, IsExactForMonomialsOfItsDegree) {
+  const auto odd = [](int n) {  // n!!
+    double product = 1.0;
+    for (; n > 1; n -= 2) product *= n;
+    return product;
+  };
+  for (int degree = 0; degree <= 15; ++degree) {
+    const SphereQuadrature quadrature(degree);
+    for (int a = 0; a <= degree; ++a)
+      for (int b = 0; a + b <= degree; ++b)
+        for (int c = 0; a + b + c <= degree; ++c) {
+          double sum = 0.0;
+          for (const auto& [direction, weight] : quadrature.points())
+            sum += weight * std::pow(direction.x, a) * std::pow(direction.y, b) * std::pow(direction.z, c);
+          const bool isOdd = a % 2 == 1 || b % 2 == 1 || c % 2 == 1;
+          const double expected =
+              isOdd ? 0.0 : 4 * pi * odd(a - 1) * odd(b - 1) * odd(c - 1) / odd(a + b + c + 1);
+          ASSERT_NEAR(sum, expected, 1e-13) << degree << ": " << a << ' ' << b << ' ' << c;
+        }
+  }
+}
+
 TEST(SphericalHarmonics, AreOrthonormalToOrder8) {
   const SphereQuadrature quadrature(2 * (maxShOrder - 1));  // the degree of their products
   std::vector<double> gram(allTerms * allTerms, 0.0);
