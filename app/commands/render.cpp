@@ -209,7 +209,7 @@ class RenderRun {
       writesStructure_ = structure;
       images_ = structure && list.empty() ? WantedImages{} : parseImageList(list);
     }
-    findIndex(asked.source);
+    findIndex(asked.source, pictures);
     const scene::Scene base = startingScene(path);
     for (const PlannedPicture& picture : pictures.pictures) {
       progress_.throwIfStopped();
@@ -281,8 +281,7 @@ class RenderRun {
             measureErrors(*renderer_, shown, request_, *prepared_, progress_, {light_.light(), prepared_});
       if (overlay_.asked) paintOverlay(*errors, scene, drawn.picture);
       if (errors) accuracy = accuracyOf(*errors);
-      if (whole_ && (asksStructure() || !picture.stats.empty() || options_.explain))
-        structure = hiddenStructure(*renderer_, shown, request_, *prepared_, *whole_, progress_);
+      if (whole_) structure = hiddenStructure(*renderer_, shown, request_, *prepared_, *whole_, progress_);
       if (structure && marksStructure(options_)) {
         const auto legend = paintStructure(*structure, scene.look.legendCorner, drawn.picture.report.legend,
                                            drawn.picture.color);
@@ -298,10 +297,13 @@ class RenderRun {
 
   bool asksStructure() const { return writesStructure_ || marksStructure(options_); }
 
-  // Of a coarser level: what is known of the volume itself.
-  void findIndex(const scene::Source& source) {
+  // Of a coarser level, where somebody asks: what is known of the volume itself.
+  void findIndex(const scene::Source& source, const VolumePictures& pictures) {
     whole_.reset();
-    if (source.level == 0) return;
+    const bool isTold =
+        options_.explain || std::any_of(pictures.pictures.begin(), pictures.pictures.end(),
+                                        [](const PlannedPicture& p) { return !p.stats.empty(); });
+    if (source.level == 0 || !(asksStructure() || isTold)) return;
     whole_ = volume::indexedVolume(source, progress_);
     if (!whole_ && asksStructure())
       throw Error(ErrorKind::usage, source.path, marksStructure(options_) ? "--error-overlay" : "--aov",
