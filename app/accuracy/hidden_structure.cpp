@@ -22,15 +22,6 @@ namespace isolux::app {
 
 namespace {
 
-std::vector<double> shownIsovalues(scene::Scene scene) {
-  scene::addGhosts(scene);
-  std::vector<double> values;
-  if (scene.isosurface.opacity > 0.0) values.push_back(scene.isosurface.value.value());
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
-  return values;
-}
-
 std::string thinText(double mm) {
   return base::shortText(mm, 3) + " mm";
 }
@@ -51,7 +42,7 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
   const glm::dvec3 thin = 2.0 * level.grid().geometry().spacingMm();
   HiddenStructure out{size, std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0), 0,
                       std::max({thin.x, thin.y, thin.z})};
-  const std::vector<double> isovalues = shownIsovalues(drawn);
+  const std::vector<double> isovalues = scene::seenIsovalues(drawn);
   const volume::LevelGaps gaps(whole, level.grid(), isovalues, progress);
   out.blocks = gaps.count();
 

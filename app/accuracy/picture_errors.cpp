@@ -51,16 +51,6 @@ float roundedUp(double bound) {
   return static_cast<double>(near) < bound ? std::nextafter(near, kUnbounded) : near;
 }
 
-// The isosurfaces that can be seen, as the renderer has them.
-std::vector<double> seenIsovalues(scene::Scene scene) {
-  scene::addGhosts(scene);
-  std::vector<double> values;
-  if (scene.isosurface.opacity > 0.0) values.push_back(scene.isosurface.value.value());
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
-  return values;
-}
-
 struct ShapeFields {
   std::shared_ptr<const volume::CubicField> field;
   std::shared_ptr<const volume::ScaledField> scaled;
@@ -80,7 +70,7 @@ class PictureJudge {
         view_(scene.camera, aspect_, volume.grid().geometry()),
         rays_(view_.rays(drawn.size, glm::ivec2(0))),
         sampled_(scene.hit.method == scene::HitMethod::sampled),
-        isovalues_(seenIsovalues(scene)),
+        isovalues_(scene::seenIsovalues(scene)),
         cubic_(volume.cubicFields->make(scene.hit.field, progress)),
         source_{volume.grid(), *volume.blocks, scene.hit.field, cubic_.get(), drawn.onProcessor},
         hidden_(volume::hiddenOf(scene, *volume.pieces, progress)),

@@ -28,4 +28,13 @@ int ghostsWithoutRoom(const Scene& scene) {
   return std::max(0, 2 - static_cast<int>(free));
 }
 
+std::vector<double> seenIsovalues(Scene scene) {
+  addGhosts(scene);
+  std::vector<double> values;
+  if (scene.isosurface.opacity > 0.0) values.push_back(scene.isosurface.value.value());
+  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
+  return values;
+}
+
 }  // namespace isolux::scene

@@ -2,6 +2,8 @@
 // it (isosurface.ghost).
 #pragma once
 
+#include <vector>
+
 #include "scene/scene.h"
 
 namespace isolux::scene {
@@ -13,5 +15,8 @@ namespace isolux::scene {
 void addGhosts(Scene& scene);
 // How many of the two found no further isosurface free.
 int ghostsWithoutRoom(const Scene& scene);
+
+// Isovalues (data units) of all that can be seen, ghosts among them; the first surface's comes first.
+std::vector<double> seenIsovalues(Scene scene);
 
 }  // namespace isolux::scene
