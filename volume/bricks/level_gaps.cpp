@@ -14,6 +14,29 @@
 
 namespace isolux::volume {
 
+namespace {
+
+// Whether the level's field, between `low` and `high` in its voxel coordinates, has both sides. Levels lie
+// along the axes of level 0.
+bool levelCrosses(const Grid& level, glm::dvec3 low, glm::dvec3 high, double storedIsovalue) {
+  constexpr double kRounding = 1e-6;  // voxels
+  const glm::dvec3 last(level.dims() - 1);
+  const glm::ivec3 from(glm::clamp(glm::floor(low + kRounding), glm::dvec3(0.0), last)),
+      to(glm::clamp(glm::ceil(high - kRounding), glm::dvec3(0.0), last));
+  bool below = false, above = false;
+  for (int z = from.z; z <= to.z; ++z)
+    for (int y = from.y; y <= to.y; ++y)
+      for (int x = from.x; x <= to.x; ++x) {
+        const double value = static_cast<double>(level.stored(x, y, z));  // NaN: neither
+        below = below || value < storedIsovalue;
+        above = above || value >= storedIsovalue;
+        if (below && above) return true;
+      }
+  return false;
+}
+
+}  // namespace
+
 std::optional<IndexedVolume> indexedVolume(scene::Source source, base::Progress& progress) {
   source.level = 0;
   std::string reason;
@@ -54,25 +77,6 @@ LevelGaps::LevelGaps(const IndexedVolume& whole, const Grid& level, std::span<co
                     }
                 });
   count_ = count;
-}
-
-// Levels lie along the axes of level 0.
-bool LevelGaps::levelCrosses(const Grid& level, glm::dvec3 low, glm::dvec3 high,
-                             double storedIsovalue) const {
-  constexpr double kRounding = 1e-6;  // voxels
-  const glm::dvec3 last(level.dims() - 1);
-  const glm::ivec3 from(glm::clamp(glm::floor(low + kRounding), glm::dvec3(0.0), last)),
-      to(glm::clamp(glm::ceil(high - kRounding), glm::dvec3(0.0), last));
-  bool below = false, above = false;
-  for (int z = from.z; z <= to.z; ++z)
-    for (int y = from.y; y <= to.y; ++y)
-      for (int x = from.x; x <= to.x; ++x) {
-        const double value = static_cast<double>(level.stored(x, y, z));  // NaN: neither
-        below = below || value < storedIsovalue;
-        above = above || value >= storedIsovalue;
-        if (below && above) return true;
-      }
-  return false;
 }
 
 bool LevelGaps::on(const Ray& ray) const {

@@ -41,8 +41,6 @@ class LevelGaps {
   bool on(const Ray& ray) const;
 
  private:
-  bool levelCrosses(const Grid& level, glm::dvec3 low, glm::dvec3 high, double storedIsovalue) const;
-
   glm::ivec3 dims_;  // voxels of level 0
   std::shared_ptr<const MinMaxBlocks> blocks_;
   std::vector<std::uint8_t> gaps_;  // of each block
