@@ -1,6 +1,7 @@
 #include "ui/editors/light_chooser.h"
 
 #include <QHBoxLayout>
+#include <QTimer>
 
 #include "app/light/light_thumbnail.h"
 #include "scene/rules/environment.h"
@@ -77,10 +78,13 @@ QToolButton* LightChooser::button(scene::BuiltInLight light) const {
 
 void LightChooser::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (drawn_) return;
-  drawn_ = true;
-  for (std::size_t i = 0; i < buttons_.size(); ++i)
-    buttons_[i]->setIcon(thumbnailOf(static_cast<scene::BuiltInLight>(i), devicePixelRatioF()));
+  if (drawn_ == 0) drawNext();
+}
+
+// One in a turn of the event loop: a few milliseconds each.
+void LightChooser::drawNext() {
+  buttons_[drawn_]->setIcon(thumbnailOf(static_cast<scene::BuiltInLight>(drawn_), devicePixelRatioF()));
+  if (++drawn_ < buttons_.size()) QTimer::singleShot(0, this, &LightChooser::drawNext);
 }
 
 }  // namespace isolux::ui

@@ -24,9 +24,11 @@ class LightChooser : public QWidget {
   void showEvent(QShowEvent* event) override;  // the thumbnails are drawn when they are first seen
 
  private:
+  void drawNext();
+
   scene::Scene scene_;
   std::vector<QToolButton*> buttons_;  // in the order of the lights
-  bool drawn_ = false;
+  std::size_t drawn_ = 0;              // of the buttons, how many have their picture
 };
 
 }  // namespace isolux::ui

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -133,6 +134,13 @@ void PassesPanel::showPasses() {
     why->setTextAlignment(nameColumn, Qt::AlignLeft | Qt::AlignTop);
     item->setExpanded(true);
   }
+  write();
+}
+
+// The view hears of all lines at once: after each text on its own it would measure every row anew.
+void PassesPanel::write() {
+  const int count = table_->topLevelItemCount();
+  QSignalBlocker quiet(table_->model());
   for (int row = 0; row < count; ++row) {
     const render::PassReport& pass = report_.passes[static_cast<std::size_t>(row)];
     const bool ran = pass.state == render::PassState::ran;
@@ -156,6 +164,10 @@ void PassesPanel::showPasses() {
     item->child(0)->setText(nameColumn, reason);
     item->child(0)->setToolTip(nameColumn, reason);
   }
+  quiet.unblock();
+  Q_EMIT table_->model()->dataChanged(table_->model()->index(0, 0),
+                                      table_->model()->index(count - 1, columns - 1));
+  table_->viewport()->update();
 }
 
 QString PassesPanel::repeats() const {

@@ -34,6 +34,7 @@ class PassesPanel : public Panel {
  private:
   void refresh();
   void showPasses();
+  void write();
   QString summary() const;
   QString repeats() const;
 

@@ -6,6 +6,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QPixmapCache>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -34,16 +35,39 @@ ViewportOverlay::Inks ViewportOverlay::inksAt(double heightFraction) const {
   return inks;
 }
 
-// Text with a rim: reads on the surface, too, whatever its brightness.
+// Text with a rim: reads on the surface, too, whatever its brightness. Kept as an image, as stroking outlines
+// takes milliseconds and the same letters come back with every frame.
 void ViewportOverlay::drawText(QPainter& painter, const QFont& font, QPointF baseline,
                                const QString& text) const {
+  constexpr double rimWidth = 3.0;
   const Inks inks = inksAt(baseline.y() / std::max(1, height()));
+  const double ratio = painter.device()->devicePixelRatioF();
+  const QString key = QString("rimmed %1 %2 %3 %4 %5")
+                          .arg(font.key())
+                          .arg(inks.ink.rgba())
+                          .arg(inks.rim.rgba())
+                          .arg(ratio)
+                          .arg(text);
   QPainterPath path;
-  path.addText(baseline, font, text);
-  painter.setPen(QPen(inks.rim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawPath(path);
-  painter.fillPath(path, inks.ink);
+  path.addText({0.0, 0.0}, font, text);
+  // In whole points, so that the letters lie alike in their pixels wherever they stand.
+  const QRect bounds = path.boundingRect().marginsAdded(QMarginsF() + rimWidth).toAlignedRect();
+  if (bounds.isEmpty()) return;
+  QPixmap letters;
+  if (!QPixmapCache::find(key, &letters)) {
+    letters = QPixmap((QSizeF(bounds.size()) * ratio).toSize());
+    letters.setDevicePixelRatio(ratio);
+    letters.fill(Qt::transparent);
+    QPainter inside(&letters);
+    inside.setRenderHint(QPainter::Antialiasing);
+    inside.translate(-bounds.topLeft());
+    inside.setPen(QPen(inks.rim, rimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    inside.setBrush(Qt::NoBrush);
+    inside.drawPath(path);
+    inside.fillPath(path, inks.ink);
+    QPixmapCache::insert(key, letters);
+  }
+  painter.drawPixmap(baseline.toPoint() + bounds.topLeft(), letters);
 }
 
 ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent) {

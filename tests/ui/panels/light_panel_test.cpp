@@ -136,7 +136,7 @@ TEST_F(LightPanelTest, OneClickOnAThumbnailTakesABuiltInLight) {
   QToolButton* sunset = lights->button(scene::BuiltInLight::sunset);
   EXPECT_FALSE(sunset->isChecked());
   ASSERT_TRUE(sunset->isVisible());
-  EXPECT_FALSE(sunset->icon().isNull());
+  EXPECT_TRUE(waitUntil([&] { return !sunset->icon().isNull(); }));
   EXPECT_TRUE(sunset->toolTip().contains("sun"));
   const int before = steps();
   QTest::mouseClick(sunset, Qt::LeftButton);
