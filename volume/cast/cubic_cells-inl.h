@@ -152,7 +152,13 @@ const casting::CellBitsOnDemand::Words& CubicCells<T>::bitsOf(glm::ivec3 block) 
   if (const auto* const known = view_.cells->find(at)) return *known;
   CubicBlock samples;
   samples.load(view_, samples_, block);
-  return *view_.cells->add(at, samples.crossed(view_));
+  casting::CellBitsOnDemand::Words words = samples.crossed(view_);
+  // Where pieces touch what is seen changes within the spline's inside.
+  for (const ShownCells& shown : view_.shown) {
+    const auto around = shown.aroundHidden(8 * block);
+    for (std::size_t z = 0; z < words.size(); ++z) words[z] |= around[z];
+  }
+  return *view_.cells->add(at, words);
 }
 
 template <class T>

@@ -1,5 +1,6 @@
 #include "volume/pieces/shown_cells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -76,6 +77,29 @@ bool ShownCells::hides(glm::ivec3 cell) const {
       for (int x = low.x; x <= high.x; ++x)
         if (hidden_->at({x, y, z})) return true;
   return false;
+}
+
+// Axis by axis: a bit for each voxel of a row that is hidden, then windows of six along it, of rows, of
+// slices.
+std::array<std::uint64_t, 8> ShownCells::aroundHidden(glm::ivec3 first) const {
+  constexpr int kCells = 8, kApron = 2, kSamples = kCells + 1 + 2 * kApron, kWindow = kSamples - kCells + 1;
+  std::array<std::uint64_t, kCells> words{};
+  if (!hidden_) return words;
+  const glm::ivec3 corner = first - kApron;
+  const glm::ivec3 low = glm::max(corner, glm::ivec3(0)), high = glm::min(corner + kSamples, grid_.dims());
+  for (int z = low.z; z < high.z; ++z)
+    for (int y = low.y; y < high.y; ++y) {
+      unsigned hidden = 0, cells = 0;
+      for (int x = low.x; x < high.x; ++x) hidden |= unsigned{hidden_->at({x, y, z})} << (x - corner.x);
+      for (int i = 0; i < kWindow; ++i) cells |= hidden >> i;
+      std::uint64_t rows = 0;  // of cells whose windows have this row
+      for (int row = std::max(0, y - corner.y - (kWindow - 1)); row <= std::min(y - corner.y, kCells - 1);
+           ++row)
+        rows |= std::uint64_t{cells & 0xff} << (kCells * row);
+      for (int k = std::max(0, z - corner.z - (kWindow - 1)); k <= std::min(z - corner.z, kCells - 1); ++k)
+        words[static_cast<std::size_t>(k)] |= rows;
+    }
+  return words;
 }
 
 ShownCell ShownCells::cellAt(glm::ivec3 cell) const {

@@ -76,6 +76,9 @@ class ShownCells {
   // Whether what is seen in the cell is not the field: one of its corners is hidden (cubic: of the samples
   // that it looks up).
   bool hides(glm::ivec3 cell) const;
+  // Of the 8^3 cells from `first` on of a cubic field, those that hide or lie beside one that does: what is
+  // seen may change within them or at their faces, where the field does not. Bit x + 8 y of word z.
+  std::array<std::uint64_t, 8> aroundHidden(glm::ivec3 first) const;
   // Of a cell without missing corners.
   ShownWay along(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const;
   // Whether a surface point belongs to a hidden piece.

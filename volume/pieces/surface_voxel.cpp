@@ -9,6 +9,12 @@
 
 namespace isolux::volume {
 
+namespace {
+// Square of voxels. Stretches through whole cells have their middles just as far from the samples on both
+// sides: of samples as near as that the first counts, whatever rounding makes of them.
+constexpr double kAsNear = 1e-4;
+}  // namespace
+
 std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, glm::ivec3 cell,
                                        const glm::dvec3& local) {
   const auto depthAt = [&](glm::ivec3 at) { return level.depth(grid.stored(at.x, at.y, at.z)); };
@@ -28,7 +34,7 @@ std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, glm:
         const glm::ivec3 at(x, y, z);
         const glm::dvec3 apart = glm::dvec3(at - cell) - local;
         const double squared = glm::dot(apart, apart);
-        if (squared >= least || !(depthAt(at) >= 0.0)) continue;
+        if (squared >= least - kAsNear || !(depthAt(at) >= 0.0)) continue;
         least = squared;
         nearest = at;
       }

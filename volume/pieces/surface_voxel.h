@@ -2,7 +2,7 @@
 //
 // Of the trilinear field it is the corner above the point (cornerAbove()). Points of cubic fields, which have
 // no pieces of their own, may have that corner outside; there the nearest inside sample of the 4^3 around the
-// cell counts.
+// cell counts, of several as near the first.
 #pragma once
 
 #include <optional>

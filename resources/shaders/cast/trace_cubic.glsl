@@ -145,7 +145,8 @@ uniform vec4 uSampleIsovalues;  // texels of uVolume
 bool sampleInside(float texel, int k) { return (texel >= uSampleIsovalues[k]) == uInsideHigh; }
 
 // Of the spline at p, in the cell's [0, 1]^3, which lies inside: whether the piece is hidden of the sample that the
-// ascent in the cell leads to, or where that one lies outside, of the nearest inside one among the 4 x 4 x 4 around.
+// ascent in the cell leads to, or where that one lies outside, of the nearest inside one among the 4 x 4 x 4 around. Of samples
+// as near as rounding leaves open the first counts (volume/pieces/surface_voxel.cpp does the same).
 bool splineHidden(ivec3 cell, vec3 p, int k) {
   vec4 low, high;
   cellCorners(cell, low, high);
@@ -158,7 +159,7 @@ bool splineHidden(ivec3 cell, vec3 p, int k) {
   for (int i = 0; i < 64; ++i) {
     ivec3 voxel = clamp(cell + ivec3(i & 3, i >> 2 & 3, i >> 4) - 1, ivec3(0), uDims - 1);
     vec3 apart = vec3(voxel - cell) - p;
-    if (dot(apart, apart) >= least || !sampleInside(texelFetch(uVolume, voxel + shift, 0).r, k)) continue;
+    if (dot(apart, apart) >= least - 1e-4 || !sampleInside(texelFetch(uVolume, voxel + shift, 0).r, k)) continue;
     least = dot(apart, apart);
     hidden = hiddenBit(voxel, k) != 0u;
   }

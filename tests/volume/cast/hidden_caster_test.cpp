@@ -100,6 +100,27 @@ TEST(HiddenCaster, InCellsOfTwoPiecesHitsAreOfTheShownOne) {
                     "split cells", 12);
 }
 
+// Two slabs, apart by samples that the spline passes over: what is seen ends within its inside.
+TEST(HiddenCaster, WhereASplineBridgesAGapTheHiddenPieceIsLeftOut) {
+  constexpr glm::ivec3 dims(32, 32, 24);
+  HiddenVoxels hidden(dims);
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 8; y < 24; ++y) hidden.hide(0, 15, y, z);
+  for (const double sign : {1.0, -1.0})
+    expectFirstHits({test::gridOfVoxels(test::unitGeometry(dims),
+                                        [&](glm::dvec3 p) {
+                                          const double depth = std::abs(p.y - 15.5) > 8.0   ? -10.0
+                                                               : std::abs(p.x - 15.5) < 1.0 ? -0.1
+                                                                                            : 10.0;
+                                          return sign * depth;
+                                        }),
+                     {0.0},
+                     scene::Field::cubic,
+                     {&hidden},
+                     sign > 0.0 ? scene::Inside::above : scene::Inside::below},
+                    "bridged", 5);
+}
+
 TEST(HiddenCaster, StoredValuesThatFallWithTheData) {
   const std::vector<test::PieceBall> balls = test::pieceBalls();
   const Grid grid = test::gridOfBalls(balls, true);
