@@ -35,14 +35,14 @@ double HiddenStructure::share() const {
 
 HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
                                 const render::FrameRequest& request, const volume::PreparedVolume& level,
-                                const volume::IndexedVolume& whole, base::Progress& progress) {
+                                const volume::IndexedVolume& whole, const volume::LevelGaps& gaps,
+                                base::Progress& progress) {
   const glm::ivec2 size = request.size;
   const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   const glm::dvec3 thin = 2.0 * level.grid().geometry().spacingMm();
   HiddenStructure out{size, std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0), 0,
                       std::max({thin.x, thin.y, thin.z})};
   const std::vector<double> isovalues = scene::seenIsovalues(drawn);
-  const volume::LevelGaps gaps(whole, level.grid(), isovalues, progress);
   out.blocks = gaps.count();
 
   render::FrameRequest hits;
@@ -86,6 +86,13 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
         }
       });
   return out;
+}
+
+HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
+                                const render::FrameRequest& request, const volume::PreparedVolume& level,
+                                const volume::IndexedVolume& whole, base::Progress& progress) {
+  const volume::LevelGaps gaps(whole, level.grid(), scene::seenIsovalues(drawn), progress);
+  return hiddenStructure(renderer, drawn, request, level, whole, gaps, progress);
 }
 
 std::string structureLine(const HiddenStructure& structure) {

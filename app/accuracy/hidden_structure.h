@@ -31,7 +31,12 @@ struct HiddenStructure {
 };
 
 // `drawn`: the scene of the picture, as measureErrors() takes it, of a volume that is a level of `whole`.
-// Throws as render::drawStill().
+// gaps: of scene::seenIsovalues(drawn). Throws as render::drawStill().
+HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
+                                const render::FrameRequest& request, const volume::PreparedVolume& level,
+                                const volume::IndexedVolume& whole, const volume::LevelGaps& gaps,
+                                base::Progress& progress);
+// The same with gaps that nobody else wants.
 HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
                                 const render::FrameRequest& request, const volume::PreparedVolume& level,
                                 const volume::IndexedVolume& whole, base::Progress& progress);

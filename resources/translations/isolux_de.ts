@@ -1869,6 +1869,29 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     </message>
 </context>
 <context>
+    <name>isolux::ui::LevelMarks</name>
+    <message>
+        <source>What the overview hides is known from the volume’s index, which the command “isolux index” makes.</source>
+        <translation>Was die Übersicht verbirgt, ist aus dem Index des Volumens bekannt, den der Befehl „isolux index“ anlegt.</translation>
+    </message>
+    <message>
+        <source>hides nothing in this view</source>
+        <translation>verbirgt in dieser Ansicht nichts</translation>
+    </message>
+    <message>
+        <source>Where the isosurface crosses the volume, the overview shows a surface up to one of its voxels elsewhere.</source>
+        <translation>Wo die Isofläche durch das Volumen geht, zeigt die Übersicht eine Fläche, um höchstens eines ihrer Voxel versetzt.</translation>
+    </message>
+    <message>
+        <source>may hide structure in %1 % of the picture</source>
+        <translation>verbirgt vielleicht Strukturen in %1 % des Bildes</translation>
+    </message>
+    <message>
+        <source>Hatched: the isosurface crosses the volume there, and the overview shows nothing of it. What is thinner than %1 may be missing.</source>
+        <translation>Schraffiert: Dort geht die Isofläche durch das Volumen, und die Übersicht zeigt nichts davon. Was dünner als %1 ist, kann fehlen.</translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::LightChooser</name>
     <message>
         <source>Light: %1</source>
@@ -2677,6 +2700,14 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     <message>
         <source>Overview: level %1</source>
         <translation>Übersicht: Stufe %1</translation>
+    </message>
+    <message>
+        <source>&amp;Mark what the overview hides</source>
+        <translation>&amp;Markieren, was die Übersicht verbirgt</translation>
+    </message>
+    <message>
+        <source>Hatch where the volume itself has structure that the coarser level shown may hide</source>
+        <translation>Schraffieren, wo das Volumen selbst Strukturen hat, die die gezeigte gröbere Stufe verbergen kann</translation>
     </message>
 </context>
 <context>

@@ -1,12 +1,11 @@
 #include "ui/accuracy/error_overlay_box.h"
 
-#include <cstring>
-
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/accuracy/picture_pixels.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
@@ -14,17 +13,6 @@ namespace isolux::ui {
 namespace {
 
 constexpr int overlayPollMilliseconds = 20;
-
-render::ColorImage colorImageOf(const QImage& image) {
-  const QImage bytes = image.convertToFormat(QImage::Format_RGBA8888);
-  render::ColorImage color;
-  color.size = {bytes.width(), bytes.height()};
-  const auto row = static_cast<std::size_t>(4) * static_cast<std::size_t>(bytes.width());
-  color.rgba.resize(row * static_cast<std::size_t>(bytes.height()));
-  for (int y = 0; y < bytes.height(); ++y)
-    std::memcpy(&color.rgba[row * static_cast<std::size_t>(y)], bytes.constScanLine(y), row);
-  return color;
-}
 
 bool sameLimit(const ErrorOverlayBox::Shown& a, const ErrorOverlayBox::Shown& b) {
   return a.limit == b.limit && a.shortestEdgeMm == b.shortestEdgeMm;
@@ -118,9 +106,7 @@ void ErrorOverlayBox::poll() {
   pollTimer_.stop();
   const std::unique_ptr<app::OverlayJob> job = std::move(job_);
   if (job->error()) return take({});
-  const render::ColorImage& image = job->painted();
-  take(QImage(image.rgba.data(), image.size.x, image.size.y, QImage::Format_RGBX8888)
-           .convertToFormat(QImage::Format_RGB32));
+  take(imageOf(job->painted()));
 }
 
 void ErrorOverlayBox::take(const QImage& image) {

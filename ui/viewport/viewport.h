@@ -14,6 +14,7 @@
 // reason stands in its place until something changes, and then it is tried again.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -99,9 +100,14 @@ class Viewport : public QWidget {
   glm::ivec2 pixelSize() const;                   // of the screen
   const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale
   const std::optional<render::Tile>& legend() const { return legend_; }  // where it stands in them
+  // What may be shown in place of the picture: the last that is there.
+  enum class Over { structure, errors };
   // Shown in place of the picture `of` while that is on screen; null: nothing is.
-  void setOver(const QImage& image, const QImage& of);
-  bool showsOver() const { return !over_.isNull() && overOf_ == image_.cacheKey(); }
+  void setOver(Over what, const QImage& image, const QImage& of);
+  bool showsOver(Over what) const {
+    const Laid& laid = laid_[static_cast<std::size_t>(what)];
+    return !laid.image.isNull() && laid.of == image_.cacheKey();
+  }
   bool complete() const;        // the picture on screen is the full one
   QString description() const;  // GL strings, or why there is no picture
   const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
@@ -144,6 +150,7 @@ class Viewport : public QWidget {
   bool event(QEvent* event) override;
 
  private:
+  const QImage& pixelsToShow() const;
   enum class Drag { none, orbit, pan, zoom, roll, environment, lamp, cut };
   void takeContext();
   void orderSoon();
@@ -225,8 +232,12 @@ class Viewport : public QWidget {
   // Changes are counted. What is on screen: its pixels, what they were asked for, and after how many changes.
   // What was ordered last: the same.
   std::uint64_t changes_ = 1, shownChanges_ = 0, orderedChanges_ = 0;
-  QImage image_, over_;
-  qint64 overOf_ = 0;  // QImage::cacheKey
+  QImage image_;
+  struct Laid {
+    QImage image;
+    qint64 of = 0;  // QImage::cacheKey
+  };
+  std::array<Laid, 2> laid_;  // by Over
   std::optional<render::Tile> legend_;
   render::FrameRequest shownRequest_, orderedRequest_;
   std::uint64_t orderNumber_ = 0;

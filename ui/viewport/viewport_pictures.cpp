@@ -130,7 +130,7 @@ void Viewport::paintEvent(QPaintEvent*) {
   }
   const glm::ivec2 size = pixelSize();
   painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != QSize(size.x, size.y));
-  painter.drawImage(rect(), showsOver() ? over_ : image_);
+  painter.drawImage(rect(), pixelsToShow());
   if (unpainted_)
     Q_EMIT answered(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
                                                               *std::exchange(unpainted_, std::nullopt))
@@ -138,9 +138,14 @@ void Viewport::paintEvent(QPaintEvent*) {
   if (!sameRays(shownRequest_, quality_.request(size))) orderSoon();  // on a screen of another pixel ratio
 }
 
-void Viewport::setOver(const QImage& image, const QImage& of) {
-  over_ = image;
-  overOf_ = of.cacheKey();
+const QImage& Viewport::pixelsToShow() const {
+  for (const Over what : {Over::errors, Over::structure})
+    if (showsOver(what)) return laid_[static_cast<std::size_t>(what)].image;
+  return image_;
+}
+
+void Viewport::setOver(Over what, const QImage& image, const QImage& of) {
+  laid_[static_cast<std::size_t>(what)] = {image, of.cacheKey()};
   update();
 }
 
@@ -230,7 +235,7 @@ void Viewport::put(const app::DrawnPicture& picture) {
   const glm::ivec2 size = picture.color.size;
   image_ = QImage(picture.color.rgba.data(), size.x, size.y, QImage::Format_RGBX8888)
                .convertToFormat(QImage::Format_RGB32);
-  over_ = {};
+  laid_ = {};
   legend_ = picture.report.legend;
   // A draft that comes after a change is shown all the same, so that the view moves.
   shownChanges_ = picture.order == orderNumber_ ? orderedChanges_ : 0;

@@ -19,6 +19,7 @@
 #include "scene/looks.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
+#include "ui/accuracy/level_marks.h"
 #include "ui/browser/folder_opener.h"
 #include "ui/browser/recent_menu.h"
 #include "ui/document/baked_light.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(QWidget* parent)
       message_(new MessageBar(slices_)),
       loadCard_(new LoadCard(slices_)),
       lightStatus_(new LightStatus(this)),
+      levelMarks_(new LevelMarks(this)),
       pointedPiece_(new PointedPiece(this)),
       folders_(new FolderOpener(
           this, [this](const QString& folder, const QString& series) { openSeries(folder, series); })),
@@ -307,6 +309,24 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   look_->setCurrentIndex(static_cast<int>(&scene::lookInfo(scene.look.mode) - scene::looks().data()));
 }
 
+// That what is shown is a coarser level of the volume, and what is known of what it hides.
+void MainWindow::showLevel() {
+  const int level = document_->volume() ? document_->shownLevel() : 0;
+  markLevel_->setEnabled(level > 0);
+  if (level == 0) {
+    coarseLabel_->clear();
+    coarseLabel_->setToolTip({});
+    return;
+  }
+  const QString hidden = levelMarks_->text();
+  coarseLabel_->setText(tr("Overview: level %1").arg(level) + (hidden.isEmpty() ? "" : " · " + hidden));
+  QStringList tip;
+  const std::vector<std::string>& notes = document_->volume()->volume.warnings;
+  if (!notes.empty()) tip += QString::fromStdString(notes.front());
+  if (!levelMarks_->meaning().isEmpty()) tip += levelMarks_->meaning();
+  coarseLabel_->setToolTip(tip.join("\n\n"));
+}
+
 void MainWindow::showState() {
   const bool pictureComes =
       awaitsFirstPicture_ && viewport_->isVisible() && !isMinimized() && !viewport_->problem();
@@ -331,13 +351,7 @@ void MainWindow::showState() {
   copyCommand_->setEnabled(loaded);
   copyPicture_->setEnabled(loaded);
   mesh_->setEnabled(loaded);
-  const int level = document_->shownLevel();
-  coarseLabel_->setText(level > 0 ? tr("Overview: level %1").arg(level) : "");
-  const auto tip = [&] {
-    const std::vector<std::string>& notes = document_->volume()->volume.warnings;
-    return level > 0 && !notes.empty() ? QString::fromStdString(notes.front()) : QString();
-  };
-  coarseLabel_->setToolTip(loaded ? tip() : QString());
+  showLevel();
   const bool recording = document_->recording();
   record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);

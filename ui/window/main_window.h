@@ -31,6 +31,7 @@ class BakedLight;
 class DocumentKeeper;
 class FolderOpener;
 class IsovaluePanel;
+class LevelMarks;
 class LightStatus;
 class LoadCard;
 class MarkReports;
@@ -93,6 +94,9 @@ class MainWindow : public QMainWindow {
   LightStatus* lightStatus() const { return lightStatus_; }
   QLabel* coarseLabel() const { return coarseLabel_; }  // empty where the file's own voxels are shown
 
+  LevelMarks* levelMarks() const { return levelMarks_; }
+  QAction* markLevelAction() const { return markLevel_; }  // checked: what an overview hides is hatched
+
   QMenu* presetsMenu() const { return presetsMenu_; }
   // A shell command that draws the picture as it is saved; empty without a volume.
   QString commandText() const;
@@ -145,6 +149,7 @@ class MainWindow : public QMainWindow {
   void endGesture();
   void tellOfMoving();
   void showScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void showLevel();
   void showState();  // title, undo names, recording: what stateChanged() announces
   void showPointed(const std::optional<app::Pick>& pick);
   void showPointedText();
@@ -213,6 +218,7 @@ class MainWindow : public QMainWindow {
   MessageBar* message_;
   LoadCard* loadCard_;
   LightStatus* lightStatus_;
+  LevelMarks* levelMarks_;
   struct Docked {
     QDockWidget* dock;
     Panel* panel;
@@ -221,7 +227,7 @@ class MainWindow : public QMainWindow {
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *copyCommand_, *copyPicture_,
-      *mesh_, *hidePatient_, *link_ = nullptr;
+      *mesh_, *hidePatient_, *markLevel_, *link_ = nullptr;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;

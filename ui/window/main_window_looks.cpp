@@ -6,6 +6,7 @@
 
 #include "scene/rules/automatic.h"
 #include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/level_marks.h"
 #include "ui/document/baked_light.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"
@@ -27,7 +28,13 @@ void MainWindow::connectLooks() {
   for (const Docked& docked : panels_)
     if (docked.panel == accuracy)
       connect(docked.dock, &QDockWidget::visibilityChanged, accuracy, &AccuracyPanel::seenChanged);
-  connect(accuracy, &AccuracyPanel::overlayPainted, viewport_, &Viewport::setOver);
+  connect(accuracy, &AccuracyPanel::overlayPainted, viewport_, [this](const QImage& image, const QImage& of) {
+    viewport_->setOver(Viewport::Over::errors, image, of);
+  });
+  connect(levelMarks_, &LevelMarks::painted, viewport_, [this](const QImage& image, const QImage& of) {
+    viewport_->setOver(Viewport::Over::structure, image, of);
+  });
+  connect(levelMarks_, &LevelMarks::changed, this, &MainWindow::showLevel);
   auto* const label = new QLabel(this);
   label->setObjectName("pictureAccuracy");
   label->setContentsMargins(10, 0, 0, 0);
@@ -47,6 +54,12 @@ void MainWindow::tellAccuracy() {
   auto* const accuracy = panel<AccuracyPanel>();
   accuracy->setComplete(viewport_->complete());
   accuracy->setPixels(viewport_->complete() ? viewport_->shown() : QImage(), viewport_->legend());
+  const VolumePointer& volume = document_->volume();
+  if (volume && document_->shownLevel() > 0 && viewport_->complete() && !previewing_)
+    levelMarks_->show(
+        LevelMarks::Shown{volume, document_->resolvedScene(), viewport_->shown(), viewport_->legend()});
+  else
+    levelMarks_->show({});
 }
 
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {

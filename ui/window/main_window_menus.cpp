@@ -13,6 +13,7 @@
 
 #include "scene/looks.h"
 #include "scene/settings.h"
+#include "ui/accuracy/level_marks.h"
 #include "ui/browser/recent_menu.h"
 #include "ui/document/privacy.h"
 #include "ui/editors/number_text.h"
@@ -142,6 +143,12 @@ void MainWindow::makeViewMenu() {
   animate_->setShortcutContext(Qt::WidgetShortcut);
   viewport_->addAction(animate_);
   connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
+  markLevel_ =
+      newAction(menu, tr("&Mark what the overview hides"), "", {},
+                tr("Hatch where the volume itself has structure that the coarser level shown may hide"));
+  markLevel_->setCheckable(true);
+  markLevel_->setChecked(levelMarks_->marking());
+  connect(markLevel_, &QAction::toggled, levelMarks_, &LevelMarks::setMarking);
   menu->addSeparator();
   layout_->fillMenu(menu);
   link_ = newAction(menu, tr("&Link views of windows"), "", {},

@@ -246,7 +246,8 @@ Volume readLevel(const scene::Source& source, base::Progress& progress) {
   const ReadOptions options = readOptions(source);
   const GridGeometry geometry = levelGeometry(facts, source.level);
   ImageHeader header = chunkedHeader(facts, geometry, facts.storedType);
-  header.warnings.insert(header.warnings.begin(), levelNote(facts, source.level));
+  header.warnings.push_back(levelNote(facts, source.level));
+  std::rotate(header.warnings.rbegin(), header.warnings.rbegin() + 1, header.warnings.rend());  // the first
   checkBudget(header, source.path, options);
   const VolumePart part{source.timeStep, source.component};
   const Origin origin = originOf(facts, source.level);

@@ -22,8 +22,11 @@ class ErrorOverlayTest : public WindowTest {
   ui::AccuracyPanel* panel() { return window_->panel<ui::AccuracyPanel>(); }
   void choose(std::optional<app::ErrorImage> error) { panel()->overlay()->choose(error); }
   bool awaitOverlay() {
-    return waitUntil([&] { return window_->viewport()->showsOver() && !panel()->overlay()->working(); },
-                     120000);
+    return waitUntil(
+        [&] {
+          return window_->viewport()->showsOver(ui::Viewport::Over::errors) && !panel()->overlay()->working();
+        },
+        120000);
   }
   QImage onScreen() {
     QCoreApplication::processEvents();
@@ -48,11 +51,11 @@ TEST_F(ErrorOverlayTest, LiesOverThePictureThatItIsOfAndNoOther) {
   EXPECT_GT(differingPixels(depth, onScreen(), 20), 0.001) << "another error has another legend";
 
   edit("camera.fov=40");
-  EXPECT_TRUE(waitUntil([&] { return !window_->viewport()->showsOver(); }));
+  EXPECT_TRUE(waitUntil([&] { return !window_->viewport()->showsOver(ui::Viewport::Over::errors); }));
   fullPicture(*window_);
   EXPECT_TRUE(awaitOverlay()) << "of the new picture";
   choose(std::nullopt);
-  EXPECT_FALSE(window_->viewport()->showsOver());
+  EXPECT_FALSE(window_->viewport()->showsOver(ui::Viewport::Over::errors));
   window_->document()->undo();
   fullPicture(*window_);
   EXPECT_LT(differingPixels(plain, onScreen(), 20), 0.001);
@@ -72,7 +75,7 @@ TEST_F(ErrorOverlayTest, WhatExceedsTheErrorThatIsEnteredIsHatched) {
 TEST_F(ErrorOverlayTest, WithoutStoredLightItSaysWhatToDo) {
   choose(app::ErrorImage::light);
   ASSERT_TRUE(waitUntil([&] { return !panel()->overlay()->note().isEmpty(); }, 120000));
-  EXPECT_FALSE(window_->viewport()->showsOver());
+  EXPECT_FALSE(window_->viewport()->showsOver(ui::Viewport::Over::errors));
   EXPECT_TRUE(panel()->overlay()->note().contains("Global illumination"));
 }
 
@@ -80,7 +83,7 @@ TEST_F(ErrorOverlayTest, GoesWithThePanel) {
   choose(app::ErrorImage::depth);
   ASSERT_TRUE(awaitOverlay());
   window_->showPanel("Passes");
-  EXPECT_TRUE(waitUntil([&] { return !window_->viewport()->showsOver(); }));
+  EXPECT_TRUE(waitUntil([&] { return !window_->viewport()->showsOver(ui::Viewport::Over::errors); }));
 }
 
 }  // namespace

@@ -192,7 +192,8 @@ int takePicture(const QCommandLineParser& options) {
     const app::OverlayWish wish = app::parseOverlay(options.value("errors").toStdString(), {});
     overlay->choose(wish.colors);
     if (!waitUntil([&] {
-          return !overlay->note().isEmpty() || (window.viewport()->showsOver() && !overlay->working());
+          return !overlay->note().isEmpty() ||
+                 (window.viewport()->showsOver(ui::Viewport::Over::errors) && !overlay->working());
         }))
       return fail("no errors in ten minutes");
   }

@@ -107,7 +107,7 @@ TEST_F(WindowTest, TurningBesideTheAccuracyPanelNeverBlocksTheWindow) {
   };
   const auto overlay = [&] {
     panel->overlay()->choose(app::ErrorImage::depth);
-    return window_->viewport()->showsOver();
+    return window_->viewport()->showsOver(ui::Viewport::Over::errors);
   };
   for (const Work& work :
        {Work{"picture", picture}, Work{"study", study}, Work{"search", search}, Work{"overlay", overlay}}) {

@@ -1,0 +1,57 @@
+// What a coarser level hides of the picture on screen: found on a background thread
+// (app/jobs/structure_job.h) as soon as the picture is finished, hatched in it, and said in words. Nothing of
+// it runs for a volume's own voxels.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QImage>
+#include <QObject>
+#include <QTimer>
+
+#include "app/jobs/structure_job.h"
+#include "ui/document/document.h"
+
+namespace isolux::ui {
+
+class LevelMarks : public QObject {
+  Q_OBJECT
+ public:
+  struct Shown {
+    VolumePointer volume;  // a level
+    scene::Scene resolved;
+    QImage picture;
+    std::optional<render::Tile> legend;  // of the picture
+  };
+  explicit LevelMarks(QObject* parent = nullptr);
+
+  // The finished picture of a level on show; none: there is none.
+  void show(const std::optional<Shown>& shown);
+  void setMarking(bool marks);  // the user wants hatching; kept in the user's settings
+  bool marking() const { return marks_; }
+  bool working() const { return job_ != nullptr; }
+  QString text() const { return text_; }  // "may hide structure in 3 % of the picture"; empty: not known
+  QString meaning() const { return meaning_; }  // a sentence, or how it would become known
+
+ Q_SIGNALS:
+  void changed();                                       // what is said
+  void painted(const QImage& image, const QImage& of);  // the marked picture; null: it has no marks
+
+ private:
+  void look();
+  void poll();
+  void say(const QString& text, const QString& meaning);
+  void tell(const std::optional<app::HiddenStructure>& structure);
+
+  std::optional<Shown> shown_;
+  app::KnownStructure known_;  // of knownOf_
+  VolumePointer knownOf_;
+  QImage marked_;
+  QString text_, meaning_;
+  bool marks_ = true;
+  std::unique_ptr<app::StructureJob> job_;
+  QTimer pollTimer_;
+};
+
+}  // namespace isolux::ui
