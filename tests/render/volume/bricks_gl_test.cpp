@@ -417,6 +417,30 @@ TEST_F(StreamingGlTest, BricksArrivingOverFramesConvergeToTheSamePicture) {
   EXPECT_EQ(uploaded, still.bricks.resident);
 }
 
+// Pixels whose rays wait are hatched, and no others: those beside the volume have their background at once.
+TEST_F(StreamingGlTest, WhatWaitsIsHatchedWhateverTheMethod) {
+  const auto volume = phantom("gyroid", 70);
+  for (const char* method : {"hit.method=exact", "hit.method=sampled"}) {
+    scene::Scene scene = assigned({method}, lookingFrom(volume, {1.0, 0.4, 0.3}));
+    scene.camera.fov = 60.0;
+    const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+    const double missing = frame(volume, scene, 64, 2 * 35 * 35 * 35 * 4).bricks.missing;
+    const render::ColorImage color = renderer_->readColor();
+    const std::size_t pixels = color.rgba.size() / 4;
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      int most = 0;
+      for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
+        most = std::max(most, std::abs(color.rgba[c] - whole.color.rgba[c]));
+      other += most > 3;
+    }
+    EXPECT_GT(missing, 0.05) << method;
+    EXPECT_LT(missing, 0.9) << method;
+    const double share = static_cast<double>(other) / static_cast<double>(pixels);
+    EXPECT_NEAR(share, missing, 0.1 * missing) << method;
+  }
+}
+
 TEST_F(StreamingGlTest, ABudgetTooSmallForTheWindowIsSaidAndComesToRest) {
   const auto volume = phantom("gyroid", 128);
   scene::Scene scene;

@@ -317,6 +317,14 @@ TEST(ScaledField, AStopIsHeededSoon) {
   test::expectStopsSoon([&](base::Progress& progress) { scaledField(grid, Field::cubic, 2.0, progress); }, 5);
 }
 
+TEST(ScaledField, SaysHowFarItIsAndNoFartherThanTheEnd) {
+  const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(16)), rampSteps);
+  base::Progress progress;
+  scaledField(grid, Field::cubic, 1.0, progress);
+  EXPECT_GT(progress.fraction(), 0.8);
+  EXPECT_LE(progress.fraction(), 1.0);
+}
+
 TEST(ScaledField, AsksTheMemoryBudgetAndSaysWhatNeedsLess) {
   const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(16)), rampSteps);
   const std::size_t before = base::machineMemory().held();
