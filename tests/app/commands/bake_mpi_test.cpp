@@ -170,7 +170,10 @@ TEST_F(BakeOverMpi, ARankThatIsKilledEndsTheJobAndTheSameCommandGoesOn) {
     std::array<char, 256> host{};
     ::gethostname(host.data(), host.size() - 1);
     EXPECT_THAT(result.err, HasSubstr(std::string("on node ") + host.data()));
-    EXPECT_FALSE(bytesOf(out) == bytesOf("whole.vti"));
+    // The others have about a second after a worker's end, in which they may come to the end.
+    if (killed == 0) {
+      EXPECT_FALSE(bytesOf(out) == bytesOf("whole.vti"));
+    }
     const RunResult again = overMpi(2, words(out));  // refuses a file that is not whole
     ASSERT_EQ(again.exitCode, 0) << again.err;
     EXPECT_THAT(again.err, testing::Not(HasSubstr("replaced")));
