@@ -417,27 +417,26 @@ TEST_F(StreamingGlTest, BricksArrivingOverFramesConvergeToTheSamePicture) {
   EXPECT_EQ(uploaded, still.bricks.resident);
 }
 
-// Pixels whose rays wait are hatched, and no others: those beside the volume have their background at once.
+// Pixels whose rays wait are hatched grey, and no others: neither those that hit nor those that hit nothing.
 TEST_F(StreamingGlTest, WhatWaitsIsHatchedWhateverTheMethod) {
-  const auto volume = phantom("gyroid", 70);
+  const auto grey = [](const render::ColorImage& color) {
+    double count = 0.0;
+    for (std::size_t i = 0; i < color.rgba.size(); i += 4)
+      count += std::abs(color.rgba[i] - color.rgba[i + 1]) <= 3 &&
+               std::abs(color.rgba[i] - color.rgba[i + 2]) <= 3;
+    return 4.0 * count / static_cast<double>(color.rgba.size());
+  };
   for (const char* method : {"hit.method=exact", "hit.method=sampled"}) {
-    scene::Scene scene = assigned({method}, lookingFrom(volume, {1.0, 0.4, 0.3}));
-    scene.camera.fov = 60.0;
-    const Drawn whole = draw(volume, scene, MemoryLayout::whole);
+    const auto volume = phantom("ball", 100);  // none of whose bricks is there
+    scene::Scene scene = assigned({method, "look.mode=lambert"}, lookingFrom(volume, {1.0, 0.4, 0.3}));
+    scene.isosurface.albedo = {1.0, 0.1, 0.05};
+    scene.look.backgroundTop = scene.look.backgroundBottom = {0.1, 0.2, 0.9};
     const double missing = frame(volume, scene, 64, 2 * 35 * 35 * 35 * 4).bricks.missing;
-    const render::ColorImage color = renderer_->readColor();
-    const std::size_t pixels = color.rgba.size() / 4;
-    std::size_t other = 0;
-    for (std::size_t i = 0; i < pixels; ++i) {
-      int most = 0;
-      for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
-        most = std::max(most, std::abs(color.rgba[c] - whole.color.rgba[c]));
-      other += most > 3;
-    }
     EXPECT_GT(missing, 0.05) << method;
     EXPECT_LT(missing, 0.9) << method;
-    const double share = static_cast<double>(other) / static_cast<double>(pixels);
-    EXPECT_NEAR(share, missing, 0.1 * missing) << method;
+    EXPECT_NEAR(grey(renderer_->readColor()), missing, 0.02) << method;
+    EXPECT_EQ(frame(volume, scene, 64, 0).bricks.missing, 0.0);
+    EXPECT_LT(grey(renderer_->readColor()), 0.01) << method;
   }
 }
 
