@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "app/jobs/field_job.h"
+#include "app/jobs/quiet_renderer.h"
 #include "app/jobs/rest_scene.h"
-#include "render/gl/gl_context.h"
 #include "scene/rules/ghosts.h"
 
 namespace isolux::app {
@@ -26,17 +26,12 @@ void StructureWork::run(base::Progress& progress) {
         std::make_shared<const volume::LevelGaps>(*known.whole, subject.volume->grid(), isovalues, progress);
     known.isovalues = std::move(isovalues);
   }
-  const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
-  context->makeCurrent();
-  render::Renderer renderer(context->gl());
-  scene::Machine machine;
-  machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
-  renderer.setMachine(machine);
-  renderer.setVolume(subject.volume);
+  QuietRenderer quiet(subject.volume, nullptr);
   render::FrameRequest request;
   request.size = marked.size;
   request.stop = progress.token();
-  structure = hiddenStructure(renderer, shown, request, *subject.volume, *known.whole, *known.gaps, progress);
+  structure =
+      hiddenStructure(quiet.renderer(), shown, request, *subject.volume, *known.whole, *known.gaps, progress);
   paintStructure(*structure, shown.look.legendCorner, subject.taken, marked);
 }
 

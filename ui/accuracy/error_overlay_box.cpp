@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "ui/accuracy/picture_pixels.h"
+#include "ui/viewport/picture_pixels.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {

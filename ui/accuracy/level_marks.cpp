@@ -2,8 +2,8 @@
 
 #include <QSettings>
 
-#include "ui/accuracy/picture_pixels.h"
 #include "ui/editors/number_text.h"
+#include "ui/viewport/picture_pixels.h"
 
 namespace isolux::ui {
 

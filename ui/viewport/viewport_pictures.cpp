@@ -145,7 +145,7 @@ const QImage& Viewport::pixelsToShow() const {
 }
 
 void Viewport::setOver(Over what, const QImage& image, const QImage& of) {
-  laid_[static_cast<std::size_t>(what)] = {image, of.cacheKey()};
+  laid_[static_cast<std::size_t>(what)] = {image.convertToFormat(QImage::Format_RGB32), of.cacheKey()};
   update();
 }
 

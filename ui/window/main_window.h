@@ -142,7 +142,7 @@ class MainWindow : public QMainWindow {
   void moveCrosshair(glm::dvec3 worldMm);
   void showSlicesInPicture();
   void connectLooks();
-  void tellAccuracy();                                     // its panel, what picture is on screen
+  void tellAccuracy();                                     // its panel, and LevelMarks: what is on screen
   void preview(const std::optional<scene::Scene>& scene);  // none: the document's
   void applyEdit(const Edit& edit);
   void applyViewEdit(const Edit& edit);  // of the viewport

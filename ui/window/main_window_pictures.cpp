@@ -23,6 +23,7 @@
 #include "ui/document/privacy.h"
 #include "ui/document/recent_files.h"
 #include "ui/panels/light_status.h"
+#include "ui/viewport/picture_pixels.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
@@ -33,21 +34,6 @@ namespace {
 
 QSize sizeOf(glm::ivec2 size) {
   return {size.x, size.y};
-}
-
-QImage imageOf(const render::ColorImage& image) {
-  const QImage view(image.rgba.data(), image.size.x, image.size.y, qsizetype{4} * image.size.x,
-                    image.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGBX8888);
-  return view.copy();
-}
-
-render::ColorImage colorsOf(const QImage& shown) {
-  const QImage image = shown.convertToFormat(QImage::Format_RGBA8888);
-  render::ColorImage colors{{image.width(), image.height()}, {}, false};
-  for (int y = 0; y < image.height(); ++y)
-    colors.rgba.insert(colors.rgba.end(), image.constScanLine(y),
-                       image.constScanLine(y) + std::ptrdiff_t{4} * image.width());
-  return colors;
 }
 
 bool endsWith(const QString& file, const char* suffix) {
@@ -82,7 +68,7 @@ void MainWindow::choosePicture() {
 // The picture on screen with what is chosen written on it.
 QImage MainWindow::previewOf(const PictureChoices& chosen) const {
   if (!document_->volume() || viewport_->shown().isNull()) return {};
-  render::ColorImage picture = colorsOf(viewport_->shown());
+  render::ColorImage picture = colorImageOf(viewport_->shown());
   scene::Scene resolved = document_->resolvedScene();
   resolved.picture = chosen.picture;
   resolved.picture.transparent = false;
