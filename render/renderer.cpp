@@ -153,13 +153,13 @@ struct Renderer::Parts {
   std::optional<scene::Scene> completedScene;  // of completed()
   scene::Memory memory;
   scene::Executor executor = scene::Executor::automatic;
-  std::uint64_t copiesMade = 0;   // VolumeState::made
-  std::uint64_t bricksAsked = 0;  // BrickState::asked
-  std::size_t waitingRays = 0;    // of the last frame that cast rays
-  bool hit = false;               // some ray of the last frame that cast rays hit a surface
-  bool hitsChanged = false;       // since the last frame that was completed
-  bool complete = true;           // the last frame had all the time it needed
-  bool imagesDropped = false;     // in this frame, because their size is another
+  std::uint64_t copiesMade = 0;        // VolumeState::made
+  std::uint64_t bricksAsked = 0;       // BrickState::asked
+  BrickRounds::Unfinished unfinished;  // of the last frame that cast rays
+  bool hit = false;                    // some ray of the last frame that cast rays hit a surface
+  bool hitsChanged = false;            // since the last frame that was completed
+  bool complete = true;                // the last frame had all the time it needed
+  bool imagesDropped = false;          // in this frame, because their size is another
 
   // With what is automatic about derivatives where the picture reads them and nobody has filled it in.
   const scene::Scene& completed(const scene::Scene& scene, const FrameRequest& request);
@@ -321,11 +321,11 @@ VolumeState Renderer::Parts::volumeState() const {
 BrickState Renderer::Parts::brickState() {
   const Bricks* const bricks = frame.bricks();
   if (!bricks) {
-    waitingRays = 0;
+    unfinished = {};
     return {};
   }
   // What did not come in time may come now.
-  if (waitingRays > 0 && !complete && frame.request.brickUploadBytes == 0) ++bricksAsked;
+  if (unfinished.waiting > 0 && !complete && frame.request.brickUploadBytes == 0) ++bricksAsked;
   return {true, !bricks->holdsAll(), frame.volume->bricksMade(), bricksAsked};
 }
 
@@ -336,15 +336,20 @@ void Renderer::Parts::runInBricks(Pass& pass, const std::vector<Pass*>& running)
     frame.keepHits = true;
   });
   if (pass.name == pass::cast)
-    waitingRays = rounds.cast();
-  else
-    waitingRays = std::max(waitingRays, rounds.draw());
+    unfinished = rounds.cast();
+  else {
+    const BrickRounds::Unfinished now = rounds.draw();
+    unfinished = {std::max(unfinished.waiting, now.waiting), std::max(unfinished.lost, now.lost)};
+  }
 }
 
 void Renderer::Parts::reportBricks() {
   const Bricks* const bricks = frame.bricks();
   if (!bricks) return;
   const glm::ivec3 dims = bricks->dims();
+  const auto share = [this](std::size_t rays) {
+    return static_cast<double>(rays) / (static_cast<double>(frame.raySize().x) * frame.raySize().y);
+  };
   BrickReport& out = report.bricks;
   out = {
       true,
@@ -354,8 +359,11 @@ void Renderer::Parts::reportBricks() {
       bricks->slots(),
       bricks->uploaded(),
       bricks->evicted(),
-      static_cast<double>(waitingRays) / (static_cast<double>(frame.raySize().x) * frame.raySize().y),
-      frame.request.brickUploadBytes > 0 && waitingRays > 0 && bricks->canServe(bricks->frameRound())};
+      share(unfinished.waiting),
+      share(unfinished.lost),
+      bricks->lost(),
+      bricks->lostReason(),
+      frame.request.brickUploadBytes > 0 && unfinished.waiting > 0 && bricks->canServe(bricks->frameRound())};
   if (out.pending) ++bricksAsked;
   for (PassReport& pass : report.passes)
     if (pass.name == pass::bricks && out.uploaded > 0) {
@@ -445,7 +453,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   if (passRan(parts.report, pass::cast)) parts.complete = request.brickUploadBytes == 0;
   parts.reportBricks();
   if (parts.frame.readsLight) parts.frame.lighting->report(parts.report.light);
-  if (parts.volume && parts.waitingRays == 0)
+  if (parts.volume && parts.unfinished.waiting == 0 && parts.unfinished.lost == 0)
     parts.report.empty = whyEmpty(scene, *parts.volume, static_cast<double>(request.size.x) / request.size.y,
                                   !parts.frame.empty() || parts.frame.seesCutFaces(), parts.hit);
   if (parts.frame.withHessian && request.color && scene::needsCurvature(scene)) {

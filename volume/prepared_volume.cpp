@@ -262,6 +262,7 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
     scaled = false;
   }
   noteMissing(volume, *grid);
+  if (!index.damaged().empty()) volume.warnings.push_back(damageText(index.damaged()));
   volume.grid = std::move(grid);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), index.blocks());
   setFacts(prepared, index.histogram(prepared->grid()), index.typicalStep(scaled), progress);

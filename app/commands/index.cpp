@@ -48,9 +48,13 @@ void runIndex(const IndexOptions& options, base::Progress& progress) {
   if (!file) base::throwInput(source.path, "", "has no use for an index, it is read whole: " + reason);
   const volume::IndexFile kept(source.path, volume::readOptions(source), options.out);
   std::optional<volume::VolumeIndex> index = kept.find(*file);
+  const auto tellDamage = [&] {
+    if (!index->damaged().empty())
+      base::throwInput(source.path, "", volume::damageText(index->damaged()) + "; the index goes around");
+  };
   if (index) {
     std::printf("%s is up to date\n", kept.place().c_str());
-    return;
+    return tellDamage();
   }
   fs::path written;
   {
@@ -59,6 +63,7 @@ void runIndex(const IndexOptions& options, base::Progress& progress) {
   }
   std::printf("%s: %zu of %zu slabs, %s read\n", written.c_str(), index->unitsDone(), index->units(),
               bytesText(index->bytesRead()).c_str());
+  tellDamage();
 }
 
 }  // namespace

@@ -193,6 +193,16 @@ class RenderRun {
         overlay_(overlayOf(options)),
         light_({.threads = machine_.threads, .around = options.lightAround}) {}
 
+  // After all pictures, which are written: some have holes.
+  void throwIfDamaged() const {
+    if (!damage_) return;
+    const std::string others =
+        damagedPictures_ < 2
+            ? ""
+            : "; so are parts of " + std::to_string(damagedPictures_ - 1) + " other pictures";
+    throw Error(damage_->kind(), damage_->file(), damage_->place(), damage_->reason() + others);
+  }
+
   void drawVolume(const VolumePictures& pictures) {
     if (pictures.pictures.empty()) return noteMovie(pictures);  // all of them are there
     const std::string& path = pictures.path;
@@ -387,6 +397,11 @@ class RenderRun {
     }
     for (const std::string& warning : light_.state().warnings) printNote(warning);
     noteOfPicture(scene, drawn.picture.report);
+    const render::BrickReport& bricks = drawn.picture.report.bricks;
+    if (bricks.lost > 0.0) {
+      if (!damage_) damage_ = Error(ErrorKind::input, picture.out, "", lostLine(bricks));
+      ++damagedPictures_;
+    }
     if (structure && structure->blocks > 0) printNote(structureLine(*structure));
     if (target_)
       for (const std::string& note : std::exchange(target_->notes, {})) printNote("--error: " + note);
@@ -414,6 +429,8 @@ class RenderRun {
   std::optional<volume::IndexedVolume> whole_;  // of a volume read at a coarser level
   std::optional<TargetAnswer> target_;          // of the volume; none: nothing was asked for, or is seen
   bool isChosen_ = false;
+  std::optional<Error> damage_;  // of the first picture of which a part cannot be read
+  std::size_t damagedPictures_ = 0;
   bool readsLight_ = false;  // of a file, before the volume's first picture
 };
 
@@ -431,6 +448,7 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   checkRenderOutputs(options, plan);
   RenderRun run(options, plan, progress);
   for (const VolumePictures& pictures : plan.volumes) run.drawVolume(pictures);
+  run.throwIfDamaged();
 }
 
 }  // namespace

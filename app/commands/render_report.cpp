@@ -63,9 +63,10 @@ ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& r
   json["blocks"] = {{"active", drawn.picture.report.blocksActive},
                     {"total", drawn.picture.report.blocksTotal}};
   const render::BrickReport& bricks = drawn.picture.report.bricks;
-  json["bricks"] = {{"active", bricks.active},   {"resident", bricks.resident}, {"uploaded", bricks.uploaded},
-                    {"evicted", bricks.evicted}, {"slots", bricks.slots},       {"total", bricks.total},
-                    {"missing", bricks.missing}};
+  json["bricks"] = {
+      {"active", bricks.active},   {"resident", bricks.resident}, {"uploaded", bricks.uploaded},
+      {"evicted", bricks.evicted}, {"slots", bricks.slots},       {"total", bricks.total},
+      {"missing", bricks.missing}, {"lost", bricks.lost},         {"lost_bricks", bricks.lostBricks}};
   const std::optional<render::EmptyPicture>& empty = drawn.picture.report.empty;
   json["empty"] = empty ? ordered_json(empty->reason) : ordered_json(nullptr);
   json["derivatives"] = derivativesJson(derivatives);
@@ -110,6 +111,11 @@ void printPasses(const render::FrameReport& report) {
         "bricks: %zu of %zu hold the surface, %zu are resident in %zu slots, %zu uploaded, %zu replaced\n",
         bricks.active, bricks.total, bricks.resident, bricks.slots, bricks.uploaded, bricks.evicted);
   std::fflush(stdout);
+}
+
+std::string lostLine(const render::BrickReport& bricks) {
+  return base::shortText(100.0 * bricks.lost, 2) +
+         " % of the picture is hatched, because the volume cannot be read there: " + bricks.lostReason;
 }
 
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report) {

@@ -31,6 +31,8 @@ nlohmann::ordered_json levelJson(int level, const volume::Grid& grid,
                                  const std::optional<HiddenStructure>& structure);
 
 void printPasses(const render::FrameReport& report);
+// Where bricks.lost > 0: how much of the picture that is, and why.
+std::string lostLine(const render::BrickReport& bricks);
 // Notes on stderr about a picture that has been written.
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report);
 

@@ -23,7 +23,11 @@ struct PictureThread::Work {
     std::shared_ptr<base::Progress> progress;
   };
   base::Mailbox<StillOrder> stillOrders;
-  base::Mailbox<Still> stills;
+  struct DrawnStill {
+    Still still;
+    std::shared_ptr<const base::Progress> of;  // which order
+  };
+  base::Mailbox<DrawnStill> stills;
   Context context;
   std::atomic<bool> contextKnown{false}, ending{false};
   std::counting_semaphore<> news{0};
@@ -89,12 +93,13 @@ void PictureThread::Work::draw(const Numbered& numbered, const std::shared_ptr<c
 void PictureThread::Work::drawStill(const StillOrder& still, const std::shared_ptr<const render::Gl>& gl) {
   const PictureOrder& order = still.order;
   try {
-    stills.put(std::make_unique<Still>(
-        render::drawStill(rendererFor(order, gl), order.scene, order.request, *still.progress)));
+    stills.put(std::make_unique<DrawnStill>(
+        DrawnStill{render::drawStill(rendererFor(order, gl), order.scene, order.request, *still.progress),
+                   still.progress}));
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();
     if (endingOf(failure) == Ending::unknown) renderer.reset();
-    stills.put(std::make_unique<Still>(failure));
+    stills.put(std::make_unique<DrawnStill>(DrawnStill{failure, still.progress}));
   }
 }
 
@@ -196,7 +201,11 @@ void PictureThread::stopStill() {
 }
 
 std::unique_ptr<PictureThread::Still> PictureThread::takeStill() {
-  return work_->stills.take();
+  std::unique_ptr<Work::DrawnStill> drawn = work_->stills.take();
+  if (!drawn) return nullptr;
+  if (drawn->of == stillProgress_) return std::make_unique<Still>(std::move(drawn->still));
+  base::retire(std::move(drawn));
+  return nullptr;
 }
 
 }  // namespace isolux::app

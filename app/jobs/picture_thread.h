@@ -88,7 +88,7 @@ class PictureThread {
   bool busy() const { return !given_.empty(); }  // an order has neither come back nor been dropped
 
   // The whole picture, of any size (render::drawStill). It drops what is being drawn, and is not dropped
-  // itself. One at a time.
+  // itself. One at a time: of those that were ordered before, stopped or not, takeStill() knows nothing more.
   void drawStill(PictureOrder order);
   std::unique_ptr<Still> takeStill();
   double stillFraction() const;  // how far the one that was ordered last is, in tiles

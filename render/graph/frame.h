@@ -96,7 +96,11 @@ struct BrickReport {
   std::size_t uploaded = 0, evicted = 0;  // in this frame
   // Of the rays: those that wait for a brick. They are drawn hatched.
   double missing = 0.0;
-  bool pending = false;  // the next frame gets further; otherwise what is missing does not fit
+  // Of the rays: those that ended where the file cannot be read. They are drawn hatched, too.
+  double lost = 0.0;
+  std::size_t lostBricks = 0;  // of which something cannot be read, as far as any ray has come to them
+  std::string lostReason;      // of the first of them: one line
+  bool pending = false;        // the next frame gets further; otherwise what is missing does not fit
 };
 
 // Of stored light (Renderer::setLight), as far as the frame read it.

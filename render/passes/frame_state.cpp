@@ -54,9 +54,10 @@ FrameState::~FrameState() = default;
 
 Program& FrameState::program(const std::string& fragment, const std::string& defines) {
   const Bricks* const inBricks = bricks();
-  const std::string all =
-      inBricks ? "#define BRICKS\n#define BRICK_APRON " + std::to_string(inBricks->apron()) + "\n" + defines
-               : defines;
+  const std::string all = inBricks ? "#define BRICKS\n#define BRICK_APRON " +
+                                         std::to_string(inBricks->apron()) + "\n" +
+                                         (inBricks->mayLoseBlocks() ? "#define LOST_BLOCKS\n" : "") + defines
+                                   : defines;
   const std::string key = fragment + "|" + all;
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;

@@ -23,6 +23,12 @@ constexpr int brickTexels(int apron) {
   return brickCells + 1 + 2 * apron;
 }
 
+// Of a brick's blocks of 8^3 cells a bit each: x + 4 y + 16 z.
+using BlockBits = std::uint64_t;
+constexpr BlockBits blockBit(glm::ivec3 blockOfBrick) {
+  return BlockBits{1} << (blockOfBrick.x + 4 * blockOfBrick.y + 16 * blockOfBrick.z);
+}
+
 // Bricks of a volume per axis; at least one.
 glm::ivec3 brickDims(glm::ivec3 voxels);
 
@@ -43,6 +49,8 @@ class BrickCache {
 
   // The round that last used what the next place() would replace; 0 while there is a free slot.
   Round oldest() const;
+  // place() would find a slot.
+  bool hasPlace(Round kept) const { return oldest() < kept || resident_ < slots(); }
   struct Placement {
     Slot slot;
     std::optional<Brick> evicted;

@@ -32,14 +32,18 @@ void BrickRounds::castRound(const volume::Rectangle& area, bool again) {
   frame_.raysOfRound.reset();
 }
 
-std::size_t BrickRounds::cast() {
+BrickRounds::Unfinished BrickRounds::ofLastRound() const {
+  return {bricks_.waitingRays(), bricks_.lostRays()};
+}
+
+BrickRounds::Unfinished BrickRounds::cast() {
   const volume::Rectangle picture{glm::ivec2(0), frame_.raySize()};
   castRound(picture, false);
-  return complete_ ? settle(picture) : bricks_.waitingRays();
+  return complete_ ? settle(picture) : ofLastRound();
 }
 
 // After a round over the area.
-std::size_t BrickRounds::settle(const volume::Rectangle& area) {
+BrickRounds::Unfinished BrickRounds::settle(const volume::Rectangle& area) {
   std::size_t stuckAt = 0;  // rays that waited when nothing could be replaced
   while (bricks_.waitingRays() > 0 && glm::max(area.size.x, area.size.y) <= largestArea_) {
     if (bricks_.wouldReplace()) drawAtHits_();
@@ -51,27 +55,28 @@ std::size_t BrickRounds::settle(const volume::Rectangle& area) {
     stuckAt = served ? 0 : bricks_.waitingRays();
     castRound(area, true);
   }
-  const std::size_t waiting = bricks_.waitingRays();
-  if (waiting == 0 || glm::max(area.size.x, area.size.y) <= kSmallestArea) return waiting;
-  std::size_t left = 0;
+  if (bricks_.waitingRays() == 0 || glm::max(area.size.x, area.size.y) <= kSmallestArea) return ofLastRound();
+  Unfinished left;
   const glm::ivec2 half = (area.size + 1) / 2;
   for (const glm::ivec2& corner : {glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)}) {
     const glm::ivec2 low = corner * half, size = glm::min(half, area.size - low);
     if (size.x <= 0 || size.y <= 0) continue;
     const volume::Rectangle part{area.low + low, size};
     castRound(part, true);
-    left += settle(part);
+    const Unfinished now = settle(part);
+    left.waiting += now.waiting;
+    left.lost += now.lost;
   }
   return left;
 }
 
-std::size_t BrickRounds::draw() {
+BrickRounds::Unfinished BrickRounds::draw() {
   do {
     bricks_.beginRound();
     pass_.run(frame_);
     bricks_.endRound();
   } while (complete_ && bricks_.waitingRays() > 0 && bricks_.serve(bricks_.thisRound(), kNoLimit) > 0);
-  return bricks_.waitingRays();
+  return ofLastRound();
 }
 
 }  // namespace isolux::render

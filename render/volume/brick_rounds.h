@@ -17,15 +17,21 @@ class BrickRounds {
   // what it drew before.
   BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits);
 
-  // The cast pass. Returns the number of rays that still wait: with FrameRequest::brickUploadBytes all that
-  // came to a brick that was not resident, otherwise those whose bricks do not fit.
-  std::size_t cast();
+  // Rays that have not arrived.
+  struct Unfinished {
+    std::size_t waiting = 0;  // with FrameRequest::brickUploadBytes for bricks that were not resident,
+                              // otherwise for bricks that do not fit
+    std::size_t lost = 0;     // they ended at a brick that cannot be read
+  };
+  // The cast pass.
+  Unfinished cast();
   // Another pass that casts rays: drawn again while it gets bricks it asked for.
-  std::size_t draw();
+  Unfinished draw();
 
  private:
+  Unfinished ofLastRound() const;
   void castRound(const volume::Rectangle& area, bool again);
-  std::size_t settle(const volume::Rectangle& area);
+  Unfinished settle(const volume::Rectangle& area);
 
   FrameState& frame_;
   Pass& pass_;

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <tuple>
 
+#include <glm/vector_relational.hpp>
+
 #include "base/error.h"
 #include "volume/bricks/brick_source.h"
 
@@ -14,7 +16,9 @@ namespace {
 constexpr GLuint kUseBinding = 0;  // bricks.glsl
 constexpr int kTableUnit = 15;
 constexpr std::size_t kFewestSlots = 8;
+constexpr int kBlockCells = 8, kBlocks = brickCells / kBlockCells;
 constexpr std::uint32_t kUsed = 1, kAskedFor = 2;  // bricks.glsl
+constexpr std::size_t kCounts = 2;                 // before the marks of bricks: waiting rays, lost rays
 
 std::size_t product(glm::ivec3 v) {
   return static_cast<std::size_t>(v.x) * static_cast<std::size_t>(v.y) * static_cast<std::size_t>(v.z);
@@ -91,9 +95,11 @@ Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, st
       dims_(brickDims(channels_[0]->dims())),
       slotDims_(checkedSlots(*gl_, slotBytes(channels_, apron_), apron_, product(dims_), budgetBytes)),
       cache_(product(dims_), std::min(product(slotDims_), product(dims_))),
-      table_(Texture::make3D(gl_, GL_RGBA16UI, dims_, false)),
+      hasBlockBits_(channels_[0]->parts() && 2 * dims_.z <= gl_->max3dTexture),
+      table_(Texture::make3D(gl_, GL_RGBA16UI, hasBlockBits_ ? dims_ * glm::ivec3(1, 1, 2) : dims_, false)),
       use_(gl_),
-      marks_(product(dims_) + 1, 0) {
+      marks_(product(dims_) + kCounts, 0),
+      texels_(channels_.size()) {
   for (const TexelSource* channel : channels_)
     caches_.push_back(Texture::make3D(gl_, channel->internalFormat(), slotDims_ * brickTexels(apron_), true));
   const std::vector<std::uint16_t> nowhere(4 * product(dims_), 0);
@@ -141,8 +147,9 @@ void Bricks::endRound() {
   gl_->GetNamedBufferSubData(use_.id(), 0, static_cast<GLsizeiptr>(use_.bytes()), marks_.data());
   gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, kUseBinding, 0);
   waitingRays_ = marks_[0];
-  for (std::size_t i = 1; i < marks_.size(); ++i) {
-    const auto brick = static_cast<BrickCache::Brick>(i - 1);
+  lostRays_ = marks_[1];
+  for (std::size_t i = kCounts; i < marks_.size(); ++i) {
+    const auto brick = static_cast<BrickCache::Brick>(i - kCounts);
     if (marks_[i] == kUsed)
       cache_.use(brick);
     else if (marks_[i] == kAskedFor)
@@ -171,17 +178,21 @@ std::size_t Bricks::serve(BrickCache::Round kept, std::size_t limitBytes) {
   for (; next < wanted_.size() && (count == 0 || (count + 1) * each <= limitBytes); ++next) {
     const BrickCache::Brick brick = wanted_[next];
     if (cache_.slotOf(brick)) continue;  // asked for twice
-    const auto placement = cache_.place(brick, kept);
-    if (!placement) break;
-    if (placement->evicted) {
-      setEntry(*placement->evicted, false);
+    if (!cache_.hasPlace(kept)) break;
+    ++count;
+    if (fetch(brick) == blocksOf(brick)) {
+      setEntry(brick, Entry::lost);
+      continue;
+    }
+    const BrickCache::Placement placement = *cache_.place(brick, kept);
+    if (placement.evicted) {
+      setEntry(*placement.evicted, Entry::absent);
       ++evicted_;
     }
-    upload(brick, placement->slot);
-    ++count;
+    upload(brick, placement.slot);
+    ++uploaded_;
   }
   wanted_.erase(wanted_.begin(), wanted_.begin() + static_cast<std::ptrdiff_t>(next));
-  uploaded_ += count;
   uploadMilliseconds_ +=
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return count;
@@ -192,15 +203,61 @@ glm::ivec3 Bricks::brickAt(BrickCache::Brick brick) const {
   return {b % dims_.x, b / dims_.x % dims_.y, b / (dims_.x * dims_.y)};
 }
 
-void Bricks::setEntry(BrickCache::Brick brick, bool isResident) const {
+void Bricks::setEntry(BrickCache::Brick brick, Entry state) const {
+  const bool isResident = state == Entry::resident || state == Entry::partlyLost;
   const int slot = isResident ? static_cast<int>(*cache_.slotOf(brick)) : 0;
-  const auto part = [](int v) { return static_cast<std::uint16_t>(v); };
+  const auto part = [](auto v) { return static_cast<std::uint16_t>(v); };
   const std::uint16_t entry[4] = {part(slot % slotDims_.x), part(slot / slotDims_.x % slotDims_.y),
-                                  part(slot / (slotDims_.x * slotDims_.y)), part(isResident ? 1 : 0)};
+                                  part(slot / (slotDims_.x * slotDims_.y)), part(static_cast<int>(state))};
   const glm::ivec3 at = brickAt(brick);
-  gl_->TextureSubImage3D(table_.id(), 0, at.x, at.y, at.z, 1, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
-                         entry);
-  if (moved_) moved_(at, isResident);
+  const auto set = [&](glm::ivec3 texel, const std::uint16_t* values) {
+    gl_->TextureSubImage3D(table_.id(), 0, texel.x, texel.y, texel.z, 1, 1, 1, GL_RGBA_INTEGER,
+                           GL_UNSIGNED_SHORT, values);
+  };
+  BlockBits lost = 0;
+  if (state == Entry::partlyLost) {
+    lost = lost_.at(brick);
+    const std::uint16_t layers[4] = {part(lost), part(lost >> 16), part(lost >> 32), part(lost >> 48)};
+    set(at + glm::ivec3(0, 0, dims_.z), layers);
+  }
+  set(at, entry);
+  if (moved_ && state != Entry::lost) moved_(at, isResident, lost);
+}
+
+BlockBits Bricks::blocksOf(BrickCache::Brick brick) const {
+  const glm::ivec3 cells = glm::max(channels_[0]->dims() - 1, glm::ivec3(1)) - brickAt(brick) * brickCells;
+  BlockBits blocks = 0;
+  for (int z = 0; z < kBlocks && z * kBlockCells < cells.z; ++z)
+    for (int y = 0; y < kBlocks && y * kBlockCells < cells.y; ++y)
+      for (int x = 0; x < kBlocks && x * kBlockCells < cells.x; ++x) blocks |= blockBit({x, y, z});
+  return blocks;
+}
+
+BlockBits Bricks::fetch(BrickCache::Brick brick) {
+  const int side = brickTexels(apron_);
+  const glm::ivec3 first = brickAt(brick) * brickCells - apron_;
+  std::vector<volume::DamagedPart> unknown;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    texels_[i].resize(channels_[i]->texelBytes() * brickTexelCount(apron_));
+    channels_[i]->copyBox(first, glm::ivec3(side), texels_[i].data(), &unknown);
+  }
+  if (unknown.empty()) return 0;
+  if (lost_.empty()) lostReason_ = unknown.front().error;
+  // Where the table has no room for their bits all blocks are.
+  BlockBits lost = hasBlockBits_ ? 0 : blocksOf(brick);
+  for (int z = 0; z < kBlocks; ++z)
+    for (int y = 0; y < kBlocks; ++y)
+      for (int x = 0; x < kBlocks; ++x) {
+        // Voxels that lookups around the block's cells read.
+        const glm::ivec3 low = first + kBlockCells * glm::ivec3(x, y, z),
+                         behind = low + kBlockCells + 1 + 2 * apron_;
+        for (const volume::DamagedPart& part : unknown)
+          if (glm::all(glm::lessThan(part.low, behind)) && glm::all(glm::lessThan(low, part.low + part.size)))
+            lost |= blockBit({x, y, z});
+      }
+  lost &= blocksOf(brick);
+  if (lost != 0) lost_.insert_or_assign(brick, lost);
+  return lost;
 }
 
 void Bricks::upload(BrickCache::Brick brick, BrickCache::Slot slot) {
@@ -209,12 +266,10 @@ void Bricks::upload(BrickCache::Brick brick, BrickCache::Slot slot) {
       side * glm::ivec3(s % slotDims_.x, s / slotDims_.x % slotDims_.y, s / (slotDims_.x * slotDims_.y));
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    texels_.resize(channels_[i]->texelBytes() * brickTexelCount(apron_));
-    channels_[i]->copyBox(brickAt(brick) * brickCells - apron_, glm::ivec3(side), texels_.data());
     gl_->TextureSubImage3D(caches_[i].id(), 0, to.x, to.y, to.z, side, side, side, GL_RED,
-                           channels_[i]->type(), texels_.data());
+                           channels_[i]->type(), texels_[i].data());
   }
-  setEntry(brick, true);
+  setEntry(brick, lost_.contains(brick) ? Entry::partlyLost : Entry::resident);
 }
 
 }  // namespace isolux::render

@@ -113,8 +113,8 @@ void GpuVolume::makeBricks(std::size_t budgetBytes) {
   Bricks::Moved moved;
   if (parts_) {
     parts_->clear();
-    moved = [this](glm::ivec3 brick, bool isResident) {
-      parts_->moved(brick, isResident);
+    moved = [this](glm::ivec3 brick, bool isResident, BlockBits lost) {
+      parts_->moved(brick, isResident, lost);
       for (const auto& surface : surfaces_) surface->updateMasks(brick);
     };
   }

@@ -21,20 +21,22 @@ std::size_t ownIndex(glm::ivec3 block) {
 
 PartBoxes::PartBoxes(std::shared_ptr<const volume::Grid> grid) : grid_(std::move(grid)) {}
 
-void PartBoxes::moved(glm::ivec3 brick, bool isResident) {
+void PartBoxes::moved(glm::ivec3 brick, bool isResident, BlockBits lost) {
   if (!isResident) {
     boxes_.erase(brick);
     return;
   }
   const glm::ivec3 size(brickCells + 1);
+  std::vector<volume::DamagedPart> unknown;  // of lost blocks
   const volume::VoxelArray voxels =
       volume::withStoredType(grid_->storedType(), [&](auto zero) -> volume::VoxelArray {
         std::vector<decltype(zero)> part(static_cast<std::size_t>(size.x * size.y * size.z));
-        grid_->source()->copyBox(0, brick * brickCells, size, std::as_writable_bytes(std::span(part)));
+        grid_->source()->copyBox(0, brick * brickCells, size, std::as_writable_bytes(std::span(part)),
+                                 &unknown);
         return part;
       });
   base::Progress unwatched;
-  boxes_.insert_or_assign(brick, volume::BoxBounds::ofPart(voxels, size, *grid_, unwatched));
+  boxes_.insert_or_assign(brick, Known{volume::BoxBounds::ofPart(voxels, size, *grid_, unwatched), lost});
 }
 
 PartBoxes::Blocks PartBoxes::masks(glm::ivec3 brick, std::span<const float> storedIsovalues,
@@ -51,9 +53,13 @@ PartBoxes::Blocks PartBoxes::masks(glm::ivec3 brick, std::span<const float> stor
   };
   forEach([&](glm::ivec3 at) { flags[ownIndex(at)] = active.flags()[active.blocks().index(low + at)]; });
   std::vector<std::uint64_t> masks;
-  boxes->second.masks(storedIsovalues, flags, masks);
+  boxes->second.boxes.masks(storedIsovalues, flags, masks);
   Blocks found{low, size, {}};
-  forEach([&](glm::ivec3 at) { found.masks.push_back(masks[ownIndex(at)]); });
+  forEach([&](glm::ivec3 at) {
+    const std::size_t own = ownIndex(at);
+    const bool isLost = (boxes->second.lost & blockBit(at)) != 0;
+    found.masks.push_back(isLost && flags[own] != 0 ? ~std::uint64_t{0} : masks[own]);
+  });
   return found;
 }
 

@@ -15,6 +15,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "render/volume/brick_cache.h"
 #include "volume/grid.h"
 #include "volume/skip/active_blocks.h"
 #include "volume/skip/box_bounds.h"
@@ -26,9 +27,9 @@ class PartBoxes {
   // Bricks are those of brick_cache.h; blocks have 8 cells per axis.
   explicit PartBoxes(std::shared_ptr<const volume::Grid> grid);
 
-  // The brick is on the graphics card from now on, or no longer. Throws base::Error: input, where its voxels
-  // have to be read again; memory.
-  void moved(glm::ivec3 brick, bool isResident);
+  // The brick is on the graphics card from now on, or no longer. Of its lost blocks any box may hold a
+  // surface. Throws base::Error{memory}.
+  void moved(glm::ivec3 brick, bool isResident, BlockBits lost = 0);
   void clear() { boxes_.clear(); }
 
   // A box of blocks, x fastest.
@@ -48,7 +49,11 @@ class PartBoxes {
     }
   };
   std::shared_ptr<const volume::Grid> grid_;
-  std::map<glm::ivec3, volume::BoxBounds, Before> boxes_;
+  struct Known {
+    volume::BoxBounds boxes;
+    BlockBits lost = 0;
+  };
+  std::map<glm::ivec3, Known, Before> boxes_;
 };
 
 }  // namespace isolux::render

@@ -108,12 +108,13 @@ void TexelSource::convertBox(const Voxel* voxels, glm::ivec3 dims, glm::ivec3 fi
   }
 }
 
-void TexelSource::copyBox(glm::ivec3 first, glm::ivec3 size, void* texels) const {
+void TexelSource::copyBox(glm::ivec3 first, glm::ivec3 size, void* texels,
+                          std::vector<volume::DamagedPart>* unknown) const {
   if (parts_) {
     const volume::GridGeometry box{.dims = size};
     volume::withStoredType(partsType_, [&](auto zero) {
       std::vector<decltype(zero)> voxels(box.voxelCount());
-      parts_->copyBox(0, first, size, std::as_writable_bytes(std::span(voxels)));
+      parts_->copyBox(0, first, size, std::as_writable_bytes(std::span(voxels)), unknown);
       convertBox(voxels.data(), size, glm::ivec3(0), size, texels);
     });
   } else if (voxels_) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/gl/gl_objects.h"
+#include "volume/bricks/damage.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
 
@@ -35,7 +36,9 @@ class TexelSource {
   std::size_t bytes() const;  // of all texels
 
   // The texels of voxels first .. first + size - 1, x fastest; beyond the border the border voxel repeats.
-  void copyBox(glm::ivec3 first, glm::ivec3 size, void* texels) const;
+  // unknown: as BrickSource::copyBox().
+  void copyBox(glm::ivec3 first, glm::ivec3 size, void* texels,
+               std::vector<volume::DamagedPart>* unknown = nullptr) const;
   // Null: they are in memory. Else who reads ahead what copyBox() will be asked for.
   volume::BrickSource* parts() const { return parts_.get(); }
 

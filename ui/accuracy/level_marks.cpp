@@ -49,6 +49,10 @@ void LevelMarks::look() {
   pollTimer_.start();
 }
 
+void LevelMarks::lookAgain() {
+  if (shown_ && !job_ && !known_.whole) look();
+}
+
 void LevelMarks::poll() {
   if (!job_) return pollTimer_.stop();
   if (!job_->finished()) return;

@@ -101,7 +101,7 @@ class Viewport : public QWidget {
   const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale
   const std::optional<render::Tile>& legend() const { return legend_; }  // where it stands in them
   // What may be shown in place of the picture: the last that is there.
-  enum class Over { structure, errors };
+  enum class Over { structure, levelZero, errors };
   // Shown in place of the picture `of` while that is on screen; null: nothing is.
   void setOver(Over what, const QImage& image, const QImage& of);
   bool showsOver(Over what) const {
@@ -237,7 +237,7 @@ class Viewport : public QWidget {
     QImage image;
     qint64 of = 0;  // QImage::cacheKey
   };
-  std::array<Laid, 2> laid_;  // by Over
+  std::array<Laid, 3> laid_;  // by Over
   std::optional<render::Tile> legend_;
   render::FrameRequest shownRequest_, orderedRequest_;
   std::uint64_t orderNumber_ = 0;

@@ -139,7 +139,7 @@ void Viewport::paintEvent(QPaintEvent*) {
 }
 
 const QImage& Viewport::pixelsToShow() const {
-  for (const Over what : {Over::errors, Over::structure})
+  for (const Over what : {Over::errors, Over::levelZero, Over::structure})
     if (showsOver(what)) return laid_[static_cast<std::size_t>(what)].image;
   return image_;
 }

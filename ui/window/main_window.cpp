@@ -20,6 +20,7 @@
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 #include "ui/accuracy/level_marks.h"
+#include "ui/accuracy/level_zero.h"
 #include "ui/browser/folder_opener.h"
 #include "ui/browser/recent_menu.h"
 #include "ui/document/baked_light.h"
@@ -79,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent)
       loadCard_(new LoadCard(slices_)),
       lightStatus_(new LightStatus(this)),
       levelMarks_(new LevelMarks(this)),
+      levelZero_(new LevelZero(this)),
       pointedPiece_(new PointedPiece(this)),
       folders_(new FolderOpener(
           this, [this](const QString& folder, const QString& series) { openSeries(folder, series); })),
@@ -313,17 +315,27 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
 void MainWindow::showLevel() {
   const int level = document_->volume() ? document_->shownLevel() : 0;
   markLevel_->setEnabled(level > 0);
+  drawLevelZero_->setEnabled(level > 0);
   if (level == 0) {
     coarseLabel_->clear();
     coarseLabel_->setToolTip({});
     return;
   }
-  const QString hidden = levelMarks_->text();
-  coarseLabel_->setText(tr("Overview: level %1").arg(level) + (hidden.isEmpty() ? "" : " · " + hidden));
+  QStringList text{levelZero_->shows() ? tr("Level 0 (level %1 in motion)").arg(level)
+                                       : tr("Overview: level %1").arg(level)};
   QStringList tip;
   const std::vector<std::string>& notes = document_->volume()->volume.warnings;
   if (!notes.empty()) tip += QString::fromStdString(notes.front());
-  if (!levelMarks_->meaning().isEmpty()) tip += levelMarks_->meaning();
+  const auto add = [](QStringList& to, const QString& what) {
+    if (!what.isEmpty()) to += what;
+  };
+  if (!levelZero_->shows()) {
+    add(text, levelMarks_->text());
+    add(tip, levelMarks_->meaning());
+  }
+  add(text, levelZero_->text());
+  add(tip, levelZero_->meaning());
+  coarseLabel_->setText(text.join(" · "));
   coarseLabel_->setToolTip(tip.join("\n\n"));
 }
 

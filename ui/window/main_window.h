@@ -32,6 +32,7 @@ class DocumentKeeper;
 class FolderOpener;
 class IsovaluePanel;
 class LevelMarks;
+class LevelZero;
 class LightStatus;
 class LoadCard;
 class MarkReports;
@@ -96,6 +97,8 @@ class MainWindow : public QMainWindow {
 
   LevelMarks* levelMarks() const { return levelMarks_; }
   QAction* markLevelAction() const { return markLevel_; }  // checked: what an overview hides is hatched
+  LevelZero* levelZero() const { return levelZero_; }
+  QAction* levelZeroAction() const { return drawLevelZero_; }  // checked: at rest level 0 is drawn
 
   QMenu* presetsMenu() const { return presetsMenu_; }
   // A shell command that draws the picture as it is saved; empty without a volume.
@@ -219,6 +222,7 @@ class MainWindow : public QMainWindow {
   LoadCard* loadCard_;
   LightStatus* lightStatus_;
   LevelMarks* levelMarks_;
+  LevelZero* levelZero_;
   struct Docked {
     QDockWidget* dock;
     Panel* panel;
@@ -227,7 +231,7 @@ class MainWindow : public QMainWindow {
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
   QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *copyCommand_, *copyPicture_,
-      *mesh_, *hidePatient_, *markLevel_, *link_ = nullptr;
+      *mesh_, *hidePatient_, *markLevel_, *drawLevelZero_, *link_ = nullptr;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;

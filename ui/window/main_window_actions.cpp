@@ -6,6 +6,7 @@
 #include "app/version.h"
 #include "scene/looks.h"
 #include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/level_zero.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/privacy_box.h"
 #include "ui/document/baked_light.h"
@@ -39,6 +40,7 @@ void MainWindow::setMachine(const scene::Machine& machine) {
   viewport_->setMachine(machine);
   light_->setThreads(machine.threads);
   panel<AccuracyPanel>()->setMachine(machine);
+  levelZero_->setMachine(machine);
 }
 
 void MainWindow::showPreferences() {

@@ -7,6 +7,7 @@
 #include "scene/rules/automatic.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/level_marks.h"
+#include "ui/accuracy/level_zero.h"
 #include "ui/document/baked_light.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"
@@ -35,6 +36,11 @@ void MainWindow::connectLooks() {
     viewport_->setOver(Viewport::Over::structure, image, of);
   });
   connect(levelMarks_, &LevelMarks::changed, this, &MainWindow::showLevel);
+  connect(levelZero_, &LevelZero::painted, viewport_, [this](const QImage& image, const QImage& of) {
+    viewport_->setOver(Viewport::Over::levelZero, image, of);
+  });
+  connect(levelZero_, &LevelZero::changed, this, &MainWindow::showLevel);
+  connect(levelZero_, &LevelZero::opened, levelMarks_, &LevelMarks::lookAgain);
   auto* const label = new QLabel(this);
   label->setObjectName("pictureAccuracy");
   label->setContentsMargins(10, 0, 0, 0);
@@ -55,11 +61,18 @@ void MainWindow::tellAccuracy() {
   accuracy->setComplete(viewport_->complete());
   accuracy->setPixels(viewport_->complete() ? viewport_->shown() : QImage(), viewport_->legend());
   const VolumePointer& volume = document_->volume();
-  if (volume && document_->shownLevel() > 0 && viewport_->complete() && !previewing_)
-    levelMarks_->show(
-        LevelMarks::Shown{volume, document_->resolvedScene(), viewport_->shown(), viewport_->legend()});
-  else
+  const bool isLevel = volume && document_->shownLevel() > 0;
+  levelZero_->setSource(isLevel ? std::optional(document_->scene().source) : std::nullopt);
+  if (isLevel && viewport_->complete() && !previewing_) {
+    const scene::Scene resolved = document_->resolvedScene();
+    levelMarks_->show(LevelMarks::Shown{volume, resolved, viewport_->shown(), viewport_->legend()});
+    levelZero_->show(LevelZero::Shown{document_->shownScene(), resolved, viewport_->shown(),
+                                      viewport_->devicePixelRatioF()});
+  } else {
     levelMarks_->show({});
+    levelZero_->show({});
+  }
+  if (isLevel) showLevel();
 }
 
 void MainWindow::preview(const std::optional<scene::Scene>& scene) {

@@ -14,6 +14,7 @@
 #include "scene/looks.h"
 #include "scene/settings.h"
 #include "ui/accuracy/level_marks.h"
+#include "ui/accuracy/level_zero.h"
 #include "ui/browser/recent_menu.h"
 #include "ui/document/privacy.h"
 #include "ui/editors/number_text.h"
@@ -149,6 +150,13 @@ void MainWindow::makeViewMenu() {
   markLevel_->setCheckable(true);
   markLevel_->setChecked(levelMarks_->marking());
   connect(markLevel_, &QAction::toggled, levelMarks_, &LevelMarks::setMarking);
+  drawLevelZero_ =
+      newAction(menu, tr("&Draw level 0 at rest"), "", {},
+                tr("Of a coarser level, let a finished picture be followed by one of the file’s own "
+                   "voxels; makes an index where there is none"));
+  drawLevelZero_->setCheckable(true);
+  drawLevelZero_->setChecked(levelZero_->wanted());
+  connect(drawLevelZero_, &QAction::toggled, levelZero_, &LevelZero::setWanted);
   menu->addSeparator();
   layout_->fillMenu(menu);
   link_ = newAction(menu, tr("&Link views of windows"), "", {},

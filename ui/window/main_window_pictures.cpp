@@ -1,4 +1,5 @@
 // What leaves ui/window/main_window.h: pictures saved, copied and as a command, and meshes.
+#include <algorithm>
 #include <chrono>
 #include <future>
 
@@ -14,6 +15,7 @@
 #include "app/files/image_io.h"
 #include "scene/rules/relevance.h"
 #include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/level_zero.h"
 #include "ui/dialogs/mesh_dialog.h"
 #include "ui/dialogs/picture_dialog.h"
 #include "ui/dialogs/save_dialog.h"
@@ -68,7 +70,7 @@ void MainWindow::choosePicture() {
 // The picture on screen with what is chosen written on it.
 QImage MainWindow::previewOf(const PictureChoices& chosen) const {
   if (!document_->volume() || viewport_->shown().isNull()) return {};
-  render::ColorImage picture = colorImageOf(viewport_->shown());
+  render::ColorImage picture = colorImageOf(levelZero_->shows() ? levelZero_->image() : viewport_->shown());
   scene::Scene resolved = document_->resolvedScene();
   resolved.picture = chosen.picture;
   resolved.picture.transparent = false;
@@ -94,6 +96,7 @@ void MainWindow::takeChoices(const PictureChoices& chosen) {
 scene::Scene MainWindow::pictureScene(const PictureWish& wish) const {
   scene::Scene shown = document_->shownScene();
   shown.picture.pixelRatio = wish.pixelRatio(sizeOf(viewport_->pixelSize()), viewport_->devicePixelRatioF());
+  if (levelZero_->shows()) shown.source.level = 0;
   return shown;
 }
 
@@ -102,8 +105,19 @@ render::StillPicture MainWindow::finishedPicture(bool linear, const QString& wha
   const PictureWish wish = keptPictureWish();
   const QSize size = wish.pixels(sizeOf(viewport_->pixelSize()));
   const scene::Scene resolved = document_->resolvedScene();
-  render::StillPicture picture = viewport_->picture(
-      {{size.width(), size.height()}, pictureScene(wish).picture.pixelRatio, linear, what});
+  const glm::ivec2 pixels(size.width(), size.height());
+  const double ratio = pictureScene(wish).picture.pixelRatio;
+  render::StillPicture picture;
+  if (levelZero_->shows()) {
+    render::FrameRequest request;
+    request.size = pixels;
+    request.pixelRatio = ratio;
+    request.supersampling = std::clamp(resolved.picture.supersampling, 1, 4);
+    request.linear = linear;
+    picture = levelZero_->picture(request, document_->scene().picture.transparent, this, what);
+  } else {
+    picture = viewport_->picture({pixels, ratio, linear, what});
+  }
   app::annotate(resolved, *document_->volume(), picture.report, picture.color);
   return picture;
 }

@@ -23,7 +23,6 @@ namespace isolux::volume {
 namespace {
 
 constexpr std::size_t kMostReaders = 8;
-constexpr int kLeastChunk = 8;                                  // per axis: thinner chunks are rows
 constexpr std::size_t kMostChunkBytes = std::size_t{16} << 20;  // larger ones are read in bricks
 
 std::size_t countOf(glm::ivec3 size) {
@@ -43,8 +42,7 @@ struct Cut {
 
 Cut cutOf(const ChunkedLevel& level, VoxelType type) {
   const glm::ivec3 dims = level.geometry.dims, chunk = glm::min(level.chunkDims, dims);
-  const bool boxes = glm::all(glm::greaterThanEqual(chunk, glm::min(glm::ivec3(kLeastChunk), dims))) &&
-                     glm::any(glm::greaterThan(chunk, glm::ivec3(1))) &&
+  const bool boxes = level.keepsBoxes() && glm::any(glm::greaterThan(chunk, glm::ivec3(1))) &&
                      countOf(chunk) * bytesOf(type) <= kMostChunkBytes;
   if (boxes) return {dims, chunk};
   return {dims, glm::ivec3(BrickSource::kRowBrick), BrickSource::kApron, BrickSource::kApron + 1};
@@ -307,7 +305,8 @@ void copyLine(const T* row, int rowLow, int n, Run run, T* out) {
 
 }  // namespace
 
-void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, std::span<std::byte> voxels) {
+void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, std::span<std::byte> voxels,
+                          std::vector<DamagedPart>* unknown) {
   const Cut& cut = state_->cuts[level];
   const auto runsX = runsOf(cut, 0, first.x, size.x), runsY = runsOf(cut, 1, first.y, size.y),
              runsZ = runsOf(cut, 2, first.z, size.z);
@@ -333,9 +332,22 @@ void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, 
         }
     });
   };
+  if (unknown) std::fill(voxels.begin(), voxels.end(), std::byte{0});
   for (const Run& z : runsZ)
     for (const Run& y : runsY)
-      for (const Run& x : runsX) copy(*brick(level, {x.brick, y.brick, z.brick}), x, y, z);
+      for (const Run& x : runsX) {
+        std::shared_ptr<const Brick> from;
+        try {
+          from = brick(level, {x.brick, y.brick, z.brick});
+        } catch (const base::Error& error) {
+          if (!unknown || error.kind() != base::ErrorKind::input) throw;
+          unknown->push_back({{x.from, y.from, z.from},
+                              {x.behind - x.from, y.behind - y.from, z.behind - z.from},
+                              error.what()});
+          continue;
+        }
+        copy(*from, x, y, z);
+      }
 }
 
 std::vector<BrickSource::Request> BrickSource::requestBox(std::size_t level, glm::ivec3 first,

@@ -21,6 +21,7 @@
 
 #include "base/page_allocator.h"
 #include "volume/bricks/chunked_volume.h"
+#include "volume/bricks/damage.h"
 
 namespace isolux::volume {
 
@@ -63,8 +64,10 @@ class BrickSource {
   };
   [[nodiscard]] Request request(std::size_t level, glm::ivec3 index, int priority);
 
-  // The voxels first .. first + size - 1 of a level; beyond the border the border voxel repeats.
-  void copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, std::span<std::byte> voxels);
+  // The voxels first .. first + size - 1 of a level; beyond the border the border voxel repeats. unknown:
+  // what cannot be read is 0, and listed there, instead of thrown; with the voxels that it repeats as.
+  void copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, std::span<std::byte> voxels,
+               std::vector<DamagedPart>* unknown = nullptr);
   // The bricks that copyBox() of it needs, as request().
   [[nodiscard]] std::vector<Request> requestBox(std::size_t level, glm::ivec3 first, glm::ivec3 size,
                                                 int priority);

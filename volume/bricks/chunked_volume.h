@@ -11,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "scene/world_axes.h"
 #include "volume/grid.h"
@@ -23,6 +25,13 @@ struct ChunkedLevel {
   // Voxels that the file keeps together; a part of whole chunks is read without waste.
   glm::ivec3 chunkDims{0};
   bool cheapParts = false;  // any rows are
+
+  // What is kept together is a box, not rows.
+  bool keepsBoxes() const {
+    constexpr int least = 8;  // per axis: thinner chunks are rows
+    const glm::ivec3 dims = geometry.dims;
+    return glm::all(glm::greaterThanEqual(glm::min(chunkDims, dims), glm::min(glm::ivec3(least), dims)));
+  }
 };
 
 // Which volume of a file that has several.

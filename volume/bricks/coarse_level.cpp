@@ -229,7 +229,9 @@ int levelThatFits(const scene::Source& source, base::Progress& progress, int fin
     if (!file) return 0;
     const int last = coarsestLevel(file->facts());
     int level = std::min(finest, last);
-    while (level < last && levelBytes(file->facts(), level) > left) ++level;
+    // Beside a level the window draws level 0 from the file.
+    const auto room = [&] { return level == 0 ? left : left / 4 * 3; };
+    while (level < last && levelBytes(file->facts(), level) > room()) ++level;
     return level;
   } catch (const base::Error&) {
     return 0;

@@ -3,7 +3,8 @@
 // FILE.index beside the volume; where the folder cannot be written, in the user's cache ($XDG_CACHE_HOME or
 // ~/.cache, isolux/index). What is not finished is in FILE.index.part-I-of-N, whichever run left it: the next
 // one goes on from there, and removes it when the index is whole. A file that is cut off, damaged or of
-// another state of the volume counts as none.
+// another state of the volume counts as none; so does an index of parts of the volume that could not be read
+// then, and can be now.
 #pragma once
 
 #include <filesystem>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <mutex>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -17,9 +19,10 @@ constexpr std::size_t kRowsBytes = std::size_t{4} << 20;  // of a step where any
 
 }  // namespace
 
-SliceReader::SliceReader(const ChunkedVolume& file, VolumePart part, int most)
+SliceReader::SliceReader(const ChunkedVolume& file, VolumePart part, int most, Damaged damaged)
     : file_(file),
       part_(part),
+      damaged_(std::move(damaged)),
       dims_(file.facts().levels.front().geometry.dims),
       voxelBytes_(bytesOf(file.facts().storedType)),
       sliceBytes_(static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) * voxelBytes_) {
@@ -69,6 +72,13 @@ void SliceReader::read(int from, int behind, std::byte* to, base::Progress& prog
   const glm::ivec3 boxes = (whole + size - 1) / size;
   const auto nx = static_cast<std::size_t>(boxes.x), ny = static_cast<std::size_t>(boxes.y);
   std::atomic<std::uint64_t> read{0};
+  std::mutex mutex;  // of damaged_
+  const auto readBox = [&](glm::ivec3 low, glm::ivec3 size, std::span<std::byte> voxels) {
+    std::vector<DamagedPart> damaged;
+    read += readAround(file_, part_, low, size, voxels, damaged);
+    const std::lock_guard lock(mutex);
+    for (DamagedPart& one : damaged) damaged_(std::move(one));
+  };
   parallelSteps(nx * ny * static_cast<std::size_t>(boxes.z), progress, {}, [&](std::size_t i) {
     const glm::ivec3 low = size * glm::ivec3(static_cast<int>(i % nx), static_cast<int>(i / nx % ny),
                                              static_cast<int>(i / nx / ny));
@@ -77,11 +87,11 @@ void SliceReader::read(int from, int behind, std::byte* to, base::Progress& prog
                       bytes = row * static_cast<std::size_t>(box.y) * static_cast<std::size_t>(box.z);
     std::byte* const slices = to + static_cast<std::size_t>(low.z) * sliceBytes_;
     if (box.x == dims_.x && (box.y == dims_.y || box.z == 1)) {
-      read += file_.read(part_, 0, at, box, {slices + static_cast<std::size_t>(low.y) * row, bytes});
+      readBox(at, box, {slices + static_cast<std::size_t>(low.y) * row, bytes});
       return;
     }
     std::vector<std::byte> voxels(bytes);
-    read += file_.read(part_, 0, at, box, voxels);
+    readBox(at, box, voxels);
     const std::byte* source = voxels.data();
     const std::size_t wholeRow = static_cast<std::size_t>(dims_.x) * voxelBytes_;
     for (int z = 0; z < box.z; ++z)

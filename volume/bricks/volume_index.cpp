@@ -9,7 +9,9 @@
 #include <utility>
 
 #include <tbb/combinable.h>
+#include <glm/vector_relational.hpp>
 
+#include "base/error.h"
 #include "base/hash.h"
 #include "volume/bricks/slice_reader.h"
 #include "volume/bricks/stored_type.h"
@@ -23,6 +25,7 @@ namespace {
 
 constexpr std::size_t kHashedBytes = std::size_t{1} << 20;     // as Grid::hash()
 constexpr std::size_t kLeastUnitBytes = std::size_t{8} << 20;  // pieces of the hash overlap units by one
+constexpr std::size_t kMostErrorText = 1024;                   // of a damaged part
 constexpr int kHistogramBins = 512;                            // as prepareVolume() makes them
 
 std::size_t valuesOf(VoxelType type) {
@@ -64,6 +67,56 @@ std::size_t VolumeIndex::unitsDone() const {
   return static_cast<std::size_t>(std::count(done_.begin(), done_.end(), std::uint8_t{1}));
 }
 
+void VolumeIndex::note(DamagedPart&& damaged) {
+  if (std::find(damaged_.begin(), damaged_.end(), damaged) != damaged_.end()) return;  // read twice
+  if (damaged_.size() == kMostDamagedParts)
+    base::throwInput(facts_.name, "",
+                     "more than " + std::to_string(kMostDamagedParts) +
+                         " of its parts cannot be read; the first: " + damaged_[0].error);
+  damaged_.push_back(std::move(damaged));
+}
+
+// Of each voxel of these slices whether it could not be read; nothing: all of them could.
+std::vector<std::uint8_t> VolumeIndex::unknownVoxels(int first, int slices) const {
+  std::vector<std::uint8_t> unknown;
+  const auto row = static_cast<std::size_t>(dims().x);
+  for (const DamagedPart& part : damaged_) {
+    const int from = std::max(part.low.z, first), behind = std::min(part.low.z + part.size.z, first + slices);
+    if (from >= behind) continue;
+    unknown.resize(sliceOf(dims()) * static_cast<std::size_t>(slices), 0);
+    for (int z = from; z < behind; ++z)
+      for (int y = part.low.y; y < part.low.y + part.size.y; ++y) {
+        const std::size_t line = static_cast<std::size_t>(z - first) * static_cast<std::size_t>(dims().y) +
+                                 static_cast<std::size_t>(y);
+        std::fill_n(
+            unknown.begin() + static_cast<std::ptrdiff_t>(line * row + static_cast<std::size_t>(part.low.x)),
+            part.size.x, std::uint8_t{1});
+      }
+  }
+  return unknown;
+}
+
+// Blocks of the layers that begin in these slices may hold anything where they hold voxels that could not be
+// read.
+void VolumeIndex::openBlocks(int first, int slices) {
+  const glm::ivec3 blocks = blocks_->dims();
+  if (blocks_->count() == 0) return;
+  const int firstLayer = first / kIndexBlockCells,
+            behindLayer = std::min((first + slices + kIndexBlockCells - 1) / kIndexBlockCells, blocks.z);
+  for (const DamagedPart& part : damaged_) {
+    // Block b holds the voxels 8 b .. 8 b + 8.
+    glm::ivec3 low = (part.low + kIndexBlockCells - 1) / kIndexBlockCells - 1,
+               high = (part.low + part.size - 1) / kIndexBlockCells;
+    low = glm::max(low, glm::ivec3(0, 0, firstLayer));
+    high = glm::min(high, glm::ivec3(blocks.x, blocks.y, behindLayer) - 1);
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x)
+          blocks_->set(blocks_->index({x, y, z}), std::numeric_limits<float>::lowest(),
+                       std::numeric_limits<float>::max());
+  }
+}
+
 template <class T>
 void VolumeIndex::scanUnit(SliceReader& reader, std::size_t unit, base::Progress& progress) {
   const std::size_t slice = sliceOf(dims());
@@ -93,9 +146,11 @@ void VolumeIndex::scanUnit(SliceReader& reader, std::size_t unit, base::Progress
   };
   tbb::combinable<Found> partial(
       [this] { return Found{.counts = std::vector<std::uint64_t>(counts_.size())}; });
+  const std::vector<std::uint8_t> unknown = unknownVoxels(first, own);
   parallelPieces(end - begin, std::size_t{1} << 18, progress, {}, [&](std::size_t from, std::size_t to) {
     Found& found = partial.local();
     for (std::size_t i = from; i != to; ++i) {
+      if (!unknown.empty() && unknown[i] != 0) continue;
       const T v = slab[i];
       if constexpr (std::is_floating_point_v<T>) {
         if (std::isnan(v)) {
@@ -112,6 +167,7 @@ void VolumeIndex::scanUnit(SliceReader& reader, std::size_t unit, base::Progress
   const std::size_t blockSlices =
       static_cast<std::size_t>(std::min(own + 1, dims().z - first));  // without what is hashed only
   blocks_->setLayers(first / kIndexBlockCells, slab.first(blockSlices * slice), dims(), progress);
+  openBlocks(first, own);
   // From here on nothing throws: a unit counts once.
   partial.combine_each([&](const Found& found) {
     missing_[unit] += found.missing;
@@ -129,7 +185,8 @@ void VolumeIndex::scan(const ChunkedVolume& file, IndexPart part, base::Progress
   const auto i = static_cast<std::size_t>(part.i), n = static_cast<std::size_t>(part.n);
   const std::size_t from = units() * (i - 1) / n, to = units() * i / n;
   const int ofPiece = static_cast<int>(pieceVoxels_ / sliceOf(dims()));
-  SliceReader reader(file, part_, slicesOfUnit() + ofPiece + 2);
+  SliceReader reader(file, part_, slicesOfUnit() + ofPiece + 2,
+                     [this](DamagedPart&& damaged) { note(std::move(damaged)); });
   for (std::size_t unit = from; unit < to; ++unit) {
     progress.throwIfStopped();
     progress.report(static_cast<double>(unit - from) / static_cast<double>(to - from), "indexing");
@@ -165,6 +222,7 @@ void VolumeIndex::join(const VolumeIndex& other) {
       blocks_->set(block, other.blocks_->minimum(block), other.blocks_->maximum(block));
   }
   for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+  for (DamagedPart damaged : other.damaged_) note(std::move(damaged));
 }
 
 double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double intercept,
@@ -186,12 +244,14 @@ double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double inter
       const int x = static_cast<int>(i) * width;
       const glm::ivec3 box(std::min(width, dims().x - x), rows.size);
       std::vector<T> stored(sliceOf(box) * static_cast<std::size_t>(box.z));
-      bytes += file.read(part_, 0, {x, y, z}, box, std::as_writable_bytes(std::span(stored)));
+      std::vector<DamagedPart> damaged;
+      bytes += readAround(file, part_, {x, y, z}, box, std::as_writable_bytes(std::span(stored)), damaged);
       const auto length = static_cast<std::size_t>(box.x);
       for (std::size_t row = 0; row < stored.size() / length; ++row)
         for (std::size_t at = 0; at < length; ++at)
           rows.values[row * static_cast<std::size_t>(dims().x) + static_cast<std::size_t>(x) + at] =
-              slope * static_cast<double>(stored[row * length + at]) + intercept;
+              damaged.empty() ? slope * static_cast<double>(stored[row * length + at]) + intercept
+                              : std::numeric_limits<double>::quiet_NaN();
     });
     bytesRead_ += bytes;
   };
@@ -210,6 +270,10 @@ double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double inter
 
 void VolumeIndex::finish(const ChunkedVolume& file, base::Progress& progress) {
   if (isFinished_) return;
+  bool isAny = false;
+  for (std::size_t unit = 0; unit < units(); ++unit) isAny = isAny || least_[unit] <= most_[unit];
+  if (!isAny && !damaged_.empty())
+    base::throwInput(facts_.name, "", "nothing of it can be read: " + damaged_[0].error);
   typicalStep_ = typicalStoredStep_ = stepOf(file, facts_.slope, facts_.intercept, progress);
   if (facts_.slope != 1.0 || facts_.intercept != 0.0) typicalStoredStep_ = stepOf(file, 1.0, 0.0, progress);
   if (!isWhole_) countFloats(file, progress);
@@ -223,7 +287,7 @@ void VolumeIndex::countFloats(const ChunkedVolume& file, base::Progress& progres
                                        any ? found.storedMaximum : 0.0, kHistogramBins);
   std::vector<std::uint64_t> sum(bins.count, 0);
   const int step = slicesOfUnit();
-  SliceReader reader(file, part_, step);
+  SliceReader reader(file, part_, step, [](DamagedPart&&) {});  // scan() has noted it
   for (int z = 0; z < dims().z; z += step) {
     progress.throwIfStopped();
     progress.report(static_cast<double>(z) / dims().z, "counting values");
@@ -257,6 +321,16 @@ VoxelFacts VolumeIndex::voxelFacts(double slope, double intercept) const {
     found.storedMaximum = high;
   }
   found.hash = Grid::hashOf(facts_.levels.front().geometry, slope, intercept, facts_.storedType, hashes_);
+  // What is unknown is hashed as zeros, which a volume may have.
+  if (!damaged_.empty()) {
+    base::Hasher hash;
+    hash.addWords(&found.hash, sizeof found.hash);
+    for (const DamagedPart& part : damaged_) {
+      hash.addWords(&part.low, sizeof part.low);
+      hash.addWords(&part.size, sizeof part.size);
+    }
+    found.hash = hash;
+  }
   return found;
 }
 
@@ -313,6 +387,12 @@ struct Writer {
     if (!values.empty()) put(values.data(), values.size() * sizeof(T));
     return true;
   }
+  bool text(std::string& value) {
+    std::uint64_t length = std::min(value.size(), kMostErrorText);
+    put(&length, sizeof length);
+    put(value.data(), length);
+    return true;
+  }
 };
 
 struct Reader {
@@ -337,13 +417,36 @@ struct Reader {
     values.resize(expected);
     return take(values.data(), expected * sizeof(T));
   }
+  bool text(std::string& value) {
+    std::uint64_t length = 0;
+    if (!number(length) || length > kMostErrorText) return false;
+    value.resize(length);
+    return take(value.data(), length);
+  }
 };
 
 }  // namespace
 
 template <class Io>
+bool VolumeIndex::transferDamaged(Io& io) {
+  std::uint64_t count = damaged_.size();
+  if (!io.number(count) || count > kMostDamagedParts) return false;
+  damaged_.resize(count);
+  for (DamagedPart& part : damaged_) {
+    if (!io.number(part.low) || !io.number(part.size) || !io.text(part.error)) return false;
+    const bool isInside = glm::all(glm::greaterThanEqual(part.low, glm::ivec3(0))) &&
+                          glm::all(glm::greaterThan(part.size, glm::ivec3(0))) &&
+                          glm::all(glm::lessThan(part.low, dims())) &&
+                          glm::all(glm::lessThanEqual(part.size, dims() - part.low));
+    if (!isInside) return false;
+  }
+  return true;
+}
+
+template <class Io>
 bool VolumeIndex::transfer(Io& io) {
-  std::uint32_t version = 1, type = static_cast<std::uint32_t>(facts_.storedType);
+  // Version 2 has a list of damaged parts.
+  std::uint32_t version = damaged_.empty() ? 1 : 2, type = static_cast<std::uint32_t>(facts_.storedType);
   glm::ivec3 size = dims();
   std::int32_t layers = layersOfUnit_, time = part_.time, channel = part_.channel;
   std::uint8_t finished = isFinished_ ? 1 : 0;
@@ -352,8 +455,9 @@ bool VolumeIndex::transfer(Io& io) {
       !io.number(channel) || !io.number(finished) || !io.number(typicalStep_) ||
       !io.number(typicalStoredStep_) || !io.number(countSize))
     return false;
-  const bool same = version == 1 && type == static_cast<std::uint32_t>(facts_.storedType) && size == dims() &&
-                    layers == layersOfUnit_ && time == part_.time && channel == part_.channel;
+  const bool same = (version == 1 || version == 2) && type == static_cast<std::uint32_t>(facts_.storedType) &&
+                    size == dims() && layers == layersOfUnit_ && time == part_.time &&
+                    channel == part_.channel;
   const bool countsFit = isWhole_ ? countSize == counts_.size() : countSize <= std::size_t{kHistogramBins};
   if (!same || !countsFit) return false;
   std::vector<float> minima(blocks_->count()), maxima(blocks_->count());
@@ -365,7 +469,7 @@ bool VolumeIndex::transfer(Io& io) {
   if (!io.array(done_, count) || !io.array(least_, count) || !io.array(most_, count) ||
       !io.array(missing_, count) || !io.array(hashes_, hashes_.size()) ||
       !io.array(minima, blocks_->count()) || !io.array(maxima, blocks_->count()) ||
-      !io.array(counts_, countSize))
+      !io.array(counts_, countSize) || (version == 2 && !transferDamaged(io)))
     return false;
   for (std::size_t i = 0; i < minima.size(); ++i) blocks_->set(i, minima[i], maxima[i]);
   isFinished_ = finished != 0;
@@ -382,7 +486,10 @@ void VolumeIndex::write(const std::function<void(const void*, std::size_t)>& put
 std::size_t VolumeIndex::mostBytes() const {
   std::size_t sum = 0;
   write([&](const void*, std::size_t count) { sum += count; });
-  return sum + static_cast<std::size_t>(kHistogramBins) * sizeof(std::uint64_t);
+  constexpr std::size_t damaged =
+      sizeof(std::uint64_t) +
+      kMostDamagedParts * (2 * sizeof(glm::ivec3) + sizeof(std::uint64_t) + kMostErrorText);
+  return sum + static_cast<std::size_t>(kHistogramBins) * sizeof(std::uint64_t) + damaged;
 }
 
 bool VolumeIndex::read(std::span<const std::byte> bytes, base::Hasher& sum) {

@@ -2,7 +2,8 @@
 // come to. Equal to what is made of the same volume in memory.
 //
 // Made a unit after the other (some layers of blocks, a few MiB), in any order and by anybody: units of
-// several files join. Kept in a file beside the volume: docs/large-volumes.md.
+// several files join. Kept in a file beside the volume: docs/large-volumes.md. What of the file cannot be
+// read is listed; blocks that hold any of it may hold any values, so that no ray passes them unseen.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include "base/memory_budget.h"
 #include "base/progress.h"
 #include "volume/bricks/chunked_volume.h"
+#include "volume/bricks/damage.h"
 #include "volume/skip/min_max_blocks.h"
 #include "volume/statistics/histogram.h"
 
@@ -43,14 +45,14 @@ class VolumeIndex {
   bool isComplete() const { return unitsDone() == units() && isFinished_; }
 
   // Reads the units of the part that are not done. Between units keep() is called, which may save what there
-  // is. Memory: a unit and a layer of chunks (volume/bricks/slice_reader.h). Throws Error: input, memory,
-  // interrupted.
+  // is. Memory: a unit and a layer of chunks (volume/bricks/slice_reader.h). Throws Error: input (too much of
+  // it cannot be read), memory, interrupted.
   void scan(const ChunkedVolume& file, IndexPart part, base::Progress& progress,
             const std::function<void()>& keep);
   // Takes what `other`, of the same volume, has done and this has not.
   void join(const VolumeIndex& other);
   // After all units: what neighbours differ by, and what needs the range of values first, another pass over
-  // float32 volumes.
+  // float32 volumes. Throws as scan(), also where nothing could be read.
   void finish(const ChunkedVolume& file, base::Progress& progress);
 
   // Of a complete one.
@@ -62,7 +64,8 @@ class VolumeIndex {
   Histogram histogram(const Grid& grid) const;
   // volume/statistics/typical_step.h, of values with the facts' slope and intercept, or of stored numbers.
   double typicalStep(bool scaled) const { return scaled ? typicalStep_ : typicalStoredStep_; }
-  std::uint64_t bytesRead() const { return bytesRead_; }  // by scan() and finish() of this one
+  const std::vector<DamagedPart>& damaged() const { return damaged_; }  // their voxels count nowhere
+  std::uint64_t bytesRead() const { return bytesRead_; }                // by scan() and finish() of this one
 
   // As bytes of the file, and back: false, and nothing changed, where they are not of this volume.
   void write(const std::function<void(const void*, std::size_t)>& put) const;
@@ -73,11 +76,16 @@ class VolumeIndex {
  private:
   template <class T>
   void scanUnit(SliceReader& reader, std::size_t unit, base::Progress& progress);
+  void note(DamagedPart&& damaged);
+  std::vector<std::uint8_t> unknownVoxels(int first, int slices) const;
+  void openBlocks(int first, int slices);
   void countFloats(const ChunkedVolume& file, base::Progress& progress);
   double stepOf(const ChunkedVolume& file, double slope, double intercept, base::Progress& progress);
   int slicesOfUnit() const { return layersOfUnit_ * kIndexBlockCells; }
   template <class Io>
   bool transfer(Io& io);
+  template <class Io>
+  bool transferDamaged(Io& io);
 
   ChunkedFacts facts_;
   VolumePart part_;
@@ -92,6 +100,7 @@ class VolumeIndex {
   // Whole numbers: how often each value of the type occurs, from its least on, in the units that are done.
   // float32: of the histogram's bins, once isFinished_.
   std::vector<std::uint64_t> counts_;
+  std::vector<DamagedPart> damaged_;
   double typicalStep_ = 0.0, typicalStoredStep_ = 0.0;
   bool isFinished_ = false;
   std::uint64_t bytesRead_ = 0;

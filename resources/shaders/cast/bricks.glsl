@@ -2,22 +2,31 @@
 //
 // A brick holds what every lookup around its 32^3 cells needs: voxels 32 b - BRICK_APRON .. 32 b + 32 + BRICK_APRON on
 // each axis, border voxels repeated. All lookups around one cell are made in the cell's own brick. CASTS_RAYS: each brick that is entered is
-// marked as used, or as asked for where it is not resident. Hadwiger et al. 2005 sec. 3.1.
+// marked as used, or as asked for where it is not resident. LOST_BLOCKS: some blocks of 8^3 cells may be lost, because
+// nobody can read what lookups there need; rays that meet one, or a brick that is lost as a whole, end and wait for
+// nothing. Hadwiger et al. 2005 sec. 3.1.
 
 #ifdef BRICKS
 const int brickShift = 5, brickTexels = 33 + 2 * BRICK_APRON;  // render/volume/brick_cache.h holds the same numbers
-uniform usampler3D uBricks;  // of each brick: its slot in the cache; w = 1 where it is resident
+// Of each brick: its slot in the cache; w = 1: it is resident, 2: lost, 3: resident, and some of its blocks are lost
+// (render/volume/bricks.h). LOST_BLOCKS: in the second half, which: a channel for each z, bit x + 4 y.
+uniform usampler3D uBricks;
 
 #ifdef CASTS_RAYS
 layout(std430, binding = 0) buffer BrickUse {
   uint waitingRays;
+  uint lostRays;
   uint brickUse[];  // x fastest; 1: used, 2: asked for
 };
 #endif
 
 ivec3 currentBrick = ivec3(-1), currentSlot, currentShift;
 bool currentResident = false;
+#ifdef LOST_BLOCKS
+uvec4 currentLost = uvec4(0u);
+#endif
 bool brickMissed = false;  // something was looked up in a brick that is not resident
+bool brickAwaited = false;  // and that may become so
 
 void enterBrick(ivec3 cell) {
   ivec3 brick = cell >> brickShift;
@@ -26,17 +35,29 @@ void enterBrick(ivec3 cell) {
   currentBrick = brick;
   currentSlot = ivec3(slot.xyz) * brickTexels;
   currentShift = currentSlot + BRICK_APRON - (brick << brickShift);
-  currentResident = slot.w != 0u;
+  currentResident = (slot.w & 1u) != 0u;
   if (!currentResident) brickMissed = true;
+  if (slot.w == 0u) brickAwaited = true;
+#ifdef LOST_BLOCKS
+  currentLost = uvec4(0u);
+  if (slot.w == 3u) currentLost = texelFetch(uBricks, brick + ivec3(0, 0, textureSize(uBricks, 0).z / 2), 0);
+#endif
 #ifdef CASTS_RAYS
   ivec3 size = textureSize(uBricks, 0);
-  brickUse[(brick.z * size.y + brick.y) * size.x + brick.x] = currentResident ? 1u : 2u;
+  brickUse[(brick.z * size.y + brick.y) * size.x + brick.x] = currentResident ? 1u : slot.w == 0u ? 2u : 0u;
 #endif
 }
 
 // Lookups around `cell` are answered.
 bool resident(ivec3 cell) {
   enterBrick(cell);
+#ifdef LOST_BLOCKS
+  ivec3 block = cell >> 3 & 3;
+  if ((currentLost[block.z] >> (block.x + 4 * block.y) & 1u) != 0u) {
+    brickMissed = true;
+    return false;
+  }
+#endif
   return currentResident;
 }
 
@@ -57,11 +78,18 @@ vec3 filterCoordinate(vec3 voxel, ivec3 cell, ivec3 textureTexels) {
 }
 
 #ifdef CASTS_RAYS
+void countMissed() {
+  if (brickAwaited)
+    atomicAdd(waitingRays, 1u);
+  else
+    atomicAdd(lostRays, 1u);
+}
+
 // Enters the bricks of the box between two points and a little around it.
 void enterBricks(vec3 a, vec3 b) {
   const float margin = 0.01;
   ivec3 low = cellOf(min(a, b) - margin), high = cellOf(max(a, b) + margin);
-  for (int i = 0; i < 8; ++i) enterBrick(mix(low, high, bvec3(i & 1, i & 2, i & 4)));
+  for (int i = 0; i < 8; ++i) resident(mix(low, high, bvec3(i & 1, i & 2, i & 4)));
 }
 #endif
 

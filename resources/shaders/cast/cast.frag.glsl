@@ -9,8 +9,8 @@
 //
 // CLIP: surfaces are cut (clip.glsl). CUT_FACES: rays end at the faces that are shown.
 //
-// BRICKS: a ray that comes to a brick that is not resident ends there and waits: 128 in what is known, 1 in the last
-// channel of a bracket. AGAIN: only the rays that waited.
+// BRICKS: a ray that comes to a brick that is not resident ends there and waits, in vain if it is lost: 128 in what is
+// known, 1 in the last channel of a bracket. AGAIN: only the rays that waited.
 #define CASTS_RAYS
 #include "common.glsl"
 #include "field.glsl"
@@ -230,7 +230,7 @@ bool castRay() {
     crossing.found = false;
     oSurface = vec4(0.0, 0.0, 0.0, -1.0);
     oInfo = vec2(0.0, 128.0);
-    atomicAdd(waitingRays, 1u);
+    countMissed();
   }
 #endif
   return crossing.found || writesNothing;
@@ -240,7 +240,7 @@ bool castRay() {
   if (oBracket.x <= oBracket.y) enterBricks(origin + oBracket.x * direction, origin + oBracket.y * direction);
   if (brickMissed) {
     oBracket = vec4(nothing.xyz, 1.0);
-    atomicAdd(waitingRays, 1u);
+    countMissed();
   }
 #endif
   return oBracket.x <= oBracket.y || writesNothing;

@@ -71,7 +71,7 @@ void main() {
   if (brickMissed) {  // hatched until it is known
     vec2 at = inPicture(gl_FragCoord.xy);
     oLit = mod(at.x + at.y, 12.0) < 6.0 ? 0.0 : 1.0;
-    atomicAdd(waitingRays, 1u);
+    countMissed();
   }
 #endif
 }

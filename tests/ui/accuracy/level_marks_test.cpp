@@ -1,10 +1,10 @@
 // What an overview hides: hatched in the picture and said in the status line, where the volume has an index.
-#include <fstream>
 #include <string>
 
 #include <QAction>
 #include <QLabel>
 
+#include "tests/support/ui/needles.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/error_overlay_box.h"
@@ -18,25 +18,11 @@ namespace {
 
 using Over = ui::Viewport::Over;
 
-// A block that any level shows, and beside it needles of one voxel, which no coarser one does.
-QString writeNeedles(const QString& name) {
-  constexpr int n = 64;
-  std::ofstream file(name.toStdString(), std::ios::binary);
-  file << "NRRD0004\ntype: uint8\nencoding: raw\ndimension: 3\nsizes: 64 64 64\n\n";
-  for (int z = 0; z < n; ++z)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) {
-        const bool block = x > 8 && x < 28 && y > 8 && y < 56 && z > 8 && z < 56;
-        const bool needle = x > 40 && y % 12 == 5 && z % 12 == 5;
-        file.put(block || needle ? '\xb4' : '\0');
-      }
-  return name;
-}
-
 class LevelMarksTest : public WindowTest {
  protected:
   void SetUp() override {
     WindowTest::SetUp();
+    window_->levelZeroAction()->setChecked(false);  // its pictures take the place of marked ones
     file_ = writeNeedles(newFile("needles.nrrd"));
   }
   void makeIndex() {

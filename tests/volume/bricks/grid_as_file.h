@@ -4,7 +4,11 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include <glm/vector_relational.hpp>
 
 #include "base/error.h"
 #include "volume/bricks/chunked_volume.h"
@@ -13,7 +17,7 @@
 
 namespace isolux::test {
 
-// A grid as a file in chunks of this size; can be made to wait and to fail.
+// A grid as a file in chunks of this size; can be made to wait and to fail, in whole or in part.
 class GridAsFile final : public volume::ChunkedVolume {
  public:
   GridAsFile(volume::Grid grid, glm::ivec3 chunkDims) : grid_(std::move(grid)) {
@@ -34,6 +38,11 @@ class GridAsFile final : public volume::ChunkedVolume {
       opened.wait(lock, [&] { return isOpen; });
     }
     if (fails) base::throwInput("grid", "chunk", "is damaged");
+    for (const glm::ivec3& one : damaged) {
+      const glm::ivec3 first = one * facts_.levels[0].chunkDims, behind = first + facts_.levels[0].chunkDims;
+      if (glm::all(glm::lessThan(low, behind)) && glm::all(glm::lessThan(first, low + size)))
+        base::throwInput("grid", "chunk " + std::to_string(one.x), "is cut off");
+    }
     volume::withStoredType(grid_.storedType(), [&](auto zero) {
       auto* out = reinterpret_cast<decltype(zero)*>(voxels.data());
       for (int z = low.z; z < low.z + size.z; ++z)
@@ -53,6 +62,7 @@ class GridAsFile final : public volume::ChunkedVolume {
   mutable std::atomic<int> reads{0}, readsWithin{0};  // readsWithin: that begin within a chunk
   mutable std::atomic<std::uint64_t> voxelsRead{0};
   std::atomic<bool> fails{false};
+  std::vector<glm::ivec3> damaged{};  // chunks that cannot be read
   mutable std::mutex mutex;
   mutable std::condition_variable opened;
   bool isOpen = true;

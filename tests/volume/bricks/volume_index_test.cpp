@@ -1,15 +1,23 @@
 // The index of a file: what is made of the same volume in memory, however it was come by.
 #include "volume/bricks/volume_index.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
 #include "tests/volume/bricks/grid_as_file.h"
@@ -187,7 +195,7 @@ TEST_F(Indexes, LayersOfChunksAreReadInPartsWhereMemoryIsShort) {
   const std::size_t slice = 300 * 301 * sizeof(float), limit = base::machineMemory().limit();
   base::machineMemory().setLimit(base::machineMemory().held() + 100 * slice);
   {
-    volume::SliceReader reader(file, {}, 30);
+    volume::SliceReader reader(file, {}, 30, [](volume::DamagedPart&&) { FAIL(); });
     EXPECT_LE(base::machineMemory().left(), 60 * slice);
     EXPECT_GE(base::machineMemory().left(), 40 * slice);
     for (int z = 0; z < dims.z; z += 10) {
@@ -205,6 +213,123 @@ TEST_F(Indexes, LayersOfChunksAreReadInPartsWhereMemoryIsShort) {
   }
   base::machineMemory().setLimit(limit);
   EXPECT_EQ(file.reads, 5 * 5 * 5);  // a layer of 100 slices in four parts, the rest of the volume in one
+}
+
+// Chunks that cannot be read: blocks that hold any of their voxels may hold anything, all others are as they
+// were, and their voxels count nowhere.
+TEST_F(Indexes, GoAroundWhatCannotBeRead) {
+  const glm::ivec3 dims(70, 61, 80);
+  const volume::Grid floats = phantomGrid("ball", dims);
+  std::vector<std::int16_t> rounded(floats.geometry().voxelCount());
+  for (std::size_t i = 0; i < rounded.size(); ++i)
+    rounded[i] = static_cast<std::int16_t>(std::get<std::vector<float>>(floats.voxels())[i] + 200.0f);
+  const volume::Grid grids[] = {volume::Grid(floats), volume::Grid(unitGeometry(dims), std::move(rounded))};
+  for (const volume::Grid& grid : grids)
+    for (const glm::ivec3& chunk : {glm::ivec3(16, 20, 24), glm::ivec3(70, 61, 1)}) {
+      SCOPED_TRACE(std::string(nameOf(grid.storedType())) + " " + std::to_string(chunk.x));
+      GridAsFile file(grid, chunk);
+      volume::VolumeIndex whole(file.facts(), {}), index(file.facts(), {});
+      whole.scan(file, {}, progress_, [] {});
+      whole.finish(file, progress_);
+      file.damaged = chunk.z == 1 ? std::vector{glm::ivec3(0, 0, 17)}
+                                  : std::vector{glm::ivec3(1, 2, 0), glm::ivec3(4, 0, 3)};
+      index.scan(file, {}, progress_, [] {});
+      index.finish(file, progress_);
+      ASSERT_EQ(index.damaged().size(), file.damaged.size());
+      std::size_t lost = 0;
+      for (const volume::DamagedPart& part : index.damaged()) {
+        EXPECT_THAT(part.error, testing::HasSubstr("is cut off"));
+        EXPECT_TRUE(std::any_of(file.damaged.begin(), file.damaged.end(), [&](glm::ivec3 one) {
+          return part.low == one * chunk && part.size == glm::min(chunk, dims - part.low);
+        }));
+        lost += static_cast<std::size_t>(part.size.x * part.size.y * part.size.z);
+      }
+      std::size_t open = 0, others = 0;
+      const glm::ivec3 blocks = index.blocks()->dims();
+      for (int z = 0; z < blocks.z; ++z)
+        for (int y = 0; y < blocks.y; ++y)
+          for (int x = 0; x < blocks.x; ++x) {
+            const std::size_t i = index.blocks()->index({x, y, z});
+            const glm::ivec3 low = 8 * glm::ivec3(x, y, z), high = low + 8;
+            const bool holds = std::any_of(index.damaged().begin(), index.damaged().end(),
+                                           [&](const volume::DamagedPart& part) {
+                                             return glm::all(glm::lessThanEqual(part.low, high)) &&
+                                                    glm::all(glm::lessThan(low, part.low + part.size));
+                                           });
+            if (holds) {
+              open += index.blocks()->minimum(i) == std::numeric_limits<float>::lowest() &&
+                      index.blocks()->maximum(i) == std::numeric_limits<float>::max();
+              ++others;
+            } else {
+              EXPECT_EQ(index.blocks()->minimum(i), whole.blocks()->minimum(i));
+              EXPECT_EQ(index.blocks()->maximum(i), whole.blocks()->maximum(i));
+            }
+          }
+      EXPECT_EQ(open, others);
+      EXPECT_GT(open, 0u);
+      const volume::Histogram found = index.histogram(grid);
+      std::uint64_t counted = 0;
+      for (const std::uint64_t count : found.counts) counted += count;
+      EXPECT_EQ(counted, grid.geometry().voxelCount() - lost);
+      const volume::VoxelFacts facts = index.voxelFacts(1.0, 0.0);
+      EXPECT_EQ(facts.missing, 0u);
+      EXPECT_GE(facts.storedMinimum, grid.storedMinimum());  // not of zeros in the place of what is unknown
+      EXPECT_LE(facts.storedMaximum, grid.storedMaximum());
+      EXPECT_NE(facts.hash, whole.voxelFacts(1.0, 0.0).hash);
+      // Written and read, and joined of two parts.
+      std::vector<std::byte> bytes;
+      index.write([&](const void* from, std::size_t count) {
+        const auto* first = static_cast<const std::byte*>(from);
+        bytes.insert(bytes.end(), first, first + count);
+      });
+      EXPECT_LE(bytes.size(), index.mostBytes());
+      volume::VolumeIndex again(file.facts(), {});
+      base::Hasher sum;
+      ASSERT_TRUE(again.read(bytes, sum));
+      EXPECT_EQ(again.damaged(), index.damaged());
+      EXPECT_FALSE(volume::isMended(file, {}, again.damaged()));
+      file.damaged.pop_back();
+      EXPECT_TRUE(volume::isMended(file, {}, again.damaged()));
+    }
+}
+
+TEST_F(Indexes, OfAFileOfWhichNothingCanBeReadAreRefused) {
+  GridAsFile file(phantomGrid("ball", 40), glm::ivec3(20));
+  file.fails = true;
+  volume::VolumeIndex index(file.facts(), {});
+  index.scan(file, {}, progress_, [] {});
+  EXPECT_THROW(index.finish(file, progress_), base::Error);
+  GridAsFile rows(phantomGrid("ball", glm::ivec3(2, 2, 5000)), glm::ivec3(2, 2, 1));
+  rows.fails = true;
+  volume::VolumeIndex many(rows.facts(), {});
+  EXPECT_THROW(many.scan(rows, {}, progress_, [] {}), base::Error);
+}
+
+// A list that points out of the volume is no list.
+TEST_F(Indexes, ADamagedListOfDamageCountsAsNone) {
+  GridAsFile file(phantomGrid("ball", 40), glm::ivec3(20));
+  file.damaged = {glm::ivec3(1, 1, 1)};
+  volume::VolumeIndex index(file.facts(), {});
+  index.scan(file, {}, progress_, [] {});
+  index.finish(file, progress_);
+  std::vector<std::byte> bytes;
+  index.write([&](const void* from, std::size_t count) {
+    const auto* first = static_cast<const std::byte*>(from);
+    bytes.insert(bytes.end(), first, first + count);
+  });
+  const std::size_t text = index.damaged()[0].error.size(),
+                    box = bytes.size() - text - sizeof(std::uint64_t) - 24;
+  const auto isRead = [&](std::size_t at, std::int32_t number) {
+    std::vector<std::byte> broken = bytes;
+    std::memcpy(broken.data() + at, &number, sizeof number);
+    base::Hasher sum;
+    return volume::VolumeIndex(file.facts(), {}).read(broken, sum);
+  };
+  EXPECT_TRUE(isRead(box, 20));
+  EXPECT_FALSE(isRead(box, 21));
+  EXPECT_FALSE(isRead(box, -1));
+  EXPECT_FALSE(isRead(box + 12, 0));
+  EXPECT_FALSE(isRead(box + 12, std::numeric_limits<std::int32_t>::max()));
 }
 
 // A reader that stops after some parts of slabs.
