@@ -58,7 +58,7 @@ class DamagedVolumeGl : public testing::Test {
     for (const char* set : {"memory.voxels=file", "picture.executor=gpu", "picture.supersampling=1",
                             "camera.eye=47.5,47.5,-200", "camera.target=47.5,47.5,47.5", "camera.up=0,1,0",
                             "isosurface.albedo=1,0.1,0.05", "look.background_top=0.1,0.2,0.9",
-                            "look.background_bottom=0.1,0.2,0.9"})
+                            "look.background_bottom=0.1,0.2,0.9", "isosurface.value=0.25"})
       all.insert(all.end(), {"--set", set});
     all.insert(all.end(), more.begin(), more.end());
     return callIsolux(all, folder_);
@@ -131,10 +131,12 @@ TEST_F(DamagedVolumeGl, WhatIsMendedIsDrawnAgain) {
 
 // The camera looks away from what is lost, or the damage lies behind what is seen: the picture is whole.
 TEST_F(DamagedVolumeGl, WhatRaysDoNotComeToIsANoteOnly) {
-  ASSERT_EQ(render("whole.png").exitCode, 0);
+  const std::vector<std::string> larger{"--set",
+                                        "isosurface.value=-6"};  // a ball that hides all of the chunk
+  ASSERT_EQ(render("whole.png", larger).exitCode, 0);
   fs::remove_all(folder_ / "ball.zarr.index");
   fs::resize_file(zarr_ / "2.1.1", 100);
-  const RunResult cut = render("cut.png");
+  const RunResult cut = render("cut.png", larger);
   EXPECT_EQ(cut.exitCode, 0) << cut.err;
   EXPECT_THAT(cut.err, HasSubstr("a part of it cannot be read: "));
   EXPECT_THAT(cut.err, HasSubstr("2.1.1"));
