@@ -1892,6 +1892,41 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     </message>
 </context>
 <context>
+    <name>isolux::ui::LevelZero</name>
+    <message>
+        <source>Level 0 is not drawn: %1</source>
+        <translation>Stufe 0 wird nicht gezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>drawing level 0</source>
+        <translation>Stufe 0 wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1: %2 %</translation>
+    </message>
+    <message>
+        <source>Level 0 is drawn from the file as soon as its index is there.</source>
+        <translation>Stufe 0 wird aus der Datei gezeichnet, sobald deren Index da ist.</translation>
+    </message>
+    <message>
+        <source>At rest the picture is of the file’s own voxels.</source>
+        <translation>In Ruhe zeigt das Bild die Voxel der Datei selbst.</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture is hatched, because the volume cannot be read there: %2</source>
+        <translation>%1 % des Bildes sind schraffiert, weil das Volumen dort nicht gelesen werden kann: %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view</source>
+        <translation>%1 % des Bildes fehlen: memory.gpu_budget_mb ist für diese Ansicht zu klein</translation>
+    </message>
+    <message>
+        <source>the picture was not waited for</source>
+        <translation>auf das Bild wurde nicht gewartet</translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::LightChooser</name>
     <message>
         <source>Light: %1</source>
@@ -2708,6 +2743,18 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     <message>
         <source>Hatch where the volume itself has structure that the coarser level shown may hide</source>
         <translation>Schraffieren, wo das Volumen selbst Strukturen hat, die die gezeigte gröbere Stufe verbergen kann</translation>
+    </message>
+    <message>
+        <source>Level 0 (level %1 in motion)</source>
+        <translation>Stufe 0 (in Bewegung Stufe %1)</translation>
+    </message>
+    <message>
+        <source>&amp;Draw level 0 at rest</source>
+        <translation>Stufe &amp;0 in Ruhe zeichnen</translation>
+    </message>
+    <message>
+        <source>Of a coarser level, let a finished picture be followed by one of the file’s own voxels; makes an index where there is none</source>
+        <translation>Einem fertigen Bild einer gröberen Stufe eines der Voxel der Datei selbst folgen lassen; macht einen Index, wo keiner ist</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 
 #include <QSettings>
 
+#include "base/retire.h"
 #include "ui/dialogs/waiting.h"
 #include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
@@ -49,7 +50,7 @@ void LevelZero::setSource(const std::optional<scene::Source>& source) {
   if (same) return;
   show({});
   opening_.reset();
-  whole_.reset();
+  base::retire(std::exchange(whole_, nullptr));  // gigabytes
   refused_.reset();
   thread_.reset();
   say({}, {});
