@@ -18,7 +18,8 @@ namespace isolux::app {
 
 // `Work` is made of a Subject (`Work{subject}`), holds what it finds, and has
 //   void run(base::Progress&), on the thread, which may throw base::Error,
-//   static constexpr const char* kDoes: "measure accuracy", for a message.
+//   static constexpr const char* kDoes: "measure accuracy", for a message;
+// where somebody waits for it, static constexpr bool kIsAwaited = true: it gives way to nobody.
 template <class Work>
 class QuietJob {
  public:
@@ -46,7 +47,7 @@ class QuietJob {
     std::optional<base::Error> error;
   };
   static void run(Shared& shared) {
-    giveWay();
+    if constexpr (!requires { Work::kIsAwaited; }) giveWay();
     try {
       shared.work.run(shared.progress);
     } catch (const base::Error& error) {

@@ -44,6 +44,7 @@ class Document : public QObject {
   const app::History& history() const { return history_; }
 
   bool loading() const { return job_ != nullptr; }
+  const scene::Scene& loadingScene() const { return pendingScene_; }  // while loading(): of what comes
   bool recording() const { return recorder_ != nullptr; }
   const QString& recordingFile() const { return recordingFile_; }  // of the recording that runs, or ran last
   bool modified() const { return scene() != savedScene_; }

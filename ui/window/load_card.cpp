@@ -6,16 +6,24 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
 
 #include "ui/editors/number_text.h"
+#include "ui/viewport/picture_pixels.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
 
+namespace {
+constexpr int margin = 16, pictureHeight = 230;
+}  // namespace
+
 LoadCard::LoadCard(QWidget* parent)
     : QFrame(parent),
+      picture_(new QLabel(this)),
+      caption_(new QLabel(this)),
       title_(new QLabel(this)),
       stage_(new QLabel(this)),
       bar_(new QProgressBar(this)),
@@ -23,18 +31,24 @@ LoadCard::LoadCard(QWidget* parent)
   setObjectName("loadCard");
   setCursor(Qt::ArrowCursor);
   title_->setTextFormat(Qt::PlainText);
-  setInk(stage_, Ink::quiet);
+  picture_->setObjectName("firstLook");
+  for (QLabel* const label : {stage_, caption_}) setInk(label, Ink::quiet);
+  lookTimer_.setInterval(30);
+  connect(&lookTimer_, &QTimer::timeout, this, &LoadCard::pollLook);
+  dropLook();
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   bar_->setFixedHeight(8);
   auto* layout = new QGridLayout(this);
-  layout->setContentsMargins(16, 12, 12, 12);
+  layout->setContentsMargins(margin, 12, 12, 12);
   layout->setVerticalSpacing(5);
   layout->setHorizontalSpacing(14);
-  layout->addWidget(title_, 0, 0);
-  layout->addWidget(bar_, 1, 0);
-  layout->addWidget(stage_, 2, 0);
-  layout->addWidget(cancel_, 0, 1, 3, 1, Qt::AlignVCenter);
+  layout->addWidget(picture_, 0, 0, 1, 2, Qt::AlignHCenter);
+  layout->addWidget(caption_, 1, 0, 1, 2);
+  layout->addWidget(title_, 2, 0);
+  layout->addWidget(bar_, 3, 0);
+  layout->addWidget(stage_, 4, 0);
+  layout->addWidget(cancel_, 2, 1, 3, 1, Qt::AlignVCenter);
   layout->setColumnStretch(0, 1);
   parent->installEventFilter(this);
   delay_.setSingleShot(true);
@@ -53,6 +67,7 @@ void LoadCard::begin(const QString& name) {
   stage_->setText(" ");
   bar_->setValue(0);
   left_.begin();
+  dropLook();
   place();
   if (!isVisible()) delay_.start();
 }
@@ -66,7 +81,53 @@ void LoadCard::report(double fraction, const QString& stage) {
 
 void LoadCard::end() {
   delay_.stop();
+  dropLook();
   hide();
+}
+
+void LoadCard::lookAt(const scene::Scene& scene) {
+  dropLook();
+  const double ratio = devicePixelRatioF();
+  app::GlimpseWork::Subject subject;
+  subject.scene = scene;
+  subject.size = glm::ivec2(glm::round(ratio * glm::dvec2(cardWidth() - 2 * margin, pictureHeight)));
+  subject.pixelRatio = ratio;
+  subject.least = leastBytes_;
+  look_ = std::make_unique<app::GlimpseJob>(std::move(subject));
+  lookTimer_.start();
+}
+
+bool LoadCard::showsPicture() const {
+  return !picture_->isHidden();
+}
+
+void LoadCard::pollLook() {
+  if (!look_) return lookTimer_.stop();
+  if (!look_->finished()) return;
+  lookTimer_.stop();
+  const std::unique_ptr<app::GlimpseJob> job = std::move(look_);
+  // Whoever loads the volume says what is wrong with it.
+  if (job->error() || job->picture().size.x == 0) return;
+  QPixmap picture = QPixmap::fromImage(imageOf(job->picture()));
+  picture.setDevicePixelRatio(devicePixelRatioF());
+  picture_->setPixmap(picture);
+  const glm::ivec3 step = job->step();
+  caption_->setText(tr("A first look: one voxel of %1 × %2 × %3").arg(step.x).arg(step.y).arg(step.z));
+  picture_->show();
+  caption_->show();
+  place();
+}
+
+void LoadCard::dropLook() {
+  lookTimer_.stop();
+  look_.reset();
+  picture_->hide();
+  picture_->setPixmap({});
+  caption_->hide();
+}
+
+int LoadCard::cardWidth() const {
+  return std::min(420, std::max(200, parentWidget()->width() - 40));
 }
 
 bool LoadCard::eventFilter(QObject* object, QEvent* event) {
@@ -76,7 +137,7 @@ bool LoadCard::eventFilter(QObject* object, QEvent* event) {
 
 void LoadCard::place() {
   const QWidget* parent = parentWidget();
-  const int width = std::min(420, std::max(200, parent->width() - 40));
+  const int width = cardWidth();
   const int height = sizeHint().height();
   const int forTitle = width - 60 - cancel_->sizeHint().width();
   title_->setText(title_->fontMetrics().elidedText(tr("Opening %1").arg(name_), Qt::ElideMiddle, forTitle));

@@ -1,9 +1,14 @@
-// What is being loaded, how far it is, and a way to stop it: a card over the picture that blocks nothing.
+// What is being loaded, how far it is, a first look at it where one is to be had before, and a way to stop
+// it: a card over the picture that blocks nothing.
 #pragma once
+
+#include <cstddef>
+#include <memory>
 
 #include <QFrame>
 #include <QTimer>
 
+#include "app/jobs/glimpse_job.h"
 #include "ui/editors/time_left.h"
 
 class QLabel;
@@ -19,6 +24,10 @@ class LoadCard : public QFrame {
 
   void begin(const QString& name);  // shows itself only when the work takes noticeable time
   void report(double fraction, const QString& stage);
+  // A picture of what is being loaded, until end(). Begins with a scene of it.
+  void lookAt(const scene::Scene& scene);
+  bool showsPicture() const;
+  void setLeastBytes(std::size_t bytes) { leastBytes_ = bytes; }  // of volumes that are looked at; for tests
   void end();
   QPushButton* cancelButton() const { return cancel_; }
 
@@ -30,12 +39,19 @@ class LoadCard : public QFrame {
 
  private:
   void place();
+  int cardWidth() const;
   QString name_;
+  void pollLook();
+  void dropLook();
+
+  std::size_t leastBytes_ = volume::kGlimpseLeastBytes;
+  std::unique_ptr<app::GlimpseJob> look_;
+  QLabel *picture_, *caption_;  // hidden where there is none
   QLabel *title_, *stage_;
   QProgressBar* bar_;
   QPushButton* cancel_;
   TimeLeft left_;
-  QTimer delay_;
+  QTimer delay_, lookTimer_;
 };
 
 }  // namespace isolux::ui

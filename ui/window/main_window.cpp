@@ -187,6 +187,9 @@ void MainWindow::connectDocument() {
     message_->clear();
     viewport_->setHint({});
     loadCard_->begin(keptPrivacy().hideOnScreen ? tr("a volume") : name);
+    const scene::Scene& coming = document_->loadingScene();
+    const bool isNew = !document_->volume() || coming.source.path != document_->scene().source.path;
+    if (isNew) loadCard_->lookAt(coming);
   });
   connect(document_, &Document::loadProgress, loadCard_, &LoadCard::report);
   connect(document_, &Document::loadEnded, this, [this] {

@@ -1,0 +1,113 @@
+#include "volume/bricks/glimpse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "volume/bricks/chunked_header.h"
+#include "volume/bricks/open_chunked.h"
+#include "volume/bricks/stored_type.h"
+#include "volume/parallel_steps.h"
+#include "volume/read/input/payload.h"
+
+namespace isolux::volume {
+
+namespace {
+
+// Which voxels of a level of the file.
+struct Samples {
+  std::size_t level = 0;
+  glm::ivec3 step{1}, first{0}, dims{0};
+};
+
+std::optional<Samples> samplesOf(const ChunkedFacts& facts) {
+  for (std::size_t level = 1; level < facts.levels.size(); ++level)
+    if (facts.levels[level].geometry.voxelCount() <= kGlimpseVoxels)
+      return Samples{level, glm::ivec3(1), glm::ivec3(0), facts.levels[level].geometry.dims};
+  if (!facts.levels.front().cheapParts) return std::nullopt;
+  Samples samples;
+  const glm::ivec3 dims = facts.levels.front().geometry.dims;
+  samples.step = glm::max((dims + kGlimpseAxis - 1) / kGlimpseAxis, glm::ivec3(1));
+  samples.first = (samples.step - 1) / 2;
+  samples.dims = (dims - samples.first + samples.step - 1) / samples.step;
+  return samples;
+}
+
+GridGeometry geometryOf(const ChunkedFacts& facts, const Samples& samples) {
+  GridGeometry geometry = facts.levels[samples.level].geometry;
+  geometry.dims = samples.dims;
+  geometry.worldFromVoxel = glm::scale(glm::translate(geometry.worldFromVoxel, glm::dvec3(samples.first)),
+                                       glm::dvec3(samples.step));
+  return geometry;
+}
+
+// A row of the file at a time.
+template <class T>
+std::vector<T> readSamples(const ChunkedVolume& file, VolumePart part, const Samples& samples,
+                           base::Progress& progress) {
+  const auto nx = static_cast<std::size_t>(samples.dims.x), ny = static_cast<std::size_t>(samples.dims.y);
+  std::vector<T> voxels(nx * ny * static_cast<std::size_t>(samples.dims.z));
+  const int length = (samples.dims.x - 1) * samples.step.x + 1;
+  parallelSteps(ny * static_cast<std::size_t>(samples.dims.z), progress, {}, [&](std::size_t i) {
+    const glm::ivec3 low =
+        samples.first + samples.step * glm::ivec3(0, static_cast<int>(i % ny), static_cast<int>(i / ny));
+    std::vector<T> row(static_cast<std::size_t>(length));
+    file.read(part, samples.level, low, {length, 1, 1}, std::as_writable_bytes(std::span(row)));
+    for (std::size_t x = 0; x < nx; ++x)
+      voxels[i * nx + x] = row[x * static_cast<std::size_t>(samples.step.x)];
+  });
+  return voxels;
+}
+
+template <class T>
+std::vector<T> readLevelOf(const ChunkedVolume& file, VolumePart part, const Samples& samples,
+                           base::Progress& progress) {
+  const ChunkedLevel& level = file.facts().levels[samples.level];
+  const int layer = level.cheapParts ? 16 : std::clamp(level.chunkDims.z, 1, samples.dims.z);
+  const std::size_t slice =
+      static_cast<std::size_t>(samples.dims.x) * static_cast<std::size_t>(samples.dims.y);
+  std::vector<T> voxels(slice * static_cast<std::size_t>(samples.dims.z));
+  parallelSteps(static_cast<std::size_t>((samples.dims.z + layer - 1) / layer), progress, {},
+                [&](std::size_t i) {
+                  const int z = static_cast<int>(i) * layer, count = std::min(layer, samples.dims.z - z);
+                  const std::span<T> slices(voxels.data() + static_cast<std::size_t>(z) * slice,
+                                            static_cast<std::size_t>(count) * slice);
+                  file.read(part, samples.level, {0, 0, z}, {samples.dims.x, samples.dims.y, count},
+                            std::as_writable_bytes(slices));
+                });
+  return voxels;
+}
+
+}  // namespace
+
+std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& progress, std::size_t least) {
+  if (source.path.starts_with("phantom:")) return std::nullopt;
+  std::string reason;
+  const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
+  if (!file) return std::nullopt;
+  const ChunkedFacts& facts = file->facts();
+  const GridGeometry& whole = facts.levels.front().geometry;
+  if (whole.voxelCount() * bytesOf(facts.storedType) < least) return std::nullopt;
+  const std::optional<Samples> samples = samplesOf(facts);
+  if (!samples) return std::nullopt;
+  const GridGeometry geometry = geometryOf(facts, *samples);
+  const VolumePart part{source.timeStep, source.component};
+  FileVoxels voxels = withStoredType(facts.storedType, [&](auto zero) -> FileVoxels {
+    using T = decltype(zero);
+    return samples->level == 0 ? readSamples<T>(*file, part, *samples, progress)
+                               : readLevelOf<T>(*file, part, *samples, progress);
+  });
+  const ImageHeader header = chunkedHeader(facts, geometry, facts.storedType);
+  Glimpse glimpse{finishVolume(header, std::move(voxels), readOptions(source), progress), samples->step};
+  if (samples->level > 0) glimpse.step = glm::ivec3(glm::round(geometry.spacingMm() / whole.spacingMm()));
+  takeNames(glimpse.volume, facts);
+  return glimpse;
+}
+
+}  // namespace isolux::volume
