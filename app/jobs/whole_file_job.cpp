@@ -9,14 +9,26 @@
 
 namespace isolux::app {
 
-void WholeFileWork::run(base::Progress& progress) {
-  constexpr std::size_t least = 16;  // MiB, as the setting has it
+namespace {
+
+// Half of what memory has left, in MiB, at most what the user allows.
+int halfOfLeft(int allowed) {
+  constexpr std::size_t least = 64;
   const std::size_t half = base::machineMemory().left() / 2 >> 20;
+  return std::min(allowed, static_cast<int>(std::max(half, least)));
+}
+
+}  // namespace
+
+void WholeFileWork::run(base::Progress& progress) {
+  scene::Machine& machine = subject.machine;
   subject.source.level = 0;
-  subject.machine.voxels = scene::VoxelPlace::file;
-  subject.machine.ramBudgetMb = static_cast<int>(
-      std::clamp(half, least, static_cast<std::size_t>(std::max(subject.machine.ramBudgetMb, 16))));
-  volume = volume::loadVolume(subject.source, subject.machine, progress);
+  machine.voxels = scene::VoxelPlace::file;
+  machine.executor = scene::Executor::automatic;
+  machine.ramBudgetMb = halfOfLeft(machine.ramBudgetMb);
+  volume = volume::loadVolume(subject.source, machine, progress);
+  // Textures of software OpenGL are memory, too.
+  machine.memory.gpuBudgetMb = halfOfLeft(machine.memory.gpuBudgetMb);
 }
 
 scene::Scene sceneOfWholeFile(const scene::Scene& asked, const scene::Scene& shown,

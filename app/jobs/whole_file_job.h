@@ -15,7 +15,7 @@ namespace isolux::app {
 struct WholeFileWork {
   struct Subject {
     scene::Source source;    // of any level
-    scene::Machine machine;  // its ram_budget_mb, but at most half of what memory has left
+    scene::Machine machine;  // its budgets, but at most half of what memory has left
   };
   static constexpr const char* kDoes = "open the volume itself";
   void run(base::Progress& progress);
@@ -29,6 +29,7 @@ class WholeFileJob : public QuietJob<WholeFileWork> {
   using QuietJob::QuietJob;
   // After finished(), without an error.
   const std::shared_ptr<const volume::PreparedVolume>& volume() const { return work().volume; }
+  const scene::Machine& machine() const { return work().subject.machine; }  // with the budgets to draw it by
 };
 
 // The scene of a picture of level 0 that shows what a picture of a level of it shows: its view and isovalues,

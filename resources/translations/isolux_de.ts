@@ -1974,6 +1974,10 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
+    <message>
+        <source>A first look: one voxel of %1 × %2 × %3</source>
+        <translation>Ein erster Blick: ein Voxel von je %1 × %2 × %3</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::LooksPanel</name>

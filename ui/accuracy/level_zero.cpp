@@ -97,8 +97,7 @@ app::PictureOrder LevelZero::order(const render::FrameRequest& request) const {
   app::PictureOrder order;
   order.volume = whole_;
   order.scene = app::sceneOfWholeFile(shown_->scene, shown_->resolved, *whole_);
-  order.machine = machine_;
-  order.machine.executor = scene::Executor::automatic;
+  order.machine = wholeMachine_;
   order.request = request;
   return order;
 }
@@ -158,6 +157,7 @@ void LevelZero::takeVolume() {
     return say({}, *refused_);
   }
   whole_ = job->volume();
+  wholeMachine_ = job->machine();
   say({}, {});
   Q_EMIT opened();
   if (shown_) draw();

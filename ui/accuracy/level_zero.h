@@ -71,6 +71,7 @@ class LevelZero : public QObject {
   bool wanted_ = true, drawing_ = false;
   std::unique_ptr<app::WholeFileJob> opening_;
   VolumePointer whole_;             // of source_
+  scene::Machine wholeMachine_;     // what draws it
   std::optional<QString> refused_;  // why source_ cannot be opened
   std::unique_ptr<app::PictureThread> thread_;
   QImage image_;
