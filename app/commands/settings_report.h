@@ -7,8 +7,8 @@
 
 namespace isolux::app {
 
-// What `isolux settings WORD --json` prints: settings of the scene, then of the machine, whose path or meaning
-// contains the word.
+// What `isolux settings WORD --json` prints: settings of the scene, then of the machine, whose path or
+// meaning contains the word.
 nlohmann::ordered_json settingsJson(const std::string& word);
 
 }  // namespace isolux::app

@@ -9,6 +9,8 @@ namespace isolux::app {
 
 namespace {
 
+constexpr double kLevelShare = 0.75;  // beside a level the window draws level 0 from the file
+
 // The same volume, freed on another thread: giving gigabytes back to the system takes a second.
 std::shared_ptr<const volume::PreparedVolume> freedElsewhere(
     std::shared_ptr<const volume::PreparedVolume> volume) {
@@ -44,7 +46,7 @@ void LoadJob::run(Work& work) {
   try {
     scene::Source source = work.source;
     const bool mayChoose = work.coarser && source.level == 0;
-    if (mayChoose) source.level = volume::levelThatFits(source, work.progress);
+    if (mayChoose) source.level = volume::levelThatFits(source, work.progress, 0, kLevelShare);
     const auto load = [&] {
       work.level = source.level;
       work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
@@ -53,7 +55,7 @@ void LoadJob::run(Work& work) {
       load();
     } catch (const base::Error& error) {  // it takes more than its header said
       if (!mayChoose || source.level > 0 || error.kind() != base::ErrorKind::memory) throw;
-      source.level = volume::levelThatFits(source, work.progress, 1);
+      source.level = volume::levelThatFits(source, work.progress, 1, kLevelShare);
       if (source.level == 0) throw;
       load();
     }

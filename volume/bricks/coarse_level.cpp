@@ -214,7 +214,7 @@ std::string levelNote(const ChunkedFacts& facts, int level) {
          base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
 }
 
-int levelThatFits(const scene::Source& source, base::Progress& progress, int finest) {
+int levelThatFits(const scene::Source& source, base::Progress& progress, int finest, double share) {
   if (source.path.starts_with("phantom:")) return 0;
   const std::size_t left = base::machineMemory().left();
   // To open an HDF5 file takes a process: small ones are not opened twice.
@@ -229,8 +229,9 @@ int levelThatFits(const scene::Source& source, base::Progress& progress, int fin
     if (!file) return 0;
     const int last = coarsestLevel(file->facts());
     int level = std::min(finest, last);
-    // Beside a level the window draws level 0 from the file.
-    const auto room = [&] { return level == 0 ? left : left / 4 * 3; };
+    const auto room = [&] {
+      return level == 0 ? left : static_cast<std::size_t>(share * static_cast<double>(left));
+    };
     while (level < last && levelBytes(file->facts(), level) > room()) ++level;
     return level;
   } catch (const base::Error&) {
