@@ -241,7 +241,10 @@ BlockBits Bricks::fetch(BrickCache::Brick brick) {
     texels_[i].resize(channels_[i]->texelBytes() * brickTexelCount(apron_));
     channels_[i]->copyBox(first, glm::ivec3(side), texels_[i].data(), &unknown);
   }
-  if (unknown.empty()) return 0;
+  if (unknown.empty()) {
+    lost_.erase(brick);  // read again, and there now
+    return 0;
+  }
   if (lost_.empty()) lostReason_ = unknown.front().error;
   // Where the table has no room for their bits all blocks are.
   BlockBits lost = hasBlockBits_ ? 0 : blocksOf(brick);

@@ -74,6 +74,8 @@ class VolumeIndex {
   std::size_t mostBytes() const;  // that write() puts
 
  private:
+  static constexpr int kHistogramBins = 512;  // as prepareVolume() makes them
+
   template <class T>
   void scanUnit(SliceReader& reader, std::size_t unit, base::Progress& progress);
   void note(DamagedPart&& damaged);

@@ -1,7 +1,10 @@
 #include "volume/field/scaled_field.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -323,6 +326,30 @@ TEST(ScaledField, SaysHowFarItIsAndNoFartherThanTheEnd) {
   scaledField(grid, Field::cubic, 1.0, progress);
   EXPECT_GT(progress.fraction(), 0.8);
   EXPECT_LE(progress.fraction(), 1.0);
+}
+
+// Steps of several threads may be told in another order; stages may not.
+TEST(ScaledField, ItsProgressDoesNotGoBack) {
+  Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(128)), [](dvec3 p) {
+    const double v = 40.0 - glm::distance(p, dvec3(63.5));
+    return v < -30.0 ? std::numeric_limits<double>::quiet_NaN() : v;
+  });
+  base::Progress progress;
+  std::atomic<bool> ended{false};
+  std::jthread work([&] {
+    scaledField(grid, Field::cubic, 2.0, progress);
+    ended = true;
+  });
+  double most = 0.0;
+  int steps = 0;
+  while (!ended) {
+    const double now = progress.fraction();
+    EXPECT_GT(now, most - 0.03);
+    steps += now > most;
+    most = std::max(most, now);
+    std::this_thread::yield();
+  }
+  EXPECT_GT(steps, 10);
 }
 
 TEST(ScaledField, AsksTheMemoryBudgetAndSaysWhatNeedsLess) {

@@ -19,6 +19,7 @@
 #include "tests/support/test_data.h"
 #include "tests/support/trilinear_oracle.h"
 #include "volume/field/reconstruct.h"
+#include "volume/hit/cell_walk.h"
 #include "volume/read/reader.h"
 
 namespace isolux::volume {
@@ -110,6 +111,25 @@ TEST(FirstHit, AgreesWhereVoxelsAreMissing) {
   }
   EXPECT_EQ(wrongOf(tally), 0);
   EXPECT_GT(tally.hits, 1000);
+}
+
+// Behind a block without a crossing a ray is on its side, unless it may have come through a gap, were it of
+// one voxel.
+TEST(FirstHit, WhereAVoxelIsMissingTheSideOfABlockIsNotKnown) {
+  std::vector<float> voxels(17 * 9 * 9, 2.0f);
+  base::Progress progress;
+  const GridGeometry geometry = GridGeometry::make({17, 9, 9}, glm::dvec3(1));
+  const auto sideOf = [&](double isovalue) {
+    const Grid grid(geometry, voxels);
+    return sideOfBlock(MinMaxBlocks(grid, 8, progress), {0, 0, 0}, grid, isovalue, nullptr);
+  };
+  EXPECT_EQ(sideOf(1.0), Side::inside);
+  EXPECT_EQ(sideOf(2.0), Side::inside);
+  EXPECT_EQ(sideOf(3.0), Side::outside);
+  voxels[5] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(sideOf(1.0), Side::unknown);
+  EXPECT_EQ(sideOf(2.0), std::nullopt);
+  EXPECT_EQ(sideOf(3.0), Side::unknown);
 }
 
 TEST(FirstHit, AgreesOnTinyValuesAndSmallOnesOnAHugeOffset) {

@@ -46,7 +46,7 @@ TEST(NearestSurfacePoint, IsOnTheSurfaceAndNearlyTheNearest) {
     const volume::Grid grid = phantomGrid(name, std::string(name) == "head" ? 96 : 40);
     const double isovalue = std::string(name) == "head" ? 300.0 : 0.0;
     int found = 0;
-    double excess = 0.0;
+    double excess = 0.0, off = 0.0;
     for (int i = 0; i < 4000 && found < 60; ++i) {
       const std::int64_t n = i;
       const glm::ivec3 texel =
@@ -57,6 +57,7 @@ TEST(NearestSurfacePoint, IsOnTheSurfaceAndNearlyTheNearest) {
       const volume::FieldSample at = volume::sampleTrilinear(grid, glm::dvec3(*point));
       EXPECT_LT(std::abs(at.value - isovalue), 2e-3 * glm::length(at.gradient) + 1e-5 * std::abs(isovalue))
           << name << " " << i;
+      off += std::abs(at.value - isovalue) / glm::length(at.gradient);
       const double distance = glm::length(glm::dvec3(*point) - glm::dvec3(texel));
       const double least = searched(grid, glm::dvec3(texel), isovalue);
       EXPECT_LT(distance, least + 0.5) << name << " " << i;
@@ -64,6 +65,7 @@ TEST(NearestSurfacePoint, IsOnTheSurfaceAndNearlyTheNearest) {
     }
     ASSERT_GT(found, 20) << name;
     EXPECT_LT(excess / found, 0.08) << name;
+    EXPECT_LT(off / found, 1e-5) << name << ", voxels off the surface";
   }
 }
 
