@@ -1,9 +1,12 @@
 // The nearest point of an isosurface, against a search of the whole neighbourhood.
 #include "volume/hit/nearest_point.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -46,7 +49,7 @@ TEST(NearestSurfacePoint, IsOnTheSurfaceAndNearlyTheNearest) {
     const volume::Grid grid = phantomGrid(name, std::string(name) == "head" ? 96 : 40);
     const double isovalue = std::string(name) == "head" ? 300.0 : 0.0;
     int found = 0;
-    double excess = 0.0, off = 0.0;
+    double excess = 0.0;
     for (int i = 0; i < 4000 && found < 60; ++i) {
       const std::int64_t n = i;
       const glm::ivec3 texel =
@@ -57,7 +60,6 @@ TEST(NearestSurfacePoint, IsOnTheSurfaceAndNearlyTheNearest) {
       const volume::FieldSample at = volume::sampleTrilinear(grid, glm::dvec3(*point));
       EXPECT_LT(std::abs(at.value - isovalue), 2e-3 * glm::length(at.gradient) + 1e-5 * std::abs(isovalue))
           << name << " " << i;
-      off += std::abs(at.value - isovalue) / glm::length(at.gradient);
       const double distance = glm::length(glm::dvec3(*point) - glm::dvec3(texel));
       const double least = searched(grid, glm::dvec3(texel), isovalue);
       EXPECT_LT(distance, least + 0.5) << name << " " << i;
@@ -65,13 +67,13 @@ TEST(NearestSurfacePoint, IsOnTheSurfaceAndNearlyTheNearest) {
     }
     ASSERT_GT(found, 20) << name;
     EXPECT_LT(excess / found, 0.08) << name;
-    EXPECT_LT(off / found, 1e-5) << name << ", voxels off the surface";
   }
 }
 
 // Every texel that a lookup at a point of the surface reads has a point of its own.
 TEST(NearestSurfacePoint, EveryCornerOfACellThatIsCrossedHasOne) {
   const volume::Grid grid = phantomGrid("noise", 24);
+  std::vector<double> off;  // voxels, to first order
   for (int z = 0; z < 23; ++z)
     for (int y = 0; y < 23; ++y)
       for (int x = 0; x < 23; ++x) {
@@ -81,9 +83,15 @@ TEST(NearestSurfacePoint, EveryCornerOfACellThatIsCrossedHasOne) {
         if (!above || !below) continue;
         for (int c = 0; c < 8; ++c) {
           const glm::vec3 corner(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2));
-          ASSERT_TRUE(nearestSurfacePoint(grid, corner, kReach, 0.0f)) << x << " " << y << " " << z;
+          const auto point = nearestSurfacePoint(grid, corner, kReach, 0.0f);
+          ASSERT_TRUE(point) << x << " " << y << " " << z;
+          const volume::FieldSample at = volume::sampleTrilinear(grid, glm::dvec3(*point));
+          off.push_back(std::abs(at.value) / glm::length(at.gradient));
         }
       }
+  // Two of Newton's steps lead back to it; one leaves ten times as much.
+  std::sort(off.begin(), off.end());
+  EXPECT_LT(off[off.size() * 95 / 100], 3e-6);
 }
 
 TEST(NearestSurfacePoint, IsTheFootOnAPlane) {
