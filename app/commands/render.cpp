@@ -75,16 +75,22 @@ OverlayWish overlayOf(const RenderOptions& options) {
   return parseOverlay(options.overlay, error.empty() ? std::vector<Limit>{} : parseErrorTarget(error));
 }
 
-// Of --aov, without kHiddenStructure, and whether that is among them.
-std::pair<std::string, bool> imageList(const std::string& list) {
+// What --aov asks for.
+struct AskedImages {
+  WantedImages drawn;
+  bool structure = false;  // kHiddenStructure is among them
+};
+
+AskedImages askedImages(const std::string& list) {
+  AskedImages asked;
   std::string others, name;
-  bool found = false;
   for (std::istringstream names(list); std::getline(names, name, ',');)
     if (name == kHiddenStructure)
-      found = true;
+      asked.structure = true;
     else
       others += (others.empty() ? "" : ",") + name;
-  return {others, found};
+  if (!others.empty() || !asked.structure) asked.drawn = parseImageList(others);
+  return asked;
 }
 
 // Checked before anything slow starts.
@@ -106,8 +112,7 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
                 "--error-overlay is painted on .png pictures; --aov has the numbers");
   if (!options.aov.empty()) {
     request.linear = false;
-    const auto [list, structure] = imageList(options.aov);
-    const WantedImages wanted = structure && list.empty() ? WantedImages{} : parseImageList(list);
+    const WantedImages wanted = askedImages(options.aov).drawn;
     request.aovs = wanted.aovs;
     const auto has = [](const auto& list, auto image) {
       return std::find(list.begin(), list.end(), image) != list.end();
@@ -214,11 +219,7 @@ class RenderRun {
     target_.reset();
     isChosen_ = false;
     request_ = requestOf(options_, path, asked, pictures.pictures.front().out);
-    if (!options_.aov.empty()) {
-      const auto [list, structure] = imageList(options_.aov);
-      writesStructure_ = structure;
-      images_ = structure && list.empty() ? WantedImages{} : parseImageList(list);
-    }
+    images_ = options_.aov.empty() ? AskedImages{} : askedImages(options_.aov);
     findIndex(asked.source, pictures);
     const scene::Scene base = startingScene(path);
     for (const PlannedPicture& picture : pictures.pictures) {
@@ -286,7 +287,7 @@ class RenderRun {
       progress_.report(0.0, "drawing");
       drawn = draw(*renderer_, shown, request_, options_.repeat, progress_);
       progress_.throwIfStopped();
-      if (options_.accuracy || overlay_.asked || !images_.errors.empty())
+      if (options_.accuracy || overlay_.asked || !images_.drawn.errors.empty())
         errors =
             measureErrors(*renderer_, shown, request_, *prepared_, progress_, {light_.light(), prepared_});
       if (overlay_.asked) paintOverlay(*errors, scene, drawn.picture);
@@ -299,13 +300,13 @@ class RenderRun {
       }
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
-      writePicture(drawn.picture, request_, picture.out, scene, images_, errors.value_or(PictureErrors{}),
-                   accuracy, otherChannels(structure));
+      writePicture(drawn.picture, request_, picture.out, scene, images_.drawn,
+                   errors.value_or(PictureErrors{}), accuracy, otherChannels(structure));
     }
     report(asked, scene, drawn, picture, accuracy, structure);
   }
 
-  bool asksStructure() const { return writesStructure_ || marksStructure(options_); }
+  bool asksStructure() const { return images_.structure || marksStructure(options_); }
 
   // Of a coarser level, where somebody asks: what is known of the volume itself.
   void findIndex(const scene::Source& source, const VolumePictures& pictures) {
@@ -321,7 +322,7 @@ class RenderRun {
   }
 
   std::vector<FloatChannel> otherChannels(const std::optional<HiddenStructure>& structure) const {
-    if (!writesStructure_) return {};
+    if (!images_.structure) return {};
     FloatChannel channel{kHiddenStructure, std::vector<float>(pixels(), 0.0F)};  // level 0 hides nothing
     if (structure) channel.values.assign(structure->hides.begin(), structure->hides.end());
     return {channel};
@@ -332,7 +333,7 @@ class RenderRun {
 
   void refuseWithoutVoxels(const scene::Scene& scene) const {
     std::optional<std::string> needs = scene::needsWholeVoxels(scene);
-    if (!needs && (options_.accuracy || overlay_.asked || !images_.errors.empty()))
+    if (!needs && (options_.accuracy || overlay_.asked || !images_.drawn.errors.empty()))
       needs = "bounds of errors: without them it can be drawn";
     if (!needs && options_.target.any()) needs = "choosing settings by error or time";
     if (needs)
@@ -424,8 +425,7 @@ class RenderRun {
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   render::FrameRequest request_;
-  WantedImages images_;                         // of --aov
-  bool writesStructure_ = false;                // so does it
+  AskedImages images_;                          // of --aov
   std::optional<volume::IndexedVolume> whole_;  // of a volume read at a coarser level
   std::optional<TargetAnswer> target_;          // of the volume; none: nothing was asked for, or is seen
   bool isChosen_ = false;
