@@ -1,6 +1,5 @@
 #include "app/jobs/glimpse_job.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/jobs/field_job.h"

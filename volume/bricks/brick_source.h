@@ -65,7 +65,7 @@ class BrickSource {
   [[nodiscard]] Request request(std::size_t level, glm::ivec3 index, int priority);
 
   // The voxels first .. first + size - 1 of a level; beyond the border the border voxel repeats. unknown:
-  // what cannot be read is 0, and listed there, instead of thrown; with the voxels that it repeats as.
+  // what cannot be read is 0, and listed there instead of thrown; boxes may reach beyond the border, too.
   void copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, std::span<std::byte> voxels,
                std::vector<DamagedPart>* unknown = nullptr);
   // The bricks that copyBox() of it needs, as request().
