@@ -25,14 +25,15 @@ namespace isolux::scene {
 
 struct Source {
   std::string path = "phantom:head";  // file, folder, or "phantom:NAME[:SIZE]"
-  std::string raw;       // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
-  std::string series;    // DICOM SeriesInstanceUID, empty: the series with most slices
-  int component = 0;     // of a file with several components per voxel; -1: their magnitude
-  int timeStep = 0;      // of a file with several time steps
-  int level = 0;         // 0: the voxels of the file; n: means of about 2^n of them along each axis
-  int meshVoxels = 128;  // of a mesh's distance field, along its longest axis
-  Csg csg = Csg::none;   // volume/mesh/csg.h
-  std::string csgPath;   // the second volume, as `path`
+  std::string raw;     // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
+  std::string series;  // DICOM SeriesInstanceUID, empty: the series with most slices
+  int component = 0;   // of a file with several components per voxel; -1: their magnitude
+  int timeStep = 0;    // of a file with several time steps
+  int level = 0;       // 0: the voxels of the file; n: means of about 2^n of them along each axis
+  bool aroundDamage = false;       // what cannot be read of a file in chunks is missing; else it is refused
+  int meshVoxels = 128;            // of a mesh's distance field, along its longest axis
+  Csg csg = Csg::none;             // volume/mesh/csg.h
+  std::string csgPath;             // the second volume, as `path`
   std::optional<double> csgValue;  // the second volume's isovalue, its data units
   bool operator==(const Source&) const = default;
 };

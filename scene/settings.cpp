@@ -30,6 +30,9 @@ std::vector<Setting> makeSettings() {
       "source.level", ISOLUX_MEMBER(source.level), {0, 16}, "",
       "How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as "
       "many along each axis, from the file where it has them."));
+  add(entry<Scene>("source.around_damage", ISOLUX_MEMBER(source.aroundDamage), noRange, "",
+                   "Whether voxels that cannot be read of a file in chunks are missing ones; otherwise the "
+                   "file is refused."));
   add(entry<Scene>("source.mesh_voxels", ISOLUX_MEMBER(source.meshVoxels), {16, 1024}, "voxels",
                    "How finely a triangle mesh becomes a distance field: voxels along its longest axis."));
   add(choiceEntry<Scene>("source.csg", ISOLUX_MEMBER(source.csg),

@@ -113,17 +113,41 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
   }
 }
 
-// Who hears that a volume is too large for memory hears which level of it is not.
+// What reads the rest of a file that cannot be read to its end.
+std::string remedyOfDamage(const scene::Source& source, base::Progress& progress) {
+  const bool helps = !source.aroundDamage && isReadInParts(source, progress);
+  return helps ? "; source.around_damage=true reads what can be read" : "";
+}
+
+// What reads less of a volume that is too large for memory.
+std::string remedyOfSize(const scene::Source& source, base::Progress& progress) {
+  const int level = levelThatFits(source, progress, source.level + 1);
+  if (level <= source.level) return "";
+  return "; source.level=" + std::to_string(level) + " reads a coarser level that fits";
+}
+
+// Whole files are read around damage only where there is some: it takes longer.
+Volume readLevelOrVolume(const scene::Source& source, const ReadOptions& options, base::Progress& progress) {
+  if (source.level > 0) return readLevel(source, progress);
+  try {
+    return readVolume(source.path, options, progress);
+  } catch (const base::Error& error) {
+    const bool tryAround = error.kind() == base::ErrorKind::input && source.aroundDamage;
+    if (!tryAround || !isReadInParts(source, progress)) throw;
+  }
+  return readLevel(source, progress);
+}
+
+// Whoever hears that a volume cannot be read hears what can.
 Volume readAsked(const scene::Source& source, const ReadOptions& options, base::Progress& progress) {
   try {
-    return source.level > 0 ? readLevel(source, progress) : readVolume(source.path, options, progress);
+    return readLevelOrVolume(source, options, progress);
   } catch (const base::Error& error) {
-    if (error.kind() != base::ErrorKind::memory) throw;
-    const int level = levelThatFits(source, progress, source.level + 1);
-    if (level <= source.level) throw;
-    throw base::Error(
-        error.kind(), error.file(), error.place(),
-        error.reason() + "; source.level=" + std::to_string(level) + " reads a coarser level that fits");
+    std::string remedy;
+    if (error.kind() == base::ErrorKind::memory) remedy = remedyOfSize(source, progress);
+    if (error.kind() == base::ErrorKind::input) remedy = remedyOfDamage(source, progress);
+    if (remedy.empty()) throw;
+    throw base::Error(error.kind(), error.file(), error.place(), error.reason() + remedy);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "volume/bricks/coarse_level.h"
+#include "volume/bricks/open_chunked.h"
 
 namespace isolux::app {
 
@@ -22,12 +23,12 @@ std::shared_ptr<const volume::PreparedVolume> freedElsewhere(
 
 }  // namespace
 
-LoadJob::LoadJob(scene::Source source, bool coarser)
+LoadJob::LoadJob(scene::Source source, Instead instead)
     : work_(
           [&] {
             auto work = std::make_shared<Work>();
-            work->source = std::move(source);
-            work->coarser = coarser;
+            work->source = work->loaded = std::move(source);
+            work->instead = instead;
             return work;
           }(),
           run) {}
@@ -36,29 +37,32 @@ LoadJob::~LoadJob() {
   work_->progress.requestStop();
 }
 
-scene::Source LoadJob::loaded() const {
-  scene::Source source = work_->source;
-  source.level = work_->level;
-  return source;
+void LoadJob::load(Work& work) {
+  scene::Source& source = work.loaded;
+  const bool choosesLevel = work.instead.coarser && source.level == 0;
+  if (choosesLevel) source.level = volume::levelThatFits(source, work.progress, 0, kLevelShare);
+  for (bool again = true; again;) {
+    try {
+      work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
+      again = false;
+    } catch (const base::Error& error) {
+      if (error.kind() == base::ErrorKind::memory && choosesLevel) {  // it takes more than its header said
+        const int level = volume::levelThatFits(source, work.progress, source.level + 1, kLevelShare);
+        if (level <= source.level) throw;
+        source.level = level;
+      } else if (error.kind() == base::ErrorKind::input && work.instead.aroundDamage &&
+                 !source.aroundDamage && volume::isReadInParts(source, work.progress)) {
+        source.aroundDamage = true;
+      } else {
+        throw;
+      }
+    }
+  }
 }
 
 void LoadJob::run(Work& work) {
   try {
-    scene::Source source = work.source;
-    const bool mayChoose = work.coarser && source.level == 0;
-    if (mayChoose) source.level = volume::levelThatFits(source, work.progress, 0, kLevelShare);
-    const auto load = [&] {
-      work.level = source.level;
-      work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
-    };
-    try {
-      load();
-    } catch (const base::Error& error) {  // it takes more than its header said
-      if (!mayChoose || source.level > 0 || error.kind() != base::ErrorKind::memory) throw;
-      source.level = volume::levelThatFits(source, work.progress, 1, kLevelShare);
-      if (source.level == 0) throw;
-      load();
-    }
+    load(work);
   } catch (const base::Error& error) {
     work.error = error;
   } catch (const std::bad_alloc&) {

@@ -18,6 +18,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "source.component": int,  # Which component of a file with several per voxel; -1 is their magnitude.
     "source.time_step": int,  # Which time step of a file with several.
     "source.level": int,  # How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as many along each axis, from the file where it has them.
+    "source.around_damage": bool,  # Whether voxels that cannot be read of a file in chunks are missing ones; otherwise the file is refused.
     "source.mesh_voxels": int,  # How finely a triangle mesh becomes a distance field: voxels along its longest axis.
     "source.csg": Literal["none", "union", "intersection", "difference"],  # How a second volume is combined with the first, as solids on one grid.
     "source.csg_path": str | os.PathLike[str],  # The second volume, as source.path. A phantom without SIZE is made on the first volume's grid.

@@ -1693,6 +1693,10 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>Coarser level</source>
         <translation>Gröbere Stufe</translation>
     </message>
+    <message>
+        <source>Open around damage</source>
+        <translation>Um Beschädigtes herum öffnen</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::DocumentKeeper</name>
@@ -1977,6 +1981,10 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     <message>
         <source>A first look: one voxel of %1 × %2 × %3</source>
         <translation>Ein erster Blick: ein Voxel von je %1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>A first look, from the index: boxes of %1 × %2 × %3 voxels</source>
+        <translation>Ein erster Blick, aus dem Index: Kästen von %1 × %2 × %3 Voxeln</translation>
     </message>
 </context>
 <context>
@@ -2759,6 +2767,10 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     <message>
         <source>Of a coarser level, let a finished picture be followed by one of the file’s own voxels; makes an index where there is none</source>
         <translation>Einem fertigen Bild einer gröberen Stufe eines der Voxel der Datei selbst folgen lassen; macht einen Index, wo keiner ist</translation>
+    </message>
+    <message>
+        <source>Parts missing</source>
+        <translation>Teile fehlen</translation>
     </message>
 </context>
 <context>
@@ -5810,6 +5822,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <source>How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as many along each axis, from the file where it has them.</source>
         <translation>Wie grob eine große Datei gelesen wird: 0 sind ihre eigenen Voxel, jede weitere Stufe die Mittel von doppelt so vielen je Achse, aus der Datei, wo sie diese hat.</translation>
     </message>
+    <message>
+        <source>Whether voxels that cannot be read of a file in chunks are missing ones; otherwise the file is refused.</source>
+        <translation>Ob Voxel, die in einer Datei aus Blöcken nicht zu lesen sind, als fehlend gelten; sonst wird die Datei abgewiesen.</translation>
+    </message>
 </context>
 <context>
     <name>units</name>
@@ -7910,6 +7926,14 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>indexing</source>
         <translation>Voxel werden erfasst</translation>
+    </message>
+    <message>
+        <source>Around damage</source>
+        <translation>Um Beschädigtes herum</translation>
+    </message>
+    <message>
+        <source>around damage</source>
+        <translation>um Beschädigtes herum</translation>
     </message>
 </context>
 </TS>

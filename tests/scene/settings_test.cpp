@@ -70,8 +70,8 @@ TEST(Settings, CoversEveryMemberOfScene) {
   const Scene scene;
   const auto& [source, isosurface, extraIsosurfaces, pieces, clip, slice, marks, hit, derivatives, edge,
                colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
-  [[maybe_unused]] const auto& [path, raw, series, component, timeStep, volumeLevel, meshVoxels, csg, csgPath,
-                                csgValue] = source;
+  [[maybe_unused]] const auto& [path, raw, series, component, timeStep, volumeLevel, aroundDamage, meshVoxels,
+                                csg, csgPath, csgValue] = source;
   [[maybe_unused]] const auto& [name, value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
                                 opacity, facing, layers, clipped, ghost, ghostOpacity] = isosurface;
   [[maybe_unused]] const auto& [shown, name2, value2, albedo2, opacity2, facing2, clipped2] =

@@ -25,6 +25,14 @@ QString textOf(const base::Error& error) {
   return QString::fromStdString(error.what());
 }
 
+// What was loaded instead of what was asked for; whether anything was.
+bool takeInstead(scene::Source& source, const scene::Source& loaded) {
+  const bool same = source.level == loaded.level && source.aroundDamage == loaded.aroundDamage;
+  source.level = loaded.level;
+  source.aroundDamage = loaded.aroundDamage;
+  return !same;
+}
+
 // As short as a title bar wants it.
 QString shortName(const std::string& path) {
   const QString text = QString::fromStdString(path);
@@ -167,9 +175,11 @@ void Document::startLoading(const scene::Scene& scene, After after) {
   pendingScene_ = scene;
   loadBegin_ = std::chrono::steady_clock::now();
   job_ = ahead_.take(scene.source);
-  if (!job_)
-    job_ = std::make_unique<app::LoadJob>(scene.source,
-                                          after == After::replaceDocument || after == After::restoreDocument);
+  if (!job_) {
+    const bool opens = after == After::replaceDocument || after == After::restoreDocument;
+    const app::LoadJob::Instead instead{.coarser = opens, .aroundDamage = after != After::keepScene};
+    job_ = std::make_unique<app::LoadJob>(scene.source, instead);
+  }
   pollTimer_.start();
   Q_EMIT loadStarted(shortName(scene.source.path));
 }
@@ -221,7 +231,7 @@ void Document::finishLoading() {
   const scene::Source shownSource = std::exchange(loadedSource_, job->loaded());
   QString name = tr("Open %1").arg(shortName(loadedSource_.path));
   if (after_ == After::replaceDocument) {
-    pendingScene_.source.level = loadedSource_.level;
+    takeInstead(pendingScene_.source, loadedSource_);
     completePending(*volume);
     replaceDocument();
   } else if (after_ == After::restoreDocument) {
@@ -230,10 +240,9 @@ void Document::finishLoading() {
     changeSource(*volume);
     name = pendingName_;
   }
-  if (scene().source.level != loadedSource_.level) {  // less fits into memory than when this was saved
-    scene::Scene next = scene();
-    next.source.level = loadedSource_.level;
-    history_.edit(next, tr("Coarser level").toStdString());
+  if (scene::Scene next = scene(); takeInstead(next.source, loadedSource_)) {  // since this was saved
+    const bool coarser = next.source.level != scene().source.level;
+    history_.edit(next, (coarser ? tr("Coarser level") : tr("Open around damage")).toStdString());
   }
   volume_ = volume;
   ahead_.moved(shownSource, loadedSource_, *volume);
@@ -279,6 +288,7 @@ void Document::changeSource(const volume::PreparedVolume& volume) {
   const bool otherSeries = next.source.series != loadedSource_.series;
   scene::Source otherStep = next.source;
   otherStep.timeStep = loadedSource_.timeStep;
+  otherStep.aroundDamage = loadedSource_.aroundDamage;
   if (otherStep == loadedSource_) {  // steps are there to be compared: as it is on screen
     const scene::Scene resolved = resolvedScene();
     next.isosurface.value = resolved.isosurface.value;

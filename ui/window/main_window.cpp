@@ -319,25 +319,28 @@ void MainWindow::showLevel() {
   const int level = document_->volume() ? document_->shownLevel() : 0;
   markLevel_->setEnabled(level > 0);
   drawLevelZero_->setEnabled(level > 0);
-  if (level == 0) {
-    coarseLabel_->clear();
-    coarseLabel_->setToolTip({});
-    return;
-  }
-  QStringList text{levelZero_->shows() ? tr("Level 0 (level %1 in motion)").arg(level)
-                                       : tr("Overview: level %1").arg(level)};
-  QStringList tip;
-  const std::vector<std::string>& notes = document_->volume()->volume.warnings;
-  if (!notes.empty()) tip += QString::fromStdString(notes.front());
+  QStringList text, tip;
   const auto add = [](QStringList& to, const QString& what) {
     if (!what.isEmpty()) to += what;
   };
-  if (!levelZero_->shows()) {
+  const bool incomplete = document_->volume() && !document_->volume()->volume.damage.empty();
+  if (incomplete) text += tr("Parts missing");
+  if (level > 0)
+    text += levelZero_->shows() ? tr("Level 0 (level %1 in motion)").arg(level)
+                                : tr("Overview: level %1").arg(level);
+  if (incomplete || level > 0) {  // of each the volume has a note, before all others
+    const std::vector<std::string>& notes = document_->volume()->volume.warnings;
+    const std::size_t count = (incomplete ? 1 : 0) + (level > 0 ? 1 : 0);
+    for (std::size_t i = 0; i < std::min(count, notes.size()); ++i) tip += QString::fromStdString(notes[i]);
+  }
+  if (level > 0 && !levelZero_->shows()) {
     add(text, levelMarks_->text());
     add(tip, levelMarks_->meaning());
   }
-  add(text, levelZero_->text());
-  add(tip, levelZero_->meaning());
+  if (level > 0) {
+    add(text, levelZero_->text());
+    add(tip, levelZero_->meaning());
+  }
   coarseLabel_->setText(text.join(" · "));
   coarseLabel_->setToolTip(tip.join("\n\n"));
 }

@@ -2,9 +2,7 @@
 //
 // Level 0 is the file's voxels; level n those of the file's own level n, or, where it has fewer, the means of
 // 2 voxels of what is below along each axis, as many times as are missing; an axis of which fewer than 8
-// voxels would be left stays as it is. Means are rounded to the stored type; missing voxels do not count, and
-// a mean of missing voxels alone is missing. At the far borders the last voxels repeat. Beside a level and
-// the chunks in hand nothing is in memory.
+// voxels would be left stays as it is (volume/bricks/level_voxels.h).
 #pragma once
 
 #include <cstddef>
@@ -33,8 +31,9 @@ std::string levelNote(const ChunkedFacts& facts, int level);
 // opening it count as 0: whoever reads it is told. share: of what is left, that a coarser level may take.
 int levelThatFits(const scene::Source& source, base::Progress& progress, int finest = 0, double share = 1.0);
 
-// `source` at its level, as readVolume(); levelNote() is its first warning. Throws base::Error: usage where
-// it has no such level or cannot be read in parts, memory, input, interrupted.
+// `source` at its level, 0 included, as readVolume(); the first warnings are what could not be read
+// (Source::aroundDamage) and levelNote(). Throws base::Error: usage where it has no such level or cannot be
+// read in parts, memory, input (also where nothing can be read), interrupted.
 Volume readLevel(const scene::Source& source, base::Progress& progress);
 
 }  // namespace isolux::volume

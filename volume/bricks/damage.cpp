@@ -52,10 +52,10 @@ void copyInto(const std::vector<std::byte>& from, Box piece, Box whole, std::siz
 }
 
 // Why not; empty: it can be read.
-std::string triedToRead(const ChunkedVolume& file, VolumePart part, Box box, std::vector<std::byte>& voxels,
-                        std::size_t& bytes) {
+std::string triedToRead(const ChunkedVolume& file, VolumePart part, std::size_t level, Box box,
+                        std::vector<std::byte>& voxels, std::size_t& bytes) {
   try {
-    bytes += file.read(part, 0, box.low, box.size, voxels);
+    bytes += file.read(part, level, box.low, box.size, voxels);
     return {};
   } catch (const base::Error& error) {
     if (error.kind() != base::ErrorKind::input) throw;
@@ -65,17 +65,16 @@ std::string triedToRead(const ChunkedVolume& file, VolumePart part, Box box, std
 
 }  // namespace
 
-std::size_t readAround(const ChunkedVolume& file, VolumePart part, glm::ivec3 low, glm::ivec3 size,
-                       std::span<std::byte> voxels, std::vector<DamagedPart>& damaged) {
+std::size_t readAround(const ChunkedVolume& file, VolumePart part, std::size_t level, glm::ivec3 low,
+                       glm::ivec3 size, std::span<std::byte> voxels, std::vector<DamagedPart>& damaged) {
   try {
-    return file.read(part, 0, low, size, voxels);
+    return file.read(part, level, low, size, voxels);
   } catch (const base::Error& error) {
     if (error.kind() != base::ErrorKind::input) throw;
   }
   const ChunkedFacts& facts = file.facts();
   const std::size_t voxelBytes = bytesOf(facts.storedType);
-  const glm::ivec3 piece = pieceOf(facts.levels.front()), first = low / piece,
-                   last = (low + size - 1) / piece;
+  const glm::ivec3 piece = pieceOf(facts.levels[level]), first = low / piece, last = (low + size - 1) / piece;
   std::size_t bytes = 0;
   for (int z = first.z; z <= last.z; ++z)
     for (int y = first.y; y <= last.y; ++y)
@@ -83,7 +82,7 @@ std::size_t readAround(const ChunkedVolume& file, VolumePart part, glm::ivec3 lo
         const glm::ivec3 index(x, y, z), from = glm::max(low, index * piece);
         const Box box{from, glm::min(low + size, (index + 1) * piece) - from};
         std::vector<std::byte> read(voxelsOf(box.size) * voxelBytes);
-        const std::string error = triedToRead(file, part, box, read, bytes);
+        const std::string error = triedToRead(file, part, level, box, read, bytes);
         if (!error.empty()) {
           damaged.push_back({box.low, box.size, error});
           read = unknownVoxels(facts.storedType, voxelsOf(box.size));
@@ -91,6 +90,15 @@ std::size_t readAround(const ChunkedVolume& file, VolumePart part, glm::ivec3 lo
         copyInto(read, box, {low, size}, voxelBytes, voxels);
       }
   return bytes;
+}
+
+void noteDamage(const std::string& file, DamagedPart&& part, std::vector<DamagedPart>& damaged) {
+  if (std::find(damaged.begin(), damaged.end(), part) != damaged.end()) return;
+  if (damaged.size() == kMostDamagedParts)
+    base::throwInput(file, "",
+                     "more than " + std::to_string(kMostDamagedParts) +
+                         " of its parts cannot be read; the first: " + damaged.front().error);
+  damaged.push_back(std::move(part));
 }
 
 std::string damageText(const std::vector<DamagedPart>& damaged) {
@@ -103,7 +111,7 @@ bool isMended(const ChunkedVolume& file, VolumePart part, const std::vector<Dama
   return std::any_of(damaged.begin(), damaged.end(), [&](const DamagedPart& one) {
     std::vector<std::byte> voxels(voxelsOf(one.size) * bytesOf(file.facts().storedType));
     std::size_t bytes = 0;
-    return triedToRead(file, part, {one.low, one.size}, voxels, bytes).empty();
+    return triedToRead(file, part, 0, {one.low, one.size}, voxels, bytes).empty();
   });
 }
 

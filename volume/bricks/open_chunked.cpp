@@ -51,4 +51,13 @@ std::shared_ptr<const ChunkedVolume> openChunked(const scene::Source& source, st
   return file;
 }
 
+bool isReadInParts(const scene::Source& source, base::Progress& progress) {
+  try {
+    std::string reason;
+    return openChunked(source, reason, progress) != nullptr;
+  } catch (const base::Error&) {
+    return false;
+  }
+}
+
 }  // namespace isolux::volume

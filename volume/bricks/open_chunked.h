@@ -16,4 +16,7 @@ namespace isolux::volume {
 std::shared_ptr<const ChunkedVolume> openChunked(const scene::Source& source, std::string& reason,
                                                  base::Progress& progress);
 
+// Whether it can be opened so.
+bool isReadInParts(const scene::Source& source, base::Progress& progress);
+
 }  // namespace isolux::volume

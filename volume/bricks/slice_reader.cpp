@@ -75,7 +75,7 @@ void SliceReader::read(int from, int behind, std::byte* to, base::Progress& prog
   std::mutex mutex;  // of damaged_
   const auto readBox = [&](glm::ivec3 low, glm::ivec3 size, std::span<std::byte> voxels) {
     std::vector<DamagedPart> damaged;
-    read += readAround(file_, part_, low, size, voxels, damaged);
+    read += readAround(file_, part_, 0, low, size, voxels, damaged);
     const std::lock_guard lock(mutex);
     for (DamagedPart& one : damaged) damaged_(std::move(one));
   };

@@ -64,12 +64,7 @@ std::size_t VolumeIndex::unitsDone() const {
 }
 
 void VolumeIndex::note(DamagedPart&& damaged) {
-  if (std::find(damaged_.begin(), damaged_.end(), damaged) != damaged_.end()) return;  // read twice
-  if (damaged_.size() == kMostDamagedParts)
-    base::throwInput(facts_.name, "",
-                     "more than " + std::to_string(kMostDamagedParts) +
-                         " of its parts cannot be read; the first: " + damaged_[0].error);
-  damaged_.push_back(std::move(damaged));
+  noteDamage(facts_.name, std::move(damaged), damaged_);
 }
 
 // Of each voxel of these slices whether it could not be read; nothing: all of them could.
@@ -241,7 +236,7 @@ double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double inter
       const glm::ivec3 box(std::min(width, dims().x - x), rows.size);
       std::vector<T> stored(sliceOf(box) * static_cast<std::size_t>(box.z));
       std::vector<DamagedPart> damaged;
-      bytes += readAround(file, part_, {x, y, z}, box, std::as_writable_bytes(std::span(stored)), damaged);
+      bytes += readAround(file, part_, 0, {x, y, z}, box, std::as_writable_bytes(std::span(stored)), damaged);
       const auto length = static_cast<std::size_t>(box.x);
       for (std::size_t row = 0; row < stored.size() / length; ++row)
         for (std::size_t at = 0; at < length; ++at)

@@ -60,6 +60,7 @@ struct Volume {
       scene::WorldAxes::zUp;               // anatomical only where the file states where the patient lies
   int components = 1, timeSteps = 1;       // what the file offers
   int coarsestLevel = 0;                   // of a volume read at a level (volume/bricks/coarse_level.h)
+  std::string damage;                      // what could not be read, a line; "": all could (Source::aroundDamage)
   std::optional<double> isovalue;          // the one to show first, where the source knows it
   std::optional<double> noise;             // of a voxel, data units, where the source knows it
   std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"

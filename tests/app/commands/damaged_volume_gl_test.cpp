@@ -12,6 +12,7 @@
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
+#include "tests/support/zarr_folder.h"
 
 namespace isolux::test {
 namespace {
@@ -23,30 +24,19 @@ using testing::Not;
 
 constexpr int kSize = 96, kChunk = 32;
 
-// Zarr v2, chunks of 32^3 float32 that are not packed.
-void writeZarr(const volume::Grid& grid, const fs::path& folder) {
-  fs::create_directories(folder);
-  std::ofstream(folder / ".zarray") << R"({"zarr_format": 2, "shape": [96, 96, 96], "chunks": [32, 32, 32],
-    "dtype": "<f4", "compressor": null, "fill_value": 0, "order": "C", "filters": null})";
-  for (int cz = 0; cz < kSize / kChunk; ++cz)
-    for (int cy = 0; cy < kSize / kChunk; ++cy)
-      for (int cx = 0; cx < kSize / kChunk; ++cx) {
-        std::ofstream out(folder / (std::to_string(cz) + "." + std::to_string(cy) + "." + std::to_string(cx)),
-                          std::ios::binary);
-        for (int z = 0; z < kChunk; ++z)
-          for (int y = 0; y < kChunk; ++y)
-            for (int x = 0; x < kChunk; ++x) {
-              const auto value =
-                  static_cast<float>(grid.stored(cx * kChunk + x, cy * kChunk + y, cz * kChunk + z));
-              out.write(reinterpret_cast<const char*>(&value), sizeof value);
-            }
-      }
+void writeBall(const fs::path& folder) {
+  const volume::Grid grid = phantomGrid("ball", glm::ivec3(kSize));
+  std::vector<float> voxels;
+  for (int z = 0; z < kSize; ++z)
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) voxels.push_back(static_cast<float>(grid.stored(x, y, z)));
+  writeZarr(folder, glm::ivec3(kSize), glm::ivec3(kChunk), voxels);
 }
 
 class DamagedVolumeGl : public testing::Test {
  protected:
   void SetUp() override {
-    writeZarr(phantomGrid("ball", glm::ivec3(kSize)), zarr_);
+    writeBall(zarr_);
     whole_ = folder_ / "kept";
     fs::copy(chunk_, whole_);
   }

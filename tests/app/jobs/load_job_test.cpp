@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "base/retire.h"
 #include "tests/support/poll.h"
 #include "tests/support/test_data.h"
+#include "tests/support/zarr_folder.h"
 
 namespace isolux::app {
 namespace {
@@ -41,6 +44,33 @@ TEST(LoadJob, DeliversTheErrorAsAValue) {
   ASSERT_TRUE(job.error());
   EXPECT_EQ(job.error()->kind(), base::ErrorKind::input);
   EXPECT_FALSE(job.volume());
+}
+
+// A file with a hole is opened rather than refused where that may be, and said to be so.
+TEST(LoadJob, ReadsAroundDamageWhereItMay) {
+  const std::filesystem::path folder = test::temporaryFolder() / "cut.zarr";
+  test::writeZarr(folder, glm::ivec3(32), glm::ivec3(16), std::vector<std::uint8_t>(32 * 32 * 32, 7));
+  test::cutChunk(folder, {1, 0, 1});
+  LoadJob strict(source(folder.string()));
+  waitFor(strict);
+  ASSERT_TRUE(strict.error());
+  EXPECT_EQ(strict.error()->kind(), base::ErrorKind::input);
+  LoadJob around(source(folder.string()), {.aroundDamage = true});
+  waitFor(around);
+  ASSERT_FALSE(around.error()) << around.error()->what();
+  EXPECT_FALSE(around.source().aroundDamage);
+  EXPECT_TRUE(around.loaded().aroundDamage);
+  EXPECT_EQ(around.volume()->grid().missingCount(), 16u * 16u * 16u);
+  // Nothing is changed that need not be.
+  test::writeZarr(folder, glm::ivec3(32), glm::ivec3(16), std::vector<std::uint8_t>(32 * 32 * 32, 7));
+  LoadJob mended(source(folder.string()), {.aroundDamage = true});
+  waitFor(mended);
+  ASSERT_TRUE(mended.volume());
+  EXPECT_EQ(mended.loaded(), mended.source());
+  LoadJob missing(source((folder / "nothing").string()), {.coarser = true, .aroundDamage = true});
+  waitFor(missing);
+  ASSERT_TRUE(missing.error());
+  EXPECT_EQ(missing.loaded(), missing.source());
 }
 
 TEST(LoadJob, StopsWhenAsked) {

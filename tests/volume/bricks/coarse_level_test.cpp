@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <type_traits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include "base/random.h"
 #include "tests/support/memory_limit.h"
 #include "tests/support/test_data.h"
+#include "tests/support/zarr_folder.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::volume {
@@ -225,6 +227,145 @@ TEST_F(CoarseLevel, TheFinestThatFitsIsNamedToWhoAsksForMore) {
     EXPECT_EQ(error.kind(), base::ErrorKind::memory);
     EXPECT_THAT(error.what(), HasSubstr("source.level=1"));
   }
+}
+
+// Of chunks of which one is cut: means of what is known, missing where nothing is.
+template <class T>
+class DamagedLevel : public CoarseLevel {
+ protected:
+  void SetUp() override {
+    source_.path = (test::temporaryFolder() / "damaged.zarr").string();
+    whole_.path = (test::temporaryFolder() / "whole.zarr").string();
+    for (const scene::Source& source : {source_, whole_})
+      test::writeZarr(source.path, kDims, kChunk, voxels_);
+    test::cutChunk(source_.path, kCut);
+    source_.aroundDamage = true;
+  }
+  // The mean of a level's voxel over those voxels that `counts`; NaN where there are none.
+  double mean(glm::ivec3 at, int factor, bool withCut) const {
+    double sum = 0.0, weights = 0.0;
+    for (int z = factor * at.z; z < factor * (at.z + 1); ++z)
+      for (int y = factor * at.y; y < factor * (at.y + 1); ++y)
+        for (int x = factor * at.x; x < factor * (at.x + 1); ++x) {
+          const glm::ivec3 voxel = glm::min(glm::ivec3(x, y, z), kDims - 1);
+          if (!withCut && voxel / kChunk == kCut) continue;
+          sum += noise(voxel.x, voxel.y, voxel.z) * 100.0 > 50.0 ? 90.0 : 10.0;
+          weights += 1.0;
+        }
+    return sum / weights;
+  }
+  void expectMeans(const Volume& volume, int factor, double precision) const {
+    std::size_t missing = 0;
+    const glm::ivec3 dims = volume.grid->dims();
+    for (int z = 0; z < dims.z; ++z)
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x < dims.x; ++x) {
+          const double expected = mean({x, y, z}, factor, false), found = volume.grid->value(x, y, z);
+          missing += std::isnan(expected);
+          ASSERT_EQ(std::isnan(expected), std::isnan(found)) << x << " " << y << " " << z;
+          if (std::isnan(expected)) continue;
+          ASSERT_NEAR(found, expected, precision) << x << " " << y << " " << z;
+        }
+    EXPECT_GT(missing, 0u);
+    EXPECT_EQ(volume.grid->missingCount(), missing);
+  }
+
+  static constexpr glm::ivec3 kDims{41, 35, 29}, kChunk{9}, kCut{2, 1, 1};
+  const std::vector<T> voxels_ = this->template filled<T>(
+      kDims, [](int x, int y, int z) { return noise(x, y, z) * 100.0 > 50.0 ? 90.0 : 10.0; });
+  scene::Source source_, whole_;
+};
+using DamagedTypes = testing::Types<std::uint8_t, std::int16_t, float>;
+TYPED_TEST_SUITE(DamagedLevel, DamagedTypes);
+
+TYPED_TEST(DamagedLevel, MeansAreOfWhatIsKnown) {
+  const double rounding = std::is_integral_v<TypeParam> ? 0.5 : 1e-5;
+  const Volume level = this->at(this->source_, 1);
+  this->expectMeans(level, 2, rounding);
+  EXPECT_THAT(level.damage, HasSubstr("a part of it cannot be read: "));
+  EXPECT_THAT(level.damage, HasSubstr("1.1.2"));
+  EXPECT_THAT(level.warnings.at(0), HasSubstr(level.damage + "; its voxels count as missing"));
+  EXPECT_THAT(level.warnings.at(1), HasSubstr("level 1: each voxel is the mean of 2x2x2"));
+}
+
+TYPED_TEST(DamagedLevel, VoxelsThemselvesAreMissingWhereNothingIsKnown) {
+  const auto volume = loadVolume(this->source_, this->progress_);
+  this->expectMeans(volume->volume, 1, 0.0);
+  EXPECT_EQ(volume->grid().missingCount(), 729u);
+  EXPECT_THAT(volume->volume.damage, HasSubstr("1.1.2"));
+  for (const std::string& warning : volume->volume.warnings) EXPECT_THAT(warning, Not(HasSubstr("level 0")));
+}
+
+TYPED_TEST(DamagedLevel, WhereNothingIsDamagedNothingChanges) {
+  for (const int level : {0, 1}) {
+    scene::Source around = this->whole_;
+    around.aroundDamage = true;
+    around.level = this->whole_.level = level;
+    const auto with = loadVolume(around, this->progress_),
+               without = loadVolume(this->whole_, this->progress_);
+    EXPECT_EQ(with->grid().hash(), without->grid().hash());
+    EXPECT_EQ(with->grid().storedType(), without->grid().storedType());
+    EXPECT_EQ(with->volume.damage, "");
+    EXPECT_EQ(with->volume.warnings, without->volume.warnings);
+  }
+}
+
+// Unasked, a file with damage is refused, and who asks for it hears what would read the rest.
+TYPED_TEST(DamagedLevel, ItIsRefusedUnasked) {
+  this->source_.aroundDamage = false;
+  for (const int level : {0, 1}) {
+    this->source_.level = level;
+    try {
+      loadVolume(this->source_, this->progress_);
+      ADD_FAILURE() << "level " << level << " was read";
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.kind(), base::ErrorKind::input);
+      EXPECT_THAT(error.what(), HasSubstr("1.1.2"));
+      EXPECT_THAT(error.what(), HasSubstr("source.around_damage=true reads what can be read"));
+    }
+  }
+}
+
+TYPED_TEST(DamagedLevel, OfWhichNothingCanBeReadIsRefused) {
+  const glm::ivec3 chunks = (this->kDims + this->kChunk - 1) / this->kChunk;
+  for (int z = 0; z < chunks.z; ++z)
+    for (int y = 0; y < chunks.y; ++y)
+      for (int x = 0; x < chunks.x; ++x) test::cutChunk(this->source_.path, {x, y, z});
+  for (const int level : {0, 1}) {
+    this->source_.level = level;
+    try {
+      loadVolume(this->source_, this->progress_);
+      ADD_FAILURE() << "level " << level << " was read";
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.kind(), base::ErrorKind::input);
+      EXPECT_THAT(error.what(), HasSubstr("80 parts of it cannot be read, the first: "));
+      EXPECT_THAT(error.what(), HasSubstr("0.0.0")) << "whichever thread was first";
+      EXPECT_THAT(error.what(), Not(HasSubstr("around_damage")));
+    }
+  }
+}
+
+// Types that know no missing voxels become one that does, which is larger.
+TEST_F(CoarseLevel, WhatMissingVoxelsTakeIsAskedFor) {
+  scene::Source source;
+  source.path = (test::temporaryFolder() / "cut.zarr").string();
+  source.aroundDamage = true;
+  constexpr std::size_t voxels = 32 * 32 * 32;
+  test::writeZarr(source.path, glm::ivec3(32), glm::ivec3(16), std::vector<std::uint8_t>(voxels, 7));
+  const auto readWithin = [&](std::size_t bytes) {
+    const test::MemoryLimit limit(bytes);
+    return readLevel(source, progress_).grid->missingCount();
+  };
+  EXPECT_EQ(readWithin(5 * voxels / 2), 0u);
+  test::cutChunk(source.path, glm::ivec3(1));
+  try {
+    readWithin(5 * voxels / 2);
+    ADD_FAILURE() << "the budget was not asked";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::memory);
+    EXPECT_THAT(error.what(), HasSubstr("missing"));
+  }
+  EXPECT_EQ(readWithin(10 * voxels), 16u * 16u * 16u);
 }
 
 TEST_F(CoarseLevel, AStopIsHeeded) {

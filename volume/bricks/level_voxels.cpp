@@ -1,0 +1,231 @@
+#include "volume/bricks/level_voxels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "volume/bricks/stored_type.h"
+#include "volume/parallel_steps.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kPieceBytes = std::size_t{4} << 20;  // of rows that are read at a time
+
+std::size_t voxelsIn(glm::ivec3 size) {
+  return GridGeometry{.dims = size}.voxelCount();
+}
+
+// Voxels of the file's level whose means are made together: whole means, and of chunks that are packed whole
+// ones.
+glm::ivec3 stepOf(const ChunkedLevel& level, glm::ivec3 factor, std::size_t voxelBytes) {
+  const glm::ivec3 dims = level.geometry.dims, chunk = level.cheapParts
+                                                           ? glm::ivec3(dims.x, 1, 1)
+                                                           : glm::clamp(level.chunkDims, glm::ivec3(1), dims);
+  glm::ivec3 step = (chunk + factor - 1) / factor * factor;
+  for (const int axis : {1, 2})
+    while (step[axis] < dims[axis] && voxelsIn(step) * voxelBytes < kPieceBytes) step[axis] *= 2;
+  return step;
+}
+
+// Voxels of a step that are read at a time; where parts are not cheap, the chunk that `at` lies in.
+glm::ivec3 pieceOf(const ChunkedLevel& level, glm::ivec3 at, glm::ivec3 left, std::size_t voxelBytes) {
+  if (!level.cheapParts) {
+    const glm::ivec3 chunk = glm::clamp(level.chunkDims, glm::ivec3(1), level.geometry.dims);
+    return glm::min(left, (at / chunk + 1) * chunk - at);
+  }
+  const std::size_t row = static_cast<std::size_t>(left.x) * voxelBytes,
+                    slice = row * static_cast<std::size_t>(left.y);
+  const auto most = [](std::size_t bytes, int n) {
+    return static_cast<int>(std::clamp<std::size_t>(kPieceBytes / bytes, 1, static_cast<std::size_t>(n)));
+  };
+  return {left.x, most(row, left.y), most(slice, left.z)};
+}
+
+// Sums over the voxels of a step, by the mean that each belongs to.
+class Means {
+ public:
+  Means(glm::ivec3 low, glm::ivec3 size, glm::ivec3 factor, glm::ivec3 dims)
+      : first_(low / factor),
+        size_((low + size + factor - 1) / factor - first_),
+        factor_(factor),
+        dims_(dims) {
+    sums_.resize(voxelsIn(size_), 0.0);
+    weights_.resize(voxelsIn(size_), 0.0);
+  }
+  template <class T>
+  void add(glm::ivec3 low, glm::ivec3 size, const std::vector<T>& voxels) {
+    std::size_t i = 0;
+    for (int z = low.z; z < low.z + size.z; ++z)
+      for (int y = low.y; y < low.y + size.y; ++y) {
+        const double weight = weightOf(y, 1) * weightOf(z, 2);
+        const std::size_t row = indexOf({first_.x, y / factor_.y, z / factor_.z});
+        for (int x = low.x; x < low.x + size.x; ++x, ++i) {
+          if constexpr (std::is_floating_point_v<T>)
+            if (!std::isfinite(voxels[i])) continue;
+          const double w = weight * weightOf(x, 0);
+          const std::size_t mean = row + static_cast<std::size_t>(x / factor_.x - first_.x);
+          sums_[mean] += w * static_cast<double>(voxels[i]);
+          weights_[mean] += w;
+        }
+      }
+  }
+  // Into a level of these dims; `unknown`: as of LevelVoxels, of these means.
+  template <class T>
+  void write(glm::ivec3 levelDims, std::vector<T>& level, std::vector<std::size_t>& unknown) const {
+    std::size_t i = 0;
+    for (int z = first_.z; z < first_.z + size_.z; ++z)
+      for (int y = first_.y; y < first_.y + size_.y; ++y)
+        for (int x = first_.x; x < first_.x + size_.x; ++x, ++i) {
+          const double mean = sums_[i] / weights_[i];  // NaN where nothing is known
+          const std::size_t at = (static_cast<std::size_t>(z) * static_cast<std::size_t>(levelDims.y) +
+                                  static_cast<std::size_t>(y)) *
+                                     static_cast<std::size_t>(levelDims.x) +
+                                 static_cast<std::size_t>(x);
+          if constexpr (std::is_floating_point_v<T>)
+            level[at] = static_cast<T>(mean);
+          else if (weights_[i] > 0.0)
+            level[at] = static_cast<T>(std::lround(mean));
+          else
+            unknown.push_back(at);
+        }
+  }
+
+ private:
+  // How often a voxel counts: the last of an axis stands for those that its mean lacks.
+  double weightOf(int at, int axis) const {
+    return at + 1 == dims_[axis] ? static_cast<double>(factor_[axis] - at % factor_[axis]) : 1.0;
+  }
+  std::size_t indexOf(glm::ivec3 mean) const {
+    const glm::ivec3 at = mean - first_;
+    return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(size_.y) +
+            static_cast<std::size_t>(at.y)) *
+               static_cast<std::size_t>(size_.x) +
+           static_cast<std::size_t>(at.x);
+  }
+
+  glm::ivec3 first_, size_, factor_, dims_;
+  std::vector<double> sums_, weights_;
+};
+
+// What several threads find of damage.
+class Findings {
+ public:
+  Findings(const ChunkedFacts& facts, LevelVoxels& level) : facts_(facts), level_(level) {}
+  void add(std::vector<DamagedPart>&& damaged) {
+    const std::lock_guard lock(mutex_);
+    for (DamagedPart& part : damaged) noteDamage(facts_.name, std::move(part), level_.damaged);
+  }
+  void add(const std::vector<std::size_t>& unknown) {
+    if (unknown.empty()) return;
+    const std::lock_guard lock(mutex_);
+    level_.unknown.insert(level_.unknown.end(), unknown.begin(), unknown.end());
+  }
+  // Independent of which thread was first.
+  void sort() {
+    std::sort(level_.damaged.begin(), level_.damaged.end(), [](const DamagedPart& a, const DamagedPart& b) {
+      return std::tie(a.low.z, a.low.y, a.low.x) < std::tie(b.low.z, b.low.y, b.low.x);
+    });
+    std::sort(level_.unknown.begin(), level_.unknown.end());
+  }
+
+ private:
+  const ChunkedFacts& facts_;
+  LevelVoxels& level_;
+  std::mutex mutex_;
+};
+
+// The voxels of a box in float32, those of `damaged` missing.
+template <class T>
+std::vector<float> withMissing(const std::vector<T>& voxels, glm::ivec3 low, glm::ivec3 size,
+                               const std::vector<DamagedPart>& damaged) {
+  std::vector<float> known(voxels.begin(), voxels.end());
+  for (const DamagedPart& part : damaged)
+    for (int z = 0; z < part.size.z; ++z)
+      for (int y = 0; y < part.size.y; ++y) {
+        const glm::ivec3 at = part.low + glm::ivec3(0, y, z) - low;
+        const std::size_t row = (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(size.y) +
+                                 static_cast<std::size_t>(at.y)) *
+                                    static_cast<std::size_t>(size.x) +
+                                static_cast<std::size_t>(at.x);
+        std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(row), part.size.x,
+                    std::numeric_limits<float>::quiet_NaN());
+      }
+  return known;
+}
+
+template <class T>
+LevelVoxels readMeans(const ChunkedVolume& file, VolumePart part, const LevelOrigin& origin, glm::ivec3 dims,
+                      bool around, base::Progress& progress) {
+  const ChunkedLevel& level = file.facts().levels[origin.fileLevel];
+  const glm::ivec3 from = level.geometry.dims, step = stepOf(level, origin.factor, sizeof(T));
+  const glm::ivec3 steps = (from + step - 1) / step;
+  LevelVoxels read;
+  std::vector<T> voxels;
+  resizeStoppably(voxels, voxelsIn(dims), progress);
+  Findings findings(file.facts(), read);
+  const auto nx = static_cast<std::size_t>(steps.x), ny = static_cast<std::size_t>(steps.y);
+  parallelSteps(voxelsIn(steps), progress, {0.0, 1.0, "reading"}, [&](std::size_t i) {
+    const glm::ivec3 low = step * glm::ivec3(static_cast<int>(i % nx), static_cast<int>(i / nx % ny),
+                                             static_cast<int>(i / nx / ny));
+    const glm::ivec3 behind = glm::min(low + step, from);
+    Means means(low, behind - low, origin.factor, from);
+    std::vector<T> piece;
+    std::vector<DamagedPart> damaged;
+    glm::ivec3 size;
+    for (glm::ivec3 at = low; at.z < behind.z; at.z += size.z)
+      for (at.y = low.y; at.y < behind.y; at.y += size.y)
+        for (at.x = low.x; at.x < behind.x; at.x += size.x) {
+          if (progress.stopRequested()) return;
+          size = pieceOf(level, at, behind - at, sizeof(T));
+          piece.resize(voxelsIn(size));
+          const auto bytes = std::as_writable_bytes(std::span(piece));
+          if (around)
+            readAround(file, part, origin.fileLevel, at, size, bytes, damaged);
+          else
+            file.read(part, origin.fileLevel, at, size, bytes);
+          if (damaged.empty()) {
+            means.add(at, size, piece);
+          } else {
+            means.add(at, size, withMissing(piece, at, size, damaged));
+            findings.add(std::exchange(damaged, {}));
+          }
+        }
+    std::vector<std::size_t> unknown;
+    means.write(dims, voxels, unknown);
+    findings.add(unknown);
+  });
+  findings.sort();
+  read.voxels = std::move(voxels);
+  return read;
+}
+
+}  // namespace
+
+LevelVoxels readLevelVoxels(const ChunkedVolume& file, VolumePart part, const LevelOrigin& origin,
+                            glm::ivec3 dims, bool around, base::Progress& progress) {
+  return withStoredType(file.facts().storedType, [&](auto zero) {
+    return readMeans<decltype(zero)>(file, part, origin, dims, around, progress);
+  });
+}
+
+std::vector<float> withMissing(const LevelVoxels& level, base::Progress& progress) {
+  std::vector<float> known;
+  std::visit(
+      [&](const auto& voxels) {
+        resizeStoppably(known, voxels.size(), progress);
+        std::copy(voxels.begin(), voxels.end(), known.begin());
+      },
+      level.voxels);
+  for (const std::size_t at : level.unknown) known[at] = std::numeric_limits<float>::quiet_NaN();
+  return known;
+}
+
+}  // namespace isolux::volume
