@@ -13,6 +13,7 @@ void GlimpseWork::run(base::Progress& progress) {
   std::optional<volume::Glimpse> glimpse = volume::readGlimpse(subject.scene.source, progress, subject.least);
   if (!glimpse) return;
   step = glimpse->step;
+  fromIndex = glimpse->fromIndex;
   const auto prepared = volume::prepareVolume(std::move(glimpse->volume), progress);
   scene::Scene scene = scene::resolve(subject.scene, prepared->facts);
   scene.picture.transparent = false;

@@ -24,6 +24,7 @@ struct GlimpseWork {
   Subject subject;
   render::ColorImage picture{};  // none: there is no glimpse
   glm::ivec3 step{1};
+  bool fromIndex = false;
 };
 
 class GlimpseJob : public QuietJob<GlimpseWork> {
@@ -32,6 +33,7 @@ class GlimpseJob : public QuietJob<GlimpseWork> {
   // After finished(), without an error; of no pixels where there is none.
   const render::ColorImage& picture() const { return work().picture; }
   glm::ivec3 step() const { return work().step; }  // voxels of the volume from one that is seen to the next
+  bool isFromIndex() const { return work().fromIndex; }  // boxes of so many voxels are
 };
 
 }  // namespace isolux::app

@@ -112,7 +112,10 @@ void LoadCard::pollLook() {
   picture.setDevicePixelRatio(devicePixelRatioF());
   picture_->setPixmap(picture);
   const glm::ivec3 step = job->step();
-  caption_->setText(tr("A first look: one voxel of %1 × %2 × %3").arg(step.x).arg(step.y).arg(step.z));
+  const QString caption = job->isFromIndex()
+                              ? tr("A first look, from the index: boxes of %1 × %2 × %3 voxels")
+                              : tr("A first look: one voxel of %1 × %2 × %3");
+  caption_->setText(caption.arg(step.x).arg(step.y).arg(step.z));
   picture_->show();
   caption_->show();
   place();

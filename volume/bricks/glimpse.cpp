@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "volume/bricks/chunked_header.h"
+#include "volume/bricks/index_file.h"
 #include "volume/bricks/open_chunked.h"
 #include "volume/bricks/stored_type.h"
 #include "volume/parallel_steps.h"
@@ -26,9 +28,9 @@ struct Samples {
   glm::ivec3 step{1}, first{0}, dims{0};
 };
 
-std::optional<Samples> samplesOf(const ChunkedFacts& facts) {
+std::optional<Samples> samplesOf(const ChunkedFacts& facts, std::size_t most) {
   for (std::size_t level = 1; level < facts.levels.size(); ++level)
-    if (facts.levels[level].geometry.voxelCount() <= kGlimpseVoxels)
+    if (facts.levels[level].geometry.voxelCount() <= most)
       return Samples{level, glm::ivec3(1), glm::ivec3(0), facts.levels[level].geometry.dims};
   if (!facts.levels.front().cheapParts) return std::nullopt;
   Samples samples;
@@ -84,9 +86,58 @@ std::vector<T> readLevelOf(const ChunkedVolume& file, VolumePart part, const Sam
   return voxels;
 }
 
+// Blocks of an axis that one value stands for, so that there are at most so many values.
+int blocksOfValue(glm::ivec3 blocks, std::size_t most) {
+  int together = 1;
+  const auto values = [&] { return GridGeometry{.dims = (blocks + together - 1) / together}.voxelCount(); };
+  while (values() > most) ++together;
+  return together;
+}
+
+std::vector<float> middlesOf(const MinMaxBlocks& blocks, glm::ivec3 dims, int together,
+                             base::Progress& progress) {
+  const auto nx = static_cast<std::size_t>(dims.x), ny = static_cast<std::size_t>(dims.y);
+  std::vector<float> middles(nx * ny * static_cast<std::size_t>(dims.z));
+  parallelSteps(ny * static_cast<std::size_t>(dims.z), progress, {}, [&](std::size_t row) {
+    for (int x = 0; x < dims.x; ++x) {
+      const glm::ivec3 low = together * glm::ivec3(x, static_cast<int>(row % ny), static_cast<int>(row / ny));
+      const glm::ivec3 behind = glm::min(low + together, blocks.dims());
+      float least = std::numeric_limits<float>::infinity(), most = -least;
+      for (int bz = low.z; bz < behind.z; ++bz)
+        for (int by = low.y; by < behind.y; ++by)
+          for (int bx = low.x; bx < behind.x; ++bx) {
+            const std::size_t block = blocks.index({bx, by, bz});
+            if (blocks.maximum(block) == std::numeric_limits<float>::max()) continue;  // could not be read
+            least = std::min(least, blocks.minimum(block));
+            most = std::max(most, blocks.maximum(block));
+          }
+      middles[row * nx + static_cast<std::size_t>(x)] =
+          least <= most ? 0.5f * least + 0.5f * most : std::numeric_limits<float>::quiet_NaN();
+    }
+  });
+  return middles;
+}
+
+std::optional<Glimpse> glimpseOfIndex(const ChunkedVolume& file, const scene::Source& source,
+                                      std::size_t most, base::Progress& progress) {
+  const ReadOptions options = readOptions(source);
+  const std::optional<VolumeIndex> index = IndexFile(source.path, options).find(file);
+  if (!index || index->blocks()->count() == 0) return std::nullopt;
+  const MinMaxBlocks& blocks = *index->blocks();
+  const int together = blocksOfValue(blocks.dims(), most), cells = together * blocks.blockCells();
+  GridGeometry geometry = index->facts().levels.front().geometry;
+  geometry.dims = (blocks.dims() + together - 1) / together;
+  geometry.worldFromVoxel =
+      glm::scale(glm::translate(geometry.worldFromVoxel, glm::dvec3(0.5 * cells)), glm::dvec3(cells));
+  FileVoxels middles = middlesOf(blocks, geometry.dims, together, progress);
+  const ImageHeader header = chunkedHeader(file.facts(), geometry, VoxelType::float32);
+  return Glimpse{finishVolume(header, std::move(middles), options, progress), glm::ivec3(cells), true};
+}
+
 }  // namespace
 
-std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& progress, std::size_t least) {
+std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& progress, std::size_t least,
+                                   std::size_t most) {
   if (source.path.starts_with("phantom:")) return std::nullopt;
   std::string reason;
   const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
@@ -94,8 +145,12 @@ std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& 
   const ChunkedFacts& facts = file->facts();
   const GridGeometry& whole = facts.levels.front().geometry;
   if (whole.voxelCount() * bytesOf(facts.storedType) < least) return std::nullopt;
-  const std::optional<Samples> samples = samplesOf(facts);
-  if (!samples) return std::nullopt;
+  const std::optional<Samples> samples = samplesOf(facts, most);
+  if (!samples) {
+    std::optional<Glimpse> glimpse = glimpseOfIndex(*file, source, most, progress);
+    if (glimpse) takeNames(glimpse->volume, facts);
+    return glimpse;
+  }
   const GridGeometry geometry = geometryOf(facts, *samples);
   const VolumePart part{source.timeStep, source.component};
   FileVoxels voxels = withStoredType(facts.storedType, [&](auto zero) -> FileVoxels {
@@ -104,7 +159,8 @@ std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& 
                                : readLevelOf<T>(*file, part, *samples, progress);
   });
   const ImageHeader header = chunkedHeader(facts, geometry, facts.storedType);
-  Glimpse glimpse{finishVolume(header, std::move(voxels), readOptions(source), progress), samples->step};
+  Glimpse glimpse{finishVolume(header, std::move(voxels), readOptions(source), progress), samples->step,
+                  false};
   if (samples->level > 0) glimpse.step = glm::ivec3(glm::round(geometry.spacingMm() / whole.spacingMm()));
   takeNames(glimpse.volume, facts);
   return glimpse;

@@ -1,8 +1,9 @@
 // A first look at a large volume, long before it is read: some of its voxels, in about a second.
 //
-// Of a file with coarser levels the finest of at most kGlimpseVoxels, else every n-th voxel along each axis,
-// where parts of it cost no more than those parts. Single voxels are no means: what lies between them is not
-// seen, and noise stays. It is for the eye while somebody waits, not for measures.
+// Of a file with coarser levels the finest of at most so many voxels; else every n-th voxel along each axis,
+// where parts of it cost no more than those parts; else, where the volume has an index (index_file.h), the
+// middle between the least and the greatest value of boxes of blocks. Single voxels are no means: what lies
+// between them is not seen, and noise stays. It is for the eye while somebody waits, not for measures.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +16,18 @@
 namespace isolux::volume {
 
 inline constexpr int kGlimpseAxis = 96;                                    // samples of an axis, about
-inline constexpr std::size_t kGlimpseVoxels = std::size_t{4} << 20;  // of a level of the file
+inline constexpr std::size_t kGlimpseVoxels = std::size_t{4} << 20;        // of a level of the file
 inline constexpr std::size_t kGlimpseLeastBytes = std::size_t{256} << 20;  // smaller volumes are read as soon
 
 // Its voxels as a volume, in the place of the whole. Nothing: it is small, or cannot be had soon. `least`:
-// bytes of a volume that is not small. Throws base::Error as openChunked(), and what reading throws.
+// bytes of a volume that is not small; `most`: voxels of a level, or of what is made of the index. Throws
+// base::Error as openChunked(), and what reading throws.
 struct Glimpse {
   Volume volume;
-  glm::ivec3 step{1};  // voxels of level 0 from one to the next
+  glm::ivec3 step{1};      // voxels of level 0 from one to the next
+  bool fromIndex = false;  // of boxes of `step` voxels
 };
 std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& progress,
-                                   std::size_t least = kGlimpseLeastBytes);
+                                   std::size_t least = kGlimpseLeastBytes, std::size_t most = kGlimpseVoxels);
 
 }  // namespace isolux::volume

@@ -2,15 +2,23 @@
 // there is none.
 #include "volume/bricks/glimpse.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 #include <glm/vec4.hpp>
 
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
+#include "tests/support/zarr_folder.h"
+#include "volume/bricks/index_file.h"
+#include "volume/bricks/open_chunked.h"
 #include "volume/write/writer.h"
 
 namespace isolux::test {
@@ -24,6 +32,29 @@ class GlimpseTest : public testing::Test {
     scene::Source source;
     source.path = path.string();
     return source;
+  }
+  // Zarr v2 in gzip chunks of n^3.
+  static void writePacked(const fs::path& folder, glm::ivec3 dims, int n, const auto& value) {
+    fs::create_directories(folder);
+    const std::string chunk = std::to_string(n);
+    std::ofstream(folder / ".zarray")
+        << R"({"zarr_format": 2, "shape": [)" << dims.z << "," << dims.y << "," << dims.x
+        << R"(], "chunks": [)" << chunk << "," << chunk << "," << chunk
+        << R"(], "dtype": "|u1", "compressor": {"id": "zlib", "level": 1}, "fill_value": 0, "order": "C", "filters": null})";
+    const glm::ivec3 chunks = (dims + n - 1) / n;
+    for (int cz = 0; cz < chunks.z; ++cz)
+      for (int cy = 0; cy < chunks.y; ++cy)
+        for (int cx = 0; cx < chunks.x; ++cx) {
+          std::vector<Bytef> voxels;
+          for (int z = cz * n; z < (cz + 1) * n; ++z)
+            for (int y = cy * n; y < (cy + 1) * n; ++y)
+              for (int x = cx * n; x < (cx + 1) * n; ++x) voxels.push_back(value(x, y, z));
+          std::vector<Bytef> packed(compressBound(voxels.size()));
+          uLongf length = packed.size();
+          ASSERT_EQ(compress(packed.data(), &length, voxels.data(), voxels.size()), Z_OK);
+          std::ofstream(folder / chunkName({cx, cy, cz}), std::ios::binary)
+              .write(reinterpret_cast<const char*>(packed.data()), static_cast<std::streamsize>(length));
+        }
   }
   fs::path folder_ = temporaryFolder();
   base::Progress progress_;
@@ -77,6 +108,43 @@ TEST_F(GlimpseTest, IsTheFilesLevelWhereItHasOne) {
   EXPECT_EQ(glimpse->volume.grid->dims(), glm::ivec3(100));
   EXPECT_EQ(glimpse->volume.grid->stored(3, 0, 0), 103.0);
   EXPECT_DOUBLE_EQ(glimpse->volume.grid->geometry().spacingMm().x, 2.0);
+}
+
+// Packed chunks would have to be unpacked; what an index knows is there at once.
+TEST_F(GlimpseTest, IsOfTheIndexWhereChunksArePacked) {
+  const fs::path image = folder_ / "p.zarr";
+  const glm::ivec3 dims(70, 50, 41);
+  const auto value = [](int x, int y, int z) { return static_cast<std::uint8_t>((x * 3 + y * 2 + z) % 251); };
+  writePacked(image, dims, 32, value);
+  EXPECT_FALSE(volume::readGlimpse(at(image), progress_, 0)) << "no index";
+  std::string reason;
+  const auto file = volume::openChunked(at(image), reason, progress_);
+  ASSERT_TRUE(file) << reason;
+  std::optional<volume::VolumeIndex> index;
+  volume::IndexFile(image.string(), {}).make(*file, {}, index, progress_);
+  for (const int box : {8, 16}) {
+    const std::size_t most = box == 8 ? volume::kGlimpseVoxels : 100;
+    const auto glimpse = volume::readGlimpse(at(image), progress_, 0, most);
+    ASSERT_TRUE(glimpse);
+    EXPECT_TRUE(glimpse->fromIndex);
+    EXPECT_EQ(glimpse->step, glm::ivec3(box));
+    const volume::Grid& seen = *glimpse->volume.grid;
+    ASSERT_EQ(seen.dims(), box == 8 ? glm::ivec3(9, 7, 5) : glm::ivec3(5, 4, 3));
+    EXPECT_EQ(glm::dvec3(seen.geometry().worldFromVoxel[3]), glm::dvec3(0.5 * box)) << "the middle of a box";
+    EXPECT_EQ(seen.geometry().spacingMm(), glm::dvec3(box));
+    for (int bz = 0; bz < seen.dims().z; ++bz)
+      for (int by = 0; by < seen.dims().y; ++by)
+        for (int bx = 0; bx < seen.dims().x; ++bx) {
+          int low = 255, high = 0;
+          for (int z = box * bz; z <= std::min(box * (bz + 1), dims.z - 1); ++z)
+            for (int y = box * by; y <= std::min(box * (by + 1), dims.y - 1); ++y)
+              for (int x = box * bx; x <= std::min(box * (bx + 1), dims.x - 1); ++x) {
+                low = std::min<int>(low, value(x, y, z));
+                high = std::max<int>(high, value(x, y, z));
+              }
+          ASSERT_EQ(seen.value(bx, by, bz), 0.5 * (low + high)) << bx << ' ' << by << ' ' << bz;
+        }
+  }
 }
 
 TEST_F(GlimpseTest, ThereIsNoneOfSmallVolumesAndOfThoseThatAreReadAsAWhole) {
