@@ -33,7 +33,7 @@ void MainWindow::greet() {
   greeting_ = card;
   greeting_->setButtons(tr("Show me around"), tr("Got it"));
   const auto present = [this] {
-    if (!greeting_) return;
+    if (!greeting_ || document_->loading()) return;
     greeting_->presentIn(
         placeIn(this, viewport_).adjusted(4, 4, -4, -56), tr("Welcome to Isolux"),
         tr("<ul style='margin-left:-24px'><li>Drag in the picture to turn it; the wheel zooms.</li>"
@@ -53,6 +53,9 @@ void MainWindow::greet() {
   connect(document_, &Document::opened, card, [leave](const QString& path) {
     if (!path.startsWith("phantom:")) leave();  // found the way
   });
+  // The card of a load takes its place meanwhile.
+  connect(document_, &Document::loadStarted, card, &QWidget::hide);
+  connect(document_, &Document::loadEnded, card, present);
   // The window may get its size only now, and docks with it.
   QMetaObject::invokeMethod(card, present, Qt::QueuedConnection);
 }

@@ -72,6 +72,20 @@ TEST_F(TourTest, HintsAreShownOnceAndLeadToTheTour) {
   EXPECT_EQ(window_->greeting(), nullptr);
 }
 
+// Two cards in one place would hide one another.
+TEST_F(TourTest, HintsMakeRoomForTheCardOfALoad) {
+  window_->greet();
+  ASSERT_TRUE(waitUntil([&] { return isThere(window_->greeting()); }));
+  window_->document()->open("phantom:head:256");
+  EXPECT_FALSE(isThere(window_->greeting()));
+  window_->document()->cancelLoading();
+  EXPECT_TRUE(waitUntil([&] { return isThere(window_->greeting()); }));
+  window_->document()->open("phantom:ball:24");
+  EXPECT_FALSE(isThere(window_->greeting()));
+  ASSERT_TRUE(waitUntil([&] { return !window_->document()->loading(); }));
+  EXPECT_TRUE(waitUntil([&] { return isThere(window_->greeting()); }));
+}
+
 TEST_F(TourTest, EachStepWaitsForTheRealControl) {
   window_->startTour();
   ASSERT_NE(window_->tour(), nullptr);
