@@ -24,7 +24,7 @@ void StepAhead::moved(const scene::Source& from, const scene::Source& to,
   next.timeStep = to.timeStep + (to.timeStep > from.timeStep ? 1 : -1);
   if (next.timeStep < 0 || next.timeStep >= shown.volume.timeSteps) return;
   if (base::machineMemory().left() < 2 * bytesOf(shown)) return;
-  job_ = std::make_unique<LoadJob>(std::move(next));
+  job_ = std::make_unique<LoadJob>(std::move(next), LoadJob::Instead{.aroundDamage = true});
 }
 
 std::unique_ptr<LoadJob> StepAhead::take(const scene::Source& source) {
