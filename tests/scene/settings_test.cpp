@@ -104,7 +104,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
                                 isovalue, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            10u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 9);
+            11u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 9);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
