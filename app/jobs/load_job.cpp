@@ -41,10 +41,9 @@ void LoadJob::load(Work& work) {
   scene::Source& source = work.loaded;
   const bool choosesLevel = work.instead.coarser && source.level == 0;
   if (choosesLevel) source.level = volume::levelThatFits(source, work.progress, 0, kLevelShare);
-  for (bool again = true; again;) {
+  while (!work.volume) {
     try {
       work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
-      again = false;
     } catch (const base::Error& error) {
       if (error.kind() == base::ErrorKind::memory && choosesLevel) {  // it takes more than its header said
         const int level = volume::levelThatFits(source, work.progress, source.level + 1, kLevelShare);

@@ -107,7 +107,7 @@ std::vector<float> middlesOf(const MinMaxBlocks& blocks, glm::ivec3 dims, int to
         for (int by = low.y; by < behind.y; ++by)
           for (int bx = low.x; bx < behind.x; ++bx) {
             const std::size_t block = blocks.index({bx, by, bz});
-            if (blocks.maximum(block) == std::numeric_limits<float>::max()) continue;  // could not be read
+            if (blocks.maximum(block) == kUnknownMaximum) continue;
             least = std::min(least, blocks.minimum(block));
             most = std::max(most, blocks.maximum(block));
           }

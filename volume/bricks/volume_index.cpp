@@ -103,8 +103,7 @@ void VolumeIndex::openBlocks(int first, int slices) {
     for (int z = low.z; z <= high.z; ++z)
       for (int y = low.y; y <= high.y; ++y)
         for (int x = low.x; x <= high.x; ++x)
-          blocks_->set(blocks_->index({x, y, z}), std::numeric_limits<float>::lowest(),
-                       std::numeric_limits<float>::max());
+          blocks_->set(blocks_->index({x, y, z}), kUnknownMinimum, kUnknownMaximum);
   }
 }
 

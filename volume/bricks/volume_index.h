@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -30,6 +31,10 @@ inline constexpr int kIndexBlockCells = 8;
 struct IndexPart {
   int i = 1, n = 1;
 };
+
+// Bounds of a block that holds a voxel that could not be read: it may be anything.
+inline constexpr float kUnknownMinimum = std::numeric_limits<float>::lowest(),
+                       kUnknownMaximum = std::numeric_limits<float>::max();
 
 class VolumeIndex {
  public:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,28 +34,26 @@ class GlimpseTest : public testing::Test {
     source.path = path.string();
     return source;
   }
-  // Zarr v2 in gzip chunks of n^3.
-  static void writePacked(const fs::path& folder, glm::ivec3 dims, int n, const auto& value) {
-    fs::create_directories(folder);
-    const std::string chunk = std::to_string(n);
-    std::ofstream(folder / ".zarray")
-        << R"({"zarr_format": 2, "shape": [)" << dims.z << "," << dims.y << "," << dims.x
-        << R"(], "chunks": [)" << chunk << "," << chunk << "," << chunk
-        << R"(], "dtype": "|u1", "compressor": {"id": "zlib", "level": 1}, "fill_value": 0, "order": "C", "filters": null})";
-    const glm::ivec3 chunks = (dims + n - 1) / n;
-    for (int cz = 0; cz < chunks.z; ++cz)
-      for (int cy = 0; cy < chunks.y; ++cy)
-        for (int cx = 0; cx < chunks.x; ++cx) {
-          std::vector<Bytef> voxels;
-          for (int z = cz * n; z < (cz + 1) * n; ++z)
-            for (int y = cy * n; y < (cy + 1) * n; ++y)
-              for (int x = cx * n; x < (cx + 1) * n; ++x) voxels.push_back(value(x, y, z));
-          std::vector<Bytef> packed(compressBound(voxels.size()));
-          uLongf length = packed.size();
-          ASSERT_EQ(compress(packed.data(), &length, voxels.data(), voxels.size()), Z_OK);
-          std::ofstream(folder / chunkName({cx, cy, cz}), std::ios::binary)
-              .write(reinterpret_cast<const char*>(packed.data()), static_cast<std::streamsize>(length));
-        }
+  static std::string bytesOf(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  // Packs the chunks of what writeZarr() has written.
+  static void packChunks(const fs::path& folder) {
+    std::string metadata = bytesOf(folder / ".zarray");
+    const std::string plain = "\"compressor\": null";
+    metadata.replace(metadata.find(plain), plain.size(), R"("compressor": {"id": "zlib", "level": 1})");
+    for (const fs::directory_entry& chunk : fs::directory_iterator(folder)) {
+      const std::string voxels = bytesOf(chunk.path());
+      std::string packed(compressBound(voxels.size()), '\0');
+      uLongf length = packed.size();
+      ASSERT_EQ(compress(reinterpret_cast<Bytef*>(packed.data()), &length,
+                         reinterpret_cast<const Bytef*>(voxels.data()), voxels.size()),
+                Z_OK);
+      std::ofstream(chunk.path(), std::ios::binary)
+          .write(packed.data(), static_cast<std::streamsize>(length));
+    }
+    std::ofstream(folder / ".zarray") << metadata;
   }
   fs::path folder_ = temporaryFolder();
   base::Progress progress_;
@@ -115,7 +114,12 @@ TEST_F(GlimpseTest, IsOfTheIndexWhereChunksArePacked) {
   const fs::path image = folder_ / "p.zarr";
   const glm::ivec3 dims(70, 50, 41);
   const auto value = [](int x, int y, int z) { return static_cast<std::uint8_t>((x * 3 + y * 2 + z) % 251); };
-  writePacked(image, dims, 32, value);
+  std::vector<std::uint8_t> voxels;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x) voxels.push_back(value(x, y, z));
+  writeZarr(image, dims, glm::ivec3(32), voxels);
+  packChunks(image);
   EXPECT_FALSE(volume::readGlimpse(at(image), progress_, 0)) << "no index";
   std::string reason;
   const auto file = volume::openChunked(at(image), reason, progress_);
@@ -145,6 +149,26 @@ TEST_F(GlimpseTest, IsOfTheIndexWhereChunksArePacked) {
           ASSERT_EQ(seen.value(bx, by, bz), 0.5 * (low + high)) << bx << ' ' << by << ' ' << bz;
         }
   }
+}
+
+// What could not be read is missing in it, not what its bounds allow.
+TEST_F(GlimpseTest, OfTheIndexHasHolesWhereThereIsDamage) {
+  const fs::path image = folder_ / "d.zarr";
+  writeZarr(image, glm::ivec3(64), glm::ivec3(32), std::vector<std::uint8_t>(64 * 64 * 64, 7));
+  packChunks(image);
+  cutChunk(image, glm::ivec3(1, 0, 1));
+  std::string reason;
+  std::optional<volume::VolumeIndex> index;
+  volume::IndexFile(image.string(), {})
+      .make(*volume::openChunked(at(image), reason, progress_), {}, index, progress_);
+  ASSERT_EQ(index->damaged().size(), 1u);
+  const auto glimpse = volume::readGlimpse(at(image), progress_, 0);
+  ASSERT_TRUE(glimpse);
+  const volume::Grid& seen = *glimpse->volume.grid;
+  EXPECT_TRUE(std::isnan(seen.value(6, 2, 6)));
+  EXPECT_EQ(seen.value(2, 2, 2), 7.0);
+  EXPECT_EQ(seen.maximum(), 7.0);
+  EXPECT_EQ(seen.minimum(), 7.0);
 }
 
 TEST_F(GlimpseTest, ThereIsNoneOfSmallVolumesAndOfThoseThatAreReadAsAWhole) {
