@@ -34,4 +34,11 @@ class Progress {
   std::stop_source source_;
 };
 
+// The part of a job's progress that one of its loops reports. `stage` must be a string literal; null: the
+// loop reports nothing.
+struct ProgressRange {
+  double from = 0.0, to = 1.0;
+  const char* stage = nullptr;
+};
+
 }  // namespace isolux::base

@@ -1,6 +1,8 @@
 // What each look costs, and how its frame divides over the passes (Hadwiger et al. 2005, table 3).
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "bench/bench.h"
 #include "bench/pass_times.h"
 #include "render/gl/gl_context.h"

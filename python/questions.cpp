@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/measure_report.h"
 #include "app/commands/piece_report.h"

@@ -31,20 +31,6 @@ void applyAssignment(Scene& scene, std::string_view assignment);
 nlohmann::json toJson(const Scene& scene);
 Scene fromJson(const nlohmann::json& json);
 
-// A named change: undo, redo, recordings and --set are all made of these.
-struct SceneChange {
-  std::string path;
-  nlohmann::json value;
-  bool operator==(const SceneChange&) const = default;
-};
-struct SceneDiff {
-  std::string name;  // what the user did: "Rotate", "Set isovalue"
-  std::vector<SceneChange> changes;
-  bool operator==(const SceneDiff&) const = default;
-};
-SceneDiff difference(const Scene& from, const Scene& to, std::string name);
-Scene applied(Scene scene, const SceneDiff& diff);
-
 // A name for the change from one scene to another, made from the settings that differ ("Change look.mode").
 std::string describeChange(const Scene& from, const Scene& to);
 

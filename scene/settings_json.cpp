@@ -1,9 +1,12 @@
 // Scenes as JSON, assignments from the command line, and named changes: all made from settings().
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "scene/machine.h"
+#include "scene/scene_diff.h"
 #include "scene/setting/assignment.h"
 #include "scene/settings.h"
 

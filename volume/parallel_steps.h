@@ -16,16 +16,10 @@
 
 namespace isolux::volume {
 
-// Which part of a job's progress a loop is. `stage` must be a string literal; none: nothing is reported.
-struct Share {
-  double from = 0.0, to = 1.0;
-  const char* stage = nullptr;
-};
-
 // Calls step(i) for each i in [0, count), in any order, on all cores. Throws Error{interrupted} once a stop
 // was requested; some steps have not run then.
 template <class Step>
-void parallelSteps(std::size_t count, base::Progress& progress, Share share, const Step& step) {
+void parallelSteps(std::size_t count, base::Progress& progress, base::ProgressRange share, const Step& step) {
   std::atomic<std::size_t> done{0};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1),
                     [&](const tbb::blocked_range<std::size_t>& range) {
@@ -44,8 +38,8 @@ void parallelSteps(std::size_t count, base::Progress& progress, Share share, con
 
 // The same for ranges [begin, end) of `count` elements, `length` of them at a time.
 template <class Step>
-void parallelPieces(std::size_t count, std::size_t length, base::Progress& progress, Share share,
-                    const Step& step) {
+void parallelPieces(std::size_t count, std::size_t length, base::Progress& progress,
+                    base::ProgressRange share, const Step& step) {
   parallelSteps((count + length - 1) / length, progress, share,
                 [&](std::size_t piece) { step(piece * length, std::min(count, (piece + 1) * length)); });
 }

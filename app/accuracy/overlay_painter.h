@@ -11,7 +11,7 @@
 
 #include "render/graph/frame.h"
 #include "render/legend/legend_overlay.h"
-#include "scene/scene.h"
+#include "scene/choices.h"
 
 namespace isolux::app {
 

@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "app/version.h"
 #include "base/error.h"
 #include "base/number_text.h"

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "base/number_text.h"
 #include "volume/error/hit_error.h"
 

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "app/cluster/cluster_bake.h"
 #include "app/cluster/mpi_ranks.h"
 #include "app/commands/bake_part.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/files/json_text.h"
 #include "app/files/output_guard.h"

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "app/process/curvature_plot_script.h"
 #include "app/process/external_program.h"
 #include "app/process/gnuplot.h"

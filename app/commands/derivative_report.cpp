@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include <glm/common.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/jobs/rest_scene.h"
 #include "base/number_text.h"

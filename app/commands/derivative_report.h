@@ -2,7 +2,7 @@
 // how much of it has a curvature that means something.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "render/graph/frame.h"
 #include "render/renderer.h"

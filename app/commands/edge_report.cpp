@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "app/jobs/field_job.h"
 #include "base/number_text.h"
 #include "scene/rules/automatic.h"

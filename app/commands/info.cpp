@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/commands/command.h"
 #include "app/commands/derivative_report.h"
 #include "app/commands/edge_report.h"

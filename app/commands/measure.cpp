@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <glm/common.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "app/commands/curvature_report.h"

@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/marks/mark_evaluator.h"
 #include "app/marks/markups_file.h"
 #include "base/printable.h"

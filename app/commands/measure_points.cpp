@@ -1,6 +1,7 @@
 #include "app/commands/measure_points.h"
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/measure_report.h"
 #include "app/files/number_rows.h"

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 #include "app/commands/curvature_report.h"
 #include "base/number_text.h"
 #include "base/printable.h"

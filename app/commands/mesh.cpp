@@ -1,6 +1,8 @@
 // isolux mesh PATH --out FILE: the isosurface as triangles, for printing and simulation.
 #include <iostream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
 #include "app/mesh/mesh_export.h"

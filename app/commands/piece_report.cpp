@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "app/commands/measure_report.h"
 #include "base/number_text.h"
 #include "volume/measure/voxel_noise.h"

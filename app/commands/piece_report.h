@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <ostream>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "base/progress.h"
 #include "scene/scene.h"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "app/commands/accuracy_report.h"
 #include "app/commands/command.h"
 #include "app/light/light_report.h"

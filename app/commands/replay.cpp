@@ -21,6 +21,7 @@
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
+#include "scene/scene_diff.h"
 
 namespace isolux::app {
 

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "app/browser/index_job.h"
 #include "app/browser/series_text.h"
 #include "app/commands/command.h"

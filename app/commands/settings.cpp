@@ -3,6 +3,8 @@
 #include <functional>
 #include <iostream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/commands/command.h"
 #include "app/commands/settings_report.h"
 #include "base/number_text.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "app/commands/measure_report.h"

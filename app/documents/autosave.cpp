@@ -16,6 +16,7 @@
 #include "app/files/files.h"
 #include "app/files/state_folder.h"
 #include "app/version.h"
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 
 namespace isolux::app {

@@ -4,8 +4,11 @@
 #include <cctype>
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
 #include "base/number_text.h"
 #include "scene/rules/needs.h"
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 
 namespace isolux::app {

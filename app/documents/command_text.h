@@ -4,7 +4,7 @@
 #include <string>
 
 #include <glm/vec2.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "scene/machine.h"
 #include "scene/scene.h"

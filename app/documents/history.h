@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 
 namespace isolux::app {

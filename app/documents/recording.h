@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scene/flow_clock.h"
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 
 namespace isolux::app {

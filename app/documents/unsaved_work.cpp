@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 
 namespace isolux::app {

@@ -1,5 +1,7 @@
 #include "app/files/json_text.h"
 
+#include <nlohmann/json.hpp>
+
 namespace isolux::app {
 
 std::string jsonText(const nlohmann::ordered_json& json) {

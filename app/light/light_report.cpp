@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "scene/rules/needs.h"
 
 namespace isolux::app {

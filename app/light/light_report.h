@@ -1,7 +1,7 @@
 // What was baked and what it cost, and the exposure that was taken, for --stats and --explain.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/light/light_controller.h"
 

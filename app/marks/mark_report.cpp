@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "app/marks/mark_kinds.h"
 #include "base/number_text.h"
 

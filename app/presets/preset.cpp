@@ -9,6 +9,7 @@
 #include "app/presets/preset_value.h"
 #include "base/error.h"
 #include "scene/machine.h"
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 
 namespace isolux::app {

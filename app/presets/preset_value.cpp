@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 #include "volume/statistics/plausibility.h"
 

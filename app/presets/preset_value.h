@@ -1,7 +1,7 @@
 // Where in a volume a preset's value lies: {"hu": 300}, {"quantile": 0.99}, {"between": 0.3}.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "scene/settings.h"
 #include "volume/prepared_volume.h"

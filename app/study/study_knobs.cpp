@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "scene/rules/environment.h"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <ostream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/study_report/study_table.h"
 
 namespace isolux::app {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/study/study_results.h"
 

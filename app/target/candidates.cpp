@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "app/target/work.h"
 #include "base/number_text.h"
 #include "scene/settings.h"

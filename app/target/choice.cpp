@@ -22,7 +22,7 @@ ErrorBound quantileBound(const Spread& spread, Measuring measuring) {
   return {.value = spread.most99, .least = spread.most99 / margin, .bound = spread.most99 * margin};
 }
 
-bool beats(const Measured& one, const Measured& other, std::span<const Limit> units) {
+bool beats(const MeasuredCandidate& one, const MeasuredCandidate& other, std::span<const Limit> units) {
   bool better = one.candidate.cost < other.candidate.cost ||
                 one.candidate.supersampling > other.candidate.supersampling;
   if (one.candidate.cost > other.candidate.cost ||
@@ -80,7 +80,7 @@ bool mayKeep(const TargetErrors& errors, std::span<const Limit> limits) {
                      [&](const Limit& limit) { return errors[indexOf(limit.quantity)].least <= limit.most; });
 }
 
-std::optional<std::size_t> cheapestThatKeeps(std::span<const Measured> measured,
+std::optional<std::size_t> cheapestThatKeeps(std::span<const MeasuredCandidate> measured,
                                              std::span<const Limit> limits) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < measured.size(); ++i)
@@ -90,21 +90,22 @@ std::optional<std::size_t> cheapestThatKeeps(std::span<const Measured> measured,
   return best;
 }
 
-std::size_t nearestTo(std::span<const Measured> measured, std::span<const Limit> limits) {
+std::size_t nearestTo(std::span<const MeasuredCandidate> measured, std::span<const Limit> limits) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < measured.size(); ++i)
     if (worstRatio(measured[i].errors, limits) < worstRatio(measured[best].errors, limits)) best = i;
   return best;
 }
 
-std::vector<std::size_t> byAccuracy(std::span<const Measured> measured, std::span<const Limit> units) {
+std::vector<std::size_t> byAccuracy(std::span<const MeasuredCandidate> measured,
+                                    std::span<const Limit> units) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < measured.size(); ++i)
     if (std::none_of(measured.begin(), measured.end(),
-                     [&](const Measured& other) { return beats(other, measured[i], units); }))
+                     [&](const MeasuredCandidate& other) { return beats(other, measured[i], units); }))
       order.push_back(i);
   const auto rank = [&](std::size_t i) {
-    const Measured& one = measured[i];
+    const MeasuredCandidate& one = measured[i];
     const double ratio = worstRatio(one.errors, units);
     // What errs by less than half a unit is as good as exact.
     const double classOfTwo = std::ceil(std::log2(std::max(ratio, 0.5)));

@@ -37,7 +37,7 @@ struct Candidate {
   bool complete = false;                 // every cell that a ray crosses is searched: nothing can be missed
   int supersampling = 1;
 };
-struct Measured {
+struct MeasuredCandidate {
   Candidate candidate;
   TargetErrors errors;
   double milliseconds = std::numeric_limits<double>::quiet_NaN();  // NaN: was not timed
@@ -53,14 +53,15 @@ bool mayKeep(const TargetErrors& errors, std::span<const Limit> limits);
 // The largest of bound over limit; infinite where something was not measured, or a limit of 0 is not kept.
 double worstRatio(const TargetErrors& errors, std::span<const Limit> limits);
 // The first of least cost among those that keep the limits; none: nothing does.
-std::optional<std::size_t> cheapestThatKeeps(std::span<const Measured> measured,
+std::optional<std::size_t> cheapestThatKeeps(std::span<const MeasuredCandidate> measured,
                                              std::span<const Limit> limits);
 // The one that comes nearest to the limits. `measured` is not empty.
-std::size_t nearestTo(std::span<const Measured> measured, std::span<const Limit> limits);
+std::size_t nearestTo(std::span<const MeasuredCandidate> measured, std::span<const Limit> limits);
 
 // From the most accurate on, by worstRatio() of `units`. Errors within a factor of two count as equal: then
 // more rays per pixel come first, then smaller errors, then less work. What another one beats in every error,
 // with at least as many rays per pixel, for no more work, is left out.
-std::vector<std::size_t> byAccuracy(std::span<const Measured> measured, std::span<const Limit> units);
+std::vector<std::size_t> byAccuracy(std::span<const MeasuredCandidate> measured,
+                                    std::span<const Limit> units);
 
 }  // namespace isolux::app

@@ -30,7 +30,8 @@ class ErrorOfPlace {
 
 }  // namespace
 
-Measured measuredAsNeeded(const Candidate& candidate, std::span<const Limit> limits, const Measure& measure) {
+MeasuredCandidate measuredAsNeeded(const Candidate& candidate, std::span<const Limit> limits,
+                                   const MeasureCandidate& measure) {
   TargetErrors errors;
   for (const Measuring measuring : {Measuring::few, Measuring::many, Measuring::most}) {
     errors = measure(candidate, measuring);
@@ -40,8 +41,8 @@ Measured measuredAsNeeded(const Candidate& candidate, std::span<const Limit> lim
 }
 
 std::optional<std::size_t> chooseSurface(std::span<const Candidate> list, std::span<const Limit> limits,
-                                         const Measure& measure, const Report& report,
-                                         std::vector<Measured>& measured) {
+                                         const MeasureCandidate& measure, const Report& report,
+                                         std::vector<MeasuredCandidate>& measured) {
   if (!keeps(measured.front().errors, limits))
     measured.front() = measuredAsNeeded(list.front(), limits, measure);
   const bool exactKeeps = keeps(measured.front().errors, limits);
@@ -55,8 +56,8 @@ std::optional<std::size_t> chooseSurface(std::span<const Candidate> list, std::s
 }
 
 std::optional<std::size_t> chooseLight(std::span<const Candidate> list, const scene::Scene& given,
-                                       const Limit& limit, const Measure& measure, const Report& report,
-                                       std::vector<Measured>& measured) {
+                                       const Limit& limit, const MeasureCandidate& measure,
+                                       const Report& report, std::vector<MeasuredCandidate>& measured) {
   std::map<double, ErrorOfPlace> places;  // by texels per voxel
   for (std::size_t i = 0; i < list.size(); ++i) {
     const scene::Gi gi = applied(list[i], given).gi;
@@ -64,7 +65,7 @@ std::optional<std::size_t> chooseLight(std::span<const Candidate> list, const sc
     if (place.surelyAbove(limit.most)) continue;
     report(static_cast<double>(i) / static_cast<double>(list.size()));
     measured.push_back(measuredAsNeeded(list[i], {&limit, 1}, measure));
-    Measured& last = measured.back();
+    MeasuredCandidate& last = measured.back();
     // The few pixels that err most may all be absent from a small part: what seems to hold is confirmed.
     if (keeps(last.errors, {&limit, 1})) last.errors = measure(list[i], Measuring::most);
     if (keeps(last.errors, {&limit, 1})) return measured.size() - 1;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "base/number_text.h"
 
 namespace isolux::app {
@@ -65,7 +67,7 @@ std::string settingsText(const Candidate& candidate) {
 }
 
 std::string lineOf(const TargetAnswer& answer, std::size_t index) {
-  const Measured& one = answer.measured[index];
+  const MeasuredCandidate& one = answer.measured[index];
   std::string text = index == answer.chosen ? "* " : "  ";
   text += "work " + base::shortText(one.candidate.cost, 3);
   if (!std::isnan(one.milliseconds)) text += ", " + roundText(one.milliseconds) + " ms";
@@ -89,12 +91,12 @@ ordered_json targetJson(const TargetAnswer& answer) {
   json["limits"] = limits;
   json["ignored"] = answer.notes;
   if (answer.measured.empty()) return json;
-  const Measured& chosen = answer.measured[answer.chosen];
+  const MeasuredCandidate& chosen = answer.measured[answer.chosen];
   json["chosen"] = {{"settings", settingsJson(chosen.candidate)}, {"reason", answer.reason}};
   json["expected_error"] = errorsJson(chosen.errors);
   json["expected_milliseconds"] = numberOrNull(answer.expectedMilliseconds);
   ordered_json alternatives = ordered_json::array();
-  for (const Measured& one : answer.measured)
+  for (const MeasuredCandidate& one : answer.measured)
     alternatives.push_back({{"settings", settingsJson(one.candidate)},
                             {"work", one.candidate.cost},
                             {"errors", errorsJson(one.errors)},
@@ -105,7 +107,7 @@ ordered_json targetJson(const TargetAnswer& answer) {
 
 std::vector<std::string> targetLines(const TargetAnswer& answer) {
   if (answer.measured.empty()) return {};
-  const Measured& chosen = answer.measured[answer.chosen];
+  const MeasuredCandidate& chosen = answer.measured[answer.chosen];
   std::vector<std::string> lines{"settings: " + settingsText(chosen.candidate) + ", chosen because " +
                                  answer.reason + "; a frame takes about " +
                                  roundText(answer.expectedMilliseconds) + " ms"};

@@ -211,7 +211,8 @@ void TargetSearch::addSurface(TargetAnswer& answer, base::Progress& progress) {
               "no settings keep " + limitsText(limits) + "; the least that can be promised is " + found);
 }
 
-void TargetSearch::addLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress) {
+void TargetSearch::addLight(TargetAnswer& answer, const MeasuredCandidate& surface,
+                            base::Progress& progress) {
   const auto limit = std::find_if(answer.limits.begin(), answer.limits.end(), isOfLight);
   if (limit == answer.limits.end()) return;
   // Noise is taken out of an error, but what it leaves uncertain is not small against a smaller error.
@@ -221,7 +222,7 @@ void TargetSearch::addLight(TargetAnswer& answer, const Measured& surface, base:
     errors[indexOf(Quantity::light)] = measureLight(candidate, measuring, progress)[indexOf(Quantity::light)];
     return errors;
   };
-  std::vector<Measured> lit;
+  std::vector<MeasuredCandidate> lit;
   const std::optional<std::size_t> chosen = chooseLight(
       lightCandidates(turning(false), surface.candidate), question_.given, *limit, withLight,
       [&](double part) { progress.report(part, "measuring light"); }, lit);
@@ -249,13 +250,13 @@ std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& a
   answer.limits = actingLimits(asked, answer, progress);
   answer.asked = answer.limits.size();
   if (answer.limits.empty()) return answer;
-  Measured surface{asGiven(), {}};
+  MeasuredCandidate surface{asGiven(), {}};
   if (!std::all_of(answer.limits.begin(), answer.limits.end(), isOfLight)) {
     addSurface(answer, progress);
     surface = answer.measured[answer.chosen];
   }
   addLight(answer, surface, progress);
-  const Measured& chosen = answer.measured[answer.chosen];
+  const MeasuredCandidate& chosen = answer.measured[answer.chosen];
   answer.reason = "the least work of what keeps " + limitsText(std::span(answer.limits).first(answer.asked));
   answer.expectedMilliseconds = scaledMilliseconds(chosen.candidate, progress);
   return answer;

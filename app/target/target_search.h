@@ -40,8 +40,8 @@ struct TargetQuestion {
 };
 
 struct TargetAnswer {
-  std::vector<Measured> measured;  // in the order of the search
-  std::size_t chosen = 0;          // of these
+  std::vector<MeasuredCandidate> measured;  // in the order of the search
+  std::size_t chosen = 0;                   // of these
   std::vector<Limit> limits;       // that it was chosen by: those asked for, then those that nobody asked for
   std::size_t asked = 0;           // the first so many of them
   std::vector<std::string> notes;  // what was ignored, and why; one sentence each
@@ -74,7 +74,7 @@ class TargetSearch {
   bool acts(Quantity quantity) const;
   void addUnasked(TargetAnswer& answer) const;
   void addSurface(TargetAnswer& answer, base::Progress& progress);
-  void addLight(TargetAnswer& answer, const Measured& surface, base::Progress& progress);
+  void addLight(TargetAnswer& answer, const MeasuredCandidate& surface, base::Progress& progress);
   Candidate asGiven() const;
   scene::Scene sceneOf(const Candidate& candidate, base::Progress& progress) const;
   double frameMilliseconds(const Candidate& candidate, double most, base::Progress& progress);

@@ -66,7 +66,7 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
   };
   const int most = question_.given.picture.supersampling;
   const int least = !question_.picture.aovs.empty() || stays("picture.supersampling") ? most : 1;
-  std::vector<Measured> measured;
+  std::vector<MeasuredCandidate> measured;
   for (const Candidate& candidate : list) {
     // What costs more than the most exact one is of no use.
     if (&candidate != &list.front() && candidate.cost >= list.front().cost) continue;
@@ -86,7 +86,7 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
   });
   double tooMuch = std::numeric_limits<double>::infinity(), quickest = tooMuch;
   for (const std::size_t i : byAccuracy(measured, answer.limits)) {
-    Measured& one = measured[i];
+    MeasuredCandidate& one = measured[i];
     if (one.candidate.cost >= tooMuch) continue;
     progress.report(1.0, "measuring frames");
     one.milliseconds = frameMilliseconds(one.candidate, milliseconds, progress);

@@ -26,7 +26,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/scene.h"
+#include "scene/choices.h"
 
 namespace isolux::gi {
 

@@ -23,7 +23,7 @@ namespace isolux::gi {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double kPi = std::numbers::pi;
 constexpr std::uint32_t certain = 1u << 31;  // probability 1
 
 bool isFinite(glm::vec3 c) {
@@ -151,7 +151,7 @@ void Environment::sumUp() {
       hash_ = hash64(hash_ ^ (static_cast<std::uint64_t>(g) << 32 | r));
       hash_ = hash64(hash_ ^ std::bit_cast<std::uint32_t>(pixel.b));
     }
-    mean_ += sum * (solidAngle(row) / (4.0 * pi));
+    mean_ += sum * (solidAngle(row) / (4.0 * kPi));
   }
 }
 
@@ -164,7 +164,7 @@ void Environment::buildDistribution() {
   rowDensity_.resize(height_);
   sineSquaredHalf_.resize(height_ + 1);
   for (int row = 0; row <= height_; ++row) {
-    const double sine = base::portableSin(0.5 * pi * row / height_);
+    const double sine = base::portableSin(0.5 * kPi * row / height_);
     sineSquaredHalf_[row] = static_cast<float>(sine * sine);
   }
   std::vector<double> rows(height_), columns(width_);
@@ -194,12 +194,12 @@ void Environment::buildDistribution() {
 
 double Environment::solidAngle(int row) const {
   // cos a - cos b = 2 sin((a + b) / 2) sin((b - a) / 2)
-  const double middle = pi * (row + 0.5) / height_, half = 0.5 * pi / height_;
-  return 2.0 * pi / width_ * 2.0 * base::portableSin(middle) * base::portableSin(half);
+  const double middle = kPi * (row + 0.5) / height_, half = 0.5 * kPi / height_;
+  return 2.0 * kPi / width_ * 2.0 * base::portableSin(middle) * base::portableSin(half);
 }
 
 glm::dvec3 Environment::directionOf(double column, double row) const {
-  const double polar = pi * row / height_, turn = 2.0 * pi * (column / width_ - 0.5);
+  const double polar = kPi * row / height_, turn = 2.0 * kPi * (column / width_ - 0.5);
   return {base::portableSin(polar) * base::portableSin(turn),
           base::portableSin(polar) * base::portableCos(turn), base::portableCos(polar)};
 }
@@ -266,10 +266,11 @@ std::vector<glm::dvec3> Environment::project(int order) const {
   // 0, times the sine) and one over its column's azimuth, of cos(m phi) or sin(|m| phi).
   std::vector<glm::dvec3> coefficients(shTerms(order), glm::dvec3(0.0));
   std::vector<double> cosines(static_cast<std::size_t>(order) * width_), sines(cosines.size());
-  const double step = 2.0 * pi / width_;
+  const double step = 2.0 * kPi / width_;
   for (int m = 0; m < order; ++m)
     for (int column = 0; column < width_; ++column) {
-      const double phi = 0.5 * pi - step * (column + 0.5) + pi;  // from +x toward +y, of the column's middle
+      const double phi =
+          0.5 * kPi - step * (column + 0.5) + kPi;  // from +x toward +y, of the column's middle
       const double span = m == 0 ? step : 2.0 * base::portableSin(0.5 * m * step) / m;
       cosines[static_cast<std::size_t>(m) * width_ + column] = span * base::portableCos(m * phi);
       sines[static_cast<std::size_t>(m) * width_ + column] = span * base::portableSin(m * phi);
@@ -279,9 +280,9 @@ std::vector<glm::dvec3> Environment::project(int order) const {
   for (int r = 0; r < height_; ++r) {
     row.fill(0.0);
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-      const double polar = pi * (r + 0.5 + 0.5 * rule.nodes[k]) / height_;
+      const double polar = kPi * (r + 0.5 + 0.5 * rule.nodes[k]) / height_;
       evaluateSh(order, glm::dvec3(base::portableSin(polar), 0.0, base::portableCos(polar)), y.data());
-      const double weight = rule.weights[k] * 0.5 * pi / height_ * base::portableSin(polar);
+      const double weight = rule.weights[k] * 0.5 * kPi / height_ * base::portableSin(polar);
       for (int i = 0; i < shTerms(order); ++i) row[i] += weight * y[i];
     }
     const glm::vec3* pixels = pixels_.data() + static_cast<std::size_t>(r) * width_;

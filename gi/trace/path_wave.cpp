@@ -15,7 +15,7 @@ namespace isolux::gi {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float kPiFloat = std::numbers::pi_v<float>;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kTracedAtOnce = 2048;  // rays between looks at the stop token: about a millisecond
 
@@ -166,7 +166,7 @@ void PathWave::aimAtSky(const Job& job, std::span<const Vertex> vertices, std::s
     const glm::vec3 direction = sky.worldFromEnvironment * batch_.sky.direction[k];
     const glm::vec3 radiance = sky.environment->pixels()[batch_.sky.pixel[k]] * sky.scale;
     const float cosine = glm::dot(vertex.normal, direction);
-    const float density = share * batch_.sky.pdf[k] + (1.0f - share) * cosine / pi;
+    const float density = share * batch_.sky.pdf[k] + (1.0f - share) * cosine / kPiFloat;
     toSky_[end] = {vertex.path, finite(vertex.throughput * (cosine / density) * radiance)};
     skyRays_[end] =
         rayFrom(setup, vertex.voxel, vertex.normal, direction, job.range.points[vertex.point].isovalue);
@@ -179,7 +179,7 @@ void PathWave::aimAtSky(const Job& job, std::span<const Vertex> vertices, std::s
 void PathWave::aimByCosine(const Job& job, std::span<const Vertex> vertices, std::size_t count) {
   const PathSetup& setup = job.setup;
   cosineBatch(batch_.cosinePairs, batch_.normals, count, batch_.directions, batch_.cosines);
-  const float scale = pi / (1.0f - job.share);
+  const float scale = kPiFloat / (1.0f - job.share);
   for (std::size_t k = 0; k < count; ++k) {
     const Vertex& vertex = vertices[batch_.byCosine[k]];
     const glm::vec3 direction = batch_.directions[k];
@@ -228,7 +228,7 @@ void PathWave::arrive(const Job& job, std::uint32_t depth) {
     const float survival = roulette ? largest(albedo) : 1.0f;
     if (roulette && survival < 1.0f && job.one(departure.path, rouletteDimension(depth)) >= survival)
       continue;
-    const glm::vec3 throughput = departure.throughput * albedo / (pi * survival);
+    const glm::vec3 throughput = departure.throughput * albedo / (kPiFloat * survival);
     if (!(largest(throughput) > 0.0f)) continue;
     const glm::vec3 voxel = rays_[i].origin + t_[i] * rays_[i].direction;
     vertices_.push_back({departure.path, departure.point, voxel, departure.direction, throughput});
@@ -298,7 +298,7 @@ bool PathWave::skyLight(const PathSetup& setup, const Range& range, std::span<gl
     for (std::size_t k = 0; k < list.size(); ++k) {
       const Departure& departure = departures_[list[k]];
       const glm::vec3 radiance = sky.environment->pixels()[batch_.sky.pixel[k]] * sky.scale;
-      const float byCosine = (1.0f - setup.share) * departure.cosine / pi;
+      const float byCosine = (1.0f - setup.share) * departure.cosine / kPiFloat;
       const float weight = byCosine / (byCosine + setup.share * batch_.sky.pdf[k]);
       light[departure.path] =
           finite(departure.throughput * (setup.share > 0.0f ? radiance * weight : radiance));

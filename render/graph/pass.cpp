@@ -4,6 +4,8 @@
 #include <cassert>
 #include <functional>
 
+#include <nlohmann/json.hpp>
+
 #include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
 

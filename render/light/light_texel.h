@@ -15,7 +15,7 @@
 
 #include "gi/harmonics/transfer_basis.h"
 #include "gi/lattice/light_lattice.h"
-#include "scene/scene.h"
+#include "scene/choices.h"
 
 namespace isolux::render {
 

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/light_passes.h"

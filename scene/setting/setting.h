@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace isolux::scene {
 
@@ -45,7 +45,7 @@ struct SettingOf : SettingInfo {
   std::function<nlohmann::json(const Owner&)> get;         // "auto" for an empty optional
   std::function<void(Owner&, const nlohmann::json&)> set;  // throws Error when type, range or choice is wrong
 
-  nlohmann::json defaultValue() const { return get(Owner{}); }
+  auto defaultValue() const { return get(Owner{}); }
 };
 
 }  // namespace isolux::scene

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "scene/setting/choice_names.h"

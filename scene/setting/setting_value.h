@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <nlohmann/json.hpp>
 
 #include "scene/scene.h"
 #include "scene/setting/setting.h"

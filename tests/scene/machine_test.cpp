@@ -3,8 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 
 namespace isolux::scene {

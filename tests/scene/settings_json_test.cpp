@@ -4,8 +4,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 #include "tests/scene/random_scene.h"
 

@@ -131,7 +131,7 @@ double unitOf(app::Quantity quantity) {
 }
 
 QString answerText(const app::TargetAnswer& answer) {
-  const app::Measured& chosen = answer.measured[answer.chosen];
+  const app::MeasuredCandidate& chosen = answer.measured[answer.chosen];
   QStringList lines;
   for (const std::string& assignment : chosen.candidate.assignments) lines += settingText(assignment);
   if (lines.isEmpty()) lines += QObject::tr("The settings as they are do it.");

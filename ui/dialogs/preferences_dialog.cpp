@@ -12,6 +12,7 @@
 #include <QSignalBlocker>
 #include <QThread>
 #include <QVBoxLayout>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "ui/dialogs/appearance_rows.h"

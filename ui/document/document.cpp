@@ -10,6 +10,7 @@
 #include "app/documents/anonymous.h"
 #include "app/documents/session.h"
 #include "app/files/output_guard.h"
+#include "scene/scene_diff.h"
 #include "ui/document/privacy.h"
 
 namespace isolux::ui {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include <QSettings>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "ui/theme/interface_scale.h"

@@ -14,6 +14,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "scene/curvature_map.h"
 #include "ui/editors/color_button.h"

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QSettings>
 #include <QToolButton>
+#include <nlohmann/json.hpp>
 
 #include "ui/window/icons.h"
 

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <nlohmann/json.hpp>
 
 #include "ui/editors/number_spin_box.h"
 #include "ui/window/style.h"

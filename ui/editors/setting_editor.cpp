@@ -6,6 +6,7 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QToolTip>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "scene/rules/relevance.h"

@@ -12,6 +12,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QWheelEvent>
+#include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
 #include "scene/setting/assignment.h"

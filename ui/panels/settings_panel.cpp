@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <nlohmann/json.hpp>
 
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/environment_preview.h"

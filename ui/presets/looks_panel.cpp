@@ -27,7 +27,7 @@ namespace {
 
 constexpr QSize picturePixels(98, 84);
 constexpr int gap = 4, titleLines = 2;
-constexpr int pointMilliseconds = 120, refreshMilliseconds = 60;
+constexpr int pointMilliseconds = 120, thumbnailMilliseconds = 60;
 constexpr int shiftSteps = 200;  // each way
 constexpr int placeRole = Qt::UserRole;
 
@@ -80,7 +80,7 @@ LooksPanel::LooksPanel(QWidget* parent)
     Q_EMIT previewed(thumbnails_[*pointed_].scene);
   });
   refreshTimer_.setSingleShot(true);
-  refreshTimer_.setInterval(refreshMilliseconds);
+  refreshTimer_.setInterval(thumbnailMilliseconds);
   connect(&refreshTimer_, &QTimer::timeout, this, &LooksPanel::refresh);
   setEnabled(false);
 }

@@ -11,12 +11,12 @@ namespace isolux::ui {
 namespace {
 
 constexpr double discRadius = 10.0, arrowLength = 13.0;
-const QColor rim(0, 0, 0, 190);
+const QColor lampRim(0, 0, 0, 190);
 
 void strokeRing(QPainter& painter, QPointF centre, double radius, const QColor& colour, bool marked,
                 Qt::PenStyle style) {
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(rim, marked ? 5.0 : 3.5));
+  painter.setPen(QPen(lampRim, marked ? 5.0 : 3.5));
   painter.drawEllipse(centre, radius, radius);
   painter.setPen(QPen(colour, marked ? 2.6 : 1.4, style));
   painter.drawEllipse(centre, radius, radius);
@@ -37,12 +37,12 @@ void paintHandle(QPainter& painter, const app::LampHandle& handle, bool marked) 
   const QPointF centre(handle.pixel.x, handle.pixel.y);
   const QColor colour = screenColour(handle.color);
   const QColor line = marked ? colours::accent : QColor(Qt::white);
-  painter.setPen(QPen(rim, marked ? 6.0 : 4.5));
+  painter.setPen(QPen(lampRim, marked ? 6.0 : 4.5));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(centre, discRadius, discRadius);
   if (handle.outside) {
     const QPainterPath arrow = arrowFrom(centre, handle.toward);
-    painter.setPen(QPen(rim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(lampRim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(arrow);
     painter.fillPath(arrow, line);
   }

@@ -13,10 +13,10 @@
 namespace isolux::ui {
 
 namespace {
-constexpr int restMilliseconds = 200;  // after the last change, before the fine picture
+constexpr int viewRestMilliseconds = 200;  // after the last change, before the fine picture
 constexpr int fieldPollMilliseconds = 50;
-constexpr int pollMilliseconds = 4;    // a picture that is there is taken
-constexpr int pointMilliseconds = 40;  // the pointer's value is looked up at most this often
+constexpr int pollMilliseconds = 4;      // a picture that is there is taken
+constexpr int pointedMilliseconds = 40;  // the pointer's value is looked up at most this often
 
 // Whether two scenes have the same pictures: marks lie over them.
 bool samePictures(const scene::Scene& from, scene::Scene to) {
@@ -56,7 +56,7 @@ Viewport::Viewport(QWidget* parent)
   refineTimer_.setSingleShot(true);
   connect(&refineTimer_, &QTimer::timeout, this, &Viewport::refine);
   pointTimer_.setSingleShot(true);
-  pointTimer_.setInterval(pointMilliseconds);
+  pointTimer_.setInterval(pointedMilliseconds);
   connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
   fieldTimer_.setInterval(fieldPollMilliseconds);
   connect(&fieldTimer_, &QTimer::timeout, this, &Viewport::pollFields);
@@ -137,7 +137,7 @@ void Viewport::redraw(app::Motion motion) {
   changed();
   if (motion == app::Motion::rays) viewChanged();
   quality_.changed(motion);
-  refineTimer_.start(restMilliseconds);
+  refineTimer_.start(viewRestMilliseconds);
 }
 
 void Viewport::refine() {
@@ -159,7 +159,7 @@ void Viewport::setInteracting(bool interacting) {
 }
 
 void Viewport::rest() {
-  refineTimer_.start(restMilliseconds);
+  refineTimer_.start(viewRestMilliseconds);
 }
 
 scene::WorldAxes Viewport::axes() const {

@@ -273,8 +273,8 @@ void VolumeIndex::finish(const ChunkedVolume& file, base::Progress& progress) {
 void VolumeIndex::countFloats(const ChunkedVolume& file, base::Progress& progress) {
   const VoxelFacts found = voxelFacts(1.0, 0.0);
   const bool any = found.missing < sliceOf(dims()) * static_cast<std::size_t>(dims().z);
-  const ValueBins bins = ValueBins::of(VoxelType::float32, any ? found.storedMinimum : 0.0,
-                                       any ? found.storedMaximum : 0.0, kHistogramBins);
+  const HistogramBinning bins = HistogramBinning::of(VoxelType::float32, any ? found.storedMinimum : 0.0,
+                                                     any ? found.storedMaximum : 0.0, kHistogramBins);
   std::vector<std::uint64_t> sum(bins.count, 0);
   const int step = slicesOfUnit();
   SliceReader reader(file, part_, step, [](DamagedPart&&) {});  // scan() has noted it
@@ -348,8 +348,8 @@ std::vector<float> VolumeIndex::brickRanges() const {
 }
 
 Histogram VolumeIndex::histogram(const Grid& grid) const {
-  const ValueBins bins =
-      ValueBins::of(facts_.storedType, grid.storedMinimum(), grid.storedMaximum(), kHistogramBins);
+  const HistogramBinning bins =
+      HistogramBinning::of(facts_.storedType, grid.storedMinimum(), grid.storedMaximum(), kHistogramBins);
   if (!isWhole_) return histogramOf(bins, counts_, grid);
   std::vector<std::uint64_t> counts(bins.count, 0);
   const bool isSigned = facts_.storedType == VoxelType::int8 || facts_.storedType == VoxelType::int16;

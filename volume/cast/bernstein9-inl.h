@@ -1,6 +1,6 @@
 // A polynomial of degree 9 in each lane, and where it first leaves the side that a ray is on, with a bound
 // that makes a miss impossible: as firstRoot9() of resources/shaders/cast/trace_cubic.glsl. Included once per
-// instruction set by simd_cast.cpp.
+// instruction set by simd_cast-inl.h.
 //
 // It lies in the hull of its Bernstein coefficients. Those that do not change sign have no root, those that
 // change it once have one (variation diminishing, Farin 2002); else the interval is halved, front half first.
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // In Bernstein form on [0, 1].
 struct Bernstein9 {

@@ -16,6 +16,7 @@
 #include "volume/clip/clip_region.h"
 #include "volume/edge/edge_walk.h"
 #include "volume/pieces/shown_cells.h"
+#include "volume/tracer/simd_set.h"
 
 namespace isolux::volume::casting {
 
@@ -105,8 +106,18 @@ struct EdgeTarget {
   float none;
 };
 
+// Derivatives at a point as the kernels of one instruction set compute them.
+struct EdgeSampler {
+  const void* derivatives;
+  EdgeSample<float> (*at)(const void* derivatives, const glm::vec3& voxel);
+
+  EdgeSample<float> operator()(const glm::vec3& voxel) const { return at(derivatives, voxel); }
+};
+// The walk, compiled once, for instructions that every processor has.
+FoundEdge<float> edgeAt(const EdgeSearch<float>& search, const EdgeSampler& sampler, const glm::vec3& voxel);
+
 struct CastKernels {
-  const char* name;
+  tracing::SimdSet set;
   void (*cast)(const CastView& view, const PictureRays& rays, const StartDepths& depths,
                const CastTarget& target);
   void (*castBehind)(const CastView& view, const PictureRays& rays, const CrossingsBefore& before,

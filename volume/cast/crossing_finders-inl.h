@@ -1,4 +1,4 @@
-// The finder of crossings for a field and its samples. Included once per instruction set by simd_cast.cpp.
+// The finder of crossings for a field and its samples. Included once per instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_CROSSING_FINDERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_CROSSING_FINDERS_INL_H
 #undef ISOLUX_VOLUME_CAST_CROSSING_FINDERS_INL_H
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // Calls use(finder).
 template <class Use>

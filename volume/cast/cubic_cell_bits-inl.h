@@ -1,5 +1,5 @@
 // Which cells of a block a tri-cubic B-spline can cross an isovalue in, by its Bezier points: much closer to
-// its values than the samples are. Included once per instruction set by simd_cast.cpp.
+// its values than the samples are. Included once per instruction set by simd_cast-inl.h.
 //
 // Axis by axis, the least of a cell's four Bezier points is taken of what is least along the axes before, and
 // the most of what is most: weights are positive, so that these are bounds; where the field is linear, its
@@ -21,7 +21,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 struct RangeLanes {
   VF least, most;

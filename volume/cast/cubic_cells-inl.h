@@ -1,5 +1,5 @@
 // What a cell of a tri-cubic B-spline holds of each lane's ray: the polynomial of degree 9 along it; as
-// resources/shaders/cast/trace_cubic.glsl. Included once per instruction set by simd_cast.cpp.
+// resources/shaders/cast/trace_cubic.glsl. Included once per instruction set by simd_cast-inl.h.
 //
 // Its Bernstein coefficients follow from the 64 samples by convex combinations only: blossoms at the
 // stretch's ends along each axis give the Bezier points of the box between them; their means over i + j + k =
@@ -24,7 +24,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // Four samples along x of each lane's cell.
 struct RowLanes {

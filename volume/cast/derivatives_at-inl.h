@@ -1,5 +1,5 @@
 // Gradient and Hessian at points: one point at a time, four samples of a row at once. Included once per
-// instruction set by simd_cast.cpp.
+// instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_DERIVATIVES_AT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_DERIVATIVES_AT_INL_H
 #undef ISOLUX_VOLUME_CAST_DERIVATIVES_AT_INL_H
@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include <hwy/highway.h>
+#include <glm/common.hpp>
 
 #include "volume/cast/cast_kernels.h"
 #include "volume/field/cubic_weights.h"
@@ -18,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -70,12 +71,14 @@ class DerivativesAt {
         slice_(row_ * static_cast<std::size_t>(view.dims.y)) {}
 
   // All are 0 where a corner of the cell is missing.
-  HWY_INLINE PointDerivatives trilinear(glm::vec4 point) const;
+  HWY_NOINLINE PointDerivatives trilinear(glm::vec4 point) const;
   // Of the B-spline whose coefficients the voxels are; not known where one of the 64 is missing.
   template <bool hessian>
-  HWY_INLINE PointDerivatives spline(glm::vec4 point) const;
+  HWY_NOINLINE PointDerivatives spline(glm::vec4 point) const;
 
  private:
+  // The 4^3 samples from `first` on; beyond the border samples repeat.
+  HWY_NOINLINE void repeatBorder(glm::ivec3 first, float* repeated) const;
   HWY_INLINE const T* at(int x, int y, int z) const {
     return voxels_ + static_cast<std::size_t>(z) * slice_ + static_cast<std::size_t>(y) * row_ +
            static_cast<std::size_t>(x);
@@ -86,7 +89,7 @@ class DerivativesAt {
 };
 
 template <class T>
-HWY_INLINE PointDerivatives DerivativesAt<T>::trilinear(glm::vec4 point) const {
+HWY_NOINLINE PointDerivatives DerivativesAt<T>::trilinear(glm::vec4 point) const {
   const Located p = locate(view_.dims, point);
   const T* const corner = at(p.cell.x, p.cell.y, p.cell.z);
   const auto reference = static_cast<float>(corner[0]);
@@ -110,8 +113,19 @@ HWY_INLINE PointDerivatives DerivativesAt<T>::trilinear(glm::vec4 point) const {
 }
 
 template <class T>
+HWY_NOINLINE void DerivativesAt<T>::repeatBorder(glm::ivec3 first, float* repeated) const {
+  const glm::ivec3 last = view_.dims - 1;
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) {
+        const glm::ivec3 sample = glm::clamp(first + glm::ivec3(i, j, k), glm::ivec3(0), last);
+        *repeated++ = static_cast<float>(*at(sample.x, sample.y, sample.z));
+      }
+}
+
+template <class T>
 template <bool hessian>
-HWY_INLINE PointDerivatives DerivativesAt<T>::spline(glm::vec4 point) const {
+HWY_NOINLINE PointDerivatives DerivativesAt<T>::spline(glm::vec4 point) const {
   const Row f;
   const Located p = locate(view_.dims, point);
   alignas(16) const CubicWeights wx = cubicWeights(p.part.x);
@@ -120,14 +134,11 @@ HWY_INLINE PointDerivatives DerivativesAt<T>::spline(glm::vec4 point) const {
   const bool within = first.x >= 0 && first.y >= 0 && first.z >= 0 && first.x + 3 <= last.x &&
                       first.y + 3 <= last.y && first.z + 3 <= last.z;
   const auto reference = static_cast<float>(*at(p.cell.x, p.cell.y, p.cell.z));
-  // Beyond the border samples repeat.
+  alignas(16) float repeated[64];
+  if (!within) repeatBorder(first, repeated);
   const auto rowAt = [&](int j, int k) {
-    if (within) return loadSamples(at(first.x, first.y + j, first.z + k));
-    const int y = std::min(std::max(first.y + j, 0), last.y), z = std::min(std::max(first.z + k, 0), last.z);
-    alignas(16) float four[4];
-    for (int i = 0; i < 4; ++i)
-      four[i] = static_cast<float>(*at(std::min(std::max(first.x + i, 0), last.x), y, z));
-    return hn::Load(f, four);
+    return within ? loadSamples(at(first.x, first.y + j, first.z + k))
+                  : hn::Load(f, repeated + 4 * (4 * k + j));
   };
   const VRow zero = hn::Zero(f), base = hn::Set(f, reference);
   // Sums over y and z, along x still apart; y, z: how often they are derived.

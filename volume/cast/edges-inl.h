@@ -1,5 +1,5 @@
 // How far the edge of the object lies from points: the walk of volume/edge/edge_walk.h in floats, over the
-// field's derivatives at one point at a time. Included once per instruction set by simd_cast.cpp.
+// field's derivatives at one point at a time. Included once per instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_EDGES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_EDGES_INL_H
 #undef ISOLUX_VOLUME_CAST_EDGES_INL_H
@@ -13,33 +13,28 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
-// Not inlined: the walk is compiled for instructions that every processor has.
-template <class Derive, class Known>
-struct EdgeSampler {
-  const Derive& derive;  // gradient and Hessian at a point
-  const Known& known;    // whether the cell is there
-  float unit;
-
-  HWY_NOINLINE EdgeSample<float> operator()(const glm::vec3& voxel) const {
-    const glm::vec4 point(voxel, 0.0f);
-    const PointDerivatives at = derive(point);
-    if (!at.known || !known(point)) return {};
-    const glm::vec3 d = at.diagonal * unit, m = at.mixed * unit;
-    return {at.gradient * unit, glm::mat3(d.x, m.x, m.y, m.x, d.y, m.z, m.y, m.z, d.z), true};
-  }
-};
-
+// derive: gradient and Hessian at a point; known: whether the cell is there.
 template <class Derive, class Known>
 void storeEdges(const casting::EdgeView& view, const casting::EdgeTarget& target, const Derive& derive,
                 const Known& known) {
-  const EdgeSampler<Derive, Known> sampler{derive, known, view.search.unit};
+  const auto sample = [&](const glm::vec3& voxel) -> EdgeSample<float> {
+    const glm::vec4 point(voxel, 0.0f);
+    const PointDerivatives at = derive(point);
+    if (!at.known || !known(point)) return {};
+    const float unit = view.search.unit;
+    const glm::vec3 d = at.diagonal * unit, m = at.mixed * unit;
+    return {at.gradient * unit, glm::mat3(d.x, m.x, m.y, m.x, d.y, m.z, m.y, m.z, d.z), true};
+  };
+  const casting::EdgeSampler sampler{&sample, [](const void* derivatives, const glm::vec3& voxel) {
+                                       return (*static_cast<const decltype(sample)*>(derivatives))(voxel);
+                                     }};
   for (std::size_t i = 0; i < target.count; ++i) {
     const glm::vec4 point = target.points[i];
     target.edges[i] = {target.none, 0.0f};
     if (point.w < 0.0f) continue;
-    const FoundEdge<float> edge = findEdge(view.search, sampler, glm::vec3(point));
+    const FoundEdge<float> edge = casting::edgeAt(view.search, sampler, glm::vec3(point));
     target.edges[i] = {edge.found ? edge.offsetMm : target.none, edge.strength};
   }
 }

@@ -1,6 +1,6 @@
 // The first crossing of each lane's ray with the isosurfaces: what trace() and
 // traceCubic() of resources/shaders/cast do, with the same definitions. Cells: trilinear_cells-inl.h or
-// cubic_cells-inl.h. Included once per instruction set by simd_cast.cpp.
+// cubic_cells-inl.h. Included once per instruction set by simd_cast-inl.h.
 //
 // The lanes of a packet go on their ways together. Those that stand in a box that may hold a crossing wait
 // until half of the living do; then all their cells are tested at once. Crossings are solved together, too,
@@ -23,7 +23,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // inside: a bit for each surface, the side behind the crossing; kUndecided where a touch before it was not
 // decided.
@@ -42,10 +42,10 @@ class CrossingFinder {
   // Of lanes `alive`, in [t, tEnd]. Lanes `carried` have just crossed surfaces at t, and `inside` is the side
   // behind; the sides of others are those of the field. Behind missing voxels nothing is known: no surface
   // there.
-  Crossings find(const RayLanes& ray, VF t, VF tEnd, MF alive, MF carried, VI inside) const;
+  HWY_NOINLINE Crossings find(const RayLanes& ray, VF t, VF tEnd, MF alive, MF carried, VI inside) const;
 
   // f - isovalue of each lane's surface at p, scaled; NaN beside missing voxels.
-  VF valueMinus(const VF (&p)[3], VI surface, MF wanted) const;
+  HWY_NOINLINE VF valueMinus(const VF (&p)[3], VI surface, MF wanted) const;
 
  private:
   using Curve = typename Cells::Curve;

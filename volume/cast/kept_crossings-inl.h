@@ -1,6 +1,6 @@
 // The first crossings that cuts leave: those of surfaces that are cut count only where rays are in the kept
 // region (volume/clip). What resources/shaders/cast/clip.glsl does. Included once per instruction set by
-// simd_cast.cpp.
+// simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_KEPT_CROSSINGS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_KEPT_CROSSINGS_INL_H
 #undef ISOLUX_VOLUME_CAST_KEPT_CROSSINGS_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // Between which t rays are in the kept region.
 struct KeptLanes {
@@ -95,8 +95,8 @@ Crossings findSomeCut(const CastView& view, const CrossingFinder<Cells>& finder,
 
 // As CrossingFinder::find().
 template <class Cells>
-HWY_INLINE Crossings findKept(const CastView& view, const CrossingFinder<Cells>& finder, const RayLanes& ray,
-                              VF t, VF tEnd, MF alive, MF carried, VI inside) {
+HWY_NOINLINE Crossings findKept(const CastView& view, const CrossingFinder<Cells>& finder,
+                                const RayLanes& ray, VF t, VF tEnd, MF alive, MF carried, VI inside) {
   if (view.faceCount == 0 || view.clipped == 0) return finder.find(ray, t, tEnd, alive, carried, inside);
   const int all = (1 << view.surfaces) - 1;
   if ((view.clipped & all) == all) return findAllCut(view, finder, ray, t, tEnd, alive, carried, inside);

@@ -1,5 +1,5 @@
 // Rays in voxel space and the cells that they are in, one per SIMD lane. Included once per instruction set by
-// simd_cast.cpp.
+// simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_RAY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_RAY_LANES_INL_H
 #undef ISOLUX_VOLUME_CAST_RAY_LANES_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 using casting::CastView;
 

@@ -1,5 +1,5 @@
 // Gradient and Hessian of the field at a scale at points: one point at a time, the six coefficients of a row
-// in eight lanes. Included once per instruction set by simd_cast.cpp.
+// in eight lanes. Included once per instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_SCALED_DERIVATIVES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_SCALED_DERIVATIVES_INL_H
 #undef ISOLUX_VOLUME_CAST_SCALED_DERIVATIVES_INL_H
@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // Eight lanes: one vector, or two where vectors have four.
 struct Lanes8 {

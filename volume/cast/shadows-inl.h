@@ -1,6 +1,6 @@
 // Whether a light infinitely far away reaches surface points: what
 // resources/shaders/light/shadow.frag.glsl does for exact hits, with its definitions. Included once per
-// instruction set by simd_cast.cpp.
+// instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_SHADOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_SHADOWS_INL_H
 #undef ISOLUX_VOLUME_CAST_SHADOWS_INL_H
@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 using casting::ShadowTarget;
 

@@ -16,7 +16,7 @@ namespace isolux::volume {
 
 const char* SurfaceCaster::target() {
   const casting::CastKernels* const kernels = casting::castKernels(TracerTarget::automatic);
-  return kernels ? kernels->name : nullptr;
+  return kernels ? kernels->set.name : nullptr;
 }
 
 namespace {

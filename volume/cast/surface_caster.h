@@ -18,7 +18,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "scene/scene.h"
+#include "scene/choices.h"
 #include "volume/cast/picture_area.h"
 #include "volume/cast/picture_rays.h"
 #include "volume/cast/start_depths.h"

@@ -1,5 +1,5 @@
 // What a trilinear cell holds of each lane's ray: the cubic along it, whether that crosses the isovalue, and
-// where; as resources/shaders/cast/trace.glsl. Included once per instruction set by simd_cast.cpp.
+// where; as resources/shaders/cast/trace.glsl. Included once per instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H
 #undef ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H
@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // The cubic in Bernstein form on [0, 1].
 struct Bernstein {

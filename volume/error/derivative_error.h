@@ -10,7 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/scene.h"
+#include "scene/choices.h"
 #include "volume/field/coefficients.h"
 #include "volume/field/scaled_field.h"
 #include "volume/grid.h"

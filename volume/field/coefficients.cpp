@@ -63,7 +63,8 @@ class Prefilter {
   std::vector<double> c_;  // sample k of line r at k * kLines + r
 };
 
-std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progress& progress, Share share) {
+std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progress& progress,
+                                   base::ProgressRange share) {
   std::vector<float> values;
   resizeStoppably(values, grid.geometry().voxelCount(), progress);
   std::visit(
@@ -80,7 +81,7 @@ std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progre
 
 }  // namespace
 
-Coefficients samplesApart(const Grid& grid, base::Progress& progress, Share share) {
+Coefficients samplesApart(const Grid& grid, base::Progress& progress, base::ProgressRange share) {
   Coefficients result;
   const double middle = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
   if (std::abs(middle) > grid.storedMaximum() - grid.storedMinimum()) result.offset = middle;

@@ -6,7 +6,6 @@
 
 #include "base/progress.h"
 #include "volume/grid.h"
-#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -26,7 +25,7 @@ struct Coefficients {
 };
 
 // What makers begin and end with: the samples, missing ones NaN, less the offset; least and most.
-Coefficients samplesApart(const Grid& grid, base::Progress& progress, Share share);
+Coefficients samplesApart(const Grid& grid, base::Progress& progress, base::ProgressRange share);
 void findRange(Coefficients& coefficients, base::Progress& progress);
 
 // The recursive prefilter per axis. The boundary is a mirror half a voxel beyond the border samples

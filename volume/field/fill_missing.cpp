@@ -23,7 +23,7 @@ class Gaps {
       : values_(values), dims_(dims), progress_(progress) {}
 
   // The missing voxels beside known ones, all marked as taken.
-  Ring firstRing(Share share) {
+  Ring firstRing(base::ProgressRange share) {
     const auto rows = static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(dims_.z);
     std::vector<Ring> found((rows + kRows - 1) / kRows);
     parallelPieces(rows, kRows, progress_, share, [&](std::size_t begin, std::size_t end) {
@@ -57,7 +57,7 @@ class Gaps {
     return joined(found);
   }
 
-  void clearRest(Share share) {
+  void clearRest(base::ProgressRange share) {
     parallelPieces(values_.size(), std::size_t{1} << 18, progress_, share,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t i = begin; i < end; ++i)
@@ -149,7 +149,8 @@ class Gaps {
 
 }  // namespace
 
-void fillMissing(std::vector<float>& values, glm::ivec3 dims, base::Progress& progress, Share share) {
+void fillMissing(std::vector<float>& values, glm::ivec3 dims, base::Progress& progress,
+                 base::ProgressRange share) {
   const auto at = [&](double part) { return share.from + (share.to - share.from) * part; };
   Gaps gaps(values, dims, progress);
   Ring ring = gaps.firstRing({at(0.0), at(0.4), share.stage});

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "volume/parallel_steps.h"
+#include "base/progress.h"
 
 namespace isolux::volume {
 
@@ -20,6 +20,7 @@ inline constexpr int kFilledRings = 16;
 // those; then, ring by ring, their neighbours the mean of what is known by now, kFilledRings times; all
 // others 0. Each voxel is visited once, so the time is proportional to the voxels whatever the gaps are; on
 // all cores, and the same numbers on any. Throws Error{interrupted}.
-void fillMissing(std::vector<float>& values, glm::ivec3 dims, base::Progress& progress, Share share);
+void fillMissing(std::vector<float>& values, glm::ivec3 dims, base::Progress& progress,
+                 base::ProgressRange share);
 
 }  // namespace isolux::volume

@@ -22,7 +22,7 @@ struct Lines {
 // Calls a copy of `filter`, one for each thread, for up to kLines lines at a time.
 template <class Filter>
 void filterLines(int axis, std::vector<float>& values, const glm::ivec3& size, base::Progress& progress,
-                 Share share, const Filter& filter) {
+                 base::ProgressRange share, const Filter& filter) {
   const std::size_t dims[3] = {static_cast<std::size_t>(size.x), static_cast<std::size_t>(size.y),
                                static_cast<std::size_t>(size.z)};
   const std::size_t strides[3] = {1, dims[0], dims[0] * dims[1]};

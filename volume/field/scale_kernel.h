@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/choices.h"
 
 namespace isolux::volume {
 

@@ -28,7 +28,7 @@ glm::dmat3 unitCovariance(const GridGeometry& geometry) {
   return glm::inverse(glm::transpose(world) * world);
 }
 
-Share partOf(Share share, double from, double to) {
+base::ProgressRange partOf(base::ProgressRange share, double from, double to) {
   return {share.from + (share.to - share.from) * from, share.from + (share.to - share.from) * to,
           share.stage};
 }
@@ -59,16 +59,18 @@ class Smoothing {
   // Of the axis; 1 where direct() has it.
   HalfKernel axis(int i) const { return alone_[i] ? axes_[static_cast<std::size_t>(i)] : HalfKernel{1.0}; }
 
-  void direct(std::vector<float>& values, Beyond beyond, base::Progress& progress, Share share) const {
+  void direct(std::vector<float>& values, Beyond beyond, base::Progress& progress,
+              base::ProgressRange share) const {
     if (!separable()) values = filteredDirectly(values, dims_, direct_, beyond, progress, share);
   }
-  void operator()(std::vector<float>& values, Beyond beyond, base::Progress& progress, Share share) const {
+  void operator()(std::vector<float>& values, Beyond beyond, base::Progress& progress,
+                  base::ProgressRange share) const {
     direct(values, beyond, progress, partOf(share, 0.0, 0.25));
     for (int i = 0; i < 3; ++i)
       filterAxis(values, i, axis(i), beyond, progress, partOf(share, 0.25 * (i + 1), 0.25 * (i + 2)));
   }
   void filterAxis(std::vector<float>& values, int i, const HalfKernel& kernel, Beyond beyond,
-                  base::Progress& progress, Share share) const {
+                  base::Progress& progress, base::ProgressRange share) const {
     if (kernel.size() > 1)
       filterLines(i, values, dims_, progress, share,
                   SymmetricFilter(kernel, static_cast<std::size_t>(dims_[i]), beyond));
@@ -83,7 +85,7 @@ class Smoothing {
 
 // Missing values become the mean of known ones, weighted by the smoothing.
 void fillWithMeans(std::vector<float>& values, glm::ivec3 dims, const Smoothing& smoothing,
-                   base::Progress& progress, Share share) {
+                   base::Progress& progress, base::ProgressRange share) {
   std::vector<float> sums, known;
   resizeStoppably(sums, values.size(), progress);
   resizeStoppably(known, values.size(), progress);

@@ -15,7 +15,7 @@
 #pragma once
 
 #include "base/progress.h"
-#include "scene/scene.h"
+#include "scene/choices.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
 

@@ -134,7 +134,7 @@ std::vector<KernelTap> shearedGaussian(glm::dvec3 deviations, const glm::dmat3& 
 
 std::vector<float> filteredDirectly(const std::vector<float>& values, glm::ivec3 dims,
                                     const std::vector<KernelTap>& taps, Beyond beyond,
-                                    base::Progress& progress, Share share) {
+                                    base::Progress& progress, base::ProgressRange share) {
   std::vector<float> result;
   resizeStoppably(result, values.size(), progress);
   const DirectFilter filter(values, dims, taps, beyond);

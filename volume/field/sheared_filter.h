@@ -7,7 +7,6 @@
 
 #include "base/progress.h"
 #include "volume/field/symmetric_filter.h"
-#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -25,6 +24,6 @@ std::vector<KernelTap> shearedGaussian(glm::dvec3 deviations, const glm::dmat3& 
 // The direct sum over all taps: time proportional to voxels and taps.
 std::vector<float> filteredDirectly(const std::vector<float>& values, glm::ivec3 dims,
                                     const std::vector<KernelTap>& taps, Beyond beyond,
-                                    base::Progress& progress, Share share);
+                                    base::Progress& progress, base::ProgressRange share);
 
 }  // namespace isolux::volume

@@ -15,7 +15,7 @@
 #include <optional>
 
 #include "base/progress.h"
-#include "scene/scene.h"
+#include "scene/choices.h"
 #include "volume/read/reader.h"
 
 namespace isolux::volume {

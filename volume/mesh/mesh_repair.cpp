@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kPolled = 1 << 14;  // elements between looks at the stop
 
 // A side of a triangle; (low, high) are its points in the order of their numbers.
-struct Side {
+struct EdgeSide {
   int low, high;
   int triangle;
   bool forward;  // the triangle runs from low to high
@@ -55,27 +55,28 @@ void mergePoints(TriangleMesh& mesh, const base::Progress& progress) {
 // So that the sides of one edge stand together: by low, then high, then triangle. Those of each low point are
 // counted and put into its place first, in the order of their triangles, so that only few are sorted at a
 // time.
-std::vector<Side> sidesOf(const TriangleMesh& mesh, const base::Progress& progress) {
+std::vector<EdgeSide> sidesOf(const TriangleMesh& mesh, const base::Progress& progress) {
   std::vector<std::size_t> places(mesh.points.size() + 1);
   const auto forEachSide = [&](const auto& f) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (t % kPolled == 0) progress.throwIfStopped();
       for (int i = 0; i < 3; ++i) {
         const int a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
-        f(Side{std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
+        f(EdgeSide{std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
       }
     }
   };
-  forEachSide([&](const Side& side) { ++places[static_cast<std::size_t>(side.low) + 1]; });
+  forEachSide([&](const EdgeSide& side) { ++places[static_cast<std::size_t>(side.low) + 1]; });
   for (std::size_t i = 1; i < places.size(); ++i) places[i] += places[i - 1];
   std::vector<std::size_t> next = places;
-  std::vector<Side> sides;
+  std::vector<EdgeSide> sides;
   resizeStoppably(sides, places.back(), progress);
-  forEachSide([&](const Side& side) { sides[next[static_cast<std::size_t>(side.low)]++] = side; });
+  forEachSide([&](const EdgeSide& side) { sides[next[static_cast<std::size_t>(side.low)]++] = side; });
   for (std::size_t low = 0; low < mesh.points.size(); ++low) {
     if (low % kPolled == 0) progress.throwIfStopped();
     std::sort(sides.begin() + static_cast<std::ptrdiff_t>(places[low]),
-              sides.begin() + static_cast<std::ptrdiff_t>(places[low + 1]), [](const Side& a, const Side& b) {
+              sides.begin() + static_cast<std::ptrdiff_t>(places[low + 1]),
+              [](const EdgeSide& a, const EdgeSide& b) {
                 return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
               });
   }
@@ -84,12 +85,12 @@ std::vector<Side> sidesOf(const TriangleMesh& mesh, const base::Progress& progre
 
 // Calls f(begin, end) for the sides of each edge.
 template <typename F>
-void forEachEdge(const std::vector<Side>& sides, const base::Progress& progress, F&& f) {
+void forEachEdge(const std::vector<EdgeSide>& sides, const base::Progress& progress, F&& f) {
   std::size_t edges = 0;
   for (auto begin = sides.begin(); begin != sides.end();) {
     if (edges++ % kPolled == 0) progress.throwIfStopped();
     const auto end = std::find_if(
-        begin, sides.end(), [&](const Side& s) { return s.low != begin->low || s.high != begin->high; });
+        begin, sides.end(), [&](const EdgeSide& s) { return s.low != begin->low || s.high != begin->high; });
     f(begin, end);
     begin = end;
   }
@@ -104,11 +105,11 @@ struct Neighbours {
   std::vector<std::array<Link, 3>> links;
   bool allAgree = true;
 
-  Neighbours(const TriangleMesh& mesh, const std::vector<Side>& sides, const base::Progress& progress)
+  Neighbours(const TriangleMesh& mesh, const std::vector<EdgeSide>& sides, const base::Progress& progress)
       : links(mesh.triangles.size()) {
     forEachEdge(sides, progress, [&](auto begin, auto end) {
       if (end - begin != 2) return;
-      const Side &a = *begin, &b = *(begin + 1);
+      const EdgeSide &a = *begin, &b = *(begin + 1);
       const bool disagrees = a.forward == b.forward;
       allAgree = allAgree && !disagrees;
       add(a.triangle, {b.triangle, disagrees});
@@ -170,7 +171,7 @@ Turned orient(TriangleMesh& mesh, const Neighbours& neighbours, const base::Prog
 }
 
 // What the triangles leave open, as loops without a repeated point, run through against the triangles.
-std::vector<Loop> openLoops(const std::vector<Side>& sides, const base::Progress& progress) {
+std::vector<Loop> openLoops(const std::vector<EdgeSide>& sides, const base::Progress& progress) {
   std::map<int, std::vector<int>> next;  // as many edges leave a point as arrive
   forEachEdge(sides, progress, [&](auto begin, auto end) {
     int net = 0;
@@ -267,7 +268,7 @@ TriangleMesh closedMesh(TriangleMesh mesh, std::vector<std::string>& warnings,
   if (const std::size_t degenerate = before - mesh.triangles.size() + flat; degenerate > 0)
     warnings.push_back(counted(degenerate, "triangle") + " without area");
 
-  std::vector<Side> sides = sidesOf(mesh, progress);
+  std::vector<EdgeSide> sides = sidesOf(mesh, progress);
   if (const Neighbours neighbours(mesh, sides, progress); !neighbours.allAgree) {
     const Turned turned = orient(mesh, neighbours, progress);
     warnings.push_back(counted(turned.triangles, "triangle") +

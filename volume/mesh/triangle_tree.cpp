@@ -17,16 +17,16 @@ namespace {
 
 constexpr int kLeafTriangles = 4;
 
-double squared(const glm::dvec3& v) {
+double lengthSquared(const glm::dvec3& v) {
   return glm::dot(v, v);
 }
 
 double squaredToBox(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {
-  return squared(glm::max(glm::max(low - p, p - high), glm::dvec3(0.0)));
+  return lengthSquared(glm::max(glm::max(low - p, p - high), glm::dvec3(0.0)));
 }
 
 glm::dvec3 closestOnEdge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-  const double length = squared(b - a);
+  const double length = lengthSquared(b - a);
   return length > 0.0 ? a + (b - a) * std::clamp(glm::dot(p - a, b - a) / length, 0.0, 1.0) : a;
 }
 
@@ -153,7 +153,7 @@ double TriangleTree::distance(const glm::dvec3& p, double limit, int& nearest) c
   double best = limit * limit;
   const auto consider = [&](int i) {
     const Corners& t = triangles_[static_cast<std::size_t>(i)];
-    const double candidate = squared(p - closestPoint(p, t.a, t.b, t.c));
+    const double candidate = lengthSquared(p - closestPoint(p, t.a, t.b, t.c));
     if (candidate >= best) return;
     best = candidate;
     nearest = i;

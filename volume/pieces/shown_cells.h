@@ -16,7 +16,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "scene/scene.h"
+#include "scene/choices.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
 #include "volume/hit/bernstein_cubic.h"

@@ -88,7 +88,7 @@ class Fields {
   std::size_t end_ = 0;
 };
 
-std::optional<VoxelType> typeNamed(std::string_view name) {
+std::optional<VoxelType> metaImageType(std::string_view name) {
   struct Name {
     std::string_view name;
     VoxelType type;
@@ -241,7 +241,7 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
   for (std::size_t a = 0; a < dims->size(); ++a) (a < 3 ? header.dims[a] : header.timeSteps) = (*dims)[a];
 
   const Field& type = fields.need("elementtype", "ElementType");
-  const auto voxelType = typeNamed(type.value);
+  const auto voxelType = metaImageType(type.value);
   if (!voxelType)
     throwInput(file, type.place(), "the voxel type " + inQuotes(type.value) + " is not supported");
   header.type = *voxelType;

@@ -25,7 +25,7 @@ double mixed(double from, double to, double t) {
   return (1.0 - t) * from + t * to;
 }
 
-struct Range {
+struct CurveRange {
   double least = 1e300, most = -1e300;
   void add(double x) {
     least = std::min(least, x);
@@ -41,7 +41,7 @@ CellCurves::CellCurves(const SliceField& field, const PlaneLattice& lattice, dou
 
 bool CellCurves::mayHoldCurve(glm::ivec2 square, int k) {
   const Grid& grid = field_.grid;
-  Range range;
+  CurveRange range;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::ivec3 voxel =
         lattice_.voxelIndex(square.x + (corner & 1), square.y + (corner >> 1 & 1), k + (corner >> 2 & 1));
@@ -98,7 +98,7 @@ CellCurves::Edge CellCurves::edgeOf(const Corner& p, const Corner& q) const {
   const double one = depth(low.at + way * (1.0 / 3.0)), two = depth(low.at + way * (2.0 / 3.0));
   const double inner[2] = {(-5.0 * low.f + 18.0 * one - 9.0 * two + 2.0 * high.f) / 6.0,
                            (2.0 * low.f - 9.0 * one + 18.0 * two - 5.0 * high.f) / 6.0};
-  Range values, steps;
+  CurveRange values, steps;
   for (const double x : {low.f, inner[0], inner[1], high.f}) values.add(x);
   for (const double x : {inner[0] - low.f, inner[1] - inner[0], high.f - inner[1]}) steps.add(x);
   const double length = glm::length(way), rounding = 32.0 * rounding_;
@@ -162,7 +162,7 @@ bool CellCurves::mayHideCurve(const Corner& a, const Corner& b, const Corner& c,
   const double middle = depth((a.at + b.at + c.at) / 3.0);
   const double b111 =
       (27.0 * middle - (b300 + b030 + b003) - 3.0 * (b210 + b120 + b021 + b012 + b102 + b201)) / 6.0;
-  Range values;
+  CurveRange values;
   for (const double x : {b300, b030, b003, b210, b120, b021, b012, b102, b201, b111}) values.add(x);
   const double rounding = 256.0 * rounding_;
   if (!values.changesSign(rounding)) return false;
@@ -170,7 +170,7 @@ bool CellCurves::mayHideCurve(const Corner& a, const Corner& b, const Corner& c,
                               {b021 - b030, b012 - b021, b003 - b012, b111 - b120, b102 - b111, b201 - b210},
                               {b102 - b003, b201 - b102, b300 - b201, b111 - b012, b210 - b111, b120 - b021}};
   for (const auto& alongEdge : steps) {
-    Range range;
+    CurveRange range;
     for (const double x : alongEdge) range.add(x);
     if (!range.changesSign(rounding)) return false;
   }

@@ -227,8 +227,8 @@ Histogram makeHistogram(const Grid& grid, int bins) {
   return makeHistogram(grid, bins, unwatched);
 }
 
-ValueBins ValueBins::of(VoxelType type, double low, double high, int most) {
-  ValueBins bins;
+HistogramBinning HistogramBinning::of(VoxelType type, double low, double high, int most) {
+  HistogramBinning bins;
   const std::size_t limit = static_cast<std::size_t>(std::max(most, 1));
   bins.whole = type != VoxelType::float32;
   if (bins.whole) {
@@ -248,7 +248,7 @@ ValueBins ValueBins::of(VoxelType type, double low, double high, int most) {
   return bins;
 }
 
-Histogram histogramOf(const ValueBins& bins, std::vector<std::uint64_t> counts, const Grid& grid) {
+Histogram histogramOf(const HistogramBinning& bins, std::vector<std::uint64_t> counts, const Grid& grid) {
   Histogram histogram;
   histogram.counts = std::move(counts);
   histogram.minimum = grid.valueOfStored(bins.low);
@@ -265,8 +265,8 @@ Histogram histogramOf(const ValueBins& bins, std::vector<std::uint64_t> counts, 
 }
 
 Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
-  const ValueBins binning =
-      ValueBins::of(grid.storedType(), grid.storedMinimum(), grid.storedMaximum(), bins);
+  const HistogramBinning binning =
+      HistogramBinning::of(grid.storedType(), grid.storedMinimum(), grid.storedMaximum(), bins);
   return std::visit(
       [&](const auto& voxels) {
         using T = typename std::decay_t<decltype(voxels)>::value_type;

@@ -41,7 +41,7 @@ double medianOf(std::vector<double>& numbers) {
 }
 
 // The flattest places of a range of values.
-struct Range {
+struct ValueRange {
   std::vector<NoiseDifferences> places;
   double value = 0.0;      // median, stored units
   double size = 0.0;       // of differences of neighbours, along all axes
@@ -69,8 +69,9 @@ double unlikeAxes(std::span<const NoiseDifferences> places) {
   return medianOf(most) / medianOf(least);
 }
 
-Range rangeOf(const NoisePlaces& all, std::span<NoisePlace> places, double least, base::Progress& progress) {
-  Range range;
+ValueRange rangeOf(const NoisePlaces& all, std::span<NoisePlace> places, double least,
+                   base::Progress& progress) {
+  ValueRange range;
   range.value = places[places.size() / 2].value;
   const auto flat = static_cast<std::ptrdiff_t>(std::ceil(kFlat * static_cast<double>(places.size())));
   std::nth_element(places.begin(), places.begin() + (flat - 1), places.end(),
@@ -87,12 +88,12 @@ Range rangeOf(const NoisePlaces& all, std::span<NoisePlace> places, double least
   return range;
 }
 
-std::vector<Range> rangesOf(const NoisePlaces& all, std::vector<NoisePlace>& places, double least,
-                            base::Progress& progress) {
+std::vector<ValueRange> rangesOf(const NoisePlaces& all, std::vector<NoisePlace>& places, double least,
+                                 base::Progress& progress) {
   std::sort(places.begin(), places.end(),
             [](const NoisePlace& a, const NoisePlace& b) { return a.value < b.value; });
   const std::size_t count = std::clamp(places.size() / kFewestPlaces, std::size_t{1}, kRanges);
-  std::vector<Range> ranges;
+  std::vector<ValueRange> ranges;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t begin = i * places.size() / count, end = (i + 1) * places.size() / count;
     ranges.push_back(rangeOf(all, std::span(places).subspan(begin, end - begin), least, progress));
@@ -101,35 +102,37 @@ std::vector<Range> rangesOf(const NoisePlaces& all, std::vector<NoisePlace>& pla
 }
 
 // Leaves out ranges in which this is clearly more than usual.
-void leaveOutUnusual(std::vector<Range>& ranges, double Range::*measure) {
+void leaveOutUnusual(std::vector<ValueRange>& ranges, double ValueRange::*measure) {
   constexpr double most = 1.25;
   std::vector<double> list;
-  for (const Range& range : ranges)
+  for (const ValueRange& range : ranges)
     if (!range.constant() && std::isfinite(range.*measure)) list.push_back(range.*measure);
   if (list.empty()) return;
   const double usual = base::quantile(list, 0.25);
   std::erase_if(ranges,
-                [&](const Range& range) { return !range.constant() && range.*measure > most * usual; });
+                [&](const ValueRange& range) { return !range.constant() && range.*measure > most * usual; });
 }
 
 // Ranges in which the flattest places are as flat as noise is, else the flattest quarter; without those that
 // are bent more than others (the middle of a sheet is flat, too), or more along one axis.
-std::vector<Range> believable(std::vector<Range> ranges) {
+std::vector<ValueRange> believable(std::vector<ValueRange> ranges) {
   constexpr double mostSteep = 3.0;  // 1: noise alone
   std::sort(ranges.begin(), ranges.end(),
-            [](const Range& a, const Range& b) { return a.steepness < b.steepness; });
+            [](const ValueRange& a, const ValueRange& b) { return a.steepness < b.steepness; });
   const std::size_t fewest = (ranges.size() + 3) / 4;
   while (ranges.size() > fewest && !(ranges.back().steepness <= mostSteep)) ranges.pop_back();
-  leaveOutUnusual(ranges, &Range::growth);
-  leaveOutUnusual(ranges, &Range::unlike);
-  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.value < b.value; });
+  leaveOutUnusual(ranges, &ValueRange::growth);
+  leaveOutUnusual(ranges, &ValueRange::unlike);
+  std::sort(ranges.begin(), ranges.end(),
+            [](const ValueRange& a, const ValueRange& b) { return a.value < b.value; });
   return ranges;
 }
 
 // The half that is bent the least, of those that are not constant.
-std::vector<Range> smoothest(std::vector<Range> ranges) {
-  std::erase_if(ranges, [](const Range& range) { return range.constant(); });
-  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.growth < b.growth; });
+std::vector<ValueRange> smoothest(std::vector<ValueRange> ranges) {
+  std::erase_if(ranges, [](const ValueRange& range) { return range.constant(); });
+  std::sort(ranges.begin(), ranges.end(),
+            [](const ValueRange& a, const ValueRange& b) { return a.growth < b.growth; });
   ranges.resize((ranges.size() + 1) / 2);
   return ranges;
 }
@@ -138,12 +141,12 @@ using Squares = std::array<double, kSpacings>;
 
 // Mean squares along each axis of all ranges together, in parts of each range's; `rounding`: what storing and
 // dithering have added to each place's.
-std::array<Squares, 3> squaresAlongAxes(const std::vector<Range>& ranges, double rounding) {
+std::array<Squares, 3> squaresAlongAxes(const std::vector<ValueRange>& ranges, double rounding) {
   std::array<Squares, 3> squares{};
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t h = 0; h < kSpacings; ++h) {
       std::vector<double> sizes, roundings;
-      for (const Range& range : ranges)
+      for (const ValueRange& range : ranges)
         for (const NoiseDifferences& place : range.places)
           if (const double size = place[axis][h]; !std::isnan(size)) {
             sizes.push_back(size / range.size);
@@ -234,7 +237,7 @@ class Gauge {
     double variance = 0.0;
     std::size_t count = 0;
   };
-  Reading read(const Range& range, double rounding) const {
+  Reading read(const ValueRange& range, double rounding) const {
     std::vector<double> sizes;
     double gain = 0.0;
     for (const NoiseDifferences& place : range.places)
@@ -287,12 +290,12 @@ scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
   if (places.empty()) return {{grid.minimum()}, {least * slope}, glm::dvec3(0.0)};
   // Rounded, and dithered.
   const double step = grid.storedType() == VoxelType::float32 ? 0.0 : 1.0, rounding = step * step / 6.0;
-  const std::vector<Range> ranges = believable(rangesOf(all, places, least, progress));
-  if (const std::vector<Range> noisy = smoothest(ranges); !noisy.empty())
+  const std::vector<ValueRange> ranges = believable(rangesOf(all, places, least, progress));
+  if (const std::vector<ValueRange> noisy = smoothest(ranges); !noisy.empty())
     model.correlation = fitBlurs(squaresAlongAxes(noisy, rounding));
   const Gauge gauge(model.correlation);
   std::vector<double> counts;
-  for (const Range& range : ranges) {
+  for (const ValueRange& range : ranges) {
     const Gauge::Reading reading = gauge.read(range, rounding);
     if (reading.count == 0) continue;
     model.values.push_back(grid.valueOfStored(range.value));

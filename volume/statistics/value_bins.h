@@ -12,7 +12,7 @@
 
 namespace isolux::volume {
 
-struct ValueBins {
+struct HistogramBinning {
   std::size_t count = 1;
   double low = 0.0, high = 0.0;  // of all bins, stored
   bool whole = true;             // whole numbers, `perBin` values from `first` on a bin
@@ -20,7 +20,7 @@ struct ValueBins {
   double scale = 0.0;  // float32: bins per stored unit
 
   // At most `most` bins for the stored range [low, high].
-  static ValueBins of(VoxelType type, double low, double high, int most);
+  static HistogramBinning of(VoxelType type, double low, double high, int most);
 
   // Of a value within the range; not NaN.
   template <class T>
@@ -34,6 +34,6 @@ struct ValueBins {
 
 // What makeHistogram() makes of a volume whose voxels fall into the bins like this. Of `grid` slope and
 // intercept.
-Histogram histogramOf(const ValueBins& bins, std::vector<std::uint64_t> counts, const Grid& grid);
+Histogram histogramOf(const HistogramBinning& bins, std::vector<std::uint64_t> counts, const Grid& grid);
 
 }  // namespace isolux::volume

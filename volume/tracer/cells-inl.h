@@ -1,5 +1,5 @@
 // The test of cells, one per SIMD lane: the exact cubic along the stretch of a ray through a cell. Included
-// once per instruction set by simd_kernels.cpp.
+// once per instruction set by simd_kernels-inl.h.
 #if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_CELLS_INL_H
 #undef ISOLUX_VOLUME_ISOSURFACE_TRACER_CELLS_INL_H
@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // The field (inside: positive) along a stretch through a cell, s in [0, 1], in Bernstein form.
 struct Cubic {

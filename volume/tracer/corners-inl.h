@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // The values at a cell's corners x and x + 1.
 struct Edge {

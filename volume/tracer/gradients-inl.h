@@ -1,5 +1,5 @@
 // Gradients: one point at a time, four samples of a row at once. Included once per instruction set by
-// simd_kernels.cpp.
+// simd_kernels-inl.h.
 #if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H
 #undef ISOLUX_VOLUME_ISOSURFACE_TRACER_GRADIENTS_INL_H
@@ -20,7 +20,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 namespace hn = hwy::HWY_NAMESPACE;
 

@@ -262,7 +262,7 @@ std::size_t IsosurfaceTracer::bytes() const {
 }
 
 const char* IsosurfaceTracer::target() const {
-  return kernels_->name;
+  return kernels_->set.name;
 }
 
 }  // namespace isolux::volume

@@ -17,7 +17,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/progress.h"
-#include "scene/scene.h"
+#include "scene/choices.h"
 #include "volume/clip/surface_cut.h"
 #include "volume/grid.h"
 #include "volume/pieces/hidden_pieces.h"

@@ -14,6 +14,7 @@
 #include "volume/pieces/shown_cells.h"
 #include "volume/skip/cell_ranges.h"
 #include "volume/tracer/isosurface_tracer.h"
+#include "volume/tracer/simd_set.h"
 
 namespace isolux::volume::tracing {
 
@@ -52,15 +53,15 @@ inline double entryIntoShown(const View& view, glm::ivec3 cell, const glm::dvec3
 }
 
 struct Kernels {
-  TracerTarget target;
-  const char* name;
+  SimdSet set;
   void (*firstEntries)(const View& view, const TraceRay* rays, std::size_t count, float* t);
   void (*anyEntries)(const View& view, const TraceRay* rays, std::size_t count, std::uint8_t* hit);
   void (*gradients)(const View& view, const glm::vec3* voxels, std::size_t count, glm::vec3* gradients);
 };
 
 const Kernels& scalarKernels();
-// Those of `target` (not scalar), or null where they are not compiled or the machine lacks it.
+// Those of `target` (not scalar; automatic: the widest), or null where they are not compiled or the machine
+// lacks it.
 const Kernels* simdKernels(TracerTarget target);
 
 constexpr float kCreep = 1e-30f;

@@ -1,5 +1,5 @@
 // The rays of a group, one per SIMD lane, and what is known of those that have entered. Included once per
-// instruction set by simd_kernels.cpp.
+// instruction set by simd_kernels-inl.h.
 #if defined(ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H
 #undef ISOLUX_VOLUME_ISOSURFACE_TRACER_LANES_INL_H
@@ -14,10 +14,12 @@
 
 #include <hwy/highway.h>
 
+#include "volume/tracer/simd_set.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -31,6 +33,11 @@ using MI = hn::Mask<I>;
 constexpr std::size_t kLanes = hn::MaxLanes(F());
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+constexpr SimdSet kSimdSet = HWY_TARGET == HWY_AVX3   ? SimdSet{TracerTarget::avx512, "AVX-512", HWY_TARGET}
+                             : HWY_TARGET == HWY_AVX2 ? SimdSet{TracerTarget::avx2, "AVX2", HWY_TARGET}
+                             : HWY_TARGET == HWY_SSE4 ? SimdSet{TracerTarget::sse4, "SSE4", HWY_TARGET}
+                                                      : SimdSet{TracerTarget::neon, "NEON", HWY_TARGET};
 
 HWY_INLINE std::uint32_t bitsOf(MI mask) {
   std::uint8_t bytes[8] = {};

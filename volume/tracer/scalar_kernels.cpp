@@ -323,7 +323,7 @@ void gradients(const View& view, const glm::vec3* voxels, std::size_t count, glm
 }  // namespace
 
 const Kernels& scalarKernels() {
-  static constexpr Kernels kernels{TracerTarget::scalar, "scalar", firstEntries, anyEntries, gradients};
+  static constexpr Kernels kernels{{TracerTarget::scalar, "scalar", 0}, firstEntries, anyEntries, gradients};
   return kernels;
 }
 

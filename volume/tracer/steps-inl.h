@@ -1,4 +1,4 @@
-// Steps and scheduling of rays. Included once per instruction set by simd_kernels.cpp.
+// Steps and scheduling of rays. Included once per instruction set by simd_kernels-inl.h.
 //
 // 64 rays are on their way, in groups of one per lane that take turns: what a group will read at its next
 // turn is asked of memory when its turn ends, so that no step waits for memory. A lane whose ray has ended
@@ -26,7 +26,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 constexpr std::size_t kGroups = 64 / kLanes;
 

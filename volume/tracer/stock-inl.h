@@ -1,6 +1,6 @@
 // Rays made ready, as many at once as there are lanes: prepare() of kernels.h in vectors, in the same
 // arithmetic, so that every ray is the same bit for bit. Included once per instruction set by
-// simd_kernels.cpp.
+// simd_kernels-inl.h.
 #if defined(ISOLUX_VOLUME_TRACER_STOCK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_TRACER_STOCK_INL_H
 #undef ISOLUX_VOLUME_TRACER_STOCK_INL_H
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // How many of the lower bits are set, in byte i of bit i, for all bytes.
 constexpr std::array<std::uint64_t, 256> kRanks = [] {

@@ -1,6 +1,7 @@
 #include "app/documents/unsaved_work.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "scene/settings.h"
 

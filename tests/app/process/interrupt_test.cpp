@@ -19,6 +19,7 @@
 #include "app/documents/recording.h"
 #include "app/files/image_io.h"
 #include "base/quantiles.h"
+#include "scene/scene_diff.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/busy_processes.h"
 #include "tests/support/poll.h"

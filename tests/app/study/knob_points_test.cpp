@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 
 namespace isolux::app {

@@ -8,6 +8,7 @@
 #include "app/study/study.h"
 #include "app/study_report/study_plot.h"
 #include "base/error.h"
+#include "scene/scene_diff.h"
 #include "scene/settings.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"

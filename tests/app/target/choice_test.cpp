@@ -10,8 +10,8 @@ namespace {
 
 using testing::ElementsAre;
 
-Measured made(double cost, double depthMm, double missed, int supersampling = 1) {
-  Measured one;
+MeasuredCandidate made(double cost, double depthMm, double missed, int supersampling = 1) {
+  MeasuredCandidate one;
   one.candidate.cost = cost;
   one.candidate.supersampling = supersampling;
   one.errors[indexOf(Quantity::depthMm)] = {depthMm, depthMm, depthMm};
@@ -24,8 +24,8 @@ std::vector<Limit> limits(double depthMm, double missed) {
 }
 
 TEST(Choice, TakesTheCheapestThatKeepsEveryLimit) {
-  const std::vector<Measured> measured{made(3.0, 0.001, 0.0), made(1.0, 0.5, 0.0), made(2.0, 0.01, 0.1),
-                                       made(2.5, 0.01, 0.01)};
+  const std::vector<MeasuredCandidate> measured{made(3.0, 0.001, 0.0), made(1.0, 0.5, 0.0),
+                                                made(2.0, 0.01, 0.1), made(2.5, 0.01, 0.01)};
   EXPECT_EQ(cheapestThatKeeps(measured, limits(1.0, 1.0)), 1u);
   EXPECT_EQ(cheapestThatKeeps(measured, limits(0.01, 1.0)), 2u);
   EXPECT_EQ(cheapestThatKeeps(measured, limits(0.01, 0.05)), 3u);
@@ -35,7 +35,7 @@ TEST(Choice, TakesTheCheapestThatKeepsEveryLimit) {
 }
 
 TEST(Choice, WhatWasNotMeasuredKeepsNothing) {
-  const std::vector<Measured> measured{made(1.0, std::nan(""), 0.0)};
+  const std::vector<MeasuredCandidate> measured{made(1.0, std::nan(""), 0.0)};
   EXPECT_EQ(cheapestThatKeeps(measured, limits(1e9, 1.0)), std::nullopt);
   EXPECT_EQ(cheapestThatKeeps(measured, {{limits(1e9, 1.0)[1]}}), 0u);
 }
@@ -86,9 +86,9 @@ TEST(Choice, BoundsLieAboveWhatWasMeasured) {
 
 // Errors within half a unit count as none: then rays per pixel, then errors, then work.
 TEST(Choice, AccuracyComesFirstThenRaysThenWork) {
-  const std::vector<Measured> measured{made(16.0, 0.001, 0.0, 4), made(1.0, 0.002, 0.0, 1),
-                                       made(0.5, 0.9, 0.0, 1), made(8.0, 0.9, 0.0, 4),
-                                       made(9.0, 0.95, 0.0, 4)};
+  const std::vector<MeasuredCandidate> measured{made(16.0, 0.001, 0.0, 4), made(1.0, 0.002, 0.0, 1),
+                                                made(0.5, 0.9, 0.0, 1), made(8.0, 0.9, 0.0, 4),
+                                                made(9.0, 0.95, 0.0, 4)};
   // The last is beaten by the one before.
   EXPECT_THAT(byAccuracy(measured, limits(0.01, 0.001)), ElementsAre(0, 1, 3, 2));
 }

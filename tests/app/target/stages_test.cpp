@@ -24,7 +24,7 @@ class Bench {
   void add(const std::string& name, double value, double few, double many, double most) {
     errors_[name] = {value, few, many, most};
   }
-  Measure measure() {
+  MeasureCandidate measure() {
     return [this](const Candidate& candidate, Measuring measuring) {
       std::string name;
       for (const std::string& assignment : candidate.assignments) name += assignment;
@@ -72,7 +72,7 @@ TEST(Stages, TheCheapestSurfaceThatHoldsIsFoundBesideTheLimit) {
   bench.add("b", 0.099, 0.01, 0.003, 0.0);    // better
   const std::vector<Candidate> list{named("exact", 3.0), named("a", 1.0), named("b", 2.0), named("c", 2.5),
                                     named("d", 4.0)};
-  std::vector<Measured> measured{{list.front(), bench.measure()(list.front(), Measuring::few)}};
+  std::vector<MeasuredCandidate> measured{{list.front(), bench.measure()(list.front(), Measuring::few)}};
   EXPECT_EQ(chooseSurface(list, {&kLimit, 1}, bench.measure(), kUnheard, measured), 2u);
   EXPECT_THAT(bench.order, ElementsAre("exact/0", "a/0", "a/1", "b/0", "b/1", "b/2"));
 }
@@ -81,7 +81,7 @@ TEST(Stages, NoSurfaceIsFoundWhereNothingKeepsTheLimit) {
   Bench bench;
   for (const char* name : {"exact", "a"}) bench.add(name, 1.0, 0.1, 0.1, 0.1);
   const std::vector<Candidate> list{named("exact", 1.0), named("a", 2.0)};
-  std::vector<Measured> measured{{list.front(), bench.measure()(list.front(), Measuring::few)}};
+  std::vector<MeasuredCandidate> measured{{list.front(), bench.measure()(list.front(), Measuring::few)}};
   EXPECT_EQ(chooseSurface(list, {&kLimit, 1}, bench.measure(), kUnheard, measured), std::nullopt);
   EXPECT_EQ(measured.size(), 2u) << "where the most exact one fails, dearer ones are tried, too";
 }
@@ -105,7 +105,7 @@ class StagesOfLight : public testing::Test {
   }
   std::optional<double> costFor(double most) {
     const Limit limit{Quantity::light, most};
-    std::vector<Measured> measured;
+    std::vector<MeasuredCandidate> measured;
     const auto chosen = chooseLight(list_, {}, limit, bench_.measure(), kUnheard, measured);
     return chosen ? std::optional(measured[*chosen].candidate.cost) : std::nullopt;
   }

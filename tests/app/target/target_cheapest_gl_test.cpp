@@ -27,22 +27,23 @@ class TargetCheapestGlTest : public RenderGlTest {
 
   // A limit just above what each combination measures in the picture: it is kept, and by nothing of less
   // work.
-  void expectCheapest(TargetSearch& search, Quantity quantity, const std::vector<Measured>& inPicture) {
+  void expectCheapest(TargetSearch& search, Quantity quantity,
+                      const std::vector<MeasuredCandidate>& inPicture) {
     const std::size_t q = indexOf(quantity);
     int asked = 0;
     for (std::size_t i = 0; i < inPicture.size(); i += 2) {  // each other one: a search takes a second
-      const Measured& target = inPicture[i];
+      const MeasuredCandidate& target = inPicture[i];
       const Limit limit{quantity, 1.01 * target.errors[q].value};
       if (!(target.errors[q].value > 0.0)) continue;
       ++asked;
       SCOPED_TRACE(limitsText({&limit, 1}));
       const TargetAnswer answer = search.keepErrors({limit}, progress_).value();
-      const auto chosen = std::find_if(inPicture.begin(), inPicture.end(), [&](const Measured& one) {
+      const auto chosen = std::find_if(inPicture.begin(), inPicture.end(), [&](const MeasuredCandidate& one) {
         return one.candidate.assignments == answer.measured[answer.chosen].candidate.assignments;
       });
       ASSERT_NE(chosen, inPicture.end());
       EXPECT_LE(chosen->errors[q].value, limit.most) << "kept";
-      for (const Measured& one : inPicture) {
+      for (const MeasuredCandidate& one : inPicture) {
         if (one.candidate.cost >= chosen->candidate.cost) continue;
         EXPECT_GT(one.errors[q].value, limit.most) << "not by less work: " << one.candidate.cost;
       }
@@ -56,12 +57,13 @@ TEST_F(TargetCheapestGlTest, MissedPixelsAreKeptByTheLeastWork) {
   TargetQuestion asked = question("head", 64, {260, 200}, {"picture.executor=gpu", "picture.rest_hits=same"});
   asked.fixed = {"hit.refinements", "picture.rest_hits"};
   TargetSearch search(*renderer_, asked);
-  std::vector<Measured> inPicture;
+  std::vector<MeasuredCandidate> inPicture;
   for (const Candidate& candidate : search.candidates(false, progress_))
     inPicture.push_back({candidate, search.measure(candidate, Measuring::picture, progress_)});
   // Depth is kept as well though nobody asked; here it is not what decides.
-  std::erase_if(inPicture,
-                [](const Measured& one) { return one.errors[indexOf(Quantity::depthVoxels)].value > 0.05; });
+  std::erase_if(inPicture, [](const MeasuredCandidate& one) {
+    return one.errors[indexOf(Quantity::depthVoxels)].value > 0.05;
+  });
   expectCheapest(search, Quantity::missed, inPicture);
 }
 
@@ -71,7 +73,7 @@ TEST_F(TargetCheapestGlTest, LightIsKeptByTheLeastWork) {
   search.candidates(false, progress_);
   Turning turning;
   turning.given = asked.given;
-  std::vector<Measured> inPicture;
+  std::vector<MeasuredCandidate> inPicture;
   for (const Candidate& candidate : lightCandidates(turning, {}))
     if (candidate.cost <= 2.5 * 40)
       inPicture.push_back({candidate, search.measureLight(candidate, Measuring::picture, progress_)});

@@ -129,8 +129,8 @@ TEST_P(TargetPromiseGlTest, DISABLED_SurfacesAreKept) {
   std::mt19937 random(7);
   for (const Quantity quantity :
        {Quantity::depthMm, Quantity::missed, Quantity::normal, Quantity::curvature}) {
-    const auto choose = [&](const Limit& limit, const Measure& measure) -> std::optional<Candidate> {
-      std::vector<Measured> measured{{list.front(), measure(list.front(), Measuring::few)}};
+    const auto choose = [&](const Limit& limit, const MeasureCandidate& measure) -> std::optional<Candidate> {
+      std::vector<MeasuredCandidate> measured{{list.front(), measure(list.front(), Measuring::few)}};
       const auto chosen = chooseSurface(
           list, {&limit, 1}, measure, [](double) {}, measured);
       if (!chosen) return std::nullopt;
@@ -168,8 +168,8 @@ TEST_P(TargetPromiseGlTest, DISABLED_LightIsKept) {
     std::fflush(stdout);
   }
   std::mt19937 random(7);
-  const auto choose = [&](const Limit& limit, const Measure& measure) -> std::optional<Candidate> {
-    std::vector<Measured> measured;
+  const auto choose = [&](const Limit& limit, const MeasureCandidate& measure) -> std::optional<Candidate> {
+    std::vector<MeasuredCandidate> measured;
     const auto chosen = chooseLight(
         list, question.given, limit, measure, [](double) {}, measured);
     if (!chosen) return std::nullopt;

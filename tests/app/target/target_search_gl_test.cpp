@@ -47,10 +47,10 @@ TEST_F(TargetSearchGlTest, ShadersSampleAsCoarselyAsTheErrorAllows) {
     double work = 0.0;
     for (const double most : {0.3, 0.02}) {
       const TargetAnswer found = answer(shaders, "missed=1%,depth=" + std::to_string(most) + "vox");
-      const Measured& chosen = found.measured[found.chosen];
+      const MeasuredCandidate& chosen = found.measured[found.chosen];
       EXPECT_GE(chosen.candidate.cost, work) << name << ": a smaller error never takes less";
       work = chosen.candidate.cost;
-      for (const Measured& one : found.measured)
+      for (const MeasuredCandidate& one : found.measured)
         if (keeps(one.errors, found.limits)) {
           EXPECT_GE(one.candidate.cost, work) << name;
         }

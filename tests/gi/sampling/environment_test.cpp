@@ -38,7 +38,7 @@ double brightness(glm::dvec3 c) {
 glm::vec2 point(std::uint32_t i) {
   return samplePair(DirectionSequence::random, 11, i, 0);
 }
-glm::vec3 randomDirection(std::uint32_t i) {
+glm::vec3 randomSkyDirection(std::uint32_t i) {
   return uniformSphere(samplePair(DirectionSequence::random, 12, i, 0));
 }
 
@@ -450,7 +450,7 @@ TEST(Sky, QuaternionTurnsTheEnvironmentAndScaleMultipliesIt) {
     const glm::dmat3 turn = worldFromEnvironment(glm::dquat(0.3, -0.5, 0.7, 0.2));
     const Sky sky{std::make_shared<const Environment>(environment), glm::mat3(turn), 4.0f};
     for (int i = 0; i < 200; ++i) {
-      const glm::vec3 own = randomDirection(i), world(turn * glm::dvec3(own));
+      const glm::vec3 own = randomSkyDirection(i), world(turn * glm::dvec3(own));
       EXPECT_EQ(sky.radiance(world), 4.0f * environment.radiance(own)) << name;
       EXPECT_EQ(sky.pdf(world), environment.pdf(own)) << name;
       const Environment::Sample a = sky.sample(point(i)), b = environment.sample(point(i));
@@ -471,7 +471,7 @@ TEST(Sky, RotatedCoefficientsAreThoseOfTheTurnedSky) {
   std::vector<glm::dvec3> turned = environment.project(5);
   ShRotation(5, turn).apply(turned, turned);
   for (int i = 0; i < 100; ++i) {
-    const glm::dvec3 d = glm::normalize(glm::dvec3(randomDirection(i)));
+    const glm::dvec3 d = glm::normalize(glm::dvec3(randomSkyDirection(i)));
     const glm::dvec3 own = reconstructSh(5, environment.project(5), d);
     EXPECT_NEAR(glm::distance(reconstructSh(5, turned, turn * d), own), 0.0, 1e-11 * glm::length(own));
   }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"

@@ -89,28 +89,28 @@ const std::vector<std::string> kWorldLight = {"isosurface.albedo=0.8,0.5,0.2", "
                                               "light.intensity=0.9"};
 const glm::dvec3 kToLight = glm::dvec3(1.0, -2.0, 2.0) / 3.0, kToEye(0.0, -1.0, 0.0);
 const glm::dvec3 kLightColor = glm::dvec3(1.0, 0.8, 0.5) * 0.9;
-constexpr double kHalf = 2e-3;  // half floats near 1
+constexpr double kHalfStepNearOne = 2e-3;  // half floats near 1
 
-std::vector<std::string> with(std::vector<std::string> settings, const std::vector<std::string>& more) {
+std::vector<std::string> withMore(std::vector<std::string> settings, const std::vector<std::string>& more) {
   settings.insert(settings.end(), more.begin(), more.end());
   return settings;
 }
 
 TEST_F(LooksGlTest, LambertIsItsFormula) {
-  draw(phantom("ball", 48), with(kWorldLight, {"look.mode=lambert", "look.ambient=0.2",
-                                               "look.ambient_variation=0.5", "light.headlight=0.3"}));
+  draw(phantom("ball", 48), withMore(kWorldLight, {"look.mode=lambert", "look.ambient=0.2",
+                                                   "look.ambient_variation=0.5", "light.headlight=0.3"}));
   expectColors(
       [](const glm::dvec3& n, const glm::dvec3&) {
         const double ambient = 0.2 * (1.0 + 0.5 * n.z);  // the picture's up is +z
         return kAlbedo * (ambient + 0.8 * (kLightColor * std::max(glm::dot(n, kToLight), 0.0) +
                                            0.3 * std::max(glm::dot(n, kToEye), 0.0)));
       },
-      kHalf);
+      kHalfStepNearOne);
 }
 
 TEST_F(LooksGlTest, BlinnPhongIsItsFormula) {
   draw(phantom("ball", 48),
-       with(kWorldLight, {"look.specular=0.4", "look.shininess=20", "light.headlight=0.2"}));
+       withMore(kWorldLight, {"look.specular=0.4", "look.shininess=20", "light.headlight=0.2"}));
   const glm::dvec3 halfway = glm::normalize(kToLight + kToEye);
   expectColors(
       [&](const glm::dvec3& n, const glm::dvec3&) {
@@ -119,12 +119,13 @@ TEST_F(LooksGlTest, BlinnPhongIsItsFormula) {
         const double key = facing > 0.0 ? std::pow(std::max(glm::dot(n, halfway), 0.0), 20.0) : 0.0;
         return kAlbedo * (0.12 + 0.88 * diffuse) + 0.4 * (kLightColor * key + 0.2 * std::pow(eye, 20.0));
       },
-      kHalf);
+      kHalfStepNearOne);
 }
 
 TEST_F(LooksGlTest, ToneGoesFromCoolToWarm) {
-  draw(phantom("ball", 48), with(kWorldLight, {"look.mode=tone", "look.contours=0",
-                                               "look.tone_cool=0.1,0.2,0.6", "look.tone_warm=0.9,0.6,0.1"}));
+  draw(phantom("ball", 48),
+       withMore(kWorldLight, {"look.mode=tone", "look.contours=0", "look.tone_cool=0.1,0.2,0.6",
+                              "look.tone_warm=0.9,0.6,0.1"}));
   const glm::dvec3 cool = glm::mix(glm::dvec3(0.1, 0.2, 0.6), kAlbedo, 0.1);
   const glm::dvec3 warm = glm::mix(glm::dvec3(0.9, 0.6, 0.1), kAlbedo, 0.4);
   expectColors(
@@ -132,7 +133,7 @@ TEST_F(LooksGlTest, ToneGoesFromCoolToWarm) {
         const double warmth = 0.5 + 0.5 * glm::dot(n, kToLight);
         return glm::mix(cool, warm, warmth * warmth * warmth);
       },
-      kHalf);
+      kHalfStepNearOne);
 }
 
 TEST_F(LooksGlTest, ACameraLightTurnsWithTheCamera) {
@@ -213,20 +214,20 @@ TEST_F(LooksGlTest, AutomaticRangesAndTheLegendFollowTheSurface) {
 TEST_F(LooksGlTest, FogFollowsDepth) {
   const auto ball = phantom("ball", 48);
   const Settings plain = {"look.mode=lambert", "look.ambient=1", "isosurface.albedo=0.5,0.5,0.5"};
-  draw(ball, with(plain, {"look.fog=0.8", "look.fog_color=0,0,1"}));
+  draw(ball, withMore(plain, {"look.fog=0.8", "look.fog_color=0,0,1"}));
   const double near = ball->facts.boundsMinMm.y, far = ball->facts.boundsMaxMm.y;
   expectColors(
       [&](const glm::dvec3&, const glm::dvec3& p) {
         return glm::mix(glm::dvec3(0.5), glm::dvec3(0.0, 0.0, 1.0), 0.8 * (p.y - near) / (far - near));
       },
-      kHalf);
-  draw(ball,
-       with(plain, {"look.fog=1", "look.background_top=0.2,0.4,0.6", "look.background_bottom=0.2,0.4,0.6"}));
+      kHalfStepNearOne);
+  draw(ball, withMore(plain, {"look.fog=1", "look.background_top=0.2,0.4,0.6",
+                              "look.background_bottom=0.2,0.4,0.6"}));
   expectColors(
       [&](const glm::dvec3&, const glm::dvec3& p) {
         return glm::mix(glm::dvec3(0.5), glm::dvec3(0.2, 0.4, 0.6), (p.y - near) / (far - near));
       },
-      kHalf);
+      kHalfStepNearOne);
 }
 
 // A ball over a wall; light falls along a slant, so the shadow on the wall is the ball's projection: an
@@ -355,7 +356,7 @@ TEST_F(LooksGlTest, LinesLieOnRidgesAndValleysOnly) {
 TEST_F(LooksGlTest, SuggestiveContoursLieWhereTheRadialCurvatureVanishes) {
   const Settings look = {"look.mode=lambert", "look.ambient=1", "isosurface.albedo=1,1,1",
                          "look.suggestive_contours=1"};
-  draw(waves(), with(look, {"camera.eye=-150,-300,0"}), 0.4);
+  draw(waves(), withMore(look, {"camera.eye=-150,-300,0"}), 0.4);
   std::size_t lines = 0, wrong = 0;
   for (std::size_t i = 0; i < pixels(); ++i) {
     if (!hit(i) || grey(i) > 0.4) continue;
@@ -399,11 +400,11 @@ Streaks streaksOf(const render::LinearImage& image) {
 TEST_F(LooksGlTest, StreaksFollowThePrincipalDirections) {
   const auto cylinder = phantom("cylinder", 64);
   const Settings flow = {"look.mode=flow", "look.shading=unlit"};
-  draw(cylinder, with(flow, {"flow.direction=maximum"}), 0.35);
+  draw(cylinder, withMore(flow, {"flow.direction=maximum"}), 0.35);
   const Streaks around = streaksOf(linear_);
   EXPECT_NEAR(around.angle, 0.0, 3.0);
   EXPECT_GT(around.coherence, 0.5);
-  draw(cylinder, with(flow, {"flow.direction=minimum"}), 0.35);
+  draw(cylinder, withMore(flow, {"flow.direction=minimum"}), 0.35);
   const Streaks along = streaksOf(linear_);
   EXPECT_NEAR(std::fabs(along.angle), 90.0, 3.0);
   EXPECT_GT(along.coherence, 0.5);
@@ -414,12 +415,12 @@ TEST_F(LooksGlTest, FlowMovesAndComesBackAndIsOffWhereThereIsNoDirection) {
   const Settings flow = {"look.mode=flow", "look.shading=unlit", "isosurface.albedo=0.4,0.4,0.4"};
   draw(cylinder, flow, 0.5);
   const auto first = linear_.rgba;
-  draw(cylinder, with(flow, {"flow.time=0.5"}), 0.5);
+  draw(cylinder, withMore(flow, {"flow.time=0.5"}), 0.5);
   double moved = 0.0, back = 0.0;
   for (std::size_t i = 0; i < first.size(); ++i)
     moved = std::max(moved, static_cast<double>(std::fabs(first[i] - linear_.rgba[i])));
   EXPECT_GT(moved, 0.1);
-  draw(cylinder, with(flow, {"flow.time=3"}), 0.5);  // whole periods later
+  draw(cylinder, withMore(flow, {"flow.time=3"}), 0.5);  // whole periods later
   for (std::size_t i = 0; i < first.size(); ++i)
     back = std::max(back, static_cast<double>(std::fabs(first[i] - linear_.rgba[i])));
   EXPECT_LT(back, 1e-2);
@@ -440,7 +441,7 @@ TEST_F(LooksGlTest, TexturesLieInSpaceAndDoNotAlias) {
   for (const char* texture : {"marble", "wood", "checker"}) {
     SCOPED_TRACE(texture);
     const Settings look = {"look.mode=lambert", "look.ambient=1", "look.texture=" + std::string(texture)};
-    draw(ball, with(look, {"look.texture_scale=12"}), 0.25);
+    draw(ball, withMore(look, {"look.texture_scale=12"}), 0.25);
     const render::LinearImage large = linear_;
     const render::AovImage place = position_, hits = hit_;
     double least = 1.0, most = 0.0;
@@ -451,7 +452,7 @@ TEST_F(LooksGlTest, TexturesLieInSpaceAndDoNotAlias) {
       }
     EXPECT_GT(most - least, 0.15);
     // Features far below a pixel: the texture has turned into its mean.
-    draw(ball, with(look, {"look.texture_scale=0.01"}), 0.25);
+    draw(ball, withMore(look, {"look.texture_scale=0.01"}), 0.25);
     for (int y = 40; y < 88; ++y)
       for (int x = 40; x < 88; ++x) EXPECT_NEAR(grey(at(x, y)), grey(at(64, 64)), 0.02);
   }
@@ -462,7 +463,7 @@ TEST_F(LooksGlTest, HollowsDarken) {
   const Settings base = {"look.mode=lambert", "look.ambient=1"};
   draw(torus, base, 0.6);
   const auto plain = linear_.rgba;
-  draw(torus, with(base, {"look.accessibility=1"}), 0.6);
+  draw(torus, withMore(base, {"look.accessibility=1"}), 0.6);
   std::size_t darker = 0, same = 0;
   for (std::size_t i = 0; i < pixels(); ++i) {
     if (!hit(i)) continue;
@@ -476,7 +477,7 @@ TEST_F(LooksGlTest, HollowsDarken) {
     darker += linear_.rgba[4 * i] < 0.9f * plain[4 * i];
   }
   EXPECT_GT(same, 300u);
-  draw(torus, with(base, {"look.accessibility=1", "camera.up=0,1,0.1", "camera.eye=0,0,-300"}), 0.6);
+  draw(torus, withMore(base, {"look.accessibility=1", "camera.up=0,1,0.1", "camera.eye=0,0,-300"}), 0.6);
   for (std::size_t i = 0; i < pixels(); ++i) darker += hit(i) && color(i).x < 0.9 * 0.7;
   EXPECT_GT(darker, 50u);
 }

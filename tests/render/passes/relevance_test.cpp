@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "render/graph/pass_declarations.h"
 #include "scene/settings.h"

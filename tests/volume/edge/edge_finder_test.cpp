@@ -46,7 +46,7 @@ struct BlurredBall {
   }
 };
 
-glm::dvec3 worldOf(const GridGeometry& geometry, const glm::dvec3& voxel) {
+glm::dvec3 edgeWorldOf(const GridGeometry& geometry, const glm::dvec3& voxel) {
   return glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
 }
 
@@ -56,37 +56,37 @@ double voxelAlong(const GridGeometry& geometry, const glm::dvec3& direction) {
   return 1.0 / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-struct Case {
+struct EdgeCase {
   GridGeometry geometry;
   BlurredBall ball;
   double scaleMm;
 };
 
-Case isotropic(double scaleMm) {
+EdgeCase isotropic(double scaleMm) {
   return {test::isotropicGeometry(56), {17.3, 1.3}, scaleMm};
 }
 // 0.4 x 0.4 x 2.5 mm, oblique, left-handed.
-Case oblique(double scaleMm) {
+EdgeCase oblique(double scaleMm) {
   return {GridGeometry::make({150, 150, 26}, {0.4, 0.4, 2.5}, {3.0, -7.0, 11.0},
                              test::obliqueLeftHandedGeometry(32).directions()),
           {17.3, 2.5},
           scaleMm};
 }
 
-struct Errors {
+struct EdgeErrors {
   std::size_t points = 0, missing = 0;
   double median = 0.0, within95 = 0.0, worst = 0.0;  // voxels along the normal
 };
 
 struct BallCase {
-  Case of;
+  EdgeCase of;
   glm::dvec3 middle;
   Grid grid;
   std::optional<ScaledField> scaled;
 
-  explicit BallCase(const Case& c, double noise = 0.0)
+  explicit BallCase(const EdgeCase& c, double noise = 0.0)
       : of(c),
-        middle(worldOf(c.geometry, 0.5 * glm::dvec3(c.geometry.dims - 1) + glm::dvec3(0.2, -0.3, 0.1))),
+        middle(edgeWorldOf(c.geometry, 0.5 * glm::dvec3(c.geometry.dims - 1) + glm::dvec3(0.2, -0.3, 0.1))),
         grid(test::gridOfWorld(c.geometry,
                                [&](glm::dvec3 x) { return c.ball.value(glm::distance(x, middle)); })) {
     if (noise > 0.0) grid = test::withNoise(grid, noise, glm::dvec3(0.0), 7);
@@ -101,15 +101,15 @@ struct BallCase {
 };
 
 // At the hits of an isovalue, against the closed form at each hit's own distance.
-Errors errorsAt(const BallCase& setup, double isovalue, double noise) {
+EdgeErrors errorsAt(const BallCase& setup, double isovalue, double noise) {
   base::Progress progress;
   const MinMaxBlocks blocks(setup.grid, kBlockCells, progress);
   const EdgeFinder finder = setup.finder(noise);
   const double edge = setup.of.ball.edge();
   std::vector<double> apart;
-  Errors errors;
+  EdgeErrors errors;
   for (const VisiblePoint& point : visiblePoints(setup.grid, blocks, isovalue, 1500)) {
-    const glm::dvec3 out = worldOf(setup.of.geometry, point.voxel) - setup.middle;
+    const glm::dvec3 out = edgeWorldOf(setup.of.geometry, point.voxel) - setup.middle;
     const double r = glm::length(out);
     const Edge found = finder.at(point.voxel);
     ++errors.points;
@@ -129,7 +129,7 @@ Errors errorsAt(const BallCase& setup, double isovalue, double noise) {
   return errors;
 }
 
-std::string describe(const Case& c, double isovalue, const Errors& e) {
+std::string describe(const EdgeCase& c, double isovalue, const EdgeErrors& e) {
   std::ostringstream text;
   text << c.geometry.dims.x << " voxels, scale " << c.scaleMm << " mm, isovalue " << isovalue << ": "
        << e.points << " points, " << e.missing << " without; median " << e.median << ", 95 % within "
@@ -138,10 +138,10 @@ std::string describe(const Case& c, double isovalue, const Errors& e) {
 }
 
 TEST(EdgeFinder, ABlurredBallThresholdedWrongHasItsKnownOffset) {
-  for (const Case& c : {isotropic(0.0), isotropic(1.0), isotropic(2.0), oblique(1.0), oblique(2.5)}) {
+  for (const EdgeCase& c : {isotropic(0.0), isotropic(1.0), isotropic(2.0), oblique(1.0), oblique(2.5)}) {
     const BallCase setup(c);
     for (const double isovalue : {60.0, 250.0, 500.0, 800.0}) {
-      const Errors e = errorsAt(setup, isovalue, 0.0);
+      const EdgeErrors e = errorsAt(setup, isovalue, 0.0);
       EXPECT_GT(e.points, 500u);
       EXPECT_EQ(e.missing, 0u);
       EXPECT_LT(e.worst, 0.05) << describe(c, isovalue, e);
@@ -150,10 +150,10 @@ TEST(EdgeFinder, ABlurredBallThresholdedWrongHasItsKnownOffset) {
 }
 
 TEST(EdgeFinder, WithFivePercentNoiseItIsWithinAFifthOfAVoxel) {
-  for (const Case& c : {isotropic(1.5), isotropic(2.5), oblique(2.5)}) {
+  for (const EdgeCase& c : {isotropic(1.5), isotropic(2.5), oblique(2.5)}) {
     const BallCase setup(c, 50.0);
     for (const double isovalue : {250.0, 500.0, 750.0}) {
-      const Errors e = errorsAt(setup, isovalue, 50.0);
+      const EdgeErrors e = errorsAt(setup, isovalue, 50.0);
       EXPECT_EQ(e.missing, 0u);
       EXPECT_LT(std::abs(e.median), 0.05);
       EXPECT_LT(e.worst, 0.2) << describe(c, isovalue, e);
@@ -163,14 +163,14 @@ TEST(EdgeFinder, WithFivePercentNoiseItIsWithinAFifthOfAVoxel) {
 
 // The scale that is chosen where nobody gives one serves edges, too.
 TEST(EdgeFinder, AtTheAutomaticScaleNoiseLeavesAFifthOfAVoxel) {
-  for (Case c : {isotropic(0.0), oblique(0.0)}) {
+  for (EdgeCase c : {isotropic(0.0), oblique(0.0)}) {
     const BallCase noisy(c, 50.0);
     const auto grid = std::make_shared<const Grid>(noisy.grid);
     base::Progress progress;
     const auto blocks = std::make_shared<const MinMaxBlocks>(*grid, kBlockCells, progress);
     c.scaleMm = DerivativeChoices(grid, blocks).choose({.isovalue = 250.0}, progress).scaleMm;
     ASSERT_GT(c.scaleMm, 0.0);
-    const Errors e = errorsAt(BallCase(c, 50.0), 250.0, 50.0);
+    const EdgeErrors e = errorsAt(BallCase(c, 50.0), 250.0, 50.0);
     EXPECT_EQ(e.missing, 0u);
     EXPECT_LT(e.within95, 0.2) << describe(c, 250.0, e);
   }

@@ -15,20 +15,20 @@
 namespace isolux::volume {
 namespace {
 
-constexpr int kSize = 17;
+constexpr int kNoiseSize = 17;
 const glm::dvec3 kCentre(8.0);
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 Grid gridOf(const glm::dvec3& spacing, const std::function<double(glm::dvec3)>& fieldOfMm,
             glm::ivec3 missing = glm::ivec3(-1)) {
   std::vector<float> values;
-  for (int z = 0; z < kSize; ++z)
-    for (int y = 0; y < kSize; ++y)
-      for (int x = 0; x < kSize; ++x)
+  for (int z = 0; z < kNoiseSize; ++z)
+    for (int y = 0; y < kNoiseSize; ++y)
+      for (int x = 0; x < kNoiseSize; ++x)
         values.push_back(glm::ivec3(x, y, z) == missing
                              ? std::numeric_limits<float>::quiet_NaN()
                              : static_cast<float>(fieldOfMm((glm::dvec3(x, y, z) - kCentre) * spacing)));
-  return {GridGeometry::make(glm::ivec3(kSize), spacing, glm::dvec3(0.0), glm::dmat3(1.0)),
+  return {GridGeometry::make(glm::ivec3(kNoiseSize), spacing, glm::dvec3(0.0), glm::dmat3(1.0)),
           std::move(values)};
 }
 

@@ -37,7 +37,7 @@ volume::GridGeometry leftHanded(glm::ivec3 dims) {
   return geometry;
 }
 
-volume::Grid ball(const volume::GridGeometry& geometry, double radius) {
+volume::Grid ballIn(const volume::GridGeometry& geometry, double radius) {
   return gridOfWorld(geometry, [=](glm::dvec3 world) { return radius - glm::length(world); });
 }
 
@@ -172,7 +172,7 @@ TEST(SurfaceMesh, MissingVoxelsAndHiddenPiecesHaveNoSurface) {
 }
 
 TEST(SurfaceMesh, WhereThereIsNoSurfaceThereAreNoTriangles) {
-  const volume::Grid grid = ball(unitGeometry({8, 8, 8}), 2.0);
+  const volume::Grid grid = ballIn(unitGeometry({8, 8, 8}), 2.0);
   SurfaceMeshRequest request;
   request.isovalue = 1e6;
   EXPECT_TRUE(meshOf(grid, request).mesh.triangles.empty());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 #include "volume/bricks/zarr/json_fields.h"
 #include "volume/bricks/zarr/ome.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "volume/bricks/chunks/checksums.h"

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <nlohmann/json.hpp>
+
 #include "volume/bricks/zarr/json_fields.h"
 #include "volume/bricks/zarr/zarr_metadata.h"
 #include "volume/read/input/text.h"

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "volume/bricks/zarr/json_fields.h"
 #include "volume/bricks/zarr/zarr_metadata.h"
 #include "volume/read/input/text.h"

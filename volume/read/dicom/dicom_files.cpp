@@ -14,7 +14,7 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t mostFiles = 100000;
+constexpr std::size_t mostDicomFiles = 100000;
 
 struct Visit {
   const std::function<bool(const fs::path&)>& use;  // false: enough
@@ -32,7 +32,7 @@ void visitFiles(const fs::path& folder, int depth, bool top, Visit& visit) {
     std::error_code ignored;
     if (entry->is_regular_file(ignored)) files.push_back(entry->path());
     if (entry->is_directory(ignored) && !entry->is_symlink(ignored)) folders.push_back(entry->path());
-    if (visit.count + files.size() > mostFiles)
+    if (visit.count + files.size() > mostDicomFiles)
       throwInput(folder.string(), "", "the folder has more than 100000 files");
   }
   if (error && top) throwInput(folder.string(), "", "cannot be listed: " + error.message());

@@ -37,7 +37,7 @@ struct PlyHeader {
   std::size_t end = 0;  // the byte after it
 };
 
-std::optional<VoxelType> typeNamed(std::string_view name) {
+std::optional<VoxelType> plyType(std::string_view name) {
   struct Name {
     std::string_view old, sized;
     VoxelType type;
@@ -62,7 +62,7 @@ PlyEncoding encodingNamed(std::string_view word, const std::string& file, int li
 // "property TYPE NAME" or "property list TYPE TYPE NAME", behind the first word.
 Property propertyOf(std::string_view rest, const std::string& file, int line) {
   const auto type = [&](std::string_view word) {
-    const auto found = typeNamed(word);
+    const auto found = plyType(word);
     if (!found) throwInput(file, linePlace(line), "the type " + inQuotes(word) + " is not known");
     return *found;
   };

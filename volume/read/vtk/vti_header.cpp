@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t appendedWithin = std::size_t{1} << 20;  // tags before the appended data
 
-std::optional<VoxelType> typeNamed(std::string_view name) {
+std::optional<VoxelType> vtiType(std::string_view name) {
   static constexpr std::string_view names[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
                                                "UInt32", "Int64", "UInt64", "Float32", "Float64"};
   for (int type = 0; type < 10; ++type)
@@ -207,7 +207,7 @@ VtiHeader Check::run() {
   if (std::count_if(arrays.begin(), arrays.end(), [&](const Array& a) { return a.cells == chosen->cells; }) >
       1)
     header_.image.warnings.push_back("the file has several arrays; " + inQuotes(header_.array) + " is shown");
-  const auto voxelType = typeNamed(chosen->type);
+  const auto voxelType = vtiType(chosen->type);
   if (!voxelType)
     throwInput(file_, "DataArray type", "the voxel type " + inQuotes(chosen->type) + " is not supported");
   header_.image.type = *voxelType;

@@ -1,10 +1,9 @@
-// The kernels of the caster, compiled for every instruction set and chosen at run time.
+// The kernels of the caster for one instruction set. Included by a source that CMake makes for each set
+// (isolux_simd_sources() in cmake/IsoluxTargets.cmake); castKernels() chooses among them at run time.
 #include "volume/cast/cast_kernels.h"
 
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "volume/cast/simd_cast.cpp"
+#define HWY_TARGET_INCLUDE "volume/cast/simd_cast-inl.h"
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
@@ -18,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 constexpr int kTile = StartDepths::kTile;
 
@@ -257,43 +256,10 @@ void edges(const casting::EdgeView& view, const casting::EdgeTarget& target) {
   std::visit([&](const auto* samples) { edgesOf(view, samples, target); }, view.field.samples);
 }
 
+extern const casting::CastKernels kCastKernels;
+const casting::CastKernels kCastKernels{kSimdSet, cast, castBehind, shadows, derivatives, edges};
+
 #endif
 }  // namespace HWY_NAMESPACE
 }  // namespace isolux::volume::tracing
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace isolux::volume::casting {
-
-// The widest first.
-const CastKernels* castKernels(TracerTarget target) {
-  const std::int64_t supported = hwy::SupportedTargets();
-  const auto wanted = [&](TracerTarget one) { return target == one || target == TracerTarget::automatic; };
-#define ISOLUX_KERNELS(space, highway, one, name)                     \
-  if ((supported & (highway)) && wanted(one)) {                       \
-    static constexpr CastKernels kernels{name,                        \
-                                         tracing::space::cast,        \
-                                         tracing::space::castBehind,  \
-                                         tracing::space::shadows,     \
-                                         tracing::space::derivatives, \
-                                         tracing::space::edges};      \
-    return &kernels;                                                  \
-  }
-#if HWY_TARGETS & HWY_AVX3
-  ISOLUX_KERNELS(N_AVX3, HWY_AVX3, TracerTarget::avx512, "AVX-512")
-#endif
-#if HWY_TARGETS & HWY_AVX2
-  ISOLUX_KERNELS(N_AVX2, HWY_AVX2, TracerTarget::avx2, "AVX2")
-#endif
-#if HWY_TARGETS & HWY_SSE4
-  ISOLUX_KERNELS(N_SSE4, HWY_SSE4, TracerTarget::sse4, "SSE4")
-#endif
-#if HWY_TARGETS & HWY_NEON
-  ISOLUX_KERNELS(N_NEON, HWY_NEON, TracerTarget::neon, "NEON")
-#endif
-#undef ISOLUX_KERNELS
-  return nullptr;
-}
-
-}  // namespace isolux::volume::casting
-#endif
