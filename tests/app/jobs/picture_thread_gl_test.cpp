@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,16 @@ class PictureThreadGlTest : public testing::Test {
       return result.has_value();
     }));
     return std::move(*result);
+  }
+  // Until the thread has begun to draw the order that it gave `volume`, a pointer of its own: the renderer
+  // holds it then, too.
+  static void awaitBegin(const std::shared_ptr<const volume::PreparedVolume>& volume) {
+    constexpr long here = 1, inTheOrder = 1;
+    EXPECT_TRUE(pollUntil([&] { return volume.use_count() > here + inTheOrder; }));
+  }
+  // The volume, whose users are counted apart.
+  std::shared_ptr<const volume::PreparedVolume> countedVolume() const {
+    return {volume_.get(), [kept = volume_](const volume::PreparedVolume*) {}};
   }
   app::DrawnPicture nextPicture() { return std::get<app::DrawnPicture>(next()); }
 
@@ -98,18 +109,22 @@ TEST_F(PictureThreadGlTest, TheNewestOrderIsDrawnAndIsRight) {
 
 // A draft is drawn to its end whatever is ordered meanwhile; a picture that is none makes way.
 TEST_F(PictureThreadGlTest, DraftsAreNotDropped) {
-  app::PictureOrder large = order(30.0, {1024, 1024});
+  app::PictureOrder large = order(30.0, {512, 512});
   large.draft = true;
-  const std::uint64_t draft = thread_.draw(large);
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // it has begun, or the next takes its place
+  const auto ofDraft = countedVolume();
+  large.volume = ofDraft;
+  const std::uint64_t draft = thread_.draw(std::exchange(large, {}));
+  awaitBegin(ofDraft);
   const std::uint64_t small = thread_.draw(order(31.0));
-  const app::DrawnPicture first = nextPicture();
-  if (first.order == draft) {
-    EXPECT_EQ(nextPicture().order, small);
-  }
-  large.draft = false;
-  thread_.draw(large);
-  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(nextPicture().order, draft);
+  EXPECT_EQ(nextPicture().order, small);
+  large = order(30.0, {1024, 1024});
+  large.request.supersampling =
+      4;  // half a minute of the processor: it does not end before the next is ordered
+  const auto ofLarge = countedVolume();
+  large.volume = ofLarge;
+  thread_.draw(std::exchange(large, {}));
+  awaitBegin(ofLarge);
   const std::uint64_t last = thread_.draw(order(32.0));
   EXPECT_EQ(nextPicture().order, last);
 }

@@ -312,7 +312,7 @@ TEST(ScaledField, VolumesWithHardlyAnyDataHaveNumbers) {
   EXPECT_NEAR(sampleScaled(field, one, {3, 2, 2}).value, 5.0, 1e-5);
 }
 
-TEST(ScaledField, AStopIsHeededSoon) {
+TEST(ScaledField, AStopLeavesMostOfTheRestUndone) {
   const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(160)), [](dvec3 p) {
     const double v = 40.0 - glm::distance(p, dvec3(79.5));
     return v < -20.0 ? std::numeric_limits<double>::quiet_NaN() : v;
