@@ -1,4 +1,5 @@
-// A load that is cancelled in the window. How much of it goes on then: tests/volume/read/stopped_load_test.cpp.
+// A load that is cancelled in the window. How much of it goes on then:
+// tests/volume/read/stopped_load_test.cpp.
 #include <QPushButton>
 #include <QTest>
 
