@@ -95,35 +95,43 @@ class Errors(unittest.TestCase):
 
 
 class Interrupts(unittest.TestCase):
-    def interrupt(self, call, after):
-        """Seconds from the signal to KeyboardInterrupt."""
-        sent = []
+    def interrupt(self, call):
+        """Runs call(progress) until a signal stops it, which comes once the work has begun. How far the work was then; work
+        that does not look for signals would come to its end first."""
+        begun, told, sent = threading.Event(), [], []
 
         def send():
-            time.sleep(after)
+            begun.wait()
             sent.append(time.monotonic())
             os.kill(os.getpid(), signal.SIGINT)
 
-        thread = threading.Thread(target=send)
+        def tell(fraction, stage):
+            told.append(fraction)
+            if fraction > 0:
+                begun.set()
+
+        thread = threading.Thread(target=send)  # another one: here it would be seen in tell() already
         thread.start()
-        with self.assertRaises(KeyboardInterrupt):
-            call()
-        seconds = time.monotonic() - sent[0]
-        thread.join()
-        return seconds
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                call(tell)
+        finally:
+            begun.set()
+            thread.join()
+        print(f"ended {1000 * (time.monotonic() - sent[0]):.0f} ms after the signal", file=sys.stderr)
+        return told[-1]
 
     def test_long_work_stops_and_the_volume_goes_on(self):
         volume = isolux.Volume(ball(48, 16))
         words = {"look": "gi", "settings": {"gi.samples": 65536, "gi.extent": "full"}, "size": (64, 48)}
-        seconds = self.interrupt(lambda: volume.render(0, **words), 0.4)
-        print(f"stored light ended {1000 * seconds:.0f} ms after the signal", file=sys.stderr)
+        self.assertLess(self.interrupt(lambda tell: volume.render(0, progress=tell, **words)), 0.9)  # minutes in all
         self.assertTrue(np.isfinite(volume.render(0, "lambert", size=(32, 24), aovs="depth").aov.depth).any())
 
     def test_rays_stop(self):
         volume = isolux.Volume(np.random.default_rng(1).normal(size=(64, 64, 64)).astype(np.float32))
-        origins = np.random.default_rng(2).uniform(0, 63, (1_000_000, 3))
-        seconds = self.interrupt(lambda: volume.hits(origins, np.random.default_rng(3).normal(size=3), 9.0), 0.3)
-        print(f"rays ended {1000 * seconds:.0f} ms after the signal", file=sys.stderr)
+        origins = np.random.default_rng(2).uniform(0, 63, (4_000_000, 3))
+        direction = np.random.default_rng(3).normal(size=3)
+        self.assertLess(self.interrupt(lambda tell: volume.hits(origins, direction, 9.0, progress=tell)), 0.9)
 
     def test_a_function_that_raises_stops_the_work(self):
         volume = isolux.Volume(ball(48, 16))
@@ -147,12 +155,14 @@ class Threads(unittest.TestCase):
 
         thread = threading.Thread(target=count)
         thread.start()
-        before = counted[0]
-        volume.render(0, "gi", settings={"gi.samples": 256, "gi.extent": "full"}, size=(64, 48))
-        during = counted[0] - before
+        during = []  # a call that held Python's lock would let nothing through, whatever else the machine does
+        while len(during) < 20 and max(during, default=0) <= 20:
+            before = counted[0]
+            volume.render(0, "gi", settings={"gi.samples": 256, "gi.extent": "full"}, size=(64, 48))
+            during.append(counted[0] - before)
         done.set()
         thread.join()
-        self.assertGreater(during, 20)
+        self.assertGreater(max(during), 20)
 
     def test_two_threads_draw_two_volumes(self):
         sizes = (20, 28)
