@@ -120,7 +120,7 @@ TEST_F(PictureThreadGlTest, DraftsAreNotDropped) {
   const auto [draft, ofDraft] = begun(large);
   awaitBegin(ofDraft);
   large.draft = false;
-  large.request.supersampling = 4;  // half a minute of the processor: others come before its end
+  large.request.supersampling = 3;  // seconds of the processor: others come before its end
   const auto [dropped, ofDropped] = begun(large);
   EXPECT_EQ(nextPicture().order, draft);
   awaitBegin(ofDropped);
