@@ -83,7 +83,7 @@ endfunction()
 function(isolux_test_entries target prefix)
   cmake_parse_arguments(ARG "" "SUITES;FILTER;LAUNCHER" "PROPERTY" ${ARGN})
   set(entries ${CMAKE_CURRENT_BINARY_DIR}/${target}_${prefix}.cmake)
-  set(options --property TIMEOUT 600)
+  set(options --property TIMEOUT 900)  # against hanging alone
   foreach(name IN ITEMS SUITES FILTER LAUNCHER)
     if(ARG_${name})
       string(TOLOWER ${name} option)

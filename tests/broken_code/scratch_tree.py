@@ -40,7 +40,6 @@ TEST = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", re.M)
 FOLDER_OF = {"property_tests": "properties", "gi_bake_tests": "gi"}  # of tests, where its name is another
 MEMORY = 8 << 30  # bytes of address space: broken loops may ask for any amount
 SHADERS = "resources/shaders/"
-HURRIED = "*HeededSoon*:*HeedsAStopSoon*"  # tests that a busy machine may fail: not asked
 TOO_LONG = "it takes too long"
 LIBRARY = "render/gl/shader_library.cpp"
 LOOKUP = "std::string_view textOf(std::string_view name) {\n"
@@ -215,8 +214,7 @@ class ScratchTree:
         env = dict(self.environment(), GTEST_TOTAL_SHARDS=str(self.jobs), GTEST_SHARD_INDEX=str(part))
         if broken:
             env["ISOLUX_BROKEN_SHADERS"] = str(self.shaders)
-        asked = tests + (":" if ":-" in tests else ":-") + HURRIED
-        command = [self.build_folder / "bin" / target, f"--gtest_filter={asked}", "--gtest_fail_fast"]
+        command = [self.build_folder / "bin" / target, f"--gtest_filter={tests}", "--gtest_fail_fast"]
         return subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, env=env,
                                 cwd=self.build_folder, preexec_fn=lambda: limit(int(seconds) + 1)), log
 

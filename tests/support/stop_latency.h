@@ -1,4 +1,5 @@
-// How soon long work ends once it is asked to stop, and what work costs.
+// What work goes on with once it is asked to stop, and what work costs. Both in time of the processors, which
+// other programs do not get longer by having turns of their own.
 #pragma once
 
 #include <functional>
@@ -7,9 +8,11 @@
 
 namespace isolux::test {
 
-// Runs `work` until it is stopped, at moments spread over the time that it takes undisturbed, and expects
-// that half of the stops are heeded within 100 ms. The median of several moments: a machine that is busy with
-// other things makes single ones late. Work that ends before its stop counts as heeding it.
+// Runs `work` until it is stopped, at moments spread over what it costs undisturbed, and expects that half of
+// the stops leave most of the rest undone: at most a quarter of the whole is spent after the stop in the
+// median, where work that never looks spends half. Of work that is short, what all cores can do in 100 ms,
+// twice what base::Progress allows. Work that ends before its stop counts as stopped. How long that took by
+// the clock is printed.
 void expectStopsSoon(const std::function<void(base::Progress&)>& work, int moments = 9);
 
 // Time of all processors that this process spends in `work`.

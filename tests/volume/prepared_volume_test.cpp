@@ -27,7 +27,7 @@ TEST(PreparedVolume, HoldsBlocksHistogramBoundsAndIsovalue) {
   Volume volume = volumeOf(test::phantomGrid("ball", test::obliqueLeftHandedGeometry(20)));
   const auto start = std::chrono::steady_clock::now();
   const auto prepared = prepareVolume(std::move(volume), progress);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  const std::chrono::duration<double> around = std::chrono::steady_clock::now() - start;
   EXPECT_EQ(prepared->blocks->blockCells(), kBlockCells);
   EXPECT_EQ(prepared->blocks->dims(), glm::ivec3(3));
   EXPECT_FALSE(prepared->histogram.counts.empty());
@@ -39,7 +39,7 @@ TEST(PreparedVolume, HoldsBlocksHistogramBoundsAndIsovalue) {
   EXPECT_LT(prepared->facts.suggestedIsovalue, prepared->grid().maximum());
   EXPECT_EQ(progress.fraction(), 1.0);
   EXPECT_GT(prepared->prepareSeconds, 0.0);
-  EXPECT_LE(prepared->prepareSeconds, elapsed.count());
+  EXPECT_LE(prepared->prepareSeconds, around.count());  // measured within it, so also on a busy machine
 }
 
 // A block of `tissue` in `air`, a tenth of it `bone`.
@@ -116,8 +116,8 @@ TEST(PreparedVolume, StopsWhenAsked) {
                base::Error);
 }
 
-// Each step on its own, beside whatever else the machine does.
-TEST(PreparedVolume, EveryStepHeedsAStopSoon) {
+// Each step on its own.
+TEST(PreparedVolume, AStopLeavesMostOfTheRestOfEveryStepUndone) {
   base::Progress unwatched;
   PhantomRequest request;
   request.name = "gyroid";

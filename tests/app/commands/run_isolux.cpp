@@ -100,14 +100,26 @@ double RunningIsolux::processorSeconds() const {
   return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
 }
 
+namespace {
+
+enum class Answer { yes, no, ended };
+
+Answer answerOf(pid_t pid, int number) {
+  const std::string text = contentOf("/proc/" + std::to_string(pid) + "/status");
+  const auto caught = text.find("SigCgt:");
+  if (caught == std::string::npos || text.find("State:\tZ") != std::string::npos) return Answer::ended;
+  const bool stands = (std::strtoull(text.c_str() + caught + 7, nullptr, 16) >> (number - 1) & 1) != 0;
+  return stands ? Answer::yes : Answer::no;
+}
+
+}  // namespace
+
+bool RunningIsolux::answers(int number) const {
+  return answerOf(pid_, number) == Answer::yes;
+}
+
 void RunningIsolux::waitUntilItAnswers(int number) const {
-  const std::string status = "/proc/" + std::to_string(pid_) + "/status";
-  EXPECT_TRUE(pollUntil([&] {
-    const std::string text = contentOf(status);
-    const auto caught = text.find("SigCgt:");
-    if (caught == std::string::npos || text.find("State:\tZ") != std::string::npos) return true;  // has ended
-    return (std::strtoull(text.c_str() + caught + 7, nullptr, 16) >> (number - 1) & 1) != 0;
-  }));
+  EXPECT_TRUE(pollUntil([&] { return answerOf(pid_, number) != Answer::no; }));
 }
 
 RunResult RunningIsolux::wait() {

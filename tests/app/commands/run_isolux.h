@@ -37,7 +37,9 @@ class RunningIsolux {
   RunningIsolux& operator=(const RunningIsolux&) = delete;
 
   void signal(int number) const;
-  // Until its supervisor stands, which takes this signal out of the system's hands, or it has ended.
+  // Whether its supervisor stands, which takes this signal out of the system's hands.
+  bool answers(int number) const;
+  // Until it does, or has ended.
   void waitUntilItAnswers(int number) const;
   double processorSeconds() const;  // that the command has used so far, on all cores
   RunResult wait();

@@ -1,10 +1,6 @@
 #include "app/jobs/field_job.h"
 
-#include <algorithm>
-#include <chrono>
 #include <memory>
-#include <thread>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -100,18 +96,19 @@ TEST(FieldJob, ChoosesWhatIsAutomatic) {
   EXPECT_FALSE(job.isFor(scene));
 }
 
-TEST(FieldJob, EndsSoonWhenNobodyWantsItAnyMore) {
-  const auto volume = ball(160);
-  std::vector<double> seconds;
+// Its end is waited for: what it was to make is not made then.
+TEST(FieldJob, LeavesItsWorkUndoneWhenNobodyWantsItAnyMore) {
+  const scene::Scene scene = interpolating();
+  int undone = 0;
   for (int i = 0; i < 5; ++i) {
-    auto job = std::make_unique<FieldJob>(volume, interpolating());
-    std::this_thread::sleep_for(std::chrono::milliseconds(10 * i));  // ends at several moments of its work
-    const auto start = std::chrono::steady_clock::now();
+    const auto volume = ball(160);
+    auto job = std::make_unique<FieldJob>(volume, scene);
+    const double until = 0.05 * (i + 1);  // ends at several moments of its work
+    ASSERT_TRUE(test::pollUntil([&] { return job->finished() || job->progress().fraction() >= until; }));
     job.reset();
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    undone += !fieldsAreReady(scene, *volume);
   }
-  std::sort(seconds.begin(), seconds.end());
-  EXPECT_LT(seconds[2], 0.1);
+  EXPECT_GT(undone, 0);  // on a busy machine some may have ended before
 }
 
 }  // namespace

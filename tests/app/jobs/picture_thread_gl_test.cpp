@@ -1,15 +1,20 @@
 // Pictures of a thread: the newest order counts, drafts are shown, and stopping costs nothing of the next.
 #include "app/jobs/picture_thread.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <thread>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/retire.h"
 #include "render/renderer.h"
 #include "scene/camera.h"
 #include "scene/rules/automatic.h"
+#include "tests/support/own_waits.h"
 #include "tests/support/poll.h"
 #include "tests/support/volumes.h"
 
@@ -40,6 +45,23 @@ class PictureThreadGlTest : public testing::Test {
       return result.has_value();
     }));
     return std::move(*result);
+  }
+  // Until the thread has begun to draw the order that gave it `volume`, which nobody else has: the renderer
+  // holds it then, too.
+  static void awaitBegin(const std::shared_ptr<const volume::PreparedVolume>& volume) {
+    constexpr long here = 1, inTheOrder = 1;
+    EXPECT_TRUE(pollUntil([&] { return volume.use_count() > here + inTheOrder; }));
+  }
+  static std::shared_ptr<const volume::PreparedVolume> anotherVolume() {
+    scene::Source source;
+    source.path = "phantom:gyroid:48";
+    base::Progress progress;
+    return volume::loadVolume(source, progress);
+  }
+  static std::pair<std::uint64_t, std::shared_ptr<const volume::PreparedVolume>> begun(
+      app::PictureThread& thread, app::PictureOrder asked) {
+    const auto volume = asked.volume = anotherVolume();
+    return {thread.draw(std::exchange(asked, {})), volume};
   }
   app::DrawnPicture nextPicture() { return std::get<app::DrawnPicture>(next()); }
 
@@ -96,22 +118,45 @@ TEST_F(PictureThreadGlTest, TheNewestOrderIsDrawnAndIsRight) {
   }
 }
 
+// What a window calls while a picture is drawn, and when it closes.
+TEST_F(PictureThreadGlTest, ItsOwnerWaitsForNothing) {
+  long inCalls = std::numeric_limits<long>::max(), atTheEnd = inCalls;
+  for (int i = 0; i < 5; ++i) {
+    auto thread = std::make_unique<app::PictureThread>(render::ContextChoice::osmesa);
+    ASSERT_TRUE(pollUntil([&] { return thread->context() != nullptr; }));
+    app::PictureOrder large = order(30.0, {1024, 1024});
+    large.draft = true;  // is not dropped: the thread goes on with it
+    large.request.supersampling = 3;
+    awaitBegin(begun(*thread, large).second);
+    app::PictureOrder next = order(31.0), last = order(32.0);
+    inCalls = std::min(inCalls, ownWaits([&] {
+                         thread->draw(std::move(next));
+                         thread->take();
+                         thread->draw(std::move(last));
+                         thread->drop();
+                       }));
+    EXPECT_FALSE(thread->busy());
+    atTheEnd = std::min(atTheEnd, ownWaits([&] { thread.reset(); }));
+  }
+  EXPECT_EQ(inCalls, 0);
+  EXPECT_EQ(atTheEnd, 0);
+  EXPECT_TRUE(base::awaitRetired(600.0));
+}
+
 // A draft is drawn to its end whatever is ordered meanwhile; a picture that is none makes way.
 TEST_F(PictureThreadGlTest, DraftsAreNotDropped) {
   app::PictureOrder large = order(30.0, {1024, 1024});
   large.draft = true;
-  const std::uint64_t draft = thread_.draw(large);
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // it has begun, or the next takes its place
-  const std::uint64_t small = thread_.draw(order(31.0));
-  const app::DrawnPicture first = nextPicture();
-  if (first.order == draft) {
-    EXPECT_EQ(nextPicture().order, small);
-  }
+  const auto [draft, ofDraft] = begun(thread_, large);
+  awaitBegin(ofDraft);
   large.draft = false;
-  thread_.draw(large);
-  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  large.request.supersampling = 3;  // seconds of the processor: others come before its end
+  const auto [dropped, ofDropped] = begun(thread_, large);
+  EXPECT_EQ(nextPicture().order, draft);
+  awaitBegin(ofDropped);
   const std::uint64_t last = thread_.draw(order(32.0));
   EXPECT_EQ(nextPicture().order, last);
+  EXPECT_GT(last, dropped);
 }
 
 TEST_F(PictureThreadGlTest, APictureThatFailsSaysWhyAndTheNextComes) {

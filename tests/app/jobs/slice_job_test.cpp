@@ -1,8 +1,9 @@
 // Slices drawn on a thread: what they show, drafts, and owners that do not wait for their end.
 #include "app/jobs/slice_job.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -10,6 +11,7 @@
 
 #include "app/slices/slice_draft.h"
 #include "scene/rules/automatic.h"
+#include "tests/support/own_waits.h"
 #include "tests/support/poll.h"
 #include "tests/support/volumes.h"
 
@@ -79,16 +81,18 @@ TEST(SliceDraft, AColourThatChangesEvenlyStaysSo) {
 // A thick slab of a large picture takes long; who throws it away does not wait, and the volume stays until
 // the thread has ended.
 TEST(SliceJob, ThrownAwayEndsByItself) {
-  std::weak_ptr<const volume::PreparedVolume> watched;
-  auto volume = phantom("ball", 64);
-  watched = volume;
-  app::SliceOrder order = orderOf(volume, {4000, 4000}, 60.0);
-  volume.reset();
-  auto job = std::make_unique<app::SliceJob>(std::move(order));
-  order = {};
-  EXPECT_FALSE(job->finished());
-  job.reset();
-  EXPECT_TRUE(pollUntil([&] { return watched.expired(); }));
+  long fewest = std::numeric_limits<long>::max();
+  for (int i = 0; i < 3; ++i) {
+    auto volume = phantom("ball", 64);
+    const std::weak_ptr<const volume::PreparedVolume> watched = volume;
+    auto job = std::make_unique<app::SliceJob>(orderOf(volume, {4000, 4000}, 60.0));
+    volume.reset();
+    const bool works = !job->finished();
+    const long waits = ownWaits([&] { job.reset(); });
+    if (works) fewest = std::min(fewest, waits);
+    EXPECT_TRUE(pollUntil([&] { return watched.expired(); }));
+  }
+  EXPECT_EQ(fewest, 0);
 }
 
 // Ends the process: 0 where the picture is there.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -17,6 +18,7 @@
 #include "gi/trace/exposure_meter.h"
 #include "scene/rules/automatic.h"
 #include "tests/support/memory_limit.h"
+#include "tests/support/own_waits.h"
 #include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
@@ -158,7 +160,7 @@ TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
   const auto change = [&](const auto& edit) {
     edit(scene);
     controller.setScene(resolved(), volume);
-    EXPECT_TRUE(controller.settle(30.0));
+    EXPECT_TRUE(controller.settle(120.0));
     return controller.light();
   };
   auto now = change([](scene::Scene& s) {
@@ -198,7 +200,7 @@ TEST_F(LightControllerTest, AnotherIsovalueLeavesItsLightToStandIn) {
   const auto show = [&](double isovalue) {
     scene.isosurface.value = isovalue;
     controller.setScene(resolved(), volume);
-    EXPECT_TRUE(controller.settle(30.0));
+    EXPECT_TRUE(controller.settle(120.0));
     return controller.light();
   };
   controller.setPaused(true);
@@ -226,7 +228,7 @@ TEST_F(LightControllerTest, AFileSaysWhereItsTexelsAreLit) {
   EXPECT_GT(controller.light()->sky->bakedTexels(), 30000u);
   scene.gi.texels = scene::GiTexels::shown;
   controller.setScene(resolved(), volume);
-  ASSERT_TRUE(controller.settle(30.0));
+  ASSERT_TRUE(controller.settle(120.0));
   EXPECT_THROW(controller.load(file, progress), base::Error);
 }
 
@@ -235,7 +237,7 @@ TEST_F(LightControllerTest, ExposureIsBySurfaceAndLightAndFrozenWhileTheViewTurn
   const auto exposure = [&](const auto& edit) {
     edit(scene);
     controller.setScene(resolved(), volume);
-    EXPECT_TRUE(controller.settle(30.0));
+    EXPECT_TRUE(controller.settle(120.0));
     return controller.light()->automaticExposure;
   };
   const float studio = exposure([](scene::Scene&) {});
@@ -267,25 +269,25 @@ TEST_F(LightControllerTest, AWindowsExposureWaitsUntilADraggedIsovalueRests) {
   app::LightController window{app::LightController::Options{.background = true}};
   scene.lamps[0].shown = true;  // nearer to a larger ball
   window.setScene(resolved(), volume);
-  ASSERT_TRUE(window.settle(30.0));
+  ASSERT_TRUE(window.settle(120.0));
   const float before = window.light()->automaticExposure;
   const auto begin = std::chrono::steady_clock::now();
   scene.isosurface.value = -3.0;  // a larger ball
   window.setScene(resolved(), volume);
-  ASSERT_TRUE(window.settle(30.0));
+  ASSERT_TRUE(window.settle(120.0));
   const float during = window.light()->automaticExposure;
   const bool quick = std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(250);
   EXPECT_TRUE(!quick || during == before) << during << ' ' << before;
   EXPECT_TRUE(test::pollUntil([&] { return window.light()->automaticExposure != before; }));
   controller.setScene(resolved(), volume);  // a command's is at once the same
-  ASSERT_TRUE(controller.settle(30.0));
+  ASSERT_TRUE(controller.settle(120.0));
   EXPECT_EQ(controller.light()->automaticExposure, window.light()->automaticExposure);
 }
 
 TEST_F(LightControllerTest, AMissingProbeIsSaidAndAnotherWorks) {
   scene.light.environment.file = "no_such_probe.hdr";
   controller.setScene(resolved(), volume);
-  ASSERT_TRUE(controller.settle(30.0));
+  ASSERT_TRUE(controller.settle(120.0));
   EXPECT_EQ(controller.state().phase, Phase::failed);
   ASSERT_TRUE(controller.state().error.has_value());
   EXPECT_EQ(controller.state().error->kind(), base::ErrorKind::input);
@@ -302,13 +304,13 @@ TEST_F(LightControllerTest, PauseCancelAndGoOn) {
   scene.gi.samples = 1000000;  // for ever
   controller.setScene(resolved(), volume);
   controller.setVisible({surface()});
-  ASSERT_TRUE(controller.settle(30.0));
+  ASSERT_TRUE(controller.settle(120.0));
   controller.setPaused(true);
   EXPECT_EQ(controller.state().phase, Phase::paused);
   controller.setPaused(false);
   EXPECT_TRUE(comesTo(Phase::baking));
   controller.cancel();
-  ASSERT_TRUE(controller.settle(30.0));
+  ASSERT_TRUE(controller.settle(120.0));
   EXPECT_TRUE(comesTo(Phase::finished)) << "nothing is wanted any more";
   scene.gi.samples = 16;
   light();
@@ -328,7 +330,7 @@ TEST_F(LightControllerTest, TransferIsCompressedWhenItIsFinished) {
   // Turning a sky of one colour changes nothing but the version.
   scene.light.environment.rotation = {0.0, 0.0, 0.0, 1.0};
   controller.setScene(resolved(), volume);
-  ASSERT_TRUE(controller.settle(30.0));
+  ASSERT_TRUE(controller.settle(120.0));
   EXPECT_EQ(controller.light()->sky, picture->sky);
   EXPECT_NEAR(controller.light()->environment[0].x, picture->environment[0].x, 1e-5f);
 }
@@ -476,20 +478,16 @@ TEST_F(LightControllerTest, TransferOfBothSidesIsCompressedTogether) {
 
 TEST_F(LightControllerTest, AWindowThatClosesDoesNotWaitForTheBake) {
   scene.gi.samples = 1000000;  // for ever
-  double shortest = 1e9;       // of some, for a busy machine
-  for (int i = 0; i < 3; ++i) {
+  long fewest = std::numeric_limits<long>::max();
+  for (int i = 0; i < 5; ++i) {
     auto ofWindow = std::make_unique<app::LightController>(app::LightController::Options{.background = true});
     ofWindow->setScene(resolved(), volume);
     ofWindow->setVisible({surface()});
     ASSERT_TRUE(test::pollUntil([&] { return ofWindow->state().counters.rays > 0; }));
-    const auto begin = std::chrono::steady_clock::now();
-    ofWindow.reset();
-    shortest =
-        std::min(shortest,
-                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    fewest = std::min(fewest, ownWaits([&] { ofWindow.reset(); }));
   }
-  EXPECT_LT(shortest, 20.0);
-  EXPECT_TRUE(base::awaitRetired(60.0));
+  EXPECT_EQ(fewest, 0) << "who waited for the bake would give up the processor each time";
+  EXPECT_TRUE(base::awaitRetired(600.0));
 }
 
 TEST_F(LightControllerTest, TheLeastChangeOfAConstantSkyIsAChange) {
@@ -500,7 +498,7 @@ TEST_F(LightControllerTest, TheLeastChangeOfAConstantSkyIsAChange) {
   const float before = controller.light()->environment[0].x;
   scene.light.environment.constant = glm::dvec3(3e-7);
   controller.setScene(resolved(), volume);
-  ASSERT_TRUE(controller.settle(30.0));
+  ASSERT_TRUE(controller.settle(120.0));
   EXPECT_NEAR(controller.light()->environment[0].x / before, 3.0f, 1e-3f);
 }
 

@@ -1,8 +1,6 @@
 #include "tests/support/ui/watchdog.h"
 
 #include <algorithm>
-#include <map>
-#include <string>
 
 namespace isolux::test {
 
@@ -15,21 +13,6 @@ double processorMilliseconds() {
 }
 
 }  // namespace
-
-double slownessNow() {
-  constexpr double kQuietMs = 3.1;
-  std::vector<double> taken;
-  for (int run = 0; run < 7; ++run) {
-    const double begin = processorMilliseconds();
-    std::map<std::string, std::vector<int>> objects;
-    for (unsigned i = 0; i < 8000; ++i)
-      objects["an object of a window " + std::to_string(i * 2654435761u)].assign(8, run);
-    objects.clear();
-    taken.push_back(processorMilliseconds() - begin);
-  }
-  std::sort(taken.begin(), taken.end());
-  return std::max(1.0, taken[taken.size() / 2] / kQuietMs);
-}
 
 Watchdog::Watchdog() {
   const QAbstractEventDispatcher* const dispatcher = QAbstractEventDispatcher::instance();

@@ -34,9 +34,4 @@ class Watchdog : public QObject {
   std::vector<Turn> turns_;
 };
 
-// How many times as long as on the machine that the limits of turns were set on, quiet, this one takes now for
-// the same work of a few milliseconds (objects made, sorted and freed, as widgets do); at least 1. Time of the
-// processor hides that others have turns, but not that they share its core and caches.
-double slownessNow();
-
 }  // namespace isolux::test

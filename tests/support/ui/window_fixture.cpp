@@ -119,9 +119,9 @@ std::unique_ptr<ui::MainWindow> WindowTest::makeWindow() {
   });
   window->resize(900, 640);
   window->show();
-  if (!QTest::qWaitForWindowExposed(window.get())) ADD_FAILURE() << "the window was not shown";
+  if (!QTest::qWaitForWindowExposed(window.get(), 120000)) ADD_FAILURE() << "the window was not shown";
   window->activateWindow();  // shortcuts reach the active window only
-  if (!QTest::qWaitForWindowActive(window.get())) ADD_FAILURE() << "the window did not become active";
+  if (!QTest::qWaitForWindowActive(window.get(), 120000)) ADD_FAILURE() << "the window did not become active";
   return window;
 }
 

@@ -16,11 +16,12 @@
 
 namespace isolux::test {
 
-// Runs the event loop until `condition` holds; false after the time-out.
-bool waitUntil(const std::function<bool()>& condition, int milliseconds = 20000);
+// Runs the event loop until `condition` holds; false after the time-out, which guards against waiting for
+// ever.
+bool waitUntil(const std::function<bool()>& condition, int milliseconds = 120000);
 
 // Runs the event loop until `value` has stayed the same for a second: the only way to see that threads which
-// end what they have begun have ended it. False when it has not come to rest after 20 s.
+// end what they have begun have ended it. False when it has not come to rest after two minutes.
 bool comesToRest(const std::function<std::uint64_t()>& value);
 
 // Presses at `from`, moves in `steps` to `to`, releases; the event loop runs between.

@@ -49,7 +49,7 @@ class LevelMarksTest : public WindowTest {
     fullPicture(*window_);
   }
   bool awaitMarks() {
-    return waitUntil([&] { return window_->viewport()->showsOver(Over::structure); }, 60000);
+    return waitUntil([&] { return window_->viewport()->showsOver(Over::structure); });
   }
   ui::LevelMarks* marks() { return window_->levelMarks(); }
   QImage onScreen() {
@@ -101,7 +101,7 @@ TEST_F(LevelMarksTest, EachPictureHasItsOwn) {
   edit.scene.isosurface.value = 250.0;  // of nothing
   window_->document()->edit(edit);
   fullPicture(*window_);
-  EXPECT_TRUE(waitUntil([&] { return window_->coarseLabel()->text().contains("hides nothing"); }, 60000));
+  EXPECT_TRUE(waitUntil([&] { return window_->coarseLabel()->text().contains("hides nothing"); }));
   EXPECT_FALSE(window_->viewport()->showsOver(Over::structure));
 }
 
@@ -121,7 +121,7 @@ TEST_F(LevelMarksTest, ErrorsThatAreAskedForGoBefore) {
 
 TEST_F(LevelMarksTest, WithoutAnIndexItSaysWhatWouldTell) {
   showLevel(1);
-  EXPECT_TRUE(waitUntil([&] { return window_->coarseLabel()->toolTip().contains("isolux index"); }, 60000));
+  EXPECT_TRUE(waitUntil([&] { return window_->coarseLabel()->toolTip().contains("isolux index"); }));
   EXPECT_EQ(window_->coarseLabel()->text(), "Overview: level 1");
   EXPECT_FALSE(window_->viewport()->showsOver(Over::structure));
   makeIndex();  // meanwhile, in a terminal: the next picture is marked

@@ -51,7 +51,7 @@ class LevelZeroTest : public WindowTest {
   }
   bool isOn() { return window_->viewport()->showsOver(Over::levelZero); }
   bool awaitLevelZero() {
-    return waitUntil([&] { return isOn(); }, 60000);
+    return waitUntil([&] { return isOn(); });
   }
   ui::LevelZero* zero() { return window_->levelZero(); }
   std::string said() { return window_->coarseLabel()->text().toStdString(); }
@@ -105,7 +105,7 @@ TEST_F(LevelZeroTest, APictureThatWasDroppedIsNotShownOfAnotherView) {
     waitUntil([] { return false; }, 20 * i);
   }
   edit([&](scene::Scene& scene) { scene.camera.eye = eye; });
-  ASSERT_TRUE(waitUntil([&] { return window_->viewport()->complete() && isOn(); }, 60000));
+  ASSERT_TRUE(waitUntil([&] { return window_->viewport()->complete() && isOn(); }));
   EXPECT_EQ(differingPixels(zero()->image(), seen, 0), 0.0);
 }
 
@@ -157,7 +157,7 @@ TEST_F(LevelZeroTest, SavedPicturesAreWhatIsSeen) {
 TEST_F(LevelZeroTest, MarksOfTheOverviewComeWithTheIndex) {
   showLevel(2);
   ASSERT_TRUE(awaitLevelZero());
-  EXPECT_TRUE(waitUntil([&] { return window_->viewport()->showsOver(Over::structure); }, 60000));
+  EXPECT_TRUE(waitUntil([&] { return window_->viewport()->showsOver(Over::structure); }));
   EXPECT_TRUE(isOn()) << "level 0 goes before";
 }
 

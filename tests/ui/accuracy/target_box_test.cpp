@@ -97,16 +97,16 @@ TEST_F(TargetBoxTest, AnyEditDropsASearch) {
   since.start();
   edit("camera.fov=40");
   EXPECT_FALSE(box()->searching());
-  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }, 60000));
+  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }));
   std::printf("the thread of a dropped search ended after %lld ms\n",
               static_cast<long long>(since.elapsed()));
   begin();
   click(box()->findButton());  // Stop
   EXPECT_FALSE(box()->searching());
-  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }, 60000));
+  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }));
   begin();
   window_->showPanel("Passes");
-  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }, 60000));
+  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }));
   EXPECT_FALSE(box()->searching());
 }
 

@@ -34,7 +34,7 @@ class ReferenceDialogTest : public WindowTest {
     WindowTest::TearDown();
   }
   bool ended() {
-    return waitUntil([&] { return dialog_->startButton()->text() == "Trace"; }, 60000);
+    return waitUntil([&] { return dialog_->startButton()->text() == "Trace"; });
   }
   // Empty when the file was written, else what the dialog says.
   static QString saved(ui::ReferenceDialog& dialog, const QString& file) {
@@ -71,7 +71,7 @@ TEST_F(ReferenceDialogTest, TracesThePictureAndSavesItWithItsVariance) {
 TEST_F(ReferenceDialogTest, StoppingLeavesWhatThereIs) {
   dialog_->samplesBox()->setValue(1000000);
   dialog_->startButton()->click();
-  ASSERT_TRUE(waitUntil([&] { return dialog_->image() != nullptr; }, 60000));
+  ASSERT_TRUE(waitUntil([&] { return dialog_->image() != nullptr; }));
   EXPECT_TRUE(dialog_->tracing());
   dialog_->startButton()->click();
   ASSERT_TRUE(ended());

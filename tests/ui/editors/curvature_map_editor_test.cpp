@@ -38,7 +38,7 @@ class CurvatureMapEditorTest : public testing::Test {
       show();
     });
     QObject::connect(&panel_, &ui::SettingsPanel::dragEnded, [this] { history_.seal(); });
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel_));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel_, 120000));
   }
   void show() { panel_.setScene(history_.scene(), history_.scene()); }
   ui::CurvatureMapEditor* editor() { return panel_.findChild<ui::CurvatureMapEditor*>(); }

@@ -22,7 +22,7 @@ class NumberEntryTest : public testing::Test {
     other_.move(0, 30);
     window_.show();
     window_.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window_, 120000));
     other_.setFocus();
   }
   QWidget window_;

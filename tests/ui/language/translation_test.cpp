@@ -171,7 +171,7 @@ TEST(TranslationTest, HoldsWhatIsInTheSourcesAndNothingElse) {
   QProcess lupdate;
   lupdate.setWorkingDirectory(ISOLUX_SOURCE_DIR);
   lupdate.start(ISOLUX_LUPDATE, {"-silent", "-locations", "none", "-I", ".", "ui", lists, "-ts", updated});
-  ASSERT_TRUE(lupdate.waitForFinished(60000));
+  ASSERT_TRUE(lupdate.waitForFinished(120000));
   ASSERT_EQ(lupdate.exitCode(), 0) << lupdate.readAllStandardError().toStdString();
   const auto entries = readEntries(updated);
   EXPECT_GE(entries.size(), german().size());

@@ -36,7 +36,7 @@ class LightWindowTest : public WindowTest {
     set("look.mode", "gi");
   }
   bool waitForPhase(Phase phase) {
-    return waitUntil([&] { return light()->state().phase == phase; }, 60000);
+    return waitUntil([&] { return light()->state().phase == phase; });
   }
   std::uint64_t samplesDone() { return light()->state().counters.samplesDone; }
   static constexpr int endless = 1000000;
@@ -94,7 +94,7 @@ TEST_F(LightWindowTest, PausedLightStandsStillAndGoesOn) {
 
 TEST_F(LightWindowTest, StoppedLightStaysStoppedUntilTheViewChanges) {
   lightUp(endless);
-  ASSERT_TRUE(waitUntil([&] { return samplesDone() > 0; }, 60000));
+  ASSERT_TRUE(waitUntil([&] { return samplesDone() > 0; }));
   status()->stopButton()->click();
   ASSERT_TRUE(waitUntil([&] { return !light()->changing(); }));
   fullPicture(*window_);  // more rays of the same view want nothing new
@@ -121,7 +121,7 @@ TEST_F(LightWindowTest, StillPicturesHaveOneRayPerPixelUntilTheLightIsThere) {
                      most = std::max(most, request.supersampling);
                    });
   lightUp(endless);
-  ASSERT_TRUE(waitUntil([&] { return samplesDone() > 0; }, 60000));
+  ASSERT_TRUE(waitUntil([&] { return samplesDone() > 0; }));
   counts = true;
   QTest::qWait(1000);  // nothing but time: several times what a view rests before its fine picture
   EXPECT_TRUE(waitUntil([&] { return pictures >= 3; }));

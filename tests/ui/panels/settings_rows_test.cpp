@@ -112,7 +112,7 @@ TEST_F(SettingsRowsTest, NoRowMovesWhileAValueIsDraggedOrTurned) {
   panel_.editor("look.contours")->findChild<ui::NumberSpinBox*>()->setValue(0.0);
   EXPECT_EQ(scene_.look.contours, 0.0);
   EXPECT_EQ(rows(panel_), shown);
-  EXPECT_TRUE(waitUntil([&] { return !panel_.shows("look.contour_width"); }, 5000));
+  EXPECT_TRUE(waitUntil([&] { return !panel_.shows("look.contour_width"); }));
   EXPECT_EQ(rows(panel_), before);
 }
 

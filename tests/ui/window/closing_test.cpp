@@ -64,7 +64,7 @@ TEST_F(WindowTest, EveryWayOutAsksAboutWorkThatWasNeverSaved) {
   int asked = 0;
   for (const auto& [name, leave] : ways) {
     leave();
-    EXPECT_TRUE(waitUntil([&] { return cancel.questions() == asked + 1; }, 60000)) << name;
+    EXPECT_TRUE(waitUntil([&] { return cancel.questions() == asked + 1; })) << name;
     asked = cancel.questions();
     EXPECT_TRUE(cancel.lastText().contains("ball phantom")) << cancel.lastText().toStdString();
     EXPECT_TRUE(window_->isVisible()) << name;

@@ -38,7 +38,8 @@ namespace isolux::test {
 
 namespace {
 
-constexpr double longestTurnMs = 50.0;
+// Milliseconds of the processor, four times what a turn may take for a window to stay fluent.
+constexpr double mostWorkOfAStep = 4.0 * 50.0;
 
 // The voxels of a volume file in HU as the slices of a CT series.
 void writeDicomFolder(const std::filesystem::path& volumeFile, const std::filesystem::path& folder) {
@@ -104,15 +105,13 @@ class FirstVisitTest : public WindowTest {
   // One step of the visit: what the user does, the picture it ends with, how long the window was busy.
   void step(const char* name, const std::function<void()>& act, const std::function<bool()>& done = {}) {
     restartTimeBound();
-    double slowness = slownessNow();
     {
       const Watchdog watchdog;
       act();
       EXPECT_TRUE(waitUntil([&] { return viewport()->complete() && (!done || done()); }, 120000)) << name;
-      slowness = std::max(slowness, slownessNow());
-      std::printf("%-12s longest turn %5.1f ms of the processor (%.1f ms in all), machine %.2f as slow\n",
-                  name, watchdog.longestProcessor(), watchdog.longestWall(), slowness);
-      EXPECT_LE(watchdog.longestProcessor(), slowness * longestTurnMs) << name;
+      std::printf("%-12s longest turn %5.1f ms of the processor (%.1f ms in all)\n", name,
+                  watchdog.longestProcessor(), watchdog.longestWall());
+      EXPECT_LE(watchdog.longestProcessor(), mostWorkOfAStep) << name;
     }
     ASSERT_FALSE(viewport()->problem()) << name << ": " << viewport()->problem()->toStdString();
     if (const char* pictures = std::getenv("ISOLUX_VISIT_PICTURES")) {

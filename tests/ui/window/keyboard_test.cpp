@@ -99,8 +99,7 @@ TEST_F(KeyboardTest, EachStopOfTheTabKeyShowsWhereItIs) {
         QAccessible::queryAccessibleInterface(stop)->text(QAccessible::Name).toStdString();
     ASSERT_EQ(ring->target(), stop) << name;
     const QWidget* frame = nullptr;
-    ASSERT_TRUE(waitUntil([&] { return (frame = ring->ring()) != nullptr && frame->isVisible(); }, 2000))
-        << name;
+    ASSERT_TRUE(waitUntil([&] { return (frame = ring->ring()) != nullptr && frame->isVisible(); })) << name;
     const QRect place = frame->geometry();
     const QImage seen = window_->grab(place).toImage();
     const double ratio = seen.devicePixelRatio();

@@ -136,8 +136,7 @@ TEST_F(WindowTest, TheCopiedCommandDrawsStoredLightBitForBit) {
   scene.gi.samples = 16;
   window_->document()->edit({scene, "Light", {}, false});
   fullPicture(*window_);
-  ASSERT_TRUE(
-      waitUntil([&] { return window_->light()->state().phase == app::LightState::Phase::finished; }, 60000));
+  ASSERT_TRUE(waitUntil([&] { return window_->light()->state().phase == app::LightState::Phase::finished; }));
   const QString saved = newFile("saved.png");
   ASSERT_TRUE(window_->savePicture(saved));
   expectTheCopiedCommandDraws(*window_, saved);

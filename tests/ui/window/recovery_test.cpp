@@ -67,7 +67,7 @@ void runKilledWindow(const std::filesystem::path& folder) {
   ASSERT_TRUE(process.waitForStarted());
   const auto leftovers =
       std::filesystem::temp_directory_path() / ("isolux-test-" + std::to_string(process.processId()));
-  ASSERT_TRUE(process.waitForFinished(60000));
+  ASSERT_TRUE(process.waitForFinished(120000));
   std::filesystem::remove_all(leftovers);  // of a killed process's temporaryFolder()
   ASSERT_EQ(process.exitStatus(), QProcess::CrashExit) << process.readAllStandardOutput().toStdString();
 }

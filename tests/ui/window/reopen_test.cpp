@@ -86,12 +86,12 @@ TEST_F(ReopenTest, TheFileOnShowIsShownAgainUnderItsStoredLight) {
   scene::setting("look.mode").set(edit.scene, "gi");
   window_->document()->edit(edit);
   const auto lit = [&] { return window_->light()->state().phase == app::LightState::Phase::finished; };
-  ASSERT_TRUE(waitUntil(lit, 60000));
+  ASSERT_TRUE(waitUntil(lit));
   const QString session = newFile("lit.isolux");
   ASSERT_TRUE(window_->document()->saveSession(session));
   const QImage before = picture();
   ASSERT_TRUE(load(*window_, session));
-  ASSERT_TRUE(waitUntil(lit, 60000));
+  ASSERT_TRUE(waitUntil(lit));
   EXPECT_EQ(differingPixels(before, picture(), 0), 0.0);
   EXPECT_GT(blocksActive_, 0u);
 }

@@ -57,7 +57,7 @@ class Visitor {
 
   void settle() {
     EXPECT_TRUE(
-        waitUntil([&] { return !window_->document()->loading() && window_->viewport()->complete(); }, 60000));
+        waitUntil([&] { return !window_->document()->loading() && window_->viewport()->complete(); }));
   }
 
  private:
@@ -139,7 +139,7 @@ class Visitor {
     window_ = std::make_unique<ui::MainWindow>();
     window_->resize(800, 560);
     window_->show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get(), 120000));
     openPath(volume_);
     finishLoading();
   }

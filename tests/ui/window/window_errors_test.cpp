@@ -83,7 +83,7 @@ TEST_F(WindowTest, ThePictureStaysInAnotherWindow) {
   viewport->setParent(nullptr);
   viewport->resize(size);
   viewport->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(viewport));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(viewport, 120000));
   EXPECT_EQ(differingPixels(before, fullPicture(*window_)), 0.0);
   viewport->setParent(home);
 }
@@ -179,7 +179,7 @@ ProgramResult runWithout(const QStringList& removed, const QStringList& argument
   if (!display.isEmpty()) environment.insert("DISPLAY", display);
   process.setProcessEnvironment(environment);
   process.start(ISOLUX_PROGRAM, arguments);
-  process.waitForFinished(20000);
+  process.waitForFinished(120000);
   return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
           QString::fromUtf8(process.readAllStandardError())};
 }

@@ -148,7 +148,7 @@ TEST(Coefficients, GapsCostAFewTimesWhatDataCost) {
   EXPECT_LT(filled, 20.0 * plain);
 }
 
-TEST(Coefficients, AStopIsHeededSoon) {
+TEST(Coefficients, AStopLeavesMostOfTheRestUndone) {
   const Grid gaps = gridOfVoxels(test::unitGeometry(glm::ivec3(192)), [](glm::dvec3 p) {
     const double v = 40.0 - glm::distance(p, glm::dvec3(95.5));
     return v < -20.0 ? std::numeric_limits<double>::quiet_NaN() : v;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
@@ -312,7 +313,7 @@ TEST(ScaledField, VolumesWithHardlyAnyDataHaveNumbers) {
   EXPECT_NEAR(sampleScaled(field, one, {3, 2, 2}).value, 5.0, 1e-5);
 }
 
-TEST(ScaledField, AStopIsHeededSoon) {
+TEST(ScaledField, AStopLeavesMostOfTheRestUndone) {
   const Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(160)), [](dvec3 p) {
     const double v = 40.0 - glm::distance(p, dvec3(79.5));
     return v < -20.0 ? std::numeric_limits<double>::quiet_NaN() : v;
@@ -328,26 +329,29 @@ TEST(ScaledField, SaysHowFarItIsAndNoFartherThanTheEnd) {
   EXPECT_LE(progress.fraction(), 1.0);
 }
 
-// Steps of several threads may be told in another order; stages may not.
+// Of one thread, for steps of several may be told in another order. It is looked at from another one, which a
+// busy machine may let look seldom: then once more.
 TEST(ScaledField, ItsProgressDoesNotGoBack) {
   Grid grid = gridOfVoxels(test::unitGeometry(glm::ivec3(128)), [](dvec3 p) {
     const double v = 40.0 - glm::distance(p, dvec3(63.5));
     return v < -30.0 ? std::numeric_limits<double>::quiet_NaN() : v;
   });
-  base::Progress progress;
-  std::atomic<bool> ended{false};
-  std::jthread work([&] {
-    scaledField(grid, Field::cubic, 2.0, progress);
-    ended = true;
-  });
-  double most = 0.0;
+  const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
   int steps = 0;
-  while (!ended) {
-    const double now = progress.fraction();
-    EXPECT_GT(now, most - 0.03);
-    steps += now > most;
-    most = std::max(most, now);
-    std::this_thread::yield();
+  for (int tries = 0; tries < 10 && steps <= 10; ++tries) {
+    base::Progress progress;
+    std::atomic<bool> ended{false};
+    std::jthread work([&] {
+      scaledField(grid, Field::cubic, 2.0, progress);
+      ended = true;
+    });
+    double last = 0.0;
+    for (steps = 0; !ended; std::this_thread::yield()) {
+      const double now = progress.fraction();
+      EXPECT_GE(now, last);
+      steps += now > last;
+      last = now;
+    }
   }
   EXPECT_GT(steps, 10);
 }

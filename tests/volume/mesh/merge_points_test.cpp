@@ -48,7 +48,7 @@ TEST(MergePoints, EqualPointsBecomeTheFirstOfThemHoweverFarApartOthersAre) {
   EXPECT_TRUE(mergedPoints({}, 1.0, progress).empty());
 }
 
-TEST(MergePoints, AStopIsHeededSoon) {
+TEST(MergePoints, AStopLeavesMostOfTheRestUndone) {
   const std::vector<glm::dvec3> points = randomPoints(500'000, 1000.0);
   test::expectStopsSoon([&](base::Progress& progress) { mergedPoints(points, 0.01, progress); }, 5);
 }
