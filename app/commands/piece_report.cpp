@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iomanip>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "app/commands/measure_report.h"

@@ -1,6 +1,8 @@
 #include "scene/settings.h"
 #include "scene/setting/assignment.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 

@@ -1,6 +1,7 @@
 // Runs `isolux study`: needs a graphics context, software is enough.
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
