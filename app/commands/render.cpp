@@ -118,7 +118,7 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
       return std::find(list.begin(), list.end(), image) != list.end();
     };
     if (has(wanted.errors, ErrorImage::light) && !has(wanted.aovs, render::Aov::irradiance))
-      request.aovs.push_back(render::Aov::irradiance);            // so that light is stored
+      request.aovs.push_back(render::Aov::irradiance);                       // so that light is stored
     if (request.aovs.empty()) request.aovs = std::vector{render::Aov::hit};  // others alone are asked for
     if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
     request.color = false;
