@@ -6,6 +6,9 @@ namespace isolux::bench {
 
 EmbreeScene::EmbreeScene(const Triangles& mesh, RTCSceneFlags flags)
     : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
+#if RTC_VERSION_MAJOR < 4
+  rtcInitIntersectContext(&context_);
+#endif
   rtcSetSceneFlags(scene_, flags);
   const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   void* points = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,

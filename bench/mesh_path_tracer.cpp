@@ -78,8 +78,6 @@ glm::dvec3 MeshPathTracer::normalAt(glm::dvec3 voxel) const {
 // The first triangle that is met from outside.
 bool MeshPathTracer::firstEntry(glm::dvec3 voxel, glm::dvec3 worldDirection, Hit& hit) const {
   const glm::dvec3 direction = glm::normalize(voxelFromWorld_ * worldDirection);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit query{};
   query.ray.org_x = static_cast<float>(voxel.x), query.ray.org_y = static_cast<float>(voxel.y),
   query.ray.org_z = static_cast<float>(voxel.z);
@@ -90,7 +88,7 @@ bool MeshPathTracer::firstEntry(glm::dvec3 voxel, glm::dvec3 worldDirection, Hit
     query.ray.tnear = from;
     query.ray.tfar = std::numeric_limits<float>::infinity();
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(embree_.get(), &context, &query);
+    embree_.intersect(query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
     const std::uint32_t* const corner = &mesh_.corners[3 * static_cast<std::size_t>(query.hit.primID)];
     const double u = query.hit.u, v = query.hit.v;

@@ -114,8 +114,6 @@ class MeshTracer {
   explicit MeshTracer(const Triangles& mesh) : scene_(mesh) {}
 
   void single(const std::vector<TraceRay>& rays, std::vector<float>& t, bool any) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       RTCRayHit hit{};
       hit.ray = {rays[i].origin.x,
@@ -132,18 +130,16 @@ class MeshTracer {
                  0};
       hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       if (any) {
-        rtcOccluded1(scene_.get(), &context, &hit.ray);
+        scene_.occluded(hit.ray);
         t[i] = hit.ray.tfar < 0.0f ? 0.0f : kInfinity;
       } else {
-        rtcIntersect1(scene_.get(), &context, &hit);
+        scene_.intersect(hit);
         t[i] = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID ? hit.ray.tfar : kInfinity;
       }
     }
   }
 
   void sixteen(const std::vector<TraceRay>& rays, std::vector<float>& t, bool any) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     for (std::size_t first = 0; first < rays.size(); first += 16) {
       alignas(64) int valid[16];
       RTCRayHit16 hits{};
@@ -158,9 +154,9 @@ class MeshTracer {
         hits.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
       }
       if (any)
-        rtcOccluded16(valid, scene_.get(), &context, &ray);
+        scene_.occluded(valid, ray);
       else
-        rtcIntersect16(valid, scene_.get(), &context, &hits);
+        scene_.intersect(valid, hits);
       for (std::size_t k = 0; k < 16 && first + k < rays.size(); ++k) {
         const bool hit = any ? ray.tfar[k] < 0.0f : hits.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
         t[first + k] = !hit ? kInfinity : any ? 0.0f : ray.tfar[k];

@@ -59,7 +59,7 @@ struct Yardstick {
 
 DepthPicture depthOf(const Frame& frame, const scene::Scene& scene) {
   render::FrameRequest request = frame.request;
-  request.aovs = {render::Aov::position};
+  request.aovs = std::vector{render::Aov::position};
   frame.renderer->render(scene, request);
   const render::AovImage image = frame.renderer->readAov(render::Aov::position);
   const scene::CameraFrame camera = scene::frameOf(scene.camera);

@@ -57,5 +57,5 @@ endif()
 # --- benchmarks
 if(ISOLUX_BENCH)
   find_package(benchmark REQUIRED)
-  find_package(embree 3 REQUIRED)
+  find_package(embree REQUIRED)  # 3 or 4: bench/embree_scene.h
 endif()

@@ -290,7 +290,7 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
             wanted.errors.end() &&
         !has(render::Aov::irradiance))
       request.aovs.push_back(render::Aov::irradiance);
-    if (request.aovs.empty()) request.aovs = {render::Aov::hit};
+    if (request.aovs.empty()) request.aovs = std::vector{render::Aov::hit};
     picture->images = drawOne(request, true).aovs;
   }
   if (wish.color || wish.linear) {

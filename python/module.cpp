@@ -210,9 +210,7 @@ void defineWishes(py::module_& module) {
       .def_property(
           "context", [](const PictureWish&) { return py::none(); },
           [](PictureWish& wish, const std::string& name) {
-            wish.context = name == "egl"      ? render::ContextChoice::egl
-                           : name == "osmesa" ? render::ContextChoice::osmesa
-                                              : render::ContextChoice::automatic;
+            wish.context = render::contextChoiceNamed(name);
           });
 }
 

@@ -48,7 +48,7 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
   render::FrameRequest hits;
   hits.size = size;
   hits.color = false;
-  hits.aovs = {render::Aov::voxel};
+  hits.aovs = std::vector{render::Aov::voxel};
   hits.stop = request.stop;
   const std::vector<float> voxels = render::drawStill(renderer, drawn, hits, progress).aovs.at(0).values;
 

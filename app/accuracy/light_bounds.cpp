@@ -57,7 +57,7 @@ class LightJury {
       : renderer_(renderer), light_(light), progress_(progress) {
     request_.size = request.size;
     request_.color = false;
-    request_.aovs = {render::Aov::irradiance};
+    request_.aovs = std::vector{render::Aov::irradiance};
     scene_ = litScene(scene, request_);
   }
 
@@ -70,7 +70,7 @@ class LightJury {
   // larger.
   int near() {
     render::FrameRequest request = request_;
-    request.aovs = {render::Aov::voxel};
+    request.aovs = std::vector{render::Aov::voxel};
     const std::vector<float> voxel = render::drawStill(renderer_, scene_, request, progress_).aovs[0].values;
     const auto& lattice = light_.light->sky ? *light_.light->sky : *light_.light->lamps;
     const glm::vec3 texels = 1.0f / glm::max(glm::vec3(lattice.geometry().voxelsPerTexel()), 1e-6f);

@@ -2,6 +2,7 @@
 // core to itself, and one that stands still would hold up the others.
 #include "app/cluster/mpi_module.h"
 
+#include <chrono>
 #include <list>
 #include <thread>
 #include <vector>

@@ -65,7 +65,7 @@ gi::SeenPoints seenPoints(const BakeOptions& options, const scene::Scene& scene,
   while (std::max(request.size.x, request.size.y) > 4096)
     request.size = glm::max(request.size / 2, glm::ivec2(1));
   request.color = false;
-  request.aovs = {render::Aov::voxel};
+  request.aovs = std::vector{render::Aov::voxel};
   renderer.render(scene, request);
   return renderer.hitVoxels();
 }

@@ -234,15 +234,10 @@ std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
   auto choice = std::make_shared<render::ContextChoice>(render::ContextChoice::automatic);
   parser
       .add_option_function<std::string>(
-          "--context",
-          [choice](const std::string& word) {
-            *choice = word == "egl"      ? render::ContextChoice::egl
-                      : word == "osmesa" ? render::ContextChoice::osmesa
-                                         : render::ContextChoice::automatic;
-          },
-          "Where to draw: auto (default; `isolux doctor` says which), egl, osmesa")
+          "--context", [choice](const std::string& word) { *choice = render::contextChoiceNamed(word); },
+          "Where to draw: auto (default; `isolux doctor` says which), software, egl, osmesa")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "egl", "osmesa"}).description(""));
+      ->check(CLI::IsMember({"auto", "software", "egl", "osmesa"}).description(""));
   return choice;
 }
 

@@ -123,8 +123,8 @@ void printDoctor(std::ostream& out, base::Progress& progress) {
     if (probe.chosen) chosen = probe.kind;
   }
   if (chosen.empty())
-    out << "None works, so `isolux render` and `isolux replay` cannot draw; install libosmesa6 or an "
-           "EGL driver.\n";
+    out << "None works, so `isolux render` and `isolux replay` cannot draw; install an EGL driver "
+           "(libegl-mesa0 and libgl1-mesa-dri draw without a graphics card).\n";
   else
     out << "* " << chosen
         << " is what --context auto takes: a GPU through EGL goes first, then OSMesa, then software EGL.\n";

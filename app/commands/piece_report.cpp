@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iomanip>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <nlohmann/json.hpp>

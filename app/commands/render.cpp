@@ -118,8 +118,8 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
       return std::find(list.begin(), list.end(), image) != list.end();
     };
     if (has(wanted.errors, ErrorImage::light) && !has(wanted.aovs, render::Aov::irradiance))
-      request.aovs.push_back(render::Aov::irradiance);            // so that light is stored
-    if (request.aovs.empty()) request.aovs = {render::Aov::hit};  // others alone are asked for
+      request.aovs.push_back(render::Aov::irradiance);                       // so that light is stored
+    if (request.aovs.empty()) request.aovs = std::vector{render::Aov::hit};  // others alone are asked for
     if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
     request.color = false;
     request.supersampling = 1;

@@ -140,7 +140,8 @@ std::vector<glm::dvec3> faceOf(const scene::Clip& clip, std::size_t plane, const
   scene::Clip others = clip;
   others.planes.erase(others.planes.begin() + static_cast<std::ptrdiff_t>(plane));
   std::vector<glm::dvec3> face = whole;
-  for (const glm::dvec4& other : volume::ClipRegion(others).faces()) face = keptBy(other, face);
+  const volume::ClipRegion region(others);
+  for (const glm::dvec4& other : region.faces()) face = keptBy(other, face);
   const bool left = centroidOf(face, glm::normalize(clip.planes[plane].normal)).has_value();
   return left ? face : whole;
 }

@@ -1,6 +1,7 @@
 #include "app/marks/mark_evaluator.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include <glm/geometric.hpp>
 

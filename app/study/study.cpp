@@ -45,9 +45,9 @@ void Studio::drawOnce(Alternative& alternative, bool timed) {
   const scene::Scene& scene = alternative.scene;
   render::FrameRequest picture, shapes;
   picture.size = shapes.size = size_;
-  picture.aovs = {render::Aov::normal};
+  picture.aovs = std::vector{render::Aov::normal};
   shapes.color = false;
-  shapes.aovs = {render::Aov::kappa};
+  shapes.aovs = std::vector{render::Aov::kappa};
 
   // Another field of hits makes other blocks, which is no cost of a frame.
   if (drawnField_ != scene.hit.field) renderer_.render(scene, picture);

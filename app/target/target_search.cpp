@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/jobs/field_job.h"
 #include "app/jobs/rest_scene.h"

@@ -23,7 +23,7 @@ _ANNOTATIONS = {
     "isovalue": "float | None", "look": "Look | None", "size": "tuple[int, int] | None", "settings": "SettingsDict | Mapping[str, Any] | None",
     "aovs": "str | Iterable[str]", "camera": "str | Sequence[Any] | Mapping[str, Any] | None", "environment": "Path | None",
     "image": "bool", "linear": "bool", "light": "Path", "light_around": "bool", "accuracy": "bool", "explain": "bool",
-    "context": 'Literal["auto", "egl", "osmesa"]', "progress": "Progress", "view": "Any", "origins": "ArrayLike",
+    "context": 'Literal["auto", "software", "egl", "osmesa"]', "progress": "Progress", "view": "Any", "origins": "ArrayLike",
     "directions": "ArrayLike", "points": "ArrayLike", "index": "ArrayLike", "anyway": "bool", "path": "Path", "overwrite": "bool",
     "mix_arithmetic": "bool",
     "knobs": "str | Iterable[str]", "repeat": "int", "array": "ArrayLike", "spacing": "float | Sequence[float]",

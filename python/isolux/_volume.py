@@ -162,7 +162,7 @@ class Volume:
         light_around  stores light around what is seen, too
         accuracy      bounds the errors of the picture: in `stats`
         explain       says in `stats` why scales of derivatives were chosen (draws again)
-        context       "auto", "egl" or "osmesa", for all pictures of this volume until another one is asked for
+        context       "auto", "software", "egl" or "osmesa", for all pictures of this volume until another one is asked for
         view, azimuth, elevation, zoom, fit, session, preset, shift: as the options of `isolux render`
 
         Light that is stored stays for the next picture: `forget_light` drops it.
@@ -177,8 +177,8 @@ class Volume:
             raise ValueError("nothing to draw: image=False, and no aovs")
         wish.light = value_text(light or "")
         wish.light_around, wish.accuracy, wish.explain = bool(light_around), bool(accuracy), bool(explain)
-        if context not in ("auto", "egl", "osmesa"):
-            raise ValueError(f'context: {context!r} is none of "auto", "egl" and "osmesa"')
+        if context not in ("auto", "software", "egl", "osmesa"):
+            raise ValueError(f'context: {context!r} is none of "auto", "software", "egl" and "osmesa"')
         wish.context = context
         with told(progress) as tell:
             drawn = self._own().render(wish, tell)

@@ -99,6 +99,9 @@ herr_t refuseWrite(H5FD_t*, H5FD_mem_t, hid_t, haddr_t, size_t, const void*) {
 
 H5FD_class_t driverClass() {
   H5FD_class_t driver{};
+#ifdef H5FD_CLASS_VERSION  // HDF5 1.10 (Debian 12) has none
+  driver.version = H5FD_CLASS_VERSION;
+#endif
   driver.name = "isolux";
   driver.maxaddr = kLargestAddress;
   driver.fc_degree = H5F_CLOSE_WEAK;

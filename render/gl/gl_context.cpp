@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstring>
 #include <functional>
+#include <optional>
 #include <thread>
 
 #define EGL_NO_X11
@@ -249,14 +251,21 @@ void checkMemoryForDriver() {
 
 }  // namespace
 
+ContextChoice contextChoiceNamed(std::string_view name) {
+  return name == "software" ? ContextChoice::software
+         : name == "egl"    ? ContextChoice::egl
+         : name == "osmesa" ? ContextChoice::osmesa
+                            : ContextChoice::automatic;
+}
+
 std::unique_ptr<OffscreenContext> OffscreenContext::create(ContextChoice choice) {
   checkMemoryForDriver();
   std::string tried;
   const auto attempt = [&](const Candidate& candidate,
-                           bool hardwareOnly) -> std::unique_ptr<OffscreenContext> {
+                           std::optional<bool> software) -> std::unique_ptr<OffscreenContext> {
     try {
       auto context = candidate.make();
-      if (!hardwareOnly || !context->description().software) return context;
+      if (!software || *software == context->description().software) return context;
     } catch (const Error& error) {
       tried += (tried.empty() ? "" : "; ") + std::string(error.what());
     }
@@ -264,13 +273,15 @@ std::unique_ptr<OffscreenContext> OffscreenContext::create(ContextChoice choice)
   };
   if (choice == ContextChoice::automatic)
     for (const Candidate& candidate : eglCandidates())
-      if (auto context = attempt(candidate, true)) return context;
+      if (auto context = attempt(candidate, false)) return context;
   if (choice != ContextChoice::egl) {
-    if (auto context = attempt(osmesaCandidate(), false)) return context;
+    if (auto context = attempt(osmesaCandidate(), {})) return context;
   }
+  std::optional<bool> software;
+  if (choice == ContextChoice::software) software = true;
   if (choice != ContextChoice::osmesa)
     for (const Candidate& candidate : eglCandidates())
-      if (auto context = attempt(candidate, false)) return context;
+      if (auto context = attempt(candidate, software)) return context;
   throw Error(ErrorKind::graphics, "", "no usable graphics context", tried);
 }
 

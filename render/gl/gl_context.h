@@ -4,13 +4,17 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isolux::render {
 
 struct Gl;
 
-enum class ContextChoice { automatic, egl, osmesa };
+// software: whichever of OSMesa and software EGL is there. Mesa has no OSMesa from 25.1 on.
+enum class ContextChoice { automatic, software, egl, osmesa };
+// "auto", "software", "egl" or "osmesa".
+ContextChoice contextChoiceNamed(std::string_view name);
 
 struct ContextDescription {
   std::string kind;  // "EGL device 0", "EGL surfaceless", "OSMesa", "Qt"
@@ -25,9 +29,9 @@ class OffscreenContext {
   virtual const ContextDescription& description() const = 0;
   virtual std::shared_ptr<const Gl> gl() const = 0;
 
-  // A current GL 4.5 core context. automatic: a hardware EGL device, else OSMesa, else software EGL.
-  // Throws base::Error: memory where drivers would not find enough of it, before any is loaded; graphics
-  // with what was tried and why each failed.
+  // A current GL 4.5 core context. automatic: a hardware EGL device, else OSMesa, else software EGL;
+  // software: the same without the first. Throws base::Error: memory where drivers would not find enough of
+  // it, before any is loaded; graphics with what was tried and why each failed.
   static std::unique_ptr<OffscreenContext> create(ContextChoice choice);
 };
 

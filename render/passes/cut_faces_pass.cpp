@@ -73,10 +73,7 @@ void CutFacesPass::declare(Declaring& d) const {
 void CutFacesPass::run(FrameState& frame) {
   const glm::ivec2 size = frame.raySize();
   Target& target = frame.target(image::cutFaces, {GL_RG32F});
-  if (!frame.cutFaces || frame.cutFaces->area.size() != size) {
-    frame.cutFaces.reset();
-    frame.cutFaces.emplace(size);
-  }
+  if (!frame.cutFaces || frame.cutFaces->area.size() != size) frame.cutFaces.emplace(size);
   CutFaceImage& out = *frame.cutFaces;
   std::fill(out.ends.begin(), out.ends.end(), std::numeric_limits<float>::infinity());
   std::fill(out.texels.begin(), out.texels.end(), glm::vec2(-1.0f, 0.0f));

@@ -272,11 +272,13 @@ def arrays(maker):
         return []
     values = wave(8, 7, 6)
     seeds = []
+    version = {"zarr_format": 2} if int(zarr.__version__.split(".")[0]) >= 3 else {}  # before, it writes no other
     for name, codec in (("plain", None), ("zlib", numcodecs.Zlib(3)), ("zstd", numcodecs.Zstd(3)), ("lz4", numcodecs.LZ4()),
                         ("blosc", numcodecs.Blosc("lz4", 3, 1))):
         folder = maker.folder / f"{name}.zarr"
-        group = zarr.open_group(str(folder), "w")
-        group.create_dataset("0", data=values, chunks=(3, 4, 5), compressor=codec)
+        group = zarr.open_group(str(folder), mode="w", **version)
+        zarr.open(str(folder / "0"), mode="w", shape=values.shape, dtype=values.dtype.str, chunks=(3, 4, 5), compressor=codec,
+                  **version)[...] = values
         group.attrs["multiscales"] = [{
             "version": "0.4", "axes": [{"name": a, "type": "space", "unit": "millimeter"} for a in "zyx"],
             "datasets": [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": [2, 1, 1]}]}]}]

@@ -1,4 +1,4 @@
-// What tests of the renderer share: an OSMesa context, phantoms ready to draw, and deferred images.
+// What tests of the renderer share: a software context, phantoms ready to draw, and deferred images.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,13 @@
 
 namespace isolux::test {
 
-// Tests with this fixture need GL (OSMesa) and nothing else; their names end in "GlTest". An error that the
+// Tests with this fixture need software GL and nothing else; their names end in "GlTest". An error that the
 // driver reports fails the test, wherever it comes from.
 class RenderGlTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { context_ = render::OffscreenContext::create(render::ContextChoice::osmesa); }
+  static void SetUpTestSuite() {
+    context_ = render::OffscreenContext::create(render::ContextChoice::software);
+  }
   static void TearDownTestSuite() { context_.reset(); }
   void SetUp() override {
     context_->makeCurrent();

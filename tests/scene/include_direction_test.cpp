@@ -1,5 +1,6 @@
 // Reads every #include of the tree: a layer may include only itself and what stands below it, Qt only ui/,
 // GL headers only render/ and ui/, the libraries that parse other people's files only readers/, MPI one file.
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>

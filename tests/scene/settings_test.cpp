@@ -1,6 +1,8 @@
 #include "scene/settings.h"
 #include "scene/setting/assignment.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -41,7 +43,7 @@ json otherValue(const Setting& s) {
     case SettingType::text:
       return "other text";
     case SettingType::choice:
-      return s.choices.back() == s.defaultValue() ? s.choices.front() : s.choices.back();
+      return s.defaultValue() == s.choices.back() ? s.choices.front() : s.choices.back();
     case SettingType::pair:
       return {s.minimum, third};
     case SettingType::vector:

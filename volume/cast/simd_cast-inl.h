@@ -70,8 +70,8 @@ HWY_INLINE void store(const CastTarget& target, glm::ivec2 pixel, const VF (&poi
   for (int row = 0; row < rows; ++row) {
     const std::size_t at =
         static_cast<std::size_t>(pixel.y + row) * target.stride + static_cast<std::size_t>(pixel.x);
-    std::memcpy(&target.points[at], points + 4 * kTile * row, width * sizeof(glm::vec4));
-    std::memcpy(&target.infos[at], infos + 2 * kTile * row, width * sizeof(glm::vec2));
+    std::memcpy(static_cast<void*>(&target.points[at]), points + 4 * kTile * row, width * sizeof(glm::vec4));
+    std::memcpy(static_cast<void*>(&target.infos[at]), infos + 2 * kTile * row, width * sizeof(glm::vec2));
   }
 }
 

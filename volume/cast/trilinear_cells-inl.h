@@ -188,7 +188,6 @@ HWY_INLINE Corners TrilinearCells<T>::cornersOf(const CellLanes& cell, MI wanted
 
 template <class T>
 HWY_INLINE MF TrilinearCells<T>::missing(const Corners& c) const {
-  const F f;
   if constexpr (std::is_same_v<T, float>) {
     const auto either = [](const Edge& a, const Edge& b) {
       return hn::Or(hn::Or(hn::IsNaN(a.low), hn::IsNaN(a.high)), hn::Or(hn::IsNaN(b.low), hn::IsNaN(b.high)));

@@ -53,7 +53,7 @@ class LightBoundsGlTest : public test::RenderGlTest {
     render::FrameRequest request;
     request.size = size;
     request.color = false;
-    request.aovs = {render::Aov::irradiance};
+    request.aovs = std::vector{render::Aov::irradiance};
     LightController controller({.threads = 2});
     lightPicture(controller, *renderer_, lit.scene, request, lit.volume, progress_);
     lit.light = controller.light();
@@ -174,7 +174,7 @@ TEST_F(LightBoundsGlTest, LeaveTheRendererAsItWas) {
   render::FrameRequest request;
   request.size = {64, 48};
   request.color = false;
-  request.aovs = {render::Aov::irradiance};
+  request.aovs = std::vector{render::Aov::irradiance};
   renderer_->setLight(lit.light);
   renderer_->invalidate();
   renderer_->render(lit.scene, request);

@@ -2,6 +2,7 @@
 // still or would make other light are named.
 #include <array>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 

@@ -263,7 +263,7 @@ TEST(ReplayCommandGl, RefusesEndlessRecordings) {
 TEST(RenderCommandGl, APictureThatDoesNotFitIsRefusedWithTheSettingThatLowersIt) {
   const fs::path folder = test::temporaryFolder();
   const RunResult result = runIsolux({"render", "phantom:ball:16", "--size", "4096x4096", "--memory-budget",
-                                      "100M", "--context", "osmesa", "--out", "a.png"},
+                                      "100M", "--context", "software", "--out", "a.png"},
                                      {.folder = folder});
   EXPECT_EQ(result.exitCode, 5) << result.err;
   EXPECT_TRUE(result.isOneErrorLine());
@@ -297,7 +297,7 @@ TEST(RenderCommandGl, AnAxisBeyondTheDriverIsRefusedWithTheSizeThatWorks) {
   const fs::path folder = test::temporaryFolder();
   std::ofstream(folder / "long.raw", std::ios::binary) << std::string(65535 * 4, '\0');
   const RunResult result = runIsolux({"render", "long.raw", "--raw", "65535x2x2 uint8", "--size", "32x32",
-                                      "--isovalue", "1", "--context", "osmesa", "--out", "a.png"},
+                                      "--isovalue", "1", "--context", "software", "--out", "a.png"},
                                      {.folder = folder});
   if (result.exitCode == 0) return;  // a driver with large 3D textures
   EXPECT_EQ(result.exitCode, 5);

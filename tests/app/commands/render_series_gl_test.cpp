@@ -1,4 +1,5 @@
 // Runs `isolux render` for several pictures, with cameras by name and presets.
+#include <cstdlib>
 #include <fstream>
 
 #include <gmock/gmock.h>

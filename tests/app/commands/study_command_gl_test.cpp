@@ -1,6 +1,7 @@
 // Runs `isolux study`: needs a graphics context, software is enough.
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ json study(const fs::path& folder, const std::vector<std::string>& arguments,
   return json::parse(contentOf(folder / "d" / "study.json"));
 }
 
-const json& settingOf(const json& study, std::size_t knob, const std::string& value) {
+const json& settingOf(const json& study, std::size_t knob, const char* value) {
   for (const json& setting : study["knobs"][knob]["settings"])
     if (setting["value"] == value) return setting;
   throw std::out_of_range(value);

@@ -1,6 +1,7 @@
 #include "app/documents/autosave.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include <sys/wait.h>

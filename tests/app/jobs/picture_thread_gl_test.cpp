@@ -67,7 +67,7 @@ class PictureThreadGlTest : public testing::Test {
 
   // The same by a renderer of this thread.
   std::vector<std::uint8_t> expected(const app::PictureOrder& order) {
-    const auto context = render::OffscreenContext::create(render::ContextChoice::osmesa);
+    const auto context = render::OffscreenContext::create(render::ContextChoice::software);
     context->makeCurrent();
     render::Renderer renderer(context->gl());
     renderer.setVolume(order.volume);
@@ -76,7 +76,7 @@ class PictureThreadGlTest : public testing::Test {
   }
 
   std::shared_ptr<const volume::PreparedVolume> volume_ = phantom("gyroid", 48);
-  app::PictureThread thread_{render::ContextChoice::osmesa};
+  app::PictureThread thread_{render::ContextChoice::software};
 };
 
 }  // namespace

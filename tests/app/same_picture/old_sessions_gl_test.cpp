@@ -22,7 +22,7 @@ render::ColorImage openedBy(const std::string& picture, const std::vector<std::s
   const fs::path folder = temporaryFolder();
   const fs::path file =
       fs::path(ISOLUX_SOURCE_DIR) / "tests/app/same_picture/pictures_0_1_0" / (picture + ".png");
-  std::vector<std::string> arguments{"render", file.string(), "--context", "osmesa", "--out", "a.png"};
+  std::vector<std::string> arguments{"render", file.string(), "--context", "software", "--out", "a.png"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const RunResult result = runIsolux(arguments, {.folder = folder, .environment = environment});
   EXPECT_EQ(result.exitCode, 0) << result.err;
@@ -108,11 +108,11 @@ class OldSessionGlTest : public testing::TestWithParam<OldSession> {};
 
 TEST_P(OldSessionGlTest, OpensToWhatItMeant) {
   const OldSession& old = GetParam();
-  const auto osmesa = render::OffscreenContext::create(render::ContextChoice::osmesa);
+  const auto context = render::OffscreenContext::create(render::ContextChoice::software);
   const scene::Scene opened = app::parseSession(old.text, "old.isolux", {"/"});
   EXPECT_EQ(opened.source.path,
             "phantom:" + std::string(old.today.volume) + ":" + std::to_string(old.today.voxels));
-  const DrawnWay a = drawWay(*osmesa, old.today, opened), b = drawWay(*osmesa, old.today);
+  const DrawnWay a = drawWay(*context, old.today, opened), b = drawWay(*context, old.today);
   EXPECT_GT(a.hits, 1000);
   EXPECT_TRUE(isIdentical(a, b)) << distanceOf(a, b);
 }

@@ -1,6 +1,7 @@
 // Errors of irradiance on numbers made by hand. Nothing here needs GL.
 #include "app/study/light_errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -1,6 +1,6 @@
 // What a search chooses keeps what was asked for in the picture itself, and nothing of less work does: on
-// small phantoms, of every combination there is. Needs OSMesa. Random targets on scans, which take minutes,
-// are in target_promise_gl_test.cpp.
+// small phantoms, of every combination there is. Needs software GL. Random targets on scans, which take
+// minutes, are in target_promise_gl_test.cpp.
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Searches on small phantoms: need OSMesa.
+// Searches on small phantoms: need software GL.
 #include "app/target/target_search.h"
 
 #include <gmock/gmock.h>

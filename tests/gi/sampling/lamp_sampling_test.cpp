@@ -3,6 +3,7 @@
 #include "gi/sampling/lamp_sampling.h"
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 

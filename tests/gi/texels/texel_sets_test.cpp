@@ -1,5 +1,6 @@
 #include "gi/texels/texel_sets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>

@@ -85,9 +85,9 @@ TEST_F(FrameGraphTest, NormalsAtAScaleOfTheirOwnHaveAPassOfTheirOwn) {
   // Deferred images: gradients are those of curvature, normals those of shading.
   FrameRequest request;
   request.color = false;
-  request.aovs = {Aov::normal};
+  request.aovs = std::vector{Aov::normal};
   EXPECT_THAT(ran(scene, request), ElementsAre());
-  request.aovs = {Aov::gradient};
+  request.aovs = std::vector{Aov::gradient};
   EXPECT_THAT(ran(scene, request), ElementsAre("hessian"));
   request.aovs = {Aov::gradient, Aov::normal};
   EXPECT_THAT(ran(scene, request), ElementsAre());
@@ -194,17 +194,17 @@ TEST_F(FrameGraphTest, EachLookAndImageRunsExactlyItsPasses) {
               ElementsAre("blocks", "segments", "cast", "shade", "background", "resolve"));
   FrameRequest depth;
   depth.color = false;
-  depth.aovs = {Aov::depth};
+  depth.aovs = std::vector{Aov::depth};
   graph_.invalidate();
   EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast"));
-  depth.aovs = {Aov::normal};
+  depth.aovs = std::vector{Aov::normal};
   EXPECT_THAT(ran(scene, depth), ElementsAre("gradient"));
   depth.aovs = {Aov::normal, Aov::kappa};  // the gradients come with the Hessians
   graph_.invalidate();
   EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "hessian", "curvature"));
   scene.derivatives.noise = 3.0;
   EXPECT_THAT(ran(scene, depth), ElementsAre("curvature"));
-  depth.aovs = {Aov::hessian};
+  depth.aovs = std::vector{Aov::hessian};
   graph_.invalidate();
   EXPECT_THAT(ran(scene, depth), ElementsAre("blocks", "segments", "cast", "hessian"));
 }
@@ -458,7 +458,7 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   ++light.skyRevision;
   EXPECT_THAT(ranUnder(), ElementsAre());
   request.color = false;
-  request.aovs = {Aov::irradiance};
+  request.aovs = std::vector{Aov::irradiance};
   light.stored = true;
   EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance"));
 }

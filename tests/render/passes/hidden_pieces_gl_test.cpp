@@ -1,5 +1,6 @@
 // Pieces that are not shown: pictures are those of a volume without them.
 #include <algorithm>
+#include <cmath>
 
 #include "tests/render/gl_fixture.h"
 #include "tests/support/hidden_balls.h"

@@ -169,7 +169,7 @@ TEST_P(PieceGlTest, CostsNothingWhereItIsNotAskedFor) {
     EXPECT_EQ(stateOf(renderer_->render(scene, request)), render::PassState::skipped);
     EXPECT_FALSE(volume->pieces->any());
   }
-  request.aovs = {Aov::piece};
+  request.aovs = std::vector{Aov::piece};
   EXPECT_EQ(stateOf(renderer_->render(scene, request)), render::PassState::ran);
   EXPECT_EQ(stateOf(renderer_->render(scene, request)), render::PassState::cached);
 }

@@ -28,7 +28,7 @@ json otherValue(const scene::Setting& s, const scene::Scene& scene) {
     case scene::SettingType::integer:
       return now == s.minimum + 1 ? s.minimum + 2 : s.minimum + 1;
     case scene::SettingType::choice:
-      return s.choices.back() == now ? s.choices.front() : s.choices.back();
+      return now == s.choices.back() ? s.choices.front() : s.choices.back();
     case scene::SettingType::vector:
       return {0.25, 0.5, 0.125};
     case scene::SettingType::pair:

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <tuple>
+
 #include "tests/volume/read/reader_support.h"
 
 namespace isolux {

@@ -2,6 +2,7 @@
 #include "volume/skip/box_bounds.h"
 
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 #include "volume/read/mesh/mesh.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "volume/mesh/mesh_repair.h"
 #include "volume/read/input/payload.h"

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "base/progress.h"
 #include "volume/mesh/triangle_mesh.h"
