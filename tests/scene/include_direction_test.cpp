@@ -1,5 +1,6 @@
 // Reads every #include of the tree: a layer may include only itself and what stands below it, Qt only ui/,
-// GL headers only render/ and ui/, the libraries that parse other people's files only readers/, MPI one file.
+// GL headers only render/ and ui/, the libraries that parse other people's files only readers/, MPI one file;
+// and which headers may hand on what takes long to compile.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -112,6 +113,57 @@ bool isSource(const fs::path& path) {
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
+std::vector<std::string> includesOf(const std::string& content) {
+  static const std::regex include(R"re(^\s*#\s*include\s*[<"]([^">]+)[">])re");
+  std::vector<std::string> names;
+  std::istringstream stream(content);
+  for (std::string line; std::getline(stream, line);)
+    if (std::smatch match; std::regex_search(line, match, include)) names.push_back(match[1]);
+  return names;
+}
+
+// A library whose headers take seconds to compile: the headers of ours that may include it, so that sources
+// get it where they use it.
+struct SlowLibrary {
+  std::string_view prefix;
+  std::vector<std::string_view> headers;
+};
+const std::vector<SlowLibrary>& slowLibraries() {
+  static const std::vector<SlowLibrary> list{
+      {"tbb/",
+       {"volume/parallel_steps.h", "volume/field/filter_lines.h", "volume/cast/cell_bits_on_demand.h"}},
+      {"nlohmann/json.hpp",
+       {"scene/scene_diff.h", "scene/setting/setting_value.h", "app/documents/stored_scene.h",
+        "app/presets/preset.h"}},
+      {"CLI/", {"app/commands/command.h", "app/commands/render_target.h"}},
+      {"hwy/", {"-inl.h"}},
+      {"Eigen/", {}},
+  };
+  return list;
+}
+
+// One line for each include of a header of ours that hands on what it should not.
+std::vector<std::string> slowIncludes(const std::string& path, const std::string& content) {
+  std::vector<std::string> wrong;
+  if (!path.ends_with(".h")) return wrong;
+  for (const std::string& name : includesOf(content))
+    for (const SlowLibrary& library : slowLibraries()) {
+      const bool mayHave = std::any_of(library.headers.begin(), library.headers.end(),
+                                       [&](std::string_view header) { return path.ends_with(header); });
+      if (name.starts_with(library.prefix) && !mayHave)
+        wrong.push_back(path + ": " + name +
+                        ": slow to compile; include it in sources (or a forward declaration)");
+    }
+  // Kernels and fields need what settings choose among, not all of the Scene.
+  static const std::regex kernels(R"(volume/(cast|tracer|field|skip|hit)/.*)");
+  static const std::array<std::string_view, 3> ofScenes{
+      "volume/field/cubic_fields.h", "volume/field/curvature.h", "volume/field/noise_gain.h"};
+  if (std::regex_match(path, kernels) && std::find(ofScenes.begin(), ofScenes.end(), path) == ofScenes.end())
+    for (const std::string& name : includesOf(content))
+      if (name == "scene/scene.h") wrong.push_back(path + ": scene/scene.h: scene/choices.h has the choices");
+  return wrong;
+}
+
 TEST(IncludeDirection, NoFileOfTheTreePointsTheWrongWay) {
   const fs::path root(ISOLUX_SOURCE_DIR);
   int files = 0;
@@ -125,7 +177,9 @@ TEST(IncludeDirection, NoFileOfTheTreePointsTheWrongWay) {
       std::ifstream stream(entry.path());
       std::stringstream content;
       content << stream.rdbuf();
-      EXPECT_THAT(wrongIncludes(fs::relative(entry.path(), root).generic_string(), content.str()), IsEmpty());
+      const std::string path = fs::relative(entry.path(), root).generic_string();
+      EXPECT_THAT(wrongIncludes(path, content.str()), IsEmpty());
+      EXPECT_THAT(slowIncludes(path, content.str()), IsEmpty());
       ++files;
     }
   }
@@ -151,6 +205,19 @@ TEST(IncludeDirection, AcceptsWhatIsAllowed) {
               IsEmpty());
   EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/window.h\"\n"), IsEmpty());
   EXPECT_THAT(wrongIncludes("app/cluster/mpi_module.cpp", "#include <mpi.h>\n"), IsEmpty());
+}
+
+TEST(IncludeDirection, FindsHeadersThatHandOnWhatIsSlowToCompile) {
+  for (const char* line : {"#include <tbb/parallel_for.h>", "#include <nlohmann/json.hpp>",
+                           "#include <CLI/CLI.hpp>", "#include <hwy/highway.h>", "#include <Eigen/Dense>"}) {
+    EXPECT_THAT(slowIncludes("app/a.h", line), ElementsAre(HasSubstr("slow to compile"))) << line;
+    EXPECT_THAT(slowIncludes("app/a.cpp", line), IsEmpty()) << line;
+  }
+  EXPECT_THAT(slowIncludes("app/a.h", "#include <nlohmann/json_fwd.hpp>\n"), IsEmpty());
+  EXPECT_THAT(slowIncludes("volume/cast/a-inl.h", "#include <hwy/highway.h>\n"), IsEmpty());
+  EXPECT_THAT(slowIncludes("volume/parallel_steps.h", "#include <tbb/parallel_for.h>\n"), IsEmpty());
+  EXPECT_THAT(slowIncludes("volume/cast/a.h", "#include \"scene/scene.h\"\n"),
+              ElementsAre(HasSubstr("scene/choices.h has")));
 }
 
 TEST(IncludeDirection, FindsEachKindOfFault) {
