@@ -5,7 +5,7 @@
 // as long as the window lives and falls with the process however that ends: an autosave whose lock can be
 // taken has lost its window. Whoever takes the lock owns the file, so no two windows offer the same.
 //
-// {"isolux_autosave": 1, "program": "0.1.0", "time": seconds since 1970, "name": "ct.nii.gz",
+// {"isolux_autosave": 1, "program": "0.2.0", "time": seconds since 1970, "name": "ct.nii.gz",
 //  "session_file": "", "recording": "", "scene": {...}, "saved": {...}, "position": 2,
 //  "steps": [{"name": "Rotate", "back": {"camera.eye": ...}, "forth": {"camera.eye": ...}}, ...]}
 // Scenes as in sessions, but with absolute paths; steps as in recordings. Stored light is not part of it.

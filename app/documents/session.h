@@ -1,6 +1,6 @@
 // Sessions: a Scene as versioned JSON, in a .isolux file or inside a PNG or EXR picture.
 //
-// {"isolux_session": 6, "program": "0.1.0", "scene": {...}}. An unknown key fails with its path, an older
+// {"isolux_session": 6, "program": "0.2.0", "scene": {...}}. An unknown key fails with its path, an older
 // version is upgraded, a missing key takes its default. Paths of volumes and light probes are stored
 // relative to the session file when they lie below the same folder, and are absolute in memory.
 #pragma once
