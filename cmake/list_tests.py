@@ -6,7 +6,7 @@
 
 An entry is a test, or a whole suite where its tests share what is slow to make: suites of files named *_gl_test.cpp, which
 share a context, and with `--suites all` every suite. What a suite's tests were is in the reports, FOLDER/ENTRY.xml.
-Labels come from the folder of the source: tests/volume/read/nrrd_test.cpp has `volume` and `volume.read`; sources beside the
+Labels come from the folder of the source: tests/volume/read/reader_nrrd_test.cpp has `volume` and `volume.read`; sources beside the
 folders have `volume.root`. ./dev test PATH... selects by them.
 """
 import argparse
