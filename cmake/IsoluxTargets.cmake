@@ -27,6 +27,12 @@ if(ISOLUX_FUZZ)
   target_compile_options(isolux_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# How layers are compiled that wait for people and call the long loops of others: a quarter of the time less.
+set(isolux_waits)
+if(NOT CMAKE_CXX_FLAGS MATCHES "-O0")
+  set(isolux_waits -O1)
+endif()
+
 # isolux_library(NAME SOURCES ... LINK ...): one directory = one library = one namespace.
 function(isolux_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
