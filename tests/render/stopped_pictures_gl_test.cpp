@@ -1,5 +1,6 @@
 // Pictures that are stopped while they are drawn: what is kept of them must be right for the next one.
 #include <chrono>
+#include <cstdio>
 #include <stop_token>
 #include <thread>
 #include <utility>
@@ -175,7 +176,9 @@ TEST_F(StoppedPicturesGlTest, ShadersMakeWayAfterTheBandThatIsDrawn) {
   for (const int wait : {1, 2, waits / 8, waits / 4, waits / 2}) {
     GlCalls::begin(wait);
     EXPECT_THROW(drawLarge(executor, GlCalls::stop.get_token()), base::Error) << wait;
-    EXPECT_LE(GlCalls::drawnAfterStop, 8) << "of " << whole << ", stopped by wait " << wait;
+    std::printf("stopped by wait %d of %d: %d of %d draw calls after it\n", wait, waits,
+                GlCalls::drawnAfterStop, whole);
+    EXPECT_LE(GlCalls::drawnAfterStop, 2) << "of " << whole << ", stopped by wait " << wait;
   }
 }
 

@@ -73,7 +73,7 @@ void expectStopsSoon(const std::function<void(base::Progress&)>& work, int momen
       "worst\n",
       whole, base::median(processor), 1e3 * base::median(clock),
       1e3 * *std::max_element(clock.begin(), clock.end()));
-  EXPECT_LE(base::median(processor), std::max(0.25 * whole, 0.1 * cores)) << "of " << whole;
+  EXPECT_LE(base::median(processor), std::max(0.25 * whole, 0.01 * cores)) << "of " << whole;
 }
 
 double processorSeconds(const std::function<void()>& work) {

@@ -10,9 +10,9 @@ namespace isolux::test {
 
 // Runs `work` until it is stopped, at moments spread over what it costs undisturbed, and expects that half of
 // the stops leave most of the rest undone: at most a quarter of the whole is spent after the stop in the
-// median, where work that never looks spends half. Of work that is short, what all cores can do in 100 ms,
-// twice what base::Progress allows. Work that ends before its stop counts as stopped. How long that took by
-// the clock is printed.
+// median, where work that never looks spends half. Of work that is short, what all cores can do in 10 ms,
+// several times what is spent. Work that ends before its stop counts as stopped. How long that took by the
+// clock is printed.
 void expectStopsSoon(const std::function<void(base::Progress&)>& work, int moments = 9);
 
 // Time of all processors that this process spends in `work`.

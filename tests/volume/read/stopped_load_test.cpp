@@ -17,7 +17,8 @@ TEST(StoppedLoad, LeavesMostOfTheRestUndone) {
     SCOPED_TRACE(name);
     scene::Source source;
     source.path = (test::dataFolder() / name).string();
-    test::expectStopsSoon([&](base::Progress& progress) { loadVolume(source, progress); }, 7);
+    source.meshVoxels = 48;
+    test::expectStopsSoon([&](base::Progress& progress) { loadVolume(source, progress); }, 5);
   }
 }
 
