@@ -13,11 +13,9 @@
 namespace isolux::app {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // Inside is below a plane through the middle that is tilted by this angle about x.
 std::shared_ptr<const volume::PreparedVolume> tiltedPlane(double degrees) {
-  const double angle = degrees * pi / 180.0;
+  const double angle = degrees * std::numbers::pi / 180.0;
   const glm::dvec3 normal(0.0, std::sin(angle), std::cos(angle));
   return test::prepared(test::gridOfVoxels(test::unitGeometry(glm::ivec3(16)),
                                            [&](glm::dvec3 voxel) { return -glm::dot(normal, voxel - 7.5); }));
@@ -64,7 +62,7 @@ TEST(LightTruth, AHalfBrightSkyOnATiltedPlaneIsMetWithinTheNoiseItTells) {
   scene::Scene scene;
   scene.gi.environmentShare = 0.0;  // otherwise there is no noise
   const Subject subject = subjectOf(tiltedPlane(40.0), brightAbove(), scene);
-  const double expected = pi * (1.0 + std::cos(40.0 * pi / 180.0)) / 2.0;
+  const double expected = std::numbers::pi * (1.0 + std::cos(40.0 * std::numbers::pi / 180.0)) / 2.0;
   for (const std::uint32_t samples : {16u, 256u}) {
     const LightTruth truth = truthOf(subject, 300, {samples, samples, 0.0});
     ASSERT_EQ(truth.pixels.size(), 300u);
@@ -109,7 +107,7 @@ TEST(LightTruth, AConstantSkyGivesPiTimesItsRadiance) {
   const LightTruth truth = truthOf(subject, 3, {16, 16, 0.0}, {2.0, 1.0, 0.5});
   for (const glm::dvec3& e : truth.irradiance)
     for (int channel = 0; channel < 3; ++channel)
-      EXPECT_NEAR(e[channel], (2.0 - 1.5 * (channel == 2) - (channel == 1)) * pi, 1e-5);
+      EXPECT_NEAR(e[channel], (2.0 - 1.5 * (channel == 2) - (channel == 1)) * std::numbers::pi, 1e-5);
   for (const glm::dvec3& variance : truth.variance) EXPECT_LT(variance.x, 1e-12);
 }
 
