@@ -13,7 +13,7 @@
 namespace isolux::app {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Inside is below a plane through the middle that is tilted by this angle about x.
 std::shared_ptr<const volume::PreparedVolume> tiltedPlane(double degrees) {

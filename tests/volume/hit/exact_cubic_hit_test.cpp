@@ -31,8 +31,8 @@ using test::phantomGrid;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A cubic field to hit: of the samples, or of the coefficients that interpolate them.
-struct Field {
-  Field(Grid samples, bool interpolating)
+struct DoubleField {
+  DoubleField(Grid samples, bool interpolating)
       : grid(std::move(samples)),
         coefficients(interpolating ? interpolatingCoefficients(grid) : Coefficients()),
         blocks(interpolating ? MinMaxBlocks::ofCubic(coefficients, grid, 8, progress)
@@ -65,7 +65,7 @@ struct Field {
 class Oracle {
  public:
   using Real = long double;
-  explicit Oracle(const Field& field) : field_(field) {}
+  explicit Oracle(const DoubleField& field) : field_(field) {}
 
   std::optional<double> firstHit(double isovalue, const Ray& ray, double tMinimum = 0.0) const {
     Real begin = tMinimum, end = kInfinity;
@@ -198,7 +198,7 @@ class Oracle {
     }
     return std::nullopt;
   }
-  const Field& field_;
+  const DoubleField& field_;
 };
 
 struct Tally {
@@ -207,7 +207,7 @@ struct Tally {
 
 // Where the two disagree, the earlier of the two hits must be a touch within rounding: a crossing proper
 // would stay where it is, in the search started just before it, when the last digits of the isovalue change.
-void compare(const Field& field, double isovalue, const Ray& ray, Tally& tally) {
+void compare(const DoubleField& field, double isovalue, const Ray& ray, Tally& tally) {
   const Oracle oracle(field);
   const CubicHit found = field.firstHit(isovalue, ray);
   const auto expected = oracle.firstHit(isovalue, ray);
@@ -237,7 +237,7 @@ void compare(const Field& field, double isovalue, const Ray& ray, Tally& tally) 
 }
 
 // Random rays of every kind, and for every surface point so found a tangent of it.
-void compareRays(const Field& field, double isovalue, std::uint64_t count, Tally& tally) {
+void compareRays(const DoubleField& field, double isovalue, std::uint64_t count, Tally& tally) {
   tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, 50), [&](const auto& range) {
     for (std::uint64_t i = range.begin(); i != range.end(); ++i) {
       const Ray ray = test::randomRay(i, field.grid.dims());
@@ -261,7 +261,7 @@ TEST(FirstHitCubic, AgreesWithAnIndependentSearchOnNoiseGyroidSheetAndTouchingBa
                         Case{"gyroid", {25, 25, 25}, 0.0, 400}, Case{"sheet", {12, 13, 12}, 0.0, 300},
                         Case{"sheet", {12, 13, 12}, -0.35, 300}, Case{"two_balls", {24, 24, 24}, 0.0, 300}})
     for (const bool interpolating : {false, true}) {
-      const Field field(phantomGrid(c.name, c.dims), interpolating);
+      const DoubleField field(phantomGrid(c.name, c.dims), interpolating);
       Tally tally;
       compareRays(field, c.isovalue, c.rays, tally);
       EXPECT_EQ(tally.wrong, 0) << c.name;
@@ -280,14 +280,14 @@ TEST(FirstHitCubic, AgreesOnAHeadAndOnIntegersWhereTheIsovalueIsThatOfManyVoxels
   for (std::size_t i = 0; i < voxels.size(); ++i)
     voxels[i] = static_cast<std::int8_t>(static_cast<int>(base::counterHash(3, i) % 5) - 2);
   for (const bool interpolating : {false, true}) {
-    const Field integers(Grid(geometry, voxels, 0.5, 1.0), interpolating);
+    const DoubleField integers(Grid(geometry, voxels, 0.5, 1.0), interpolating);
     for (const double isovalue : {0.5, 1.0, 1.25}) {
       Tally tally;
       compareRays(integers, isovalue, 200, tally);
       EXPECT_EQ(tally.wrong, 0) << isovalue;
       EXPECT_GT(tally.hits, 30) << isovalue;
     }
-    const Field head(phantomGrid("head", 32), interpolating);
+    const DoubleField head(phantomGrid("head", 32), interpolating);
     Tally tally;
     compareRays(head, 300.0, 300, tally);
     EXPECT_EQ(tally.wrong, 0);
@@ -303,7 +303,7 @@ TEST(FirstHitCubic, ALinearFieldIsExact) {
   for (int z = 0; z < dims.z; ++z)
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < dims.x; ++x) voxels.push_back(2.0f * x - 3.0f * y + 0.5f * z + 1.0f);
-  const Field field(Grid(geometry, voxels), false);
+  const DoubleField field(Grid(geometry, voxels), false);
   int hits = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     Ray ray;
@@ -332,7 +332,7 @@ TEST(FirstHitCubic, AtATouchItSaysThatItCannotTell) {
   for (int i = 0; i < 4; ++i)
     for (int x = 0; x < 12; ++x)
       voxels.push_back((static_cast<float>(x) - 5.5f) * (static_cast<float>(x) - 5.5f));
-  const Field field(Grid(GridGeometry::make({12, 2, 2}, glm::dvec3(1)), voxels), false);
+  const DoubleField field(Grid(GridGeometry::make({12, 2, 2}, glm::dvec3(1)), voxels), false);
   const Ray ray{{2.1, 0.3, 0.6}, {1.0, 0.0, 0.0}, 3.0};  // starts within the cell
   const CubicHit above = field.firstHit(1.0 / 3.0 + 1e-6, ray);
   ASSERT_TRUE(above.hit);
@@ -357,9 +357,10 @@ TEST(FirstHitCubic, AtATouchItSaysThatItCannotTell) {
 
 // Where a ray begins to run within the surface: x = 4 from y = 6 on, in cells with both sides.
 TEST(FirstHitCubic, AStretchThatIsZeroThroughoutLiesInside) {
-  const Field field(test::gridOfVoxels(test::unitGeometry({9, 12, 4}),
-                                       [](glm::dvec3 p) { return p.x - 4.0 - std::max(0.0, 5.0 - p.y); }),
-                    false);
+  const DoubleField field(
+      test::gridOfVoxels(test::unitGeometry({9, 12, 4}),
+                         [](glm::dvec3 p) { return p.x - 4.0 - std::max(0.0, 5.0 - p.y); }),
+      false);
   const CubicHit found = field.firstHit(0.0, {{4.0, -3.0, 1.5}, {0.0, 1.0, 0.0}});
   ASSERT_TRUE(found.hit);
   EXPECT_EQ(found.hit->voxel.y, 6.0);
@@ -373,8 +374,8 @@ TEST(FirstHitCubic, AStretchThatIsZeroThroughoutLiesInside) {
 // Nine steps of 2^-50 beside the isovalue are more than what rounding adds where samples are 1.5 from it: the
 // side is known there, and at a step it is not.
 TEST(FirstHitCubic, TheSideIsKnownBeyondRounding) {
-  const Field field(test::gridOfVoxels(test::unitGeometry({9, 9, 4}), [](glm::dvec3 p) { return p.x; }),
-                    false);
+  const DoubleField field(test::gridOfVoxels(test::unitGeometry({9, 9, 4}), [](glm::dvec3 p) { return p.x; }),
+                          false);
   const auto sideAt = [&](double depth) {  // along y, x = 4.5
     return sideChangesOfCell(field.grid, 4.5 - depth, {4, 4, 1}, {0.5, 0.0, 0.5}, {0.5, 1.0, 0.5});
   };
@@ -388,9 +389,9 @@ TEST(FirstHitCubic, TheSideIsKnownBeyondRounding) {
 
 // All samples of a cell are the isovalue: the side behind it, which the cells before only come near to.
 TEST(FirstHitCubic, APlateauAtTheIsovalueLiesInside) {
-  const Field field(test::gridOfVoxels(test::unitGeometry({12, 4, 4}),
-                                       [](glm::dvec3 p) { return std::min(0.0, p.x - 4.0); }),
-                    false);
+  const DoubleField field(test::gridOfVoxels(test::unitGeometry({12, 4, 4}),
+                                             [](glm::dvec3 p) { return std::min(0.0, p.x - 4.0); }),
+                          false);
   const CubicHit found = field.firstHit(0.0, {{-3.0, 1.25, 1.5}, {1.0, 0.0, 0.0}});
   ASSERT_TRUE(found.hit);
   EXPECT_EQ(found.hit->voxel.x, 5.0);
@@ -400,9 +401,9 @@ TEST(FirstHitCubic, APlateauAtTheIsovalueLiesInside) {
 // A billionth of a voxel of a cell beside the ray's: what is all rounding there, because a sample near by is
 // large, is no doubt where the next cell shows the crossing.
 TEST(FirstHitCubic, ADoubtAtThePlaceOfTheHitIsNone) {
-  const Field field(test::gridOfVoxels(test::unitGeometry({12, 12, 4}),
-                                       [](glm::dvec3 p) { return p.x > 6.0 ? 1e6 : p.x - 5.0; }),
-                    false);
+  const DoubleField field(test::gridOfVoxels(test::unitGeometry({12, 12, 4}),
+                                             [](glm::dvec3 p) { return p.x > 6.0 ? 1e6 : p.x - 5.0; }),
+                          false);
   const CubicHit found = field.firstHit(0.5e-9, {{2.0, 2.0 - 1e-9, 1.5}, {1.0, 1.0, 0.0}});
   ASSERT_TRUE(found.hit);
   EXPECT_NEAR(found.hit->voxel.x, 5.0, 2e-9);
@@ -440,7 +441,7 @@ TEST(FirstHitCubic, CellsWithMissingVoxelsHoldNoSurface) {
   for (std::size_t i = 0; i < voxels.size(); ++i)
     if (base::uniformNoise(9, i) < 0.01) voxels[i] = std::numeric_limits<float>::quiet_NaN();
   for (const bool interpolating : {false, true}) {
-    const Field field(Grid(geometry, voxels), interpolating);
+    const DoubleField field(Grid(geometry, voxels), interpolating);
     int hits = 0;
     for (std::uint64_t i = 0; i < 4000; ++i) {
       const auto found = field.firstHit(0.0, test::randomRay(i, geometry.dims)).hit;
@@ -470,7 +471,7 @@ TEST(FirstHitCubic, CellsWithMissingVoxelsHoldNoSurface) {
 }
 
 TEST(FirstHitCubic, OddRaysAndVolumesEndWithoutAHit) {
-  const Field ball(phantomGrid("ball", glm::ivec3(16)), true);
+  const DoubleField ball(phantomGrid("ball", glm::ivec3(16)), true);
   const double nan = std::nan("");
   for (const Ray& ray :
        {Ray{{8, 8, -20}, {0, 0, 0}}, Ray{{8, 8, -20}, {0, 0, nan}}, Ray{{nan, 8, -20}, {0, 0, 1}},
@@ -480,11 +481,12 @@ TEST(FirstHitCubic, OddRaysAndVolumesEndWithoutAHit) {
   EXPECT_FALSE(ball.firstHit(nan, {{8, 8, -20}, {0, 0, 1}}).hit);
   EXPECT_TRUE(ball.firstHit(0.0, {{8, 8, -20}, {0, 0, 1}}).hit);
   EXPECT_FALSE(ball.firstHit(0.0, {{8, 8, -20}, {0, 0, 1}, 0.0, 5.0}).hit);
-  const Field constant(Grid(GridGeometry::make({9, 9, 9}, glm::dvec3(1)), std::vector<std::uint8_t>(729, 7)),
-                       false);
+  const DoubleField constant(
+      Grid(GridGeometry::make({9, 9, 9}, glm::dvec3(1)), std::vector<std::uint8_t>(729, 7)), false);
   for (const double isovalue : {6.5, 7.0, 7.5, -kInfinity, kInfinity})
     EXPECT_FALSE(constant.firstHit(isovalue, {{-3, 4, 4.5}, {1, 0.1, 0}}).hit);
-  const Field flat(Grid(GridGeometry::make({9, 1, 9}, glm::dvec3(1)), std::vector<float>(81, 1.0f)), false);
+  const DoubleField flat(Grid(GridGeometry::make({9, 1, 9}, glm::dvec3(1)), std::vector<float>(81, 1.0f)),
+                         false);
   EXPECT_FALSE(flat.firstHit(1.0, {{-3, 0, 4.5}, {1, 0, 0}}).hit);
 }
 
@@ -497,8 +499,8 @@ TEST(FirstHitCubic, TinyValuesAndSmallOnesOnAHugeOffset) {
     offset.push_back(1e6f + 4.0f * v);
   }
   Tally tally;
-  compareRays(Field(Grid(geometry, tiny), false), 1e-21, 200, tally);
-  compareRays(Field(Grid(geometry, offset), true), 1e6 + 0.3, 200, tally);
+  compareRays(DoubleField(Grid(geometry, tiny), false), 1e-21, 200, tally);
+  compareRays(DoubleField(Grid(geometry, offset), true), 1e6 + 0.3, 200, tally);
   EXPECT_EQ(tally.wrong, 0);
   EXPECT_GT(tally.hits, 200);
 }
@@ -510,7 +512,7 @@ struct OffSurface {
 };
 
 OffSurface offSurface(const std::string& name, const GridGeometry& geometry) {
-  const Field field(phantomGrid(name, geometry), true);
+  const DoubleField field(phantomGrid(name, geometry), true);
   base::Progress progress;
   const MinMaxBlocks blocks(field.grid, 8, progress);
   const auto truth = test::analyticField(name, geometry);

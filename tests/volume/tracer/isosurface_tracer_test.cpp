@@ -34,7 +34,7 @@ namespace {
 using scene::Inside;
 using GridPointer = std::shared_ptr<const Grid>;
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNoHit = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 GridPointer phantom(const std::string& name, glm::ivec3 dims) {
@@ -218,7 +218,7 @@ TEST_P(IsosurfaceTracerOn, EntersABallWhereTheFormulaSays) {
       ++hits;
       EXPECT_NEAR(static_cast<double>(t[i]) * std::sqrt(a), in * std::sqrt(a), slack);
     } else {
-      EXPECT_EQ(t[i], kInfinity);
+      EXPECT_EQ(t[i], kNoHit);
     }
     const glm::dvec3 leaves = glm::dvec3(ray.origin) + (out + 0.5 / std::sqrt(a)) * d;
     const bool within = glm::all(glm::greaterThan(leaves, glm::dvec3(0))) &&
@@ -260,7 +260,7 @@ TEST_P(IsosurfaceTracerOn, ARampIsEnteredExactly) {
       ++hits;
       EXPECT_NEAR(static_cast<double>(t[i]), expected, 2e-4);
     } else {
-      EXPECT_EQ(t[i], kInfinity);
+      EXPECT_EQ(t[i], kNoHit);
     }
   }
   EXPECT_GT(hits, 300);
@@ -399,14 +399,14 @@ TEST_P(IsosurfaceTracerOn, BehindAGapTheSideIsFoundAnew) {
     return gridOf({static_cast<int>(samples.size()), 3, 3}, values);
   };
   const std::vector<TraceRay> ray{{{0.5f, 1.3f, 0.6f}, {1, 0, 0}, 1.0f}};
-  EXPECT_EQ(firstOf(tracer(along({0, 0, kNaN, 2, 2, 2})), ray)[0], kInfinity);
+  EXPECT_EQ(firstOf(tracer(along({0, 0, kNaN, 2, 2, 2})), ray)[0], kNoHit);
   EXPECT_FLOAT_EQ(firstOf(tracer(along({0, 0, kNaN, 2, 0, 2})), ray)[0], 4.0f);
   EXPECT_FLOAT_EQ(firstOf(tracer(along({2, 2, kNaN, 0, 2})), ray)[0], 3.0f);
   // A gap that fills blocks.
   std::vector<float> wide(60, kNaN);
   std::fill(wide.begin(), wide.begin() + 9, 0.0f);
   std::fill(wide.begin() + 45, wide.end(), 2.0f);
-  EXPECT_EQ(firstOf(tracer(along(wide)), ray)[0], kInfinity);
+  EXPECT_EQ(firstOf(tracer(along(wide)), ray)[0], kNoHit);
   wide[50] = wide[51] = 0.0f;
   EXPECT_FLOAT_EQ(firstOf(tracer(along(wide)), ray)[0], 51.0f);
 }
@@ -437,10 +437,10 @@ TEST_P(IsosurfaceTracerOn, RaysThatBeginOnTheSurface) {
                                    {{3, 2, 2}, {-1, 0, 0}, 1.0f}};    // rises backward, leaves at 1
   const auto t = firstOf(subject, rays);
   EXPECT_FLOAT_EQ(t[0], 4.0f);
-  EXPECT_EQ(t[1], kInfinity);
+  EXPECT_EQ(t[1], kNoHit);
   EXPECT_FLOAT_EQ(t[2], 1.0f);
-  EXPECT_EQ(t[3], kInfinity);
-  EXPECT_EQ(t[4], kInfinity);
+  EXPECT_EQ(t[3], kNoHit);
+  EXPECT_EQ(t[4], kNoHit);
 }
 
 TEST_P(IsosurfaceTracerOn, AxesWithoutCellsAndWhatIsNotARayHitNothing) {
@@ -453,7 +453,7 @@ TEST_P(IsosurfaceTracerOn, AxesWithoutCellsAndWhatIsNotARayHitNothing) {
     std::vector<std::uint8_t> any(2, 7);
     subject.anyEntries(ray, any);
     EXPECT_EQ(any, std::vector<std::uint8_t>(2, 0));
-    EXPECT_EQ(firstOf(subject, ray), std::vector<float>(2, kInfinity));
+    EXPECT_EQ(firstOf(subject, ray), std::vector<float>(2, kNoHit));
     std::vector<glm::vec3> g(1, glm::vec3(kNaN));
     subject.gradients(std::vector<glm::vec3>{{4, 4, 4}}, g);
     EXPECT_FALSE(std::isnan(g[0].x + g[0].y + g[0].z));
@@ -462,19 +462,19 @@ TEST_P(IsosurfaceTracerOn, AxesWithoutCellsAndWhatIsNotARayHitNothing) {
   std::vector<TraceRay> rays{{{0, 0.5f, 0.5f}, {1, 0, 0}, 0.25f}};
   EXPECT_FLOAT_EQ(firstOf(two, rays)[0], 0.25f);
   for (int axis = 0; axis < 3; ++axis)
-    for (const float bad : {kNaN, kInfinity, -kInfinity}) {
+    for (const float bad : {kNaN, kNoHit, -kNoHit}) {
       rays.assign(2, rays[0]);
       rays[0].origin[axis] = bad;
       rays[1].direction[axis] = bad;
-      EXPECT_EQ(firstOf(two, rays), std::vector<float>(2, kInfinity));
+      EXPECT_EQ(firstOf(two, rays), std::vector<float>(2, kNoHit));
     }
   rays.assign(5, {{0, 0.5f, 0.5f}, {1, 0, 0}, 0.25f});
   rays[0].isovalue = kNaN;
-  rays[1].isovalue = kInfinity;
+  rays[1].isovalue = kNoHit;
   rays[2].direction = {0, 0, 0};
   rays[3].tMaximum = kNaN;
   rays[4].tMaximum = -1.0f;
-  EXPECT_EQ(firstOf(two, rays), std::vector<float>(5, kInfinity));
+  EXPECT_EQ(firstOf(two, rays), std::vector<float>(5, kNoHit));
 }
 
 TEST_P(IsosurfaceTracerOn, LengthOfTheDirectionAndDistanceOfTheOriginDoNotMatter) {
@@ -486,7 +486,7 @@ TEST_P(IsosurfaceTracerOn, LengthOfTheDirectionAndDistanceOfTheOriginDoNotMatter
     const auto t = firstOf(subject, rays);
     EXPECT_FLOAT_EQ(t[0] * length, 0.25f);
     EXPECT_FLOAT_EQ(t[1] * length, 3.25f);
-    EXPECT_EQ(t[2], kInfinity);
+    EXPECT_EQ(t[2], kNoHit);
   }
 }
 
