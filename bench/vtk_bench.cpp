@@ -1,6 +1,7 @@
 // Isolux against VTK on one GL driver: same volume, isovalue, camera and picture, in turns. Each picture is
 // checked against the double-precision intersector first: two programs that draw different things cannot be
 // compared.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

@@ -1,5 +1,6 @@
 #include "python/core.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>

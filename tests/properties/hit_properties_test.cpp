@@ -1,4 +1,5 @@
 // First hits in double precision (volume/hit): those of searches that share no arithmetic with them.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

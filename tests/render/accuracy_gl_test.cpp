@@ -1,4 +1,5 @@
 // Hits and normals of the GL pipeline against closed forms and against the double-precision intersector.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 

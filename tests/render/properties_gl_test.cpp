@@ -1,5 +1,6 @@
 // Pictures of random fields (tests/properties) through the whole renderer: no NaN and no infinity in any
 // image, and what the images say of a hit agrees.
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 

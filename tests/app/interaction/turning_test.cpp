@@ -11,7 +11,7 @@
 namespace isolux::app {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double distance(glm::dvec4 a, glm::dvec4 b) {  // of rotations: q and -q are the same
   a /= glm::length(a);

@@ -122,7 +122,7 @@ TEST_F(PictureThreadGlTest, TheNewestOrderIsDrawnAndIsRight) {
 TEST_F(PictureThreadGlTest, ItsOwnerWaitsForNothing) {
   long inCalls = std::numeric_limits<long>::max(), atTheEnd = inCalls;
   for (int i = 0; i < 5; ++i) {
-    auto thread = std::make_unique<app::PictureThread>(render::ContextChoice::osmesa);
+    auto thread = std::make_unique<app::PictureThread>(render::ContextChoice::software);
     ASSERT_TRUE(pollUntil([&] { return thread->context() != nullptr; }));
     app::PictureOrder large = order(30.0, {1024, 1024});
     large.draft = true;  // is not dropped: the thread goes on with it

@@ -3,6 +3,7 @@
 // makes the same with 100 moments a command, of which 95 should end within 100 ms.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

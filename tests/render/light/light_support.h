@@ -1,6 +1,7 @@
 // Stored light by formulas, for tests of the passes that read it.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 

@@ -1,5 +1,6 @@
 // Derivatives at a scale in pictures: against the same field in double precision at the hits of the picture,
 // for curvature and normals at scales of their own.
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>

@@ -1,4 +1,5 @@
 // The window without a mouse: where the focus is, what it is called, and the camera by keys.
+#include <algorithm>
 #include <set>
 
 #include <QAccessible>

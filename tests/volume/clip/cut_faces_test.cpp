@@ -1,5 +1,6 @@
 #include "volume/clip/cut_faces.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // Pieces are as large as the solids that they are, and add up to the whole.
 #include "volume/measure/piece_measure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,6 +1,7 @@
 #include "volume/statistics/curvature_statistics.h"
 #include "tests/support/volumes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>

@@ -1,6 +1,7 @@
 #include "volume/statistics/scale_ladder.h"
 #include "tests/support/volumes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
