@@ -19,7 +19,7 @@ import tempfile
 
 def listed(arguments):
     """(suite, test, source) of each test that is not disabled, in the program's order."""
-    command = ([arguments.launcher] if arguments.launcher else []) + [arguments.program, "--gtest_list_tests"]
+    command = [arguments.program, "--gtest_list_tests"]
     if arguments.filter:
         command.append(f"--gtest_filter={arguments.filter}")
     with tempfile.TemporaryDirectory() as folder:
@@ -53,7 +53,8 @@ def main():
     arguments = parser.parse_args()
 
     entries = {}  # name -> (filter, labels, whole suite)
-    for suite, test, source in listed(arguments):
+    tests = list(listed(arguments))
+    for suite, test, source in tests:
         whole = arguments.suites == "all" or source.endswith("_gl_test.cpp")
         name = f"{arguments.prefix}{suite}.{'all' if whole else test}"
         labels = entries.setdefault(name, (f"{suite}.{'*' if whole else test}", [], whole))[1]
@@ -62,7 +63,7 @@ def main():
     lines = []
     for name, (chosen, labels, whole) in entries.items():
         if whole and arguments.filter:  # of a filtered program, the suite's tests that it leaves
-            chosen = ":".join(f"{s}.{t}" for s, t, _ in listed(arguments) if f"{s}.*" == chosen)
+            chosen = ":".join(f"{s}.{t}" for s, t, _ in tests if f"{s}.*" == chosen)
         command = ([arguments.launcher] if arguments.launcher else []) + [arguments.program, f"--gtest_filter={chosen}"]
         if arguments.reports:
             command.append(f"--gtest_output=xml:{os.path.join(arguments.reports, name.replace('/', '-'))}.xml")
