@@ -45,11 +45,8 @@ namespace {
 
 const Kernels* kernelsOf(TracerTarget target) {
   if (target == TracerTarget::scalar) return &scalarKernels();
-  if (target != TracerTarget::automatic) return simdKernels(target);
-  for (const TracerTarget widest :
-       {TracerTarget::avx512, TracerTarget::avx2, TracerTarget::sse4, TracerTarget::neon})
-    if (const Kernels* kernels = simdKernels(widest)) return kernels;
-  return &scalarKernels();
+  const Kernels* const kernels = simdKernels(target);
+  return kernels || target != TracerTarget::automatic ? kernels : &scalarKernels();
 }
 
 }  // namespace
