@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-#include <tbb/parallel_for.h>
 #include <unistd.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -27,6 +26,7 @@
 #include "render/passes/view_uniforms.h"
 #include "tests/support/rays.h"
 #include "tests/support/trilinear_oracle.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::bench {
 namespace {
@@ -58,7 +58,7 @@ class Gyroid {
   std::vector<std::uint16_t> box(glm::ivec3 low, glm::ivec3 size) const {
     const auto nx = static_cast<std::size_t>(size.x), ny = static_cast<std::size_t>(size.y);
     std::vector<std::uint16_t> out(nx * ny * static_cast<std::size_t>(size.z));
-    tbb::parallel_for(0, size.z, [&](int z) {
+    volume::parallelEach(size.z, [&](int z) {
       std::size_t i = static_cast<std::size_t>(z) * ny * nx;
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x)
@@ -208,7 +208,7 @@ void checkHits(const render::OffscreenContext& context, const Gyroid& gyroid, co
                                          static_cast<std::size_t>(v.z)));
   });
   Check check;
-  tbb::parallel_for(0, checkedRays, [&](int i) {
+  volume::parallelEach(checkedRays, [&](int i) {
     const glm::dvec3 random = test::randomVector(static_cast<std::uint64_t>(i), 0);
     const glm::ivec2 pixel(glm::dvec2(random) * glm::dvec2(pictureSize));
     const glm::dvec2 ndc =

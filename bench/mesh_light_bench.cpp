@@ -3,14 +3,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include <tbb/parallel_for.h>
-
 #include "app/study/light_truth.h"
 #include "bench/bench.h"
 #include "bench/mesh_path_tracer.h"
 #include "bench/subjects.h"
 #include "gi/trace/primary_hits.h"
 #include "tests/support/test_data.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::bench {
 namespace {
@@ -50,8 +49,8 @@ void compare(const Subject& subject, const std::string& probe) {
 
   const MeshPathTracer mesh(light, trianglesOf(*grid, subject.isovalue), subject.isovalue);
   std::vector<MeshPathTracer::Estimate> theirs(points.size());
-  tbb::parallel_for(std::size_t{0}, points.size(),
-                    [&](std::size_t i) { theirs[i] = mesh.irradiance(points[i], i, kPaths); });
+  volume::parallelEach(points.size(),
+                       [&](std::size_t i) { theirs[i] = mesh.irradiance(points[i], i, kPaths); });
 
   // lightTruthAt leaves out points without a normal.
   double mean = 0.0, difference = 0.0, noise = 0.0, square = 0.0, count = 0.0;

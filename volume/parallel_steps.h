@@ -9,10 +9,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "base/progress.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -21,18 +19,17 @@ namespace isolux::volume {
 template <class Step>
 void parallelSteps(std::size_t count, base::Progress& progress, base::ProgressRange share, const Step& step) {
   std::atomic<std::size_t> done{0};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        if (progress.stopRequested()) return;
-                        step(i);
-                        const std::size_t ended = done.fetch_add(1, std::memory_order_relaxed) + 1;
-                        if (share.stage)
-                          progress.report(share.from + (share.to - share.from) * static_cast<double>(ended) /
-                                                           static_cast<double>(count),
-                                          share.stage);
-                      }
-                    });
+  parallelRanges(count, 1, [&](const Indices<std::size_t>& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      if (progress.stopRequested()) return;
+      step(i);
+      const std::size_t ended = done.fetch_add(1, std::memory_order_relaxed) + 1;
+      if (share.stage)
+        progress.report(
+            share.from + (share.to - share.from) * static_cast<double>(ended) / static_cast<double>(count),
+            share.stage);
+    }
+  });
   progress.throwIfStopped();
 }
 

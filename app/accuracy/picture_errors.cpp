@@ -9,8 +9,6 @@
 #include <numbers>
 #include <optional>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "app/interaction/surface_pick.h"
@@ -22,6 +20,7 @@
 #include "volume/error/derivative_error.h"
 #include "volume/error/hit_error.h"
 #include "volume/field/curvature.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::app {
 
@@ -38,11 +37,10 @@ std::atomic<std::size_t> runs{0};
 
 template <class Body>
 void forPixels(std::size_t count, const base::Progress& progress, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kPixelGrain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      if (progress.stopRequested()) return;
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-                    });
+  volume::parallelRanges(count, kPixelGrain, [&](const volume::Indices<std::size_t>& range) {
+    if (progress.stopRequested()) return;
+    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  });
   progress.throwIfStopped();
 }
 

@@ -3,11 +3,9 @@
 #include <atomic>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "base/random.h"
 #include "gi/trace/path_tracer.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::app {
 
@@ -32,11 +30,10 @@ class Estimator {
   // Takes the replicates from `samples_` to `samples` paths.
   void refine(std::uint32_t samples, base::Progress& progress) {
     const gi::SampleRange range{samples_, samples - samples_};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), kPointsAtOnce),
-                      [&](const tbb::blocked_range<std::size_t>& part) {
-                        for (std::uint32_t r = 0; r < kReplicates; ++r)
-                          if (!refine(part.begin(), part.end(), r, range, progress)) return;
-                      });
+    volume::parallelRanges(points_.size(), kPointsAtOnce, [&](const volume::Indices<std::size_t>& part) {
+      for (std::uint32_t r = 0; r < kReplicates; ++r)
+        if (!refine(part.begin(), part.end(), r, range, progress)) return;
+    });
     progress.throwIfStopped();
     samples_ = samples;
   }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "base/quantiles.h"
@@ -14,6 +13,7 @@
 #include "volume/field/reconstruct.h"
 #include "volume/field/scale_kernel.h"
 #include "volume/field/symmetric_filter.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::app {
 
@@ -87,7 +87,7 @@ ScaleStudio::Shapes ScaleStudio::shapesOf(const Grid& grid, scene::Field field, 
                           : volume::sampleCubic(grid, point);
   };
   Shapes shapes(points_.size());
-  tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
+  volume::parallelEach(points_.size(), [&](std::size_t i) {
     const volume::FieldSample sample = sampleAt(points_[i]);
     const volume::PrincipalCurvature curvature =
         volume::principalCurvature(volume::worldGradient(grid.geometry(), sample.gradient),

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "app/interaction/surface_pick.h"
@@ -12,6 +10,7 @@
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::app {
 
@@ -30,13 +29,12 @@ std::size_t indexOf(Field field) {
 // Calls body(i) for 0 .. count-1 on all threads.
 template <class Body>
 void forEachPixel(std::size_t count, const base::Progress& progress, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        if (progress.stopRequested()) return;
-                        body(i);
-                      }
-                    });
+  volume::parallelRanges(count, kGrain, [&](const volume::Indices<std::size_t>& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      if (progress.stopRequested()) return;
+      body(i);
+    }
+  });
   progress.throwIfStopped();
 }
 

@@ -9,10 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "gi/lattice/texel_bits.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::gi {
 
@@ -140,8 +138,7 @@ std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volu
   std::visit(
       [&](const auto& voxels) {
         using T = typename std::decay_t<decltype(voxels)>::value_type;
-        const tbb::blocked_range<std::uint32_t> all(0, lattice.blockCount(), 16);
-        tbb::parallel_for(all, [&](const tbb::blocked_range<std::uint32_t>& range) {
+        volume::parallelRanges(lattice.blockCount(), 16, [&](const volume::Indices<std::uint32_t>& range) {
           BlockScan<T> scan(lattice, grid, voxels);
           for (std::uint32_t block = range.begin(); block != range.end(); ++block) {
             if (progress.stopRequested()) return;

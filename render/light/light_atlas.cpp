@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+
+#include "volume/parallel_loops.h"
 
 namespace isolux::render {
 
@@ -240,8 +241,8 @@ void LightAtlas::upload(const std::vector<std::uint32_t>& pages) {
   const std::size_t wordsOfSlot = slotBytes() / sizeof(std::uint32_t);
   std::vector<std::uint32_t> words(pages.size() * wordsOfSlot);
   std::vector<std::uint8_t> lit(pages.size());
-  tbb::parallel_for(std::size_t{0}, pages.size(),
-                    [&](std::size_t i) { lit[i] = pack(pages[i], &words[i * wordsOfSlot]) ? 1 : 0; });
+  volume::parallelEach(pages.size(),
+                       [&](std::size_t i) { lit[i] = pack(pages[i], &words[i * wordsOfSlot]) ? 1 : 0; });
   for (std::size_t i = 0; i < pages.size(); ++i) {
     std::uint32_t& slot = slots_[pages[i]];
     if (!lit[i]) {  // cleared meanwhile, or of an isovalue long gone: zeros

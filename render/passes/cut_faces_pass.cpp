@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 
 #include "scene/color_maps.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::render {
 
@@ -83,7 +82,7 @@ void CutFacesPass::run(FrameState& frame) {
                                  frame.hidden);
     const volume::PictureRays rays = frame.rays();
     tbb::combinable<volume::PictureArea> areas([&] { return volume::PictureArea(size); });
-    tbb::parallel_for(tbb::blocked_range<int>(0, size.y, 4), [&](const auto& rows) {
+    volume::parallelRanges(size.y, 4, [&](const auto& rows) {
       for (int y = rows.begin(); y < rows.end() && !frame.request.stop.stop_requested(); ++y)
         findRow(faces, rays, y, out, areas.local());
     });

@@ -2,9 +2,7 @@
 
 #include <stop_token>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "volume/parallel_loops.h"
 #include "volume/pieces/surface_voxel.h"
 
 namespace isolux::render {
@@ -30,7 +28,7 @@ std::vector<float> idsOf(const FrameState& frame, const PiecesOfSurfaces& pieces
   const std::vector<float> points = frame.image(image::surface, 0).readFloats(4, part);
   const std::vector<float> infos = frame.image(image::surface, 1).readFloats(2, part);
   std::vector<float> ids(points.size() / 4, kNoPiece);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ids.size(), 1024), [&](const auto& range) {
+  volume::parallelRanges(ids.size(), 1024, [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const float* const p = &points[4 * i];
       if (!(p[3] >= 0.0f)) continue;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"
@@ -11,6 +9,7 @@
 #include "scene/color_maps.h"
 #include "volume/color/second_values.h"
 #include "volume/field/reconstruct.h"
+#include "volume/parallel_loops.h"
 #include "volume/statistics/visible_points.h"
 
 namespace isolux::render {
@@ -55,7 +54,7 @@ std::vector<glm::vec4> texelsOf(const FrameState& frame, const SecondAtPoints& s
   std::vector<float> gradients;
   if (frame.scene->color.below > 0.0) gradients = frame.gradientImage().readFloats(4, part);
   std::vector<glm::vec4> texels(points.size() / 4);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, texels.size(), 1024), [&](const auto& range) {
+  volume::parallelRanges(texels.size(), 1024, [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       if (frame.request.stop.stop_requested()) return;
       const float* const p = &points[4 * i];

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
 #include "render/volume/brick_cache.h"
+#include "volume/parallel_loops.h"
 #include "volume/skip/cell_bits.h"
 
 namespace isolux::render {
@@ -137,7 +136,7 @@ void SurfaceBlocks::uploadHidden() {
   for (std::size_t k = 0; k < hidden_.surfaces.size(); ++k) {
     const volume::HiddenVoxels* const hidden = hidden_.surfaces[k].hidden;
     if (!hidden) continue;
-    tbb::parallel_for(0, dims.z, [&](int slice) {
+    volume::parallelEach(dims.z, [&](int slice) {
       for (int z = 2 * slice; z < std::min(2 * slice + 2, voxels.z); ++z)
         for (int y = 0; y < voxels.y; ++y) {
           std::uint32_t* const to =

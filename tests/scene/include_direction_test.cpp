@@ -130,8 +130,7 @@ struct SlowLibrary {
 };
 const std::vector<SlowLibrary>& slowLibraries() {
   static const std::vector<SlowLibrary> list{
-      {"tbb/",
-       {"volume/parallel_steps.h", "volume/field/filter_lines.h", "volume/cast/cell_bits_on_demand.h"}},
+      {"tbb/", {"volume/field/filter_lines.h", "volume/cast/cell_bits_on_demand.h"}},
       {"nlohmann/json.hpp",
        {"scene/scene_diff.h", "scene/setting/setting_value.h", "app/documents/stored_scene.h",
         "app/presets/preset.h"}},
@@ -215,7 +214,7 @@ TEST(IncludeDirection, FindsHeadersThatHandOnWhatIsSlowToCompile) {
   }
   EXPECT_THAT(slowIncludes("app/a.h", "#include <nlohmann/json_fwd.hpp>\n"), IsEmpty());
   EXPECT_THAT(slowIncludes("volume/cast/a-inl.h", "#include <hwy/highway.h>\n"), IsEmpty());
-  EXPECT_THAT(slowIncludes("volume/parallel_steps.h", "#include <tbb/parallel_for.h>\n"), IsEmpty());
+  EXPECT_THAT(slowIncludes("volume/field/filter_lines.h", "#include <tbb/combinable.h>\n"), IsEmpty());
   EXPECT_THAT(slowIncludes("volume/cast/a.h", "#include \"scene/scene.h\"\n"),
               ElementsAre(HasSubstr("scene/choices.h has")));
 }

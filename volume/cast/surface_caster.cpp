@@ -5,12 +5,11 @@
 #include <cmath>
 #include <iterator>
 
-#include <tbb/blocked_range2d.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 
 #include "volume/cast/cast_kernels.h"
 #include "volume/field/value_scaling.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -153,12 +152,10 @@ template <class Draw>
 void forPieces(glm::ivec2 size, const std::stop_token& stop, const Draw& draw) {
   constexpr int piece = 32;  // pixels
   const glm::ivec2 pieces = (size + (piece - 1)) / piece;
-  tbb::parallel_for(tbb::blocked_range2d<int>(0, pieces.y, 1, 0, pieces.x, 1), [&](const auto& range) {
-    for (int y = range.rows().begin(); y < range.rows().end(); ++y)
-      for (int x = range.cols().begin(); x < range.cols().end() && !stop.stop_requested(); ++x) {
-        const glm::ivec2 begin = piece * glm::ivec2(x, y);
-        draw(Rectangle{begin, glm::min(begin + piece, size) - begin});
-      }
+  parallelEach(pieces.x * pieces.y, [&](int i) {
+    if (stop.stop_requested()) return;
+    const glm::ivec2 begin = piece * glm::ivec2(i % pieces.x, i / pieces.x);
+    draw(Rectangle{begin, glm::min(begin + piece, size) - begin});
   });
 }
 

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/matrix.hpp>
 
 #include "volume/cast/cast_kernels.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -28,15 +27,14 @@ template <class DeriveRow>
 void deriveRows(const PictureArea& area, const std::stop_token& stop, const DeriveRow& deriveRow) {
   const auto width = static_cast<std::size_t>(area.size().x);
   const std::vector<Rectangle> parts = area.rectangles();
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+  parallelEach(parts.size(), [&](std::size_t i) {
     constexpr int grain = 8;  // rows
-    tbb::parallel_for(
-        tbb::blocked_range<int>(parts[i].low.y, parts[i].low.y + parts[i].size.y, grain),
-        [&](const auto& rows) {
-          for (int row = rows.begin(); row < rows.end() && !stop.stop_requested(); ++row)
-            deriveRow(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(parts[i].low.x),
-                      static_cast<std::size_t>(parts[i].size.x));
-        });
+    parallelRanges(parts[i].size.y, grain, [&](const Indices<int>& rows) {
+      for (int y = rows.begin(); y < rows.end() && !stop.stop_requested(); ++y)
+        deriveRow(
+            static_cast<std::size_t>(parts[i].low.y + y) * width + static_cast<std::size_t>(parts[i].low.x),
+            static_cast<std::size_t>(parts[i].size.x));
+    });
   });
 }
 

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include <tbb/parallel_for.h>
-
 #include "base/quantiles.h"
 #include "scene/rules/needs.h"
+#include "volume/parallel_loops.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::volume {
@@ -41,8 +40,7 @@ SurfaceEdges::SurfaceEdges(std::shared_ptr<const PreparedVolume> volume, const s
 
 EdgeStatistics edgeStatistics(const EdgeFinder& finder, std::span<const VisiblePoint> points) {
   std::vector<Edge> edges(points.size());
-  tbb::parallel_for(std::size_t{0}, points.size(),
-                    [&](std::size_t i) { edges[i] = finder.at(points[i].voxel); });
+  parallelEach(points.size(), [&](std::size_t i) { edges[i] = finder.at(points[i].voxel); });
   EdgeStatistics out;
   out.points = points.size();
   if (points.empty()) return out;

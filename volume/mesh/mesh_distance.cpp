@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "volume/mesh/triangle_tree.h"
+#include "volume/parallel_loops.h"
 #include "volume/parallel_steps.h"
 
 namespace isolux::volume {
@@ -59,7 +59,7 @@ std::vector<float> unsignedDistance(const TriangleMesh& voxelMesh, glm::ivec3 di
   const glm::ivec3 blocks = (dims + kBlock - 1) / kBlock;
   const int count = blocks.x * blocks.y * blocks.z;
   std::atomic<int> done{0};
-  tbb::parallel_for(0, count, [&](int i) {
+  parallelEach(count, [&](int i) {
     if (progress.stopRequested()) return;
     const glm::ivec3 block(i % blocks.x, i / blocks.x % blocks.y, i / (blocks.x * blocks.y));
     measureBlock(tree, block * kBlock, dims, values.data());
@@ -195,7 +195,7 @@ Grid signedDistance(const TriangleMesh& closed, const GridGeometry& geometry, ba
   progress.throwIfStopped();
   const auto sliceVoxels = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
   const auto spacing = static_cast<float>(geometry.spacingMm().x);
-  tbb::parallel_for(0, dims.z, [&](int z) {
+  parallelEach(dims.z, [&](int z) {
     if (progress.stopRequested()) return;
     float* const slice = values.data() + sliceVoxels * static_cast<std::size_t>(z);
     signSlice(mesh, slices[z], z, dims, slice);

@@ -4,12 +4,12 @@
 #include <limits>
 #include <optional>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "volume/color/second_values.h"
 #include "volume/field/curvature.h"
 #include "volume/field/shape_field.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -37,7 +37,7 @@ std::vector<PointArray> surfaceArrays(const PreparedVolume& volume, const scene:
   if (curvature)
     for (const char* name : {"kappa1", "kappa2", "confidence"})
       arrays.push_back({name, 1, std::vector<float>(points.size(), kNone)});
-  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+  parallelEach(points.size(), [&](std::size_t i) {
     if (progress.stopRequested()) return;
     const glm::dvec3 voxel(voxelFromWorld * glm::dvec4(points[i], 1.0));
     const glm::dvec3 gradient = forNormals.atVoxel(voxel).gradient;
@@ -64,7 +64,7 @@ PointArray secondValueArray(const PreparedVolume& volume, const scene::Scene& re
   const std::vector<PointArray> normals = resolved.color.below > 0.0
                                               ? surfaceArrays(volume, resolved, points, false, progress)
                                               : std::vector<PointArray>();
-  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+  parallelEach(points.size(), [&](std::size_t i) {
     std::optional<SecondValue> found;
     if (normals.empty()) {
       found = values.at(points[i]);

@@ -7,12 +7,12 @@
 #include <optional>
 #include <span>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "volume/mesh/mesh_edges.h"
 #include "volume/mesh/surface_foot.h"
+#include "volume/parallel_loops.h"
 #include "volume/read/process/foreign.h"
 
 namespace isolux::volume {
@@ -34,7 +34,7 @@ float insideOf(const Grid& grid, const SurfaceMeshRequest& request, glm::ivec3 v
 
 void fillSamples(const Grid& grid, const SurfaceMeshRequest& request, int pad, std::span<float> samples) {
   const glm::ivec3 dims = grid.dims() + 2 * pad;
-  tbb::parallel_for(0, dims.z, [&](int z) {
+  parallelEach(dims.z, [&](int z) {
     std::size_t at =
         static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
     for (int y = 0; y < dims.y; ++y)
@@ -120,7 +120,7 @@ class Maker {
     const glm::dvec3 last(grid_.dims() - 1);
     capping_.assign(mesh_.points.size(), 0);
     std::vector<char> astray(mesh_.points.size(), 0);
-    tbb::parallel_for(std::size_t{0}, mesh_.points.size(), [&](std::size_t i) {
+    parallelEach(mesh_.points.size(), [&](std::size_t i) {
       glm::dvec3& point = mesh_.points[i];
       if (point != glm::clamp(point, glm::dvec3(0.0), last)) {
         point = glm::clamp(point, glm::dvec3(0.0), last);
@@ -155,14 +155,14 @@ class Maker {
       for (int side = 0; side < 3 && !cap[t]; ++side) ofSurface[edges_.of(t, side)] = 1;
     }
     feet_.assign(edges_.count(), {});
-    tbb::parallel_for(std::size_t{0}, edges_.count(), [&](std::size_t e) {
+    parallelEach(edges_.count(), [&](std::size_t e) {
       const auto [a, b] = edges_.ends(e);
       const glm::dvec3 corners[] = {mesh_.points[a], mesh_.points[b]};
       if (ofSurface[e] && !capping_[a] && !capping_[b])
         feet_[e] = footOf(0.5 * (corners[0] + corners[1]), corners);
     });
     middles_.assign(mesh_.triangles.size(), {});
-    tbb::parallel_for(std::size_t{0}, mesh_.triangles.size(), [&](std::size_t i) {
+    parallelEach(mesh_.triangles.size(), [&](std::size_t i) {
       const Triangle& t = mesh_.triangles[i];
       const glm::dvec3 corners[] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
       if (!cap[i]) middles_[i] = footOf(middle(t), corners);

@@ -4,12 +4,11 @@
 #include <atomic>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/random.h"
+#include "volume/parallel_loops.h"
 #include "volume/parallel_steps.h"
 #include "volume/phantom/phantom_anatomy.h"
 
@@ -21,8 +20,8 @@ constexpr double kCubeMm = 250.0;
 const glm::dvec3 kCubeCentreMm(0.0, -12.0, 0.0);
 constexpr float kNeckCutMm = -119.0f;  // below: air, as if the scan had ended there
 constexpr float kFleshOnSkullMm = 2.5f, kFleshOnJawMm = 2.5f, kFleshBlendMm = 5.0f;
-constexpr float kFarMm = 1e4f;             // from an organ that is not there
-constexpr int kBlock = PointRow::kPoints;  // voxels per axis that share one selection of shapes
+constexpr float kFarMm = 1e4f;                  // from an organ that is not there
+constexpr int kShapeBlock = PointRow::kPoints;  // voxels per axis that share one selection of shapes
 
 namespace hu {
 constexpr float air = -1000.0f, skin = 60.0f, fat = -90.0f, muscle = 50.0f, brain = 36.0f, liquor = 8.0f;
@@ -196,16 +195,16 @@ std::vector<std::int16_t> headVoxels(const GridGeometry& geometry, double noise,
   const auto w = static_cast<float>(1.4 * (spacing.x + spacing.y + spacing.z) / 3.0);
   const float margin = std::max(w, 1.5f) + kFleshOnJawMm + kFleshBlendMm;
 
-  const glm::ivec3 blocks = (dims + kBlock - 1) / kBlock;
+  const glm::ivec3 blocks = (dims + kShapeBlock - 1) / kShapeBlock;
   const int rows = blocks.y * blocks.z;
   std::atomic<int> rowsDone{0};
-  tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
+  parallelRanges(rows, 1, [&](const Indices<int>& range) {
     LocalAnatomy local;
     for (int row = range.begin(); row != range.end(); ++row) {
       for (int blockX = 0; blockX < blocks.x; ++blockX) {
         if (progress.stopRequested()) return;
-        const glm::ivec3 low = glm::ivec3(blockX, row % blocks.y, row / blocks.y) * kBlock;
-        const glm::ivec3 high = glm::min(low + kBlock, dims) - 1;
+        const glm::ivec3 low = glm::ivec3(blockX, row % blocks.y, row / blocks.y) * kShapeBlock;
+        const glm::ivec3 high = glm::min(low + kShapeBlock, dims) - 1;
         const glm::dvec3 half = glm::dvec3(high - low) * 0.5;
         const glm::dvec3 middle = origin + linear * (glm::dvec3(low) + half);
         const double reach = glm::length(linear[0]) * half.x + glm::length(linear[1]) * half.y +

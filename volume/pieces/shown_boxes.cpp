@@ -4,10 +4,9 @@
 #include <bit>
 #include <variant>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/common.hpp>
 
+#include "volume/parallel_loops.h"
 #include "volume/skip/cell_bits.h"
 
 namespace isolux::volume {
@@ -69,16 +68,15 @@ ShownRows::ShownRows(const Grid& grid, const HiddenVoxels& hidden, InsideLevel l
 template <class Wanted, class Change>
 void forBlocksWithHidden(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron,
                          glm::ivec3 blocks, const Wanted& wanted, const Change& change) {
-  tbb::parallel_for(tbb::blocked_range<int>(0, blocks.y * blocks.z),
-                    [&](const tbb::blocked_range<int>& range) {
-                      for (int row = range.begin(); row < range.end(); ++row)
-                        for (int x = 0; x < blocks.x; ++x) {
-                          const glm::ivec3 block(x, row % blocks.y, row / blocks.y);
-                          if (!wanted(block)) continue;
-                          const ShownRows rows(grid, hidden, level, apron, block);
-                          if (rows.anyHidden()) change(block, rows);
-                        }
-                    });
+  parallelRanges(blocks.y * blocks.z, 1, [&](const Indices<int>& range) {
+    for (int row = range.begin(); row < range.end(); ++row)
+      for (int x = 0; x < blocks.x; ++x) {
+        const glm::ivec3 block(x, row % blocks.y, row / blocks.y);
+        if (!wanted(block)) continue;
+        const ShownRows rows(grid, hidden, level, apron, block);
+        if (rows.anyHidden()) change(block, rows);
+      }
+  });
 }
 
 std::size_t indexIn(glm::ivec3 dims, glm::ivec3 at) {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -79,12 +78,11 @@ HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown) 
   HiddenVoxels hidden(pieces.grid().dims());
   if (std::find(shown.begin(), shown.end(), false) == shown.end()) return hidden;
   const glm::ivec3 blocks = pieces.blocks().dims();
-  tbb::parallel_for(tbb::blocked_range<int>(0, blocks.y * blocks.z),
-                    [&](const tbb::blocked_range<int>& range) {
-                      RowOfHidden hide(pieces, shown, hidden);
-                      for (int row = range.begin(); row < range.end(); ++row)
-                        for (int x = 0; x < blocks.x; ++x) hide.block({x, row % blocks.y, row / blocks.y});
-                    });
+  parallelRanges(blocks.y * blocks.z, 1, [&](const Indices<int>& range) {
+    RowOfHidden hide(pieces, shown, hidden);
+    for (int row = range.begin(); row < range.end(); ++row)
+      for (int x = 0; x < blocks.x; ++x) hide.block({x, row % blocks.y, row / blocks.y});
+  });
   return hidden;
 }
 

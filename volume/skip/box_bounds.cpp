@@ -6,9 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "volume/parallel_loops.h"
 #include "volume/parallel_steps.h"
 
 namespace isolux::volume {
@@ -184,19 +182,18 @@ void BoxBounds::masks(std::span<const float> storedIsovalues, const std::vector<
         {static_cast<std::uint16_t>(std::floor(within)), static_cast<std::uint16_t>(std::ceil(within))});
   }
   result.resize(bounds_.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bounds_.size(), 512),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t block = range.begin(); block < range.end(); ++block) {
-                        std::uint64_t mask = 0;
-                        if (flags[block])
-                          for (const Level level : levels)
-                            for (int i = 0; i < kBoxesPerBlock; ++i)
-                              mask |= static_cast<std::uint64_t>(bounds_[block].low[i] <= level.floor &&
-                                                                 bounds_[block].high[i] >= level.ceiling)
-                                      << i;
-                        result[block] = mask;
-                      }
-                    });
+  parallelRanges(bounds_.size(), 512, [&](const Indices<std::size_t>& range) {
+    for (std::size_t block = range.begin(); block < range.end(); ++block) {
+      std::uint64_t mask = 0;
+      if (flags[block])
+        for (const Level level : levels)
+          for (int i = 0; i < kBoxesPerBlock; ++i)
+            mask |= static_cast<std::uint64_t>(bounds_[block].low[i] <= level.floor &&
+                                               bounds_[block].high[i] >= level.ceiling)
+                    << i;
+      result[block] = mask;
+    }
+  });
 }
 
 }  // namespace isolux::volume

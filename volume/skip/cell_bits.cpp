@@ -4,9 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "volume/parallel_loops.h"
 #include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {
@@ -132,11 +130,10 @@ void cellBits(const Grid& grid, glm::ivec3 blocks, std::span<const std::uint64_t
   };
   std::visit(
       [&](const auto& voxels) {
-        tbb::parallel_for(tbb::blocked_range<int>(0, blocks.y * blocks.z, 4),
-                          [&](const tbb::blocked_range<int>& range) {
-                            for (int row = range.begin(); row < range.end(); ++row)
-                              ofRow(voxels, row % blocks.y, row / blocks.y);
-                          });
+        parallelRanges(blocks.y * blocks.z, 4, [&](const Indices<int>& range) {
+          for (int row = range.begin(); row < range.end(); ++row)
+            ofRow(voxels, row % blocks.y, row / blocks.y);
+        });
       },
       grid.voxels());
 }

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "volume/parallel_loops.h"
 #include "volume/parallel_steps.h"
 #include "volume/tracer/huge_pages.h"
 
@@ -127,16 +125,15 @@ std::vector<std::uint8_t> binsOf(const Grid& grid, const ValueBins& bins, base::
         if constexpr (!std::is_same_v<T, float>)
           for (int v = lowest; v <= static_cast<int>(std::numeric_limits<T>::max()); ++v)
             ofInteger.push_back(bins(static_cast<float>(v)));
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, voxels.size(), 1 << 16),
-                          [&](const tbb::blocked_range<std::size_t>& range) {
-                            if (progress.stopRequested()) return;
-                            for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                              if constexpr (std::is_same_v<T, float>)
-                                result[i] = std::isnan(voxels[i]) ? kMissing : bins(voxels[i]);
-                              else
-                                result[i] = ofInteger[static_cast<std::size_t>(voxels[i] - lowest)];
-                            }
-                          });
+        parallelRanges(voxels.size(), 1 << 16, [&](const Indices<std::size_t>& range) {
+          if (progress.stopRequested()) return;
+          for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            if constexpr (std::is_same_v<T, float>)
+              result[i] = std::isnan(voxels[i]) ? kMissing : bins(voxels[i]);
+            else
+              result[i] = ofInteger[static_cast<std::size_t>(voxels[i] - lowest)];
+          }
+        });
       },
       grid.voxels());
   progress.throwIfStopped();
@@ -147,7 +144,7 @@ void replaceHidden(const HiddenVoxels& hidden, std::uint8_t bin, std::vector<std
   const glm::ivec3 dims = hidden.dims();
   const auto width = static_cast<std::size_t>(dims.x), words = static_cast<std::size_t>(hidden.wordsPerRow());
   const auto rows = static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows), [&](const auto& range) {
+  parallelRanges(rows, 1, [&](const auto& range) {
     for (std::size_t row = range.begin(); row != range.end(); ++row)
       for (std::size_t word = 0; word < words; ++word)
         for (std::uint64_t bits = hidden.words()[row * words + word]; bits != 0; bits &= bits - 1)
@@ -239,16 +236,15 @@ CellRanges::CellRanges(const Grid& grid, base::Progress& progress, const HiddenV
   resizeStoppably(table_, bytesOf(dims), progress);
   std::vector<std::uint8_t> bins = binsOf(grid, bins_, progress);
   if (hidden) replaceHidden(*hidden, insideHigh ? 0 : kMissing - 1, bins);
-  tbb::parallel_for(
-      tbb::blocked_range<int>(0, blockDims_.y * blockDims_.z), [&](const tbb::blocked_range<int>& range) {
-        if (progress.stopRequested()) return;
-        BlockRow row(bins.data(), dims, blockDims_.x);
-        for (int i = range.begin(); i != range.end(); ++i) {
-          const std::size_t first = static_cast<std::size_t>(i) * static_cast<std::size_t>(blockDims_.x);
-          row.fill(i % blockDims_.y, i / blockDims_.y, table_.data() + 4 * first,
-                   table_.data() + cellBytes_ + 128 * first);
-        }
-      });
+  parallelRanges(blockDims_.y * blockDims_.z, 1, [&](const Indices<int>& range) {
+    if (progress.stopRequested()) return;
+    BlockRow row(bins.data(), dims, blockDims_.x);
+    for (int i = range.begin(); i != range.end(); ++i) {
+      const std::size_t first = static_cast<std::size_t>(i) * static_cast<std::size_t>(blockDims_.x);
+      row.fill(i % blockDims_.y, i / blockDims_.y, table_.data() + 4 * first,
+               table_.data() + cellBytes_ + 128 * first);
+    }
+  });
   progress.throwIfStopped();
   fillLargeBlocks(table_.data(), blockDims_, progress);
 }

@@ -4,8 +4,7 @@
 #include <cassert>
 #include <limits>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -70,7 +69,7 @@ template <class T>
 void MinMaxBlocks::fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress) {
   if (count() == 0) return;
   const int rows = dims_.y * dims_.z;
-  tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const tbb::blocked_range<int>& range) {
+  parallelRanges(rows, 1, [&](const Indices<int>& range) {
     for (int row = range.begin(); row != range.end(); ++row) {
       if (progress.stopRequested()) return;
       for (int x = 0; x < dims_.x; ++x) {
@@ -94,7 +93,7 @@ void MinMaxBlocks::setLayers(int layer, std::span<const T> slab, glm::ivec3 voxe
   const int first = layer * blockCells_, slices = static_cast<int>(slab.size() / slice);
   const int behind = std::min(first + slices, voxels.z);  // the first slice that is not given
   const int layers = behind == voxels.z ? dims_.z - layer : (slices - 1) / blockCells_;
-  tbb::parallel_for(0, std::max(layers, 0) * dims_.y, [&](int row) {
+  parallelEach(std::max(layers, 0) * dims_.y, [&](int row) {
     if (progress.stopRequested()) return;
     for (int x = 0; x < dims_.x; ++x) {
       const glm::ivec3 block(x, row % dims_.y, layer + row / dims_.y);

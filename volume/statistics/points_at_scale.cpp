@@ -5,12 +5,11 @@
 #include <cmath>
 #include <variant>
 
-#include <tbb/parallel_for.h>
-
 #include "scene/noise.h"
 #include "volume/field/cubic_weights.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -159,7 +158,7 @@ std::vector<PointDerivatives> derivativesAtScale(const Grid& grid, std::span<con
   std::vector<PointDerivatives> out(points.size());
   std::visit(
       [&](const auto& voxels) {
-        tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        parallelEach(points.size(), [&](std::size_t i) {
           std::array<AxisWeights, 3> along;
           std::size_t stride = 1;
           for (int axis = 0; axis < 3; stride *= static_cast<std::size_t>(geometry.dims[axis++]))

@@ -5,11 +5,11 @@
 #include <atomic>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "volume/field/cubic_weights.h"
 #include "volume/field/reconstruct.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -79,7 +79,7 @@ Gap gapAt(const Grid& grid, glm::dvec3 voxel, double trilinear) {
 
 double shareBesideSpline(const Grid& grid, std::span<const glm::dvec3> points, double gapVoxels) {
   std::atomic<std::size_t> counted{0}, beside{0};
-  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+  parallelEach(points.size(), [&](std::size_t i) {
     const double stored = grid.storedOfValue(sampleTrilinear(grid, points[i]).value);
     const Gap gap = gapAt(grid, points[i], stored);
     if (!std::isfinite(gap.value)) return;

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <optional>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_hit.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::volume {
 
@@ -104,7 +104,7 @@ std::vector<VisiblePoint> visiblePoints(const Grid& grid, const MinMaxBlocks& bl
   std::vector<std::optional<RayHit>> hits(batch);
   constexpr std::size_t mostBatches = 16;
   for (std::size_t first = 0; first < mostBatches * batch && points.size() < wanted; first += batch) {
-    tbb::parallel_for(std::size_t{0}, batch, [&](std::size_t i) {
+    parallelEach(batch, [&](std::size_t i) {
       const Ray ray = beams[i % kDirections].ray(spreadPoint((first + i) / kDirections));
       hits[i] =
           firstHit(grid, blocks, isovalue, ray.origin, ray.direction, ray.tMinimum, ray.tMaximum, hidden);

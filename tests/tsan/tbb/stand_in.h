@@ -122,13 +122,6 @@ void parallel_for(const blocked_range<Value>& range, const Body& body) {
   stand_in::forEachPiece(all.size(), [&](std::size_t i) { body(all[i]); });
 }
 
-template <class Index, class Body>
-void parallel_for(Index first, Index last, const Body& body) {
-  parallel_for(blocked_range<Index>(first, last), [&](const blocked_range<Index>& range) {
-    for (Index i = range.begin(); i < range.end(); ++i) body(i);
-  });
-}
-
 template <class Value, class Result, class Body, class Join>
 Result parallel_deterministic_reduce(const blocked_range<Value>& range, const Result& identity,
                                      const Body& body, const Join& join) {

@@ -10,8 +10,6 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -21,6 +19,7 @@
 #include "tests/support/test_data.h"
 #include "volume/field/cubic_weights.h"
 #include "volume/field/reconstruct.h"
+#include "volume/parallel_loops.h"
 #include "volume/read/reader.h"
 
 namespace isolux::volume {
@@ -238,7 +237,7 @@ void compare(const SplineCase& field, double isovalue, const Ray& ray, Tally& ta
 
 // Random rays of every kind, and for every surface point so found a tangent of it.
 void compareRays(const SplineCase& field, double isovalue, std::uint64_t count, Tally& tally) {
-  tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, 50), [&](const auto& range) {
+  parallelRanges(count, 50, [&](const auto& range) {
     for (std::uint64_t i = range.begin(); i != range.end(); ++i) {
       const Ray ray = test::randomRay(i, field.grid.dims());
       compare(field, isovalue, ray, tally);
