@@ -4,9 +4,11 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <optional>
-#include <regex>
+#include <string_view>
 
 namespace isolux::volume {
 
@@ -53,12 +55,25 @@ std::optional<VoxelType> typeInName(const std::string& name) {
 }
 
 std::optional<glm::ivec3> dimsInName(const std::string& name) {
-  static const std::regex pattern("([0-9]{1,5})[x_-]([0-9]{1,5})[x_-]([0-9]{1,5})");
-  std::smatch match;
-  if (!std::regex_search(name, match, pattern)) return std::nullopt;
-  const glm::ivec3 dims{std::stoi(match[1]), std::stoi(match[2]), std::stoi(match[3])};
-  if (dims.x < 1 || dims.y < 1 || dims.z < 1) return std::nullopt;
-  return dims;
+  for (const char* at = name.c_str(); *at != '\0'; ++at) {
+    std::array<char, 6> x{}, y{}, z{};
+    if (std::sscanf(at, "%5[0-9]%*1[x_-]%5[0-9]%*1[x_-]%5[0-9]", x.data(), y.data(), z.data()) != 3) continue;
+    const glm::ivec3 dims{std::atoi(x.data()), std::atoi(y.data()), std::atoi(z.data())};
+    if (dims.x < 1 || dims.y < 1 || dims.z < 1) return std::nullopt;
+    return dims;
+  }
+  return std::nullopt;
+}
+
+// "be" and the like as a word of the name.
+bool bigEndianInName(const std::string& name) {
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find_first_of("_.-", begin), name.size());
+    const std::string_view word = std::string_view(name).substr(begin, end - begin);
+    if (word == "be" || word == "big" || word == "msb") return true;
+    begin = end + 1;
+  }
+  return false;
 }
 
 class Guesses {
@@ -101,8 +116,7 @@ std::vector<RawDescription> guessRaw(const std::string& fileName, std::uint64_t 
   std::string name = fileName;
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const bool big = std::regex_search(name, std::regex("(^|[_.-])(be|big|msb)([_.-]|$)"));
-  Guesses guesses(fileBytes, big ? Endianness::big : Endianness::little);
+  Guesses guesses(fileBytes, bigEndianInName(name) ? Endianness::big : Endianness::little);
   const auto dims = dimsInName(name);
   const auto type = typeInName(name);
   constexpr std::uint64_t plausibleHeader = 4096;
