@@ -72,8 +72,6 @@ GridGeometry GridGeometry::make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec
 
 namespace {
 
-constexpr std::size_t kPieceBytes = std::size_t{1} << 20;  // part of the definition of the hash
-
 // What is known of some consecutive voxels.
 struct HashedPart {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -107,7 +105,7 @@ HashedPart scanPiece(std::span<T> voxels) {
 
 template <class T>
 std::vector<HashedPart> scanPieces(std::vector<T>& voxels, base::Progress& progress) {
-  constexpr std::size_t length = kPieceBytes / sizeof(T);
+  constexpr std::size_t length = Grid::kHashedBytes / sizeof(T);
   std::vector<HashedPart> pieces((voxels.size() + length - 1) / length);
   parallelSteps(pieces.size(), progress, {0.0, 1.0, "scanning voxels"}, [&](std::size_t i) {
     const std::size_t first = i * length;

@@ -116,7 +116,8 @@ class Grid {
   std::size_t missingCount() const { return missing_; }
   std::size_t bytes() const;  // of all voxels, wherever they are
   // 64-bit hash of dims, worldFromVoxel, slope, intercept, type and voxels: FNV-1a over 8-byte words, of the
-  // header and then of the hashes of the voxels' pieces of 1 MiB, so that cores can share the work.
+  // header and then of the hashes of the voxels' pieces of kHashedBytes, so that cores can share the work.
+  static constexpr std::size_t kHashedBytes = std::size_t{1} << 20;
   std::uint64_t hash() const { return hash_; }
   // The same of a volume whose pieces have these hashes.
   static std::uint64_t hashOf(const GridGeometry& geometry, double slope, double intercept, VoxelType stored,

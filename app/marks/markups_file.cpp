@@ -25,7 +25,7 @@ using scene::MarkKind;
 constexpr auto kSchema =
     "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/"
     "markups-schema-v1.0.3.json#";
-constexpr std::size_t kLongestFile = std::size_t{64} << 20;
+constexpr std::size_t kLongestMarkups = std::size_t{64} << 20;
 
 const char* markupTypeOf(const Mark& mark) {
   const std::size_t count = mark.points.size();
@@ -255,7 +255,7 @@ ReadMarks parseMarkups(const std::string& text, const std::string& file) {
 }
 
 ReadMarks readMarkups(const std::filesystem::path& file) {
-  return parseMarkups(readTextFile(file, kLongestFile), file.string());
+  return parseMarkups(readTextFile(file, kLongestMarkups), file.string());
 }
 
 }  // namespace isolux::app

@@ -29,7 +29,7 @@ namespace isolux::ui {
 
 namespace {
 
-enum Column {
+enum ScanColumn {
   titleColumn,
   modalityColumn,
   dateColumn,

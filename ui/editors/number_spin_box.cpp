@@ -32,7 +32,6 @@ QString tipOf(const QWidget* widget) {
   return widget->toolTip();
 }
 
-constexpr int shownDigits = 4, allDigits = 15;
 }  // namespace
 
 NumberSpinBox::NumberSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {

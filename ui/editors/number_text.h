@@ -5,6 +5,9 @@
 
 namespace isolux::ui {
 
+// Digits of a number in a field; of all that it says, in its tip and while it is edited.
+inline constexpr int shownDigits = 4, allDigits = 15;
+
 // At most `significant` digits, without trailing zeros; an exponent only below 1e-4 and from 1e9 on.
 QString numberText(double value, int significant = 6);
 // numberText with the unit behind it ("300 HU"; no unit: "300").

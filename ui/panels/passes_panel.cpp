@@ -21,7 +21,7 @@ namespace isolux::ui {
 namespace {
 
 constexpr int refreshMilliseconds = 200;
-enum Column { nameColumn, stateColumn, timeColumn, memoryColumn, columns };
+enum PassColumn { passNameColumn, stateColumn, timeColumn, memoryColumn, passColumns };
 
 QString timeText(double milliseconds) {
   return milliseconds < 0.005 ? "0 ms" : numberText(milliseconds, milliseconds < 10.0 ? 2 : 3) + " ms";
@@ -53,9 +53,9 @@ PassesPanel::PassesPanel(QWidget* parent)
   copy_->setToolTip(tr("Copy the table, to paste it into a text or a spreadsheet"));
   connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
 
-  table_->setColumnCount(columns);
+  table_->setColumnCount(passColumns);
   table_->setHeaderLabels({tr("Pass"), tr("State"), tr("Time"), tr("Memory")});
-  for (const Column column : {timeColumn, memoryColumn})
+  for (const PassColumn column : {timeColumn, memoryColumn})
     table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   table_->setRootIsDecorated(false);
   table_->setItemsExpandable(false);
@@ -68,7 +68,7 @@ PassesPanel::PassesPanel(QWidget* parent)
   header->setStretchLastSection(false);
   header->setSectionsClickable(false);
   header->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+  header->setSectionResizeMode(passNameColumn, QHeaderView::Stretch);
 
   auto* top = new QHBoxLayout;
   top->addWidget(heading_, 1);
@@ -123,15 +123,15 @@ void PassesPanel::showPasses() {
   small.setPointSizeF(0.9 * small.pointSizeF());
   while (table_->topLevelItemCount() < count) {
     auto* item = new QTreeWidgetItem(table_);
-    for (const Column column : {timeColumn, memoryColumn})
+    for (const PassColumn column : {timeColumn, memoryColumn})
       item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-    item->setSizeHint(nameColumn, {0, fontMetrics().height() + 8});
+    item->setSizeHint(passNameColumn, {0, fontMetrics().height() + 8});
     auto* why = new QTreeWidgetItem(item);
     why->setFirstColumnSpanned(true);
-    why->setForeground(nameColumn, colours::quietText);
-    why->setFont(nameColumn, small);
-    why->setSizeHint(nameColumn, {0, fontMetrics().height() + 5});
-    why->setTextAlignment(nameColumn, Qt::AlignLeft | Qt::AlignTop);
+    why->setForeground(passNameColumn, colours::quietText);
+    why->setFont(passNameColumn, small);
+    why->setSizeHint(passNameColumn, {0, fontMetrics().height() + 5});
+    why->setTextAlignment(passNameColumn, Qt::AlignLeft | Qt::AlignTop);
     item->setExpanded(true);
   }
   write();
@@ -145,14 +145,14 @@ void PassesPanel::write() {
     const render::PassReport& pass = report_.passes[static_cast<std::size_t>(row)];
     const bool ran = pass.state == render::PassState::ran;
     QTreeWidgetItem* item = table_->topLevelItem(row);
-    item->setText(nameColumn, QString::fromStdString(pass.name));
+    item->setText(passNameColumn, QString::fromStdString(pass.name));
     QFont bold = font();
     bold.setWeight(ran ? QFont::DemiBold : QFont::Normal);
-    item->setFont(nameColumn, bold);
+    item->setFont(passNameColumn, bold);
     item->setText(stateColumn, translated(texts::passes, render::nameOf(pass.state)));
     item->setText(timeColumn, ran ? timeText(pass.milliseconds) : "–");
     item->setText(memoryColumn, pass.bytes > 0 ? bytesText(static_cast<double>(pass.bytes)) : "–");
-    for (int column = 0; column < columns; ++column)
+    for (int column = 0; column < passColumns; ++column)
       item->setForeground(column, ran ? colours::text : colours::quietText);
     const auto last = lastTimes_.find(pass.name);
     item->setToolTip(timeColumn, ran || last == lastTimes_.end()
@@ -161,12 +161,12 @@ void PassesPanel::write() {
     QString reason = QString::fromStdString(pass.reason);
     if (pass.onProcessor && pass.state != render::PassState::skipped)
       reason = tr("on the processor: %1").arg(reason);
-    item->child(0)->setText(nameColumn, reason);
-    item->child(0)->setToolTip(nameColumn, reason);
+    item->child(0)->setText(passNameColumn, reason);
+    item->child(0)->setToolTip(passNameColumn, reason);
   }
   quiet.unblock();
   Q_EMIT table_->model()->dataChanged(table_->model()->index(0, 0),
-                                      table_->model()->index(count - 1, columns - 1));
+                                      table_->model()->index(count - 1, passColumns - 1));
   table_->viewport()->update();
 }
 

@@ -24,7 +24,6 @@
 namespace isolux::ui {
 
 namespace {
-constexpr int shownDigits = 4, allDigits = 15;
 
 QString triple(glm::dvec3 v, int significant, const char* between = " × ") {
   return numberText(v.x, significant) + between + numberText(v.y, significant) + between +

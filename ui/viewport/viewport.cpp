@@ -15,7 +15,7 @@ namespace isolux::ui {
 namespace {
 constexpr int viewRestMilliseconds = 200;  // after the last change, before the fine picture
 constexpr int fieldPollMilliseconds = 50;
-constexpr int pollMilliseconds = 4;      // a picture that is there is taken
+constexpr int pictureMilliseconds = 4;   // a picture that is there is taken
 constexpr int pointedMilliseconds = 40;  // the pointer's value is looked up at most this often
 
 // Whether two scenes have the same pictures: marks lie over them.
@@ -61,7 +61,7 @@ Viewport::Viewport(QWidget* parent)
   fieldTimer_.setInterval(fieldPollMilliseconds);
   connect(&fieldTimer_, &QTimer::timeout, this, &Viewport::pollFields);
   pollTimer_.setTimerType(Qt::PreciseTimer);
-  pollTimer_.setInterval(pollMilliseconds);
+  pollTimer_.setInterval(pictureMilliseconds);
   connect(&pollTimer_, &QTimer::timeout, this, &Viewport::poll);
   pollTimer_.start();  // for the context, also where the picture is not shown at first
   connect(&turnTimer_, &QTimer::timeout, this, &Viewport::turnOn);

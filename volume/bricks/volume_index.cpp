@@ -21,7 +21,6 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::size_t kHashedBytes = std::size_t{1} << 20;     // as Grid::hash()
 constexpr std::size_t kLeastUnitBytes = std::size_t{8} << 20;  // pieces of the hash overlap units by one
 
 std::size_t valuesOf(VoxelType type) {
@@ -45,7 +44,7 @@ VolumeIndex::VolumeIndex(const ChunkedFacts& facts, VolumePart part)
   const std::size_t width = bytesOf(facts_.storedType), slice = sliceOf(dims());
   const std::size_t layerBytes = slice * width * kIndexBlockCells;
   layersOfUnit_ = static_cast<int>((kLeastUnitBytes + layerBytes - 1) / layerBytes);
-  pieceVoxels_ = kHashedBytes / width;
+  pieceVoxels_ = Grid::kHashedBytes / width;
   const auto units = static_cast<std::size_t>((dims().z + slicesOfUnit() - 1) / slicesOfUnit());
   const std::size_t voxels = slice * static_cast<std::size_t>(dims().z);
   held_ = base::machineMemory().reserve(voxels / 512 * 2 * sizeof(float), "the index of the volume",

@@ -26,7 +26,7 @@ class Prefilter {
  public:
   explicit Prefilter(std::size_t length) : n_(length), c_(length * kLines) {}
 
-  void operator()(const Lines& lines) {
+  void operator()(const FilterLines& lines) {
     for (std::size_t k = 0; k < n_; ++k)
       for (std::size_t r = 0; r < lines.count; ++r)
         c_[k * kLines + r] = static_cast<double>(lines.first[k * lines.stride + r * lines.lineStride]);

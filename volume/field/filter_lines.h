@@ -14,7 +14,7 @@ namespace isolux::volume {
 inline constexpr std::size_t kLines = 16;  // filtered side by side: one SIMD lane each
 
 // Neighbouring lines of samples along one axis: line r has sample k at first[k * stride + r * lineStride].
-struct Lines {
+struct FilterLines {
   float* first;
   std::size_t count, length, stride, lineStride;
 };

@@ -33,14 +33,14 @@ SymmetricFilter::SymmetricFilter(const HalfKernel& kernel, std::size_t length, B
   samples_.resize((length_ + 2 * reach_) * kLines);
 }
 
-void SymmetricFilter::operator()(const Lines& lines) {
+void SymmetricFilter::operator()(const FilterLines& lines) {
   if (length_ < 2 && beyond_ == Beyond::reflected) return;
   load(lines);
   if (beyond_ == Beyond::reflected) extend();
   store(lines);
 }
 
-void SymmetricFilter::load(const Lines& lines) {
+void SymmetricFilter::load(const FilterLines& lines) {
   for (std::size_t k = 0; k < length_; ++k)
     for (std::size_t r = 0; r < lines.count; ++r)
       sample(k)[r] = static_cast<double>(lines.first[k * lines.stride + r * lines.lineStride]);
@@ -65,7 +65,7 @@ void SymmetricFilter::extend() {
   }
 }
 
-void SymmetricFilter::store(const Lines& lines) const {
+void SymmetricFilter::store(const FilterLines& lines) const {
   for (std::size_t k = 0; k < length_; ++k) {
     const double* const at = sample(k);
     double sum[kLines];

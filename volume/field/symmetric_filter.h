@@ -17,12 +17,12 @@ enum class Beyond { reflected, nothing };
 class SymmetricFilter {
  public:
   SymmetricFilter(const HalfKernel& kernel, std::size_t length, Beyond beyond);
-  void operator()(const Lines& lines);
+  void operator()(const FilterLines& lines);
 
  private:
-  void load(const Lines& lines);
+  void load(const FilterLines& lines);
   void extend();
-  void store(const Lines& lines) const;
+  void store(const FilterLines& lines) const;
   double* sample(std::size_t k) { return samples_.data() + (reach_ + k) * kLines; }
   const double* sample(std::size_t k) const { return samples_.data() + (reach_ + k) * kLines; }
 

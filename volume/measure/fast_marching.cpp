@@ -11,11 +11,11 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 // Where the front that passes a and b at distances da and db comes from when it reaches p.
 struct Arrival {
-  double distance = kFar;
+  double distance = kUnreached;
   double part = 0.0;  // of the way from a to b at which it passes that edge
 };
 
@@ -27,7 +27,7 @@ Arrival arrivalAt(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, double da, double db
   Arrival best{da + glm::length(toP), 0.0};
   const double overB = db + glm::length(p - b);
   if (overB < best.distance) best = {overB, 1.0};
-  if (!(length > 0.0) || !(db < kFar) || !(da < kFar)) return best;
+  if (!(length > 0.0) || !(db < kUnreached) || !(da < kUnreached)) return best;
   const double px = glm::dot(toP, edge) / length, py2 = glm::dot(toP, toP) - px * px;
   const double sx = (da * da - db * db + length * length) / (2.0 * length), sy2 = da * da - sx * sx;
   if (!(py2 > 0.0 && sy2 >= 0.0)) return best;
@@ -47,7 +47,7 @@ class March {
  public:
   March(const SurfaceGraph& graph, int begin)
       : graph_(graph),
-        distance_(graph.points.size(), kFar),
+        distance_(graph.points.size(), kUnreached),
         from_(graph.points.size(), -1),
         known_(graph.points.size(), false) {
     distance_[static_cast<std::size_t>(begin)] = 0.0;
@@ -99,7 +99,7 @@ void March::spread(int point) {
                                  std::pair(triangle[(k + 2) % 3], triangle[(k + 1) % 3])}) {
         const auto bi = static_cast<std::size_t>(b), pi = static_cast<std::size_t>(p);
         if (known_[pi]) continue;
-        const double db = known_[bi] ? distance_[bi] : kFar;
+        const double db = known_[bi] ? distance_[bi] : kUnreached;
         const Arrival arrival =
             arrivalAt(graph_.points[pi], graph_.points[at], graph_.points[bi], distance_[at], db);
         offer(p, arrival.distance, arrival.part < 0.5 ? point : b);

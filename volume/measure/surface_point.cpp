@@ -15,7 +15,7 @@ namespace isolux::volume {
 namespace {
 
 constexpr double kPointSafety = 2.0, kPointSigmas = 2.0;
-constexpr double kRounding = 1e-6;  // of a voxel: float voxels, and the search for a root
+constexpr double kRootRounding = 1e-6;  // of a voxel: float voxels, and the search for a root
 constexpr int kMostSteps = 20;
 constexpr float kNearVoxels = 3.0f;
 
@@ -91,7 +91,7 @@ std::optional<SurfacePoint> surfacePoint(const SurfaceOf& surface, glm::dvec3 on
   double most = 0.0;
   for (int axis = 0; axis < 3; ++axis) most += std::abs(spline.hessian[axis][axis]) / 8.0;
   point.rippleMm = std::min(most / steepness, voxelMm);
-  point.roundingMm = kRounding * voxelMm;
+  point.roundingMm = kRootRounding * voxelMm;
   point.noiseMm = std::min(surface.noise.at(surface.isovalue) / steepness, voxelMm);
   return point;
 }

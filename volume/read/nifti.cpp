@@ -21,7 +21,7 @@ using base::throwInput;
 namespace {
 
 // The fields of either version that matter here.
-struct Fields {
+struct NiftiFields {
   int version = 1;
   Endianness endianness = Endianness::little;
   std::int64_t dim[8] = {};
@@ -56,8 +56,8 @@ class Reader {
   bool big_;
 };
 
-Fields readVersion1(const Reader& in) {
-  Fields f;
+NiftiFields readVersion1(const Reader& in) {
+  NiftiFields f;
   for (std::size_t i = 0; i < 8; ++i) {
     f.dim[i] = in.at<std::int16_t>(40 + 2 * i);
     f.pixdim[i] = static_cast<double>(in.at<float>(76 + 4 * i));
@@ -79,8 +79,8 @@ Fields readVersion1(const Reader& in) {
   return f;
 }
 
-Fields readVersion2(const Reader& in) {
-  Fields f;
+NiftiFields readVersion2(const Reader& in) {
+  NiftiFields f;
   f.version = 2;
   f.datatype = in.at<std::int16_t>(12);
   f.bitpix = in.at<std::int16_t>(14);
@@ -127,7 +127,7 @@ std::string_view magicOf(std::string_view head, int version) {
   return head.substr(version == 1 ? 344 : 4, 3);
 }
 
-Fields fieldsOf(std::string_view head, const std::string& file) {
+NiftiFields fieldsOf(std::string_view head, const std::string& file) {
   if (head.size() < 348)
     throwInput(file, "header",
                "truncated: a NIfTI header has 348 bytes, these are " + std::to_string(head.size()));
@@ -138,7 +138,7 @@ Fields fieldsOf(std::string_view head, const std::string& file) {
   if (!isPairMagic(magic) && !isSingleMagic(magic))
     throwInput(file, "magic",
                "is not NIfTI's; ANALYZE 7.5 files are not read, they do not tell left from right");
-  Fields fields = signature.version == 1 ? readVersion1(in) : readVersion2(in);
+  NiftiFields fields = signature.version == 1 ? readVersion1(in) : readVersion2(in);
   fields.endianness = signature.big ? Endianness::big : Endianness::little;
   fields.pair = isPairMagic(magic);
   const double least = fields.pair ? 0.0 : (fields.version == 1 ? 352.0 : 544.0);
@@ -150,7 +150,7 @@ Fields fieldsOf(std::string_view head, const std::string& file) {
   return fields;
 }
 
-void readType(const Fields& fields, const std::string& file, ImageHeader& header) {
+void readType(const NiftiFields& fields, const std::string& file, ImageHeader& header) {
   struct Code {
     int code;
     VoxelType type;
@@ -179,7 +179,7 @@ void readType(const Fields& fields, const std::string& file, ImageHeader& header
              "the voxel type " + std::to_string(fields.datatype) + name + " is not supported");
 }
 
-void readDims(const Fields& fields, const std::string& file, ImageHeader& header) {
+void readDims(const NiftiFields& fields, const std::string& file, ImageHeader& header) {
   const std::int64_t axes = fields.dim[0];
   if (axes < 1 || axes > 7)
     throwInput(file, "dim[0]", std::to_string(axes) + " axes are announced; 1 to 7 are possible");
@@ -197,7 +197,7 @@ void readDims(const Fields& fields, const std::string& file, ImageHeader& header
   checkDims(header, file, "dim");
 }
 
-glm::dmat4 rasFromSform(const Fields& f) {
+glm::dmat4 rasFromSform(const NiftiFields& f) {
   glm::dmat4 m(1.0);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column) m[column][row] = f.srow[row][column];
@@ -206,7 +206,7 @@ glm::dmat4 rasFromSform(const Fields& f) {
 
 // NIfTI-1 standard, "method 2": rotation from the quaternion (a, b, c, d) with a >= 0, times the voxel sizes,
 // the third negated when qfac = pixdim[0] is -1.
-glm::dmat4 rasFromQform(const Fields& f, const glm::dvec3& sizes) {
+glm::dmat4 rasFromQform(const NiftiFields& f, const glm::dvec3& sizes) {
   double b = f.quaternion[0], c = f.quaternion[1], d = f.quaternion[2];
   double a = 1.0 - (b * b + c * c + d * d);
   if (a < 1e-7) {  // rounded to a little more than a half turn
@@ -234,7 +234,7 @@ scene::WorldAxes axesOfCode(int code) {
   return code >= 1 && code <= 5 ? scene::WorldAxes::anatomical : scene::WorldAxes::zUp;
 }
 
-void readGeometry(const Fields& fields, ImageHeader& header) {
+void readGeometry(const NiftiFields& fields, ImageHeader& header) {
   double mm = 1.0;
   switch (fields.units & 7) {
     case 1:
@@ -313,7 +313,7 @@ bool looksLikeNifti(std::string_view head) {
 }
 
 ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, bool& pairs) {
-  const Fields fields = fieldsOf(head, file);
+  const NiftiFields fields = fieldsOf(head, file);
   ImageHeader header;
   header.format = fields.version == 1 ? "NIfTI-1" : "NIfTI-2";
   readType(fields, file, header);

@@ -20,11 +20,11 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t longestHeader = std::size_t{1} << 20;
-constexpr std::size_t mostFiles = 65535;
+constexpr std::size_t longestNrrdHeader = std::size_t{1} << 20;
+constexpr std::size_t mostNrrdFiles = 65535;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-struct Field {
+struct NrrdField {
   std::string_view name, value;
   int line = 0;
   std::string place() const { return linePlace(line, name); }
@@ -44,22 +44,22 @@ class Header {
   ImageHeader read();
 
  private:
-  const Field* find(std::string_view name) const {
+  const NrrdField* find(std::string_view name) const {
     const auto it = fields_.find(name);
     return it == fields_.end() ? nullptr : &it->second;
   }
-  const Field& need(std::string_view name) const {
-    const Field* field = find(name);
+  const NrrdField& need(std::string_view name) const {
+    const NrrdField* field = find(name);
     if (!field) throwInput(file_, std::string(name), "is missing");
     return *field;
   }
-  std::int64_t integer(const Field& field) const {
+  std::int64_t integer(const NrrdField& field) const {
     const auto value = integerOf(field.value);
     if (!value) throwInput(file_, field.place(), inQuotes(field.value) + " is not a whole number");
     return *value;
   }
   // One entry per axis.
-  std::vector<std::string_view> perAxis(const Field& field) const {
+  std::vector<std::string_view> perAxis(const NrrdField& field) const {
     auto words = wordsOf(field.value);
     if (words.size() != axes_.size())
       throwInput(
@@ -67,7 +67,7 @@ class Header {
           "has " + std::to_string(words.size()) + " entries for " + std::to_string(axes_.size()) + " axes");
     return words;
   }
-  double real(std::string_view word, const Field& field) const {
+  double real(std::string_view word, const NrrdField& field) const {
     const auto value = realOf(word);
     if (!value) throwInput(file_, field.place(), inQuotes(word) + " is not a number");
     return *value;
@@ -75,8 +75,8 @@ class Header {
 
   void readAxes();
   void readSpace();
-  std::vector<std::string_view> vectorsOf(const Field& field) const;
-  glm::dvec3 vectorOf(std::string_view text, const Field& field) const;
+  std::vector<std::string_view> vectorsOf(const NrrdField& field) const;
+  glm::dvec3 vectorOf(std::string_view text, const NrrdField& field) const;
   bool isSpatial(const Axis& axis) const;
   void assignAxes(ImageHeader& header);
   void readGeometry(ImageHeader& header) const;
@@ -85,7 +85,7 @@ class Header {
 
   std::string file_;
   std::string_view text_;
-  std::map<std::string, Field, std::less<>> fields_;
+  std::map<std::string, NrrdField, std::less<>> fields_;
   std::size_t end_ = 0;  // of the header
   int endLine_ = 0;
   bool attached_ = false;  // an empty line ended the header
@@ -133,7 +133,7 @@ Header::Header(std::string_view text, std::string file) : file_(std::move(file))
     if (colon == std::string_view::npos)
       throwInput(file_, linePlace(endLine_), "is no \"field: value\" line");
     if (colon + 1 < line->size() && (*line)[colon + 1] == '=') continue;  // key:=value
-    const Field field{trimmed(line->substr(0, colon)), trimmed(line->substr(colon + 1)), endLine_};
+    const NrrdField field{trimmed(line->substr(0, colon)), trimmed(line->substr(colon + 1)), endLine_};
     if (!fields_.emplace(canonicalName(field.name), field).second)
       throwInput(file_, field.place(), "is given twice");
     if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 fields");
@@ -143,7 +143,7 @@ Header::Header(std::string_view text, std::string file) : file_(std::move(file))
   }
 }
 
-std::optional<VoxelType> typeNamed(std::string_view name) {
+std::optional<VoxelType> nrrdType(std::string_view name) {
   struct Names {
     VoxelType type;
     std::array<std::string_view, 8> names;
@@ -169,12 +169,12 @@ std::optional<VoxelType> typeNamed(std::string_view name) {
 }
 
 void Header::readAxes() {
-  const Field& dimension = need("dimension");
+  const NrrdField& dimension = need("dimension");
   const std::int64_t count = integer(dimension);
   if (count < 2 || count > 5)
     throwInput(file_, dimension.place(), "2 to 5 axes are read, not " + std::to_string(count));
   axes_.resize(static_cast<std::size_t>(count));
-  const Field& sizes = need("sizes");
+  const NrrdField& sizes = need("sizes");
   const auto words = perAxis(sizes);
   for (std::size_t a = 0; a < words.size(); ++a) {
     const auto size = integerOf(words[a]);
@@ -184,16 +184,16 @@ void Header::readAxes() {
                  "an axis has " + std::to_string(*size) + " voxels; at least 1 is needed");
     axes_[a].size = *size;
   }
-  if (const Field* kinds = find("kinds")) {
+  if (const NrrdField* kinds = find("kinds")) {
     const auto names = perAxis(*kinds);
     for (std::size_t a = 0; a < names.size(); ++a) axes_[a].kind = names[a];
   }
-  if (const Field* spacings = find("spacings")) {
+  if (const NrrdField* spacings = find("spacings")) {
     const auto values = perAxis(*spacings);
     for (std::size_t a = 0; a < values.size(); ++a) axes_[a].spacing = real(values[a], *spacings);
-  } else if (const Field* low = find("axis mins"), *high = find("axis maxs"); low && high) {
+  } else if (const NrrdField* low = find("axis mins"), *high = find("axis maxs"); low && high) {
     const auto lows = perAxis(*low), highs = perAxis(*high);
-    const Field* centers = find("centers");
+    const NrrdField* centers = find("centers");
     const auto centering = centers ? perAxis(*centers) : std::vector<std::string_view>(axes_.size());
     for (std::size_t a = 0; a < axes_.size(); ++a) {
       const double width = real(highs[a], *high) - real(lows[a], *low);
@@ -204,7 +204,7 @@ void Header::readAxes() {
 }
 
 void Header::readSpace() {
-  if (const Field* space = find("space")) {
+  if (const NrrdField* space = find("space")) {
     std::string name = lowered(space->value);
     spaceDimension_ = 3;
     patientSpace_ = true;
@@ -227,12 +227,12 @@ void Header::readSpace() {
     } else {
       throwInput(file_, space->place(), "the space " + inQuotes(space->value) + " is not known");
     }
-  } else if (const Field* dimension = find("space dimension")) {
+  } else if (const NrrdField* dimension = find("space dimension")) {
     const std::int64_t n = integer(*dimension);
     if (n < 2 || n > 4) throwInput(file_, dimension->place(), "2, 3 or 4 space dimensions are read");
     spaceDimension_ = static_cast<int>(n);
   }
-  if (const Field* directions = find("space directions")) {
+  if (const NrrdField* directions = find("space directions")) {
     if (spaceDimension_ == 0) throwInput(file_, directions->place(), "needs a space or a space dimension");
     const auto vectors = vectorsOf(*directions);
     if (vectors.size() != axes_.size())
@@ -249,7 +249,7 @@ void Header::readSpace() {
 }
 
 // "(1,0,0) none (0, 1, 0)" -> "(1,0,0)", "none", "(0, 1, 0)".
-std::vector<std::string_view> Header::vectorsOf(const Field& field) const {
+std::vector<std::string_view> Header::vectorsOf(const NrrdField& field) const {
   std::vector<std::string_view> vectors;
   std::string_view rest = trimmed(field.value);
   while (!rest.empty()) {
@@ -263,7 +263,7 @@ std::vector<std::string_view> Header::vectorsOf(const Field& field) const {
 }
 
 // The fourth number of a space with time is left out.
-glm::dvec3 Header::vectorOf(std::string_view text, const Field& field) const {
+glm::dvec3 Header::vectorOf(std::string_view text, const NrrdField& field) const {
   if (text.size() < 2 || text.front() != '(' || text.back() != ')')
     throwInput(file_, field.place(), inQuotes(text) + " is no vector like (1,0,0)");
   std::string inner(text.substr(1, text.size() - 2));
@@ -285,7 +285,7 @@ bool Header::isSpatial(const Axis& axis) const {
 
 // Which axes are x, y, z; the others must stand before or behind them.
 void Header::assignAxes(ImageHeader& header) {
-  const Field& sizes = need("sizes");
+  const NrrdField& sizes = need("sizes");
   for (std::size_t a = 0; a < axes_.size(); ++a)
     if (isSpatial(axes_[a])) spatial_.push_back(a);
   if (spatial_.size() == 4 && axes_.size() == 4 && !find("space directions")) {
@@ -349,7 +349,7 @@ void Header::readGeometry(ImageHeader& header) const {
     const glm::dvec3 a = directions[0], b = directions[1];
     directions[2] = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
-  if (const Field* field = find("space origin")) {
+  if (const NrrdField* field = find("space origin")) {
     if (spaceDimension_ == 0) throwInput(file_, field->place(), "needs a space or a space dimension");
     origin = vectorOf(field->value, *field) * toLps_;
   }
@@ -361,7 +361,7 @@ void Header::readGeometry(ImageHeader& header) const {
 }
 
 void Header::readEncoding(ImageHeader& header) const {
-  const Field& encoding = need("encoding");
+  const NrrdField& encoding = need("encoding");
   const std::string name = lowered(encoding.value);
   Payload& payload = header.payload;
   if (name == "raw") {
@@ -376,7 +376,7 @@ void Header::readEncoding(ImageHeader& header) const {
   } else {
     throwInput(file_, encoding.place(), "the encoding " + inQuotes(encoding.value) + " is not known");
   }
-  if (const Field* endian = find("endian")) {
+  if (const NrrdField* endian = find("endian")) {
     if (sameIgnoringCase(endian->value, "big"))
       payload.endianness = Endianness::big;
     else if (!sameIgnoringCase(endian->value, "little"))
@@ -384,12 +384,12 @@ void Header::readEncoding(ImageHeader& header) const {
   } else if (bytesOf(header.type) > 1 && payload.encoding != Encoding::ascii) {
     header.warnings.push_back("the field \"endian\" is missing; little endian assumed");
   }
-  if (const Field* skip = find("line skip")) {
+  if (const NrrdField* skip = find("line skip")) {
     const std::int64_t lines = integer(*skip);
     if (lines < 0) throwInput(file_, skip->place(), "is negative");
     payload.lineSkip = static_cast<std::uint64_t>(lines);
   }
-  if (const Field* skip = find("byte skip")) {
+  if (const NrrdField* skip = find("byte skip")) {
     const std::int64_t bytes = integer(*skip);
     if (bytes < -1) throwInput(file_, skip->place(), "must be -1 or a number of bytes");
     if (bytes == -1) {
@@ -406,7 +406,7 @@ void Header::readEncoding(ImageHeader& header) const {
 
 void Header::readDataFiles(ImageHeader& header) const {
   Payload& payload = header.payload;
-  const Field* data = find("data file");
+  const NrrdField* data = find("data file");
   if (!data) {
     if (!attached_)
       throwInput(file_, linePlace(endLine_),
@@ -420,7 +420,8 @@ void Header::readDataFiles(ImageHeader& header) const {
     Lines lines(text_.substr(end_));
     while (const auto line = lines.next()) {
       if (const auto name = trimmed(*line); !name.empty()) payload.files.emplace_back(name);
-      if (payload.files.size() > mostFiles) throwInput(file_, data->place(), "lists more than 65535 files");
+      if (payload.files.size() > mostNrrdFiles)
+        throwInput(file_, data->place(), "lists more than 65535 files");
     }
     if (payload.files.empty()) throwInput(file_, data->place(), "the list of data files is empty");
   } else if (words.size() >= 4 && words[0].find('%') != std::string_view::npos) {
@@ -433,8 +434,8 @@ void Header::readDataFiles(ImageHeader& header) const {
 ImageHeader Header::read() {
   ImageHeader header;
   header.format = "NRRD";
-  const Field& type = need("type");
-  const auto voxelType = typeNamed(type.value);
+  const NrrdField& type = need("type");
+  const auto voxelType = nrrdType(type.value);
   if (!voxelType)
     throwInput(file_, type.place(), "the voxel type " + inQuotes(type.value) + " is not supported");
   header.type = *voxelType;
@@ -452,12 +453,12 @@ ImageHeader Header::read() {
 }  // namespace
 
 ImageHeader parseNrrdHeader(std::string_view text, const std::string& file) {
-  return Header(text.substr(0, longestHeader), file).read();
+  return Header(text.substr(0, longestNrrdHeader), file).read();
 }
 
 Volume readNrrd(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress) {
   const FileBytes bytes(path);
-  ImageHeader header = parseNrrdHeader(bytes.head(longestHeader), bytes.name());
+  ImageHeader header = parseNrrdHeader(bytes.head(longestNrrdHeader), bytes.name());
   return volumeFrom(std::move(header), bytes, openBeside(path), options, progress);
 }
 

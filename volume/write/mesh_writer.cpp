@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Gathers small pieces.
-class Bytes {
+class GatheredBytes {
  public:
-  explicit Bytes(base::OutputFile& file) : file_(file) {}
+  explicit GatheredBytes(base::OutputFile& file) : file_(file) {}
   template <class T>
   void put(const T& value) {
     const auto* begin = reinterpret_cast<const char*>(&value);
@@ -41,7 +41,7 @@ class Bytes {
   std::string gathered_;
 };
 
-void putStl(const TriangleMesh& mesh, Bytes& out) {
+void putStl(const TriangleMesh& mesh, GatheredBytes& out) {
   std::array<char, 80> header{};
   const std::string_view words = "Isolux, binary STL, mm";
   std::copy(words.begin(), words.end(), header.begin());
@@ -63,7 +63,7 @@ const PointArray* normalsOf(const std::vector<PointArray>& arrays) {
   return found == arrays.end() ? nullptr : &*found;
 }
 
-void putPly(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, Bytes& out) {
+void putPly(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, GatheredBytes& out) {
   const PointArray* const normals = normalsOf(arrays);
   out.text("ply\nformat binary_little_endian 1.0\ncomment Isolux, mm\nelement vertex " +
            std::to_string(mesh.points.size()) +
@@ -81,7 +81,7 @@ void putPly(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, Byt
   }
 }
 
-void putObj(const TriangleMesh& mesh, Bytes& out) {
+void putObj(const TriangleMesh& mesh, GatheredBytes& out) {
   out.text("# Isolux, mm\n");
   for (const glm::dvec3& p : mesh.points)
     out.text("v " + base::shortestText(p.x) + " " + base::shortestText(p.y) + " " + base::shortestText(p.z) +
@@ -106,7 +106,7 @@ class VtpLayout {
   std::uint64_t offset_ = 0;
 };
 
-void putVtp(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, Bytes& out) {
+void putVtp(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, GatheredBytes& out) {
   const std::uint64_t points = mesh.points.size(), triangles = mesh.triangles.size();
   VtpLayout layout;  // its arrays in their order
   std::string head =
@@ -151,7 +151,7 @@ void writeMesh(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, 
     throw base::Error(base::ErrorKind::usage, path.string(), "",
                       "the name of a mesh must end in .stl, .ply, .obj or .vtp");
   base::OutputFile file(path);
-  Bytes out(file);
+  GatheredBytes out(file);
   const fs::path extension = path.extension();
   if (extension == ".stl") putStl(mesh, out);
   if (extension == ".ply") putPly(mesh, arrays, out);

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#define ZLIB_CONST
 #include <zlib.h>
 
 #include "base/error.h"

@@ -112,9 +112,10 @@ PlyHeader parseHeader(std::string_view data, const std::string& file) {
 }
 
 // The values behind the header, one after the other.
-class Values {
+class PlyValues {
  public:
-  Values(std::string_view data, PlyEncoding encoding, const std::string& file, const base::Progress& progress)
+  PlyValues(std::string_view data, PlyEncoding encoding, const std::string& file,
+            const base::Progress& progress)
       : data_(data), encoding_(encoding), file_(file), progress_(progress) {}
 
   double next(VoxelType type) {
@@ -162,7 +163,7 @@ class Values {
 // One row of an element: its scalars, and its list of corners.
 class Rows {
  public:
-  Rows(const Element& element, Values& values, const std::string& file)
+  Rows(const Element& element, PlyValues& values, const std::string& file)
       : element_(element), values_(values), file_(file), scalars_(element.properties.size()) {}
 
   void read(const std::string& place) {
@@ -190,7 +191,7 @@ class Rows {
 
  private:
   const Element& element_;
-  Values& values_;
+  PlyValues& values_;
   const std::string& file_;
   std::vector<double> scalars_;
   std::vector<std::int64_t> corners_;
@@ -219,7 +220,7 @@ TriangleMesh readPlyMesh(const Bytes& bytes, const base::Progress& progress) {
   const std::string& file = bytes.name();
   if (!looksLikePly(data)) throwInput(file, "line 1", "is not \"ply\"");
   const PlyHeader header = parseHeader(data, file);
-  Values values(std::string_view(data).substr(header.end), header.encoding, file, progress);
+  PlyValues values(std::string_view(data).substr(header.end), header.encoding, file, progress);
   TriangleMesh mesh;
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;

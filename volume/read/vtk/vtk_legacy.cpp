@@ -14,7 +14,7 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t longestHeader = std::size_t{1} << 16;  // up to the first array
+constexpr std::size_t longestLegacyHeader = std::size_t{1} << 16;  // up to the first array
 
 std::optional<VoxelType> legacyTypeNamed(std::string_view name) {
   struct Name {
@@ -44,7 +44,7 @@ std::optional<VoxelType> legacyTypeNamed(std::string_view name) {
 class Parser {
  public:
   explicit Parser(const Bytes& bytes)
-      : file_(bytes.name()), text_(bytes.head(longestHeader)), lines_(text_) {}
+      : file_(bytes.name()), text_(bytes.head(longestLegacyHeader)), lines_(text_) {}
   ImageHeader parse();
 
  private:
