@@ -7,7 +7,7 @@ target_compile_options(isolux_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps in "x" + std::string (GCC bug 105651)
   # Files that are compiled as one hide each other's names; GCC 12 sees null pointers in their vectors, and takes what a
   # test's file keeps to itself for a header's.
-  $<$<BOOL:${ISOLUX_UNITY}>:-Wno-shadow -Wno-null-dereference -Wno-subobject-linkage>
+  $<$<BOOL:${ISOLUX_UNITY}>:-Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-null-dereference -Wno-subobject-linkage>>
   $<$<BOOL:${ISOLUX_WERROR}>:-Werror>)
 
 add_library(isolux_options INTERFACE)
