@@ -79,7 +79,7 @@ void measureSubject(const Subject& subject) {
       medians({[&] { volume::measureSurface(grid, blocks, {.isovalue = subject.isovalue}, progress); },
                [&] { massOf(grid, subject.isovalue); },
                [&] { volume::surfaceGraph(grid, blocks, subject.isovalue, progress); },
-               [&] { volume::geodesic(of, graph, a, b, progress); },
+               [&, from = a, to = b] { volume::geodesic(of, graph, from, to, progress); },
                [&] {
                  if (point) volume::inscribedBall(of, graph, *point);
                }},

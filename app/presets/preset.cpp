@@ -102,7 +102,7 @@ Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
     refusePreset(file, "isolux_preset", "is of another version of Isolux");
   for (const auto& [key, value] : json.items()) {
     constexpr std::array<const char*, 6> known{"isolux_preset", "name", "title", "meaning", "needs", "set"};
-    if (std::none_of(known.begin(), known.end(), [&](const char* k) { return key == k; }))
+    if (std::none_of(known.begin(), known.end(), [&given = key](const char* k) { return given == k; }))
       refusePreset(file, key, "is unknown");
   }
   Preset preset;

@@ -199,8 +199,8 @@ void assignChecked(const SettingInfo& setting, std::vector<Mark>& member, const 
     for (const auto& [key, part] : entry.items()) {
       if (key == "kind") {
         const auto all = choicesOf<MarkKind>();
-        const auto found =
-            std::find_if(all.begin(), all.end(), [&](const auto& named) { return part == named.name; });
+        const auto found = std::find_if(all.begin(), all.end(),
+                                        [&kind = part](const auto& named) { return kind == named.name; });
         if (found == all.end())
           refuse(setting.path,
                  "a mark's kind is none of point, distance, path, angle, circle, "

@@ -109,7 +109,7 @@ void addSlabs(QMenu* menu, SliceView& view) {
        {std::pair{SlabMode::mean, QObject::tr("Mean")}, std::pair{SlabMode::maximum, QObject::tr("Maximum")},
         std::pair{SlabMode::minimum, QObject::tr("Minimum")}})
     addChange(slabs, view, name, undoName, now.slabMode == mode,
-              [mode](scene::Slice& slice) { slice.slabMode = mode; });
+              [chosen = mode](scene::Slice& slice) { slice.slabMode = chosen; });
 }
 
 void addConventions(QMenu* menu, SliceView& view) {
@@ -121,7 +121,7 @@ void addConventions(QMenu* menu, SliceView& view) {
         std::pair{Convention::neurological, QObject::tr("Neurological: the patient's left on the left")}})
     addChange(conventions, view, name, QObject::tr("Change convention"),
               view.scene().slice.convention == convention,
-              [convention](scene::Slice& slice) { slice.convention = convention; });
+              [chosen = convention](scene::Slice& slice) { slice.convention = chosen; });
 }
 
 }  // namespace

@@ -53,6 +53,11 @@ const Kernels* kernelsOf(TracerTarget target) {
 
 }  // namespace tracing
 
+struct IsosurfaceTracer::HidingView {
+  std::shared_ptr<const tracing::HiddenTable> table;
+  tracing::View view;
+};
+
 IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside,
                                    base::Progress& progress, TracerTarget target, TracerReach reach)
     : grid_(std::move(grid)),
@@ -89,11 +94,6 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
       },
       grid_->voxels());
 }
-
-struct IsosurfaceTracer::HidingView {
-  std::shared_ptr<const tracing::HiddenTable> table;
-  tracing::View view;
-};
 
 IsosurfaceTracer::~IsosurfaceTracer() = default;
 

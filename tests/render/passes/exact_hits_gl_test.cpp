@@ -123,10 +123,9 @@ TEST_P(ExactHitsGlTest, NoPixelIsMissedIn20Views) {
       const scene::Scene scene = view(k, *volume);
       compare(
           volume, scene,
-          [&](const volume::Ray& ray) {
-            return volume::CubicHit{volume::firstHit(volume->grid(), *volume->blocks,
-                                                     *scene_.isosurface.value, ray.origin, ray.direction,
-                                                     ray.tMinimum)};
+          [&, &of = *volume](const volume::Ray& ray) {
+            return volume::CubicHit{volume::firstHit(of.grid(), *of.blocks, *scene_.isosurface.value,
+                                                     ray.origin, ray.direction, ray.tMinimum)};
           },
           counts);
     }

@@ -56,7 +56,7 @@ TEST(SurfaceCaster, FollowsFourSurfacesAtOnce) {
 
 // Along a ray: the crossings behind one another are those of the field, in their order.
 TEST(SurfaceCaster, GoesOnBehindACrossing) {
-  const Prepared volume({test::phantomGrid("gyroid", 32), {0.1, -0.4}});
+  const Prepared volume(test::phantomGrid("gyroid", 32), {0.1, -0.4});
   const std::vector<float> open(static_cast<std::size_t>(kSize.x * kSize.y), 0.0f);
   for (const TracerTarget target : targets()) {
     const SurfaceCaster caster = volume.caster(target);
@@ -96,7 +96,7 @@ TEST(SurfaceCaster, GoesOnBehindACrossing) {
 }
 
 TEST(SurfaceCaster, EndsWhereAPixelIsCovered) {
-  const Prepared volume({test::phantomGrid("gyroid", 32), {0.1}});
+  const Prepared volume(test::phantomGrid("gyroid", 32), {0.1});
   const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
   const PictureRays rays = view(0, volume.grid().dims());
   const CrossingImage first = cast(caster, rays);
@@ -116,7 +116,7 @@ TEST(SurfaceCaster, EndsWhereAPixelIsCovered) {
 
 // A part of a picture is the picture cut out, bit for bit.
 TEST(SurfaceCaster, APartOfAPictureIsCutOut) {
-  const Prepared volume({test::phantomGrid("gyroid", 32), {0.1}});
+  const Prepared volume(test::phantomGrid("gyroid", 32), {0.1});
   const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
   PictureRays rays = view(2, volume.grid().dims());
   const CrossingImage whole = cast(caster, rays);
@@ -203,7 +203,7 @@ TEST(SurfaceCaster, ShadowsAreThoseOfTheReference) {
 
 // Images that show another view, and are drawn over where that and this one hit, are those of new images.
 TEST(SurfaceCaster, LeavesNothingOfTheViewBefore) {
-  const Prepared volume({test::phantomGrid("torus", 32), {0.0}});
+  const Prepared volume(test::phantomGrid("torus", 32), {0.0});
   for (const TracerTarget target : targets()) {
     const SurfaceCaster caster = volume.caster(target);
     CrossingImage kept(kSize), behind(kSize);
@@ -225,7 +225,7 @@ TEST(SurfaceCaster, LeavesNothingOfTheViewBefore) {
 
 // All crossings lie in the area, and it is no larger than strips of them need.
 TEST(SurfaceCaster, KnowsWhereTheCrossingsAre) {
-  const Prepared volume({test::phantomGrid("torus", 32), {0.0}});
+  const Prepared volume(test::phantomGrid("torus", 32), {0.0});
   const SurfaceCaster caster = volume.caster(TracerTarget::automatic);
   for (int k = 0; k < 8; ++k) {
     const CrossingImage picture = cast(caster, view(k, volume.grid().dims()));

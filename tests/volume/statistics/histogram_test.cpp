@@ -174,8 +174,9 @@ TEST(Histogram, SuggestsABorderForEachClass) {
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     EXPECT_EQ(std::count(found.begin(), found.end(), first), 1);
     for (const auto& [low, high] : one.within)
-      EXPECT_TRUE(std::any_of(found.begin(), found.end(),
-                              [&](double value) { return low <= value && value <= high; }))
+      EXPECT_TRUE(std::any_of(
+          found.begin(), found.end(),
+          [&, least = low, most = high](double value) { return least <= value && value <= most; }))
           << low << ".." << high << ": " << ::testing::PrintToString(found);
   }
 }

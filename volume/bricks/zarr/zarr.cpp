@@ -172,7 +172,7 @@ std::optional<OmeImage> imageOfLevel(const ZarrStore& store, const std::string& 
   if (!image) return std::nullopt;
   const bool placed = image->levels.front().placed;
   const OmeLevel finest = image->levels.front();
-  std::erase_if(image->levels, [&](const OmeLevel& level) { return level.path != name; });
+  std::erase_if(image->levels, [&wanted = name](const OmeLevel& level) { return level.path != wanted; });
   if (image->levels.size() != 1) return std::nullopt;
   OmeLevel& level = image->levels.front();
   if (!level.placed && !placed) level.originMm = finest.originMm + 0.5 * (level.spacingMm - finest.spacingMm);
