@@ -114,10 +114,10 @@ class Grid {
   double storedMinimum() const { return storedMinimum_; }
   double storedMaximum() const { return storedMaximum_; }
   std::size_t missingCount() const { return missing_; }
-  std::size_t bytes() const;  // of all voxels, wherever they are
+  std::size_t bytes() const;                                         // of all voxels, wherever they are
+  static constexpr std::size_t kHashedBytes = std::size_t{1} << 20;  // of voxels: a piece of hash()
   // 64-bit hash of dims, worldFromVoxel, slope, intercept, type and voxels: FNV-1a over 8-byte words, of the
   // header and then of the hashes of the voxels' pieces of kHashedBytes, so that cores can share the work.
-  static constexpr std::size_t kHashedBytes = std::size_t{1} << 20;
   std::uint64_t hash() const { return hash_; }
   // The same of a volume whose pieces have these hashes.
   static std::uint64_t hashOf(const GridGeometry& geometry, double slope, double intercept, VoxelType stored,

@@ -18,9 +18,9 @@ struct Indices {
 using RangeBody = void (*)(const void* work, std::size_t first, std::size_t last);
 void runRanges(std::size_t count, std::size_t grain, const void* work, RangeBody body);
 
-// Calls work(Indices) for ranges that make up [0, count), in any order; no range of more than `grain` (at
-// least 1) indices need be a call's. None if count is not positive. Throws what a call throws, and may leave
-// out others then.
+// Calls work(Indices) for ranges that make up [0, count), in any order; none if count is not positive. A
+// range is divided only while it has more than `grain` indices (at least 1). Throws what a call throws; other
+// calls may then be left out.
 template <class Index, class Work>
 void parallelRanges(Index count, std::size_t grain, const Work& work) {
   if (count <= 0) return;
