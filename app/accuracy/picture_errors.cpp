@@ -82,8 +82,7 @@ class PictureJudge {
   }
 
   volume::HitEnclosure enclose(std::size_t pixel, double fieldErrorElsewhere) const {
-    const auto width = static_cast<std::size_t>(drawn_.size.x);
-    const glm::dvec2 at(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+    const glm::dvec2 at = middleOf(pixel);
     volume::Ray ray = rayAt(at);
     if (faces_)
       if (const auto face = faces_->at(ray)) ray.tMaximum = face->t;
@@ -101,9 +100,7 @@ class PictureJudge {
   void judge(std::size_t pixel, volume::HitEnclosure hit, PictureErrors& out) const {
     const double depth = drawn_.depthMm[pixel];
     if (std::isnan(depth) || !hit.certain) return refuse(pixel, out);
-    const auto width = static_cast<std::size_t>(drawn_.size.x);
-    const volume::Ray ray =
-        rayAt({static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
+    const volume::Ray ray = rayAt(middleOf(pixel));
     const auto pointAt = [&](double t) { return ray.origin + t * ray.direction; };
     const glm::dvec3 drawnVoxel(drawn_.voxel[3 * pixel], drawn_.voxel[3 * pixel + 1],
                                 drawn_.voxel[3 * pixel + 2]);
@@ -123,6 +120,12 @@ class PictureJudge {
   }
 
  private:
+  glm::dvec2 middleOf(std::size_t pixel) const {
+    const auto width = static_cast<std::size_t>(drawn_.size.x);
+    const std::size_t column = pixel % width, row = pixel / width;
+    return glm::dvec2(column, row) + 0.5;
+  }
+
   volume::Ray rayAt(glm::dvec2 fromTop) const {
     const glm::dvec2 ndc(fromTop.x / drawn_.size.x * 2.0 - 1.0, 1.0 - fromTop.y / drawn_.size.y * 2.0);
     return viewRay(volume_.grid().geometry(), frame_, ndc, aspect_, view_.rayStartMm);

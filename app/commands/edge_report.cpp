@@ -24,7 +24,7 @@ std::string millimetres(double mm) {
 
 }  // namespace
 
-EdgeReport measureEdges(scene::Scene scene, std::shared_ptr<const volume::PreparedVolume> volume,
+EdgeReport measureEdges(scene::Scene scene, const std::shared_ptr<const volume::PreparedVolume>& volume,
                         base::Progress& progress) {
   EdgeReport report{scene::resolve(std::move(scene), volume->facts), 0.0, {}};
   completeFields(report.scene, *volume, true, progress);

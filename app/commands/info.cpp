@@ -213,11 +213,12 @@ ordered_json piecesWithProgressBar(const PreparedVolume& prepared, const scene::
   return piecesJson(prepared, scene::resolve(scene, prepared.facts), progress);
 }
 
-EdgeReport edgesWithProgressBar(const scene::Scene& scene, std::shared_ptr<const PreparedVolume> prepared,
+EdgeReport edgesWithProgressBar(const scene::Scene& scene,
+                                const std::shared_ptr<const PreparedVolume>& prepared,
                                 base::Progress& progress) {
   progress.report(0.0, "looking for edges");
   const ProgressBar bar(progress);
-  return measureEdges(scene, std::move(prepared), progress);
+  return measureEdges(scene, prepared, progress);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace isolux::app {
 WantedMarks marksToMeasure(const std::string& file, const scene::Scene& scene) {
   if (file.empty()) return {scene.marks, {}};
   ReadMarks read = readMarkups(file);
-  for (std::string& note : read.notes) note = file + ": " + note;
+  for (std::string& note : read.notes) note.insert(0, file + ": ");
   return {std::move(read.marks), std::move(read.notes)};
 }
 

@@ -79,6 +79,7 @@ ordered_json distanceJson(MeasuredSurface& measured, const std::string& text, ba
 ordered_json angleJson(const MeasuredSurface& measured, const std::string& text) {
   const auto points = parsePoints(text, "--angle", 3, 4);
   std::vector<UncertainPoint> at;
+  at.reserve(points.size());
   for (const glm::dvec3& point : points) at.push_back(uncertain(measured.surface, point));
   const auto angle =
       at.size() == 3 ? angleDegrees(at[0], at[1], at[2]) : dihedralDegrees(at[0], at[1], at[2], at[3]);

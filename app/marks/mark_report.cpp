@@ -113,11 +113,11 @@ std::string marksCsv(std::span<const scene::Mark> marks, std::span<const MarkRep
                               csvField(positionsText(marks[i].points)) + ',';
     const MarkReport& report = reports[i];
     const std::string last = ',' + csvField(joined(report.notes, report.problem)) + '\n';
-    if (report.quantities.empty()) text += first + ",,," + last;
+    const auto addLine = [&](const std::string& middle) { text.append(first).append(middle).append(last); };
+    if (report.quantities.empty()) addLine(",,,");
     for (const MarkQuantity& quantity : report.quantities)
-      text += first + quantity.name + ',' + base::shortestText(quantity.value) + ',' +
-              (quantity.error ? base::shortestText(*quantity.error) : "") + ',' + csvField(quantity.unit) +
-              last;
+      addLine(quantity.name + ',' + base::shortestText(quantity.value) + ',' +
+              (quantity.error ? base::shortestText(*quantity.error) : "") + ',' + csvField(quantity.unit));
   }
   return text;
 }

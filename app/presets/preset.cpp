@@ -136,6 +136,7 @@ std::string presetText(const Preset& preset) {
 
 std::vector<std::string> needReasons() {
   std::vector<std::string> list;
+  list.reserve(kNeeds.size());
   for (const NeedInfo& info : kNeeds) list.emplace_back(info.reason);
   return list;
 }

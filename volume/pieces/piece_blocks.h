@@ -46,8 +46,8 @@ class PieceBlocks {
     const VoxelLabels* labels = nullptr;  // none: one component
     std::uint32_t nodeOf(glm::ivec3 voxelInBlock) const {
       if (!labels) return firstNode;
-      return firstNode +
-             (*labels)[static_cast<std::size_t>(voxelInBlock.x + 8 * voxelInBlock.y + 64 * voxelInBlock.z)];
+      const auto at = glm::uvec3(voxelInBlock);
+      return firstNode + (*labels)[at.x + 8U * at.y + 64U * at.z];
     }
   };
   View view(glm::ivec3 block) const;
