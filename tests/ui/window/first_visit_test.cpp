@@ -238,6 +238,9 @@ TEST_F(FirstVisitTest, GoesThroughWhatTheWindowIsForAndComesBackToTheSamePicture
     chooseLook("Mean curvature");
   });
   step("light", [&] {
+    ui::Edit edit{window_->document()->scene(), "few paths", {}, false};
+    edit.scene.gi.samples = 8;  // all light is waited for, twice
+    window_->document()->edit(edit);
     chooseLook("Global illumination");
     ASSERT_TRUE(waitUntil([&] { return window_->light()->state().counters.rays > 0; }));
     drag(viewport(), at(0.0, 0.0), at(0.3, -0.1), Qt::LeftButton, {}, 40);
