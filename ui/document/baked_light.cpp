@@ -35,7 +35,7 @@ BakedLight::~BakedLight() = default;
 
 bool BakedLight::changing() const {
   if (cancelled_) return false;  // units of work that were begun are ended, nothing more
-  return state_.phase == Phase::preparing || state_.phase == Phase::baking;
+  return asked_ || state_.phase == Phase::preparing || state_.phase == Phase::baking;
 }
 
 void BakedLight::setVolume(VolumePointer volume) {
@@ -54,6 +54,7 @@ void BakedLight::setScene(const scene::Scene& resolved) {
   toldScene_ = true;
   cancelled_ = false;
   controller_.setScene(resolved, volume_);
+  asked_ = true;
   timer_.start(busyMilliseconds);
 }
 
@@ -62,6 +63,7 @@ void BakedLight::setVisible(gi::SeenPoints hitVoxels, bool finer) {
   if (cancelled_ && finer) return;  // nobody has turned to anything new
   cancelled_ = false;
   controller_.setVisible(hits_);
+  asked_ = true;
   timer_.start(busyMilliseconds);
 }
 
@@ -105,11 +107,12 @@ double BakedLight::pauseBetweenPictures() const {
 
 void BakedLight::poll() {
   if (!volume_) {
+    asked_ = false;
     timer_.stop();
     return;
   }
   if (volumeIsNew_ && !controller_.settle(0.0)) return;
-  volumeIsNew_ = false;
+  volumeIsNew_ = asked_ = false;
   const Phase before = state_.phase;
   state_ = controller_.state();
   if (state_.phase != before || !sinceState_.isValid() || sinceState_.elapsed() >= stateMilliseconds)

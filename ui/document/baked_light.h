@@ -64,6 +64,7 @@ class BakedLight : public QObject {
   LightPointer light_;
   std::uint64_t revision_ = 0;
   bool toldScene_ = false;
+  bool asked_ = false;        // of another scene or view than state_ knows of
   bool volumeIsNew_ = false;  // the controller may still have the light of the one before
   bool cancelled_ = false;
   bool wasChanging_ = false;

@@ -46,8 +46,8 @@ class LightWindowTest : public WindowTest {
 
 TEST_F(LightWindowTest, NoLightIsStoredUnderALookThatReadsNone) {
   fullPicture(*window_);
+  EXPECT_TRUE(waitUntil([&] { return !light()->changing(); }));
   EXPECT_EQ(light()->state().phase, Phase::off);
-  EXPECT_FALSE(light()->changing());
   EXPECT_TRUE(status()->isHidden());
 }
 
