@@ -78,7 +78,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
           this)),
       lights_(new LightChooser(this)),
       environment_(new EnvironmentPreview(this)) {
-  setMinimumWidth(334);
+  setMinimumWidth(340);
   search_->setPlaceholderText(tr("Find a setting"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Find a setting"));

@@ -35,7 +35,9 @@ class ThemedIcon : public QIconEngine {
     return scaledPixmap(size, mode, state, 1.0);
   }
   QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State, qreal scale) override {
-    QPixmap pixmap = drawn(std::min(size.width(), size.height()), mode, 1.0);  // already in pixels
+    // From Qt 6.8 on `size` is in points, before in pixels.
+    const double ratio = QT_VERSION < QT_VERSION_CHECK(6, 8, 0) ? 1.0 : scale;
+    QPixmap pixmap = drawn(std::min(size.width(), size.height()), mode, ratio);
     pixmap.setDevicePixelRatio(scale);
     return pixmap;
   }

@@ -1,6 +1,7 @@
 // The patient's name, id and birth date: on the screen, and in what is saved.
 #include "tests/support/ui/window_fixture.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -120,8 +121,11 @@ TEST_F(PrivacyTest, MarksRecordingsAndProposedNamesNameNobody) {
   action("Save p&icture")->trigger();
   const auto* const dialog = window_->findChild<ui::PictureDialog*>();
   ASSERT_NE(dialog, nullptr);
-  for (QPushButton* button : dialog->findChildren<QPushButton*>())
-    if (button->text() == "&Save…") button->click();
+  const QList<QPushButton*> buttons = dialog->findChildren<QPushButton*>();
+  const auto save = std::find_if(buttons.begin(), buttons.end(),
+                                 [](const QPushButton* button) { return button->text() == "&Save…"; });
+  ASSERT_NE(save, buttons.end());
+  (*save)->click();  // the dialog is gone then
   EXPECT_EQ(answers.proposal(), "anonymous.png");
 }
 
