@@ -116,7 +116,10 @@ class PiecesTest : public WindowTest {
       if (action->text().remove('&') == entry) wanted = action;
     ASSERT_TRUE(wanted) << entry.toStdString();
     ASSERT_TRUE(wanted->isEnabled());
-    QTest::mouseClick(menu(), Qt::LeftButton, Qt::NoModifier, menu()->actionGeometry(wanted).center());
+    // As a hand does: Qt 6.8 takes a click without a movement for the end of the one that opened the menu.
+    const QPoint at = menu()->actionGeometry(wanted).center();
+    QTest::mouseMove(menu(), at);
+    QTest::mouseClick(menu(), Qt::LeftButton, Qt::NoModifier, at);
     EXPECT_TRUE(waitUntil([&] { return window_->findChildren<QMenu*>("surface").isEmpty(); }));
   }
   // Of the picture that shows the choice.
