@@ -35,4 +35,8 @@ double lowerQuantile(std::span<double> values, double part) {
   return valueAt(values, static_cast<std::size_t>(placeOf(part, values.size())));
 }
 
+double upperQuantile(std::span<double> values, double part) {
+  return valueAt(values, static_cast<std::size_t>(std::ceil(placeOf(part, values.size()))));
+}
+
 }  // namespace isolux::base

@@ -11,7 +11,8 @@ double median(std::vector<double> values);
 // The value at `part` of the way through the sorted list: 0 the least, 1 the greatest; between two of them
 // the nearer one. The list is put into another order.
 double quantile(std::span<double> values, double part);
-// The same; between two of them the lower one.
+// The same; between two of them the lower one, and the upper one.
 double lowerQuantile(std::span<double> values, double part);
+double upperQuantile(std::span<double> values, double part);
 
 }  // namespace isolux::base

@@ -68,10 +68,13 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
   const std::vector<Knob> chosen = parseKnobs(options.knobs);
   const glm::ivec2 size = parseSize(options.size);
-  const scene::Scene scene = sceneOf(options.path, *options.scene);
+  const scene::Scene asked = sceneOf(options.path, *options.scene);
+  checkOutputs(options.out, chosen, outputGuard(options.path, *options.scene, asked));
+  const auto prepared = loadWithProgressBar(asked.source, progress);
+  scene::Scene scene = sceneOf(options.path, *options.scene, *prepared);
   refuseCuts(scene, "isolux study");
-  checkOutputs(options.out, chosen, outputGuard(options.path, *options.scene, scene));
-  const auto prepared = loadWithProgressBar(scene.source, progress);
+  if (options.scene->camera.any())
+    scene.camera = resolvedSceneOf(options.path, *options.scene, *prepared, size, progress).camera;
   const auto context = render::OffscreenContext::create(*options.context);
   context->makeCurrent();
   const MadeFolder folder(options.out);
@@ -119,10 +122,12 @@ Command makeStudy(CLI::App& program) {
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);
+  addVolumeOptions(*parser, options->scene);
   parser->footer(
       "What the figures mean: docs/accuracy.md. Examples:\n"
       "  isolux study phantom:head --out head_study\n"
       "  isolux study ct.nii.gz --isovalue 300 --knobs rate,method --size 512x512 --out hits\n"
+      "  isolux study ct.nii.gz --preset ct_bone --view anterior --fit surface --out bone\n"
       "  isolux study picture.png --knobs derivatives_field,fetch --out shapes\n"
       "  isolux study ct.nii.gz --set light.environment.file=probe.hdr --knobs samples,interpolation --out "
       "light");

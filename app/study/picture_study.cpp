@@ -20,14 +20,16 @@ struct PictureStudio::Alternative {
   std::string value;
   scene::Scene scene;
   int supersampling;
-  std::vector<double> frames{};
+  std::vector<double> frames{}, processor{};
   std::map<std::string, std::vector<double>> passes{};
   ComparedPicture picture{};
 };
 
-PictureStudio::PictureStudio(render::Renderer& renderer, std::shared_ptr<const volume::PreparedVolume> volume,
-                             scene::Scene scene, glm::ivec2 size, int repeat)
+PictureStudio::PictureStudio(render::Renderer& renderer, bool software,
+                             std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene,
+                             glm::ivec2 size, int repeat)
     : renderer_(renderer),
+      software_(software),
       volume_(std::move(volume)),
       scene_(std::move(scene)),
       size_(size),
@@ -44,8 +46,10 @@ void PictureStudio::draw(Alternative& alternative, bool timed) {
     return;
   }
   renderer_.invalidate();
+  const double before = processorMilliseconds();
   const render::FrameReport& report = renderer_.render(alternative.scene, request);
   alternative.frames.push_back(report.milliseconds);
+  if (software_) alternative.processor.push_back(processorMilliseconds() - before);
   for (const render::PassReport& pass : report.passes)
     if (pass.state == render::PassState::ran) alternative.passes[pass.name].push_back(pass.milliseconds);
 }
@@ -97,6 +101,7 @@ KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, doubl
     setting.frameMilliseconds = base::median(alternative.frames);
     for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = base::median(times);
     setting.frameTimes = std::move(alternative.frames);
+    setting.processorTimes = std::move(alternative.processor);
     setting.passTimes = std::move(alternative.passes);
     setting.errors.pixels = alternative.picture.linear.size();
     setting.errors.picture = pictureErrorsOf(alternative.picture, reference);

@@ -24,9 +24,10 @@ ImageErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPictur
 
 class PictureStudio {
  public:
-  // As Studio's.
-  PictureStudio(render::Renderer& renderer, std::shared_ptr<const volume::PreparedVolume> volume,
-                scene::Scene scene, glm::ivec2 size, int repeat);
+  // As Studio's. software: the processor draws.
+  PictureStudio(render::Renderer& renderer, bool software,
+                std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene, glm::ivec2 size,
+                int repeat);
 
   // A knob of edges or shadow that has an effect in this scene. Throws Error{interrupted, memory}.
   KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
@@ -37,6 +38,7 @@ class PictureStudio {
   ComparedPicture manyRays(const scene::Scene& scene, base::Progress& progress);
 
   render::Renderer& renderer_;
+  bool software_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
   scene::Scene scene_;
   glm::ivec2 size_;

@@ -10,6 +10,8 @@
 #include "app/study/scale_study.h"
 #include "base/error.h"
 #include "base/quantiles.h"
+#include "render/gl/gl.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::app {
 
@@ -17,7 +19,7 @@ struct Studio::Alternative {
   std::string value;
   bool comparison;
   scene::Scene scene;
-  std::vector<double> frames{};
+  std::vector<double> frames{}, processor{};
   std::map<std::string, std::vector<double>> passes{};
   DrawnImages images{};
   ComparedPicture picture{};
@@ -31,6 +33,7 @@ Studio::Studio(const std::shared_ptr<const render::Gl>& gl,
       size_(size),
       machine_(machine),
       repeat_(repeat),
+      software_(gl->software),
       renderer_(gl),
       truth_(volume_, scene::resolve(scene_, volume_->facts), size) {
   renderer_.setMachine(machine_);
@@ -61,9 +64,12 @@ void Studio::drawOnce(Alternative& alternative, bool timed) {
   renderer_.invalidate();
   collect(renderer_.render(scene, shapes));
   renderer_.invalidate();
+  const double before = processorMilliseconds();
   const double frame = collect(renderer_.render(scene, picture));
+  const double worked = processorMilliseconds() - before;
   if (!timed) return;
   alternative.frames.push_back(frame);
+  if (software_) alternative.processor.push_back(worked);
   for (const auto& [name, time] : passes) alternative.passes[name].push_back(time);
 }
 
@@ -131,7 +137,7 @@ void Studio::judgeScale(const Alternative& alternative, StudySetting& setting, b
 
 StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, base::Progress& progress) {
   const scene::Scene& scene = alternative.scene;
-  const auto errors = [&](scene::Field hitField, const auto& shape) {
+  const auto errors = [&](scene::Field hitField, const scene::Derivatives& shape) {
     const TrueSurface truth = truth_.of(hitField, shape, progress);
     return errorsOf(alternative.images, truth,
                     [&](std::size_t pixel) { return truth_.undecided(hitField, pixel); });
@@ -146,6 +152,7 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   setting.comparison = alternative.comparison;
   setting.frameTimes = alternative.frames;
   setting.passTimes = alternative.passes;
+  setting.processorTimes = alternative.processor;
   setting.frameMilliseconds = base::median(alternative.frames);
   for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = base::median(times);
   if (knob.measure == Measure::scale) {
@@ -154,9 +161,11 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   }
   setting.errors = errors(scene.hit.field, scene.derivatives);
   constexpr scene::Field best = scene::Field::cubic_interpolating;
-  if (knob.field)
-    setting.fieldErrors =
-        knob.measure == Measure::hits ? errors(best, scene.derivatives) : errors(scene.hit.field, best);
+  if (!knob.field) return setting;
+  scene::Derivatives through = scene.derivatives;  // at the same scales
+  through.field = best;
+  setting.fieldErrors =
+      knob.measure == Measure::hits ? errors(best, scene.derivatives) : errors(scene.hit.field, through);
   return setting;
 }
 
@@ -167,19 +176,27 @@ KnobStudy Studio::studyLight(const Knob& knob, base::Progress& progress, double 
 }
 
 KnobStudy Studio::studyPicture(const Knob& knob, base::Progress& progress, double from, double to) {
-  if (!picture_) picture_ = std::make_unique<PictureStudio>(renderer_, volume_, scene_, size_, repeat_);
+  if (!picture_)
+    picture_ = std::make_unique<PictureStudio>(renderer_, software_, volume_, scene_, size_, repeat_);
   return picture_->study(knob, progress, from, to);
 }
 
 KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from, double to) {
+  scene::Scene first = turned(knob, knob.values.front(), scene_, volume_->facts);
+  completeFields(first, *volume_, true, progress);
+  const bool shape = knob.measure == Measure::shape;
+  KnobStudy skipped{
+      .knob = knob, .settings = {}, .plot = {}, .skipped = whyWithoutEffect(knob, shape ? first : scene_)};
+  if (!skipped.skipped.empty()) return skipped;
+  requireSurface(first, progress);
   const bool light = knob.measure == Measure::light;
-  if (light || knob.measure == Measure::edges || knob.measure == Measure::shadow) {
-    KnobStudy skipped{.knob = knob, .settings = {}, .plot = {}, .skipped = whyWithoutEffect(knob, scene_)};
-    if (!skipped.skipped.empty()) return skipped;
-    requireSurface(turned(knob, knob.values.front(), scene_, volume_->facts), progress);
-    drawnField_.reset();
-    return light ? studyLight(knob, progress, from, to) : studyPicture(knob, progress, from, to);
-  }
+  if (!light && knob.measure != Measure::edges && knob.measure != Measure::shadow)
+    return studySurface(knob, progress, from, to);
+  drawnField_.reset();
+  return light ? studyLight(knob, progress, from, to) : studyPicture(knob, progress, from, to);
+}
+
+KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, double from, double to) {
   std::vector<Alternative> alternatives;
   for (const char* const value : knob.values)
     alternatives.push_back({value, false, turned(knob, value, scene_, volume_->facts)});
@@ -188,7 +205,6 @@ KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from,
     exact.hit.method = scene::HitMethod::exact;
     alternatives.push_back({kExactHits, true, std::move(exact)});
   }
-  requireSurface(alternatives.front().scene, progress);
   const double measured = from + 0.6 * (to - from);
   measure(alternatives, progress, from, measured);
   KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
@@ -198,6 +214,10 @@ KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from,
   });
   for (const Alternative& alternative : alternatives) {
     result.settings.push_back(judge(knob, alternative, progress));
+    if (knob.measure == Measure::shape && result.settings.back().isDefault) {
+      result.normalScaleMm = scene::normalScale(alternative.scene);
+      result.curvatureScaleMm = scene::derivativesScale(alternative.scene);
+    }
     if (reference != alternatives.end())
       result.settings.back().errors.picture = pictureErrorsOf(alternative.picture, reference->picture);
     const double part =

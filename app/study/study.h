@@ -46,6 +46,7 @@ class Studio {
   ComparedPicture pictureOf(const scene::Scene& scene);
   KnobStudy studyLight(const Knob& knob, base::Progress& progress, double from, double to);
   KnobStudy studyPicture(const Knob& knob, base::Progress& progress, double from, double to);
+  KnobStudy studySurface(const Knob& knob, base::Progress& progress, double from, double to);
   void judgeScale(const Alternative& alternative, StudySetting& setting, base::Progress& progress);
   StudySetting judge(const Knob& knob, const Alternative& alternative, base::Progress& progress);
 
@@ -54,6 +55,7 @@ class Studio {
   glm::ivec2 size_;
   scene::Machine machine_;
   int repeat_;
+  bool software_;  // the processor draws
   render::Renderer renderer_;
   SurfaceTruth truth_;
   std::optional<scene::Field> drawnField_;  // of the hits of the last frame

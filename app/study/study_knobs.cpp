@@ -59,10 +59,6 @@ scene::Scene turned(const Knob& knob, const std::string& value, scene::Scene sce
                     const scene::VolumeFacts& facts) {
   if (knob.sampled) scene.hit.method = scene::HitMethod::sampled;
   if (knob.measure == Measure::light) scene = litScene(knob, std::move(scene));
-  if (knob.measure == Measure::hits || knob.measure == Measure::shape) {  // fields as they are, not smoothed
-    if (!scene.derivatives.scale) scene.derivatives.scale = 0.0;
-    if (!scene.derivatives.normalScale) scene.derivatives.normalScale = 0.0;
-  }
   if (knob.name == kScale) {
     scene.derivatives.scale.reset();
     if (value != kAutomatic)
@@ -94,6 +90,11 @@ std::string defaultValue(const Knob& knob) {
 
 std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene) {
   if (knob.measure == Measure::shadow) return std::string(scene::whyInactive(knob.setting, scene));
+  if (knob.measure == Measure::shape && !knob.field) {
+    scene::Scene curved = scene;
+    curved.look.mode = scene::LookMode::kappa1;
+    return std::string(scene::whyInactive(knob.setting, curved));
+  }
   if (knob.measure != Measure::light) return {};
   const scene::Scene lit = litScene(knob, scene);
   if (knob.transfer && scene::hasOneColor(scene.light.environment) && scene.gi.mode != scene::GiMode::off)

@@ -61,7 +61,8 @@ std::string defaultValue(const Knob& knob);
 std::string pictureReference(const Knob& knob);
 inline constexpr const char* kExactHits = "exact hits";
 
-// Why a knob of light or shadow has no effect in this scene, as one clause; "" where it has, and for others.
+// Why a knob of light, shadow or fetches has no effect in this scene, resolved where its scales count, as one
+// clause; "" where it has, and for others.
 std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene);
 // How long studying it takes, roughly, in arbitrary units: parts of a progress bar.
 double effortOf(const Knob& knob, const scene::Scene& scene);

@@ -1,7 +1,9 @@
 #include "app/study/study_results.h"
 
 #include <algorithm>
+#include <ctime>
 #include <limits>
+#include <numeric>
 
 #include "base/quantiles.h"
 
@@ -10,13 +12,20 @@ namespace isolux::app {
 TimeSpread spreadOfTimes(std::vector<double> times) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (times.empty()) return {nan, nan, nan};
-  const double low = base::quantile(times, 0.25), high = base::quantile(times, 0.75);
-  const double middle = base::median(std::move(times));
-  return {middle, std::min(low, middle), std::max(high, middle)};
+  const double low = base::lowerQuantile(times, 0.25), high = base::upperQuantile(times, 0.75);
+  return {base::median(std::move(times)), low, high};
 }
 
 bool sameTime(const TimeSpread& a, const TimeSpread& b) {
   return a.low <= b.high && b.low <= a.high;
+}
+
+bool variesTooMuch(const TimeSpread& spread) {
+  return spread.high >= 2.0 * spread.low;
+}
+
+double processorMilliseconds() {
+  return 1000.0 * static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
 double milliseconds(const StudySetting& setting, const Panel& panel) {
@@ -120,6 +129,17 @@ const std::array<double, 3>& errorsToReach(Measure measure) {
       break;
   }
   return flip;
+}
+
+double timesAsLong(const std::vector<KnobStudy>& studies) {
+  double wall = 0.0, processor = 0.0;
+  for (const KnobStudy& study : studies)
+    for (const StudySetting& setting : study.settings) {
+      if (setting.processorTimes.empty()) continue;
+      wall += std::accumulate(setting.frameTimes.begin(), setting.frameTimes.end(), 0.0);
+      processor += std::accumulate(setting.processorTimes.begin(), setting.processorTimes.end(), 0.0);
+    }
+  return processor > 0.0 ? wall / processor : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace isolux::app

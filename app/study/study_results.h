@@ -17,10 +17,15 @@ namespace isolux::app {
 struct TimeSpread {
   double median = 0.0, low = 0.0, high = 0.0;
 };
-// Times of at least one measurement; all NaN without one.
+// All NaN without a time. Between two times the low quartile is the lower one and the high quartile the upper
+// one, so that the spread is no narrower than what was measured.
 TimeSpread spreadOfTimes(std::vector<double> times);
 // Their quartiles overlap: these measurements do not tell which is less.
 bool sameTime(const TimeSpread& a, const TimeSpread& b);
+// The quartiles are apart by a factor of 2 or more: too wide for a ratio.
+bool variesTooMuch(const TimeSpread& spread);
+// The time that the processor has worked on this process, all threads together, ms.
+double processorMilliseconds();
 
 // What stored light costs.
 struct LightCost {
@@ -47,6 +52,8 @@ struct StudySetting {
   std::map<std::string, double> passMilliseconds;  // with gradient and hessian each run for themselves
   std::vector<double> frameTimes{};                // ms, in the order of the frames, which medians are of
   std::map<std::string, std::vector<double>> passTimes{};
+  // ms of processorMilliseconds() of the same frames, where a software driver draws; empty on a GPU.
+  std::vector<double> processorTimes{};
   Errors errors;                      // against double precision on the same fields
   std::optional<Errors> fieldErrors;  // of a field: against cubic_interpolating in double precision
   std::optional<ScaleCost> scale{};   // of the knob of the scale; then only errors.noise is defined
@@ -62,6 +69,8 @@ struct KnobStudy {
   // Of the knob of the scale: the noise that was added, data units, and whether the truth is a phantom's own.
   double addedNoise = 0.0;
   bool knowsTruth = false;
+  // Of a knob of derivatives: the scales of its default row, mm; 0: the field itself.
+  double normalScaleMm = 0.0, curvatureScaleMm = 0.0;
   // Of a knob of light: what it was compared with.
   std::uint64_t truthSamples = 0;  // paths per pixel
   int truthBounces = 0;
@@ -81,5 +90,9 @@ const StudySetting* cheapest(const KnobStudy& study, double error);
 // What cheapest() is asked for: of hits in voxels, of shapes in degrees, of scales in parts of the curvature,
 // of light in parts of its mean, of edges in parts of the range of colours, of shadows in mean FLIP.
 const std::array<double, 3>& errorsToReach(Measure measure);
+
+// How many times as long as the processor worked its frames took, all of them together: above 1 where other
+// programs kept the processor busy. NaN where a GPU draws.
+double timesAsLong(const std::vector<KnobStudy>& studies);
 
 }  // namespace isolux::app

@@ -81,8 +81,11 @@ const StudySetting* bestOf(const Rows& rows, const Allowed& allowed, const Bette
 
 // How much dearer: "2.4 times the cost".
 std::string timesTheCost(const Comparing& by, const StudySetting& a, const StudySetting& b) {
-  if (sameTime(by.cost(a), by.cost(b))) return "about the same cost";
-  return tableNumber(by.cost(a).median / by.cost(b).median, 2) + " times the cost";
+  const TimeSpread first = by.cost(a), second = by.cost(b);
+  if (sameTime(first, second)) return "about the same cost";
+  if (variesTooMuch(first) || variesTooMuch(second))
+    return "a cost that varies too much for a ratio (" + by.costOf(a) + " against " + by.costOf(b) + ')';
+  return tableNumber(first.median / second.median, 2) + " times the cost";
 }
 
 // Whether to leave the setting at `now`, of these rows.
@@ -167,6 +170,10 @@ std::string fieldAdvice(const KnobStudy& study, const Comparing& by, const Study
            by.errorOf(now) +
            " from this one (RMS). Pictures at rest take it by themselves where that matters "
            "(`picture.rest_hits`).";
+  if (study.normalScaleMm > 0.0)
+    return "Leave " + quotedSetting(study) + " at " + quoted(now.value) + ": at the normals' scale of " +
+           tableNumber(study.normalScaleMm) + " mm `cubic_interpolating` has " + ratio +
+           ", and the normals change by " + by.errorOf(now) + " (RMS).";
   return "Leave " + quotedSetting(study) + " at " + quoted(now.value) +
          " where samples are noisy, which it smooths and this table cannot judge; take `cubic_interpolating` "
          "for "

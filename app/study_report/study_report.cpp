@@ -25,6 +25,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr double kBusy = 1.1;  // wall time per processor time: on a machine with nothing else to do at most 1
+
 std::string processorName() {
   constexpr std::string_view key = "model name";
   const std::string text = readBeginning("/proc/cpuinfo", 4096);
@@ -71,6 +73,10 @@ ordered_json settingJson(const Knob& knob, const StudySetting& setting, glm::ive
                     {"frame_milliseconds", setting.frameMilliseconds},
                     {"frame_milliseconds_quartiles", quartilesJson(setting.frameTimes)},
                     {"picture", pictureJson(setting.errors.picture)}};
+  if (!setting.processorTimes.empty()) {
+    json["processor_milliseconds"] = spreadOfTimes(setting.processorTimes).median;
+    json["processor_milliseconds_quartiles"] = quartilesJson(setting.processorTimes);
+  }
   if (setting.light) {
     json["light"] = lightCostJson(*setting.light);
     json["errors"] = lightErrorsJson(setting.errors.light, size);
@@ -94,9 +100,13 @@ ordered_json truthJson(const KnobStudy& study) {
     case Measure::scale:
       return {{"added_noise", study.addedNoise}, {"compared_with", study.knowsTruth ? "phantom" : "itself"}};
     case Measure::hits:
-    case Measure::shape:
-      return {{"passes", panelsOf(study.knob)[0].passes},
-              {"method", study.knob.sampled ? "sampled" : "as in the scene"}};
+    case Measure::shape: {
+      ordered_json json{{"passes", panelsOf(study.knob)[0].passes},
+                        {"method", study.knob.sampled ? "sampled" : "as in the scene"}};
+      if (study.knob.measure == Measure::shape)
+        json["scales_mm"] = {{"normals", study.normalScaleMm}, {"curvature", study.curvatureScaleMm}};
+      return json;
+    }
     case Measure::edges:
     case Measure::shadow:
       break;
@@ -197,6 +207,7 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
   json["repeat"] = subject.repeat;
   json["units"] = {{"milliseconds", "ms, median"},
                    {"quartiles", "the same unit, 25 and 75 %"},
+                   {"processor_milliseconds", "ms that the processor worked, all threads together, median"},
                    {"flip_mean", "1, mean FLIP at 67 pixels per degree"},
                    {"rms, edge_rms", "1, sRGB values in parts of the full range"},
                    {"ppm", "parts per million of the picture's pixels"},
@@ -206,6 +217,7 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
                    {"curvature_relative", "1"},
                    {"rmse, bias, quantile_99, maximum", "irradiance, linear RGB radiance times steradian"},
                    {"lookup_milliseconds", "ms of the pass irradiance, median"}};
+  json["wall_per_processor_time"] = timesAsLong(studies);
   json["knobs"] = ordered_json::array();
   for (const KnobStudy& study : studies) json["knobs"].push_back(knobJson(study, subject.size));
   json["scene"] = scene::toJson(subject.scene);
@@ -225,6 +237,9 @@ std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStu
          "lie "
          "between; rows whose quartiles overlap are taken to cost the same. study.json has all other "
          "figures.\n";
+  if (const double ratio = timesAsLong(studies); ratio > kBusy)
+    out << "\n**The machine was busy**: frames took " << tableNumber(ratio, 2)
+        << " times as long as the processor worked on them. Times are uncertain; errors are not.\n";
   if (!complete) out << "\n*Not complete: the study was stopped, or is still running.*\n";
   for (const KnobStudy& study : studies) {
     out << "\n## " << study.knob.name << " (`" << study.knob.setting << "`)\n\n";

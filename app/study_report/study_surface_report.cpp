@@ -51,6 +51,7 @@ std::vector<TableColumn> surfaceColumns(const KnobStudy& study) {
                          return tableTime(costSpread(knob, setting, panel));
                        }});
   };
+  append(columns, processorColumn(study));
   addTime(panels[0]);
   if (panels[0].passes != panels[1].passes) addTime(panels[1]);
   append(columns, errorColumns(knob.measure, ownErrors));
@@ -64,6 +65,7 @@ std::vector<TableColumn> wholePictureColumns(const KnobStudy& study) {
   std::vector<TableColumn> columns{{"frame, ms (quartiles)", [&knob](const StudySetting& setting) {
                                       return tableTime(costSpread(knob, setting, panelsOf(knob)[0]));
                                     }}};
+  append(columns, processorColumn(study));
   if (knob.measure == Measure::shadow)
     columns.push_back({"shadow, ms (quartiles)", [](const StudySetting& setting) {
                          const auto found = setting.passTimes.find("shadow");
@@ -87,6 +89,9 @@ void fieldTable(std::ostream& out, const KnobStudy& study) {
 }  // namespace
 
 void writeSurfaceTables(std::ostream& out, const KnobStudy& study) {
+  if (study.normalScaleMm > 0.0 || study.curvatureScaleMm > 0.0)
+    out << "At the scales of the scene: normals " << tableNumber(study.normalScaleMm) << " mm, curvature "
+        << tableNumber(study.curvatureScaleMm) << " mm.\n\n";
   writeTable(out, study, surfaceColumns(study));
   if (study.knob.field) fieldTable(out, study);
 }

@@ -35,6 +35,12 @@ std::string errorText(const Panel& panel, double error) {
   return tableNumber(panel.shown * error) + panel.unit;
 }
 
+std::vector<TableColumn> processorColumn(const KnobStudy& study) {
+  if (study.settings.empty() || study.settings.front().processorTimes.empty()) return {};
+  return {{"processor, ms (quartiles)",
+           [](const StudySetting& setting) { return tableTime(spreadOfTimes(setting.processorTimes)); }}};
+}
+
 void writeTable(std::ostream& out, const KnobStudy& study, const std::vector<TableColumn>& columns) {
   out << "| " << study.knob.label;
   for (const TableColumn& column : columns) out << " | " << column.head;

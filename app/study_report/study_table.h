@@ -25,6 +25,8 @@ struct TableColumn {
   std::string head;
   std::function<std::string(const StudySetting&)> cell;
 };
+// "processor, ms": the processor's own time of a frame; no column where none was measured.
+std::vector<TableColumn> processorColumn(const KnobStudy& study);
 // A row per setting, its value first.
 void writeTable(std::ostream& out, const KnobStudy& study, const std::vector<TableColumn>& columns);
 // FLIP and root mean square of the whole picture, in steps of 255; their heads say against what. None where

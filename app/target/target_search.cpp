@@ -231,7 +231,8 @@ void TargetSearch::addLight(TargetAnswer& answer, const MeasuredCandidate& surfa
     const double least = lit[nearestTo(lit, {&*limit, 1})].errors[indexOf(Quantity::light)].bound;
     throw Error(ErrorKind::usage, "", "--error",
                 "no settings keep " + limitsText({&*limit, 1}) + "; the least that can be promised is " +
-                    errorText(Quantity::light, least));
+                    errorText(Quantity::light, least) +
+                    "; a larger picture, gi.samples above 1024 or gi.lattice_scale above 2 may keep it");
   }
   answer.chosen = answer.measured.size() + *chosen;
   answer.measured.insert(answer.measured.end(), lit.begin(), lit.end());
@@ -258,7 +259,7 @@ std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& a
   }
   addLight(answer, surface, progress);
   const MeasuredCandidate& chosen = answer.measured[answer.chosen];
-  answer.reason = "the least work of what keeps " + limitsText(std::span(answer.limits).first(answer.asked));
+  answer.reason = "it is the least work that keeps " + limitsText(std::span(answer.limits).first(answer.asked));
   answer.expectedMilliseconds = scaledMilliseconds(chosen.candidate, progress);
   return answer;
 }

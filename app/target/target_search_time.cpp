@@ -94,7 +94,7 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
     if (one.milliseconds <= kTimeMargin * milliseconds) {
       answer.chosen = answer.measured.size() - 1;
       answer.expectedMilliseconds = one.milliseconds;
-      answer.reason = "the most accurate of what was drawn within " +
+      answer.reason = "it is the most accurate of what was drawn within " +
                       base::shortText(100.0 * kTimeMargin, 3) + " % of " + base::shortText(milliseconds, 4) +
                       " ms";
       return answer;

@@ -3,7 +3,7 @@
 //
 // Brick b holds the voxels that lookups around cells 32 b .. 32 b + 31 need, 32 b - apron .. 32 b + 32 +
 // apron on each axis; bricks.glsl reads them. Time goes in rounds: one pass of rays over the picture.
-// Hadwiger et al. 2005 sec. 3.1.
+// Hadwiger et al. 2005 sec. 3.4.
 #pragma once
 
 #include <cstddef>

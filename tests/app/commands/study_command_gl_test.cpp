@@ -187,8 +187,10 @@ TEST(StudyCommandGl, LightBecomesBetterByWhatMakesItBetter) {
 // The order of what is known: exact hits miss nothing, coarse ones do; a step of regula falsi is worth more
 // than none; the errors of arithmetic are small beside those of a field.
 TEST(StudyCommandGl, TheErrorsAreThoseOfTheSettings) {
-  const json result = study(test::temporaryFolder(), {"phantom:noise:32", "--size", "48x48", "--knobs",
-                                                      "rate,refinements,method,hit_field,derivatives_field"});
+  const json result =
+      study(test::temporaryFolder(), {"phantom:noise:32", "--size", "48x48", "--knobs",
+                                      "rate,refinements,method,hit_field,derivatives_field", "--set",
+                                      "derivatives.scale=0", "--set", "derivatives.normal_scale=0"});
   const auto missed = [](const json& setting) { return setting["errors"]["missed_pixels"].get<int>(); };
   const auto depth = [](const json& errors) { return errors["depth_voxels"]["rms"].get<double>(); };
   EXPECT_EQ(missed(settingOf(result, 2, "exact")), 0);
@@ -206,6 +208,25 @@ TEST(StudyCommandGl, TheErrorsAreThoseOfTheSettings) {
   const json& cubic = settingOf(result, 4, "cubic");
   EXPECT_GT(cubic["field_errors"]["normal_degrees"]["rms"], 1.0);
   EXPECT_LT(cubic["errors"]["normal_degrees"]["rms"], 0.1);
+}
+
+// The derivatives of the picture that the user has: at its own scales, where the fields hardly differ.
+TEST(StudyCommandGl, TheSceneIsMeasuredAsItIs) {
+  const json result =
+      study(test::temporaryFolder(),
+            {"phantom:noise:32", "--size", "48x48", "--knobs", "derivatives_field,fetch", "--set",
+             "derivatives.scale=3", "--set", "derivatives.normal_scale=2", "--view", "+x"},
+            "fetch");
+  EXPECT_EQ(result["knobs"][0]["scales_mm"]["normals"], 2.0);
+  EXPECT_EQ(result["knobs"][0]["scales_mm"]["curvature"], 3.0);
+  EXPECT_LT(settingOf(result, 0, "cubic")["field_errors"]["normal_degrees"]["rms"], 0.5);
+  EXPECT_LT(settingOf(result, 0, "cubic")["errors"]["normal_degrees"]["rms"], 0.1);
+  EXPECT_GT(settingOf(result, 0, "cubic")["processor_milliseconds"], 0.0);
+  EXPECT_THAT(result["knobs"][1]["skipped"].get<std::string>(), HasSubstr("at a scale"));
+  EXPECT_GT(result["wall_per_processor_time"], 0.0);
+  const json target = result["scene"]["camera"]["target"], eye = result["scene"]["camera"]["eye"];
+  EXPECT_GT(eye[0], target[0]);
+  EXPECT_NEAR(eye[1].get<double>(), target[1].get<double>(), 1e-9);
 }
 
 // More rays are nearer to very many; a shadow is seen, and its pass runs.

@@ -11,6 +11,7 @@
 #include "scene/scene_diff.h"
 #include "scene/settings.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -152,6 +153,8 @@ TEST(StudyKnobs, ATurnedSceneDiffersInThatSettingAlone) {
   expected = plain;
   expected.hit.nearThreshold = 1.0;
   EXPECT_EQ(turned(parseKnobs("near_threshold")[0], "0.25", scene, facts), expected);
+  EXPECT_EQ(plain.derivatives.scale, std::nullopt) << "automatic, as the scene has it";
+  EXPECT_EQ(plain.derivatives.normalScale, std::nullopt);
   expected = plain;
   expected.derivatives.field = scene::Field::trilinear;
   EXPECT_EQ(turned(parseKnobs("derivatives_field")[0], "trilinear", scene, facts), expected);
@@ -209,6 +212,11 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
   for (const char* knob : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
     EXPECT_THAT(why(knob, plain), HasSubstr("one colour")) << knob;
   EXPECT_EQ(why("rate", plain), "");
+  scene::Scene scaled;
+  EXPECT_EQ(why("fetch", scaled), "");
+  scaled.derivatives.scale = scaled.derivatives.normalScale = 1.0;
+  EXPECT_THAT(why("fetch", scaled), HasSubstr("at a scale"));
+  EXPECT_EQ(why("derivatives_field", scaled), "");
   EXPECT_EQ(why("shadow", plain), "");
   EXPECT_EQ(why("supersampling", plain), "");
   plain.light.intensity = 0.0;
@@ -276,8 +284,37 @@ TEST(StudyTimes, SpreadIsOfThePassesOfAFrameTogether) {
   EXPECT_EQ(alone.median, 3.0);
   EXPECT_EQ(alone.low, 2.0);
   EXPECT_EQ(alone.high, 4.0);
+  const TimeSpread three = spreadOfTimes({2.0, 1.0, 3.0});
+  EXPECT_EQ(three.low, 1.0) << "no quartile is the median itself";
+  EXPECT_EQ(three.high, 3.0);
   EXPECT_FALSE(sameTime({1.0, 0.9, 1.1}, {1.3, 1.2, 1.4}));
   EXPECT_TRUE(sameTime({1.0, 0.9, 1.25}, {1.3, 1.2, 1.4}));
+}
+
+// Of three times each of two equal settings, in every order: as often apart as chance has it, 2 of 20.
+TEST(StudyTimes, EqualSettingsAreSeldomToldApart) {
+  int apart = 0, orders = 0;
+  for (unsigned chosen = 0; chosen < 64; ++chosen) {
+    std::vector<double> a, b;
+    for (unsigned i = 0; i < 6; ++i) ((chosen >> i & 1u) != 0 ? a : b).push_back(i);
+    if (a.size() != 3) continue;
+    ++orders;
+    apart += !sameTime(spreadOfTimes(a), spreadOfTimes(b));
+  }
+  EXPECT_EQ(orders, 20);
+  EXPECT_EQ(apart, 2);
+}
+
+TEST(StudyTimes, ABusyMachineIsSeenByTheProcessorsTime) {
+  KnobStudy study = madeStudy();
+  EXPECT_TRUE(std::isnan(timesAsLong({study}))) << "a GPU drew";
+  for (StudySetting& setting : study.settings) {
+    setting.frameTimes = {50.0, 150.0};
+    setting.processorTimes = {20.0, 20.0};
+  }
+  EXPECT_DOUBLE_EQ(timesAsLong({study, study}), 5.0);
+  const double before = processorMilliseconds();
+  EXPECT_TRUE(test::pollUntil([&] { return processorMilliseconds() > before; }));
 }
 
 TEST(StudyPlot, HasEveryPointAndMarksTheDefault) {

@@ -88,6 +88,27 @@ TEST(StudyAdvice, SaysWhySampledRowsBecomeWorse) {
             "");
 }
 
+// A ratio of times that are hardly known would be taken for a finding.
+TEST(StudyAdvice, HasNoRatioWhereTimesVaryTooMuch) {
+  const auto field = [](double spread) {
+    return adviceOf(studyOf("derivatives_field",
+                            {{"cubic", 10, 1, 0.5}, {"cubic_interpolating", 40, spread, 0.0}}, "cubic"));
+  };
+  EXPECT_THAT(field(4), HasSubstr("has 4 times the cost"));
+  EXPECT_THAT(field(20), HasSubstr("a cost that varies too much for a ratio (40 ms against 10 ms)"));
+}
+
+TEST(StudyAdvice, OfAFieldSaysTheScaleOfTheNormals) {
+  KnobStudy study =
+      studyOf("derivatives_field", {{"cubic", 10, 1, 0.0095}, {"cubic_interpolating", 10, 1, 0.0}}, "cubic");
+  EXPECT_THAT(adviceOf(study), HasSubstr("take `cubic_interpolating` for clean data"));
+  study.normalScaleMm = 1.0;
+  EXPECT_EQ(
+      adviceOf(study),
+      "Leave `derivatives.field` at `cubic`: at the normals' scale of 1 mm `cubic_interpolating` has about "
+      "the same cost, and the normals change by 0.0095° (RMS).");
+}
+
 TEST(StudyAdvice, OfAShadowTellsWhatItCosts) {
   EXPECT_THAT(adviceOf(studyOf("shadow", {{"0", 10, 1, 0.05}, {"1", 15, 1, 0.0}}, "0")),
               HasSubstr("a frame takes 15 ms instead of 10 ms, and the picture changes by 0.05"));
