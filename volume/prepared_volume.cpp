@@ -12,6 +12,7 @@
 #include <tbb/combinable.h>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "volume/bricks/brick_source.h"
 #include "volume/bricks/chunked_header.h"
 #include "volume/bricks/coarse_level.h"
@@ -20,6 +21,7 @@
 #include "volume/mesh/csg.h"
 #include "volume/parallel_steps.h"
 #include "volume/read/input/payload.h"
+#include "volume/statistics/label_map.h"
 #include "volume/statistics/plausibility.h"
 #include "volume/statistics/typical_step.h"
 
@@ -183,6 +185,19 @@ void noteImplausible(Volume& volume, const Histogram& histogram) {
   volume.warnings.emplace_back("values look offset by 1024: not Hounsfield units as stored");
 }
 
+// Labels are names: between them lies no isovalue, and they have no noise. What is shown first encloses all.
+void noteLabels(Volume& volume, const base::Progress& progress) {
+  if (volume.isovalue || volume.unit == "HU") return;  // the source knows better
+  const std::optional<LabelMap> map = labelMapOf(*volume.grid, progress);
+  if (!map) return;
+  volume.labels = map->labels;
+  volume.noise = 0.0;
+  volume.isovalue = map->background + (map->background < volume.grid->maximum() ? 0.5 : -0.5);
+  volume.warnings.push_back("looks like a label map of " + std::to_string(map->labels) +
+                            " labels: values name regions and measure nothing; the isosurface at " +
+                            base::shortText(*volume.isovalue) + " encloses all of them");
+}
+
 // With what is made when it is first asked for.
 std::shared_ptr<PreparedVolume> withBlocks(Volume volume, std::shared_ptr<const MinMaxBlocks> blocks) {
   auto prepared = std::make_shared<PreparedVolume>();
@@ -204,8 +219,11 @@ void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogr
   const std::optional<double>& known = prepared->volume.isovalue;
   prepared->facts.suggestedIsovalue =
       known ? *known : suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
-  prepared->facts.suggestedIsovalues = suggestIsovalues(
-      prepared->grid(), prepared->histogram, prepared->volume.unit, prepared->facts.suggestedIsovalue);
+  prepared->facts.suggestedIsovalues =
+      prepared->volume.labels > 0
+          ? std::vector<double>{prepared->facts.suggestedIsovalue}
+          : suggestIsovalues(prepared->grid(), prepared->histogram, prepared->volume.unit,
+                             prepared->facts.suggestedIsovalue);
   prepared->facts.axes = prepared->volume.axes;
   prepared->facts.spacingMm = prepared->grid().geometry().spacingMm();
   prepared->facts.minimum = prepared->grid().minimum();
@@ -217,6 +235,7 @@ void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogr
 std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "building blocks");
+  noteLabels(volume, progress);
   auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
   progress.report(0.3, "building blocks");

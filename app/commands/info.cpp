@@ -66,6 +66,7 @@ ordered_json infoJson(const PreparedVolume& prepared, const InfoMeasures& measur
   json["intercept"] = grid.intercept();
   json["range"] = ordered_json::array({grid.minimum(), grid.maximum()});
   json["missing"] = grid.missingCount();
+  json["labels"] = v.labels;
   json["suggested_isovalue"] = isovalue;
   const scene::NoiseModel& noise = measured.noise;
   json["noise"] = {{"values", noise.values},

@@ -1,0 +1,95 @@
+#include "volume/statistics/label_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kMostValues = 2048;    // atlases have some hundreds
+constexpr double kMostUnequal = 0.4;         // of neighbours within objects; thin vessels come near it
+constexpr double kLeastJumps = 0.2;          // of unequal neighbours
+constexpr std::ptrdiff_t kEnough = 1 << 20;  // voxels that neighbours are compared of
+
+using Counts = std::map<double, std::size_t>;  // of values
+
+// Adds a row; false: a value is no whole number, or there are too many.
+bool addRow(const Grid& grid, int y, int z, Counts& counts) {
+  double last = std::numeric_limits<double>::quiet_NaN();
+  std::size_t* count = nullptr;  // of it: runs are long
+  for (int x = 0; x < grid.dims().x; ++x) {
+    const double value = grid.value(x, y, z);
+    if (std::isnan(value)) continue;
+    if (value != last) {
+      if (value != std::floor(value)) return false;
+      count = &counts[value];
+      last = value;
+    }
+    ++*count;
+  }
+  return counts.size() <= kMostValues;
+}
+
+struct Neighbours {
+  std::size_t pairs = 0, unequal = 0, jumps = 0;  // pairs that are not both background
+};
+
+void compare(double a, double b, double background, const std::vector<double>& values, Neighbours& result) {
+  if (std::isnan(a) || std::isnan(b) || (a == background && b == background)) return;
+  ++result.pairs;
+  if (a == b) return;
+  ++result.unequal;
+  const auto rank = [&](double value) { return std::lower_bound(values.begin(), values.end(), value); };
+  if (std::abs(rank(a) - rank(b)) > 1) ++result.jumps;
+}
+
+}  // namespace
+
+std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progress) {
+  const glm::ivec3 dims = grid.dims();
+  const std::ptrdiff_t rows = std::ptrdiff_t{dims.y} * dims.z;
+  const std::ptrdiff_t stride = std::max<std::ptrdiff_t>(1, rows * dims.x / kEnough);
+  const auto eachRow = [&](std::ptrdiff_t step, const auto& body) {
+    for (std::ptrdiff_t row = 0; row < rows; row += step) {
+      progress.throwIfStopped();
+      if (!body(static_cast<int>(row % dims.y), static_cast<int>(row / dims.y))) return false;
+    }
+    return true;
+  };
+  Counts counts;
+  if (!eachRow(stride, [&](int y, int z) { return addRow(grid, y, z, counts); })) return std::nullopt;
+  if (counts.size() < 3) return std::nullopt;
+  const double background = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
+                              return a.second < b.second;
+                            })->first;
+  std::vector<double> values;
+  for (const auto& [value, count] : counts) values.push_back(value);
+
+  Neighbours found;
+  eachRow(stride, [&](int y, int z) {
+    for (int x = 0; x < dims.x; ++x) {
+      const double here = grid.value(x, y, z);
+      if (x + 1 < dims.x) compare(here, grid.value(x + 1, y, z), background, values, found);
+      if (y + 1 < dims.y) compare(here, grid.value(x, y + 1, z), background, values, found);
+      if (z + 1 < dims.z) compare(here, grid.value(x, y, z + 1), background, values, found);
+    }
+    return true;
+  });
+  const auto part = [](std::size_t of, std::size_t all) {
+    return all == 0 ? 0.0 : static_cast<double>(of) / static_cast<double>(all);
+  };
+  if (part(found.unequal, found.pairs) > kMostUnequal || part(found.jumps, found.unequal) < kLeastJumps)
+    return std::nullopt;
+  if (stride > 1) {  // rare labels lie between the rows
+    counts.clear();
+    if (!eachRow(1, [&](int y, int z) { return addRow(grid, y, z, counts); })) return std::nullopt;
+  }
+  return LabelMap{background, static_cast<int>(counts.size()) - 1};
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,21 @@
+// Whether a volume's values are names of regions (a segmentation, an atlas) and measure nothing.
+#pragma once
+
+#include <optional>
+
+#include "base/progress.h"
+#include "volume/grid.h"
+
+namespace isolux::volume {
+
+struct LabelMap {
+  double background = 0.0;  // the most frequent value, data units
+  int labels = 0;           // other values, at least 2
+};
+// Values are taken for labels where they are few whole numbers, where neighbours within the objects are
+// mostly equal, and where unequal ones jump: a smooth field in steps goes from each value to the next.
+// Nothing for masks of two values, which have one isosurface either way. A whole grid. Throws
+// Error{interrupted}.
+std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progress);
+
+}  // namespace isolux::volume
