@@ -70,9 +70,17 @@ std::string meshText(const volume::SurfaceMesh& made) {
 }
 
 std::string meshWarning(const volume::SurfaceMesh& made) {
-  if (made.astray == 0) return {};
-  return std::to_string(made.astray) +
-         " points lie beside the surface: the spline's is thinner there than its samples'";
+  std::string text;
+  if (made.beyond > 0)
+    text = base::shortText(made.toleranceMm, 3) + " mm was not reached at " + std::to_string(made.beyond) +
+           (made.beyond == 1 ? " place" : " places") + ", the farthest " +
+           base::shortText(made.largestDistanceMm, 3) + " mm from the surface at " +
+           base::shortText(made.farthest.x, 5) + "," + base::shortText(made.farthest.y, 5) + "," +
+           base::shortText(made.farthest.z, 5);
+  if (made.astray > 0)
+    text += (text.empty() ? "" : "; ") + std::to_string(made.astray) +
+            " points lie beside the surface: the spline's is thinner there than its samples'";
+  return text;
 }
 
 }  // namespace isolux::app

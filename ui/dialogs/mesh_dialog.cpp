@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -15,7 +16,7 @@
 
 #include "scene/rules/needs.h"
 #include "ui/editors/number_text.h"
-#include "ui/window/style.h"
+#include "volume/mesh/surface_mesh.h"
 
 namespace isolux::ui {
 
@@ -26,12 +27,15 @@ constexpr int meshPollMilliseconds = 50;
 MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
                        QWidget* parent)
     : QDialog(parent),
+      surface(new QComboBox(this)),
       tolerance(new QDoubleSpinBox(this)),
       closed(new QCheckBox(tr("&Close the surface where it leaves the volume"), this)),
       start(new QPushButton(tr("&Export…"), this)),
+      showPlace(new QPushButton(tr("Sho&w the farthest place"), this)),
       bar(new QProgressBar(this)),
       volume_(std::move(volume)),
       resolved_(std::move(resolved)),
+      estimate_(new QLabel(this)),
       text_(new QLabel(this)) {
   setWindowTitle(tr("Export mesh"));
   tolerance->setRange(0.0, 1000.0);
@@ -51,12 +55,22 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
 
   auto* form = new QFormLayout;
   const QString unit = QString::fromStdString(volume_->volume.unit);
-  form->addRow(tr("Isovalue"), new QLabel(valueText(resolved_.isosurface.value.value_or(0.0), unit), this));
+  surface->setAccessibleName(tr("Isovalue"));
+  surface->addItem(valueText(resolved_.isosurface.value.value_or(0.0), unit),
+                   resolved_.isosurface.value.value_or(0.0));
+  for (const scene::ExtraIsosurface& extra : resolved_.extraIsosurfaces)
+    if (extra.shown) surface->addItem(valueText(extra.value.value_or(0.0), unit), extra.value.value_or(0.0));
+  form->addRow(tr("Isovalue"), surface);
   form->addRow(tr("Tolerance"), tolerance);
   form->addRow(QString(), closed);
+  form->addRow(tr("Triangles"), estimate_);
   auto* buttons = new QHBoxLayout;
+  auto* close = new QPushButton(tr("Close"), this);
+  buttons->addWidget(showPlace);
   buttons->addStretch(1);
+  buttons->addWidget(close);
   buttons->addWidget(start);
+  showPlace->hide();
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(form);
   layout->addWidget(text_);
@@ -73,6 +87,27 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
   timer_.setInterval(meshPollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &MeshDialog::poll);
   connect(start, &QPushButton::clicked, this, &MeshDialog::startOrStop);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  connect(showPlace, &QPushButton::clicked, this, [this] { Q_EMIT placeAsked(job_->made().farthest); });
+  connect(surface, &QComboBox::currentIndexChanged, this, &MeshDialog::showEstimate);
+  connect(tolerance, &QDoubleSpinBox::valueChanged, this, &MeshDialog::showEstimate);
+  showEstimate();
+}
+
+scene::Scene MeshDialog::chosenScene() const {
+  scene::Scene scene = resolved_;
+  scene.isosurface.value = surface->currentData().toDouble();
+  return scene;
+}
+
+void MeshDialog::showEstimate() {
+  const std::size_t count =
+      volume::estimatedTriangles(volume_->grid(), *volume_->blocks, surface->currentData().toDouble());
+  const QString about = tr("about %1").arg(valueText(static_cast<double>(count), {}, 2));
+  const bool split = tolerance->value() > 0.0;
+  estimate_->setText(count == 0 ? tr("not known before")
+                     : split    ? tr("%1 and more, as the tolerance asks for").arg(about)
+                                : about);
 }
 
 MeshDialog::~MeshDialog() = default;
@@ -81,9 +116,9 @@ QString MeshDialog::text() const {
   return text_->text();
 }
 
-void MeshDialog::tell(const QString& text, bool wrong) {
+void MeshDialog::tell(const QString& text, Ink ink) {
   text_->setText(text);
-  setInk(text_, wrong ? Ink::error : Ink::normal);
+  setInk(text_, ink);
 }
 
 void MeshDialog::startOrStop() {
@@ -98,7 +133,8 @@ void MeshDialog::startOrStop() {
 void MeshDialog::exportTo(const QString& file) {
   if (exporting()) return;
   app::MeshWish wish{file.toStdString(), tolerance->value(), closed->isChecked()};
-  job_ = std::make_unique<app::MeshJob>(volume_, resolved_, std::move(wish));
+  job_ = std::make_unique<app::MeshJob>(volume_, chosenScene(), std::move(wish));
+  showPlace->hide();
   start->setText(tr("Stop"));
   left_.begin();
   timer_.start();
@@ -120,14 +156,17 @@ void MeshDialog::poll() {
   bar->setValue(0);
   if (const auto& error = job_->error()) {
     const bool stopped = error->kind() == base::ErrorKind::interrupted;
-    tell(stopped ? tr("Stopped: nothing was written.") : QString::fromStdString(error->what()), !stopped);
+    tell(stopped ? tr("Stopped: nothing was written.") : QString::fromStdString(error->what()),
+         stopped ? Ink::normal : Ink::error);
     return;
   }
   bar->setValue(1000);
   const QString made = QString::fromStdString(app::meshText(job_->made()));
   const QString warning = QString::fromStdString(app::meshWarning(job_->made()));
   tell(warning.isEmpty() ? tr("Saved %1: %2.").arg(name, made)
-                         : tr("Saved %1: %2. %3.").arg(name, made, warning));
+                         : tr("Saved %1: %2. %3.").arg(name, made, warning),
+       warning.isEmpty() ? Ink::normal : Ink::warning);
+  showPlace->setVisible(job_->made().beyond > 0);
   Q_EMIT exported(file, made);
 }
 

@@ -10,8 +10,10 @@
 
 #include "app/mesh/mesh_job.h"
 #include "ui/editors/time_left.h"
+#include "ui/window/style.h"
 
 class QCheckBox;
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;
@@ -34,25 +36,30 @@ class MeshDialog : public QDialog {
   bool exporting() const { return job_ && !job_->finished(); }
   QString text() const;
 
+  QComboBox* surface;         // of the isosurfaces that are shown
   QDoubleSpinBox* tolerance;  // mm; 0: triangles are not split
   QCheckBox* closed;
-  QPushButton* start;  // also stops
+  QPushButton* start;      // also stops
+  QPushButton* showPlace;  // where a tolerance is missed: the farthest place
   QProgressBar* bar;
 
  Q_SIGNALS:
   void exported(const QString& file, const QString& more);
+  void placeAsked(const glm::dvec3& worldMm);
 
  private:
   void startOrStop();
   void poll();
-  void tell(const QString& text, bool wrong = false);
+  void tell(const QString& text, Ink ink = Ink::normal);
+  scene::Scene chosenScene() const;
+  void showEstimate();
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
   scene::Scene resolved_;
   std::unique_ptr<app::MeshJob> job_;
   AskName ask_;
   TimeLeft left_;
-  QLabel* text_;
+  QLabel *estimate_, *text_;
   QTimer timer_;
 };
 

@@ -88,6 +88,7 @@ void MainWindow::takeChoices(const PictureChoices& chosen) {
   edit.scene.picture.letters = chosen.picture.letters;
   edit.scene.picture.scaleBar = chosen.picture.scaleBar;
   edit.scene.picture.isovalue = chosen.picture.isovalue;
+  edit.scene.picture.caveats = chosen.picture.caveats;
   edit.scene.picture.transparent = chosen.picture.transparent;
   edit.scene.look.legend = chosen.legend;
   if (!(edit.scene == document_->scene())) document_->edit(edit);
@@ -201,6 +202,11 @@ void MainWindow::chooseMesh() {
     return answer.file;
   });
   connect(dialog, &MeshDialog::exported, this, &MainWindow::tellSaved);
+  connect(dialog, &MeshDialog::placeAsked, this, [this](const glm::dvec3& worldMm) {
+    Edit edit{document_->scene(), tr("Centre on a place of the mesh"), {}, false};
+    edit.scene.camera = app::centredOn(document_->resolvedScene().camera, worldMm);
+    applyEdit(edit);
+  });
   dialog->show();
 }
 

@@ -222,14 +222,25 @@ class Maker {
 
   SurfaceMesh finished() {
     SurfaceMesh result;
-    for (const Foot& foot : feet_)
-      result.largestDistanceMm = std::max(result.largestDistanceMm, foot.distanceMm);
-    for (const Foot& foot : middles_)
-      result.largestDistanceMm = std::max(result.largestDistanceMm, foot.distanceMm);
+    result.toleranceMm = request_.toleranceMm;
+    const auto look = [&](const Foot& foot, const auto& place) {
+      if (request_.toleranceMm > 0.0 && foot.distanceMm > request_.toleranceMm) ++result.beyond;
+      if (foot.distanceMm <= result.largestDistanceMm) return;
+      result.largestDistanceMm = foot.distanceMm;
+      result.farthest = place();
+    };
+    for (std::size_t e = 0; e < feet_.size(); ++e)
+      look(feet_[e], [&] {
+        const auto [a, b] = edges_.ends(e);
+        return 0.5 * (mesh_.points[a] + mesh_.points[b]);
+      });
+    for (std::size_t t = 0; t < middles_.size(); ++t)
+      look(middles_[t], [&] { return middle(mesh_.triangles[t]); });
     result.astray = astray_;
     result.openEdges = edges_.open();
     const glm::dmat4& world = grid_.geometry().worldFromVoxel;
     orient();
+    result.farthest = glm::dvec3(world * glm::dvec4(result.farthest, 1.0));
     for (glm::dvec3& point : mesh_.points) point = glm::dvec3(world * glm::dvec4(point, 1.0));
     result.mesh = std::move(mesh_);
     return result;
@@ -268,6 +279,40 @@ class Maker {
 
 SurfaceMesh surfaceMesh(const Grid& grid, const SurfaceMeshRequest& request, base::Progress& progress) {
   return Maker(grid, request).make(progress);
+}
+
+std::size_t estimatedTriangles(const Grid& grid, const MinMaxBlocks& blocks, double isovalue) {
+  constexpr std::size_t enough = 500;  // blocks
+  constexpr double trianglesPerCell =
+      2;  // of a surface much larger than a cell: closed meshes have two a point
+  if (!grid.isWhole()) return 0;
+  const double stored = grid.storedOfValue(isovalue);
+  std::vector<std::uint8_t> flags;
+  const std::size_t active = blocks.activeBlocks(static_cast<float>(stored), flags);
+  const std::size_t stride = std::max<std::size_t>(1, active / enough);
+  const glm::ivec3 cells = grid.dims() - 1;
+  std::size_t met = 0, looked = 0, crossed = 0;
+  const auto cross = [&](glm::ivec3 cell) {
+    int above = 0;
+    for (int i = 0; i < 8; ++i)
+      above += grid.stored(cell.x + (i & 1), cell.y + (i >> 1 & 1), cell.z + (i >> 2)) >= stored ? 1 : 0;
+    return above > 0 && above < 8;
+  };
+  for (std::size_t block = 0; block < flags.size(); ++block) {
+    if (flags[block] == 0 || met++ % stride != 0) continue;
+    ++looked;
+    const auto at = static_cast<int>(block);
+    const glm::ivec3 dims = blocks.dims();
+    const glm::ivec3 low =
+        glm::ivec3(at % dims.x, at / dims.x % dims.y, at / (dims.x * dims.y)) * blocks.blockCells();
+    const glm::ivec3 high = glm::min(low + blocks.blockCells(), cells);
+    for (int z = low.z; z < high.z; ++z)
+      for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x) crossed += cross({x, y, z}) ? 1 : 0;
+  }
+  if (looked == 0) return 0;
+  return static_cast<std::size_t>(trianglesPerCell * static_cast<double>(crossed) *
+                                  static_cast<double>(active) / static_cast<double>(looked));
 }
 
 }  // namespace isolux::volume

@@ -12,6 +12,7 @@
 #include "volume/field/coefficients.h"
 #include "volume/mesh/triangle_mesh.h"
 #include "volume/pieces/hidden_voxels.h"
+#include "volume/skip/min_max_blocks.h"
 
 namespace isolux::volume {
 
@@ -32,6 +33,11 @@ struct SurfaceMesh {
   // middles of edges and triangles; where no surface is found straight above or below one, that of its
   // nearest corner. Points that close the surface at the border are not on it.
   double largestDistanceMm = 0.0;
+  glm::dvec3 farthest{0.0};  // that point, world mm
+  // Of those points, how many lie farther off than toleranceMm, which was asked for: no surface is found
+  // straight above or below, so that splitting there would lead to another part of it.
+  std::size_t beyond = 0;
+  double toleranceMm = 0.0;
   // Corners that lie beside the surface, because none is found near them (thin parts of cubic fields).
   std::size_t astray = 0;
   std::size_t openEdges = 0;  // of one triangle only, or of more than two
@@ -39,5 +45,9 @@ struct SurfaceMesh {
 
 // Throws Error: memory (above the budget), interrupted, and those of the reader.
 SurfaceMesh surfaceMesh(const Grid& grid, const SurfaceMeshRequest& request, base::Progress& progress);
+
+// About how many triangles a mesh of the isovalue has before any is split, from the cells of some blocks, in
+// milliseconds. 0 without a surface, and of a grid whose voxels stay in their file.
+std::size_t estimatedTriangles(const Grid& grid, const MinMaxBlocks& blocks, double isovalue);
 
 }  // namespace isolux::volume

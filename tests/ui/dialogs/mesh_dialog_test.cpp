@@ -1,12 +1,15 @@
 // Meshes from the window: the file that `isolux mesh` writes, stopped without a trace.
 #include "tests/support/ui/window_fixture.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include <QAction>
+#include <QComboBox>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
@@ -60,6 +63,29 @@ TEST_F(WindowTest, AMeshFromTheWindowIsThatOfTheCommand) {
     EXPECT_EQ(contentOf(path), contentOf(path.parent_path() / name));
     delete dialog;
   }
+}
+
+TEST_F(WindowTest, TheMeshIsThatOfTheChosenSurfaceAndItsSizeIsKnownBefore) {
+  ASSERT_TRUE(load(*window_, "phantom:ball:24"));
+  ui::Edit edit{window_->document()->scene(), "Isovalue", {}, false};
+  edit.scene.isosurface.value = 1.5;
+  edit.scene.extraIsosurfaces[1].shown = true;
+  edit.scene.extraIsosurfaces[1].value = 3.5;
+  window_->document()->edit(edit);
+  ui::MeshDialog* dialog = openedMeshDialog(*window_);
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_EQ(dialog->surface->count(), 2);
+  dialog->surface->setCurrentIndex(1);
+  const auto texts = dialog->findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(texts.begin(), texts.end(),
+                          [](QLabel* label) { return label->text().startsWith("about "); }));
+  const std::filesystem::path path = newFile("mesh.ply").toStdString();
+  dialog->exportTo(QString::fromStdString(path.string()));
+  ASSERT_TRUE(waitUntil([&] { return dialog->text().startsWith("Saved mesh."); }))
+      << dialog->text().toStdString();
+  ASSERT_EQ(runProgram("mesh phantom:ball:24 --isovalue 3.5 --out command.ply", path.parent_path()), 0);
+  EXPECT_EQ(contentOf(path), contentOf(path.parent_path() / "command.ply"));
+  EXPECT_FALSE(dialog->showPlace->isVisible());
 }
 
 TEST_F(WindowTest, AStoppedMeshLeavesNoFileAndNoSurfaceIsToldInWords) {

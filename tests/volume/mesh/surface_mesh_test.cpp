@@ -115,6 +115,37 @@ TEST(SurfaceMesh, TrianglesAreSplitUntilTheyAreNearEnough) {
   EXPECT_EQ(fine.openEdges > 0, coarse.openEdges > 0);
 }
 
+// Two voxels that touch at an edge: triangles join there what the interpolant parts, and none comes near it.
+TEST(SurfaceMesh, AToleranceThatIsMissedIsTold) {
+  const volume::Grid grid = gridOfWorld(unitGeometry({8, 8, 8}), [](glm::dvec3 world) {
+    const bool high = world == glm::dvec3(3.0, 3.0, 3.0) || world == glm::dvec3(4.0, 4.0, 3.0);
+    return high ? 1.0 : -0.9;
+  });
+  SurfaceMeshRequest request;
+  EXPECT_EQ(meshOf(grid, request).beyond, 0u) << "no tolerance was asked for";
+  request.toleranceMm = 1e-4;
+  const SurfaceMesh found = meshOf(grid, request);
+  ASSERT_GT(found.largestDistanceMm, request.toleranceMm);
+  EXPECT_GT(found.beyond, 0u);
+  EXPECT_EQ(found.toleranceMm, 1e-4);
+  EXPECT_LT(glm::distance(found.farthest, glm::dvec3(3.5, 3.5, 3.0)), 1.5);
+}
+
+TEST(SurfaceMesh, TheNumberOfTrianglesIsKnownBefore) {
+  base::Progress progress;
+  const volume::Grid ball = gridOfWorld(unitGeometry({64, 64, 64}), [](glm::dvec3 world) {
+    return 25.0 - glm::distance(world, glm::dvec3(31.5));
+  });
+  const volume::Grid gyroid = phantomGrid("gyroid", 64);
+  for (const volume::Grid* grid : {&ball, &gyroid}) {
+    const auto triangles = static_cast<double>(meshOf(*grid, {}).mesh.triangles.size());
+    const volume::MinMaxBlocks blocks(*grid, 8, progress);
+    EXPECT_NEAR(static_cast<double>(volume::estimatedTriangles(*grid, blocks, 0.0)), triangles,
+                0.1 * triangles);
+    EXPECT_EQ(volume::estimatedTriangles(*grid, blocks, 1e6), 0u);
+  }
+}
+
 TEST(SurfaceMesh, ASurfaceThatLeavesTheVolumeIsClosedWhereAsked) {
   // Half a ball: its flat side is the border.
   const volume::Grid grid = gridOfWorld(unitGeometry({40, 40, 20}), [](glm::dvec3 world) {
