@@ -300,6 +300,7 @@ struct Picture {
   // What is written on a finished picture (app/annotation): the ends of the axes at its edges, a length,
   // which isovalues are shown. The legend is look.legend.
   bool letters = false, scaleBar = false, isovalue = false;
+  bool caveats = true;       // what the picture leaves out, and what of it nobody measured
   bool transparent = false;  // nothing behind the surface
   double pixelRatio = 1.0;   // pixels of the picture per pixel that widths are stated in
   bool operator==(const Picture&) const = default;

@@ -471,6 +471,10 @@ std::vector<Setting> makeSettings() {
       "picture.isovalue", ISOLUX_MEMBER(picture.isovalue), noRange, "",
       "The isovalues of the surfaces that are shown, with their unit, on the finished picture."));
   add(entry<Scene>(
+      "picture.caveats", ISOLUX_MEMBER(picture.caveats), noRange, "",
+      "A line on the finished picture for each thing that it leaves out or that nobody measured: pieces that "
+      "are hidden, missing slices that are interpolated. Without any, nothing is written."));
+  add(entry<Scene>(
       "picture.transparent", ISOLUX_MEMBER(picture.transparent), noRange, "",
       "The finished picture has no background: its alpha is how much of each pixel is covered."));
   add(entry<Scene>(

@@ -11,6 +11,10 @@
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "scene/rules/needs.h"
+#include "volume/pieces/hidden_pieces.h"
+#include "volume/pieces/piece_sets.h"
+#include "volume/pieces/shown_pieces.h"
+#include "volume/read/length_doubt.h"
 
 namespace isolux::app {
 
@@ -105,6 +109,19 @@ class AnnotationPainter {
     }
   }
 
+  void drawCaveats(const std::vector<std::string>& lines) {
+    const render::Font font(textPixels());
+    int width = 0;
+    for (const std::string& line : lines) width = std::max(width, font.width(line));
+    const int step = font.lineHeight(), height = step * static_cast<int>(lines.size() - 1) + font.ascent();
+    const Box box =
+        aboveOthers({{image_.size.x - margin_ - width, image_.size.y - margin_ - height}, {width, height}});
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      inkAt(box).text(
+          font, lines[i],
+          {box.high().x - font.width(lines[i]), box.low.y + step * static_cast<int>(i) + font.ascent()});
+  }
+
   void blend() {
     const int rim = std::max(scene_.picture.transparent ? 2 : 1, least_ / 400);
     for (const bool bright : {false, true}) inks_[bright ? 1 : 0].blendOver(image_, rim, bright);
@@ -120,6 +137,14 @@ class AnnotationPainter {
     const Box left{{margin_, y}, size}, right{{image_.size.x - margin_ - size.x, y}, size};
     taken_.push_back(isFree(left) || !isFree(right) ? left : right);
     return taken_.back();
+  }
+
+  // Moved up over what stands there already.
+  Box aboveOthers(Box box) {
+    for (const Box& other : std::vector<Box>(taken_))
+      if (!isFree(box) && meet(box, other, margin_ / 2)) box.low.y = other.low.y - margin_ - box.size.y;
+    taken_.push_back(box);
+    return box;
   }
 
   // Moved along its edge of the picture where something stands already.
@@ -202,7 +227,27 @@ std::optional<ScaleBar> scaleBarOf(const scene::CameraFrame& frame, double pictu
 
 bool Annotation::empty() const {
   return letters.left.empty() && letters.right.empty() && letters.top.empty() && letters.bottom.empty() &&
-         !scaleBar && values.empty();
+         !scaleBar && values.empty() && caveats.empty();
+}
+
+std::vector<std::string> Caveats::lines() const {
+  std::vector<std::string> result = invented;
+  if (hidden > 0)
+    result.push_back(std::to_string(hidden) + " of " + std::to_string(pieces) + " pieces hidden");
+  return result;
+}
+
+Caveats caveatsOf(const scene::Scene& resolved, const volume::PreparedVolume& volume) {
+  Caveats caveats{.invented = volume::inventedData(volume.volume.warnings)};
+  if (!volume.volume.damage.empty()) caveats.invented.insert(caveats.invented.begin(), "parts missing");
+  for (const volume::HiddenOfSurface& surface : volume::knownHidden(resolved, *volume.pieces)) {
+    const auto pieces = volume.pieces->find(surface.isovalue, surface.inside);
+    if (!pieces) continue;
+    const std::vector<bool> shown = volume::shownPieces(*pieces, resolved.pieces);
+    caveats.pieces += shown.size();
+    caveats.hidden += static_cast<std::size_t>(std::count(shown.begin(), shown.end(), false));
+  }
+  return caveats;
 }
 
 Annotation annotationOf(const scene::Scene& resolved, const volume::PreparedVolume& volume, glm::ivec2 size) {
@@ -211,6 +256,7 @@ Annotation annotationOf(const scene::Scene& resolved, const volume::PreparedVolu
   if (resolved.picture.letters) annotation.letters = scene::edgeLetters(frame, volume.volume.axes);
   if (resolved.picture.scaleBar)
     annotation.scaleBar = scaleBarOf(frame, size.y, kBarPart * std::min(size.x, size.y));
+  if (resolved.picture.caveats) annotation.caveats = caveatsOf(resolved, volume).lines();
   if (!resolved.picture.isovalue) return annotation;
   const auto add = [&](const std::optional<double>& value, const glm::dvec3& color, double opacity) {
     if (value && opacity >= kInvisible)
@@ -230,6 +276,7 @@ void drawAnnotation(const Annotation& annotation, const scene::Scene& resolved,
   if (least >= kLowestWithWords) {
     if (annotation.scaleBar) painter.drawBar(*annotation.scaleBar);
     if (!annotation.values.empty()) painter.drawValues(annotation.values);
+    if (!annotation.caveats.empty()) painter.drawCaveats(annotation.caveats);
   }
   painter.drawLetters(annotation.letters);
   painter.blend();

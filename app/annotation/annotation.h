@@ -1,5 +1,6 @@
-// What stands on a finished picture, by picture.letters, picture.scale_bar and picture.isovalue: which ends
-// of the axes lie at its edges, a length, and which isovalues are shown.
+// What stands on a finished picture, by picture.letters, picture.scale_bar, picture.isovalue and
+// picture.caveats: which ends of the axes lie at its edges, a length, which isovalues are shown, and what the
+// picture leaves out or nobody measured.
 //
 // Pictures in pixels, row 0 at the top. Any thread; no errors.
 #pragma once
@@ -30,10 +31,21 @@ struct ShownValue {
   glm::dvec3 color{0.0};
 };
 
+// What the picture leaves out, and what of it nobody measured.
+struct Caveats {
+  std::vector<std::string> invented;   // "13 gaps interpolated"; worst first
+  std::size_t pieces = 0, hidden = 0;  // of the isosurfaces that are shown, where pieces are hidden
+
+  // A line each: the above, then "156 of 161 pieces hidden".
+  std::vector<std::string> lines() const;
+};
+Caveats caveatsOf(const scene::Scene& resolved, const volume::PreparedVolume& volume);
+
 struct Annotation {
   scene::EdgeLetters letters;  // empty: none
   std::optional<ScaleBar> scaleBar;
   std::vector<ShownValue> values;
+  std::vector<std::string> caveats;
   bool empty() const;
 };
 // `resolved` by scene::resolve of that volume.

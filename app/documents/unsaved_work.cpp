@@ -13,8 +13,8 @@ UnsavedWork unsavedWork(const scene::Scene& saved, const scene::Scene& now) {
   if (diff.changes.empty()) return UnsavedWork::none;
   const bool viewOnly =
       std::all_of(diff.changes.begin(), diff.changes.end(), [](const scene::SceneChange& change) {
-        constexpr std::array words{"picture.letters", "picture.scale_bar", "picture.isovalue",
-                                   "picture.transparent", "picture.pixel_ratio"};
+        constexpr std::array words{"picture.letters", "picture.scale_bar",   "picture.isovalue",
+                                   "picture.caveats", "picture.transparent", "picture.pixel_ratio"};
         return change.path.starts_with("camera.") || change.path == "flow.time" ||
                std::find(words.begin(), words.end(), change.path) != words.end();
       });

@@ -105,9 +105,9 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
-                                isovalue, transparent, pixelRatio] = picture;
+                                isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            11u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 9);
+            11u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 10);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

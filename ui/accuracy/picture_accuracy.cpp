@@ -29,7 +29,7 @@ void PictureAccuracy::show(std::optional<Subject> subject) {
   if (subject) {  // which no bound depends on
     subject->scene.marks.clear();
     subject->scene.picture.letters = subject->scene.picture.scaleBar = subject->scene.picture.isovalue =
-        false;
+        subject->scene.picture.caveats = false;
   }
   if (samePicture(subject, shown_)) return;
   drop();

@@ -54,6 +54,9 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
       newCheck(tr("Scale &bar"), choices.picture.scaleBar, tr("A round length in millimetres"), wordRows);
   isovalue = newCheck(tr("&Isovalue"), choices.picture.isovalue,
                       tr("The values of the surfaces that are shown, with their unit"), wordRows);
+  caveats = newCheck(tr("&What is left out or invented"), choices.picture.caveats,
+                     tr("Hidden pieces, missing slices that are interpolated; nothing where there are none"),
+                     wordRows);
   legend = newCheck(tr("Le&gend"), choices.legend && hasLegend,
                     hasLegend ? tr("What the colours stand for; in the window, too")
                               : tr("The colours of this look stand for no numbers"),
@@ -121,7 +124,7 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
   layout->addLayout(sidesLayout, 1);
   layout->addWidget(buttons);
 
-  for (QCheckBox* box : {letters, scaleBar, isovalue, legend, transparent, session})
+  for (QCheckBox* box : {letters, scaleBar, isovalue, caveats, legend, transparent, session})
     connect(box, &QCheckBox::toggled, this, &PictureDialog::showChoices);
   connect(size, &QComboBox::currentIndexChanged, this, &PictureDialog::showChoices);
   showChoices();
@@ -132,6 +135,7 @@ PictureChoices PictureDialog::choices() const {
   chosen.picture.letters = letters->isChecked();
   chosen.picture.scaleBar = scaleBar->isChecked();
   chosen.picture.isovalue = isovalue->isChecked();
+  chosen.picture.caveats = caveats->isChecked();
   chosen.picture.transparent = transparent->isChecked();
   if (legend->isEnabled()) chosen.legend = legend->isChecked();
   chosen.wish.factor = factors.at(static_cast<std::size_t>(size->currentIndex()));

@@ -21,7 +21,7 @@ namespace isolux::ui {
 
 struct PictureChoices {
   PictureWish wish;
-  scene::Picture picture;  // letters, scaleBar, isovalue, transparent count
+  scene::Picture picture;  // letters, scaleBar, isovalue, caveats, transparent count
   bool legend = true;      // look.legend
 };
 
@@ -36,7 +36,7 @@ class PictureDialog : public QDialog {
   using Draw = std::function<QImage(const PictureChoices& choices)>;
   void setPreview(Draw draw);
 
-  QCheckBox *letters, *scaleBar, *isovalue, *legend, *transparent, *session, *fullPaths;
+  QCheckBox *letters, *scaleBar, *isovalue, *caveats, *legend, *transparent, *session, *fullPaths;
   QComboBox* size;
   QSpinBox *width, *height;  // of a size of one's own
   QPushButton *save, *copy;

@@ -13,7 +13,7 @@ namespace {
 constexpr auto factorKey = "picture/factor", sizeKey = "picture/size", sessionKey = "picture/session",
                fullPathsKey = "picture/fullPaths", lettersKey = "picture/letters",
                scaleBarKey = "picture/scaleBar", isovalueKey = "picture/isovalue",
-               transparentKey = "picture/transparent";
+               caveatsKey = "picture/caveats", transparentKey = "picture/transparent";
 constexpr double largestFactor = 8.0;
 }  // namespace
 
@@ -55,6 +55,7 @@ scene::Picture withKeptWords(scene::Picture picture) {
   picture.letters = kept.value(lettersKey, true).toBool();
   picture.scaleBar = kept.value(scaleBarKey, true).toBool();
   picture.isovalue = kept.value(isovalueKey, true).toBool();
+  picture.caveats = kept.value(caveatsKey, true).toBool();
   picture.transparent = kept.value(transparentKey, false).toBool();
   return picture;
 }
@@ -64,6 +65,7 @@ void keepWords(const scene::Picture& picture) {
   kept.setValue(lettersKey, picture.letters);
   kept.setValue(scaleBarKey, picture.scaleBar);
   kept.setValue(isovalueKey, picture.isovalue);
+  kept.setValue(caveatsKey, picture.caveats);
   kept.setValue(transparentKey, picture.transparent);
 }
 
@@ -72,6 +74,7 @@ scene::Picture asInWindow(scene::Picture picture) {
   picture.letters = plain.letters;
   picture.scaleBar = plain.scaleBar;
   picture.isovalue = plain.isovalue;
+  picture.caveats = plain.caveats;
   picture.transparent = plain.transparent;
   picture.pixelRatio = plain.pixelRatio;
   return picture;

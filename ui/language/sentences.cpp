@@ -51,11 +51,21 @@ constexpr const char* sentences[] = {
     QT_TRANSLATE_NOOP("sentences", "the point lies in no piece of isovalue %1"),
     QT_TRANSLATE_NOOP("sentences", "the piece goes on beyond the data: it is open"),
     QT_TRANSLATE_NOOP("sentences", "not enough memory"), QT_TRANSLATE_NOOP("sentences", "stopped"),
+    // what a picture leaves out, and what of it nobody measured
+    QT_TRANSLATE_NOOP("sentences", "%1 of %2 pieces hidden"),
+    QT_TRANSLATE_NOOP("sentences", "%1 gap interpolated"),
+    QT_TRANSLATE_NOOP("sentences", "%1 gaps interpolated"),
+    QT_TRANSLATE_NOOP("sentences", "uneven slices resampled"),
+    QT_TRANSLATE_NOOP("sentences", "parts missing"),
     // why no settings keep an error or a time, and the errors in it
     QT_TRANSLATE_NOOP("sentences",
                       "no settings keep %1 ms; the quickest take about %2 ms, and a smaller "
                       "picture less"),
     QT_TRANSLATE_NOOP("sentences", "no settings keep %1; the least that can be promised is %2"),
+    QT_TRANSLATE_NOOP(
+        "sentences",
+        "no settings keep %1; the least that can be promised is %2; a larger picture, gi.samples "
+        "above 1024 or gi.lattice_scale above 2 may keep it"),
     QT_TRANSLATE_NOOP("sentences", "depth at most %1 mm"), QT_TRANSLATE_NOOP("sentences", "depth %1 mm"),
     QT_TRANSLATE_NOOP("sentences", "depth at most %1 voxels"),
     QT_TRANSLATE_NOOP("sentences", "depth %1 voxels"), QT_TRANSLATE_NOOP("sentences", "missed at most %1 %"),

@@ -4,10 +4,12 @@
 
 #include <QPushButton>
 
+#include "app/annotation/annotation.h"
 #include "app/jobs/rest_scene.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
 #include "ui/document/picture_wish.h"
+#include "ui/language/sentences.h"
 #include "ui/viewport/viewport_overlay.h"
 
 namespace isolux::ui {
@@ -43,7 +45,10 @@ app::Motion motionBetween(const scene::Scene& from, scene::Scene to) {
 }  // namespace
 
 Viewport::Viewport(QWidget* parent)
-    : QWidget(parent), overlay_(new ViewportOverlay(this)), remedy_(new QPushButton(this)) {
+    : QWidget(parent),
+      overlay_(new ViewportOverlay(this)),
+      remedy_(new QPushButton(this)),
+      caveats_(new QPushButton(this)) {
   resolved_ = scene::resolve(scene_, {});  // the background, until there is a volume
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -53,6 +58,14 @@ Viewport::Viewport(QWidget* parent)
   remedy_->setObjectName("remedy");
   remedy_->hide();
   connect(remedy_, &QPushButton::clicked, this, &Viewport::takeRemedy);
+  caveats_->setObjectName("caveats");
+  caveats_->setFocusPolicy(Qt::TabFocus);
+  caveats_->hide();
+  connect(caveats_, &QPushButton::clicked, this, [this] {
+    Edit edit{scene_, tr("Show all pieces"), {}, false};
+    edit.scene.pieces = {};
+    Q_EMIT edited(edit);
+  });
   refineTimer_.setSingleShot(true);
   connect(&refineTimer_, &QTimer::timeout, this, &Viewport::refine);
   pointTimer_.setSingleShot(true);
@@ -93,7 +106,22 @@ void Viewport::offerRemedy(const std::optional<render::EmptyPicture>& empty) {
       remedy_->setText(tr("Remove the cuts"));
       break;
   }
-  placeRemedy();
+  placeButtons();
+}
+
+// As finished pictures have it written on them (app/annotation).
+void Viewport::showCaveats() {
+  const app::Caveats caveats = volume_ ? app::caveatsOf(resolved_, *volume_) : app::Caveats{};
+  QStringList words;
+  for (const std::string& line : caveats.lines()) words += translatedSentence(line);
+  caveats_->setVisible(!words.isEmpty());
+  QString text = words.join(" · ");
+  if (caveats.hidden > 0) text += " – " + tr("Show");
+  if (text == caveats_->text()) return;
+  caveats_->setText(text);
+  caveats_->setEnabled(caveats.hidden > 0);
+  caveats_->setToolTip(caveats.hidden > 0 ? tr("Show all pieces") : QString());
+  placeButtons();
 }
 
 void Viewport::takeRemedy() {
@@ -113,10 +141,20 @@ void Viewport::takeRemedy() {
   Q_EMIT edited(edit);
 }
 
-void Viewport::placeRemedy() {
-  constexpr int belowNote = 64;  // pixels: under the overlay's line
+void Viewport::placeButtons() {
+  constexpr int belowNote = 64, margin = 12;  // pixels: under the overlay's line; from the picture's corner
   remedy_->adjustSize();
-  remedy_->move((width() - remedy_->width()) / 2, belowNote);
+  remedy_->move((width() - remedy_->width()) / 2, topInset_ + belowNote);
+  caveats_->adjustSize();
+  QRect place({0, 0}, caveats_->size());
+  place.moveBottomRight({width() - margin, height() - margin});
+  if (legend_) {  // from below, in pixels of the screen
+    const double ratio = devicePixelRatioF();
+    const QRectF legend(legend_->origin.x / ratio, height() - (legend_->origin.y + legend_->size.y) / ratio,
+                        legend_->size.x / ratio, legend_->size.y / ratio);
+    if (legend.intersects(place)) place.moveRight(static_cast<int>(legend.left()) - margin);
+  }
+  caveats_->move(place.topLeft());
 }
 
 bool Viewport::complete() const {
@@ -172,6 +210,8 @@ void Viewport::setHint(const QString& text) {
 
 void Viewport::setTopInset(int pixels) {
   overlay_->setTopInset(pixels);
+  topInset_ = pixels;
+  placeButtons();
 }
 
 void Viewport::setVolume(VolumePointer volume) {

@@ -165,7 +165,8 @@ class Viewport : public QWidget {
   void put(const app::DrawnPicture& picture);
   void offerRemedy(const std::optional<render::EmptyPicture>& empty);
   void takeRemedy();
-  void placeRemedy();
+  void placeButtons();
+  void showCaveats();
   void showed(const app::DrawnPicture& picture, std::uint64_t view);
   void tellSeen(const app::DrawnPicture& picture, std::uint64_t view);
   void fail(const QString& reason, const QString& advice);
@@ -290,7 +291,9 @@ class Viewport : public QWidget {
       0;  // corners of shapes_ of which it is known whether they are behind the surface
   SlicesInPicture slices_;
   ViewportOverlay* overlay_;
-  QPushButton* remedy_;  // over an empty picture: what would show something
+  int topInset_ = 0;
+  QPushButton* remedy_;   // over an empty picture: what would show something
+  QPushButton* caveats_;  // what the picture leaves out or nobody measured; a click shows hidden pieces
   render::EmptyPicture::Remedy offered_ = render::EmptyPicture::Remedy::none;
 };
 

@@ -110,7 +110,7 @@ void Viewport::showEvent(QShowEvent* event) {
 void Viewport::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   overlay_->setGeometry(rect());
-  placeRemedy();
+  placeButtons();
   showLamps();
   showCuts();
   redraw();
@@ -276,6 +276,7 @@ void Viewport::showed(const app::DrawnPicture& picture, std::uint64_t view) {
                     : empty ? translatedSentence(report.empty->reason)
                             : missingNote(report.bricks));
   offerRemedy(empty ? report.empty : std::nullopt);
+  showCaveats();
   if (bricksPending_ || lightPending_) orderSoon();  // the next picture gets further
   tellSeen(picture, view);
   Q_EMIT reported(report, picture.request);

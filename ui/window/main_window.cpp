@@ -41,6 +41,7 @@
 #include "ui/window/picture_dot.h"
 #include "ui/window/style.h"
 #include "ui/window/window_layout.h"
+#include "volume/read/length_doubt.h"
 
 namespace isolux::ui {
 
@@ -160,6 +161,17 @@ void MainWindow::makePanels() {
   statusBar()->setFixedHeight(std::max(28, fontMetrics().height() + 12));
 }
 
+// The worst in words, the others by number. What was guessed or made up stays until it is closed.
+void MainWindow::tellWarnings(const std::vector<std::string>& warnings) {
+  message_->withdraw(MessageBar::Kind::warning);
+  if (warnings.empty()) return;
+  const std::vector<std::string> grave = volume::graveWarnings(warnings);
+  const std::string& worst = grave.empty() ? warnings.front() : grave.front();
+  const QString rest = warnings.size() == 1 ? tr("also") : tr("all %1 notes").arg(warnings.size());
+  message_->show(grave.empty() ? MessageBar::Kind::note : MessageBar::Kind::warning,
+                 tr("%1 (%2 in the Volume panel)").arg(QString::fromStdString(worst), rest));
+}
+
 void MainWindow::connectDocument() {
   connect(document_, &Document::volumeChanged, this, [this](const VolumePointer& volume) {
     pointedPiece_->point(volume, {}, std::nullopt);
@@ -171,13 +183,7 @@ void MainWindow::connectDocument() {
     for (const Docked& docked : panels_) docked.panel->setVolume(volume);
     nameViews();
     awaitsFirstPicture_ = true;
-    if (!volume->volume.warnings.empty()) {
-      const auto count = volume->volume.warnings.size();
-      message_->show(MessageBar::Kind::note,
-                     tr("%1 (%2 in the Volume panel)")
-                         .arg(QString::fromStdString(volume->volume.warnings.front()))
-                         .arg(count == 1 ? tr("also") : tr("all %1 notes").arg(count)));
-    }
+    tellWarnings(volume->volume.warnings);
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
   connect(document_, &Document::flowMoved, viewport_, &Viewport::setFlowTime);

@@ -139,6 +139,7 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void makePanels();
   void connectDocument();
+  void tellWarnings(const std::vector<std::string>& warnings);
   void connectLight();
   void connectMarks();
   void connectSlices();

@@ -44,6 +44,7 @@ MessageBar::MessageBar(QWidget* parent)
 void MessageBar::show(Kind kind, const QString& text, std::vector<Answer> answers) {
   Message message{kind, text, std::move(answers)};
   if (kind == Kind::question) question_ = message;
+  if (kind == Kind::warning) warning_ = message;
   present(std::move(message));
 }
 
@@ -64,11 +65,12 @@ void MessageBar::present(Message message) {
 
 // In the colours of the theme (ui/window/style.h).
 void MessageBar::dress() {
-  const bool error = shown_.kind == Kind::error;
-  symbol_->setPixmap(iconPixmap(error ? "error" : "info", 18, error ? colours::error : colours::accent,
-                                devicePixelRatioF()));
-  if (property("error").toBool() == error) return;
-  setProperty("error", error);
+  const bool error = shown_.kind == Kind::error, warning = shown_.kind == Kind::warning;
+  const QColor colour = error ? colours::error : warning ? colours::warning : colours::accent;
+  symbol_->setPixmap(iconPixmap(error || warning ? "error" : "info", 18, colour, devicePixelRatioF()));
+  const QString level = error ? "error" : warning ? "warning" : "note";
+  if (property("level").toString() == level) return;
+  setProperty("level", level);
   style()->unpolish(this);
   style()->polish(this);
 }
@@ -94,20 +96,25 @@ void MessageBar::makeButtons() {
 }
 
 void MessageBar::close() {
-  if (shown_.kind == Kind::question) question_.reset();
-  clear();
+  withdraw(shown_.kind);
 }
 
 void MessageBar::clear() {
   timer_.stop();
-  if (question_) {
-    if (shown_.kind != Kind::question) present(*question_);
+  if (const std::optional<Message>& waiting = question_ ? question_ : warning_) {
+    if (shown_.kind != waiting->kind) present(*waiting);
     return;
   }
   shown_ = {};
   label_->setText({});
   makeButtons();
   hide();
+}
+
+void MessageBar::withdraw(Kind kind) {
+  if (kind == Kind::question) question_.reset();
+  if (kind == Kind::warning) warning_.reset();
+  if (shown_.kind == kind) clear();
 }
 
 QString MessageBar::text() const {

@@ -20,7 +20,7 @@ class WrappedText;
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
-  enum class Kind { note, error, question };
+  enum class Kind { note, warning, error, question };
   // A button beside the text. A click closes the message, then calls `chosen`.
   struct Answer {
     QString text;
@@ -28,12 +28,14 @@ class MessageBar : public QFrame {
   };
   explicit MessageBar(QWidget* parent);
 
-  // Replaces the note or error that is shown. A note goes away by itself, an error stays until it is closed
-  // or replaced. A question waits until it is answered or closed: notes and errors cover it while they last.
+  // Replaces what is shown. A note goes away by itself, an error stays until it is closed or replaced. A
+  // warning (data that are missing or invented) and a question wait until they are answered or closed: what
+  // comes meanwhile covers them while it lasts.
   void show(Kind kind, const QString& text, std::vector<Answer> answers = {});
   // What each text becomes before it is shown.
   void setFilter(std::function<QString(const QString&)> filter) { filter_ = std::move(filter); }
-  void clear();  // what is shown; a question that was covered is shown again
+  void clear();              // what is shown; what waits is shown again, a question before a warning
+  void withdraw(Kind kind);  // what is shown or waits of that kind
   QString text() const;
   Kind kind() const { return shown_.kind; }
   // Of what is shown, in the order of its answers.
@@ -64,7 +66,7 @@ class MessageBar : public QFrame {
   QHBoxLayout* layout_;
   std::vector<QPushButton*> buttons_;
   Message shown_;
-  std::optional<Message> question_;
+  std::optional<Message> question_, warning_;  // that wait
   QTimer timer_;
   std::function<QString(const QString&)> filter_;
 };

@@ -143,7 +143,9 @@ constexpr auto sheet = R"(
     #tourCard { background: @raised; border: 1px solid @accent; border-radius: 8px; }
     #tourFrame { background: transparent; border: 3px solid @accent; border-radius: 6px; }
     #messageBar { background: @noteArea; border: 0; border-left: 4px solid @accent; border-bottom: 1px solid @border; }
-    #messageBar[error="true"] { background: @errorArea; border-left-color: @error; }
+    #messageBar[level="error"] { background: @errorArea; border-left-color: @error; }
+    #messageBar[level="warning"] { border-left-color: @warning; }
+    #caveats { background: @window; color: @warning; border: 1px solid @border; border-radius: 3px; padding: 2px 7px; }
     #messageBar QTextEdit { background: transparent; }
     QWidget[ink="quiet"] { color: @quietText; }
     QWidget[ink="error"] { color: @error; }

@@ -1,19 +1,25 @@
-// Whether lengths in a volume can be trusted: what readers say when they had to guess or make up where voxels
-// lie.
+// Whether lengths and voxels of a volume can be trusted: what readers say when they had to guess or make up
+// where voxels lie, or voxels themselves.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace isolux::volume {
 
 // Readers' warnings hold these words where it is so.
 inline constexpr std::string_view kSpacingAssumed = "1 mm assumed";
 inline constexpr std::string_view kSlicesResampled = "resampled linearly";
+inline constexpr std::string_view kSlicesMissing = "slices are missing in ";  // then how many places
 
 // The first of the warnings that casts doubt on lengths.
 std::optional<std::string> lengthDoubt(std::span<const std::string> warnings);
+// What of the voxels was not measured, in a few words each, worst first: "13 gaps interpolated".
+std::vector<std::string> inventedData(std::span<const std::string> warnings);
+// The warnings that tell of invented data or of guessed spacing, worst first.
+std::vector<std::string> graveWarnings(std::span<const std::string> warnings);
 
 }  // namespace isolux::volume

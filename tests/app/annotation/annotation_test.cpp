@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/rules/automatic.h"
+#include "volume/pieces/hidden_pieces.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::app {
@@ -130,7 +131,32 @@ TEST_F(AnnotationTest, IsovaluesAreThoseOfTheSurfacesThatAreShown) {
   EXPECT_EQ(annotationOf(scene_, *volume_, {320, 240}).values.size(), 1u);
 }
 
+// Unasked: a picture that leaves out pieces or shows slices that nobody measured says so.
+TEST_F(AnnotationTest, CaveatsAreWrittenUnasked) {
+  scene_.pieces.keep = 1;
+  scene_.isosurface.value = 300.0;
+  base::Progress progress;
+  ASSERT_FALSE(volume::hiddenOf(scene_, *volume_->pieces, progress).empty());
+  const Caveats caveats = caveatsOf(scene_, *volume_);
+  EXPECT_GT(caveats.hidden, 0u);
+  EXPECT_EQ(caveats.hidden, caveats.pieces - 1);
+  auto gaps = std::make_shared<volume::PreparedVolume>(*volume_);
+  gaps->volume.warnings.push_back("slices are missing in 13 places; what is shown there is interpolated");
+  volume_ = gaps;
+  EXPECT_EQ(annotationOf(scene_, *volume_, {640, 480}).caveats,
+            (std::vector<std::string>{"13 gaps interpolated", std::to_string(caveats.hidden) + " of " +
+                                                                  std::to_string(caveats.pieces) +
+                                                                  " pieces hidden"}));
+  EXPECT_GT(written(drawn({640, 480}), {0.7, 0.85}, {1.0, 1.0}), 100) << "at the lower right";
+  EXPECT_EQ(written(drawn({640, 480}), {0.0, 0.0}, {0.6, 1.0}), 0);
+  scene_.picture.caveats = false;
+  EXPECT_EQ(written(drawn({640, 480}), {0.0, 0.0}, {1.0, 1.0}), 0);
+}
+
 TEST_F(AnnotationTest, NothingIsWrittenOverTheLegend) {
+  scene_.pieces.keep = 1;
+  base::Progress progress;
+  volume::hiddenOf(scene_, *volume_->pieces, progress);
   scene_.picture.letters = scene_.picture.scaleBar = scene_.picture.isovalue = true;
   const glm::ivec2 size(640, 480);
   const int all = written(drawn(size), {0.0, 0.0}, {1.0, 1.0});

@@ -185,6 +185,24 @@ TEST_F(PiecesTest, TheMenuHidesAndIsolatesWhatWasClicked) {
   expectSeen({true, true, true});
 }
 
+// No piece is missing in silence: the picture says so, and a click brings them back.
+TEST_F(PiecesTest, ThePictureSaysHowManyAreHidden) {
+  auto* caveats = window_->viewport()->findChild<QPushButton*>("caveats");
+  EXPECT_FALSE(caveats->isVisible());
+  ui::Edit edit{scene(), "Keep the largest piece", {}, false};
+  edit.scene.pieces.keep = 1;
+  window_->document()->edit(edit);
+  fullPicture(*window_);
+  EXPECT_TRUE(caveats->isVisible());
+  EXPECT_EQ(caveats->text(), "2 of 3 pieces hidden – Show");
+  EXPECT_TRUE(window_->viewport()->rect().contains(caveats->geometry()));
+  QTest::mouseClick(caveats, Qt::LeftButton);
+  EXPECT_EQ(lastStep(), "Show all pieces");
+  EXPECT_EQ(scene().pieces, scene::Pieces{});
+  fullPicture(*window_);
+  EXPECT_FALSE(caveats->isVisible());
+}
+
 // What was hidden by hand stays hidden when the isovalue moves.
 TEST_F(PiecesTest, APieceStaysHiddenWhenTheIsovalueMoves) {
   choose(kBalls[1], "Hide this piece");

@@ -98,6 +98,23 @@ TEST_F(WindowTest, AQuestionWaitsForItsAnswerBehindNotesAndErrors) {
   EXPECT_EQ(restored + discarded, 1);
 }
 
+// Data that nobody measured: no note of eight seconds.
+TEST_F(WindowTest, AWarningStaysUntilItIsClosed) {
+  ui::MessageBar& bar = *window_->messageBar();
+  bar.show(Kind::warning, "slices are missing");
+  bar.show(Kind::note, "Saved");
+  EXPECT_EQ(bar.text(), "Saved");
+  bar.clear();  // as after eight seconds
+  EXPECT_EQ(bar.text(), "slices are missing");
+  bar.clear();
+  EXPECT_TRUE(bar.isVisible());
+  bar.findChild<QToolButton*>()->click();  // the cross
+  EXPECT_TRUE(bar.isHidden());
+  bar.show(Kind::warning, "slices are missing");
+  bar.withdraw(Kind::warning);  // another volume
+  EXPECT_TRUE(bar.isHidden());
+}
+
 TEST_F(WindowTest, AMessageOfAnyLengthLetsTheWindowBeNarrow) {
   const int before = window_->minimumSizeHint().width();
   window_->messageBar()->show(Kind::error, QString(400, 'w'));

@@ -54,7 +54,7 @@ TEST(DicomIndex, ADiscIsListedByItsHeaders) {
   EXPECT_THAT(bone.warnings, testing::IsEmpty());
   EXPECT_EQ(bone.middleFile, (fs::path(bone.folder) / "IM8").string());
   EXPECT_THAT(list.series.at("1.2").warnings, ElementsAre(HasSubstr("gantry tilt of 26.57 degrees")));
-  EXPECT_THAT(list.series.at("1.3").warnings, testing::Contains(HasSubstr("slices are missing in 1 places")));
+  EXPECT_THAT(list.series.at("1.3").warnings, testing::Contains(HasSubstr("slices are missing in 1 place")));
   EXPECT_EQ(list.series.at("1.4").studyDescription, "Head MR");
   EXPECT_THAT(list.series.at("2.1").warnings, ElementsAre(HasSubstr("1 of 5 slices differ")));
   EXPECT_EQ(list.series.at("2.1").slices, 4);

@@ -98,7 +98,7 @@ TEST(Dicom, MissingSliceIsInterpolatedAndSaid) {
   const auto v =
       readFile(writeSeries({sliceAt(0, 1), sliceAt(2, 2), sliceAt(4, 3), sliceAt(8, 4), sliceAt(10, 5)}));
   EXPECT_EQ(v.grid->dims().z, 6);
-  EXPECT_TRUE(test::warns(v, "missing in 1 places"));
+  EXPECT_TRUE(test::warns(v, "missing in 1 place"));
   for (int z = 0; z < 6; ++z) EXPECT_EQ(v.grid->value(1, 1, z), 20 * z + 4 - 1024) << z;
   EXPECT_EQ(v.grid->storedType(), volume::VoxelType::int16);
 }

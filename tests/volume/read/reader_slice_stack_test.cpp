@@ -92,7 +92,7 @@ TEST(SliceStack, UnevenDistancesAreResampled) {
 TEST(SliceStack, MissingSlicesAreFilledAndSaid) {
   const std::vector<double> zs{0, 2, 4, 10, 12};
   const SliceStack stack = stackSlices(planesAt(zs), "f");
-  EXPECT_TRUE(warns(stack, "missing in 1 places"));
+  EXPECT_TRUE(warns(stack, "missing in 1 place"));
   EXPECT_EQ(stack.slices(), 7u);
   expectPositions(stack, zs);
   EXPECT_EQ(stack.resampled[1].fraction, 0.0);  // slices that exist are not blended

@@ -90,7 +90,8 @@ std::string wideGapsText(const std::vector<double>& gaps, double median) {
     for (std::size_t i = 1; i < blocks.size(); ++i) text += " to " + fourDigits(blocks[i]);
     return text + " mm";
   }
-  return "slices are missing in " + std::to_string(wide) + " places; what is shown there is interpolated";
+  return std::string(kSlicesMissing) + std::to_string(wide) + (wide == 1 ? " place" : " places") +
+         "; what is shown there is interpolated";
 }
 
 }  // namespace
