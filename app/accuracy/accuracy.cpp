@@ -48,6 +48,7 @@ Accuracy accuracyOf(const PictureErrors& errors) {
   accuracy.relativeCurvature = spread(errors.relativeCurvature);
   accuracy.normalNoiseDegrees = spread(errors.normalNoiseDegrees);
   accuracy.curvatureNoise = spread(errors.curvatureNoise);
+  accuracy.depthNoiseMm = spread(errors.depthNoiseMm);
   accuracy.light = spread(errors.light);
   accuracy.relativeLight = {accuracy.light.median / errors.meanIrradiance,
                             accuracy.light.most99 / errors.meanIrradiance};

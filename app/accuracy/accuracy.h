@@ -21,6 +21,7 @@ struct Accuracy {
   std::size_t uncertain = 0;                                         // whose answer may change by a jump
   BoundSpread depthMm, normalDegrees, curvature, relativeCurvature;  // curvature: 1/mm
   BoundSpread normalNoiseDegrees, curvatureNoise;                    // at kNoiseLevel
+  BoundSpread depthNoiseMm;                                          // of noise and sampling
   // Of stored light, at kLightLevel: of E, and in parts of the picture's mean E. NaN without any.
   BoundSpread light, relativeLight;
   // What kLightLevel of the pixels do not exceed, in parts of the mean E.

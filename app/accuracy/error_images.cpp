@@ -16,6 +16,8 @@ const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors
       return errors.normalDegrees;
     case ErrorImage::light:
       return errors.light;
+    case ErrorImage::noise:
+      return errors.depthNoiseMm;
     case ErrorImage::kappa:
       break;
   }
@@ -26,7 +28,8 @@ const std::vector<ErrorImageInfo>& errorImages() {
   static const std::vector<ErrorImageInfo> images{{ErrorImage::depth, "error_depth"},
                                                   {ErrorImage::normal, "error_normal"},
                                                   {ErrorImage::kappa, "error_kappa"},
-                                                  {ErrorImage::light, "error_light"}};
+                                                  {ErrorImage::light, "error_light"},
+                                                  {ErrorImage::noise, "error_noise"}};
   return images;
 }
 

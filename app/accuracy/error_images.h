@@ -10,7 +10,7 @@
 
 namespace isolux::app {
 
-enum class ErrorImage { depth, normal, kappa, light };
+enum class ErrorImage { depth, normal, kappa, light, noise };
 struct ErrorImageInfo {
   ErrorImage image;
   const char* name;  // as on the command line

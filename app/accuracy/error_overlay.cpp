@@ -26,10 +26,12 @@ struct Overlaid {
   ErrorImage image;
 };
 const std::vector<Overlaid>& overlays() {
-  static const std::vector<Overlaid> list{{"depth", "Error of depth", "mm", ErrorImage::depth},
-                                          {"normal", "Error of normals", "degrees", ErrorImage::normal},
-                                          {"kappa", "Error of κ₁ and κ₂", "1/mm", ErrorImage::kappa},
-                                          {"light", "Error of light", "% of its mean", ErrorImage::light}};
+  static const std::vector<Overlaid> list{
+      {"noise", "Error of depth by noise and sampling", "mm", ErrorImage::noise},
+      {"depth", "Error of depth by arithmetic", "mm", ErrorImage::depth},
+      {"normal", "Error of normals by arithmetic", "degrees", ErrorImage::normal},
+      {"kappa", "Error of κ₁ and κ₂ by arithmetic", "1/mm", ErrorImage::kappa},
+      {"light", "Error of light", "% of its mean", ErrorImage::light}};
   return list;
 }
 

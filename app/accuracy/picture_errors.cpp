@@ -20,6 +20,8 @@
 #include "volume/error/derivative_error.h"
 #include "volume/error/hit_error.h"
 #include "volume/field/curvature.h"
+#include "volume/measure/surface_point.h"
+#include "volume/measure/voxel_noise.h"
 #include "volume/parallel_loops.h"
 
 namespace isolux::app {
@@ -73,7 +75,9 @@ class PictureJudge {
         cubic_(volume.cubicFields->make(scene.hit.field, progress)),
         source_{volume.grid(), *volume.blocks, scene.hit.field, cubic_.get(), drawn.onProcessor},
         hidden_(volume::hiddenOf(scene, *volume.pieces, progress)),
-        cut_(scene, volume.grid().geometry()) {
+        cut_(scene, volume.grid().geometry()),
+        inside_(scene.isosurface.inside),
+        data_(volume::voxelNoise(volume, scene, progress)) {
     if (scene::showsCutFaces(scene)) faces_.emplace(volume.grid(), *volume.cubicFields, scene, hidden_);
     const scene::NoiseModel model = volume.derivativeChoices->noise(progress);
     const double noise = scene.derivatives.noise.value_or(model.at(scene.isosurface.value.value()));
@@ -112,6 +116,7 @@ class PictureJudge {
     if (elsewhere) hit.bound = std::abs(depth - hit.t);
     out.depthMm[pixel] = roundedUp(hit.bound);
     if (sampled_ || elsewhere) hit.shifted = drawnVoxel;
+    out.depthNoiseMm[pixel] = depthNoise(hit, ray);
     judgeShape(pixel, hit, ends, out);
   }
   static void refuse(std::size_t pixel, PictureErrors& out) {
@@ -142,6 +147,16 @@ class PictureJudge {
              scaled.get(), scene.derivatives.fetch,
              scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0, drawn_.onProcessor},
             volume::curvatureScale(volume_.grid().geometry(), field, noise, model.correlation, scaleMm)};
+  }
+
+  float depthNoise(const volume::HitEnclosure& hit, const volume::Ray& ray) const {
+    const glm::dmat4& world = volume_.grid().geometry().worldFromVoxel;
+    const auto point = volume::surfacePoint({volume_.grid(), hit.isovalue, inside_, data_},
+                                            glm::dvec3(world * glm::dvec4(hit.voxel, 1.0)));
+    if (!point) return kNone;
+    const glm::dvec3 along = glm::normalize(glm::dmat3(world) * ray.direction);
+    const double cosine = std::abs(glm::dot(point->normal, along));
+    return cosine > 0.0 ? static_cast<float>(volume::offsetError(*point) / cosine) : kNone;
   }
 
   void judgeShape(std::size_t pixel, const volume::HitEnclosure& hit, std::span<const glm::dvec3> ends,
@@ -179,6 +194,8 @@ class PictureJudge {
   volume::HitSource source_;
   std::vector<volume::HiddenOfSurface> hidden_;
   volume::SurfaceCut cut_;
+  scene::Inside inside_;
+  scene::NoiseModel data_;
   std::optional<volume::CutFaces> faces_;
   std::optional<ShapeFields> normals_, curvature_;
 };
@@ -189,21 +206,13 @@ PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::S
                             const DrawnHits& drawn, base::Progress& progress) {
   ++runs;
   const std::size_t count = static_cast<std::size_t>(drawn.size.x) * static_cast<std::size_t>(drawn.size.y);
-  PictureErrors out{drawn.size,
-                    {},
-                    {},
-                    {},
-                    {},
-                    {},
-                    {},
-                    std::vector<std::uint8_t>(count, 1),
-                    std::vector<std::uint8_t>(count, 0),
-                    {},
-                    0.0,
-                    0.0};
+  PictureErrors out;
+  out.size = drawn.size;
+  out.certain.assign(count, 1);
+  out.elsewhere.assign(count, 0);
   for (std::vector<float>* const image :
        {&out.depthMm, &out.normalDegrees, &out.curvature, &out.normalNoiseDegrees, &out.curvatureNoise,
-        &out.relativeCurvature})
+        &out.depthNoiseMm, &out.relativeCurvature})
     image->assign(count, kNone);
   if (volume.grid().dims().x < 2 || volume.grid().dims().y < 2 || volume.grid().dims().z < 2) return out;
 

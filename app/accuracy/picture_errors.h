@@ -29,6 +29,10 @@ struct PictureErrors {
   std::vector<float> depthMm, normalDegrees, curvature;  // curvature: of kappa1 and kappa2, 1/mm
   // What noise makes of them beside, at kNoiseLevel of its distribution: of another scan of the same.
   std::vector<float> normalNoiseDegrees, curvatureNoise;
+  // How far along the ray the object's own surface may be, by the noise of its samples and the distance
+  // between them (volume::offsetError), mm: usually far more than arithmetic. NaN also where voxels are
+  // missing nearby.
+  std::vector<float> depthNoiseMm;
   std::vector<float>
       relativeCurvature;              // curvature / max(|kappa1|, |kappa2|, flat); volume/field/curvature.h
   std::vector<std::uint8_t> certain;  // 0 also where a ray misses a surface by no more than a rounding

@@ -48,6 +48,7 @@ nlohmann::ordered_json accuracyJson(const Accuracy& accuracy) {
           {"light", lightJson(accuracy)},
           {"noise",
            {{"level", kNoiseLevel},
+            {"depth_mm", spreadJson(accuracy.depthNoiseMm)},
             {"normal_degrees", spreadJson(accuracy.normalNoiseDegrees)},
             {"kappa_per_mm", spreadJson(accuracy.curvatureNoise)}}}};
 }
@@ -57,10 +58,11 @@ std::string accuracyLine(const Accuracy& accuracy) {
   if (accuracy.seen == accuracy.uncertain)
     line += accuracy.seen == 0 ? "nothing is seen, " : "nothing is seen for certain, ";
   else
-    line += figure("depth", accuracy.depthMm.most99, " mm") +
+    line += figure("depth by noise and sampling", accuracy.depthNoiseMm.most99, " mm") +
+            figure("normals by noise", accuracy.normalNoiseDegrees.most99, " degrees") +
+            figure("by arithmetic: depth", accuracy.depthMm.most99, " mm") +
             figure("normal", accuracy.normalDegrees.most99, " degrees") +
             figure("curvature", accuracy.curvature.most99, " 1/mm") +
-            figure("noise turns normals by", accuracy.normalNoiseDegrees.most99, " degrees") +
             figure("light of " + base::shortText(100.0 * kLightLevel, 3) + " % of it",
                    100.0 * accuracy.relativeLightWithin, " % of its mean");
   return line + base::shortText(100.0 * accuracy.uncertainShare(), 2) + " % of pixels are not certain";

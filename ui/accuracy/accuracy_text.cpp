@@ -75,10 +75,12 @@ QString accuracyText(const app::Accuracy& accuracy, bool curvature) {
   const QString share = QObject::tr("%1 % not certain").arg(roundedText(100.0 * accuracy.uncertainShare()));
   if (accuracy.seen == 0) return QObject::tr("Nothing is seen · %1").arg(share);
   if (accuracy.seen == accuracy.uncertain) return QObject::tr("Nothing is seen for certain · %1").arg(share);
-  const double depth = accuracy.depthMm.most99, normal = accuracy.normalDegrees.most99,
-               relative = accuracy.relativeCurvature.most99;
+  const double data = accuracy.depthNoiseMm.most99, depth = accuracy.depthMm.most99,
+               normal = accuracy.normalDegrees.most99, relative = accuracy.relativeCurvature.most99;
   QStringList parts{
-      boundText(QObject::tr("Depth ± %1"), depth, lengthText(depth)),
+      boundText(QObject::tr("Depth ± %1 by noise and sampling"), data, lengthText(data)),
+      boundText(std::isnan(data) ? QObject::tr("Depth ± %1") : QObject::tr("by arithmetic ± %1"), depth,
+                lengthText(depth)),
       boundText(QObject::tr("normal ± %1"), normal, QObject::tr("%1°").arg(roundedText(normal)))};
   if (curvature)
     parts += boundText(QObject::tr("curvature ± %1"), relative,
@@ -93,7 +95,8 @@ QString accuracyText(const app::Accuracy& accuracy, bool curvature) {
 QString accuracyMeaning(const app::Accuracy& accuracy) {
   QString text =
       QObject::tr(
-          "How far the picture on screen may be from the same view in double precision: 99 % of "
+          "How far the surface on screen may be from the object's own, by the noise of the samples and the "
+          "distance between them, and from the same view in double precision, by arithmetic: 99 % of "
           "what is seen keeps these bounds, of light %2 %.\nA pixel is not certain where a rounding may show "
           "another surface, as along edges.\nOne ray through the middle of each pixel, %1 "
           "pixels.")
@@ -101,8 +104,7 @@ QString accuracyMeaning(const app::Accuracy& accuracy) {
           .arg(roundedText(100.0 * app::kLightLevel));
   const double noise = accuracy.normalNoiseDegrees.median;
   if (std::isfinite(noise) && noise > 0.0)
-    text += '\n' + QObject::tr("Noise of the data is not in them: it turns a typical normal by up to %1°.")
-                       .arg(roundedText(noise));
+    text += '\n' + QObject::tr("Noise turns a typical normal by up to %1°.").arg(roundedText(noise));
   return text;
 }
 

@@ -23,9 +23,10 @@ bool sameLimit(const ErrorOverlayBox::Shown& a, const ErrorOverlayBox::Shown& b)
 ErrorOverlayBox::ErrorOverlayBox(QWidget* parent)
     : QWidget(parent), errors_(new QComboBox(this)), note_(new QLabel(this)) {
   errors_->addItem(tr("None"));
-  errors_->addItem(tr("Depth"), static_cast<int>(app::ErrorImage::depth));
-  errors_->addItem(tr("Normals"), static_cast<int>(app::ErrorImage::normal));
-  errors_->addItem(tr("Curvature"), static_cast<int>(app::ErrorImage::kappa));
+  errors_->addItem(tr("Depth, by noise and sampling"), static_cast<int>(app::ErrorImage::noise));
+  errors_->addItem(tr("Depth, by arithmetic"), static_cast<int>(app::ErrorImage::depth));
+  errors_->addItem(tr("Normals, by arithmetic"), static_cast<int>(app::ErrorImage::normal));
+  errors_->addItem(tr("Curvature, by arithmetic"), static_cast<int>(app::ErrorImage::kappa));
   errors_->addItem(tr("Light"), static_cast<int>(app::ErrorImage::light));
   errors_->setAccessibleName(tr("Errors shown in the picture"));
   errors_->setToolTip(

@@ -36,7 +36,11 @@ TEST(AccuracyCommandGl, StatsAndExplainSayTheSame) {
   }
   EXPECT_LT(accuracy["depth_mm"]["most_99"].get<double>(), 1e-2);
   EXPECT_LT(accuracy["not_certain_share"].get<double>(), 0.01);
-  EXPECT_THAT(result.out, HasSubstr("accuracy of 99 % of what is seen: depth ± "));
+  EXPECT_GT(accuracy["noise"]["depth_mm"]["most_99"].get<double>(),
+            accuracy["depth_mm"]["most_99"].get<double>())
+      << "what a user must know comes first";
+  EXPECT_THAT(result.out, HasSubstr("accuracy of 99 % of what is seen: depth by noise and sampling ± "));
+  EXPECT_THAT(result.out, HasSubstr("by arithmetic: depth ± "));
   EXPECT_THAT(result.out, HasSubstr("% of pixels are not certain"));
 }
 
@@ -48,6 +52,20 @@ TEST(AccuracyCommandGl, ThePictureCarriesItAndDrawsTheSame) {
   EXPECT_EQ(loadSession(folder / "a.png").camera.fov, 33.0);
   render(folder, {"--out", "b.png"});
   EXPECT_FALSE(json::parse(readSessionText(folder / "b.png")).contains("accuracy"));
+}
+
+// Noise of deviation s moves the surface by s / |gradient|: 1 mm / mm here, seen from the front.
+TEST(AccuracyCommandGl, NoiseOfTheDataIsToldInMillimetresOfDepth) {
+  const auto folder = test::temporaryFolder();
+  const auto most = [&](const char* noise) {
+    render(folder, {"--out", "a.png", "--accuracy", "--set", std::string("derivatives.noise=") + noise});
+    return json::parse(test::contentOf(folder / "s.json"))["accuracy"]["noise"]["depth_mm"]["median"]
+        .get<double>();
+  };
+  const double small = most("0.001"), large = most("0.1");
+  EXPECT_GT(large, 10.0 * small);
+  EXPECT_GT(large, 0.1) << "two deviations, and along the ray";
+  EXPECT_LT(large, 1.0);
 }
 
 TEST(AccuracyCommandGl, NothingRunsUnasked) {

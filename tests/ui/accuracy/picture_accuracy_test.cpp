@@ -117,7 +117,11 @@ TEST(AccuracyText, UnitsAreThoseOneReads) {
   accuracy.depthMm.most99 = 0.000234;
   accuracy.normalDegrees.most99 = 0.0123;
   accuracy.relativeCurvature.most99 = 0.0456;
-  EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.23 µm · normal ± 0.012° · 0.5 % not certain");
+  accuracy.depthNoiseMm.most99 = 0.123;
+  EXPECT_EQ(ui::accuracyText(accuracy, false),
+            "Depth ± 0.12 mm by noise and sampling · by arithmetic ± 0.23 µm · normal ± 0.012° · 0.5 % not "
+            "certain");
+  accuracy.depthNoiseMm.most99 = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(ui::accuracyText(accuracy, true),
             "Depth ± 0.23 µm · normal ± 0.012° · curvature ± 4.6 % · 0.5 % not certain");
   accuracy.depthMm.most99 = 0.0234;
