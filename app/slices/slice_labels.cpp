@@ -69,7 +69,9 @@ std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes) {
     if (axes == scene::WorldAxes::anatomical)
       return name + " \u00b7 " + scene::axisEnd(axes, axis, mm >= 0.0) + " " + lengthText(std::abs(mm)) +
              " mm";
-    return name + " \u00b7 " + "xyz"[axis] + " = " + lengthText(mm) + " mm";
+    constexpr std::array<const char*, 3> planes{"YZ", "XZ", "XY"};  // who knows where the patient's feet are?
+    return std::string(planes[static_cast<std::size_t>(axis)]) + " \u00b7 " + "xyz"[axis] + " = " +
+           lengthText(mm) + " mm";
   }
   const glm::dvec3 middle = plane.at(0.5 * glm::dvec2(plane.size - 1));
   const auto list = [](glm::dvec3 v) {

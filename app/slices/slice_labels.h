@@ -18,7 +18,7 @@ struct SliceLetters {
 };
 SliceLetters lettersOf(const volume::SlicePlane& plane, scene::WorldAxes axes);
 
-// "axial · S 12.5 mm", "coronal · y = −3 mm" where no anatomy is stated, or three lines of an oblique
+// "axial · S 12.5 mm", "XZ · y = −3 mm" where no anatomy is stated, or three lines of an oblique
 // plane: its middle and its normal.
 std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes);
 // "radiological", "neurological"; "orientation not stated".

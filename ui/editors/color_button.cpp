@@ -44,6 +44,7 @@ void ColorButton::choose() {
   const glm::dvec3 before = colour_;
   QColorDialog dialog(screenColour(before), this);
   dialog.setOption(QColorDialog::DontUseNativeDialog);
+  dialog.setWindowTitle(tr("Colour"));
   connect(&dialog, &QColorDialog::currentColorChanged, this,
           [this](const QColor& colour) { Q_EMIT chosen(linearColour(colour)); });
   if (dialog.exec() != QDialog::Accepted) Q_EMIT chosen(before);

@@ -196,6 +196,7 @@ QString MarksPanel::details() const {
 
 void MarksPanel::showDetails() {
   const int row = current();
+  colour_->setVisible(row >= 0);
   if (row < 0) {
     details_->clear();
     return;

@@ -219,7 +219,13 @@ void VolumePanel::showFacts() {
   }
   type_->setText(type);
   const glm::dvec3 extent = spacing * glm::dvec3(grid.dims() - 1);
-  spacing_->setText(triple(spacing, shownDigits) + " mm");
+  // Of a tilted series the distance of slices is not the length of the axis along which they are stacked.
+  const glm::dmat3 directions = geometry.directions();
+  const double across =
+      spacing.z * std::abs(glm::dot(directions[2], glm::normalize(glm::cross(directions[0], directions[1]))));
+  const bool tilted = across < 0.999 * spacing.z;
+  spacing_->setText(triple(spacing, shownDigits) + " mm" +
+                    (tilted ? tr(" (slices %1 mm apart)").arg(numberText(across, shownDigits)) : QString()));
   spacing_->setToolTip(triple(spacing, allDigits) + " mm");
   extent_->setText(triple(extent, shownDigits) + " mm");
   extent_->setToolTip(triple(extent, allDigits) + " mm");

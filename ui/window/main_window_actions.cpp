@@ -1,7 +1,11 @@
 // What the menu entries of ui/window/main_window.h do to the view, and help. Files:
 // ui/window/main_window_documents.cpp.
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QMessageBox>
+#include <QScreen>
+#include <QTextBrowser>
+#include <QVBoxLayout>
 
 #include "app/version.h"
 #include "scene/looks.h"
@@ -61,13 +65,19 @@ void MainWindow::showHelp() {
     help_->activateWindow();
     return;
   }
-  auto* box = new QMessageBox(this);
+  auto* box = new QDialog(this);
   help_ = box;
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setWindowTitle(tr("Mouse and keys"));
-  box->setTextFormat(Qt::RichText);
-  box->setText(translatedCells(texts::help, helpText()));
-  box->setModal(false);
+  auto* text = new QTextBrowser(box);
+  text->setHtml(translatedCells(texts::help, helpText()));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, box);
+  connect(buttons, &QDialogButtonBox::rejected, box, &QDialog::close);
+  auto* layout = new QVBoxLayout(box);
+  layout->addWidget(text);
+  layout->addWidget(buttons);
+  constexpr QSize wanted(760, 940);  // scrolls where the screen has not as many pixels
+  box->resize(wanted.boundedTo(screen()->availableSize() * 9 / 10));
   box->show();
 }
 

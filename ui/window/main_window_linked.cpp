@@ -1,5 +1,7 @@
 // Several windows of ui/window/main_window.h: new ones, and views that go together.
+#include <QAction>
 #include <QApplication>
+#include <QSignalBlocker>
 
 #include "app/files/state_folder.h"
 #include "app/interaction/linked_camera.h"
@@ -26,6 +28,8 @@ MainWindow* MainWindow::newWindow() {
   connect(qApp, &QGuiApplication::commitDataRequest, window, &MainWindow::commitData, Qt::DirectConnection);
   window->move(pos() + QPoint(32, 32));
   window->show();
+  const QSignalBlocker quiet(window->link_);  // it shows nothing yet that others could follow
+  window->link_->setChecked(link_->isChecked());
   if (const auto folder = app::stateFolder(); keeper_ && !folder.empty())
     window->keepDocument(folder / "autosave");
   return window;
@@ -59,11 +63,15 @@ void MainWindow::tellLinked(const scene::Scene& resolved) {
     if (other->link_->isChecked()) other->takeCamera(*this);
 }
 
-// The others show what this one sees.
+// One check links all windows, and the others show what this one sees; a check taken back takes its window
+// out.
 void MainWindow::setLinked(bool linked) {
   if (!linked) return;
-  for (MainWindow* other : otherWindows(this))
-    if (other->link_->isChecked()) other->takeCamera(*this);
+  for (MainWindow* other : otherWindows(this)) {
+    const QSignalBlocker quiet(other->link_);
+    other->link_->setChecked(true);
+    other->takeCamera(*this);
+  }
 }
 
 }  // namespace isolux::ui

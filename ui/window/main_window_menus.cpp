@@ -109,7 +109,7 @@ void MainWindow::makeEditMenu() {
       newAction(menu, tr("&Find a setting"), "", QKeySequence::Find, tr("Find a setting by its name"));
   connect(find, &QAction::triggered, this, &MainWindow::findSetting);
   menu->addSeparator();
-  QAction* preferences = newAction(menu, tr("&Preferences …"), "", QKeySequence("Ctrl+,"),
+  QAction* preferences = newAction(menu, tr("&Preferences…"), "", QKeySequence("Ctrl+,"),
                                    tr("Memory, threads and speed: settings of this machine"));
   connect(preferences, &QAction::triggered, this, &MainWindow::showPreferences);
 }
@@ -160,7 +160,7 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   layout_->fillMenu(menu);
   link_ = newAction(menu, tr("&Link views of windows"), "", {},
-                    tr("The views of all windows where this is checked go together"));
+                    tr("The views of all windows go together, but for those where this is taken back"));
   link_->setCheckable(true);
   connect(link_, &QAction::toggled, this, &MainWindow::setLinked);
   QAction* use = newAction(menu, tr("&Use this view in the other windows"), "", {},
