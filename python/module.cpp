@@ -184,10 +184,11 @@ void defineWishes(py::module_& module) {
       .def_property(
           "view", [](const app::SceneOptions& scene) { return scene.camera.view; },
           [](app::SceneOptions& scene, const std::string& view) { scene.camera.view = view; })
-      .def("camera", [](app::SceneOptions& scene, double azimuth, double elevation, double zoom,
+      .def("camera", [](app::SceneOptions& scene, double azimuth, double elevation, double roll, double zoom,
                         const std::string& fit) {
         scene.camera.azimuth = azimuth;
         scene.camera.elevation = elevation;
+        scene.camera.roll = roll;
         scene.camera.zoom = zoom;
         if (fit == "surface") scene.camera.fit = app::Framing::surface;
         if (fit == "volume") scene.camera.fit = app::Framing::volume;

@@ -129,6 +129,7 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
   };
   angle("--azimuth", wish.azimuth, "Then turn about the target: the eye goes to its right, about up");
   angle("--elevation", wish.elevation, "Then the eye goes up, over the top and down behind");
+  angle("--roll", wish.roll, "Then roll about the line of sight: the picture turns clockwise");
   parser
       .add_option_function<std::string>(
           "--fit",
@@ -288,6 +289,9 @@ bool assigns(const SceneOptions& options, std::string_view path) {
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
   scene::Scene scene = startingScene(path, options);
   applyAssignments(scene, options);
+  if (!options.camera.view.empty() && assigns(options, "camera.up"))
+    throw Error(ErrorKind::usage, "", "--view",
+                "says what is up, as camera.up does; --roll turns the picture");
   if (!options.preset.empty()) findPreset(options.preset);  // an unknown one is told of before any work
   return scene;
 }

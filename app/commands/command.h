@@ -60,7 +60,7 @@ struct SceneOptions {
   bool waitsForVolume() const { return !preset.empty() || camera.any(); }
 };
 std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser);
-// --preset, --shift; with cameras: --view, --azimuth, --elevation, --zoom, --fit.
+// --preset, --shift; with cameras: --view, --azimuth, --elevation, --roll, --zoom, --fit.
 void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras = true);
 // --threads N, in force as long as the returned value lives in the parser's callbacks.
 void addThreadsOption(CLI::App& parser);

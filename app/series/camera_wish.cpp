@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "base/error.h"
 #include "scene/framing.h"
@@ -31,7 +32,7 @@ scene::Camera directedCamera(const CameraWish& wish, const scene::Scene& resolve
   if (!wish.view.empty())
     camera = scene::standardView(camera, scene::standardViewNamed(wish.view, facts.axes), facts.axes,
                                  facts.boundsMinMm, facts.boundsMaxMm);
-  return scene::turned(camera, wish.azimuth, wish.elevation);
+  return scene::rolled(scene::turned(camera, wish.azimuth, wish.elevation), glm::radians(wish.roll));
 }
 
 }  // namespace

@@ -16,10 +16,13 @@ enum class Framing { surface, volume };
 struct CameraWish {
   std::string view;                       // scene::standardViewNamed(); empty: the scene's camera
   double azimuth = 0.0, elevation = 0.0;  // degrees, scene::turned()
+  double roll = 0.0;                      // degrees, scene::rolled(): the picture turns clockwise
   double zoom = 1.0;                      // > 1: nearer
   std::optional<Framing> fit = std::nullopt;
 
-  bool any() const { return !view.empty() || azimuth != 0.0 || elevation != 0.0 || zoom != 1.0 || fit; }
+  bool any() const {
+    return !view.empty() || azimuth != 0.0 || elevation != 0.0 || roll != 0.0 || zoom != 1.0 || fit;
+  }
 };
 
 // The view, turned, then framed, then zoomed. aspect: width by height of the picture. A view by name frames

@@ -81,7 +81,7 @@ def _camera(camera):
 
 
 def scene_of(isovalue=None, look=None, environment=None, camera=None, settings=None, *, session="", preset="", shift=0.0,
-             view="", azimuth=0.0, elevation=0.0, zoom=1.0, fit=""):
+             view="", azimuth=0.0, elevation=0.0, roll=0.0, zoom=1.0, fit=""):
     """The options of a scene. What is given as `settings` wins over the short forms."""
     words = []
     if isovalue is not None:
@@ -102,5 +102,5 @@ def scene_of(isovalue=None, look=None, environment=None, camera=None, settings=N
     scene.preset = value_text(preset or "")
     scene.shift = float(shift)
     scene.view = view or ""
-    scene.camera(float(azimuth), float(elevation), float(zoom), fit or "")
+    scene.camera(float(azimuth), float(elevation), float(roll), float(zoom), fit or "")
     return scene

@@ -164,7 +164,7 @@ class Volume:
         accuracy      bounds the errors of the picture: in `stats`
         explain       says in `stats` why scales of derivatives were chosen (draws again)
         context       "auto", "software", "egl" or "osmesa", for all pictures of this volume until another one is asked for
-        view, azimuth, elevation, zoom, fit, session, preset, shift: as the options of `isolux render`
+        view, azimuth, elevation, roll, zoom, fit, session, preset, shift: as the options of `isolux render`
 
         Light that is stored stays for the next picture: `forget_light` drops it.
         """

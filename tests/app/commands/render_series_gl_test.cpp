@@ -161,6 +161,21 @@ TEST(RenderSeriesGl, ViewsByNameStandOnTheirSide) {
   EXPECT_NEAR(side({"--view", "anterior", "--elevation", "90"}).z, 1.0, 1e-9);
 }
 
+TEST(RenderSeriesGl, RollTurnsThePictureClockwiseAndUpIsSaidOnce) {
+  const fs::path folder = test::temporaryFolder();
+  ASSERT_EQ(
+      renderIn(folder, {"phantom:ball:16", "--view", "anterior", "--roll", "90", "--out", "v.png"}).exitCode,
+      0);
+  const scene::Camera camera = loadSession(folder / "v.png").camera;
+  const scene::CameraFrame frame = scene::frameOf(camera);
+  EXPECT_NEAR(std::abs(frame.right.z), 1.0, 1e-9) << "what was up lies at a side";
+  EXPECT_GT(frame.right.z, 0.0) << "at the right of a picture that has turned clockwise is what was up";
+  const auto refused = renderIn(
+      folder, {"phantom:ball:16", "--view", "anterior", "--set", "camera.up=1,0,0", "--out", "w.png"});
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_TRUE(refused.isOneErrorLine()) << refused.err;
+}
+
 TEST(RenderSeriesGl, FitSurfaceFillsThePictureAndZoomGoesNearer) {
   const fs::path folder = test::temporaryFolder();
   const auto distance = [&](std::vector<std::string> words) {
