@@ -126,6 +126,9 @@ TEST(SliceStack, TwoBlocksOfSlicesAreToldFromMissingSlices) {
   EXPECT_FALSE(warns(blocks, "missing"));
   const SliceStack joined = stackSlices(planesAt({0, 4, 8, 12, 16, 20, 25.5, 32.5, 39.5}), "f");  // 5.5 mm
   EXPECT_TRUE(warns(joined, "slice distance changes from 4 to 7 mm"));
+  const SliceStack met = stackSlices(planesAt({0, 4, 8, 12, 16, 17.08, 24.08, 31.08}), "f");  // 1.08 mm
+  EXPECT_TRUE(warns(met, "slice distance changes from 4 to 7 mm"));
+  EXPECT_FALSE(warns(met, "missing")) << "a narrow gap lacks no slice";
   const SliceStack holes = stackSlices(planesAt({0, 4, 8, 16, 20, 24, 32, 36}), "f");
   EXPECT_TRUE(warns(holes, "missing in 2 places"));
 }

@@ -54,8 +54,8 @@ bool sameDistance(double a, double b) {
   return std::abs(a - b) <= toleratedUnevenness * std::max(a, b);
 }
 
-// Distances that hold for a while, as a series of several blocks has them; empty where single gaps break the
-// sequence, unless they lie between the distances of two blocks.
+// Distances that hold for a while, as a series of several blocks has them; empty where a single gap is wider
+// than those of the blocks beside it. A narrower one is where two blocks meet or overlap.
 std::vector<double> blocksOf(const std::vector<double>& gaps) {
   struct Run {
     double distance;
@@ -71,12 +71,12 @@ std::vector<double> blocksOf(const std::vector<double>& gaps) {
   std::vector<double> blocks;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].length > 1) {
-      blocks.push_back(runs[i].distance);
+      if (blocks.empty() || !sameDistance(blocks.back(), runs[i].distance))
+        blocks.push_back(runs[i].distance);
       continue;
     }
     if (i == 0 || i + 1 == runs.size()) return {};
-    const auto [low, high] = std::minmax(runs[i - 1].distance, runs[i + 1].distance);
-    if (runs[i].distance < low || runs[i].distance > high) return {};
+    if (runs[i].distance > std::max(runs[i - 1].distance, runs[i + 1].distance)) return {};
   }
   return blocks;
 }
