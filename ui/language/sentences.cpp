@@ -61,11 +61,11 @@ constexpr const char* sentences[] = {
     QT_TRANSLATE_NOOP("sentences",
                       "no settings keep %1 ms; the quickest take about %2 ms, and a smaller "
                       "picture less"),
-    QT_TRANSLATE_NOOP("sentences", "no settings keep %1; the least that can be promised is %2"),
     QT_TRANSLATE_NOOP(
         "sentences",
         "no settings keep %1; the least that can be promised is %2; a larger picture, gi.samples "
         "above 1024 or gi.lattice_scale above 2 may keep it"),
+    QT_TRANSLATE_NOOP("sentences", "no settings keep %1; the least that can be promised is %2"),
     QT_TRANSLATE_NOOP("sentences", "depth at most %1 mm"), QT_TRANSLATE_NOOP("sentences", "depth %1 mm"),
     QT_TRANSLATE_NOOP("sentences", "depth at most %1 voxels"),
     QT_TRANSLATE_NOOP("sentences", "depth %1 voxels"), QT_TRANSLATE_NOOP("sentences", "missed at most %1 %"),
