@@ -82,7 +82,8 @@ ordered_json measuredJson(const volume::Measured& measured, const volume::ErrorP
   json["parts"] = {{"quadrature", parts.quadrature},
                    {"sampling", parts.sampling},
                    {"noise", parts.noise},
-                   {"cut", parts.cut}};
+                   {"cut", parts.cut},
+                   {"slices", parts.slices}};
   return json;
 }
 

@@ -158,6 +158,9 @@ MarkReport MarkEvaluator::evaluate(const scene::Mark& mark, base::Progress& prog
     return report;
   }
   if (doubt_) report.notes.push_back("lengths are doubtful: " + *doubt_);
+  if (const auto apart = volume::widestSlicesMm(volume_->volume.warnings))
+    report.notes.push_back("slices are up to " + base::shortText(*apart, 3) +
+                           " mm apart: the error counts what may lie between them");
   measureNoise(progress);
   if (mark.kind == MarkKind::point) {
     point(mark, report, progress);

@@ -49,6 +49,7 @@ void MarkReports::setVolume(VolumePointer volume) {
   if (evaluator_) base::retire(std::move(evaluator_));
   evaluator_.reset();
   volume_ = std::move(volume);
+  anyway_ = false;
   for (app::MarkReport& report : reports_) report = pendingReport();
   if (!marks_.empty()) startTimer_.start();
 }
@@ -80,7 +81,7 @@ void MarkReports::setScene(const scene::Scene& resolved) {
 
 void MarkReports::start() {
   if (!volume_) return;
-  if (!evaluator_) evaluator_ = std::make_shared<app::MarkEvaluator>(volume_, resolved_);
+  if (!evaluator_) evaluator_ = std::make_shared<app::MarkEvaluator>(volume_, resolved_, anyway_);
   std::vector<scene::Mark> wanted;
   asked_.clear();
   for (std::size_t i = 0; i < marks_.size(); ++i) {
@@ -99,6 +100,13 @@ void MarkReports::poll() {
   for (auto& [which, report] : results) reports_[asked_[which]] = std::move(report);
   if (finished) dropJob();
   if (finished || !results.empty()) Q_EMIT changed();
+}
+
+void MarkReports::measureAnyway() {
+  const VolumePointer volume = volume_;
+  setVolume(volume);
+  anyway_ = true;
+  Q_EMIT changed();
 }
 
 void MarkReports::stop() {

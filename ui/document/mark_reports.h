@@ -22,7 +22,8 @@ class MarkReports : public QObject {
 
   void setVolume(VolumePointer volume);
   void setScene(const scene::Scene& resolved);
-  void stop();  // what is not measured yet stays so until something changes
+  void measureAnyway();  // lengths too that are doubtful, until another volume is opened
+  void stop();           // what is not measured yet stays so until something changes
 
   const std::vector<scene::Mark>& marks() const { return marks_; }
   const std::vector<app::MarkReport>& reports() const { return reports_; }  // one for each mark
@@ -41,6 +42,7 @@ class MarkReports : public QObject {
   std::vector<scene::Mark> marks_;
   std::vector<app::MarkReport> reports_;
   std::shared_ptr<app::MarkEvaluator> evaluator_;
+  bool anyway_ = false;
   std::unique_ptr<app::MarkJob> job_;
   std::vector<std::size_t> asked_;  // of the job: its marks' places in marks_
   QTimer startTimer_, pollTimer_;

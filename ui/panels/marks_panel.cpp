@@ -74,6 +74,9 @@ MarksPanel::MarksPanel(QWidget* parent)
   export_ = addButton(tr("Export…"), tr("Save the marks as a table (CSV) or for 3D Slicer (.mrk.json)"));
   import_ = addButton(tr("Import…"), tr("Open marks of 3D Slicer (.mrk.json)"));
   stop_ = addButton(tr("Stop"), tr("Stop measuring"));
+  anyway_ = addButton(tr("Measure anyway"),
+                      tr("The file does not state how large its voxels are: with 1 mm, which may be wrong"));
+  connect(anyway_, &QToolButton::clicked, this, &MarksPanel::anywayWanted);
   connect(delete_, &QToolButton::clicked, this, &MarksPanel::deleteChosen);
   connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
   connect(export_, &QToolButton::clicked, this, &MarksPanel::exportWanted);
@@ -88,6 +91,7 @@ MarksPanel::MarksPanel(QWidget* parent)
   auto* busy = new QHBoxLayout;
   busy->addWidget(measuring_, 1);
   busy->addWidget(stop_);
+  busy->addWidget(anyway_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 10, 12, 12);
   layout->setSpacing(8);
@@ -142,6 +146,9 @@ void MarksPanel::setReports(const std::vector<app::MarkReport>& reports, bool me
   reports_ = reports;
   measuring_->setVisible(measuring);
   stop_->setVisible(measuring);
+  anyway_->setVisible(std::any_of(reports.begin(), reports.end(), [](const app::MarkReport& report) {
+    return report.problem.starts_with("lengths are doubtful");
+  }));
   showMarks();
 }
 

@@ -38,6 +38,7 @@ class MarksPanel : public Panel {
   void exportWanted();
   void importWanted();
   void stopWanted();
+  void anywayWanted();  // lengths are to be measured though they are doubtful
 
  private:
   enum Column { nameColumn, valueColumn, columns };
@@ -60,7 +61,7 @@ class MarksPanel : public Panel {
   QTreeWidget* list_;
   QPlainTextEdit* details_;
   ColorButton* colour_;
-  QToolButton *delete_, *copy_, *export_, *import_, *stop_;
+  QToolButton *delete_, *copy_, *export_, *import_, *stop_, *anyway_;
 };
 
 }  // namespace isolux::ui

@@ -88,6 +88,7 @@ void MainWindow::connectMarks() {
   connect(panel, &MarksPanel::exportWanted, this, &MainWindow::chooseMarksToExport);
   connect(panel, &MarksPanel::importWanted, this, &MainWindow::chooseMarksToImport);
   connect(panel, &MarksPanel::stopWanted, marks_, &MarkReports::stop);
+  connect(panel, &MarksPanel::anywayWanted, marks_, &MarkReports::measureAnyway);
   connect(viewport_, &Viewport::toolChanged, this, [this] {
     for (QAction* action : markTools_->actions())
       action->setChecked(viewport_->tool() && action->data().toInt() == static_cast<int>(*viewport_->tool()));

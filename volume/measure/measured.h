@@ -14,7 +14,8 @@ struct ErrorParts {
   double sampling = 0.0;    // what it costs that the object is known at the voxels only (sampling_error.h)
   double noise = 0.0;       // of the voxels
   double cut = 0.0;         // at the walls of a box that cut cells of a leaning grid
-  double sum() const { return quadrature + sampling + noise + cut; }
+  double slices = 0.0;      // between slices that are far apart and were resampled
+  double sum() const { return quadrature + sampling + noise + cut + slices; }
 };
 
 }  // namespace isolux::volume

@@ -93,6 +93,10 @@ std::optional<SurfacePoint> surfacePoint(const SurfaceOf& surface, glm::dvec3 on
   point.rippleMm = std::min(most / steepness, voxelMm);
   point.roundingMm = kRootRounding * voxelMm;
   point.noiseMm = std::min(surface.noise.at(surface.isovalue) / steepness, voxelMm);
+  // A surface that runs across the slices may lie anywhere between two of them.
+  const glm::dmat3 axes = geometry.directions();
+  const glm::dvec3 across = glm::normalize(glm::cross(axes[0], axes[1]));
+  point.slicesMm = 0.5 * surface.noise.slicesMm * std::abs(glm::dot(point.normal, across));
   return point;
 }
 
@@ -121,7 +125,8 @@ std::optional<SurfacePoint> nearestPoint(const SurfaceOf& surface, glm::dvec3 wo
 }
 
 double offsetError(const SurfacePoint& point) {
-  return kPointSafety * std::abs(point.samplingMm) + kPointSigmas * point.noiseMm + point.roundingMm;
+  return kPointSafety * std::abs(point.samplingMm) + kPointSigmas * point.noiseMm + point.roundingMm +
+         point.slicesMm;
 }
 
 }  // namespace isolux::volume

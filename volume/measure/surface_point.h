@@ -24,6 +24,7 @@ struct SurfacePoint {
   double roundingMm = 0.0;
   double rippleMm = 0.0;  // the most that it may be about here
   double noiseMm = 0.0;   // standard deviation of that by noise
+  double slicesMm = 0.0;  // the most that it may be between slices that are far apart (NoiseModel::slicesMm)
 };
 
 // Which surface, and what is known of the voxels.
@@ -45,7 +46,7 @@ std::optional<SurfacePoint> surfacePoint(const SurfaceOf& surface, glm::dvec3 on
 std::optional<SurfacePoint> nearestPoint(const SurfaceOf& surface, glm::dvec3 world);
 
 // How far a point's position may be wrong along the normal, mm: what sampling costs with its factor of
-// safety, and two standard deviations of the noise.
+// safety, two standard deviations of the noise, and what lies between slices that were resampled.
 double offsetError(const SurfacePoint& point);
 
 }  // namespace isolux::volume

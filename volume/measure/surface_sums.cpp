@@ -42,6 +42,16 @@ void addNoise(const Grid& grid, const SurfaceQuestion& question, const SurfaceSu
   result.areaParts.noise = std::min(slopes * sums.perGradient2, sums.measure.area);
 }
 
+// Half the distance of slices is the most that a surface across them may be off; of surfaces that lie all
+// ways half of that. The area changes with it as a ball's of this area and volume does.
+void addSlices(const SurfaceQuestion& question, const SurfaceSums& sums, SurfaceMeasure& result) {
+  const double offMm = 0.25 * question.noise.slicesMm, area = sums.measure.area;
+  if (offMm == 0.0 || area == 0.0) return;
+  result.volumeParts.slices = offMm * area;
+  const double radiusMm = 3.0 * std::abs(sums.measure.volume) / area;
+  result.areaParts.slices = area * std::min(1.0, 2.0 * offMm / radiusMm);
+}
+
 }  // namespace
 
 SurfaceMeasure concluded(const Grid& grid, const SurfaceQuestion& question, const SurfaceSums& sums) {
@@ -65,6 +75,7 @@ SurfaceMeasure concluded(const Grid& grid, const SurfaceQuestion& question, cons
   result.volumeParts.sampling =
       kSamplingSafety * known * (std::abs(shift.volume) + kSigmas * std::sqrt(shift.volumeSquares));
   addNoise(grid, question, sums, metric, result);
+  addSlices(question, sums, result);
   result.areaMm2.error = result.areaParts.sum();
   result.volumeMm3.error = result.volumeParts.sum();
   return result;

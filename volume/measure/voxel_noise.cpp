@@ -1,5 +1,7 @@
 #include "volume/measure/voxel_noise.h"
 
+#include "volume/read/length_doubt.h"
+
 namespace isolux::volume {
 
 scene::NoiseModel voxelNoise(const PreparedVolume& volume, const scene::Scene& scene,
@@ -9,6 +11,7 @@ scene::NoiseModel voxelNoise(const PreparedVolume& volume, const scene::Scene& s
     noise.values = {0.0};
     noise.deviations = {*scene.derivatives.noise};
   }
+  noise.slicesMm = widestSlicesMm(volume.volume.warnings).value_or(0.0);
   return noise;
 }
 

@@ -8,7 +8,8 @@
 
 namespace isolux::volume {
 
-// What the scene says of it (derivatives.noise), else what is measured. Throws Error{interrupted}.
+// What the scene says of it (derivatives.noise), else what is measured; and how far apart slices are that
+// were resampled. Throws Error{interrupted}.
 scene::NoiseModel voxelNoise(const PreparedVolume& volume, const scene::Scene& scene,
                              base::Progress& progress);
 

@@ -1,6 +1,7 @@
 #include "volume/read/length_doubt.h"
 
 #include <array>
+#include <charconv>
 
 namespace isolux::volume {
 
@@ -12,9 +13,19 @@ constexpr std::array kWorstFirst{kSlicesMissing, kSlicesResampled, kSpacingAssum
 
 std::optional<std::string> lengthDoubt(std::span<const std::string> warnings) {
   for (const std::string& warning : warnings)
-    if (warning.find(kSpacingAssumed) != std::string::npos ||
-        warning.find(kSlicesResampled) != std::string::npos)
-      return warning;
+    if (warning.find(kSpacingAssumed) != std::string::npos) return warning;
+  return std::nullopt;
+}
+
+std::optional<double> widestSlicesMm(std::span<const std::string> warnings) {
+  constexpr std::string_view before = " to ";  // "uneven (1.081 to 6.999 mm): resampled linearly"
+  for (const std::string& warning : warnings) {
+    const std::size_t end = warning.find(kSlicesResampled), at = warning.rfind(before, end);
+    if (end == std::string::npos || at == std::string::npos) continue;
+    double mm = 0.0;
+    const char* const number = warning.data() + at + before.size();
+    if (std::from_chars(number, warning.data() + end, mm).ec == std::errc()) return mm;
+  }
   return std::nullopt;
 }
 

@@ -271,6 +271,29 @@ TEST(MarkEvaluator, RefusesWrongNumbersOfPointsAndDoubtfulLengths) {
   EXPECT_THAT(anyway.evaluate(mark, progress).notes[0], HasSubstr("lengths are doubtful"));
 }
 
+// Where slices lie is stated, what lies between them is not known: a number with the error that has.
+TEST(MarkEvaluator, UnevenSlicesHaveALargerErrorAndNoRefusal) {
+  Measuring even(phantom("ball", 24));
+  volume::Volume resampled = even.volume->volume;
+  resampled.warnings = {
+      "slice distances are uneven (1.081 to 7 mm): resampled linearly from 28 onto 37 slices"};
+  base::Progress progress;
+  Measuring uneven(volume::prepareVolume(resampled, progress));
+  const double radius = 0.35 * 23.0;
+  const auto errorOf = [&](Measuring& measure, glm::dvec3 a, glm::dvec3 b) {
+    const app::MarkReport report = measure(MarkKind::distance, {a, b});
+    EXPECT_EQ(report.problem, "");
+    EXPECT_FALSE(report.quantities.empty());
+    return report.quantities.empty() ? 0.0 : report.quantities[0].error.value_or(0.0);
+  };
+  const auto onSurface = [&](glm::dvec3 along) { return even.onSurface(radius * along); };
+  const glm::dvec3 top = onSurface({0, 0, 1}), bottom = onSurface({0, 0, -1}), left = onSurface({-1, 0, 0}),
+                   right = onSurface({1, 0, 0});
+  EXPECT_NEAR(errorOf(uneven, top, bottom) - errorOf(even, top, bottom), 7.0, 0.2) << "across the slices";
+  EXPECT_NEAR(errorOf(uneven, left, right), errorOf(even, left, right), 0.2) << "within one";
+  EXPECT_THAT(uneven(MarkKind::distance, {top, bottom}).notes[0], HasSubstr("slices are up to 7 mm apart"));
+}
+
 TEST(MarkEvaluator, AStopIsHeeded) {
   Measuring measure(phantom("ball", 48));
   measure.progress.requestStop();

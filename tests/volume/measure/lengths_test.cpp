@@ -287,6 +287,11 @@ TEST(LengthDoubt, NamesTheWarning) {
   EXPECT_FALSE(volume::lengthDoubt(fine));
   const std::vector<std::string> assumed{fine[0], "ElementSpacing is missing; 1 mm assumed"};
   EXPECT_EQ(volume::lengthDoubt(assumed), assumed[1]);
+  const std::vector<std::string> uneven{
+      "slice distances are uneven (1.081 to 6.999 mm): resampled linearly from 28 onto 37 slices"};
+  EXPECT_FALSE(volume::lengthDoubt(uneven)) << "where the slices lie is stated";
+  EXPECT_EQ(volume::widestSlicesMm(uneven), 6.999);
+  EXPECT_FALSE(volume::widestSlicesMm(assumed));
 }
 
 TEST(InventedData, IsNamedWorstFirst) {
