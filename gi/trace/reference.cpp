@@ -10,6 +10,7 @@
 
 #include "base/color.h"
 #include "base/error.h"
+#include "gi/trace/exposure_meter.h"
 #include "gi/trace/parallel_tasks.h"
 #include "scene/opacity.h"
 #include "volume/field/reconstruct.h"
@@ -94,8 +95,12 @@ Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
       size_(options.size),
       threads_(std::max(1, options.threads)),
       hits_(volume_, scene_, options.size, progress) {
-  const auto light = makeLightScene(scene_, volume_, std::move(tracer), std::move(environment));
+  const auto light = makeLightScene(scene_, volume_, tracer, environment);
   light_ = makePictureLight(scene_, *light, projectEnvironment(*light->environment, 1));
+  // As a picture of this scene is exposed (app/light/light_planner.cpp).
+  if (!scene_.picture.exposure && scene_.picture.metering == scene::Metering::surface && light->choice.wanted)
+    if (const auto seen = measureBrightness(scene_, volume_, tracer, environment, progress))
+      light_.automaticExposure = static_cast<float>(exposureOf(*seen));
   background_ = light_.background;
   const auto own = ownSky(*light);
   hasSky_ = !own->environment->isBlack();

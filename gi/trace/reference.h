@@ -5,9 +5,9 @@
 // the hit itself, on the side that is seen (inner sides: innerSideOf()), of the sky and of the lamps, each
 // from its own pattern of samples; the paths are traced against the surface's isovalue, or, where hits are on
 // a cubic field, against that of the trilinear isosurface through the hit. The colour is albedo * E / pi *
-// 2^picture.exposure, times look.inner_tint on inner sides; solid textures, lines and fog are not drawn. What
-// gi.mode stores does not matter, but that `vicinity` takes the sky's mean and no bounces and `shadow` no
-// bounces.
+// 2^picture.exposure, or the automatic exposure of a picture of the scene, times look.inner_tint on inner
+// sides; solid textures, lines and fog are not drawn. What gi.mode stores does not matter, but that
+// `vicinity` takes the sky's mean and no bounces and `shadow` no bounces.
 //
 // One owner thread; the work is spread over threads of its own, and the result does not depend on how many.
 #pragma once

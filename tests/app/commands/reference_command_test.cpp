@@ -101,12 +101,13 @@ TEST(ReferenceCommand, TheNumberOfThreadsDoesNotMatter) {
 
 TEST(ReferenceCommand, APngIsWhatAScreenShowsAndCarriesItsSession) {
   const fs::path folder = test::temporaryFolder();
-  ASSERT_EQ(runIsolux({"reference", "phantom:ball:24", "--size", "24x24", "--spp", "4", "--look", "gi",
-                       "--set", "gi.bounces=0", "--set", "isosurface.albedo=0.2,0.5,1", "--set",
-                       "light.environment.constant=1,1,1", "--out", "a.png"},
-                      {.folder = folder})
-                .exitCode,
-            0);
+  ASSERT_EQ(
+      runIsolux({"reference", "phantom:ball:24", "--size", "24x24", "--spp", "4", "--look", "gi", "--set",
+                 "gi.bounces=0", "--set", "isosurface.albedo=0.2,0.5,1", "--set",
+                 "light.environment.constant=1,1,1", "--set", "picture.metering=lights", "--out", "a.png"},
+                {.folder = folder})
+          .exitCode,
+      0);
   const render::ColorImage image = app::readPng(folder / "a.png");
   ASSERT_EQ(image.size, glm::ivec2(24));
   // A convex body under a sky of radiance 1 shows its albedo.
@@ -115,6 +116,24 @@ TEST(ReferenceCommand, APngIsWhatAScreenShowsAndCarriesItsSession) {
   EXPECT_NEAR(image.rgba[middle + 1], 255.0 * base::encodeSrgb(0.5), 2.0);
   EXPECT_EQ(image.rgba[middle + 2], 255);
   EXPECT_THAT(app::readSessionText(folder / "a.png"), HasSubstr("phantom:ball:24"));
+}
+
+// A yardstick of another brightness would be no yardstick: it is exposed as the picture is.
+TEST(ReferenceCommand, TakesThePicturesExposure) {
+  const fs::path folder = test::temporaryFolder();
+  const auto middle = [&](const char* metering) {
+    EXPECT_EQ(runIsolux({"reference", "phantom:ball:24", "--size", "24x24", "--spp", "4", "--look", "gi",
+                         "--set", "gi.bounces=0", "--set", "isosurface.albedo=0.05,0.05,0.05", "--set",
+                         "light.environment.constant=1,1,1", "--set",
+                         std::string("picture.metering=") + metering, "--out", "a.png"},
+                        {.folder = folder})
+                  .exitCode,
+              0);
+    return static_cast<int>(app::readPng(folder / "a.png").rgba[4 * (12 * 24 + 12)]);
+  };
+  EXPECT_NEAR(middle("lights"), 255.0 * base::encodeSrgb(0.05), 2.0)
+      << "a white surface would be nearly white";
+  EXPECT_NEAR(middle("surface"), 157, 6) << "the median of what is seen (docs/global-illumination.md)";
 }
 
 TEST(ReferenceCommand, WrongUseIsOneLine) {
