@@ -7,13 +7,14 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::array kWorstFirst{kSlicesMissing, kSlicesResampled, kSpacingAssumed};
+constexpr std::array kWorstFirst{kSlicesMissing, kSlicesResampled, kSpacingAssumed, kSliceDistanceAssumed};
 
 }  // namespace
 
 std::optional<std::string> lengthDoubt(std::span<const std::string> warnings) {
   for (const std::string& warning : warnings)
-    if (warning.find(kSpacingAssumed) != std::string::npos) return warning;
+    for (const std::string_view doubt : {kSpacingAssumed, kSliceDistanceAssumed})
+      if (warning.find(doubt) != std::string::npos) return warning;
   return std::nullopt;
 }
 

@@ -12,6 +12,7 @@ namespace isolux::volume {
 
 // Readers' warnings hold these words where it is so.
 inline constexpr std::string_view kSpacingAssumed = "1 mm assumed";
+inline constexpr std::string_view kSliceDistanceAssumed = "assumed as the distance of slices";
 inline constexpr std::string_view kSlicesResampled = "resampled linearly";
 inline constexpr std::string_view kSlicesMissing = "slices are missing in ";  // then how many places
 

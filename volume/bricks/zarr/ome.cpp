@@ -128,21 +128,6 @@ std::string safePath(const JsonField& field) {
 
 }  // namespace
 
-std::optional<double> millimetresIn(const std::string& unit) {
-  static const std::pair<const char*, double> units[] = {
-      {"picometer", 1e-9},  {"pm", 1e-9},     {"angstrom", 1e-7},   {"nanometer", 1e-6}, {"nm", 1e-6},
-      {"micrometer", 1e-3}, {"micron", 1e-3}, {"um", 1e-3},         {"\u00b5m", 1e-3},   {"\u03bcm", 1e-3},
-      {"millimeter", 1.0},  {"mm", 1.0},      {"centimeter", 10.0}, {"cm", 10.0},        {"decimeter", 100.0},
-      {"meter", 1e3},       {"m", 1e3},       {"kilometer", 1e6},   {"inch", 25.4},      {"foot", 304.8},
-      {"yard", 914.4}};
-  std::string name = lowered(unit);
-  if (name.ends_with("metre")) name.replace(name.size() - 5, 5, "meter");
-  if (name.ends_with("meters") || name == "microns") name.pop_back();
-  for (const auto& [known, mm] : units)
-    if (name == known) return mm;
-  return std::nullopt;
-}
-
 std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::string& file) {
   const bool inOme = attributes.contains("ome") && attributes["ome"].is_object();
   const JsonField root(inOme ? attributes["ome"] : attributes, file, inOme ? "ome" : "");

@@ -10,6 +10,7 @@
 
 #include "volume/bricks/chunks/array_volume.h"
 #include "volume/bricks/zarr/json_fields.h"
+#include "volume/read/input/length_unit.h"
 
 namespace isolux::volume {
 
@@ -35,8 +36,5 @@ std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::st
 // x, z before them, then channel and time. Throws base::Error{input} at `place`.
 ArrayAxes axesNamed(const std::vector<std::string>& names, const std::vector<std::uint64_t>& dims,
                     const std::string& file, const std::string& place);
-
-// mm in a unit of length by its name ("micrometer", "um"); nothing for one that is not known.
-std::optional<double> millimetresIn(const std::string& unit);
 
 }  // namespace isolux::volume
