@@ -1,14 +1,21 @@
 #include <algorithm>
-#include <optional>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
 
-#include <OpenImageIO/imageio.h>
+#include <tiffio.h>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "readers/images/images.h"
 #include "readers/limits.h"
 #include "volume/read/input/payload.h"
-#include "volume/read/input/text.h"
+#include "volume/read/length_doubt.h"
 #include "volume/read/tiff/tiff_pages.h"
+#include "volume/read/tiff/tiff_stack.h"
 
 namespace isolux::readers {
 
@@ -18,113 +25,308 @@ using base::throwInput;
 
 namespace {
 
+// Numbers of the TIFF 6.0 specification that are not libtiff's to name.
+constexpr int kUnsigned = 1, kSigned = 2, kReal = 3, kComplexReal = 6;
+
 struct PageOfFile {
   fs::path file;
   TiffPage page;
 };
 
-std::optional<VoxelType> typeOf(const OIIO::TypeDesc& format) {
-  switch (format.basetype) {
-    case OIIO::TypeDesc::INT8:
-      return VoxelType::int8;
-    case OIIO::TypeDesc::UINT8:
-      return VoxelType::uint8;
-    case OIIO::TypeDesc::INT16:
-      return VoxelType::int16;
-    case OIIO::TypeDesc::UINT16:
-      return VoxelType::uint16;
-    case OIIO::TypeDesc::INT32:
-      return VoxelType::int32;
-    case OIIO::TypeDesc::UINT32:
-      return VoxelType::uint32;
-    case OIIO::TypeDesc::HALF:
-    case OIIO::TypeDesc::FLOAT:
-      return VoxelType::float32;
-    case OIIO::TypeDesc::DOUBLE:
-      return VoxelType::float64;
-    default:
-      return std::nullopt;
+// How the samples of a page are stored, and as what they are read.
+struct Samples {
+  VoxelType type = VoxelType::uint8;
+  int bits = 8;            // of a stored number
+  std::int64_t count = 1;  // of a pixel; a complex number is two
+};
+
+Samples samplesOf(const PageOfFile& from) {
+  const TiffPage& page = from.page;
+  const auto bits = static_cast<int>(page.bits);
+  const bool isReal = page.sampleFormat == kReal;
+  if (page.sampleFormat == kComplexReal && (bits == 64 || bits == 128))
+    return {bits == 64 ? VoxelType::float32 : VoxelType::float64, bits / 2, page.samples * 2};
+  if (isReal && (bits == 16 || bits == 32)) return {VoxelType::float32, bits, page.samples};
+  if (isReal && bits == 64) return {VoxelType::float64, bits, page.samples};
+  const bool isSigned = page.sampleFormat == kSigned;
+  if (bits > 64 || isReal || page.sampleFormat < kUnsigned || page.sampleFormat > 4)
+    throwInput(from.file.string(), "page " + std::to_string(page.index + 1),
+               "numbers of " + std::to_string(bits) + " bits in SampleFormat " +
+                   std::to_string(page.sampleFormat) + " are not supported");
+  const int width = bits <= 8 ? 0 : bits <= 16 ? 1 : bits <= 32 ? 2 : 3;
+  constexpr VoxelType types[][2] = {{VoxelType::uint8, VoxelType::int8},
+                                    {VoxelType::uint16, VoxelType::int16},
+                                    {VoxelType::uint32, VoxelType::int32},
+                                    {VoxelType::uint64, VoxelType::int64}};
+  return {types[width][isSigned], bits, page.samples};
+}
+
+float realOfHalf(std::uint16_t half) {
+  const int exponent = half >> 10 & 31, fraction = half & 1023;
+  const float size = exponent == 31  ? (fraction ? std::numeric_limits<float>::quiet_NaN()
+                                                 : std::numeric_limits<float>::infinity())
+                     : exponent == 0 ? std::ldexp(static_cast<float>(fraction), -24)
+                                     : std::ldexp(static_cast<float>(fraction + 1024), exponent - 25);
+  return half >> 15 ? -size : size;
+}
+
+// Number `index` of a row of numbers of `bits` bits, of which the highest bit comes first; the sign is kept.
+std::uint64_t packedNumber(const std::byte* row, std::int64_t index, int bits, bool isSigned) {
+  std::uint64_t value = 0;
+  std::uint64_t at = static_cast<std::uint64_t>(index) * static_cast<std::uint64_t>(bits);
+  for (int left = bits; left > 0;) {
+    const int offset = static_cast<int>(at % 8), some = std::min(left, 8 - offset);
+    const unsigned byte = std::to_integer<unsigned>(row[at / 8]);
+    value = value << some | (byte >> (8 - offset - some) & ((1u << some) - 1));
+    at += static_cast<unsigned>(some);
+    left -= some;
+  }
+  const bool negative = isSigned && bits < 64 && (value >> (bits - 1) & 1) != 0;
+  return negative ? value | ~std::uint64_t{0} << bits : value;
+}
+
+// Moves `count` stored numbers of a row, from number `first` on, to every `stride`-th place of `out`.
+void unpack(const std::byte* row, std::int64_t first, std::int64_t count, const Samples& samples,
+            std::byte* out, std::int64_t stride) {
+  const std::size_t width = bytesOf(samples.type);
+  const bool whole = static_cast<std::size_t>(samples.bits) == width * 8;
+  if (whole && stride == 1) {
+    std::memcpy(out, row + static_cast<std::size_t>(first) * width, static_cast<std::size_t>(count) * width);
+    return;
+  }
+  const bool isSigned = samples.type == VoxelType::int8 || samples.type == VoxelType::int16 ||
+                        samples.type == VoxelType::int32 || samples.type == VoxelType::int64;
+  const std::size_t step = static_cast<std::size_t>(stride) * width;
+  for (std::int64_t i = first; i < first + count; ++i, out += step) {
+    if (whole) {
+      std::memcpy(out, row + static_cast<std::size_t>(i) * width, width);
+    } else if (samples.type == VoxelType::float32) {
+      std::uint16_t half;
+      std::memcpy(&half, row + i * 2, 2);
+      const float value = realOfHalf(half);
+      std::memcpy(out, &value, width);
+    } else if (samples.bits == 24) {  // libtiff turns these into the machine's byte order
+      std::int32_t value = 0;
+      std::memcpy(&value, row + i * 3, 3);
+      if (isSigned) value = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) << 8) >> 8;
+      std::memcpy(out, &value, width);
+    } else {
+      const std::uint64_t value = packedNumber(row, i, samples.bits, isSigned);
+      std::memcpy(out, &value, width);
+    }
   }
 }
 
-// One open file at a time.
+// What libtiff says last; this process reads one file at a time.
+std::string& complaint() {
+  static std::string text;
+  return text;
+}
+void keepComplaint(const char* /*module*/, const char* format, va_list values) {
+  char text[400];
+  std::vsnprintf(text, sizeof text, format, values);
+  complaint() = text;
+  std::replace(complaint().begin(), complaint().end(), '\n', ' ');
+}
+
+// Pixels as stored: no palette, no sense of white, no stretching to full bytes. One open file at a time.
 class PageReader {
  public:
-  // Pixel values as stored: no palette, no premultiplied alpha.
-  const OIIO::ImageSpec& open(const PageOfFile& page) {
-    if (!input_ || file_ != page.file) {
-      OIIO::ImageSpec config;
-      config["oiio:RawColor"] = 1;
-      config["oiio:UnassociatedAlpha"] = 1;
-      file_ = page.file;
-      input_ = OIIO::ImageInput::open(file_.string(), &config);
-      if (!input_) throwInput(file_.string(), place(page), reason(OIIO::geterror()));
-    }
-    if (!input_->seek_subimage(page.page.index, 0))
-      throwInput(file_.string(), place(page), reason(input_->geterror()));
-    return input_->spec();
+  explicit PageReader(std::vector<std::string>& warnings) : warnings_(warnings) {
+    TIFFSetErrorHandler(keepComplaint);
+    TIFFSetWarningHandler(nullptr);
   }
 
-  void read(const PageOfFile& page, VoxelType type, std::int64_t samples, std::span<std::byte> out,
+  // All samples of a page's pixels, interleaved.
+  void read(const PageOfFile& from, const Samples& samples, std::span<std::byte> out,
             base::Progress& progress) {
-    const OIIO::ImageSpec& spec = open(page);
-    if (spec.width != page.page.width || spec.height != page.page.height || spec.depth > 1 ||
-        spec.nchannels != samples || typeOf(spec.format) != type)
-      throwInput(file_.string(), place(page), "differs in size or type from the first page");
-    const OIIO::TypeDesc format =
-        spec.format.basetype == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : spec.format;
-    // Row by row, or tile by tile: OpenImageIO 2.4 shows zeros for damaged pixels when asked for a whole
-    // image.
-    const auto pixelBytes = static_cast<OIIO::stride_t>(format.size()) * spec.nchannels;
-    const auto rowBytes = pixelBytes * spec.width;
-    const auto failed = [&] { throwInput(file_.string(), place(page), reason(input_->geterror())); };
-    if (spec.tile_width == 0) {
-      for (int y = 0; y < spec.height; ++y) {
-        progress.throwIfStopped();
-        if (!input_->read_scanline(spec.y + y, 0, format, out.data() + y * rowBytes)) failed();
-      }
-      return;
-    }
-    for (int y = 0; y < spec.height; y += spec.tile_height)
-      for (int x = 0; x < spec.width; x += spec.tile_width) {
-        progress.throwIfStopped();
-        const int right = std::min(x + spec.tile_width, spec.width);
-        const int bottom = std::min(y + spec.tile_height, spec.height);
-        if (!input_->read_tiles(page.page.index, 0, spec.x + x, spec.x + right, spec.y + y, spec.y + bottom,
-                                0, 1, 0, spec.nchannels, format, out.data() + y * rowBytes + x * pixelBytes,
-                                pixelBytes, rowBytes))
-          failed();
-      }
+    complaint().clear();
+    open(from);
+    complaint().clear();
+    TIFFSetWarningHandler(keepComplaint);  // of damaged pixels that libtiff goes on with
+    TIFFIsTiled(tiff_.get()) ? readTiles(from, samples, out, progress)
+                             : readStrips(from, samples, out, progress);
+    TIFFSetWarningHandler(nullptr);
+    if (!complaint().empty() && warnings_.size() < 100) warnings_.push_back(place(from) + ": " + complaint());
   }
 
  private:
-  static std::string place(const PageOfFile& page) { return "page " + std::to_string(page.page.index + 1); }
-  static std::string reason(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "cannot be read" : text;
+  static std::string place(const PageOfFile& from) { return "page " + std::to_string(from.page.index + 1); }
+
+  [[noreturn]] static void fail(const PageOfFile& from) {
+    throwInput(from.file.string(), place(from), complaint().empty() ? "cannot be read" : complaint());
   }
 
-  fs::path file_;
-  std::unique_ptr<OIIO::ImageInput> input_;
-};
+  void open(const PageOfFile& from) {
+    if (!tiff_ || file_ != from.file) {
+      file_ = from.file;
+      tiff_.reset(TIFFOpen(file_.c_str(), "rm"));  // m: no memory map, which a file cut meanwhile would end
+      if (!tiff_) fail(from);
+    }
+    if (!TIFFSetSubDirectory(tiff_.get(), from.page.directory)) fail(from);
+    std::uint32_t width = 0, height = 0;
+    std::uint16_t bits = 1, samples = 1, compression = 1, photometric = 0, planes = 1;
+    TIFFGetField(tiff_.get(), TIFFTAG_IMAGEWIDTH, &width);
+    TIFFGetField(tiff_.get(), TIFFTAG_IMAGELENGTH, &height);
+    TIFFGetFieldDefaulted(tiff_.get(), TIFFTAG_BITSPERSAMPLE, &bits);
+    TIFFGetFieldDefaulted(tiff_.get(), TIFFTAG_SAMPLESPERPIXEL, &samples);
+    TIFFGetFieldDefaulted(tiff_.get(), TIFFTAG_COMPRESSION, &compression);
+    TIFFGetFieldDefaulted(tiff_.get(), TIFFTAG_PLANARCONFIG, &planes);
+    TIFFGetField(tiff_.get(), TIFFTAG_PHOTOMETRIC, &photometric);
+    if (width != from.page.width || height != from.page.height || bits != from.page.bits ||
+        samples != from.page.samples)
+      throwInput(file_.string(), place(from), "its directory contradicts itself");
+    if (!TIFFIsCODECConfigured(compression))
+      throwInput(file_.string(), place(from),
+                 "the compression " + std::to_string(compression) + " is not supported");
+    const bool jpeg = compression == COMPRESSION_JPEG;
+    if (jpeg && photometric == PHOTOMETRIC_YCBCR)
+      TIFFSetField(tiff_.get(), TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);
+    inPlanes_ = planes == PLANARCONFIG_SEPARATE && samples > 1;
+  }
 
-// Pages that agree with the first one; the others are left out.
-std::vector<PageOfFile> pagesOf(const std::vector<fs::path>& files, base::Progress& progress,
-                                std::vector<std::string>& warnings) {
-  std::vector<PageOfFile> pages;
-  std::size_t others = 0;
-  for (const fs::path& file : files) {
-    progress.throwIfStopped();
-    for (const TiffPage& page : tiffPages(FileBytes(file), progress)) {
-      if (pages.empty() || page.sameLayoutAs(pages.front().page))
-        pages.push_back({file, page});
-      else
-        ++others;
+  // The numbers that a strip or tile keeps of one pixel, and the place of the first in the pixel.
+  std::int64_t numbersOf(const Samples& samples, const PageOfFile& from) const {
+    return inPlanes_ ? samples.count / from.page.samples : samples.count;
+  }
+
+  // One row, or the part of it that a tile has.
+  void unpackRow(const std::byte* row, std::int64_t pixels, const Samples& samples, const PageOfFile& from,
+                 std::uint16_t plane, std::byte* out) const {
+    const std::int64_t numbers = numbersOf(samples, from);
+    if (!inPlanes_) return unpack(row, 0, pixels * numbers, samples, out, 1);
+    const std::size_t width = bytesOf(samples.type);
+    for (std::int64_t part = 0; part < numbers; ++part) {
+      std::byte* const at = out + static_cast<std::size_t>(plane * numbers + part) * width;
+      if (numbers == 1)
+        unpack(row, 0, pixels, samples, at, samples.count);
+      else  // complex: its two numbers lie side by side
+        for (std::int64_t x = 0; x < pixels; ++x)
+          unpack(row, x * numbers + part, 1, samples,
+                 at + static_cast<std::size_t>(x * samples.count) * width, 1);
     }
   }
-  if (others > 0)
-    warnings.push_back(std::to_string(others) +
-                       " pages differ in size or type from the first and are left out");
+
+  void readStrips(const PageOfFile& from, const Samples& samples, std::span<std::byte> out,
+                  base::Progress& progress) {
+    TIFF* const tiff = tiff_.get();
+    std::uint32_t rowsPerStrip = 0;
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_ROWSPERSTRIP, &rowsPerStrip);
+    const auto height = static_cast<std::uint32_t>(from.page.height);
+    rowsPerStrip = std::clamp<std::uint32_t>(rowsPerStrip, 1, height);
+    const std::size_t rowBytes = out.size() / height;
+    const auto storedRow = static_cast<std::size_t>(TIFFScanlineSize64(tiff));
+    buffer_.resize(static_cast<std::size_t>(TIFFStripSize64(tiff)));
+    checkRow(storedRow, from.page.width, samples, from);
+    for (std::uint16_t plane = 0; plane < (inPlanes_ ? from.page.samples : 1); ++plane)
+      for (std::uint32_t y = 0; y < height; y += rowsPerStrip) {
+        progress.throwIfStopped();
+        const std::uint32_t rows = std::min(rowsPerStrip, height - y);
+        const auto wanted = static_cast<tmsize_t>(storedRow * rows);
+        if (TIFFReadEncodedStrip(tiff, TIFFComputeStrip(tiff, y, plane), buffer_.data(), wanted) != wanted)
+          fail(from);
+        for (std::uint32_t row = 0; row < rows; ++row)
+          unpackRow(buffer_.data() + storedRow * row, from.page.width, samples, from, plane,
+                    out.data() + rowBytes * (y + row));
+      }
+  }
+
+  void readTiles(const PageOfFile& from, const Samples& samples, std::span<std::byte> out,
+                 base::Progress& progress) {
+    TIFF* const tiff = tiff_.get();
+    std::uint32_t tileWidth = 0, tileHeight = 0;
+    TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &tileWidth);
+    TIFFGetField(tiff, TIFFTAG_TILELENGTH, &tileHeight);
+    if (tileWidth < 1 || tileHeight < 1 || tileWidth > 65536 || tileHeight > 65536)
+      throwInput(file_.string(), place(from), "has tiles of an absurd size");
+    const auto width = static_cast<std::uint32_t>(from.page.width);
+    const auto height = static_cast<std::uint32_t>(from.page.height);
+    const std::size_t rowBytes = out.size() / height, pixelBytes = rowBytes / width;
+    const auto storedRow = static_cast<std::size_t>(TIFFTileRowSize64(tiff));
+    checkRow(storedRow, tileWidth, samples, from);
+    const std::uint64_t tileBytes = TIFFTileSize64(tiff);
+    if (tileBytes / 4 > out.size() + (std::size_t{64} << 20))
+      throwInput(file_.string(), place(from), "has tiles that are larger than the page");
+    buffer_.resize(static_cast<std::size_t>(tileBytes));
+    for (std::uint16_t plane = 0; plane < (inPlanes_ ? from.page.samples : 1); ++plane)
+      for (std::uint32_t y = 0; y < height; y += tileHeight)
+        for (std::uint32_t x = 0; x < width; x += tileWidth) {
+          progress.throwIfStopped();
+          const auto wanted = static_cast<tmsize_t>(tileBytes);
+          if (TIFFReadEncodedTile(tiff, TIFFComputeTile(tiff, x, y, 0, plane), buffer_.data(), wanted) !=
+              wanted)
+            fail(from);
+          for (std::uint32_t row = 0; row < std::min(tileHeight, height - y); ++row)
+            unpackRow(buffer_.data() + storedRow * row, std::min(tileWidth, width - x), samples, from, plane,
+                      out.data() + rowBytes * (y + row) + pixelBytes * x);
+        }
+  }
+
+  // A row as libtiff decodes it holds the numbers that are taken from it.
+  void checkRow(std::size_t storedRow, std::int64_t pixels, const Samples& samples,
+                const PageOfFile& from) const {
+    const std::int64_t bits = pixels * numbersOf(samples, from) * samples.bits;
+    if (static_cast<std::int64_t>(storedRow) < (bits + 7) / 8)
+      throwInput(file_.string(), place(from), "its rows are shorter than its pixels");
+  }
+
+  struct Close {
+    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+  };
+  std::vector<std::string>& warnings_;
+  fs::path file_;
+  std::unique_ptr<TIFF, Close> tiff_;
+  std::vector<std::byte> buffer_;
+  bool inPlanes_ = false;  // each sample has strips of its own
+};
+
+// Planes of which the file describes the first only, in the machine's byte order.
+void readRawPlane(const Bytes& bytes, const TiffPage& page, std::size_t plane, bool bigEndian,
+                  const Samples& samples, std::span<std::byte> out) {
+  std::vector<std::byte> raw(static_cast<std::size_t>(page.rawBytes()));
+  bytes.read(page.pixels + plane * raw.size(), raw);
+  const auto width = static_cast<std::size_t>(samples.bits / 8);
+  if (bigEndian && width > 1)
+    for (std::size_t i = 0; i + width <= raw.size(); i += width)
+      std::reverse(raw.begin() + static_cast<std::ptrdiff_t>(i),
+                   raw.begin() + static_cast<std::ptrdiff_t>(i + width));
+  const auto numbers = static_cast<std::int64_t>(out.size() / bytesOf(samples.type));
+  unpack(raw.data(), 0, numbers, samples, out.data(), 1);
+}
+
+struct Pages {
+  std::vector<PageOfFile> all;  // of one layout
+  TiffFile first;               // the first file, with those of its pages that are among them
+};
+
+// Pages of the layout that most have, of these the first; the others are left out.
+Pages pagesOf(const std::vector<fs::path>& files, base::Progress& progress,
+              std::vector<std::string>& warnings) {
+  Pages pages;
+  std::vector<std::pair<TiffPage, std::size_t>> layouts;
+  for (const fs::path& file : files) {
+    progress.throwIfStopped();
+    TiffFile read = tiffPages(FileBytes(file), progress);
+    for (const TiffPage& page : read.pages) {
+      pages.all.push_back({file, page});
+      const auto known = std::find_if(layouts.begin(), layouts.end(),
+                                      [&](const auto& layout) { return page.sameLayoutAs(layout.first); });
+      if (known == layouts.end() && layouts.size() < 1000)
+        layouts.emplace_back(page, 1);
+      else if (known != layouts.end())
+        ++known->second;
+    }
+    if (file == files.front()) pages.first = std::move(read);
+  }
+  const TiffPage kept = std::max_element(layouts.begin(), layouts.end(), [](const auto& a, const auto& b) {
+                          return a.second < b.second;
+                        })->first;
+  const std::size_t before = pages.all.size();
+  std::erase_if(pages.all, [&](const PageOfFile& page) { return !page.page.sameLayoutAs(kept); });
+  std::erase_if(pages.first.pages, [&](const TiffPage& page) { return !page.sameLayoutAs(kept); });
+  if (const std::size_t others = before - pages.all.size(); others > 0)
+    warnings.push_back(std::to_string(others) + " of " + std::to_string(before) +
+                       " pages differ in size or type from the others and are left out");
   return pages;
 }
 
@@ -132,6 +334,41 @@ std::uint64_t bytesOfAll(const std::vector<fs::path>& files) {
   std::uint64_t bytes = 0;
   for (const fs::path& file : files) bytes += FileBytes(file).size();
   return bytes;
+}
+
+// Of a folder the first file speaks for all; what it says of its own pages cannot be said of those of others.
+TiffStack stackOf(const Pages& pages, const std::vector<fs::path>& files, const std::string& path) {
+  const std::string first = files.front().string();
+  if (pages.first.pages.empty())
+    throwInput(first, "page 1", "differs in size or type from most files of the folder");
+  TiffStack stack = tiffStackOf(pages.first, first, FileBytes(first).size());
+  if (files.size() == 1) return stack;
+  if (stack.channels * stack.frames > 1 || stack.inOnePage)
+    throwInput(path, "", "each file of the folder is a stack of channels or frames; open one of them");
+  if (stack.slices == 1 && stack.spacingMm != glm::dvec3(1.0))
+    stack.warnings.push_back(base::shortText(stack.spacingMm.z) + " mm " +
+                             std::string(kSliceDistanceAssumed));
+  stack.slices = static_cast<std::int64_t>(pages.all.size());
+  stack.planes.resize(pages.all.size());
+  for (std::size_t i = 0; i < stack.planes.size(); ++i) stack.planes[i] = i;
+  return stack;
+}
+
+// Voxels of `noData` become missing, which only real numbers can be.
+void leaveOutNoData(double noData, FileVoxels& voxels, std::vector<std::string>& warnings) {
+  std::visit(
+      [&]<typename T>(std::vector<T>& values) {
+        const auto marked = [&](T value) { return static_cast<double>(value) == noData; };
+        if (std::none_of(values.begin(), values.end(), marked)) return;
+        using Real = std::conditional_t<(sizeof(T) < 4) || std::is_same_v<T, float>, float, double>;
+        std::vector<Real> reals(values.size());
+        std::transform(values.begin(), values.end(), reals.begin(), [&](T value) {
+          return marked(value) ? std::numeric_limits<Real>::quiet_NaN() : static_cast<Real>(value);
+        });
+        warnings.push_back("voxels of the file's no-data value count as missing");
+        FileVoxels(std::move(reals)).swap(voxels);
+      },
+      voxels);
 }
 
 }  // namespace
@@ -144,37 +381,63 @@ DecodedVolume decodeTiff(const fs::path& path, const ReadOptions& options, base:
   ImageHeader header;
   header.format = "TIFF";
   allowHeaders(files.size(), bytesOfAll(files));
-  const std::vector<PageOfFile> pages = pagesOf(files, progress, header.warnings);
+  const Pages pages = pagesOf(files, progress, header.warnings);
   allowDecoding(bytesOfAll(files));
-  const TiffPage& first = pages.front().page;
-  PageReader reader;
-  const OIIO::ImageSpec spec = reader.open(pages.front());
-  const auto type = typeOf(spec.format);
-  if (!type)
-    throwInput(pages.front().file.string(), "page 1",
-               "the pixel type " + inQuotes(spec.format.c_str()) + " is not supported");
-  header.type = *type;
-  header.dims = {first.width, first.height, static_cast<std::int64_t>(pages.size())};
-  header.components = spec.nchannels;
+  const TiffStack stack = stackOf(pages, files, path.string());
+  header.warnings.insert(header.warnings.end(), stack.warnings.begin(), stack.warnings.end());
+  const TiffPage& first = pages.all.front().page;
+  const Samples samples = samplesOf(pages.all.front());
+  header.type = samples.type;
+  header.dims = {first.width, first.height, stack.slices};
+  header.components = samples.count;
+  header.slowComponents = stack.channels;
+  header.timeSteps = stack.frames;
+  header.slope = stack.slope;
+  header.intercept = stack.intercept;
+  header.unit = stack.unit;
+  header.worldFromVoxel =
+      checkedGeometry(glm::dmat3(1.0), stack.spacingMm, glm::dvec3(0.0), path.string(), header.warnings);
   checkDims(header, path.string(), "pages");
   checkChoices(header, path.string(), options);
-  ReadOptions whole = options;  // all components are decoded at once
-  whole.budgetBytes /= static_cast<std::size_t>(header.components);
+
+  // The channels that are asked for, of one time step; all samples of a page are decoded at once.
+  const bool magnitude = options.component < 0;
+  const std::int64_t firstChannel = magnitude ? 0 : options.component / samples.count;
+  ImageHeader part = header;
+  part.timeSteps = 1;
+  part.slowComponents = magnitude ? stack.channels : 1;
+  ReadOptions ofPart = options;
+  ofPart.timeStep = 0;
+  ofPart.component = magnitude ? -1 : static_cast<int>(options.component % samples.count);
+  ReadOptions whole = options;
+  whole.budgetBytes /= static_cast<std::size_t>(part.components * part.slowComponents);
   checkBudget(header, path.string(), whole);
-  header.warnings.push_back("TIFF states no distance of slices; 1 x 1 x 1 mm assumed");
 
   const std::size_t pageBytes =
-      static_cast<std::size_t>(first.width * first.height * header.components) * bytesOf(*type);
+      static_cast<std::size_t>(first.width * first.height * samples.count) * bytesOf(samples.type);
+  const std::int64_t planes = part.slowComponents * stack.slices;
   std::vector<std::byte> pixels;
-  pixels.reserve(pageBytes * pages.size());
-  for (std::size_t i = 0; i < pages.size(); ++i) {
-    pixels.resize(pageBytes * (i + 1));
-    reader.read(pages[i], *type, header.components, std::span(pixels).subspan(pageBytes * i), progress);
-    progress.report(static_cast<double>(i + 1) / static_cast<double>(pages.size()), "reading");
+  pixels.reserve(pageBytes * static_cast<std::size_t>(planes));
+  PageReader reader(header.warnings);
+  const FileBytes bytes(files.front());
+  for (std::int64_t i = 0; i < planes; ++i) {
+    const std::size_t plane =
+        stack.plane(firstChannel + i / stack.slices, i % stack.slices, options.timeStep);
+    const std::size_t at = pixels.size();
+    pixels.resize(at + pageBytes);
+    const auto out = std::span(pixels).subspan(at);
+    if (stack.inOnePage)
+      readRawPlane(bytes, first, plane, pages.first.bigEndian, samples, out);
+    else
+      reader.read(pages.all[plane], samples, out, progress);
+    progress.report(static_cast<double>(i + 1) / static_cast<double>(planes), "reading");
   }
-  FileVoxels voxels = decodePayload(header, MemoryBytes(path.string(), pixels), openBeside(path), options,
+  FileVoxels voxels = decodePayload(part, MemoryBytes(path.string(), pixels), openBeside(path), ofPart,
                                     progress, header.warnings);
   std::vector<std::byte>().swap(pixels);  // before the voxels are handed over
+  if (stack.noData && !magnitude) leaveOutNoData(*stack.noData, voxels, header.warnings);
+  header.components *= header.slowComponents;
+  header.slowComponents = 1;
   return {std::move(header), std::move(voxels), {}, {}, {}};
 }
 

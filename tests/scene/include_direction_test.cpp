@@ -48,7 +48,7 @@ bool isGlHeader(const std::string& name) {
 // Of libraries that end the program on damaged files: they belong into the readers' processes.
 bool isParserHeader(const std::string& name) {
   static const std::regex parser(
-      R"(((vtk|H5)[A-Z]?[A-Za-z0-9]*\.h)|(hdf5\.h)|((OpenImageIO|gdcm)[A-Za-z0-9.-]*/.*))");
+      R"(((vtk|H5)[A-Z]?[A-Za-z0-9]*\.h)|((hdf5|tiffio)\.h)|((OpenImageIO|gdcm)[A-Za-z0-9.-]*/.*))");
   return std::regex_match(name, parser);
 }
 

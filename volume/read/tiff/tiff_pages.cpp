@@ -15,7 +15,7 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t mostPages = 65535;
+constexpr std::size_t mostPages = std::size_t{1} << 20;
 constexpr std::uint64_t mostEntries = 4096;
 
 class Walk {
@@ -23,46 +23,103 @@ class Walk {
   Walk(const Bytes& bytes, const base::Progress& progress) : bytes_(bytes), progress_(progress) {
     const std::string head = bytes.head(16);
     if (!looksLikeTiff(head)) throwInput(bytes.name(), "byte 0", "is no TIFF header");
-    swap_ = head[0] == 'M';
+    file_.bigEndian = head[0] == 'M';
     wide_ = number(2, 2) == 43;
     if (wide_ && number(4, 2) != 8) throwInput(bytes.name(), "byte 4", "is no BigTIFF header");
   }
 
-  std::vector<TiffPage> pages() {
-    std::vector<TiffPage> pages;
+  TiffFile pages() {
     std::set<std::uint64_t> seen;
     std::uint64_t at = wide_ ? number(8, 8) : number(4, 4);
     for (int index = 0; at != 0; ++index) {
       if (!seen.insert(at).second)
         throwInput(bytes_.name(), "byte " + std::to_string(at), "the page directories run in a circle");
       if (seen.size() > mostPages)
-        throwInput(bytes_.name(), "byte " + std::to_string(at), "more than 65535 pages");
+        throwInput(bytes_.name(), "byte " + std::to_string(at),
+                   "more than " + std::to_string(mostPages) + " pages");
       TiffPage page;
       page.index = index;
-      if (readPage(at, page)) pages.push_back(page);
+      page.directory = at;
+      if (readPage(at, page)) file_.pages.push_back(page);
     }
-    if (pages.empty()) throwInput(bytes_.name(), "", "has no page");
-    return pages;
+    if (file_.pages.empty()) throwInput(bytes_.name(), "", "has no page");
+    return std::move(file_);
   }
 
  private:
+  struct Entry {
+    std::uint64_t tag = 0, type = 0, count = 0;
+    std::uint64_t at = 0;  // of its values
+  };
+
   std::uint64_t number(std::uint64_t at, std::size_t width) const {
     std::byte raw[8] = {};
-    bytes_.read(at, {raw, width});
-    if (swap_) std::reverse(raw, raw + width);
+    const bool known = at >= directoryAt_ && at - directoryAt_ < directory_.size() &&
+                       width <= directory_.size() - (at - directoryAt_);
+    if (known)
+      std::copy_n(directory_.begin() + static_cast<std::ptrdiff_t>(at - directoryAt_), width, raw);
+    else
+      bytes_.read(at, {raw, width});
+    if (file_.bigEndian) std::reverse(raw, raw + width);
     std::uint64_t value = 0;
     std::memcpy(&value, raw, 8);
     return value;
   }
 
-  // The first value of an entry: 1, 2, 4 or 8 bytes wide by its type; values that do not fit are elsewhere.
-  std::uint64_t valueOf(std::uint64_t entry) const {
-    const std::uint64_t type = number(entry + 2, 2), count = number(entry + 4, wide_ ? 8 : 4);
-    const std::size_t width = type == 1 ? 1 : type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
-    if (width == 0 || count == 0) return 0;
-    const std::uint64_t field = entry + (wide_ ? 12 : 8), room = wide_ ? 8 : 4;
-    const bool elsewhere = count > room / width;
-    return number(elsewhere ? number(field, static_cast<std::size_t>(room)) : field, width);
+  static std::size_t widthOf(std::uint64_t type) {
+    switch (type) {
+      case 1:  // byte
+      case 2:  // text
+      case 6:  // signed byte
+      case 7:  // anything
+        return 1;
+      case 3:  // short
+        return 2;
+      case 4:  // long
+        return 4;
+      case 5:   // two longs, a ratio
+      case 12:  // double
+      case 16:  // long of 8 bytes
+        return 8;
+      default:
+        return 0;
+    }
+  }
+
+  Entry entryAt(std::uint64_t at) const {
+    Entry entry{number(at, 2), number(at + 2, 2), number(at + 4, wide_ ? 8 : 4), at + (wide_ ? 12 : 8)};
+    const std::uint64_t room = wide_ ? 8 : 4;
+    const std::size_t width = widthOf(entry.type);
+    if (width > 0 && entry.count > room / width) entry.at = number(entry.at, static_cast<std::size_t>(room));
+    return entry;
+  }
+
+  // The first value of an entry of whole numbers.
+  std::int64_t valueOf(const Entry& entry) const {
+    const std::size_t width = widthOf(entry.type);
+    if (width == 0 || entry.count == 0 || entry.type == 5 || entry.type == 12) return 0;
+    return static_cast<std::int64_t>(
+        std::min<std::uint64_t>(number(entry.at, width), std::uint64_t{1} << 40));
+  }
+
+  double ratioOf(const Entry& entry) const {
+    if (entry.type != 5 || entry.count < 1) return 0.0;
+    const std::uint64_t below = number(entry.at + 4, 4);
+    return below == 0 ? 0.0 : static_cast<double>(number(entry.at, 4)) / static_cast<double>(below);
+  }
+
+  std::vector<std::byte> rawOf(const Entry& entry, std::uint64_t most) const {
+    std::vector<std::byte> raw(static_cast<std::size_t>(std::min(entry.count, most)) * widthOf(entry.type));
+    bytes_.read(entry.at, raw);
+    return raw;
+  }
+
+  std::string textOf(const Entry& entry) const {
+    constexpr std::uint64_t longest = std::uint64_t{64} << 20;
+    if (entry.type != 2 || entry.count > std::min(longest, bytes_.size())) return {};
+    const std::vector<std::byte> raw = rawOf(entry, longest);
+    std::string text(reinterpret_cast<const char*>(raw.data()), raw.size());
+    return text.substr(0, text.find('\0'));
   }
 
   // Directories and tables are looked at once each. Pages that share theirs would make the walk as long as
@@ -77,21 +134,19 @@ class Walk {
   }
 
   // The values of an entry; `place` names the page when there are too many.
-  std::vector<std::uint64_t> valuesOf(std::uint64_t entry, const std::string& place) {
-    const std::uint64_t type = number(entry + 2, 2), count = number(entry + 4, wide_ ? 8 : 4);
-    const std::size_t width = type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
-    if (width == 0 || count > bytes_.size() / width)
+  std::vector<std::uint64_t> valuesOf(const Entry& entry, const std::string& place) {
+    const std::size_t width =
+        entry.type == 3 || entry.type == 4 || entry.type == 16 ? widthOf(entry.type) : 0;
+    if (width == 0 || entry.count > bytes_.size() / width)
       throwInput(bytes_.name(), place, "truncated: its table of strips is longer than the file");
-    spend(count * width, place);
-    const std::uint64_t field = entry + (wide_ ? 12 : 8), room = wide_ ? 8 : 4;
-    const std::uint64_t at = count > room / width ? number(field, static_cast<std::size_t>(room)) : field;
-    std::vector<std::byte> raw(static_cast<std::size_t>(count) * width);
-    bytes_.read(at, raw);
+    spend(entry.count * width, place);
+    std::vector<std::byte> raw = entry.count == 1 ? std::vector<std::byte>() : rawOf(entry, entry.count);
+    if (entry.count == 1) return {number(entry.at, width)};
     std::vector<std::uint64_t> values;
-    values.reserve(static_cast<std::size_t>(count));
+    values.reserve(static_cast<std::size_t>(entry.count));
     for (std::size_t i = 0; i < raw.size(); i += width) {
       if (i % (std::size_t{1} << 20) == 0) progress_.throwIfStopped();
-      if (swap_)
+      if (file_.bigEndian)
         std::reverse(raw.begin() + static_cast<std::ptrdiff_t>(i),
                      raw.begin() + static_cast<std::ptrdiff_t>(i + width));
       std::uint64_t value = 0;
@@ -101,15 +156,69 @@ class Walk {
     return values;
   }
 
-  // Each strip or tile must lie in the file; OpenImageIO shows zeros for those that do not.
-  void checkStrips(std::uint64_t offsets, std::uint64_t counts, const std::string& place) {
-    if (offsets == 0 || counts == 0) throwInput(bytes_.name(), place, "does not say where its pixels are");
+  // Each strip or tile must lie in the file.
+  void checkStrips(const Entry& offsets, const Entry& counts, TiffPage& page, const std::string& place) {
+    if (offsets.tag == 0 || counts.tag == 0)
+      throwInput(bytes_.name(), place, "does not say where its pixels are");
     const auto at = valuesOf(offsets, place), sizes = valuesOf(counts, place);
     if (at.size() != sizes.size()) throwInput(bytes_.name(), place, "its tables of strips disagree");
-    for (std::size_t i = 0; i < at.size(); ++i)
+    if (at.empty()) throwInput(bytes_.name(), place, "does not say where its pixels are");
+    page.pixels = at.front();
+    page.contiguous = page.compression == 1 && offsets.tag == 273;
+    for (std::size_t i = 0; i < at.size(); ++i) {
       if (at[i] > bytes_.size() || sizes[i] > bytes_.size() - at[i])
         throwInput(bytes_.name(), place,
                    "truncated: strip " + std::to_string(i + 1) + " lies behind the end of the file");
+      if (i > 0 && at[i] != at[i - 1] + sizes[i - 1]) page.contiguous = false;
+    }
+  }
+
+  // Of the first page.
+  void readStatement(const Entry& entry) {
+    TiffStatements& says = file_.says;
+    static const std::pair<std::uint64_t, const char*> unread[] = {
+        {33550, "GeoTIFF"},     {33922, "GeoTIFF"},   {34264, "GeoTIFF"},
+        {33560, "Olympus SIS"}, {34361, "FluoView"},  {34680, "FEI"},
+        {34682, "FEI"},         {33628, "MetaMorph"}, {51123, "Micro-Manager"}};
+    switch (entry.tag) {
+      case 270:
+        says.description = textOf(entry);
+        break;
+      case 282:
+        says.xResolution = ratioOf(entry);
+        break;
+      case 283:
+        says.yResolution = ratioOf(entry);
+        break;
+      case 296:
+        says.resolutionUnit = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 4));
+        break;
+      case 33629:
+        says.uicPlanes = static_cast<std::int64_t>(std::min<std::uint64_t>(entry.count, mostPages));
+        break;
+      case 34412:
+        if (entry.count >= 64 && widthOf(entry.type) == 1) says.lsmInfo = rawOf(entry, 64);
+        break;
+      case 42112:
+        says.gdalMetadata = textOf(entry);
+        break;
+      case 42113:
+        says.noData = textOf(entry);
+        break;
+      default:
+        for (const auto& [tag, name] : unread)
+          if (tag == entry.tag && (says.unreadRecords.empty() || says.unreadRecords.back() != name))
+            says.unreadRecords.emplace_back(name);
+        break;
+    }
+  }
+
+  void holdDirectory(std::uint64_t at, std::uint64_t bytes) {
+    directory_.clear();
+    directoryAt_ = at;
+    std::vector<std::byte> held(static_cast<std::size_t>(bytes));
+    bytes_.read(at, held);
+    directory_ = std::move(held);
   }
 
   // Reads the directory at `at`, moves `at` to the next one; false for thumbnails and masks.
@@ -120,66 +229,90 @@ class Walk {
     if (entries > mostEntries)
       throwInput(bytes_.name(), place, "has " + std::to_string(entries) + " entries");
     spend(entries * entryBytes, place);
-    std::uint64_t entry = at + (wide_ ? 8 : 2), compression = 1, kind = 0, offsets = 0, counts = 0;
-    for (std::uint64_t i = 0; i < entries; ++i, entry += entryBytes) {
-      const std::uint64_t tag = number(entry, 2);
-      const auto value = [&] {
-        return static_cast<std::int64_t>(std::min<std::uint64_t>(valueOf(entry), std::uint64_t{1} << 40));
-      };
-      switch (tag) {
+    const std::uint64_t begin = at + (wide_ ? 8 : 2), end = begin + entries * entryBytes;
+    holdDirectory(begin, end - begin + (wide_ ? 8 : 4));
+    bool reduced = false;
+    Entry offsets, counts;
+    for (std::uint64_t from = begin; from < end; from += entryBytes) {
+      const Entry entry = entryAt(from);
+      constexpr std::int64_t reducedOrMask = 1 | 4;
+      switch (entry.tag) {
         case 254:
-          kind = valueOf(entry);
+          reduced |= (valueOf(entry) & reducedOrMask) != 0;
+          break;
+        case 255:
+          reduced |= valueOf(entry) == 2;
           break;
         case 256:
-          page.width = value();
+          page.width = valueOf(entry);
           break;
         case 257:
-          page.height = value();
+          page.height = valueOf(entry);
           break;
         case 258:
-          page.bits = value();
+          page.bits = valueOf(entry);
           break;
         case 259:
-          compression = valueOf(entry);
+          page.compression = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 65535));
+          break;
+        case 262:
+          page.photometric = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 65535));
           break;
         case 273:
         case 324:
           offsets = entry;
+          break;
+        case 274:
+          page.orientation = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 65535));
           break;
         case 279:
         case 325:
           counts = entry;
           break;
         case 277:
-          page.samples = value();
+          page.samples = valueOf(entry);
+          break;
+        case 339:
+          page.sampleFormat = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 65535));
           break;
         default:
           break;
       }
     }
-    at = number(entry, wide_ ? 8 : 4);
-    constexpr std::uint64_t reducedOrMask = 1 | 4;
-    if (kind & reducedOrMask) return false;
+    const std::uint64_t next = number(end, wide_ ? 8 : 4);
+    if (!reduced) checkPage(page, offsets, counts, place);
+    if (!reduced && file_.pages.empty())
+      for (std::uint64_t entry = begin; entry < end; entry += entryBytes) readStatement(entryAt(entry));
+    at = next;
+    return !reduced;
+  }
+
+  void checkPage(TiffPage& page, const Entry& offsets, const Entry& counts, const std::string& place) {
     if (page.width < 1 || page.height < 1 || page.width > 65535 || page.height > 65535)
       throwInput(bytes_.name(), place,
                  "has " + std::to_string(page.width) + " x " + std::to_string(page.height) +
                      " pixels; 1 to 65535 are read along each axis");
-    if (page.samples < 1 || page.samples > 1000 || page.bits < 1 || page.bits > 64)
+    if (page.samples < 1 || page.samples > 1000 || page.bits < 1 || page.bits > 128)
       throwInput(
           bytes_.name(), place,
           "has pixels of " + std::to_string(page.samples) + " x " + std::to_string(page.bits) + " bits");
-    const auto claim = static_cast<std::uint64_t>(page.width * page.height * page.samples * page.bits) / 8;
-    if (claim / bestRatio(compression) > bytes_.size())
+    constexpr int jpeg = 7, yCbCr = 6, logL = 32844, logLuv = 32845;
+    if (page.photometric == logL || page.photometric == logLuv ||
+        (page.photometric == yCbCr && page.compression != jpeg))
+      throwInput(bytes_.name(), place,
+                 page.photometric == yCbCr ? "has YCbCr pixels, which are read from JPEG only"
+                                           : "has LogLuv pixels, which are not read");
+    const std::uint64_t claim = page.rawBytes();
+    if (claim / bestRatio(static_cast<std::uint64_t>(page.compression)) > bytes_.size())
       throwInput(bytes_.name(), place,
                  "truncated: " + std::to_string(claim) + " bytes are announced, the file has " +
                      std::to_string(bytes_.size()));
-    checkStrips(offsets, counts, place);
-    total_ += compression == 1 ? claim : 0;
+    checkStrips(offsets, counts, page, place);
+    total_ += page.compression == 1 ? claim : 0;
     if (total_ > bytes_.size())
       throwInput(bytes_.name(), place,
                  "truncated: the pages announce more than the " + std::to_string(bytes_.size()) +
                      " bytes of the file");
-    return true;
   }
 
   static std::uint64_t bestRatio(std::uint64_t compression) {
@@ -200,8 +333,11 @@ class Walk {
 
   const Bytes& bytes_;
   const base::Progress& progress_;
-  bool swap_ = false, wide_ = false;
+  TiffFile file_;
+  bool wide_ = false;
   std::uint64_t total_ = 0, spent_ = 0;
+  std::vector<std::byte> directory_;  // that is being read
+  std::uint64_t directoryAt_ = 0;
 };
 
 }  // namespace
@@ -213,7 +349,7 @@ bool looksLikeTiff(std::string_view head) {
   return mark == "II*\0"sv || mark == "MM\0*"sv || mark == "II+\0"sv || mark == "MM\0+"sv;
 }
 
-std::vector<TiffPage> tiffPages(const Bytes& bytes, const base::Progress& progress) {
+TiffFile tiffPages(const Bytes& bytes, const base::Progress& progress) {
   return Walk(bytes, progress).pages();
 }
 
