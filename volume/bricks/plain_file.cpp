@@ -46,7 +46,7 @@ std::optional<PlainHeader> plainHeaderOf(const fs::path& path, const ReadOptions
       result.header = parseNrrdHeader(bytes.head(kLongestPlainHeader), bytes.name());
       break;
     case FileFormat::metaImage:
-      result.header = parseMetaImageHeader(bytes.head(kLongestPlainHeader), bytes.name());
+      result.header = parseMetaImageHeader(bytes.head(kLongestMetaImageHeader), bytes.name());
       break;
     case FileFormat::nifti: {
       NiftiFiles files = openNifti(path);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "volume/read/input/length_unit.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
 #include "volume/read/length_doubt.h"
@@ -15,7 +16,6 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t longestHeader = std::size_t{1} << 20;
 constexpr std::size_t mostFiles = 65535;
 
 struct Field {
@@ -38,8 +38,11 @@ class Fields {
       const Field field{trimmed(content.substr(0, equals)), trimmed(content.substr(equals + 1)),
                         lines.number()};
       const std::string key = lowered(field.key);
-      if (!fields_.emplace(key, field).second) throwInput(file_, field.place(), "is given twice");
-      if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 keys");
+      if (key.starts_with("seq_frame")) {  // several of each frame of a tracked sequence
+        isSequence_ = true;
+        continue;
+      }
+      add(key, field);
       if (key == "elementdatafile") {  // by definition the last key
         end_ = lines.offset();
         return;
@@ -49,6 +52,8 @@ class Fields {
   }
 
   std::size_t end() const { return end_; }
+  bool isSequence() const { return isSequence_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
   const Field* find(std::initializer_list<std::string_view> keys) const {
     for (std::string_view key : keys)
       if (const auto it = fields_.find(std::string(key)); it != fields_.end()) return &it->second;
@@ -64,14 +69,27 @@ class Fields {
     if (!value) throwInput(file_, field.place(), inQuotes(field.value) + " is not a whole number");
     return *value;
   }
+  // At least so many: 2D images often have the numbers of three axes.
   std::vector<double> reals(const Field& field, std::size_t count) const {
     const auto values = realsOf(field.value);
     if (!values) throwInput(file_, field.place(), inQuotes(field.value) + " is not a list of numbers");
-    if (values->size() != count)
+    if (values->size() < count || (values->size() > count && values->size() > 3))
       throwInput(
           file_, field.place(),
           std::to_string(count) + " numbers are needed, " + std::to_string(values->size()) + " are given");
     return *values;
+  }
+  // A square matrix of at least so many rows; its rows.
+  std::size_t matrix(const Field& field, std::size_t axes, std::vector<double>& values) const {
+    const auto numbers = realsOf(field.value);
+    if (!numbers) throwInput(file_, field.place(), inQuotes(field.value) + " is not a list of numbers");
+    const std::size_t rows = axes == 2 && numbers->size() == 9 ? 3 : axes;
+    if (numbers->size() != rows * rows)
+      throwInput(file_, field.place(),
+                 std::to_string(axes * axes) + " numbers are needed, " + std::to_string(numbers->size()) +
+                     " are given");
+    values = *numbers;
+    return rows;
   }
   bool flag(const Field* field, bool otherwise) const {
     if (!field) return otherwise;
@@ -83,9 +101,20 @@ class Fields {
   }
 
  private:
+  void add(const std::string& key, const Field& field) {
+    const auto [known, isNew] = fields_.emplace(key, field);
+    if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 keys");
+    if (isNew || key == "comment") return;
+    if (known->second.value != field.value)
+      throwInput(file_, field.place(), "is given twice, with different values");
+    warnings_.push_back(field.place() + ": is given twice");
+  }
+
   std::string file_;
   std::map<std::string, Field, std::less<>> fields_;
+  std::vector<std::string> warnings_;
   std::size_t end_ = 0;
+  bool isSequence_ = false;
 };
 
 std::optional<VoxelType> metaImageType(std::string_view name) {
@@ -127,30 +156,76 @@ scene::WorldAxes axesOf(const Field& orientation, const glm::dmat3& directions,
   return scene::WorldAxes::zUp;
 }
 
+// Three names for one thing, of which the first counts; `what`: their common name.
+const Field* oneOf(const Fields& fields, std::initializer_list<std::string_view> keys, const char* what,
+                   std::vector<std::string>& warnings) {
+  const Field* const first = fields.find(keys);
+  for (std::string_view key : keys)
+    if (const Field* other = fields.find({key});
+        first && other && realsOf(other->value) != realsOf(first->value))
+      warnings.push_back(std::string(first->key) + " and " + std::string(other->key) + " state different " +
+                         what + "; " + std::string(first->key) + " is taken");
+  return first;
+}
+
 void readGeometry(const Fields& fields, std::size_t axes, const std::string& file, ImageHeader& header) {
-  const std::size_t spatial = std::min<std::size_t>(axes, 3);
   glm::dvec3 spacing(1.0), origin(0.0);
   glm::dmat3 directions(1.0);
-  const Field* spacingField = fields.find({"elementspacing", "elementsize"});
-  if (spacingField) {
-    const auto values = fields.reals(*spacingField, axes);
-    for (std::size_t a = 0; a < spatial; ++a) spacing[static_cast<int>(a)] = values[a];
-  } else {
+  double mm = 1.0;
+  const Field* const unit = fields.find({"distanceunits"});
+  if (unit && unit->value != "?" && !unit->value.empty())
+    mm = millimetresOr1(unit->value, unit->key, header.warnings);
+  const auto firstOf = [&](const Field& field, glm::dvec3& numbers) {
+    const auto values = fields.reals(field, axes);
+    for (std::size_t a = 0; a < std::min<std::size_t>(values.size(), 3); ++a)
+      numbers[static_cast<int>(a)] = values[a] * mm;
+  };
+  if (const Field* field = fields.find({"elementspacing", "elementsize"}))
+    firstOf(*field, spacing);
+  else
     header.warnings.push_back("ElementSpacing is missing; " + std::string(kSpacingAssumed));
-  }
-  if (const Field* field = fields.find({"offset", "position", "origin"})) {
-    const auto values = fields.reals(*field, axes);
-    for (std::size_t a = 0; a < spatial; ++a) origin[static_cast<int>(a)] = values[a];
-  }
-  if (const Field* field = fields.find({"transformmatrix", "orientation", "rotation"})) {
-    const auto values = fields.reals(*field, axes * axes);
-    for (std::size_t axis = 0; axis < spatial; ++axis)
-      for (std::size_t i = 0; i < spatial; ++i)
-        directions[static_cast<int>(axis)][static_cast<int>(i)] = values[axis * axes + i];
+  if (const Field* field = oneOf(fields, {"offset", "position", "origin"}, "origins", header.warnings))
+    firstOf(*field, origin);
+  if (const Field* field =
+          oneOf(fields, {"transformmatrix", "orientation", "rotation"}, "directions", header.warnings)) {
+    std::vector<double> values;
+    const std::size_t rows = fields.matrix(*field, axes, values);
+    const std::size_t used = std::min<std::size_t>(rows, 3);
+    for (std::size_t axis = 0; axis < used; ++axis)
+      for (std::size_t i = 0; i < used; ++i)
+        directions[static_cast<int>(axis)][static_cast<int>(i)] = values[axis * rows + i];
   }
   header.worldFromVoxel = checkedGeometry(directions, spacing, origin, file, header.warnings);
   if (const Field* field = fields.find({"anatomicalorientation"}))
     header.axes = axesOf(*field, directions, header.warnings);
+}
+
+// "Kinds = domain domain list": the frames of a sequence are no slices. Tracked ultrasound says so, or gives
+// each frame keys of its own.
+void readKinds(const Fields& fields, std::size_t axes, const std::string& file, ImageHeader& header) {
+  const Field* const field = fields.find({"kinds"});
+  const auto kinds = field ? wordsOf(field->value) : std::vector<std::string_view>();
+  const auto isFrames = [&](std::size_t axis) {
+    return axis < kinds.size() && !sameIgnoringCase(kinds[axis], "domain") &&
+           !sameIgnoringCase(kinds[axis], "space");
+  };
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (isFrames(axis))
+      throwInput(file, field->place(), "an axis before the third is no domain; not supported");
+  if (axes != 3 || !(isFrames(2) || (kinds.empty() && fields.isSequence()))) return;
+  header.timeSteps = header.dims[2];
+  header.dims[2] = 1;
+  header.warnings.push_back(
+      "the frames of this sequence are time steps, each of one slice; where the probe "
+      "was is not read");
+}
+
+// value = slope * stored + offset, as MetaIO's ElementToIntensityFunction has it.
+void readScaling(const Fields& fields, ImageHeader& header) {
+  if (const Field* slope = fields.find({"elementtointensityfunctionslope"}))
+    header.slope = fields.reals(*slope, 1)[0];
+  if (const Field* offset = fields.find({"elementtointensityfunctionoffset"}))
+    header.intercept = fields.reals(*offset, 1)[0];
 }
 
 // "slice%03d.raw": the name with one number put in. Nothing but one %d, %i or %u with digits is accepted.
@@ -222,9 +297,10 @@ bool looksLikeMetaImage(std::string_view text) {
 }
 
 ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file) {
-  const Fields fields(text.substr(0, longestHeader), file);
+  const Fields fields(text.substr(0, kLongestMetaImageHeader), file);
   ImageHeader header;
   header.format = "MetaImage";
+  header.warnings = fields.warnings();
   if (const Field* type = fields.find({"objecttype"}); type && !sameIgnoringCase(type->value, "image"))
     throwInput(file, type->place(), inQuotes(type->value) + " is not an image");
 
@@ -249,8 +325,10 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
     header.components = fields.integer(*channels);
     if (header.components < 1) throwInput(file, channels->place(), "there must be at least one channel");
   }
+  readKinds(fields, static_cast<std::size_t>(axes), file, header);
   checkDims(header, file, sizes.place());
   readGeometry(fields, static_cast<std::size_t>(axes), file, header);
+  readScaling(fields, header);
 
   Payload& payload = header.payload;
   const bool big = fields.flag(fields.find({"binarydatabyteordermsb", "elementbyteordermsb"}), false);
@@ -263,7 +341,7 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
       throwInput(file, compressed->place(), "text data cannot be compressed");
     payload.encoding = Encoding::ascii;
   }
-  readDataFile(fields, text.substr(0, longestHeader), file, header);
+  readDataFile(fields, text.substr(0, kLongestMetaImageHeader), file, header);
   if (const Field* size = fields.find({"compresseddatasize"}); size && payload.encoding == Encoding::zlib) {
     const std::int64_t bytes = fields.integer(*size);
     if (bytes < 0) throwInput(file, size->place(), "is negative");
@@ -287,7 +365,7 @@ Volume readMetaImage(const std::filesystem::path& path, const ReadOptions& optio
                      base::Progress& progress) {
   const FileBytes bytes(path);
   if (bytes.size() == 0) throwInput(bytes.name(), "", "the file is empty");
-  ImageHeader header = parseMetaImageHeader(bytes.head(longestHeader), bytes.name());
+  ImageHeader header = parseMetaImageHeader(bytes.head(kLongestMetaImageHeader), bytes.name());
   return volumeFrom(std::move(header), bytes, openBeside(path), options, progress);
 }
 

@@ -63,7 +63,8 @@ std::vector<std::string> namesInHeader(const fs::path& file) {
   const std::string head = headOf(file, kLongestHeader);
   try {
     if (head.starts_with("NRRD0")) return parseNrrdHeader(head, file.string()).payload.files;
-    if (looksLikeMetaImage(head)) return parseMetaImageHeader(head, file.string()).payload.files;
+    if (looksLikeMetaImage(head))
+      return parseMetaImageHeader(headOf(file, kLongestMetaImageHeader), file.string()).payload.files;
   } catch (const base::Error&) {  // damaged: nothing is read from it
   }
   return {};

@@ -144,6 +144,70 @@ TEST(MetaImage, DegenerateGeometryHasDocumentedDefaults) {
   EXPECT_THROW(with("ElementSpacing = 1 1 1\nOffset = 1e300 0 0\n"), base::Error);
 }
 
+volume::Volume metaImageWith(const std::string& fields, const std::string& dims = "2 2 2", int axes = 3) {
+  const auto path = test::temporaryFolder() / "volume.mha";
+  writeFile(path, "NDims = " + std::to_string(axes) + "\nDimSize = " + dims + "\nElementType = MET_UCHAR\n" +
+                      fields + "ElementDataFile = LOCAL\n" + bytesOf(ramp<std::uint8_t>(8)));
+  return readFile(path);
+}
+
+TEST(MetaImage, DistanceUnitsBecomeMillimetres) {
+  const std::string spacing = "ElementSpacing = 0.5 1 2\nOffset = 10 20 30\n";
+  const auto um = metaImageWith(spacing + "DistanceUnits = um\n");
+  test::expectNear(um.grid->geometry().spacingMm(), {0.0005, 0.001, 0.002}, 1e-12);
+  test::expectNear(worldOf(um, 0, 0, 0), {0.01, 0.02, 0.03}, 1e-12);
+  test::expectNear(metaImageWith(spacing + "DistanceUnits = cm\n").grid->geometry().spacingMm(), {5, 10, 20});
+  const auto unsaid = metaImageWith(spacing + "DistanceUnits = ?\n");
+  test::expectNear(unsaid.grid->geometry().spacingMm(), {0.5, 1, 2});
+  EXPECT_FALSE(test::warns(unsaid, "unit of length"));
+  EXPECT_TRUE(test::warns(metaImageWith(spacing + "DistanceUnits = ell\n"), "1 mm assumed"));
+}
+
+TEST(MetaImage, FramesOfASequenceAreTimeSteps) {
+  const std::string spacing = "ElementSpacing = 0.2 0.2 1\n";
+  for (const std::string& statement :
+       {std::string("Kinds = domain domain list\n"), std::string("Seq_Frame0000_Status = OK\n")}) {
+    const auto v = metaImageWith(spacing + statement);
+    EXPECT_EQ(v.grid->dims(), glm::ivec3(2, 2, 1));
+    EXPECT_EQ(v.timeSteps, 2);
+    EXPECT_TRUE(test::warns(v, "frames of this sequence are time steps"));
+  }
+  std::string many = "Kinds = domain domain list\n";  // more keys than any other header has
+  for (int i = 0; i < 30000; ++i)
+    many += "Seq_Frame" + std::to_string(i) + "_ProbeToTrackerTransform = 1 0 0 0\n";
+  EXPECT_EQ(metaImageWith(spacing + many).timeSteps, 2);
+  EXPECT_EQ(metaImageWith(spacing + "Kinds = domain domain domain\n").grid->dims().z, 2);
+  EXPECT_THROW(metaImageWith(spacing + "Kinds = list domain domain\n"), base::Error);
+}
+
+TEST(MetaImage, TwoAxesMayHaveTheNumbersOfThree) {
+  const auto v = metaImageWith(
+      "ElementSpacing = 0.5 0.5 3\nOffset = 1 2 3\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n", "4 2", 2);
+  test::expectNear(v.grid->geometry().spacingMm(), {0.5, 0.5, 3});
+  test::expectNear(worldOf(v, 0, 0, 0), {1, 2, 3});
+  EXPECT_THROW(metaImageWith("ElementSpacing = 0.5\n", "4 2", 2), base::Error);
+}
+
+TEST(MetaImage, ScalingOfValues) {
+  const auto v = metaImageWith(
+      "ElementSpacing = 1 1 1\nElementToIntensityFunctionSlope = 2\nElementToIntensityFunctionOffset = -1\n");
+  EXPECT_EQ(v.grid->value(1, 0, 0), 1.0);
+  EXPECT_EQ(v.grid->value(1, 1, 1), 13.0);
+}
+
+TEST(MetaImage, StatementsThatContradictEachOther) {
+  const std::string spacing = "ElementSpacing = 1 1 1\n";
+  EXPECT_TRUE(
+      test::warns(metaImageWith(spacing + "Offset = 1 2 3\nPosition = 1 2 4\n"), "different origins"));
+  EXPECT_FALSE(test::warns(metaImageWith(spacing + "Offset = 1 2 3\nPosition = 1.0 2 3\n"), "different"));
+  EXPECT_TRUE(test::warns(metaImageWith(spacing + "TransformMatrix = 1 0 0 0 1 0 0 0 1\n"
+                                                  "Orientation = 1 0 0 0 1 0 0 0 -1\n"),
+                          "different directions"));
+  EXPECT_TRUE(test::warns(metaImageWith(spacing + spacing), "given twice"));
+  EXPECT_THROW(metaImageWith(spacing + "ElementSpacing = 1 1 2\n"), base::Error);
+  EXPECT_NO_THROW(metaImageWith(spacing + "Comment = a\nComment = b\n"));
+}
+
 TEST(MetaImage, MissingVoxelsAreCounted) {
   const auto path = test::temporaryFolder() / "volume.mha";
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
