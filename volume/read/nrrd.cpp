@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "base/error.h"
+#include "volume/read/input/length_unit.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
 #include "volume/read/length_doubt.h"
@@ -34,6 +35,8 @@ struct Axis {
   std::int64_t size = 1;
   std::string_view kind;
   double spacing = nan;                 // of "spacings"; nan: not given
+  double first = nan;                   // where the first sample is, by "axis mins"; nan: not given
+  std::string_view unit;                // of `spacing` and `first`
   std::optional<glm::dvec3> direction;  // of "space directions"
   bool withoutDirection = false;        // "none"
 };
@@ -73,13 +76,19 @@ class Header {
     return *value;
   }
 
+  void add(const NrrdField& field);
   void readAxes();
+  void readMinsAndMaxs(const NrrdField& low, const NrrdField* high);
   void readSpace();
+  std::vector<std::string_view> quoted(const NrrdField& field) const;
+  glm::dvec3 spaceUnitsMm();
+  void readValues(ImageHeader& header);
   std::vector<std::string_view> vectorsOf(const NrrdField& field) const;
   glm::dvec3 vectorOf(std::string_view text, const NrrdField& field) const;
   bool isSpatial(const Axis& axis) const;
   void assignAxes(ImageHeader& header);
-  void readGeometry(ImageHeader& header) const;
+  void readGeometry(ImageHeader& header);
+  void noteContradictions();
   void readEncoding(ImageHeader& header) const;
   void readDataFiles(ImageHeader& header) const;
 
@@ -103,13 +112,12 @@ std::string canonicalName(std::string_view name) {
   struct Synonym {
     std::string_view other, name;
   };
-  static constexpr Synonym synonyms[] = {{"datafile", "data file"},
-                                         {"lineskip", "line skip"},
-                                         {"byteskip", "byte skip"},
-                                         {"axismins", "axis mins"},
-                                         {"axismaxs", "axis maxs"},
-                                         {"centerings", "centers"},
-                                         {"spacedimension", "space dimension"}};
+  static constexpr Synonym synonyms[] = {
+      {"datafile", "data file"},       {"lineskip", "line skip"},
+      {"byteskip", "byte skip"},       {"axismins", "axis mins"},
+      {"axismaxs", "axis maxs"},       {"centerings", "centers"},
+      {"sampleunits", "sample units"}, {"oldmin", "old min"},
+      {"oldmax", "old max"},           {"spacedimension", "space dimension"}};
   for (const auto& synonym : synonyms)
     if (lower == synonym.other) return std::string(synonym.name);
   return lower;
@@ -134,13 +142,20 @@ Header::Header(std::string_view text, std::string file) : file_(std::move(file))
       throwInput(file_, linePlace(endLine_), "is no \"field: value\" line");
     if (colon + 1 < line->size() && (*line)[colon + 1] == '=') continue;  // key:=value
     const NrrdField field{trimmed(line->substr(0, colon)), trimmed(line->substr(colon + 1)), endLine_};
-    if (!fields_.emplace(canonicalName(field.name), field).second)
-      throwInput(file_, field.place(), "is given twice");
-    if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 fields");
+    add(field);
     if (canonicalName(field.name) == "data file" && !wordsOf(field.value).empty() &&
         wordsOf(field.value)[0] == "LIST")
       break;  // the rest are file names
   }
+}
+
+void Header::add(const NrrdField& field) {
+  const auto [known, isNew] = fields_.emplace(canonicalName(field.name), field);
+  if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 fields");
+  if (isNew) return;
+  if (known->second.value != field.value)
+    throwInput(file_, field.place(), "is given twice, with different values");
+  warnings_.push_back(field.place() + ": is given twice");
 }
 
 std::optional<VoxelType> nrrdType(std::string_view name) {
@@ -191,16 +206,49 @@ void Header::readAxes() {
   if (const NrrdField* spacings = find("spacings")) {
     const auto values = perAxis(*spacings);
     for (std::size_t a = 0; a < values.size(); ++a) axes_[a].spacing = real(values[a], *spacings);
-  } else if (const NrrdField* low = find("axis mins"), *high = find("axis maxs"); low && high) {
-    const auto lows = perAxis(*low), highs = perAxis(*high);
-    const NrrdField* centers = find("centers");
-    const auto centering = centers ? perAxis(*centers) : std::vector<std::string_view>(axes_.size());
-    for (std::size_t a = 0; a < axes_.size(); ++a) {
-      const double width = real(highs[a], *high) - real(lows[a], *low);
-      const std::int64_t steps = axes_[a].size - (sameIgnoringCase(centering[a], "node") ? 1 : 0);
-      if (steps > 0) axes_[a].spacing = width / static_cast<double>(steps);
-    }
   }
+  if (const NrrdField* low = find("axis mins")) readMinsAndMaxs(*low, find("axis maxs"));
+  if (const NrrdField* units = find("units")) {
+    const auto names = quoted(*units);
+    if (names.size() != axes_.size())
+      throwInput(
+          file_, units->place(),
+          "has " + std::to_string(names.size()) + " entries for " + std::to_string(axes_.size()) + " axes");
+    for (std::size_t a = 0; a < names.size(); ++a) axes_[a].unit = names[a];
+  }
+}
+
+// Of a cell-centred axis, the usual kind, the ends lie half a sample beyond the first and the last one.
+void Header::readMinsAndMaxs(const NrrdField& low, const NrrdField* high) {
+  const auto lows = perAxis(low), highs = high ? perAxis(*high) : lows;
+  const NrrdField* centers = find("centers");
+  const auto centering = centers ? perAxis(*centers) : std::vector<std::string_view>(axes_.size());
+  for (std::size_t a = 0; a < axes_.size(); ++a) {
+    Axis& axis = axes_[a];
+    const bool node = sameIgnoringCase(centering[a], "node");
+    const double begin = real(lows[a], low), width = high ? real(highs[a], *high) - begin : nan;
+    const std::int64_t steps = axis.size - (node ? 1 : 0);
+    const double spacing = steps > 0 ? width / static_cast<double>(steps) : nan;
+    if (std::isnan(axis.spacing))
+      axis.spacing = spacing;
+    else if (std::abs(spacing - axis.spacing) > 0.01 * std::abs(axis.spacing))
+      warnings_.push_back(
+          "\"spacings\" and \"axis mins\" with \"axis maxs\" disagree; the spacings are taken");
+    axis.first = node || std::isnan(axis.spacing) ? begin : begin + 0.5 * axis.spacing;
+  }
+}
+
+// "mm" "mm" "" -> the texts between the quotes; words without quotes as they are.
+std::vector<std::string_view> Header::quoted(const NrrdField& field) const {
+  std::vector<std::string_view> texts;
+  for (std::string_view rest = trimmed(field.value); !rest.empty(); rest = trimmed(rest)) {
+    const bool isQuoted = rest[0] == '"';
+    const std::size_t end = isQuoted ? rest.find('"', 1) : std::min(rest.find_first_of(" \t"), rest.size());
+    if (end == std::string_view::npos) throwInput(file_, field.place(), "a quotation mark is not closed");
+    texts.push_back(rest.substr(isQuoted ? 1 : 0, isQuoted ? end - 1 : end));
+    rest.remove_prefix(isQuoted ? end + 1 : end);
+  }
+  return texts;
 }
 
 void Header::readSpace() {
@@ -223,6 +271,7 @@ void Header::readSpace() {
       toLps_ = {1.0, -1.0, 1.0};
     } else if (name == "scanner-xyz" || name == "3d-right-handed" || name == "3d-left-handed") {
       patientSpace_ = false;
+      if (name == "3d-left-handed") toLps_ = {-1.0, 1.0, 1.0};  // or it would be shown mirrored
       warnings_.push_back("the space \"" + name + "\" does not say where the patient lies; taken as LPS");
     } else {
       throwInput(file_, space->place(), "the space " + inQuotes(space->value) + " is not known");
@@ -323,20 +372,70 @@ void Header::assignAxes(ImageHeader& header) {
   }
 }
 
-void Header::readGeometry(ImageHeader& header) const {
+// mm in the units of the space's axes; without a word they are mm.
+glm::dvec3 Header::spaceUnitsMm() {
+  glm::dvec3 mm(1.0);
+  const NrrdField* units = find("space units");
+  if (!units) return mm;
+  const auto names = quoted(*units);
+  if (names.size() != static_cast<std::size_t>(spaceDimension_))
+    throwInput(file_, units->place(),
+               "has " + std::to_string(names.size()) + " entries for " + std::to_string(spaceDimension_) +
+                   " dimensions of space");
+  for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 3); ++i)
+    if (!names[i].empty()) mm[static_cast<int>(i)] = millimetresOr1(names[i], "space units", warnings_);
+  return mm;
+}
+
+// What the numbers mean. NRRD's range before quantisation is for reconstruction by Teem's own rule, which
+// other programs do not apply either.
+void Header::readValues(ImageHeader& header) {
+  if (const NrrdField* unit = find("sample units")) {
+    const auto names = quoted(*unit);
+    header.unit = names.size() == 1 ? names[0] : unit->value;
+  }
+  const NrrdField *low = find("old min"), *high = find("old max");
+  if (low || high)
+    warnings_.push_back("the values were quantised from " + std::string(low ? low->value : "?") + " to " +
+                        std::string(high ? high->value : "?") +
+                        " (old min, old max); the stored numbers are taken");
+  if (header.components * header.slowComponents > 1 && find("measurement frame"))
+    warnings_.push_back("the measurement frame of the components is not applied");
+}
+
+void Header::noteContradictions() {
+  const bool placed =
+      std::any_of(axes_.begin(), axes_.end(), [](const Axis& axis) { return axis.direction.has_value(); });
+  bool differ = false;
+  for (const Axis& axis : axes_)
+    if (axis.direction && !std::isnan(axis.spacing)) {
+      const double length = std::hypot(axis.direction->x, axis.direction->y, axis.direction->z);
+      differ = differ || std::abs(length - std::abs(axis.spacing)) > 0.01 * length;
+    }
+  if (placed && differ)
+    warnings_.push_back("\"spacings\" and \"space directions\" disagree; the directions are taken");
+  if (const NrrdField* dimension = find("space dimension");
+      dimension && find("space") && integer(*dimension) != spaceDimension_)
+    warnings_.push_back("\"space\" and \"space dimension\" disagree; the space is taken");
+}
+
+void Header::readGeometry(ImageHeader& header) {
   glm::dvec3 spacing(1.0), origin(0.0);
   glm::dmat3 directions(1.0);
   int known = 0;
+  const glm::dvec3 spaceMm = spaceUnitsMm() * toLps_;
   for (std::size_t i = 0; i < spatial_.size(); ++i) {
     const int column = static_cast<int>(i);
     const Axis& axis = axes_[spatial_[i]];
     if (axis.direction) {
-      const glm::dvec3 d = *axis.direction * toLps_;
+      const glm::dvec3 d = *axis.direction * spaceMm;
       spacing[column] = std::hypot(d.x, d.y, d.z);
       directions[column] = spacing[column] > 0.0 ? d / spacing[column] : d;
       ++known;
     } else if (!std::isnan(axis.spacing)) {
-      spacing[column] = axis.spacing;
+      const double mm = axis.unit.empty() ? 1.0 : millimetresOr1(axis.unit, "units", warnings_);
+      spacing[column] = axis.spacing * mm;
+      if (!std::isnan(axis.first)) origin += axis.first * mm * directions[column] * toLps_;
       directions[column] *= toLps_;
       ++known;
     } else {
@@ -344,16 +443,16 @@ void Header::readGeometry(ImageHeader& header) const {
     }
   }
   if (known < static_cast<int>(spatial_.size()))
-    header.warnings.push_back("the spacing is missing; " + std::string(kSpacingAssumed));
+    warnings_.push_back("the spacing is missing; " + std::string(kSpacingAssumed));
   if (spatial_.size() == 2 && axes_[spatial_[0]].direction) {  // one slice: any thickness along its normal
     const glm::dvec3 a = directions[0], b = directions[1];
     directions[2] = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
   if (const NrrdField* field = find("space origin")) {
     if (spaceDimension_ == 0) throwInput(file_, field->place(), "needs a space or a space dimension");
-    origin = vectorOf(field->value, *field) * toLps_;
+    origin = vectorOf(field->value, *field) * spaceMm;
   }
-  header.worldFromVoxel = checkedGeometry(directions, spacing, origin, file_, header.warnings);
+  header.worldFromVoxel = checkedGeometry(directions, spacing, origin, file_, warnings_);
   // The space names the world's axes, the directions say how the voxels' axes lie among them: it takes both.
   const bool placed = std::all_of(spatial_.begin(), spatial_.end(),
                                   [this](std::size_t a) { return axes_[a].direction.has_value(); });
@@ -443,8 +542,10 @@ ImageHeader Header::read() {
   readSpace();
   assignAxes(header);
   checkDims(header, file_, need("sizes").place());
-  header.warnings = warnings_;
+  noteContradictions();
   readGeometry(header);
+  readValues(header);
+  header.warnings = warnings_;
   readEncoding(header);
   readDataFiles(header);
   return header;

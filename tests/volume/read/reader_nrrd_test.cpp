@@ -135,5 +135,68 @@ TEST(Nrrd, SpacingsAndMissingFields) {
   EXPECT_TRUE(test::warns(readFile(folder / "e.nrrd"), "endian"));
 }
 
+volume::Volume nrrdWith(const std::string& fields) {
+  const auto path = test::temporaryFolder() / "v.nrrd";
+  writeFile(path, header(fields + "\n") + bytesOf(ramp<std::uint8_t>(8)));
+  return readFile(path);
+}
+
+TEST(Nrrd, UnitsBecomeMillimetres) {
+  const std::string space =
+      "space: LPS\nspace directions: (0.5,0,0) (0,0.5,0) (0,0,2)\nspace origin: (10,0,0)\n";
+  const auto v = nrrdWith(space + "space units: \"microns\" \"microns\" \"microns\"\n");
+  expectNear(v.grid->geometry().spacingMm(), {0.0005, 0.0005, 0.002}, 1e-12);
+  expectNear(worldOf(v, 0, 0, 0), {0.01, 0, 0}, 1e-12);
+  expectNear(nrrdWith(space + "space units: mm mm cm\n").grid->geometry().spacingMm(), {0.5, 0.5, 20});
+  expectNear(nrrdWith("spacings: 0.5 1 2\nunits: \"um\" \"um\" \"mm\"\n").grid->geometry().spacingMm(),
+             {0.0005, 0.001, 2}, 1e-12);
+  EXPECT_TRUE(test::warns(nrrdWith(space + "space units: \"pixel\" \"pixel\" \"pixel\"\n"), "1 mm assumed"));
+  const auto unsaid = nrrdWith(space + "space units: \"\" \"\" \"\"\n");
+  expectNear(unsaid.grid->geometry().spacingMm(), {0.5, 0.5, 2});
+  EXPECT_FALSE(test::warns(unsaid, "unit of length"));
+  EXPECT_THROW(nrrdWith(space + "space units: \"mm\" \"mm\"\n"), base::Error);
+  EXPECT_THROW(nrrdWith(space + "space units: \"mm\" \"mm\" \"mm\n"), base::Error);
+}
+
+TEST(Nrrd, AxisMinimumsPlaceTheGrid) {
+  expectNear(
+      worldOf(nrrdWith("axis mins: 10 20 30\naxis maxs: 12 22 32\ncenters: node node cell\n"), 0, 0, 0),
+      {10, 20, 30.5});
+  expectNear(worldOf(nrrdWith("axis mins: 10 20 30\nspacings: 1 2 4\ncenters: node node node\n"), 1, 1, 1),
+             {11, 22, 34});
+}
+
+TEST(Nrrd, ALeftHandedSpaceIsNotShownMirrored) {
+  const std::string geometry = "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (5,0,0)\n";
+  EXPECT_FALSE(nrrdWith("space: 3D-right-handed\n" + geometry).grid->geometry().leftHanded());
+  const auto left = nrrdWith("space: 3D-left-handed\n" + geometry);
+  EXPECT_TRUE(left.grid->geometry().leftHanded());
+  expectNear(worldOf(left, 1, 0, 0), {-6, 0, 0});
+}
+
+TEST(Nrrd, WhatValuesMean) {
+  EXPECT_EQ(nrrdWith("spacings: 1 1 1\nsample units: \"HU\"\n").unit, "HU");
+  EXPECT_TRUE(
+      test::warns(nrrdWith("spacings: 1 1 1\nold min: -3\nold max: 12\n"), "quantised from -3 to 12"));
+  const auto path = test::temporaryFolder() / "vector.nrrd";
+  writeFile(path,
+            "NRRD0005\ntype: uint8\ndimension: 4\nsizes: 3 2 2 2\nencoding: raw\nkinds: vector domain domain "
+            "domain\nspace: LPS\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\nmeasurement frame: (0,1,0) "
+            "(1,0,0) (0,0,1)\n\n" +
+                bytesOf(ramp<std::uint8_t>(24)));
+  EXPECT_TRUE(test::warns(readFile(path), "measurement frame"));
+}
+
+TEST(Nrrd, StatementsThatContradictEachOther) {
+  const std::string directions = "space: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n";
+  EXPECT_TRUE(test::warns(nrrdWith(directions + "spacings: 1 1 2\n"), "directions are taken"));
+  EXPECT_FALSE(test::warns(nrrdWith(directions + "spacings: 1 1 1\n"), "disagree"));
+  EXPECT_TRUE(test::warns(nrrdWith(directions + "space dimension: 4\n"), "the space is taken"));
+  EXPECT_TRUE(
+      test::warns(nrrdWith("spacings: 1 1 1\naxis mins: 0 0 0\naxis maxs: 2 2 4\n"), "spacings are taken"));
+  EXPECT_TRUE(test::warns(nrrdWith("spacings: 1 1 1\nspacings: 1 1 1\n"), "given twice"));
+  EXPECT_THROW(nrrdWith("spacings: 1 1 1\nspacings: 1 1 2\n"), base::Error);
+}
+
 }  // namespace
 }  // namespace isolux
