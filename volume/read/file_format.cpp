@@ -3,6 +3,7 @@
 #include "volume/read/dicom/dicom_files.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
+#include "volume/read/known_formats.h"
 #include "volume/read/mesh/mesh.h"
 #include "volume/read/meta_image.h"
 #include "volume/read/nifti.h"
@@ -28,12 +29,12 @@ FileFormat formatOf(const Bytes& bytes, const fs::path& path) {
   if (head.starts_with("NRRD0")) return FileFormat::nrrd;
   if (head.starts_with("# vtk DataFile")) return FileFormat::vtkLegacy;
   if (isMesh(head, extension)) return FileFormat::mesh;
-  if (head.find("<VTKFile") != std::string::npos) return FileFormat::vti;
+  if (head.find("<VTKFile") != std::string::npos)
+    return isOtherVtkXml(head) ? FileFormat::unknown : FileFormat::vti;
+  if (looksLikeDicom(head)) return FileFormat::dicom;  // before TIFF, whose mark its preamble may hold
   if (looksLikeTiff(head)) return FileFormat::tiff;
-  if (looksLikeDicom(head)) return FileFormat::dicom;
   if (looksLikeNifti(head)) return FileFormat::nifti;
-  if (head.starts_with("\x1f\x8b") && looksLikeNifti(inflatedHead(bytes, niftiHeaderBytes)))
-    return FileFormat::nifti;
+  if (isPacked(head) && looksLikeNifti(inflatedHead(bytes, niftiHeaderBytes))) return FileFormat::nifti;
   if (looksLikeMetaImage(head)) return FileFormat::metaImage;
   if (extension == ".mhd" || extension == ".mha") return FileFormat::metaImage;
   if (extension == ".nrrd" || extension == ".nhdr") return FileFormat::nrrd;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "base/error.h"
@@ -25,7 +26,7 @@ struct NiftiFields {
   int version = 1;
   Endianness endianness = Endianness::little;
   std::int64_t dim[8] = {};
-  std::int64_t datatype = 0, bitpix = 0;
+  std::int64_t datatype = 0, bitpix = 0, intent = 0;
   double pixdim[8] = {};
   double voxOffset = 0.0;
   std::uint64_t offset = 0;
@@ -62,6 +63,7 @@ NiftiFields readVersion1(const Reader& in) {
     f.dim[i] = in.at<std::int16_t>(40 + 2 * i);
     f.pixdim[i] = static_cast<double>(in.at<float>(76 + 4 * i));
   }
+  f.intent = in.at<std::int16_t>(68);
   f.datatype = in.at<std::int16_t>(70);
   f.bitpix = in.at<std::int16_t>(72);
   f.voxOffset = static_cast<double>(in.at<float>(108));
@@ -99,6 +101,7 @@ NiftiFields readVersion2(const Reader& in) {
     for (std::size_t j = 0; j < 4; ++j) f.srow[i][j] = in.at<double>(400 + 32 * i + 8 * j);
   }
   f.units = in.at<std::int32_t>(500) & 0xff;
+  f.intent = in.at<std::int32_t>(504);
   return f;
 }
 
@@ -186,6 +189,10 @@ void readDims(const NiftiFields& fields, const std::string& file, ImageHeader& h
   std::int64_t sizes[8] = {0, 1, 1, 1, 1, 1, 1, 1};
   for (std::int64_t i = 1; i <= axes; ++i) {
     sizes[i] = fields.dim[i];
+    if (i > 3 && sizes[i] == 0) {  // some writers do not fill in axes that they do not have
+      sizes[i] = 1;
+      header.warnings.push_back("dim[" + std::to_string(i) + "] is 0; 1 assumed");
+    }
     if (sizes[i] < 1)
       throwInput(file, "dim[" + std::to_string(i) + "]",
                  "is " + std::to_string(sizes[i]) + "; at least 1 is needed");
@@ -234,18 +241,51 @@ scene::WorldAxes axesOfCode(int code) {
   return code >= 1 && code <= 5 ? scene::WorldAxes::anatomical : scene::WorldAxes::zUp;
 }
 
-void readGeometry(const NiftiFields& fields, ImageHeader& header) {
-  double mm = 1.0;
+double millimetresOf(const NiftiFields& fields, std::vector<std::string>& warnings) {
   switch (fields.units & 7) {
     case 1:
-      mm = 1000.0;
-      break;
+      return 1000.0;
+    case 2:
+      return 1.0;
     case 3:
-      mm = 0.001;
-      break;
+      return 0.001;
     default:
-      break;  // mm, or not stated
+      warnings.push_back("xyzt_units names no unit of length; mm is taken, as other programs do");
+      return 1.0;
   }
+}
+
+// Both stated, and not the same: a mirrored one makes left and right uncertain. Two of different codes may
+// lead to different spaces, but not change the hand.
+void compareForms(const NiftiFields& fields, const glm::dvec3& sizes, double mm, ImageHeader& header) {
+  const glm::dmat4 sform = rasFromSform(fields), qform = rasFromQform(fields, sizes);
+  if (!usableAffine(qform)) return;
+  if (glm::determinant(glm::dmat3(sform)) * glm::determinant(glm::dmat3(qform)) < 0.0) {
+    header.axes = scene::WorldAxes::zUp;
+    header.warnings.push_back(
+        "the sform and the qform mirror each other; the sform is used, left and right are not certain");
+    return;
+  }
+  double farthest = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec4 voxel(0.0, 0.0, 0.0, 1.0);
+    for (int axis = 0; axis < 3; ++axis)
+      if (corner >> axis & 1)
+        voxel[axis] = static_cast<double>(header.dims[static_cast<std::size_t>(axis)] - 1);
+    farthest = std::max(farthest, glm::length(glm::dvec3(sform * voxel) - glm::dvec3(qform * voxel)));
+  }
+  const double voxel = std::max({sizes.x, sizes.y, sizes.z});
+  double stretch = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    stretch = std::max(stretch, std::abs(std::log(glm::length(glm::dvec3(sform[axis])) / sizes[axis])));
+  if (fields.sformCode == fields.qformCode ? farthest > voxel : stretch > 0.02)
+    header.warnings.push_back(
+        "the sform and the qform place voxels up to " + base::shortText(farthest * mm, 3) + " mm apart" +
+        (stretch > 0.02 ? ", and state different voxel sizes" : "") + "; the sform is used");
+}
+
+void readGeometry(const NiftiFields& fields, ImageHeader& header) {
+  const double mm = millimetresOf(fields, header.warnings);
   glm::dvec3 sizes(1.0);
   for (int axis = 0; axis < 3; ++axis) {
     const double size = std::abs(fields.pixdim[axis + 1]);
@@ -269,7 +309,10 @@ void readGeometry(const NiftiFields& fields, ImageHeader& header) {
   if (fields.sformCode > 0) {
     header.worldFromVoxel = lps(rasFromSform(fields));
     header.axes = axesOfCode(fields.sformCode);
-    if (usableAffine(header.worldFromVoxel)) return;
+    if (usableAffine(header.worldFromVoxel)) {
+      if (fields.qformCode > 0) compareForms(fields, sizes, mm, header);
+      return;
+    }
     header.warnings.push_back("the sform is singular or not finite; ignored");
   }
   if (fields.qformCode > 0) {
@@ -285,6 +328,19 @@ void readGeometry(const NiftiFields& fields, ImageHeader& header) {
   header.axes = scene::WorldAxes::zUp;
 }
 
+// The codes of nifti1.h that say what kind of object the numbers are.
+void readIntent(const NiftiFields& fields, const std::string& file, ImageHeader& header) {
+  const std::int64_t intent = fields.intent;
+  if (intent == 1002 || intent == 1003)
+    header.warnings.push_back(
+        "intent_code " + std::to_string(intent) +
+        ": the numbers are labels without an order; values between two labels mean nothing");
+  if (intent == 1008 || intent == 1009 || intent == 2002 || (intent >= 3000 && intent < 3100))
+    throwInput(file, "intent_code",
+               intent >= 3000 ? "CIFTI files, whose numbers belong to surfaces, are not read"
+                              : std::to_string(intent) + ": points or triangles are no voxels");
+}
+
 // "scan.hdr" -> "scan.img" and the like; empty when no such file exists.
 fs::path counterpart(const fs::path& path, std::string_view wanted) {
   fs::path stem = path;
@@ -296,11 +352,6 @@ fs::path counterpart(const fs::path& path, std::string_view wanted) {
     if (fs::exists(candidate, ignored)) return candidate;
   }
   return {};
-}
-
-bool isGzip(const Bytes& bytes) {
-  const std::string head = bytes.head(2);
-  return head.size() == 2 && head[0] == '\x1f' && head[1] == '\x8b';
 }
 
 }  // namespace
@@ -316,12 +367,13 @@ ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, boo
   const NiftiFields fields = fieldsOf(head, file);
   ImageHeader header;
   header.format = fields.version == 1 ? "NIfTI-1" : "NIfTI-2";
+  readIntent(fields, file, header);
   readType(fields, file, header);
   readDims(fields, file, header);
   readGeometry(fields, header);
   header.slope = fields.slope;  // 0 and not finite: none, see ImageHeader
   header.intercept = fields.intercept;
-  if (header.components > 1) {  // by definition not applied to colours
+  if (fields.datatype == 128 || fields.datatype == 2304) {  // by definition not applied to colours
     header.slope = 0.0;
   } else if (std::isfinite(fields.slope) && fields.slope != 0.0 && !std::isfinite(fields.intercept)) {
     header.intercept = 0.0;
@@ -344,7 +396,7 @@ NiftiFiles openNifti(const fs::path& path) {
   }
   const FileBytes headerBytes(files.headerPath);
   if (headerBytes.size() == 0) throwInput(headerBytes.name(), "", "the file is empty");
-  const bool compressedHeader = isGzip(headerBytes);
+  const bool compressedHeader = isPacked(headerBytes.head(4));
   const std::string head =
       compressedHeader ? inflatedHead(headerBytes, niftiHeaderBytes) : headerBytes.head(niftiHeaderBytes);
   if (compressedHeader && head.empty())
@@ -352,13 +404,20 @@ NiftiFiles openNifti(const fs::path& path) {
   bool pairs = false;
   files.header = parseNiftiHeader(head, headerBytes.name(), pairs);
   files.dataPath = files.headerPath;
+  const bool headerAlone = head.size() <= 352 && (extension == ".hdr" || extension == ".img");
+  if (!pairs && headerAlone && !counterpart(files.headerPath, ".img").empty()) {
+    pairs = true;
+    files.header.payload.offset = 0;
+    files.header.warnings.push_back(
+        "the header says that the voxels follow it; those of the .img file are read");
+  }
   if (pairs) {
     files.dataPath = extension == ".img" ? path : counterpart(files.headerPath, ".img");
     if (files.dataPath.empty())
       throwInput(headerBytes.name(), "data file", "the .img file beside this header is missing");
   }
   Payload& payload = files.header.payload;
-  if (pairs ? isGzip(FileBytes(files.dataPath)) : compressedHeader) {
+  if (pairs ? isPacked(FileBytes(files.dataPath).head(4)) : compressedHeader) {
     payload.encoding = Encoding::zlib;
     payload.skipDecoded = payload.offset;
     payload.offset = 0;

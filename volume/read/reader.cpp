@@ -10,6 +10,7 @@
 #include "volume/read/file_format.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/text.h"
+#include "volume/read/known_formats.h"
 #include "volume/read/mesh/mesh.h"
 #include "volume/read/meta_image.h"
 #include "volume/read/nifti.h"
@@ -56,7 +57,8 @@ ReadFunction readerOf(FileFormat format) {
 Volume readFolder(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
   if (hasDicomFiles(path)) return readDicom(path, options, progress);
   if (!tiffFilesIn(path).empty()) return readTiff(path, options, progress);
-  throwInput(path.string(), "", "the folder has neither DICOM nor TIFF files");
+  throwInput(path.string(), "",
+             knownButNotReadIn(path).value_or("the folder has neither DICOM nor TIFF files"));
 }
 
 Volume readPhantom(const std::string& text, const ReadOptions& options, base::Progress& progress) {
@@ -114,10 +116,12 @@ Volume readAny(const std::string& path, const ReadOptions& options, base::Progre
       const FileBytes bytes(file);  // closed before the reader opens it
       if (bytes.size() == 0) throwInput(path, "", "the file is empty");
       read = readerOf(formatOf(bytes, file));
+      if (!read)
+        throwInput(
+            path, "byte 0",
+            knownButNotRead(bytes, file)
+                .value_or("no volume format is recognised; a raw file needs its size and type (--raw)"));
     }
-    if (!read)
-      throwInput(path, "byte 0",
-                 "no volume format is recognised; a raw file needs its size and type (--raw)");
     volume = read(file, options, progress);
   }
   // "None" is what some programs write for a description that nobody gave.
@@ -149,7 +153,7 @@ bool needsRawDescription(const fs::path& path) {
   try {
     const FileBytes bytes(path);
     if (looksLikeHdf5(bytes)) return false;
-    return bytes.size() > 0 && formatOf(bytes, path) == FileFormat::unknown;
+    return bytes.size() > 0 && formatOf(bytes, path) == FileFormat::unknown && !knownButNotRead(bytes, path);
   } catch (const base::Error&) {
     return false;
   }
@@ -157,9 +161,9 @@ bool needsRawDescription(const fs::path& path) {
 
 std::vector<std::string> fileFilters() {
   return {
-      ("Volumes (*.nii *.nii.gz *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.h5 *.hdf5 "
-       "zarr.json .zattrs *.raw *.stl *.obj *.ply *.vtp)"),
-      "NIfTI (*.nii *.nii.gz *.hdr *.img)",
+      ("Volumes (*.nii *.nii.gz *.nii.zst *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.h5 "
+       "*.hdf5 zarr.json .zattrs *.raw *.stl *.obj *.ply *.vtp)"),
+      "NIfTI (*.nii *.nii.gz *.nii.zst *.hdr *.img)",
       "MetaImage (*.mhd *.mha)",
       "NRRD (*.nrrd *.nhdr)",
       "VTK (*.vti *.vtk)",

@@ -212,7 +212,7 @@ TEST_F(BrokenFiles, Vtk) {
        {"unknown type",
         vti("0 1 0 1 0 1", "<DataArray type=\"String\" Name=\"a\" format=\"ascii\">0</DataArray>"), "String"},
        {"no array", vti("0 1 0 1 0 1", ""), "no named array"},
-       {"another dataset", "<VTKFile type=\"RectilinearGrid\"></VTKFile>", "not ImageData"},
+       {"another dataset", "<VTKFile type=\"RectilinearGrid\"></VTKFile>", "another kind of grid"},
        {"tag not closed", "<VTKFile type=\"ImageData\"", "truncated"},
        {"entities", "<!DOCTYPE x><VTKFile type=\"ImageData\"></VTKFile>", "refused"}});
 }
@@ -232,6 +232,47 @@ TEST_F(BrokenFiles, PathsThatAreNoVolumes) {
   base::Progress progress;
   EXPECT_THROW(volume::readVolume("", {}, progress), base::Error);
   EXPECT_THROW(volume::readVolume(std::string("a\0b", 3), {}, progress), base::Error);
+}
+
+TEST_F(BrokenFiles, FormatsThatAreKnownButNotRead) {
+  const auto folder = test::temporaryFolder();
+  const auto refuse = [&](const std::string& name, const std::string& bytes, const std::string& reason) {
+    writeFile(folder / name, bytes);
+    expectError(folder / name, reason);
+    EXPECT_FALSE(volume::needsRawDescription(folder / name)) << name;
+  };
+  const std::string binary(4000, '\3');
+  const std::string mgh = bytesOf<std::int32_t>({1, 4, 4, 4, 1, 3, 0}, true) + binary;
+  refuse("brain.mgh", mgh, "mri_convert");
+  refuse("brain.mgz", test::gzipped(mgh), "FreeSurfer");
+  refuse("named.differently", test::gzipped(mgh), "FreeSurfer");
+  refuse("a.nii.bz2", "BZh9" + binary, "bunzip2");
+  refuse("a.nii.xz",
+         "\xfd"
+         "7zXZ" +
+             binary,
+         "unxz");
+  refuse("a.zip", "PK\3\4" + binary, "unzip");
+  refuse("a.raw.gz", test::gzipped(binary), "gunzip");
+  refuse("a.mnc", "CDF\1" + binary, "mincconvert");
+  refuse("a.nc", "CDF\2" + binary, "nccopy");
+  refuse("a+orig.HEAD", "type = string-attribute\n", "3dAFNItoNIFTI");
+  refuse("a+orig.BRIK", binary, "3dAFNItoNIFTI");
+  refuse("a.mif", "mrtrix image\ndim: 4,4,4\n" + binary, "mrconvert");
+  refuse("a.map", std::string(208, '\0') + "MAP " + binary, "mrc2tif");
+  refuse("a.slc", "11111\n4 4 4 8\n" + binary, "SLC");
+  refuse("a.cube", "water\ndensity\n3 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n", "Gaussian cube");
+  refuse("water", "water\ndensity\n3 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n", "Gaussian cube");
+  refuse("a.vdb", " BDV" + binary, "OpenVDB");
+  refuse("a.pvti", "<VTKFile type=\"PImageData\"></VTKFile>", "open one piece");
+  for (const char* kind : {"RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PUnstructuredGrid"})
+    refuse("grid.vtu", "<VTKFile type=\"" + std::string(kind) + "\"></VTKFile>", "Resample To Image");
+  refuse("a.npy", "\x93NUMPY" + binary, "NumPy");
+  refuse("a.png", "\x89PNG" + binary, "TIFF");
+  refuse("a.czi", "ZISRAWFILE" + binary, "bfconvert");
+  std::filesystem::create_directories(folder / "pictures");
+  writeFile(folder / "pictures/1.png", "\x89PNG");
+  expectError(folder / "pictures", "mogrify");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <zstd.h>
+
 #include "tests/volume/read/reader_support.h"
 
 namespace isolux {
@@ -89,6 +91,12 @@ TEST(Nifti, UnitsBecomeMillimetres) {
   expectNear(worldOf(read(file), 0, 0, 1), {0, 0, 0.001}, 1e-12);
   file.units = 1 | 8;  // metres, seconds
   expectNear(worldOf(read(file), 0, 0, 1), {0, 0, 1000});
+  EXPECT_FALSE(test::warns(read(file), "xyzt_units"));
+  for (const int none : {0, 7}) {
+    file.units = none;
+    expectNear(worldOf(read(file), 0, 0, 1), {0, 0, 1});
+    EXPECT_TRUE(test::warns(read(file), "xyzt_units names no unit of length"));
+  }
 }
 
 TEST(Nifti, SlopeAndIntercept) {
@@ -116,6 +124,91 @@ TEST(Nifti, AScalingThatMapsAllValuesToOneIsLeftOut) {
   EXPECT_EQ(volume.grid->minimum(), 0.0);
   EXPECT_EQ(volume.grid->maximum(), 7.0);
   EXPECT_TRUE(test::warns(volume, "too extreme to apply"));
+}
+
+TEST(Nifti, ComplexNumbersAreScaledColoursAreNot) {
+  NiftiFile file = small();
+  file.dims = {1, 1, 1};
+  file.datatype = 32;
+  file.bitpix = 64;
+  file.slope = 2;
+  file.voxels = bytesOf<float>({3, 4});
+  volume::ReadOptions options;
+  options.component = 1;
+  EXPECT_EQ(valuesOf(read(file, options))[0], 8.0);
+  options.component = -1;
+  EXPECT_EQ(valuesOf(read(file, options))[0], 10.0);
+}
+
+TEST(Nifti, FormsThatContradictEachOther) {
+  NiftiFile file = small();
+  file.qformCode = 1;
+  EXPECT_FALSE(test::warns(read(file), "qform"));
+  file.srow = {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  const auto mirrored = read(file);
+  EXPECT_TRUE(test::warns(mirrored, "mirror each other"));
+  EXPECT_EQ(mirrored.axes, scene::WorldAxes::zUp);
+  expectNear(worldOf(mirrored, 1, 0, 0), {1, 0, 0});  // of the sform
+  file.sformCode = 4;                                 // whatever the space
+  EXPECT_TRUE(test::warns(read(file), "mirror each other"));
+  file.srow = {1, 0, 0, 20, 0, 1, 0, 0, 0, 0, 1, 0};
+  EXPECT_FALSE(test::warns(read(file), "qform"));  // another space may begin elsewhere
+  file.sformCode = 1;
+  const auto moved = read(file);
+  EXPECT_TRUE(test::warns(moved, "up to 20 mm apart"));
+  EXPECT_EQ(moved.axes, scene::WorldAxes::anatomical);
+  file.srow = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0};
+  file.sformCode = 4;
+  EXPECT_TRUE(test::warns(read(file), "different voxel sizes"));
+}
+
+TEST(Nifti, AxesThatAreNotFilledInAreOne) {
+  NiftiFile file = small();
+  file.dims = {2, 2, 2, 0, 0};
+  EXPECT_EQ(valuesOf(read(file)), zeroToSeven);
+  EXPECT_TRUE(test::warns(read(file), "dim[4] is 0"));
+}
+
+TEST(Nifti, APairMarkedAsOneFile) {
+  NiftiFile file = small();
+  const auto folder = test::temporaryFolder();
+  writeFile(folder / "p.hdr", file.header());
+  writeFile(folder / "p.img", file.voxels);
+  const auto v = readFile(folder / "p.hdr");
+  EXPECT_EQ(valuesOf(v), zeroToSeven);
+  EXPECT_TRUE(test::warns(v, "the .img file are read"));
+}
+
+TEST(Nifti, KindsOfNumbers) {
+  NiftiFile file = small();
+  file.intent = 1002;
+  EXPECT_TRUE(test::warns(read(file), "labels"));
+  const auto path = test::temporaryFolder() / "surface.nii";
+  for (const auto& [intent, reason] : {std::pair(3006, "CIFTI"), std::pair(1008, "no voxels")}) {
+    file.intent = intent;
+    writeFile(path, file.bytes());
+    expectError(path, reason);
+  }
+}
+
+TEST(Nifti, PackedWithZstd) {
+  NiftiFile file = small();
+  const auto zstd = [](const std::string& bytes) {
+    std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 3));
+    return packed;
+  };
+  const auto path = test::temporaryFolder() / "v.nii.zst";
+  const std::string good = zstd(file.bytes());
+  writeFile(path, good);
+  EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven);
+  writeFile(path, zstd(file.bytes().substr(0, 354)) + zstd(file.bytes().substr(354)));
+  EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven);
+  writeFile(path, good.substr(0, good.size() - 3));
+  expectError(path, "");
+  file.dims = {4096, 4096, 2400};
+  writeFile(path, zstd(file.bytes()));
+  expectError(path, "cannot hold");
 }
 
 TEST(Nifti, BigEndianGzipAndPairs) {

@@ -137,6 +137,11 @@ TEST(ReadRaw, WindowAsksOnlyForUnknownFiles) {
   EXPECT_FALSE(volume::needsRawDescription(folder / "missing.raw"));
   EXPECT_FALSE(volume::needsRawDescription(folder));
   expectError(folder / "volume.raw", "--raw");
+  writeFile(folder / "notes.txt", "1 2 3\nno voxels\n");
+  EXPECT_FALSE(volume::needsRawDescription(folder / "notes.txt"));
+  expectError(folder / "notes.txt", "is a text file");
+  writeFile(folder / "letters.raw", "some\nvoxels");
+  EXPECT_TRUE(volume::needsRawDescription(folder / "letters.raw"));
 }
 
 TEST(OpenBeside, StaysInItsFolder) {
@@ -146,9 +151,12 @@ TEST(OpenBeside, StaysInItsFolder) {
   writeFile(folder / "sub" / "inside.raw", "yy");
   const auto open = volume::openBeside(folder / "sub" / "header.mhd");
   EXPECT_EQ(open("inside.raw")->size(), 2u);
+  EXPECT_EQ(volume::openBeside(folder / "header.mhd")("sub\\inside.raw")->size(),
+            2u);  // as Windows writes it
   const std::string escapes[] = {"../outside.raw",
                                  (folder / "outside.raw").string(),
                                  "./../outside.raw",
+                                 "..\\outside.raw",
                                  "a/../../outside.raw",
                                  "..",
                                  "",

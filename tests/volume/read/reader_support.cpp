@@ -91,6 +91,7 @@ std::string NiftiFile::header() const {
   put(40, static_cast<std::int16_t>(dims.size()));
   for (std::size_t i = 0; i < 7; ++i)
     put(42 + 2 * i, static_cast<std::int16_t>(i < dims.size() ? dims[i] : 1));
+  put(68, static_cast<std::int16_t>(intent));
   put(70, static_cast<std::int16_t>(datatype));
   put(72, static_cast<std::int16_t>(bitpix));
   for (std::size_t i = 0; i < pixdim.size(); ++i) put(76 + 4 * i, pixdim[i]);

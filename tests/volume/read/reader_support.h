@@ -63,7 +63,7 @@ struct NiftiFile {
   int datatype = 2, bitpix = 8;
   std::vector<float> pixdim{1, 1, 1, 1};  // [0] is qfac
   float slope = 0, intercept = 0, voxOffset = 352;
-  int qformCode = 0, sformCode = 0, units = 2;
+  int qformCode = 0, sformCode = 0, units = 2, intent = 0;
   std::vector<float> quaternion{0, 0, 0}, qoffset{0, 0, 0};
   std::vector<float> srow{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   std::string magic = "n+1";

@@ -70,7 +70,13 @@ void MemoryBytes::doRead(std::uint64_t offset, std::span<std::byte> out) const {
 
 OpenBeside openBeside(const fs::path& header) {
   return [header](const std::string& name) -> std::unique_ptr<Bytes> {
-    const fs::path relative(name);
+    fs::path relative(name);
+    std::error_code ignored;
+    if (!fs::exists(header.parent_path() / relative, ignored)) {  // as headers of Windows name files
+      std::string slashes = name;
+      std::replace(slashes.begin(), slashes.end(), '\\', '/');
+      relative = slashes;
+    }
     const std::string place = "data file \"" + name + "\"";
     if (name.empty() || name.find('\0') != std::string::npos)
       throwInput(header.string(), "data file", "has no usable name");
@@ -79,7 +85,6 @@ OpenBeside openBeside(const fs::path& header) {
     if (std::any_of(relative.begin(), relative.end(), [](const fs::path& part) { return part == ".."; }))
       throwInput(header.string(), place, "path escapes the folder of the header: \"..\" is refused");
     const fs::path file = header.parent_path() / relative;
-    std::error_code ignored;
     if (!fs::exists(file, ignored)) throwInput(header.string(), place, "no such file");
     if (!fs::is_regular_file(file, ignored)) throwInput(header.string(), place, "is no file");
     return std::make_unique<FileBytes>(file);

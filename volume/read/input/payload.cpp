@@ -79,7 +79,9 @@ void checkClaim(const Payload& payload, const Bytes& bytes, std::uint64_t begin,
                    "truncated: the header announces " + std::to_string(payload.compressedBytes) +
                        " compressed bytes, but only " + std::to_string(available) + " follow");
       if (payload.compressedBytes > 0) available = payload.compressedBytes;
-      if (dataBytes / kBestDeflateRatio > available)
+      std::string mark(static_cast<std::size_t>(std::min<std::uint64_t>(4, available)), '\0');
+      bytes.read(begin, std::as_writable_bytes(std::span(mark)));
+      if (dataBytes / (isZstd(mark) ? kBestZstdRatio : kBestDeflateRatio) > available)
         truncated(std::to_string(available) + " compressed bytes cannot hold that");
       break;
     }

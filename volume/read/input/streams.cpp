@@ -4,11 +4,14 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <zlib.h>
+#include <zstd.h>
 
 #include "base/error.h"
 #include "volume/read/input/convert.h"
@@ -34,16 +37,11 @@ class RawStream final : public VoxelStream {
   std::uint64_t at_;
 };
 
-class InflateStream final : public VoxelStream {
+// What both kinds of packed streams share.
+class PackedStream : public VoxelStream {
  public:
-  InflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length)
-      : bytes_(bytes), at_(offset), end_(offset + length) {
-    constexpr int zlibOrGzip = 15 + 32;
-    if (inflateInit2(&z_, zlibOrGzip) != Z_OK) throwInput(bytes_.name(), "", "zlib cannot start");
-  }
-  ~InflateStream() override { inflateEnd(&z_); }
-  InflateStream(const InflateStream&) = delete;
-  InflateStream& operator=(const InflateStream&) = delete;
+  PackedStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length)
+      : bytes_(bytes), at_(offset), end_(offset + length) {}
 
   void read(std::span<std::byte> out) override {
     constexpr std::size_t most = std::size_t{1} << 20;
@@ -69,44 +67,105 @@ class InflateStream final : public VoxelStream {
   }
 
   // As many bytes as there are, up to out.size().
-  std::size_t readSome(std::span<std::byte> out) {
+  virtual std::size_t readSome(std::span<std::byte> out) = 0;
+
+ protected:
+  // The next bytes of the file; none at the end.
+  std::span<const std::byte> refill() {
+    const auto part =
+        std::span(input_).first(static_cast<std::size_t>(std::min<std::uint64_t>(input_.size(), end_ - at_)));
+    bytes_.read(at_, part);
+    at_ += part.size();
+    return part;
+  }
+  [[noreturn]] void fail(std::size_t unused, const char* why) const {
+    throwInput(bytes_.name(), "byte " + std::to_string(at_ - unused),
+               std::string("the compressed data are damaged: ") + why);
+  }
+
+  const Bytes& bytes_;
+
+ private:
+  std::uint64_t at_, end_, produced_ = 0;
+  std::vector<std::byte> input_ = std::vector<std::byte>(std::size_t{1} << 16);
+};
+
+class InflateStream final : public PackedStream {
+ public:
+  InflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length)
+      : PackedStream(bytes, offset, length) {
+    constexpr int zlibOrGzip = 15 + 32;
+    if (inflateInit2(&z_, zlibOrGzip) != Z_OK) throwInput(bytes_.name(), "", "zlib cannot start");
+  }
+  ~InflateStream() override { inflateEnd(&z_); }
+  InflateStream(const InflateStream&) = delete;
+  InflateStream& operator=(const InflateStream&) = delete;
+
+  std::size_t readSome(std::span<std::byte> out) override {
     z_.next_out = reinterpret_cast<Bytef*>(out.data());
     z_.avail_out = static_cast<uInt>(out.size());
     while (z_.avail_out > 0) {
-      if (z_.avail_in == 0 && !refill()) break;
+      if (z_.avail_in == 0) {
+        const auto more = refill();
+        if (more.empty()) break;
+        z_.next_in = reinterpret_cast<const Bytef*>(more.data());
+        z_.avail_in = static_cast<uInt>(more.size());
+      }
       if (ended_) {
         // Another gzip member may follow; anything else is padding.
         if (*z_.next_in != 0x1f || inflateReset(&z_) != Z_OK) break;
         ended_ = false;
       }
       const int result = inflate(&z_, Z_NO_FLUSH);
-      if (result == Z_STREAM_END) {
+      if (result == Z_STREAM_END)
         ended_ = true;
-      } else if (result != Z_OK && result != Z_BUF_ERROR) {
-        throwInput(bytes_.name(), "byte " + std::to_string(at_ - z_.avail_in),
-                   std::string("the compressed data are damaged: ") + (z_.msg ? z_.msg : "zlib error"));
-      }
+      else if (result != Z_OK && result != Z_BUF_ERROR)
+        fail(z_.avail_in, z_.msg ? z_.msg : "zlib error");
     }
     return out.size() - z_.avail_out;
   }
 
  private:
-  bool refill() {
-    const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(input_.size(), end_ - at_));
-    if (count == 0) return false;
-    bytes_.read(at_, std::span(input_).first(count));
-    at_ += count;
-    z_.next_in = reinterpret_cast<const Bytef*>(input_.data());
-    z_.avail_in = static_cast<uInt>(count);
-    return true;
-  }
-
-  const Bytes& bytes_;
-  std::uint64_t at_, end_, produced_ = 0;
-  std::vector<std::byte> input_ = std::vector<std::byte>(std::size_t{1} << 16);
   z_stream z_{};
   bool ended_ = false;
 };
+
+class ZstdStream final : public PackedStream {
+ public:
+  ZstdStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length)
+      : PackedStream(bytes, offset, length), zstd_(ZSTD_createDStream()) {
+    if (!zstd_) throw std::bad_alloc();
+  }
+
+  std::size_t readSome(std::span<std::byte> out) override {
+    ZSTD_outBuffer to{out.data(), out.size(), 0};
+    while (to.pos < to.size) {
+      if (from_.pos == from_.size) {
+        const auto more = refill();
+        from_ = {more.data(), more.size(), 0};
+      }
+      const std::size_t before = to.pos, used = from_.pos;
+      const std::size_t result = ZSTD_decompressStream(zstd_.get(), &to, &from_);
+      if (ZSTD_isError(result)) fail(from_.size - from_.pos, ZSTD_getErrorName(result));
+      if (to.pos == before && from_.pos == used && from_.size == 0) break;  // the file ends
+    }
+    return to.pos;
+  }
+
+ private:
+  struct Free {
+    void operator()(ZSTD_DStream* stream) const { ZSTD_freeDStream(stream); }
+  };
+  std::unique_ptr<ZSTD_DStream, Free> zstd_;
+  ZSTD_inBuffer from_{nullptr, 0, 0};
+};
+
+std::unique_ptr<PackedStream> packedStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length) {
+  std::string mark(static_cast<std::size_t>(std::min<std::uint64_t>(4, length)), '\0');
+  bytes.read(offset, std::as_writable_bytes(std::span(mark)));
+  if (isZstd(mark)) return std::make_unique<ZstdStream>(bytes, offset, length);
+  return std::make_unique<InflateStream>(bytes, offset, length);
+}
 
 class TextStream final : public VoxelStream {
  public:
@@ -208,12 +267,20 @@ class TextStream final : public VoxelStream {
 
 }  // namespace
 
+bool isZstd(std::string_view head) {
+  return head.starts_with("\x28\xb5\x2f\xfd");
+}
+
+bool isPacked(std::string_view head) {
+  return head.starts_with("\x1f\x8b") || isZstd(head);
+}
+
 std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset) {
   return std::make_unique<RawStream>(bytes, offset);
 }
 
 std::unique_ptr<VoxelStream> inflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length) {
-  return std::make_unique<InflateStream>(bytes, offset, length);
+  return packedStream(bytes, offset, length);
 }
 
 std::unique_ptr<VoxelStream> textStream(const Bytes& bytes, std::uint64_t offset, VoxelType type) {
@@ -223,8 +290,7 @@ std::unique_ptr<VoxelStream> textStream(const Bytes& bytes, std::uint64_t offset
 std::string inflatedHead(const Bytes& bytes, std::size_t most) {
   std::string head(most, '\0');
   try {
-    InflateStream stream(bytes, 0, bytes.size());
-    head.resize(stream.readSome(std::as_writable_bytes(std::span(head))));
+    head.resize(packedStream(bytes, 0, bytes.size())->readSome(std::as_writable_bytes(std::span(head))));
   } catch (const base::Error&) {
     head.clear();
   }

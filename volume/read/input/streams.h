@@ -5,14 +5,21 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
 
 namespace isolux::volume {
 
-// What deflate (zlib, gzip) packs at the very best: a larger claim is none that a file can hold.
-constexpr std::uint64_t kBestDeflateRatio = 1032;
+// What deflate (zlib, gzip) and zstd (a block of 128 KiB in 4 bytes) pack at the very best: a larger claim is
+// none that a file can hold.
+constexpr std::uint64_t kBestDeflateRatio = 1032, kBestZstdRatio = 32768;
+
+// By the first bytes of a file or stream. Zlib's streams have no mark.
+bool isZstd(std::string_view head);
+bool isPacked(std::string_view head);  // gzip or zstd
 
 class VoxelStream {
  public:
@@ -25,12 +32,13 @@ class VoxelStream {
 
 // Bytes from `offset` to the end of the file.
 std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset);
-// zlib or gzip (several members, too) between `offset` and offset + length.
+// zlib, gzip or zstd (several members, too) between `offset` and offset + length.
 std::unique_ptr<VoxelStream> inflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length);
 // Numbers separated by white space or commas, as values of `type` in the machine's byte order.
 std::unique_ptr<VoxelStream> textStream(const Bytes& bytes, std::uint64_t offset, VoxelType type);
 
-// The first bytes of a zlib or gzip stream, at most `most`; fewer when it is shorter, none when broken.
+// The first bytes of a file that is one zlib, gzip or zstd stream, at most `most`; fewer when it is shorter,
+// none when broken.
 std::string inflatedHead(const Bytes& bytes, std::size_t most);
 
 }  // namespace isolux::volume
