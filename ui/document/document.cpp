@@ -41,7 +41,20 @@ QString shortName(const std::string& path) {
   return QFileInfo(QDir::cleanPath(text)).fileName();
 }
 
-// What is of the volume before, its values, its places and who knows it by which name.
+// What is the user's whatever the volume: the background, what is written on pictures, how slices lie. Look,
+// lines and light were chosen for the volume before.
+scene::Scene ofTheUser(const scene::Scene& before) {
+  scene::Scene scene;
+  scene.look.backgroundTop = before.look.backgroundTop;
+  scene.look.backgroundBottom = before.look.backgroundBottom;
+  scene.picture = before.picture;
+  scene.picture.exposure.reset();
+  scene.slice.convention = before.slice.convention;
+  scene.camera.projection = before.camera.projection;
+  return scene;
+}
+
+// Of another series of the same patient all stays but its values, its places and who knows it by which name.
 void makeAutomatic(scene::Scene& scene) {
   scene.isosurface.value.reset();
   scene.isosurface.name.clear();
@@ -125,11 +138,9 @@ void Document::open(const QString& path, const QString& series) {
         return;
       }
     }
-    scene::Scene next = scene();
-    next.source = {};
+    scene::Scene next = ofTheUser(scene());
     next.source.path = absolute.toStdString();
     next.source.series = series.toStdString();
-    makeAutomatic(next);
     openScene(next, {});
   } catch (const base::Error& error) {
     Q_EMIT failed(textOf(error));
@@ -137,12 +148,18 @@ void Document::open(const QString& path, const QString& series) {
 }
 
 void Document::openRaw(const QString& path, const QString& description) {
-  scene::Scene next = scene();
-  next.source = {};
+  scene::Scene next = ofTheUser(scene());
   next.source.path = QFileInfo(path).absoluteFilePath().toStdString();
   next.source.raw = description.toStdString();
-  makeAutomatic(next);
   openScene(next, {});
+}
+
+void Document::resetSettings() {
+  scene::Scene next = ofTheUser(scene());
+  next.source = scene().source;
+  next.camera = scene().camera;
+  next.marks = scene().marks;
+  edit({next, tr("Reset all settings"), {}, false});
 }
 
 void Document::openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed) {

@@ -65,6 +65,8 @@ class Document : public QObject {
   // Emits volumeMissing where a session names a volume that is not there.
   using CompleteScene = std::function<scene::Scene(const volume::PreparedVolume&)>;
   void openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed = {});
+  // Every setting but the view, the marks and what is the user's goes back to its default, as one step.
+  void resetSettings();
   void openRaw(const QString& path, const QString& description);
   // All but the volume, as an autosave holds it.
   app::OpenDocument kept() const;

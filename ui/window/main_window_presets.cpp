@@ -40,6 +40,8 @@ void MainWindow::showPresets() {
   if (!own.empty()) presetsMenu_->addSeparator();
   connect(presetsMenu_->addAction(tr("&Save as preset…")), &QAction::triggered, this,
           &MainWindow::savePreset);
+  connect(presetsMenu_->addAction(tr("&Reset all settings")), &QAction::triggered, document_,
+          &Document::resetSettings);
   if (!warnings.empty()) message_->show(MessageBar::Kind::note, QString::fromStdString(warnings.front()));
 }
 

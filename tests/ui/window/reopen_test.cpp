@@ -96,10 +96,11 @@ TEST_F(ReopenTest, TheFileOnShowIsShownAgainUnderItsStoredLight) {
   EXPECT_GT(blocksActive_, 0u);
 }
 
-// Cuts, hidden pieces, values and names are of the volume before; the look is the user's.
+// Look, cuts, hidden pieces, values and names are of the volume before; the background is the user's.
 TEST_F(ReopenTest, AnotherVolumeIsShownWhole) {
   ui::Edit edit{window_->document()->scene(), "Change", {}, false};
   edit.scene.look.mode = scene::LookMode::tone;
+  edit.scene.look.backgroundTop = edit.scene.look.backgroundBottom = glm::dvec3(1.0);
   edit.scene.isosurface.name = "Skin";
   edit.scene.extraIsosurfaces[0].shown = true;
   edit.scene.extraIsosurfaces[0].value = 1e6;
@@ -113,10 +114,18 @@ TEST_F(ReopenTest, AnotherVolumeIsShownWhole) {
   ASSERT_TRUE(load(*window_, "phantom:torus:32"));
   scene::Scene expected;
   expected.source.path = "phantom:torus:32";
-  expected.look.mode = scene::LookMode::tone;
-  expected.extraIsosurfaces[0].shown = true;
+  expected.look.backgroundTop = expected.look.backgroundBottom = glm::dvec3(1.0);
   expected.picture = window_->document()->scene().picture;
   EXPECT_TRUE(window_->document()->scene() == expected) << scene::toJson(window_->document()->scene()).dump();
+
+  ui::Edit tone{window_->document()->scene(), "Change", {}, false};
+  tone.scene.look.mode = scene::LookMode::tone;
+  tone.scene.look.ridges = 1.0;
+  window_->document()->edit(tone);
+  window_->document()->resetSettings();
+  EXPECT_TRUE(window_->document()->scene() == expected) << scene::toJson(window_->document()->scene()).dump();
+  window_->document()->undo();
+  EXPECT_EQ(window_->document()->scene().look.mode, scene::LookMode::tone) << "one step";
 }
 
 }  // namespace isolux::test
