@@ -90,8 +90,9 @@ bool belongsToVolume(const std::string& path) {
   return lampPosition || coveredByOne(kOfVolume, path) || isStoredPath(path) || scene::isOfMachine(path);
 }
 
+// The background is the user's, unless the preset names one.
 bool resetByPreset(const std::string& path) {
-  return coveredByOne(kReset, path);
+  return coveredByOne(kReset, path) && !path.starts_with("look.background");
 }
 
 Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
