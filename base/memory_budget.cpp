@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -215,9 +214,7 @@ std::string memoryText(std::size_t bytes) {
   auto value = static_cast<double>(bytes);
   std::size_t unit = 0;
   for (; value >= 1024.0 && unit + 1 < units.size(); ++unit) value /= 1024.0;
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", value, units[unit]);
-  return text.data();
+  return fixedText(value, unit == 0 ? 0 : 1) + ' ' + units[unit];
 }
 
 }  // namespace isolux::base

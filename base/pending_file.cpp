@@ -1,9 +1,11 @@
 #include "base/pending_file.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <mutex>
 #include <set>
@@ -75,6 +77,69 @@ void removeAbandonedIn(const fs::path& folder) {
     if (isPartName(entry->path().filename().string())) removeAbandoned(entry->path());
 }
 
+constexpr const char* kDescriptors = "/proc/self/fd";
+
+// Of a path "/proc/self/fd/N", by any name of that folder: N; else -1.
+int descriptorOf(const fs::path& file) {
+  std::error_code error;
+  if (!fs::equivalent(folderOf(file), kDescriptors, error)) return -1;
+  int number = -1;
+  const std::string name = file.filename().string();
+  const auto [rest, failure] = std::from_chars(name.data(), name.data() + name.size(), number);
+  return failure == std::errc{} && rest == name.data() + name.size() ? number : -1;
+}
+
+// What is written into where it stands, not replaced: a descriptor of this process, a pipe, a device.
+bool isStream(const fs::path& written) {
+  std::error_code ignored;
+  const fs::file_type type = fs::status(written, ignored).type();
+  return descriptorOf(written) >= 0 || type == fs::file_type::fifo || type == fs::file_type::character;
+}
+
+// Another descriptor of the same open file, where it stands. Throws Error{input}.
+int openStream(const fs::path& target, const fs::path& written) {
+  const int number = descriptorOf(written);
+  errno = 0;
+  const int stream = number >= 0 ? ::fcntl(number, F_DUPFD_CLOEXEC, 0)
+                                 : ::open(written.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (stream < 0) throwCannotWrite(target, errno);
+  return stream;
+}
+
+struct OpenFile {
+  explicit OpenFile(int opened) : number(opened) {}
+  ~OpenFile() { ::close(number); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  int number;
+};
+
+void copyInto(int stream, int part, const fs::path& target) {
+  std::array<char, 1 << 16> buffer{};
+  for (ssize_t read = 0; (read = ::read(part, buffer.data(), buffer.size())) != 0;) {
+    if (read < 0) throwCannotWrite(target, errno);
+    for (ssize_t done = 0; done < read;) {
+      const ssize_t wrote = ::write(stream, buffer.data() + done, static_cast<std::size_t>(read - done));
+      if (wrote < 0 && errno != EINTR) throwCannotWrite(target, errno);
+      if (wrote > 0) done += wrote;
+    }
+  }
+}
+
+fs::path temporaryFolder(const fs::path& target) {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (error) throwCannotWrite(target, error.value());
+  return folder;
+}
+
+void checkStream(const fs::path& target, const fs::path& written) {
+  const int number = descriptorOf(written);
+  errno = 0;
+  const int flags = number < 0 ? O_WRONLY : ::fcntl(number, F_GETFL);
+  if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) throwCannotWrite(target, flags < 0 ? errno : EBADF);
+}
+
 void checkTarget(const fs::path& target, const fs::path& written) {
   std::error_code ignored;
   if (fs::is_symlink(written, ignored))  // after forty of them
@@ -105,6 +170,7 @@ fs::path writtenPath(const fs::path& file) {
   fs::path path = file;
   std::error_code error;
   for (int i = 0; i < mostLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    if (descriptorOf(path) >= 0) break;  // the file behind it is not replaced
     const fs::path next = fs::read_symlink(path, error);
     if (error) break;
     path = next.is_absolute() ? next : path.parent_path() / next;
@@ -112,9 +178,13 @@ fs::path writtenPath(const fs::path& file) {
   return path;
 }
 
-PendingFile::PendingFile(fs::path target) : target_(std::move(target)), written_(writtenPath(target_)) {
-  checkTarget(target_, written_);
-  const fs::path folder = folderOf(written_);
+PendingFile::PendingFile(fs::path target)
+    : target_(std::move(target)), written_(writtenPath(target_)), isStream_(isStream(written_)) {
+  if (isStream_)
+    checkStream(target_, written_);
+  else
+    checkTarget(target_, written_);
+  const fs::path folder = isStream_ ? temporaryFolder(target_) : folderOf(written_);
   {
     std::error_code ignored;
     const std::lock_guard lock(pending().mutex);
@@ -188,12 +258,22 @@ void PendingFile::sync() {
   const int error = errno;
   ::close(file);
   if (!done) throwCannotWrite(target_, error);
-  takeRights();
+  if (!isStream_) takeRights();
   synced_ = true;
+}
+
+// Behind what was printed before.
+void PendingFile::writeIntoStream() const {
+  std::fflush(stdout);
+  const int part = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (part < 0) throwCannotWrite(target_, errno);
+  const OpenFile source(part), stream(openStream(target_, written_));
+  copyInto(stream.number, source.number, target_);
 }
 
 void PendingFile::commit() {
   sync();
+  if (isStream_) return writeIntoStream();  // the destructor removes the part
   {
     const std::lock_guard lock(pending().mutex);
     if (std::rename(path_.c_str(), written_.c_str()) != 0) throwCannotWrite(target_, errno);

@@ -6,7 +6,9 @@
 //
 // A symbolic link stays one: the file it leads to is replaced, also when that does not exist yet. Access
 // rights (and the owner, where the system allows it) of a replaced file are kept; a file without any write
-// permission is refused, also for root. commit() returns after the system has put file and name on the disk.
+// permission is refused, also for root. A pipe, a device and a descriptor of this process (/dev/stdout,
+// /dev/fd/N) are not replaced: the part lies in the folder for temporary files, and commit() writes it into
+// them. commit() returns after the system has put file and name on the disk.
 //
 // Errors: base::Error{input} naming the target and the system's reason. Any thread may use files of its own.
 #pragma once
@@ -18,14 +20,15 @@
 
 namespace isolux::base {
 
-// The file that writing to `file` would replace: symbolic links followed, the last one may lead nowhere.
+// The file that writing to `file` would replace: symbolic links followed, the last one may lead nowhere;
+// those that stand for descriptors of this process are not followed.
 std::filesystem::path writtenPath(const std::filesystem::path& file);
 
 // For writers that open files by name: the empty file stands at path() from the start.
 class PendingFile {
  public:
   // Throws when the folder does not exist or cannot be written, or the target is something other than a
-  // regular file that may be replaced.
+  // regular file that may be replaced, or a stream.
   explicit PendingFile(std::filesystem::path target);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
@@ -39,8 +42,10 @@ class PendingFile {
  private:
   bool make(const std::filesystem::path& folder);
   void takeRights() const;
+  void writeIntoStream() const;
 
   std::filesystem::path target_, written_, path_;
+  bool isStream_;
   int lock_ = -1;  // descriptor that holds the lock
   bool synced_ = false, committed_ = false;
 };

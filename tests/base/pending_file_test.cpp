@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -155,6 +156,40 @@ TEST_F(PendingFileTest, AnyNameThatTheFileSystemTakesCanBeWritten) {
   write(folder_ / longName, "x");
   write(folder_ / "caf\xe9 \n.txt", "x");
   EXPECT_EQ(files().size(), 2u);
+}
+
+// A job's log: what was written before stays, and what comes after stands behind.
+TEST_F(PendingFileTest, AStreamIsWrittenIntoWhereItStands) {
+  const fs::path log = folder_ / "job.log";
+  const int file = ::open(log.c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_EQ(::write(file, "before\n", 7), 7);
+  for (const std::string& folder : {"/proc/self/fd/", "/dev/fd/"})
+    write(folder + std::to_string(file), "through " + folder + "\n");
+  fs::create_symlink("/dev/fd/" + std::to_string(file), folder_ / "link");
+  write(folder_ / "link", "through a link\n");
+  ASSERT_EQ(::write(file, "after\n", 6), 6);
+  ::close(file);
+  EXPECT_EQ(contentOf(log), "before\nthrough /proc/self/fd/\nthrough /dev/fd/\nthrough a link\nafter\n");
+  EXPECT_THAT(files(), ElementsAre("job.log", "link"));
+}
+
+TEST_F(PendingFileTest, PipesAndDevicesAreStreamsToo) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  write("/dev/fd/" + std::to_string(ends[1]), "text");
+  ::close(ends[1]);
+  std::string read(10, ' ');
+  read.resize(static_cast<std::size_t>(::read(ends[0], read.data(), read.size())));
+  EXPECT_EQ(read, "text");
+  EXPECT_THAT(failure("/dev/fd/" + std::to_string(ends[0]), 1),
+              HasSubstr("cannot be written: Bad file descriptor"))
+      << "the end that is read";
+  ::close(ends[0]);
+  EXPECT_THAT(failure("/dev/fd/" + std::to_string(ends[0]), 1),
+              HasSubstr("cannot be written: Bad file descriptor"))
+      << "closed";
+  write("/dev/null", "text");
+  EXPECT_THAT(failure("/dev/full", 1), HasSubstr("No space left on device"));
 }
 
 TEST_F(PendingFileTest, AWriterMayGoBackInItsFile) {
