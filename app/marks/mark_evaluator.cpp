@@ -1,11 +1,11 @@
 #include "app/marks/mark_evaluator.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include <glm/geometric.hpp>
 
 #include "app/marks/mark_kinds.h"
+#include "base/decimal_text.h"
 #include "base/number_text.h"
 #include "volume/measure/points.h"
 #include "volume/measure/voxel_noise.h"
@@ -42,8 +42,7 @@ std::string placeOf(scene::WorldAxes axes, glm::dvec3 world) {
   std::string text;
   for (int axis = 0; axis < 3; ++axis) {
     const bool letters = axes == scene::WorldAxes::anatomical;
-    char number[64];
-    std::snprintf(number, sizeof number, "%.2f", letters ? std::abs(world[axis]) : world[axis]);
+    const std::string number = base::fixedText(letters ? std::abs(world[axis]) : world[axis], 2);
     const std::string name = letters ? scene::axisEnd(axes, axis, world[axis] >= 0.0)
                                      : std::string(1, static_cast<char>('X' + axis));
     text += (text.empty() ? "" : ", ") + name + ' ' + number;

@@ -1,9 +1,11 @@
 #include "app/series/sweep.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
+#include "base/decimal_text.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/machine.h"
@@ -20,11 +22,6 @@ constexpr int kMostSweptValues = 100000;
   throw base::Error(base::ErrorKind::usage, "", place, reason);
 }
 
-bool readNumber(std::string_view word, double& value) {
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc{} && end == word.data() + word.size() && std::isfinite(value);
-}
-
 }  // namespace
 
 double Sweep::value(int index) const {
@@ -32,7 +29,7 @@ double Sweep::value(int index) const {
   if (index == count - 1) return high;
   const double step = (high - low) / (count - 1);
   // Without the last bits of the sum, which would stand in names: 0.30000000000000004.
-  return std::stod(base::shortText(low + step * index, 12));
+  return *base::readNumber(base::shortText(low + step * index, 12));
 }
 
 void Sweep::apply(scene::Scene& scene, int index) const {
@@ -52,9 +49,9 @@ Sweep parseSweep(const std::string& text) {
   std::size_t begin = equals == std::string::npos ? text.size() : equals + 1, read = 0;
   while (begin <= text.size() && read < numbers.size() + 1) {
     const std::size_t end = std::min(text.find(':', begin), text.size());
-    double number = 0.0;
-    if (!readNumber(std::string_view(text).substr(begin, end - begin), number)) break;
-    if (read < numbers.size()) numbers[read] = number;
+    const auto number = base::readNumber(std::string_view(text).substr(begin, end - begin));
+    if (!number) break;
+    if (read < numbers.size()) numbers[read] = *number;
     ++read;
     begin = end + 1;
   }

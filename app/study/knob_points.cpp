@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"

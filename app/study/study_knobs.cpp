@@ -1,11 +1,11 @@
 #include "app/study/study_knobs.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
 
+#include "base/decimal_text.h"
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "scene/rules/environment.h"
@@ -62,8 +62,8 @@ scene::Scene turned(const Knob& knob, const std::string& value, scene::Scene sce
   if (knob.name == kScale) {
     scene.derivatives.scale.reset();
     if (value != kAutomatic)
-      scene.derivatives.scale = std::strtod(value.c_str(), nullptr) *
-                                std::cbrt(facts.spacingMm.x * facts.spacingMm.y * facts.spacingMm.z);
+      scene.derivatives.scale =
+          *base::readNumber(value) * std::cbrt(facts.spacingMm.x * facts.spacingMm.y * facts.spacingMm.z);
     return resolvedFirstSurface(std::move(scene), facts);
   }
   if (knob.name != kThreshold) {
@@ -72,7 +72,7 @@ scene::Scene turned(const Knob& knob, const std::string& value, scene::Scene sce
   }
   scene.hit.nearThreshold.reset();
   scene = resolvedFirstSurface(std::move(scene), facts);
-  *scene.hit.nearThreshold *= std::strtod(value.c_str(), nullptr);
+  *scene.hit.nearThreshold *= *base::readNumber(value);
   return scene;
 }
 

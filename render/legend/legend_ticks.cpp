@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/decimal_text.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
 
@@ -83,10 +83,8 @@ TickFormat tickFormat(const std::vector<double>& ticks) {
 }
 
 std::string tickText(double value, const TickFormat& format) {
-  char digits[64];
-  std::snprintf(digits, sizeof digits, "%.*f", format.decimals,
-                std::fabs(value) / std::pow(10.0, format.exponent));
-  return (value < 0.0 ? "\u2212" : "") + std::string(digits);
+  return (value < 0.0 ? "\u2212" : "") +
+         base::fixedText(std::fabs(value) / std::pow(10.0, format.exponent), format.decimals);
 }
 
 std::string axisTitle(const std::string& quantity, const std::string& unit, int exponent) {
