@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <string_view>
 
 namespace isolux::app {
 
@@ -44,11 +46,10 @@ std::string freshName(MarkKind kind, std::span<const scene::Mark> marks) {
 }
 
 std::string freshName(const std::string& title, std::span<const scene::Mark> marks) {
-  for (std::size_t number = 1;; ++number) {
-    const std::string name = title + ' ' + std::to_string(number);
-    if (std::none_of(marks.begin(), marks.end(), [&](const auto& mark) { return mark.name == name; }))
-      return name;
-  }
+  std::set<std::string_view> taken;
+  for (const scene::Mark& mark : marks) taken.insert(mark.name);
+  for (std::size_t number = 1;; ++number)
+    if (const std::string name = title + ' ' + std::to_string(number); !taken.contains(name)) return name;
 }
 
 }  // namespace isolux::app

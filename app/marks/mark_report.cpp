@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "app/marks/mark_kinds.h"
+#include "base/decimal_text.h"
 #include "base/number_text.h"
+#include "base/printable.h"
 
 namespace isolux::app {
 
@@ -25,20 +28,20 @@ ordered_json numbersOf(const std::vector<glm::dvec3>& points) {
   return list;
 }
 
-std::string fixedText(double value, int decimals) {
-  char text[400];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  for (char* c = text; *c; ++c)
-    if (*c == ',') *c = '.';  // in any locale
-  return text;
-}
-
 // A field that holds what separates fields is quoted.
-std::string csvField(const std::string& text) {
+std::string csvField(std::string text) {
+  text = base::printable(std::move(text));
   if (text.find_first_of(",;\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + '"';
+}
+
+// Somebody's words: what a spreadsheet would take for a formula begins with an apostrophe, its mark of a
+// text.
+std::string csvWords(const std::string& text) {
+  const bool formula = !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
+  return csvField(formula ? '\'' + text : text);
 }
 
 std::string positionsText(const std::vector<glm::dvec3>& points) {
@@ -71,7 +74,7 @@ std::string quantityText(const MarkQuantity& quantity) {
     return base::shortText(quantity.value) + (error > 0.0 ? " ± " + base::shortText(error, 2) : "") + unit;
   // Two digits of the error.
   const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
-  return fixedText(quantity.value, decimals) + " ± " + fixedText(error, decimals) + unit;
+  return base::fixedText(quantity.value, decimals) + " ± " + base::fixedText(error, decimals) + unit;
 }
 
 std::string summaryText(const MarkReport& report) {
@@ -109,7 +112,7 @@ ordered_json markJson(const scene::Mark& mark, const MarkReport& report) {
 std::string marksCsv(std::span<const scene::Mark> marks, std::span<const MarkReport> reports) {
   std::string text = "mark,kind,points_mm,quantity,value,error,unit,notes\n";
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const std::string first = csvField(marks[i].name) + ',' + markKind(marks[i].kind).name + ',' +
+    const std::string first = csvWords(marks[i].name) + ',' + markKind(marks[i].kind).name + ',' +
                               csvField(positionsText(marks[i].points)) + ',';
     const MarkReport& report = reports[i];
     const std::string last = ',' + csvField(joined(report.notes, report.problem)) + '\n';
@@ -117,7 +120,7 @@ std::string marksCsv(std::span<const scene::Mark> marks, std::span<const MarkRep
     if (report.quantities.empty()) addLine(",,,");
     for (const MarkQuantity& quantity : report.quantities)
       addLine(quantity.name + ',' + base::shortestText(quantity.value) + ',' +
-              (quantity.error ? base::shortestText(*quantity.error) : "") + ',' + csvField(quantity.unit));
+              (quantity.error ? base::shortestText(*quantity.error) : "") + ',' + csvWords(quantity.unit));
   }
   return text;
 }

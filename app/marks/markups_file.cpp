@@ -194,7 +194,7 @@ void addMarkup(const Markup& markup, ReadMarks& result) {
   }
   const std::string name = markup.text("name", "");
   const auto add = [&](const std::string& called) {
-    mark.name = called.empty() ? freshName(mark.kind, result.marks) : called;
+    mark.name = called;
     result.marks.push_back(mark);
   };
   if (!kind) {  // a list of pins
@@ -251,6 +251,8 @@ ReadMarks parseMarkups(const std::string& text, const std::string& file) {
     addMarkup(markup, result);
   }
   checkMarks(result.marks, file);
+  for (Mark& mark : result.marks)
+    if (mark.name.empty()) mark.name = freshName(mark.kind, result.marks);
   return result;
 }
 

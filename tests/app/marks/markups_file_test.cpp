@@ -164,6 +164,14 @@ TEST(MarkupsFile, WrongFilesAreRefusedWithThePlace) {
       HasSubstr("is not allowed"));
 }
 
+// Names that are free were looked for before the marks were counted: minutes for 10 000.
+TEST(MarkupsFile, TooManyMarksAreRefusedAtOnce) {
+  json point{{"position", {0, 0, 0}}};
+  json file{{"markups", {{{"type", "Fiducial"}, {"controlPoints", json::array()}}}}};
+  for (int i = 0; i < 100000; ++i) file["markups"][0]["controlPoints"].push_back(point);
+  EXPECT_THAT(refusal(file.dump()), HasSubstr("at most 1024 marks"));
+}
+
 TEST(MarkReports, ATableHasARowForEachQuantity) {
   const std::vector<Mark> marks{{MarkKind::distance, "a, \"b\"", {{0, 0, 0}, {1, 2, 3}}},
                                 {MarkKind::circle, "c", {{0, 0, 0}}}};
@@ -176,6 +184,20 @@ TEST(MarkReports, ATableHasARowForEachQuantity) {
             "\"a, \"\"b\"\"\",distance,\"0 0 0; 1 2 3\",straight,3.5,0.25,mm,\"far, off\"\n"
             "\"a, \"\"b\"\"\",distance,\"0 0 0; 1 2 3\",straight_1_2,3.5,,mm,\"far, off\"\n"
             "c,circle,0 0 0,,,,,the points lie on a line\n");
+}
+
+TEST(MarkReports, ATableRunsNothingInASpreadsheetAndMovesNoCursor) {
+  const auto fieldOf = [](const std::string& name) {
+    const std::string table = app::marksCsv(std::vector<Mark>{{MarkKind::point, name, {{-1, 0, 0}}}},
+                                            std::vector<app::MarkReport>(1));
+    const std::size_t begin = table.find('\n') + 1;
+    return table.substr(begin, table.find(",point,-1 0 0,", begin) - begin);
+  };
+  EXPECT_EQ(fieldOf("=1+1"), "'=1+1");
+  EXPECT_EQ(fieldOf("@SUM(A1,2)"), "\"'@SUM(A1,2)\"");
+  EXPECT_EQ(fieldOf("-2"), "'-2");
+  EXPECT_EQ(fieldOf("two\nlines\x1b[2J"), "two?lines?[2J");
+  EXPECT_EQ(fieldOf("a=b"), "a=b");
 }
 
 TEST(MarkReports, NumbersHaveTheDigitsOfTheirError) {
