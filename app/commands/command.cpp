@@ -341,6 +341,7 @@ void addReads(OutputGuard& guard, const std::string& path, const SceneOptions& o
               const scene::Scene& scene) {
   guard.reads(options.session, "the session");
   if (!path.empty() && isSession(path)) guard.reads(path, "the session");
+  if (isPresetFile(options.preset)) guard.reads(options.preset, "the preset");
   guard.reads(scene);
 }
 

@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 struct PresetsOptions {
   std::string path, save, title;
-  bool json = false;
+  bool json = false, overwrite = false;
   std::shared_ptr<SceneOptions> scene;
 };
 
@@ -71,7 +71,7 @@ void keepPreset(const PresetsOptions& options, base::Progress& progress) {
   if (preset.settings.empty())
     throw base::Error(base::ErrorKind::usage, "", "--save",
                       "nothing differs from the defaults; --session or --set say what the preset sets");
-  std::cout << savePreset(preset).string() << '\n';
+  std::cout << savePreset(preset, options.overwrite).string() << '\n';
 }
 
 }  // namespace
@@ -93,6 +93,8 @@ Command makePresets(CLI::App& program) {
           ->excludes(json);
   parser->add_option("--title", options->title, "Of the saved preset, for menus; default: its name")
       ->type_name("TEXT")
+      ->needs(save);
+  parser->add_flag("--overwrite", options->overwrite, "Replace a preset of your own of this name")
       ->needs(save);
   options->scene = addSceneOptions(*parser);
   parser->footer(

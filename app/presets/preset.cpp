@@ -78,9 +78,10 @@ void checkPresetSetting(const std::string& path, const ordered_json& value,
 
 void checkPresetName(const std::string& name, const std::filesystem::path& file) {
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c >= 128;
   });
-  if (!plain) refusePreset(file, "name", "may have lower case letters, digits, '_' and '-' only");
+  if (!plain)
+    refusePreset(file, "name", "may have lower case letters, letters beyond ASCII, digits, '_' and '-' only");
 }
 
 }  // namespace
@@ -99,6 +100,7 @@ Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   if (json.is_discarded() || !json.is_object() || !json.contains("isolux_preset"))
     refusePreset(file, "", "is no preset");
+  parseJson(text, file.string(), "");  // refuses equal keys
   if (json["isolux_preset"] != kPresetVersion)
     refusePreset(file, "isolux_preset", "is of another version of Isolux");
   for (const auto& [key, value] : json.items()) {

@@ -24,7 +24,7 @@ enum class PresetNeed {
 };
 
 struct Preset {
-  std::string name;     // lower case letters, digits, '_' and '-': what --preset takes
+  std::string name;     // lower case letters, those beyond ASCII, digits, '_' and '-': what --preset takes
   std::string title;    // "CT bone"
   std::string meaning;  // one sentence: what it shows
   std::vector<PresetNeed> needs;

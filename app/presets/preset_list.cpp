@@ -63,9 +63,12 @@ std::vector<Preset> ownPresets(std::vector<std::string>& warnings) {
   return presets;
 }
 
+bool isPresetFile(const std::string& nameOrFile) {
+  return nameOrFile.find('/') != std::string::npos || nameOrFile.ends_with(".json");
+}
+
 Preset findPreset(const std::string& nameOrFile) {
-  if (nameOrFile.find('/') != std::string::npos || nameOrFile.ends_with(".json"))
-    return parsePreset(readTextFile(nameOrFile, kLongestPreset), nameOrFile);
+  if (isPresetFile(nameOrFile)) return parsePreset(readTextFile(nameOrFile, kLongestPreset), nameOrFile);
   std::vector<std::string> ignored, known;
   std::vector<Preset> presets = ownPresets(ignored);
   presets.insert(presets.end(), builtInPresets().begin(), builtInPresets().end());
@@ -83,8 +86,8 @@ std::string presetNameOf(const std::string& title) {
   std::string name;
   for (const char letter : title) {
     const auto c = static_cast<unsigned char>(letter);
-    if (c < 128 && std::isalnum(c))
-      name += static_cast<char>(std::tolower(c));
+    if (c >= 128 || std::isalnum(c))
+      name += c >= 128 ? letter : static_cast<char>(std::tolower(c));
     else if (!name.empty() && name.back() != '_')
       name += '_';
   }
@@ -92,7 +95,11 @@ std::string presetNameOf(const std::string& title) {
   return name;
 }
 
-fs::path savePreset(const Preset& preset) {
+fs::path ownPresetFile(const std::string& name) {
+  return presetFolder() / (name + kPresetExtension);
+}
+
+fs::path savePreset(const Preset& preset, bool overwrite) {
   if (preset.name.empty() || presetNameOf(preset.name).empty())
     throw Error(ErrorKind::usage, "", "preset", "needs a name with a letter or digit");
   if (isBuiltIn(preset.name))
@@ -102,7 +109,9 @@ fs::path savePreset(const Preset& preset) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) base::throwInput(folder.string(), "", "cannot be made: " + error.message());
-  const fs::path file = folder / (preset.name + kPresetExtension);
+  const fs::path file = ownPresetFile(preset.name);
+  if (!overwrite && fs::exists(file, error))
+    throw Error(ErrorKind::usage, file.string(), "", "is there already; --overwrite replaces it");
   const std::string text = presetText(preset);
   parsePreset(text, file);  // nothing is kept that could not be read again
   writeTextFile(file, text);

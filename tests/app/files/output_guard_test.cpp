@@ -109,6 +109,8 @@ class Inputs : public testing::Test {
     scene::Scene scene;
     scene.source.path = (folder_ / "v.vti").string();
     saveSession(scene, folder_ / "s.isolux");
+    write(folder_ / "p.json",
+          R"({"isolux_preset": 1, "name": "p", "title": "P", "meaning": "m.", "set": {"look.mode": "gi"}})");
     write(folder_ / "tour.jsonl", R"({"isolux_recording": 1, "scene": {"source": {"path": "v.vti"}}})"
                                   "\n");
     fs::copy_file(folder_ / "tour.jsonl", folder_ / "frame_00000.png");
@@ -134,6 +136,9 @@ TEST_F(Inputs, AreRefusedAsOutputsByEveryCommand) {
            {"render", "v.vti", "--set", "source.csg=union", "--set", "source.csg_path=w.mhd", "--out",
             "a.png", "--stats", "w.mhd"},
            {"render", "s.isolux", "--out", "a.png", "--stats", "s.isolux"},
+           {"render", "v.vti", "--preset", "p.json", "--out", "a.png", "--stats", "p.json"},
+           {"bake", "v.vti", "--preset", "./p.json", "--out", "a.vti", "--stats", "p.json"},
+           {"reference", "v.vti", "--preset", "p.json", "--out", "a.exr", "--stats", "p.json"},
            {"render", "s.isolux", "--out", "a.png", "--stats", "v.vti"},
            {"render", "w.mhd", "--session", "s.isolux", "--out", "a.png", "--stats", "s.isolux"},
            {"render", "v.vti", "--out", "a.png", "--stats", "a.png"},

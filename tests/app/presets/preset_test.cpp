@@ -182,6 +182,31 @@ TEST_F(OwnPresets, AreKeptFoundAndGiveTheSameSceneAgain) {
   EXPECT_NE(warnings[0].find("broken"), std::string::npos);
 }
 
+TEST_F(OwnPresets, AreReplacedWhereThatIsSaidOnly) {
+  const fs::path file = savePreset(presetOf({}, presetNameOf("my bone"), "my bone", nullptr));
+  EXPECT_EQ(presetNameOf("My  Bone!"), "my_bone") << "nearly the same name";
+  try {
+    savePreset(presetOf({}, "my_bone", "My Bone", nullptr));
+    ADD_FAILURE() << "replaced";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.kind(), base::ErrorKind::usage);
+    EXPECT_NE(std::string(error.what()).find("--overwrite"), std::string::npos);
+  }
+  EXPECT_EQ(findPreset("my_bone").title, "my bone");
+  EXPECT_EQ(savePreset(presetOf({}, "my_bone", "My Bone", nullptr), true), file);
+  EXPECT_EQ(findPreset("my_bone").title, "My Bone");
+}
+
+TEST_F(OwnPresets, TakeTheirFilesNameFromTitlesInAnyScript) {
+  EXPECT_EQ(presetNameOf("骨"), "骨");
+  EXPECT_EQ(presetNameOf("Köpfe, 2"), "köpfe_2");
+  EXPECT_EQ(presetNameOf(" !"), "");
+  for (const char* title : {"骨", "Köpfe", "кость"}) {
+    savePreset(presetOf({}, presetNameOf(title), title, nullptr));
+    EXPECT_EQ(findPreset(presetNameOf(title)).title, title);
+  }
+}
+
 TEST_F(OwnPresets, DoNotTakeTheNamesOfTheProgram) {
   EXPECT_THROW(savePreset(presetOf({}, "ct_bone", "CT bone", nullptr)), base::Error);
   EXPECT_THROW(savePreset(presetOf({}, "", "!", nullptr)), base::Error);
