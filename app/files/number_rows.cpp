@@ -1,11 +1,13 @@
 #include "app/files/number_rows.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <sstream>
 
 #include "app/files/files.h"
+#include "base/decimal_text.h"
 #include "base/error.h"
 
 namespace isolux::app {
@@ -17,27 +19,53 @@ using base::ErrorKind;
 
 constexpr std::size_t kLongestFile = std::size_t{256} << 20;
 
-// Numbers between any of the separators; nothing where a word is no finite number.
-std::optional<std::vector<double>> numbersOf(std::string_view text, std::string_view separators) {
-  std::vector<double> numbers;
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets begin their UTF-8 with it
+constexpr std::string_view kColumnSeparators = ",; \t\r";
+
+// Between any of the separators, without quotes.
+std::vector<std::string_view> splitWords(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> words;
   for (std::size_t at = text.find_first_not_of(separators); at != std::string_view::npos;
        at = text.find_first_not_of(separators, at)) {
-    const std::string_view word = text.substr(at, text.find_first_of(separators, at) - at);
-    double value = 0.0;
-    const char* const end = word.data() + word.size();
-    const char* const begin = word.front() == '+' ? word.data() + 1 : word.data();
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-    numbers.push_back(value);
+    std::string_view word = text.substr(at, text.find_first_of(separators, at) - at);
     at += word.size();
+    if (word.size() > 1 && word.starts_with('"') && word.ends_with('"'))
+      word = word.substr(1, word.size() - 2);
+    words.push_back(word);
+  }
+  return words;
+}
+
+// Nothing where a word is no finite number.
+std::optional<std::vector<double>> numbersOf(std::string_view text, std::string_view separators) {
+  std::vector<double> numbers;
+  for (const std::string_view word : splitWords(text, separators)) {
+    const auto number = base::readNumber(word);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
   }
   return numbers;
+}
+
+// A number, also with a unit behind it, or one that is not finite.
+bool beginsAsNumber(std::string_view word) {
+  if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool whole = rest == word.data() + word.size();
+  return error != std::errc::invalid_argument && (whole || std::isfinite(value));
+}
+
+bool isLineOfNames(std::string_view line) {
+  const auto words = splitWords(line, kColumnSeparators);
+  return std::none_of(words.begin(), words.end(), beginsAsNumber);
 }
 
 }  // namespace
 
 std::vector<NumberRow> readNumberRows(const std::filesystem::path& file, std::size_t columns) {
-  const std::string text = readTextFile(file, kLongestFile);
+  std::string text = readTextFile(file, kLongestFile);
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   std::istringstream lines(text);
   std::vector<NumberRow> rows;
   std::size_t number = 0;
@@ -45,8 +73,8 @@ std::vector<NumberRow> readNumberRows(const std::filesystem::path& file, std::si
   for (std::string line; std::getline(lines, line);) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos || line.front() == '#') continue;
-    const auto numbers = numbersOf(line, ",; \t\r");
-    const bool header = first && !numbers;
+    const auto numbers = numbersOf(line, kColumnSeparators);
+    const bool header = first && isLineOfNames(line);
     first = false;
     if (header) continue;
     if (!numbers || numbers->size() != columns)

@@ -15,9 +15,9 @@ struct NumberRow {
   std::size_t line = 0;  // of the file, from 1
 };
 
-// Rows of exactly `columns` finite numbers, separated by commas, semicolons, tabs or spaces. Empty lines and
-// those that begin with # are left out; so is the first one where it holds no numbers (names of columns).
-// Throws Error{input} naming file and line.
+// Rows of exactly `columns` finite numbers, separated by commas, semicolons, tabs or spaces, also quoted.
+// Empty lines and those that begin with # are left out; so is the first one where it has no number (names of
+// columns). Throws Error{input} naming file and line.
 std::vector<NumberRow> readNumberRows(const std::filesystem::path& file, std::size_t columns);
 
 // "x,y,z x,y,z ...": between `fewest` and `most` points. Throws Error{usage} naming the option.

@@ -230,6 +230,28 @@ TEST(ProbeCommand, ATableHasAsManyColumnsInEachRow) {
   EXPECT_EQ(commas[0], commas[2]);
 }
 
+TEST(ProbeCommand, NoFirstPointIsTakenForNames) {
+  const fs::path folder = temporaryFolder();
+  const auto rows = [&](const std::string& text) {
+    std::ofstream(folder / "p.csv") << text;
+    return jsonOf({"probe", "phantom:ball:16", "--points", "p.csv", "--json"}, folder).size();
+  };
+  EXPECT_EQ(rows("\xef\xbb\xbf"
+                 "1,2,3\n4,5,6\n"),
+            2u)
+      << "a byte order mark";
+  EXPECT_EQ(rows("\xef\xbb\xbf"
+                 "x,y,z\r\n4,5,6\r\n"),
+            1u);
+  EXPECT_EQ(rows("\"1\",\"2\",\"3\"\n4,5,6\n"), 2u);
+  EXPECT_EQ(rows("\"x, mm\",\"y\",\"info\"\n4,5,6\n"), 1u);
+  for (const char* first :
+       {"1,2,3mm", "nan,2,3", "1mm,2mm,3mm", "a,b,3", "inf,nan,nan", "1e999,x,y", "1,2"}) {
+    std::ofstream(folder / "p.csv") << first << "\n4,5,6\n";
+    expectRefused(3, {"probe", "phantom:ball:16", "--points", "p.csv"}, "line 1", folder);
+  }
+}
+
 TEST(ProbeCommand, BadRowsAreOneLine) {
   const fs::path folder = temporaryFolder();
   std::ofstream(folder / "bad.csv") << "1,2,3\n1,2\n";
