@@ -1,5 +1,6 @@
 #include "app/mesh/mesh_export.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "base/error.h"
@@ -43,6 +44,21 @@ std::vector<volume::PointArray> arraysOf(const MeshWish& wish, scene::Scene& sce
   return arrays;
 }
 
+// What .stl, which has single precision, makes of the mesh is told as its distance from the surface; far from
+// the origin triangles would collapse.
+void addRounding(const MeshWish& wish, const volume::PreparedVolume& prepared, volume::SurfaceMesh& found) {
+  constexpr double mostVoxels = 1e-3;
+  if (wish.file.extension() != ".stl") return;
+  const glm::dvec3 edges = prepared.grid().geometry().spacingMm();
+  const double shift = volume::singlePrecisionShift(found.mesh);
+  if (!(shift <= mostVoxels * std::min({edges.x, edges.y, edges.z})))
+    throw base::Error(base::ErrorKind::input, wish.file.string(), "",
+                      "so far from the origin the single precision of .stl moves points by " +
+                          base::shortText(shift, 2) +
+                          " mm, over a thousandth of a voxel: write .ply, .obj or .vtp");
+  found.largestDistanceMm += shift;
+}
+
 }  // namespace
 
 volume::SurfaceMesh exportMesh(const MeshWish& wish, scene::Scene resolved,
@@ -56,6 +72,7 @@ volume::SurfaceMesh exportMesh(const MeshWish& wish, scene::Scene resolved,
     throw base::Error(base::ErrorKind::input, resolved.source.path, "isosurface.value",
                       "there is no surface at " + base::shortText(resolved.isosurface.value.value()) +
                           ": nothing is written");
+  addRounding(wish, volume, found);
   const std::vector<volume::PointArray> arrays = arraysOf(wish, resolved, volume, found, progress);
   progress.throwIfStopped();
   volume::writeMesh(found.mesh, arrays, wish.file);

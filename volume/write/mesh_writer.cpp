@@ -141,6 +141,13 @@ void putVtp(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, Gat
 
 }  // namespace
 
+double singlePrecisionShift(const TriangleMesh& mesh) {
+  double largest = 0.0;
+  for (const glm::dvec3& point : mesh.points)
+    largest = std::max(largest, glm::length(glm::dvec3(glm::vec3(point)) - point));
+  return largest;
+}
+
 bool isMeshName(const fs::path& path) {
   const fs::path extension = path.extension();
   return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp";

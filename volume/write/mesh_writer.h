@@ -21,6 +21,9 @@ struct PointArray {
 };
 inline constexpr const char* kNormalsName = "normals";
 
+// The largest distance, mm, by which the single precision of .stl moves a point; infinite beyond its range.
+double singlePrecisionShift(const TriangleMesh& mesh);
+
 bool isMeshName(const std::filesystem::path& path);
 // Throws Error{usage} for an unknown extension and Error{input} when the file cannot be written.
 void writeMesh(const TriangleMesh& mesh, const std::vector<PointArray>& arrays,

@@ -1,6 +1,7 @@
 // isolux mesh: an isosurface as triangles in each format, with what is known at its points.
 #include <cmath>
 #include <cstring>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,6 +57,40 @@ TEST_F(MeshCommand, EveryFormatReadsBackAsTheBall) {
       EXPECT_NEAR(box.high[axis], kRadius, 0.1) << name;
     }
   }
+}
+
+// A ball about the origin, a cube of voxels of 0.01 mm, moved by `far` mm along each axis.
+std::string farBall(const std::filesystem::path& folder, double far) {
+  const std::string name = "far.mha";
+  std::ofstream file(folder / name, std::ios::binary);
+  file << "ObjectType = Image\nNDims = 3\nDimSize = 24 24 24\nElementSpacing = 0.01 0.01 0.01\nOffset = "
+       << far << ' ' << far << ' ' << far << "\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n";
+  for (int z = 0; z < 24; ++z)
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x) {
+        const float value = 8.0F - static_cast<float>(std::hypot(x - 11.5, y - 11.5, z - 11.5));
+        file.write(reinterpret_cast<const char*>(&value), sizeof(value));
+      }
+  return name;
+}
+
+TEST_F(MeshCommand, ThePrecisionOfStlIsPartOfItsDistanceOrRefused) {
+  const auto distance = [&](double far, const std::string& out) {
+    const RunResult result = run({farBall(folder_, far), "--isovalue", "0", "--out", out, "--json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return json::parse(result.out)["largest_distance_mm"].get<double>();
+  };
+  // At 100 mm floats lie 7.6e-6 mm apart.
+  const double exact = distance(100.0, "far.ply"), rounded = distance(100.0, "far.stl");
+  EXPECT_GT(rounded, exact + 1e-6);
+  EXPECT_LE(rounded, exact + std::sqrt(3.0) * 0.5 * 7.63e-6);
+  farBall(folder_, 1e6);
+  const RunResult refused = run({"far.mha", "--isovalue", "0", "--out", "b.stl"});
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_TRUE(refused.isOneErrorLine()) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("b.stl: so far from the origin"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "b.stl"));
+  EXPECT_NEAR(distance(1e6, "b.ply"), exact, 1e-3 * exact);
 }
 
 TEST_F(MeshCommand, VtpHasWhatIsKnownAtThePoints) {
