@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/documents/path_text.h"
 #include "app/files/file_lock.h"
 #include "app/files/files.h"
 #include "app/files/state_folder.h"
@@ -71,12 +72,13 @@ std::string placeToken(const fs::path& file) {
     const auto lock = lockList(list.parent_path() / "places.lock");
     if (!lock) return {};
     Places places = readPlaces(list);
-    const auto known = std::find_if(places.begin(), places.end(),
-                                    [&](const auto& place) { return place.second == file.string(); });
+    const std::string path = pathText(file.string());
+    const auto known =
+        std::find_if(places.begin(), places.end(), [&](const auto& place) { return place.second == path; });
     if (known != places.end() && known + 1 == places.end()) return known->first;
     std::string token = known == places.end() ? newToken() : known->first;
     if (known != places.end()) places.erase(known);
-    places.emplace_back(token, file.string());
+    places.emplace_back(token, path);
     if (places.size() > mostPlaces) places.erase(places.begin());
     writeTextFile(list, json(places).dump(0, ' ', false, json::error_handler_t::replace) + '\n');
     return token;
@@ -88,8 +90,9 @@ std::string placeToken(const fs::path& file) {
 fs::path placeOf(const std::string& token) {
   const fs::path list = listFile();
   if (token.empty() || list.empty()) return {};
-  for (const auto& [known, path] : readPlaces(list)) {
+  for (const auto& [known, text] : readPlaces(list)) {
     std::error_code ignored;
+    const fs::path path = pathOfText(text);
     if (known == token && fs::exists(path, ignored)) return path;
   }
   return {};

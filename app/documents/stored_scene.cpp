@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <set>
 
 #include "app/documents/anonymous.h"
+#include "app/documents/path_text.h"
 #include "app/documents/places.h"
 #include "base/error.h"
 #include "volume/bricks/hdf5/hdf5.h"
@@ -36,6 +39,42 @@ fs::path absoluteFolder(const fs::path& folder) {
   return fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
 }
 
+// Relative to `folder` where it lies below that.
+std::string relativePath(const std::string& path, const fs::path& folder) {
+  if (!namesFile(path)) return path;
+  const fs::path file = fs::absolute(path).lexically_normal();
+  const fs::path relative = file.lexically_relative(absoluteFolder(folder));
+  if (relative.empty() || *relative.begin() == "..") return file.string();
+  return relative.string();
+}
+
+// "line 3, column 5" of the byte, counted from 1, behind which nothing was understood.
+std::string placeOfByte(const std::string& text, std::size_t byte, const std::string& place) {
+  const std::string_view before = std::string_view(text).substr(0, byte > 0 ? byte - 1 : 0);
+  const std::size_t newline = before.rfind('\n');
+  const std::string column =
+      "column " + std::to_string(before.size() - (newline == std::string_view::npos ? 0 : newline + 1) + 1);
+  if (!place.empty()) return place + ", " + column;
+  return "line " + std::to_string(std::count(before.begin(), before.end(), '\n') + 1) + ", " + column;
+}
+
+// Refuses an object with two equal keys, of which a parser takes either.
+class TwiceGuard {
+ public:
+  explicit TwiceGuard(const std::string& file) : file_(file) {}
+  bool operator()(int, json::parse_event_t event, const json& parsed) {
+    if (event == json::parse_event_t::object_start) keys_.emplace_back();
+    if (event == json::parse_event_t::object_end) keys_.pop_back();
+    if (event == json::parse_event_t::key && !keys_.back().insert(parsed.get<std::string>()).second)
+      base::throwInput(file_, parsed.get<std::string>(), "is there twice in one object");
+    return true;
+  }
+
+ private:
+  const std::string& file_;
+  std::vector<std::set<std::string>> keys_;
+};
+
 }  // namespace
 
 bool isStoredPath(std::string_view setting) {
@@ -51,15 +90,12 @@ StoredFolders foldersOf(const fs::path& file) {
 }
 
 std::string storedPath(const std::string& path, const fs::path& folder) {
-  if (!namesFile(path)) return path;
-  const fs::path file = fs::absolute(path).lexically_normal();
-  const fs::path relative = file.lexically_relative(absoluteFolder(folder));
-  if (relative.empty() || *relative.begin() == "..") return file.string();
-  return relative.string();
+  return pathText(relativePath(path, folder));
 }
 
-std::string pathFromStored(const std::string& stored, const StoredFolders& folders) {
-  if (!namesFile(stored)) return stored;
+std::string pathFromStored(const std::string& text, const StoredFolders& folders) {
+  if (!namesFile(text)) return text;
+  const std::string stored = pathOfText(text);
   std::vector<fs::path> candidates;
   for (const fs::path& folder : folders)
     candidates.push_back((absoluteFolder(folder) / stored).lexically_normal());
@@ -85,10 +121,10 @@ SharedScene sharedScene(const scene::Scene& scene, const fs::path& folder, const
   for (const std::string_view path : pathSettings) {
     const scene::Setting& setting = scene::setting(path);
     const std::string whole = setting.get(scene).get<std::string>();
-    const fs::path stored = storedPath(whole, folder);
+    const fs::path stored = relativePath(whole, folder);
     const std::string plain = stored.is_absolute() ? stored.filename().string() : stored.string();
     const std::string name = namesFile(plain) ? withoutPatient(plain, patient) : plain;
-    setting.set(named, name);
+    setting.set(named, pathText(name));
     if (name == stored.string()) continue;
     const std::string token = placeToken(fs::absolute(whole).lexically_normal());
     if (!token.empty()) shared.places[std::string(path)] = token;
@@ -151,11 +187,11 @@ void checkKeys(const json& stored, std::initializer_list<std::string_view> known
 }
 
 json parseJson(const std::string& text, const std::string& file, const std::string& place) {
-  const std::string before = place.empty() ? "" : place + ", ";
   try {
-    return json::parse(text);
+    TwiceGuard guard(file);
+    return json::parse(text, std::ref(guard));
   } catch (const json::parse_error& error) {
-    base::throwInput(file, before + "byte " + std::to_string(error.byte), "is not valid JSON");
+    base::throwInput(file, placeOfByte(text, error.byte, place), "is not valid JSON");
   } catch (const json::exception&) {  // a number too large for a double
     base::throwInput(file, place, "holds a number that is out of range");
   }

@@ -61,7 +61,8 @@ nlohmann::json derivativesAsBefore(nlohmann::json stored);
 void checkKeys(const nlohmann::json& stored, std::initializer_list<std::string_view> known,
                const std::string& file, const std::string& place);
 
-// Parses with the byte of a fault in the message; `place` stands before it ("line 3").
+// Parses. Throws base::Error{input} with line and column of a fault, or the column behind `place` ("line 3")
+// of a text of one line; also where an object has two equal keys.
 nlohmann::json parseJson(const std::string& text, const std::string& file, const std::string& place);
 
 }  // namespace isolux::app

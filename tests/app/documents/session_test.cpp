@@ -230,6 +230,13 @@ TEST(Session, ValuesAreCheckedWithTheirPath) {
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 2, "scene": 7})"), HasSubstr("scene"));
 }
 
+TEST(Session, EqualKeysAreRefused) {
+  EXPECT_THAT(
+      sessionRefusal(R"({"isolux_session": 6, "scene": {"look": {"mode": "gi"}, "camera": {}, "look": {}}})"),
+      HasSubstr("look: is there twice"));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 6, "isolux_session": 6})"), HasSubstr("is there twice"));
+}
+
 TEST(Session, FutureVersionsSaySo) {
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 7, "scene": {"new": 1}})"),
               AllOf(HasSubstr("version 6"), HasSubstr("newer Isolux")));
@@ -238,14 +245,16 @@ TEST(Session, FutureVersionsSaySo) {
 
 TEST(Session, WhatIsNoSessionSaysSo) {
   EXPECT_THAT(sessionRefusal(""), HasSubstr("JSON"));
-  EXPECT_THAT(sessionRefusal("{\"isolux_session\": 2,}"), HasSubstr("byte 22"));
+  EXPECT_THAT(sessionRefusal("{\"isolux_session\": 2,}"), HasSubstr("line 1, column 22"));
   EXPECT_THAT(sessionRefusal("[]"), HasSubstr("not a session"));
   EXPECT_THAT(sessionRefusal("{}"), HasSubstr("isolux_session"));
   for (const char* version : {"0", "-1", "1.5", "\"2\"", "null", "true"})
     EXPECT_THAT(sessionRefusal(std::string("{\"isolux_session\": ") + version + "}"),
                 HasSubstr("version must be"));
   EXPECT_THAT(sessionRefusal("{\"isolux_session\": 2, \"scene\": {\"source\": {\"path\": \"\xff\"}}}"),
-              HasSubstr("byte"));
+              HasSubstr("column"));
+  EXPECT_THAT(sessionRefusal("{\n  \"isolux_session\": 2,\n  \"scene\" {}\n}"),
+              HasSubstr("line 3, column 11"));
   const std::string deep(300000, '[');
   EXPECT_THAT(sessionRefusal(deep + std::string(300000, ']')), HasSubstr("not a session"));
 }
@@ -280,6 +289,24 @@ class OwnStateFolder {
  private:
   std::string old_;
 };
+
+// Names in an old encoding, which no JSON text holds as they are.
+TEST(Session, AnyBytesOfANameAreFoundAgain) {
+  const fs::path folder = test::temporaryFolder(), far = test::temporaryFolder();
+  const OwnStateFolder state;
+  const render::ColorImage image{{1, 1}, {255, 0, 0, 255}};
+  for (const char* name : {"b\xff\xfe 100%.mha", "bytes:plain.mha", "K\xf6pfe.mha"}) {
+    std::ofstream(folder / name) << "x";
+    Scene scene;
+    scene.source.path = (folder / name).string();
+    saveSession(scene, folder / "s.isolux");
+    EXPECT_EQ(loadSession(folder / "s.isolux").source.path, scene.source.path);
+    saveSession(scene, far / "s.isolux");
+    EXPECT_EQ(loadSession(far / "s.isolux").source.path, scene.source.path);
+    writePng(image, far / "a.png", pictureSessionText(scene, far));
+    EXPECT_EQ(loadSession(far / "a.png").source.path, scene.source.path) << "by its place";
+  }
+}
 
 TEST(Session, OfASharedPictureNamesNoFolderAndFindsItsFilesAgain) {
   const fs::path folder = test::temporaryFolder();
