@@ -1,8 +1,9 @@
 #include "app/browser/index_job.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
+
+#include "app/process/caught_error.h"
 
 namespace isolux::app {
 
@@ -35,19 +36,12 @@ std::vector<volume::DicomSeries> IndexJob::take() {
 }
 
 void IndexJob::run(Work& work) {
-  try {
-    const auto keep = [&](volume::DicomSeries series) {
-      const std::lock_guard lock(work.mutex);
-      addSeries(work.found, std::move(series));
-    };
-    work.end = volume::indexDicom(work.folder, keep, work.progress);
-  } catch (const base::Error& error) {
-    work.error = error;
-  } catch (const std::bad_alloc&) {
-    work.error.emplace(base::ErrorKind::memory, work.folder, "", "not enough memory for the list of series");
-  } catch (const std::exception& error) {
-    work.error.emplace(base::ErrorKind::input, work.folder, "", error.what());
-  }
+  const auto keep = [&](volume::DicomSeries series) {
+    const std::lock_guard lock(work.mutex);
+    addSeries(work.found, std::move(series));
+  };
+  work.error = caughtError(work.folder, "list the series",
+                           [&] { work.end = volume::indexDicom(work.folder, keep, work.progress); });
   work.finished.store(true, std::memory_order_release);
 }
 
@@ -66,11 +60,9 @@ PreviewJob::~PreviewJob() {
 }
 
 void PreviewJob::run(Work& work) {
-  try {
-    work.image = volume::previewDicom(work.file, work.frame, work.progress);
-  } catch (const std::exception&) {  // no picture, then: opening the series says why
-    work.image = {};
-  }
+  // No picture where that fails: opening the series says why.
+  caughtError(work.file, "preview",
+              [&] { work.image = volume::previewDicom(work.file, work.frame, work.progress); });
   work.finished.store(true, std::memory_order_release);
 }
 

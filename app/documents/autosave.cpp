@@ -15,6 +15,7 @@
 #include "app/documents/unsaved_work.h"
 #include "app/files/files.h"
 #include "app/files/state_folder.h"
+#include "app/process/caught_error.h"
 #include "app/version.h"
 #include "scene/scene_diff.h"
 #include "scene/settings.h"
@@ -247,14 +248,8 @@ void AutosaveFile::work() {
     wished_ = false;
     working_ = true;
     lock.unlock();
-    std::optional<base::Error> problem;
-    try {
-      fulfil(wanted);
-    } catch (const base::Error& error) {
-      problem = error;
-    } catch (const std::exception& error) {
-      problem.emplace(base::ErrorKind::input, file_.string(), "", error.what());
-    }
+    std::optional<base::Error> problem =
+        caughtError(file_.string(), "keep the document", [&] { fulfil(wanted); });
     lock.lock();
     working_ = false;
     problem_ = std::move(problem);

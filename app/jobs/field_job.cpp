@@ -1,9 +1,9 @@
 #include "app/jobs/field_job.h"
 
-#include <new>
 #include <utility>
 
 #include "app/jobs/rest_scene.h"
+#include "app/process/caught_error.h"
 #include "scene/rules/needs.h"
 #include "volume/pieces/hidden_pieces.h"
 
@@ -96,41 +96,41 @@ scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume
 }
 
 FieldJob::FieldJob(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene)
-    : volume_(std::move(volume)), scene_(scene) {
-  thread_ = std::thread([this] { run(); });
-}
+    : work_(
+          [&] {
+            auto work = std::make_shared<Work>();
+            work->volume = std::move(volume);
+            work->scene = scene;
+            return work;
+          }(),
+          run) {}
 
 FieldJob::~FieldJob() {
-  progress_.requestStop();
-  thread_.join();
+  work_->progress.requestStop();
 }
 
 bool FieldJob::isFor(const scene::Scene& scene) const {
-  const bool same = scene_.hit.field == scene.hit.field && scene_.derivatives == scene.derivatives &&
-                    scene::needsGradient(scene_) == scene::needsGradient(scene) &&
-                    scene::needsSecondDerivatives(scene_) == scene::needsSecondDerivatives(scene);
-  const bool sameColor = scene::showsSecondVolume(scene_) == scene::showsSecondVolume(scene) &&
-                         (!scene::showsSecondVolume(scene) || sameSecondVolume(scene_.color, scene.color));
-  const bool sameAtRest = scene_.picture.restHits == scene.picture.restHits &&
-                          scene::mayRefineHits(scene_) == scene::mayRefineHits(scene);
-  const bool samePieces = scene_.pieces == scene.pieces;
+  const scene::Scene& own = work_->scene;
+  const bool same = own.hit.field == scene.hit.field && own.derivatives == scene.derivatives &&
+                    scene::needsGradient(own) == scene::needsGradient(scene) &&
+                    scene::needsSecondDerivatives(own) == scene::needsSecondDerivatives(scene);
+  const bool sameColor = scene::showsSecondVolume(own) == scene::showsSecondVolume(scene) &&
+                         (!scene::showsSecondVolume(scene) || sameSecondVolume(own.color, scene.color));
+  const bool sameAtRest = own.picture.restHits == scene.picture.restHits &&
+                          scene::mayRefineHits(own) == scene::mayRefineHits(scene);
+  const bool samePieces = own.pieces == scene.pieces;
   const bool measures = awaitsChoice(scene) || scene::mayRefineHits(scene);
   return same && sameColor && sameAtRest && samePieces &&
-         (!measures || scene_.isosurface.value == scene.isosurface.value);
+         (!measures || own.isosurface.value == scene.isosurface.value);
 }
 
-void FieldJob::run() {
-  try {
-    scene::Scene scene = scene_;
-    completeFields(scene, *volume_, false, progress_);
-    atRest(std::move(scene), *volume_, progress_);
-  } catch (const base::Error& error) {
-    error_ = error;
-  } catch (const std::bad_alloc&) {
-    error_ = base::Error(base::ErrorKind::memory, volume_->volume.name, "",
-                         "out of memory while the field is interpolated");
-  }
-  finished_.store(true, std::memory_order_release);
+void FieldJob::run(Work& work) {
+  work.error = caughtError(work.volume->volume.name, "make the field", [&] {
+    scene::Scene scene = work.scene;
+    completeFields(scene, *work.volume, false, work.progress);
+    atRest(std::move(scene), *work.volume, work.progress);
+  });
+  work.finished.store(true, std::memory_order_release);
 }
 
 }  // namespace isolux::app

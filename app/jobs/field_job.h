@@ -7,10 +7,10 @@
 #include <atomic>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "base/error.h"
 #include "base/progress.h"
+#include "base/retire.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 
@@ -34,23 +34,27 @@ class FieldJob {
  public:
   FieldJob(std::shared_ptr<const volume::PreparedVolume> volume,
            const scene::Scene& scene);  // starts at once
-  ~FieldJob();                          // stops and waits: at most 100 ms
+  ~FieldJob();                          // stops; the thread ends elsewhere (base/retire.h)
+  FieldJob(const FieldJob&) = delete;
+  FieldJob& operator=(const FieldJob&) = delete;
 
   bool isFor(const scene::Scene& scene) const;  // which needs the same
-  bool finished() const { return finished_.load(std::memory_order_acquire); }
-  const base::Progress& progress() const { return progress_; }
+  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
+  const base::Progress& progress() const { return work_->progress; }
   // After finished(): what went wrong.
-  const std::optional<base::Error>& error() const { return error_; }
+  const std::optional<base::Error>& error() const { return work_->error; }
 
  private:
-  void run();
+  struct Work {
+    std::shared_ptr<const volume::PreparedVolume> volume;
+    scene::Scene scene;
+    base::Progress progress;
+    std::atomic<bool> finished{false};
+    std::optional<base::Error> error;
+  };
+  static void run(Work& work);
 
-  std::shared_ptr<const volume::PreparedVolume> volume_;
-  const scene::Scene scene_;
-  base::Progress progress_;
-  std::atomic<bool> finished_{false};
-  std::optional<base::Error> error_;
-  std::thread thread_;
+  base::RetiringThread<Work> work_;
 };
 
 }  // namespace isolux::app

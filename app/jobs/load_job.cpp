@@ -1,8 +1,8 @@
 #include "app/jobs/load_job.h"
 
-#include <new>
 #include <utility>
 
+#include "app/process/caught_error.h"
 #include "volume/bricks/coarse_level.h"
 #include "volume/bricks/open_chunked.h"
 
@@ -60,15 +60,7 @@ void LoadJob::load(Work& work) {
 }
 
 void LoadJob::run(Work& work) {
-  try {
-    load(work);
-  } catch (const base::Error& error) {
-    work.error = error;
-  } catch (const std::bad_alloc&) {
-    work.error.emplace(base::ErrorKind::memory, work.source.path, "", "not enough memory");
-  } catch (const std::exception& error) {
-    work.error.emplace(base::ErrorKind::input, work.source.path, "", error.what());
-  }
+  work.error = caughtError(work.source.path, "load the volume", [&] { load(work); });
   work.finished.store(true, std::memory_order_release);
 }
 

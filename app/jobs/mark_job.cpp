@@ -1,6 +1,6 @@
 #include "app/jobs/mark_job.h"
 
-#include <new>
+#include "app/process/caught_error.h"
 
 namespace isolux::app {
 
@@ -24,20 +24,17 @@ std::vector<MarkJob::Result> MarkJob::take() {
 }
 
 MarkReport MarkJob::reportOf(Work& work, const scene::Mark& mark) {
-  MarkReport failed;
-  try {
-    return work.evaluator->evaluate(mark, work.progress);
-  } catch (const base::Error& error) {
-    if (error.kind() == base::ErrorKind::interrupted) throw;
-    failed.problem = error.what();
-  } catch (const std::bad_alloc&) {
-    failed.problem = "not enough memory";
-  }
-  return failed;
+  MarkReport report;
+  const auto error =
+      caughtError("", "measure", [&] { report = work.evaluator->evaluate(mark, work.progress); });
+  if (error && error->kind() == base::ErrorKind::interrupted) throw *error;
+  if (error) report.problem = error->what();
+  return report;
 }
 
 void MarkJob::run(Work& work) {
-  try {
+  // Stopped: nobody asks any more.
+  caughtError("", "measure", [&] {
     for (const bool slow : {false, true})
       for (std::size_t i = 0; i < work.marks.size(); ++i) {
         if (isSlow(work.marks[i].kind) != slow) continue;
@@ -45,9 +42,7 @@ void MarkJob::run(Work& work) {
         const std::scoped_lock lock(work.mutex);
         work.results.emplace_back(i, std::move(report));
       }
-  } catch (const base::Error&) {
-    // Stopped: nobody asks any more.
-  }
+  });
   work.finished.store(true, std::memory_order_release);
 }
 

@@ -29,13 +29,14 @@ struct PictureThread::Work {
   };
   base::Mailbox<DrawnStill> stills;
   Context context;
-  std::atomic<bool> contextKnown{false}, ending{false};
+  std::atomic<bool> contextKnown{false}, ending{false}, forgets{false};
   std::counting_semaphore<> news{0};
 
   void run(render::ContextChoice choice);
   void serve(const std::shared_ptr<const render::Gl>& gl);
   void draw(const Numbered& numbered, const std::shared_ptr<const render::Gl>& gl);
   void drawStill(const StillOrder& still, const std::shared_ptr<const render::Gl>& gl);
+  void forget();
   render::Renderer& rendererFor(const PictureOrder& order, const std::shared_ptr<const render::Gl>& gl);
 
   std::unique_ptr<render::Renderer> renderer;  // of the thread, as the volume that it draws
@@ -44,16 +45,16 @@ struct PictureThread::Work {
 
 namespace {
 
-enum class Ending { stopped, refused, unknown };
+enum class Refusal { stopped, refused, unknown };
 
 // After anything but an Error nobody knows what state the renderer is in.
-Ending endingOf(const std::exception_ptr& failure) {
+Refusal refusalOf(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
   } catch (const base::Error& error) {
-    return error.kind() == base::ErrorKind::interrupted ? Ending::stopped : Ending::refused;
+    return error.kind() == base::ErrorKind::interrupted ? Refusal::stopped : Refusal::refused;
   } catch (...) {
-    return Ending::unknown;
+    return Refusal::unknown;
   }
 }
 
@@ -83,9 +84,9 @@ void PictureThread::Work::draw(const Numbered& numbered, const std::shared_ptr<c
     results.put(std::make_unique<Result>(std::move(drawn)));
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();
-    const Ending how = endingOf(failure);
-    if (how == Ending::stopped) return;
-    if (how == Ending::unknown) renderer.reset();
+    const Refusal how = refusalOf(failure);
+    if (how == Refusal::stopped) return;
+    if (how == Refusal::unknown) renderer.reset();
     results.put(std::make_unique<Result>(FailedPicture{numbered.number, failure}));
   }
 }
@@ -98,14 +99,24 @@ void PictureThread::Work::drawStill(const StillOrder& still, const std::shared_p
                    still.progress}));
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();
-    if (endingOf(failure) == Ending::unknown) renderer.reset();
+    if (refusalOf(failure) == Refusal::unknown) renderer.reset();
     stills.put(std::make_unique<DrawnStill>(DrawnStill{failure, still.progress}));
   }
 }
 
+void PictureThread::Work::forget() {
+  if (renderer) {
+    renderer->setLight(nullptr);
+    renderer->setVolume(nullptr);
+  }
+  base::retire(std::exchange(volume, nullptr));
+}
+
 void PictureThread::Work::serve(const std::shared_ptr<const render::Gl>& gl) {
   while (!ending.load(std::memory_order_acquire)) {
-    if (const auto still = stillOrders.take())
+    if (forgets.exchange(false, std::memory_order_acq_rel))
+      forget();
+    else if (const auto still = stillOrders.take())
       drawStill(*still, gl);
     else if (const auto numbered = orders.take())
       draw(*numbered, gl);
@@ -180,6 +191,12 @@ void PictureThread::drop() {
   given_.clear();
   base::retire(std::pair(work_->orders.take(), work_->results.take()));
   dropped_ = number_;
+}
+
+void PictureThread::forget() {
+  drop();
+  work_->forgets.store(true, std::memory_order_release);
+  work_->news.release();
 }
 
 void PictureThread::drawStill(PictureOrder order) {

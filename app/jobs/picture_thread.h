@@ -85,6 +85,8 @@ class PictureThread {
   std::optional<Result> take();
   // What is ordered and not taken yet never comes, drafts neither; what is being drawn is dropped.
   void drop();
+  // The same, and it lets go of the volume and the light that it drew last.
+  void forget();
   bool busy() const { return !given_.empty(); }  // an order has neither come back nor been dropped
 
   // The whole picture, of any size (render::drawStill). It drops what is being drawn, and is not dropped

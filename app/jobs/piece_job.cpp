@@ -1,7 +1,6 @@
 #include "app/jobs/piece_job.h"
 
-#include <new>
-
+#include "app/process/caught_error.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/piece_seeds.h"
 
@@ -42,14 +41,8 @@ void PieceJob::find(Work& work) {
 }
 
 void PieceJob::run(Work& work) {
-  try {
-    find(work);
-  } catch (const base::Error& error) {
-    work.error = error;
-  } catch (const std::bad_alloc&) {
-    work.error.emplace(base::ErrorKind::memory, work.volume->volume.name, "",
-                       "not enough memory for the pieces of the isosurface");
-  }
+  work.error =
+      caughtError(work.volume->volume.name, "find the pieces of the isosurface", [&] { find(work); });
   work.finished.store(true, std::memory_order_release);
 }
 

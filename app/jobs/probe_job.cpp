@@ -64,15 +64,8 @@ ProbeJob::ProbeJob(scene::Environment settings)
           run) {}
 
 void ProbeJob::run(Work& work) {
-  try {
-    work.thumbnail = thumbnailOf(*gi::loadEnvironment(work.settings));
-  } catch (const base::Error& error) {
-    work.error = error;
-  } catch (const std::bad_alloc&) {
-    work.error.emplace(base::ErrorKind::memory, work.settings.file, "", "not enough memory");
-  } catch (const std::exception& error) {
-    work.error.emplace(base::ErrorKind::input, work.settings.file, "", error.what());
-  }
+  work.error = caughtError(work.settings.file, "load the light probe",
+                           [&] { work.thumbnail = thumbnailOf(*gi::loadEnvironment(work.settings)); });
   work.finished.store(true, std::memory_order_release);
 }
 

@@ -4,12 +4,11 @@
 
 #include <atomic>
 #include <memory>
-#include <new>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "app/jobs/give_way.h"
+#include "app/process/caught_error.h"
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/retire.h"
@@ -48,14 +47,7 @@ class QuietJob {
   };
   static void run(Shared& shared) {
     if constexpr (!requires { Work::kIsAwaited; }) giveWay();
-    try {
-      shared.work.run(shared.progress);
-    } catch (const base::Error& error) {
-      shared.error = error;
-    } catch (const std::bad_alloc&) {
-      shared.error.emplace(base::ErrorKind::memory, "", "",
-                           std::string("not enough memory to ") + Work::kDoes);
-    }
+    shared.error = caughtError("", Work::kDoes, [&] { shared.work.run(shared.progress); });
     shared.finished.store(true, std::memory_order_release);
   }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <thread>
 #include <utility>
 
 #include <glm/common.hpp>
 
 #include "app/files/reference_image.h"
+#include "app/process/caught_error.h"
 #include "base/color.h"
 #include "gi/light_scene.h"
 #include "volume/tracer/isosurface_tracer.h"
@@ -77,15 +77,8 @@ ReferenceJob::~ReferenceJob() {
 }
 
 void ReferenceJob::run(Work& work) {
-  try {
-    trace(work);
-  } catch (const base::Error& error) {
-    if (error.kind() != base::ErrorKind::interrupted) work.error = error;
-  } catch (const std::bad_alloc&) {
-    work.error.emplace(base::ErrorKind::memory, "", "reference", "not enough memory");
-  } catch (const std::exception& error) {
-    work.error.emplace(base::ErrorKind::input, "", "reference", error.what());
-  }
+  const auto error = caughtError("", "trace the picture", [&] { trace(work); });
+  if (error && error->kind() != base::ErrorKind::interrupted) work.error = error;
   work.finished.store(true, std::memory_order_release);
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <new>
 #include <utility>
 
+#include "app/process/caught_error.h"
 #include "app/slices/slice_draft.h"
 #include "app/slices/slice_labels.h"
 #include "app/slices/slice_picture.h"
@@ -61,14 +61,7 @@ void SliceJob::draw(Work& work) {
 
 void SliceJob::run(Work& work) {
   const auto begun = std::chrono::steady_clock::now();
-  try {
-    draw(work);
-  } catch (const base::Error& error) {
-    work.error = error;
-  } catch (const std::bad_alloc&) {
-    work.error = base::Error(base::ErrorKind::memory, work.order.volume->volume.name, "",
-                             "out of memory while a slice is drawn");
-  }
+  work.error = caughtError(work.order.volume->volume.name, "draw a slice", [&] { draw(work); });
   work.milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
   work.finished.store(true, std::memory_order_release);

@@ -1,7 +1,8 @@
 #include "app/mesh/mesh_job.h"
 
-#include <new>
 #include <utility>
+
+#include "app/process/caught_error.h"
 
 namespace isolux::app {
 
@@ -21,16 +22,9 @@ MeshJob::~MeshJob() {
 }
 
 void MeshJob::run(Work& work) {
-  try {
+  work.error = caughtError(work.wish.file.string(), "make the mesh", [&] {
     work.made = exportMesh(work.wish, work.resolved, *work.volume, work.progress);
-  } catch (const base::Error& error) {
-    work.error = error;
-  } catch (const std::bad_alloc&) {
-    work.error.emplace(base::ErrorKind::memory, work.wish.file.string(), "",
-                       "not enough memory for this mesh");
-  } catch (const std::exception& error) {
-    work.error.emplace(base::ErrorKind::input, work.wish.file.string(), "", error.what());
-  }
+  });
   work.finished.store(true, std::memory_order_release);
 }
 
