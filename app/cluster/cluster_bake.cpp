@@ -198,9 +198,7 @@ ClusterResult ClusterBake::result(const gi::StoredLight& finished) const {
     state.counters.threads += rank.hello.threads;
     if (!rank.left)
       all.notes.push_back(name + " does not answer: the others have baked its tiles; the light is whole");
-    if (rank.hello.bound)
-      all.notes.push_back(name + " is bound to one of the " + std::to_string(rank.hello.coresOfMachine) +
-                          " cores of its machine: mpirun --bind-to none gives it all");
+    if (rank.hello.bound) all.notes.push_back(boundNote(name, rank.hello.coresOfMachine));
   }
   return all;
 }

@@ -80,6 +80,12 @@ bool startedByMpi() {
   return has("OMPI_COMM_WORLD_SIZE") || has("PMIX_RANK") || (has("PMI_RANK") && has("PMI_SIZE"));
 }
 
+bool isOnlyRank() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"})
+    if (const char* const ranks = std::getenv(name)) return std::atoi(ranks) == 1;
+  return false;
+}
+
 std::unique_ptr<MpiRanks> connectMpi() {
   std::error_code unknown;
   const fs::path module = fs::read_symlink("/proc/self/exe", unknown).parent_path() / kModule;

@@ -9,6 +9,8 @@ namespace isolux::app {
 
 // Whether a launcher's variables are there (OMPI_COMM_WORLD_SIZE, PMIX_RANK, PMI_RANK with PMI_SIZE).
 bool startedByMpi();
+// The only one: it needs no MPI, which starts once in a rank, and not again for the next bake of a script.
+bool isOnlyRank();
 
 class MpiRanks : public Ranks {
  public:

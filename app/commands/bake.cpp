@@ -8,6 +8,7 @@
 
 #include "app/cluster/cluster_bake.h"
 #include "app/cluster/mpi_ranks.h"
+#include "app/cluster/rank_facts.h"
 #include "app/commands/bake_part.h"
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
@@ -95,6 +96,24 @@ fs::path indexOfPieces(const BakeOptions& options) {
   return fs::path(options.out).replace_extension(".pvti");
 }
 
+[[noreturn]] void refuseForeign(const fs::path& file, const char* what) {
+  base::throwInput(file.string(), "",
+                   std::string("holds something other than ") + what + "; --overwrite replaces it");
+}
+
+// Files under the names of the pieces and their index that hold something else.
+void checkPieces(const fs::path& index, int pieces) {
+  constexpr std::size_t searched = std::size_t{1} << 16;
+  std::error_code missing;
+  if (fs::exists(index, missing) && readBeginning(index, searched).find(".piece-1-of-") == std::string::npos)
+    refuseForeign(index, "the index of stored light");
+  for (int count = 1; count <= pieces; ++count)
+    for (int number = 1; number <= count; ++number)
+      if (const fs::path file = gi::bakePieceFile(index, number, count);
+          fs::exists(file, missing) && !gi::looksLikeBakeFile(file))
+        refuseForeign(file, "stored light");
+}
+
 // Checks all that can be checked before the light is computed.
 PreparedBake prepareBake(const BakeOptions& options, const fs::path& out, base::Progress& progress) {
   if (fs::path(options.out).extension() != ".vti")
@@ -114,7 +133,8 @@ PreparedBake prepareBake(const BakeOptions& options, const fs::path& out, base::
   checkOutput(guard, options.stats, "--stats");
   std::error_code missing;
   if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
-    base::throwInput(out.string(), "", "holds something other than stored light; --overwrite replaces it");
+    refuseForeign(out, "stored light");
+  if (!options.overwrite && options.pieces > 0) checkPieces(indexOfPieces(options), options.pieces);
   bake.volume = loadWithProgressBar(bake.scene.source, progress);
   bake.scene = bakeScene(options, resolvedSceneOf(options.path, *options.scene, *bake.volume,
                                                   parseSize(options.size), progress));
@@ -237,10 +257,11 @@ void bakeOverMpi(const BakeOptions& options, base::Progress& progress) {
 void runBake(const BakeOptions& options, base::Progress& progress) {
   std::optional<gi::NoFusedArithmetic> lowered;
   if (!options.arithmetic.empty()) lowered.emplace();
-  if (options.mpi || (startedByMpi() && !options.noMpi))
-    bakeOverMpi(options, progress);
-  else
-    bakeHere(options, progress);
+  const bool launched = startedByMpi() && !options.noMpi;
+  if (options.mpi || (launched && !isOnlyRank())) return bakeOverMpi(options, progress);
+  bakeHere(options, progress);
+  if (launched && !clusterOptions(options).threadsAsked && isBoundToOneCore())
+    printNote(boundNote("the only rank", coresOfMachine()));
 }
 
 }  // namespace

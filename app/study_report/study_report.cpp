@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <sstream>
+#include <string_view>
 
 #include <tbb/task_arena.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@
 #include "app/study_report/study_table.h"
 #include "app/version.h"
 #include "base/number_text.h"
+#include "base/printable.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -187,6 +189,16 @@ void closing(std::ostream& out, const KnobStudy& study) {
   out << "\n**What to do.** " << adviceOf(study) << '\n';
 }
 
+// A file's words in Markdown: no HTML, no link, no table of their own.
+std::string markdownText(const std::string& text) {
+  std::string escaped;
+  for (const char letter : base::printable(text)) {
+    if (std::string_view("\\`*[]<>&|").find(letter) != std::string_view::npos) escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
+}
+
 }  // namespace
 
 std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete) {
@@ -227,7 +239,7 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
 std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete) {
   const glm::ivec3 dims = subject.volume->grid().dims();
   std::ostringstream out;
-  out << "# What accuracy costs: " << subject.volume->volume.name << "\n\n"
+  out << "# What accuracy costs: " << markdownText(subject.volume->volume.name) << "\n\n"
       << dims.x << " x " << dims.y << " x " << dims.z << " voxels, isovalue "
       << tableNumber(*subject.scene.isosurface.value, 6) << ", picture " << subject.size.x << " x "
       << subject.size.y << ". " << subject.context.renderer << ", " << processorName() << "; medians of "
