@@ -163,7 +163,7 @@ TEST_F(PendingFileTest, AStreamIsWrittenIntoWhereItStands) {
   const fs::path log = folder_ / "job.log";
   const int file = ::open(log.c_str(), O_RDWR | O_CREAT, 0600);
   ASSERT_EQ(::write(file, "before\n", 7), 7);
-  for (const std::string& folder : {"/proc/self/fd/", "/dev/fd/"})
+  for (const std::string folder : {"/proc/self/fd/", "/dev/fd/"})
     write(folder + std::to_string(file), "through " + folder + "\n");
   fs::create_symlink("/dev/fd/" + std::to_string(file), folder_ / "link");
   write(folder_ / "link", "through a link\n");

@@ -16,10 +16,10 @@ constexpr double kMostUnequal = 0.4;         // of neighbours within objects; th
 constexpr double kLeastJumps = 0.2;          // of unequal neighbours
 constexpr std::ptrdiff_t kEnough = 1 << 20;  // voxels that neighbours are compared of
 
-using Counts = std::map<double, std::size_t>;  // of values
+using ValueCounts = std::map<double, std::size_t>;  // of values
 
 // Adds a row; false: a value is no whole number, or there are too many.
-bool addRow(const Grid& grid, int y, int z, Counts& counts) {
+bool addRow(const Grid& grid, int y, int z, ValueCounts& counts) {
   double last = std::numeric_limits<double>::quiet_NaN();
   std::size_t* count = nullptr;  // of it: runs are long
   for (int x = 0; x < grid.dims().x; ++x) {
@@ -61,7 +61,7 @@ std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progr
     }
     return true;
   };
-  Counts counts;
+  ValueCounts counts;
   if (!eachRow(stride, [&](int y, int z) { return addRow(grid, y, z, counts); })) return std::nullopt;
   if (counts.size() < 3) return std::nullopt;
   const double background = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
