@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -12,9 +13,10 @@ namespace isolux::scene {
 
 namespace {
 
-constexpr double reachMm = 1e9;     // the range of camera.eye and camera.target
-constexpr double nearestMm = 1e-3;  // eye to target
-constexpr double farthestMm = 1e8;
+constexpr double reachMm = 1e13;  // the range of camera.eye and camera.target
+// Eye to target. Files have voxels of 1e-9 to 1e9 mm; nearer than this part of the target's coordinates,
+// roundings turn the view.
+constexpr double nearestMm = 1e-12, farthestMm = reachMm / 2, nearestOfTarget = 1e-9;
 constexpr double fitMargin = 1.04;  // air around a fitted box
 constexpr glm::dvec3 anterior{0.0, -1.0, 0.0}, superior{0.0, 0.0, 1.0};
 
@@ -40,13 +42,6 @@ double halfAngleTangent(double fovDegrees) {
   return std::tan(glm::radians(fov) / 2.0);
 }
 
-Camera withFrame(Camera camera, const CameraFrame& frame, glm::dvec3 target, double distance) {
-  camera.target = finitePoint(target);
-  camera.eye = finitePoint(*camera.target + frame.back * distance);
-  camera.up = frame.up;
-  return camera;
-}
-
 glm::dvec3 targetOf(const CameraFrame& frame) {
   return frame.eye - frame.back * frame.distance;
 }
@@ -65,10 +60,19 @@ double fittingDistance(const CameraFrame& frame, glm::dvec3 target, double tange
                                       ? toward + side / tangent
                                       : std::max(side / tangent, toward * fitMargin));
   }
-  return std::clamp(distance > 0.0 ? distance : 1.0, nearestMm, farthestMm);
+  return distance > 0.0 ? distance : 1.0;
 }
 
 }  // namespace
+
+Camera lookingAt(Camera camera, const CameraFrame& frame, glm::dvec3 target, double distance) {
+  camera.target = finitePoint(target);
+  const glm::dvec3 far = glm::abs(*camera.target);
+  const double nearest = std::max(nearestMm, nearestOfTarget * std::max({far.x, far.y, far.z}));
+  camera.eye = finitePoint(*camera.target + frame.back * std::clamp(distance, nearest, farthestMm));
+  camera.up = frame.up;
+  return camera;
+}
 
 CameraFrame frameOf(const Camera& camera) {
   CameraFrame frame{};
@@ -109,7 +113,7 @@ Camera orbited(const Camera& camera, double yaw, double pitch) {
   CameraFrame turned = frame;
   turned.back = glm::normalize(yawed * std::cos(pitch) + frame.up * std::sin(pitch));
   turned.up = glm::normalize(frame.up * std::cos(pitch) - yawed * std::sin(pitch));
-  return withFrame(camera, turned, targetOf(frame), frame.distance);
+  return lookingAt(camera, turned, targetOf(frame), frame.distance);
 }
 
 Camera rolled(const Camera& camera, double angle) {
@@ -117,7 +121,7 @@ Camera rolled(const Camera& camera, double angle) {
   const CameraFrame frame = frameOf(camera);
   CameraFrame turned = frame;  // the picture turns clockwise when up leans to the left
   turned.up = glm::normalize(frame.up * std::cos(angle) - frame.right * std::sin(angle));
-  return withFrame(camera, turned, targetOf(frame), frame.distance);
+  return lookingAt(camera, turned, targetOf(frame), frame.distance);
 }
 
 Camera panned(const Camera& camera, glm::dvec2 fractionOfHeight) {
@@ -126,14 +130,13 @@ Camera panned(const Camera& camera, glm::dvec2 fractionOfHeight) {
   const double heightMm =
       2.0 * frame.halfHeight * (frame.projection == Projection::perspective ? frame.distance : 1.0);
   const glm::dvec3 shift = (frame.right * fractionOfHeight.x + frame.up * fractionOfHeight.y) * heightMm;
-  return withFrame(camera, frame, targetOf(frame) - shift, frame.distance);
+  return lookingAt(camera, frame, targetOf(frame) - shift, frame.distance);
 }
 
 Camera zoomed(const Camera& camera, double factor) {
   if (!std::isfinite(factor) || factor <= 0.0) return camera;
   const CameraFrame frame = frameOf(camera);
-  return withFrame(camera, frame, targetOf(frame),
-                   std::clamp(frame.distance / factor, nearestMm, farthestMm));
+  return lookingAt(camera, frame, targetOf(frame), frame.distance / factor);
 }
 
 namespace {
@@ -185,7 +188,7 @@ Camera fitted(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMax
   const CameraFrame frame = frameOf(camera);
   const glm::dvec3 low = finitePoint(boundsMinMm), high = finitePoint(boundsMaxMm);
   const glm::dvec3 target = (low + high) / 2.0;
-  return withFrame(camera, frame, target,
+  return lookingAt(camera, frame, target,
                    fittingDistance(frame, target, halfAngleTangent(camera.fov), low, high));
 }
 

@@ -21,6 +21,11 @@ struct CameraFrame {
 // Never NaN: a degenerate up or a target on the eye is replaced by the nearest sensible frame.
 CameraFrame frameOf(const Camera& camera);
 
+// Looks at `target` along -frame.back from `distance` mm, upright as the frame. The distance is 1e-12 to
+// 5e12 mm and at least 1e-9 of the target's largest coordinate; the eye stays within the range of its
+// setting.
+Camera lookingAt(Camera camera, const CameraFrame& frame, glm::dvec3 target, double distance);
+
 // A ray through a point of the picture; ndc in [-1, 1], y up; aspect = width / height. The rays of an
 // orthographic camera start on the plane through the eye.
 struct Ray {

@@ -11,7 +11,6 @@ namespace isolux::scene {
 namespace {
 
 constexpr double framingMargin = 1.04;
-constexpr double nearestFramedMm = 1e-3, farthestFramedMm = 1e8;  // eye to target
 
 // Half of the picture that may be filled, at unit distance: across and up.
 struct Opening {
@@ -22,14 +21,6 @@ Opening openingOf(const Camera& camera, double aspect) {
   const double fov = std::clamp(std::isfinite(camera.fov) ? camera.fov : 30.0, 1e-3, 179.0);
   const double up = std::tan(glm::radians(fov) / 2.0) / framingMargin;
   return {up * (std::isfinite(aspect) && aspect > 0.0 ? aspect : 1.0), up};
-}
-
-Camera looking(Camera camera, const CameraFrame& frame, glm::dvec3 target, double distance) {
-  distance = std::clamp(distance, nearestFramedMm, farthestFramedMm);
-  camera.target = target;
-  camera.eye = target + frame.back * distance;
-  camera.up = frame.up;
-  return camera;
 }
 
 }  // namespace
@@ -59,7 +50,7 @@ Camera framing(const Camera& camera, double aspect,
   if (frame.projection == Projection::perspective) distance -= middle;  // that was the eye's place
   // In front of it all, and of rays that start at the eye's plane.
   distance = std::max(distance, halfDepth * framingMargin);
-  return looking(camera, frame, target, distance);
+  return lookingAt(camera, frame, target, distance);
 }
 
 Camera framingBall(const Camera& camera, double aspect, glm::dvec3 centreMm, double radiusMm) {
@@ -70,7 +61,7 @@ Camera framingBall(const Camera& camera, double aspect, glm::dvec3 centreMm, dou
   const double distance = frame.projection == Projection::perspective
                               ? radiusMm * std::sqrt(1.0 + 1.0 / (tangent * tangent))
                               : std::max(radiusMm / tangent, radiusMm * framingMargin);
-  return looking(camera, frame, centreMm, distance);
+  return lookingAt(camera, frame, centreMm, distance);
 }
 
 }  // namespace isolux::scene

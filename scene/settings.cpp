@@ -256,7 +256,7 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry<Scene>(
       "look.texture", ISOLUX_MEMBER(look.texture),
       "A solid texture, carved from rather than wrapped around the surface; varies the albedo."));
-  add(entry<Scene>("look.texture_scale", ISOLUX_MEMBER(look.textureScale), {1e-9, 1e9}, "mm",
+  add(entry<Scene>("look.texture_scale", ISOLUX_MEMBER(look.textureScale), {1e-12, 1e13}, "mm",
                    "Size of the solid texture's features; auto is a tenth of the volume."));
   add(entry<Scene>("look.shadow", ISOLUX_MEMBER(look.shadow), unitRange, "",
                    "Strength of the light's hard shadow, found by a second exact ray from each point."));
@@ -370,7 +370,7 @@ std::vector<Setting> makeSettings() {
                      "Where a point or sphere is; auto is above the volume, toward the front and the left."));
     add(directionEntry<Scene>(group + "direction", ISOLUX_ITEM(lamps, i, direction), "",
                               "Toward a distant lamp, world axes; any length but zero."));
-    add(entry<Scene>(group + "radius", ISOLUX_ITEM(lamps, i, radius), {1e-9, 1e9}, "mm",
+    add(entry<Scene>(group + "radius", ISOLUX_ITEM(lamps, i, radius), {1e-12, 1e13}, "mm",
                      "Of a luminous sphere; larger gives softer shadows; auto is a tenth of the volume."));
     add(entry<Scene>(
         group + "angle", ISOLUX_ITEM(lamps, i, angle), {0, 90}, "degrees",

@@ -11,10 +11,10 @@ namespace isolux::app {
 
 namespace {
 
-constexpr double margin = 26.0;     // pixels between a handle and the picture's edge
-constexpr double grabReach = 12.0;  // pixels about a handle
-constexpr double ringReach = 5.0;   // pixels to both sides of an outline
-constexpr double farthestMm = 1e9;  // the range of a lamp's position
+constexpr double margin = 26.0;      // pixels between a handle and the picture's edge
+constexpr double grabReach = 12.0;   // pixels about a handle
+constexpr double ringReach = 5.0;    // pixels to both sides of an outline
+constexpr double farthestMm = 1e13;  // the range of a lamp's position
 
 struct Projection {
   glm::dvec2 pixel{0.0};  // of what is before the eye
@@ -203,7 +203,7 @@ scene::Lamp lampResizedTo(const scene::Lamp& lamp, const LampStage& stage, glm::
     const double tangent = radius / place.depthMm;
     radius /= std::sqrt(1.0 + tangent * tangent);
   }
-  resized.radius = std::clamp(radius, 1e-9, farthestMm);
+  resized.radius = std::clamp(radius, 1e-12, farthestMm);
   return resized;
 }
 

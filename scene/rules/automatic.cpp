@@ -118,7 +118,7 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   if (!camera.target) {
     camera.target = fit.target;
     // An eye that stands on the centre looks to the back, not nowhere.
-    if (glm::length(*camera.eye - *camera.target) < 1e-9) camera.target = *camera.eye - front;
+    if (*camera.eye == *camera.target) camera.target = *camera.eye - front;
   }
   if (!camera.up) {
     const glm::dvec3 view = *camera.target - *camera.eye;

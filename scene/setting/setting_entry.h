@@ -72,8 +72,8 @@ struct TypeOf<std::optional<T>> {
 struct Range {
   double minimum, maximum;
 };
-inline constexpr Range noRange{0.0, 0.0};  // texts and choices
-inline constexpr Range positionRange{-1e9, 1e9};
+inline constexpr Range noRange{0.0, 0.0};           // texts and choices
+inline constexpr Range positionRange{-1e13, 1e13};  // mm: 4096 voxels of 1e9 mm and their camera
 inline constexpr Range unitRange{0.0, 1.0};
 
 // `member` returns the member of an Owner or const Owner by reference.

@@ -249,6 +249,23 @@ TEST(Camera, FitEnclosesAllCorners) {
   }
 }
 
+TEST(Camera, FitAndZoomScaleWithTheVolume) {
+  for (const Projection projection : {Projection::perspective, Projection::orthographic})
+    for (const double scale : {1e-9, 1e-6, 1e7, 1e9}) {
+      const glm::dvec3 low(-30, -20, -10), high(20, 40, 60);
+      const Camera one = fitted(someCamera(projection), low, high);
+      const Camera scaled = fitted(someCamera(projection), scale * low, scale * high);
+      expectNear(*scaled.eye / scale, *one.eye, 1e-9);
+      expectNear(*scaled.target / scale, *one.target, 1e-9);
+      expectNear(*zoomed(scaled, 10.0).eye / scale, *zoomed(one, 10.0).eye, 1e-9);
+    }
+}
+
+TEST(Camera, ZoomEndsBeforeRoundingsTurnTheView) {
+  const Camera camera = zoomed(someCamera(), 1e15);
+  expectNear(frameOf(camera).back, frameOf(someCamera()).back, 1e-6);
+}
+
 TEST(Camera, DegenerateInputStaysFinite) {
   std::vector<Camera> cameras(1);
   for (const glm::dvec3& odd : {glm::dvec3(0), glm::dvec3(nan), glm::dvec3(infinity), glm::dvec3(1e300),

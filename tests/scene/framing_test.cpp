@@ -107,6 +107,23 @@ TEST(Framing, ABallFitsFromEverySide) {
     }
 }
 
+// From voxels of 1e-9 mm to voxels of 1e9 mm: the same picture.
+TEST(Framing, ScalesWithWhatIsFramed) {
+  for (const Projection projection : {Projection::perspective, Projection::orthographic})
+    for (const double scale : {1e-9, 1e-6, 1e7, 1e9}) {
+      const Camera camera = obliqueCamera(projection);
+      auto points = cloud(7, {-5, 30, 20}, {100, 90, 80});
+      const Camera one = framing(camera, 1.5, farthestOf(points, framingDirections(camera, 1.5)));
+      for (glm::dvec3& p : points) p *= scale;
+      const Camera scaled = framing(camera, 1.5, farthestOf(points, framingDirections(camera, 1.5)));
+      EXPECT_NEAR(glm::distance(*scaled.eye / scale, *one.eye), 0.0, 1e-9) << scale;
+      EXPECT_NEAR(glm::distance(*scaled.target / scale, *one.target), 0.0, 1e-9) << scale;
+      const Camera ball = framingBall(camera, 1.5, {0, 0, 0}, 25.0);
+      const Camera scaledBall = framingBall(camera, 1.5, {0, 0, 0}, 25.0 * scale);
+      EXPECT_NEAR(glm::distance(*scaledBall.eye / scale, *ball.eye), 0.0, 1e-9) << scale;
+    }
+}
+
 TEST(Framing, NumbersThatAreNoneLeaveTheCamera) {
   const Camera camera = obliqueCamera(Projection::perspective);
   std::array<double, framingDirectionCount> farthest{};
