@@ -22,23 +22,23 @@ namespace {
 
 constexpr std::string_view kIndexMagic = "ISOLUX INDEX 1\n";
 constexpr std::chrono::seconds kBetweenSaves{20};
-constexpr std::size_t kMostFilesNamed = 4096;
 
-// Sizes and times of all files, and what is read of them.
+// What is read, and a hash of names, sizes and times of all files it is read from: a store has millions.
 std::string identityOf(const std::string& path, const ReadOptions& options) {
   std::string text = options.raw + '\n' + options.series + '\n' + std::to_string(options.component) + '\n' +
                      std::to_string(options.timeStep) + '\n';
   std::vector<fs::path> files = filesOfVolume(path);
   if (std::error_code ignored; fs::is_directory(path, ignored)) files.emplace_back(path);
-  files.resize(std::min(files.size(), kMostFilesNamed));
+  std::sort(files.begin(), files.end());
+  const fs::path folder = fs::path(path).parent_path();
+  base::Hasher hash;
   for (const fs::path& file : files) {
     std::error_code failed;
-    const auto time = fs::last_write_time(file, failed);
-    text += file.filename().string() + ' ' + std::to_string(time.time_since_epoch().count());
-    if (fs::is_regular_file(file, failed)) text += ' ' + std::to_string(fs::file_size(file, failed));
-    text += '\n';
+    const std::string name = file.lexically_relative(folder).string();
+    hash.addWords(name.data(), name.size()).add(fs::last_write_time(file, failed).time_since_epoch().count());
+    if (fs::is_regular_file(file, failed)) hash.add(fs::file_size(file, failed));
   }
-  return text;
+  return text + std::to_string(hash) + '\n';
 }
 
 fs::path cachePlace(const fs::path& path) {

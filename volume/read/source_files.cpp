@@ -46,13 +46,11 @@ void addSlicesOf(const fs::path& folder, int depth, std::vector<fs::path>& files
   }
 }
 
-// Of the many files of a Zarr folder so many that no list takes seconds.
 void addFilesUnder(const fs::path& folder, std::vector<fs::path>& files) {
-  constexpr std::size_t most = 100000;
   std::error_code error;
   constexpr auto options = fs::directory_options::skip_permission_denied;
-  for (fs::recursive_directory_iterator entry(folder, options, error), end;
-       !error && entry != end && files.size() < most; entry.increment(error)) {
+  for (fs::recursive_directory_iterator entry(folder, options, error), end; !error && entry != end;
+       entry.increment(error)) {
     std::error_code ignored;
     if (entry->is_regular_file(ignored)) files.push_back(entry->path());
   }

@@ -1,7 +1,7 @@
 // Which files a volume is read from, told without reading it: what must not be written meanwhile.
 //
 // A header's data files, both files of a NIfTI pair, all DICOM and TIFF files of a folder and its direct
-// subfolders, all files of a Zarr folder (the first 100000), for one DICOM file those beside it (its series
+// subfolders, all files of a Zarr folder, for one DICOM file those beside it (its series
 // may be among them). Any thread; no errors: what cannot be read has no files, and reading it will say why.
 #pragma once
 

@@ -21,9 +21,11 @@
 #include "base/hash.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
+#include "tests/support/zarr_folder.h"
 #include "tests/volume/bricks/grid_as_file.h"
 #include "volume/bricks/brick_source.h"
 #include "volume/bricks/index_file.h"
+#include "volume/bricks/open_chunked.h"
 #include "volume/bricks/plain_file.h"
 #include "volume/bricks/slice_reader.h"
 #include "volume/prepared_volume.h"
@@ -383,6 +385,28 @@ TEST_F(Indexes, OfAnotherFileCutOffOrDamagedCountAsNone) {
   indexFile().make(*file, {}, index, progress_);
   fs::last_write_time(file_, fs::last_write_time(file_) + std::chrono::seconds(5));
   EXPECT_FALSE(indexFile().find(*file));
+}
+
+// More chunks than any list of names that a file should hold.
+TEST_F(Indexes, OfAStoreOfManyFilesSeesTheChangeOfAnyOfThem) {
+  constexpr int kChunks = 17;
+  file_ = folder_ / "many.zarr";
+  writeZarr(file_, glm::ivec3(2 * kChunks), glm::ivec3(2),
+            std::vector<std::uint8_t>(8 * kChunks * kChunks * kChunks, 10));
+  std::string reason;
+  const auto file = volume::openChunked(source(), reason, progress_);
+  ASSERT_TRUE(file) << reason;
+  std::optional<volume::VolumeIndex> index;
+  indexFile().make(*file, {}, index, progress_);
+  ASSERT_TRUE(indexFile().find(*file));
+  for (int i = 0; i < kChunks; ++i) {
+    const fs::path chunk = file_ / chunkName({i, (7 * i) % kChunks, (11 * i + 3) % kChunks});
+    const auto before = fs::last_write_time(chunk);
+    fs::last_write_time(chunk, before + std::chrono::seconds(5));
+    EXPECT_FALSE(indexFile().find(*file)) << chunk;
+    fs::last_write_time(chunk, before);
+  }
+  EXPECT_TRUE(indexFile().find(*file));
 }
 
 }  // namespace
