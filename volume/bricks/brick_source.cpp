@@ -128,6 +128,10 @@ void BrickSource::State::readNow(Key key, std::unique_lock<std::mutex>& lock) {
     error = failed;
   } catch (const std::bad_alloc&) {
     error = base::Error(base::ErrorKind::memory, file->facts().name, "", "not enough memory for a brick");
+  } catch (const std::exception& failed) {  // of a codec: who waits must hear of it
+    error = base::Error(base::ErrorKind::input, file->facts().name, "", failed.what());
+  } catch (...) {
+    error = base::Error(base::ErrorKind::input, file->facts().name, "", "a brick cannot be decoded");
   }
   lock.lock();
   Entry& entry = entries[key];

@@ -16,6 +16,7 @@ constexpr std::size_t kMostErrorText = 1024;  // of a damaged part
 
 // Either direction of the same list of members.
 struct Writer {
+  static constexpr bool reads = false;
   const std::function<void(const void*, std::size_t)>& put;
   template <class T>
   bool number(T& value) {
@@ -38,6 +39,7 @@ struct Writer {
 };
 
 struct Reader {
+  static constexpr bool reads = true;
   std::span<const std::byte> bytes;
   base::Hasher& sum;
   bool take(void* to, std::size_t count) {
@@ -113,7 +115,8 @@ bool VolumeIndex::transfer(Io& io) {
       !io.array(minima, blocks_->count()) || !io.array(maxima, blocks_->count()) ||
       !io.array(counts_, countSize) || (version == 2 && !transferDamaged(io)))
     return false;
-  for (std::size_t i = 0; i < minima.size(); ++i) blocks_->set(i, minima[i], maxima[i]);
+  if constexpr (Io::reads)  // who writes shares its blocks with others
+    for (std::size_t i = 0; i < minima.size(); ++i) blocks_->set(i, minima[i], maxima[i]);
   isFinished_ = finished != 0;
   // Nothing of a file is believed that memory depends on.
   return std::all_of(done_.begin(), done_.end(), [](std::uint8_t d) { return d <= 1; });

@@ -100,6 +100,18 @@ TEST(BrickSource, ADamagedChunkIsAnErrorOfThoseWhoWaitAndReadAgainLater) {
   EXPECT_NO_THROW(source.brick(0, {0, 0, 0}));
 }
 
+TEST(BrickSource, WhateverAReaderThrowsIsAnErrorOfThoseWhoWait) {
+  const auto file = rows();
+  volume::BrickSource source(file, {}, std::size_t{1} << 30);
+  file->breaks = true;
+  EXPECT_THROW(source.brick(0, {0, 0, 0}), base::Error);
+  const auto ahead = source.request(0, {1, 0, 0}, 1);
+  ASSERT_TRUE(pollUntil([&] { return file->reads == 2; }));
+  EXPECT_THROW(source.brick(0, {1, 0, 0}), base::Error);
+  file->breaks = false;
+  EXPECT_NO_THROW(source.brick(0, {1, 0, 0}));
+}
+
 TEST(BrickSource, RequestsAreReadAheadUnlessLetGo) {
   const auto file = rows();
   file->isOpen = false;

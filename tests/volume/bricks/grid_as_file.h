@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ class GridAsFile final : public volume::ChunkedVolume {
       opened.wait(lock, [&] { return isOpen; });
     }
     if (fails) base::throwInput("grid", "chunk", "is damaged");
+    if (breaks) throw std::runtime_error("of a codec");
     for (const glm::ivec3& one : damaged) {
       const glm::ivec3 first = one * facts_.levels[0].chunkDims, behind = first + facts_.levels[0].chunkDims;
       if (glm::all(glm::lessThan(low, behind)) && glm::all(glm::lessThan(first, low + size)))
@@ -61,8 +63,8 @@ class GridAsFile final : public volume::ChunkedVolume {
 
   mutable std::atomic<int> reads{0}, readsWithin{0};  // readsWithin: that begin within a chunk
   mutable std::atomic<std::uint64_t> voxelsRead{0};
-  std::atomic<bool> fails{false};
-  std::vector<glm::ivec3> damaged{};  // chunks that cannot be read
+  std::atomic<bool> fails{false}, breaks{false};  // with an Error, with another exception
+  std::vector<glm::ivec3> damaged{};              // chunks that cannot be read
   mutable std::mutex mutex;
   mutable std::condition_variable opened;
   bool isOpen = true;
