@@ -58,13 +58,14 @@ HWY_INLINE void gradientsOf(const View& view, const T* voxels, const glm::vec3* 
                        wz = cubicWeights(p.z - static_cast<float>(z));
     const T* corner = voxels + static_cast<std::size_t>(z - 1) * slice +
                       static_cast<std::size_t>(y - 1) * row + static_cast<std::size_t>(x - 1);
+    // Of values like 1e6 + small only the small part may be weighted.
+    const V4 reference = hn::Set(f, static_cast<float>(corner[slice + row + 1]));
     // Sums over y and z, with the derivative along neither, y and z.
     V4 alongX = hn::Zero(f), alongY = alongX, alongZ = alongX;
     for (int k = 0; k < 4; ++k, corner += slice) {
-      V4 s = hn::Mul(hn::Set(f, wy.w[0]), loadRow(corner)),
-         sy = hn::Mul(hn::Set(f, wy.d1[0]), loadRow(corner));
-      for (std::size_t j = 1; j < 4; ++j) {
-        const V4 samples = loadRow(corner + j * row);
+      V4 s = hn::Zero(f), sy = s;
+      for (std::size_t j = 0; j < 4; ++j) {
+        const V4 samples = hn::Sub(loadRow(corner + j * row), reference);
         s = hn::MulAdd(hn::Set(f, wy.w[j]), samples, s);
         sy = hn::MulAdd(hn::Set(f, wy.d1[j]), samples, sy);
       }

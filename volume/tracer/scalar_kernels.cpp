@@ -12,8 +12,9 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+// Of values on one side of 0 never one on the other, however far apart they are.
 float mixed(float a, float b, float t) {
-  return a + t * (b - a);
+  return (1.0f - t) * a + t * b;
 }
 
 // The field (inside: positive) along a stretch through a cell, s in [0, 1].
@@ -140,10 +141,10 @@ float Tracer<T>::entryInCell(const PreparedRay& ray, const int cell[3], float tI
   const float pq0 = mixed(p00, p10, q[1]), pq1 = mixed(p01, p11, q[1]);
   const float qp0 = mixed(q00, q10, p[1]), qp1 = mixed(q01, q11, p[1]);
   const float qq0 = mixed(q00, q10, q[1]), qq1 = mixed(q01, q11, q[1]);
-  constexpr float third = 1.0f / 3.0f;
+  const auto mean = [](float a, float b, float c) { return a / 3.0f + b / 3.0f + c / 3.0f; };
   const Cubic f{
-      mixed(pp0, pp1, p[2]), third * (mixed(qp0, qp1, p[2]) + mixed(pq0, pq1, p[2]) + mixed(pp0, pp1, q[2])),
-      third * (mixed(qq0, qq1, p[2]) + mixed(qp0, qp1, q[2]) + mixed(pq0, pq1, q[2])), mixed(qq0, qq1, q[2])};
+      mixed(pp0, pp1, p[2]), mean(mixed(qp0, qp1, p[2]), mixed(pq0, pq1, p[2]), mixed(pp0, pp1, q[2])),
+      mean(mixed(qq0, qq1, p[2]), mixed(qp0, qp1, q[2]), mixed(pq0, pq1, q[2])), mixed(qq0, qq1, q[2])};
 
   const bool falls = f.b1 < 0.0f || (f.b1 == 0.0f && (f.b2 < 0.0f || (f.b2 == 0.0f && f.b3 < 0.0f)));
   const bool beginsInside = f.b0 > 0.0f || (f.b0 == 0.0f && !falls);
@@ -293,13 +294,15 @@ glm::vec3 gradientAt(const View& view, const T* voxels, glm::vec3 position) {
     stride *= static_cast<std::size_t>(n);
   }
   const CubicWeights wx = cubicWeights(t[0]), wy = cubicWeights(t[1]), wz = cubicWeights(t[2]);
+  // Of values like 1e6 + small only the small part may be weighted.
+  const auto reference = static_cast<float>(voxels[offset[2][1] + offset[1][1] + offset[0][1]]);
   float gx = 0, gy = 0, gz = 0;
   for (int k = 0; k < 4; ++k) {
     float f = 0, fx = 0, fy = 0;
     for (int j = 0; j < 4; ++j) {
       const T* row = voxels + offset[2][k] + offset[1][j];
-      const float a = static_cast<float>(row[offset[0][0]]), b = static_cast<float>(row[offset[0][1]]),
-                  c = static_cast<float>(row[offset[0][2]]), e = static_cast<float>(row[offset[0][3]]);
+      const auto less = [&](int i) { return static_cast<float>(row[offset[0][i]]) - reference; };
+      const float a = less(0), b = less(1), c = less(2), e = less(3);
       const float v = (wx.w[0] * a + wx.w[1] * b) + (wx.w[2] * c + wx.w[3] * e);
       f += wy.w[j] * v;
       fy += wy.d1[j] * v;
