@@ -25,8 +25,9 @@ struct Bernstein {
 
   // De Casteljau: no cancellation, and inside the hull of the coefficients.
   HWY_INLINE VF operator()(VF s) const {
-    const VF q0 = mix(b0, b1, s), q1 = mix(b1, b2, s), q2 = mix(b2, b3, s);
-    return mix(mix(q0, q1, s), mix(q1, q2, s), s);
+    const Between between(s);
+    const VF q0 = between(b0, b1), q1 = between(b1, b2), q2 = between(b2, b3);
+    return between(between(q0, q1), between(q1, q2));
   }
   HWY_INLINE VF start() const { return b0; }
   HWY_INLINE Bernstein minus(float shift) const {
@@ -34,7 +35,6 @@ struct Bernstein {
     return {hn::Sub(b0, v), hn::Sub(b1, v), hn::Sub(b2, v), hn::Sub(b3, v)};
   }
   HWY_INLINE Bernstein startingAt(VF value) const { return {value, b1, b2, b3}; }
-  static HWY_INLINE VF mix(VF a, VF b, VF s) { return hn::MulAdd(s, hn::Sub(b, a), a); }
   static HWY_INLINE Bernstein zero() {
     const VF none = hn::Zero(F());
     return {none, none, none, none};
@@ -54,7 +54,11 @@ struct Change {
 HWY_INLINE Change firstChange(const Bernstein& b, MF inside) {
   const F f;
   const VF zero = hn::Zero(f), one = hn::Set(f, 1.0f);
-  const VF c0 = hn::Sub(b.b1, b.b0), d1 = hn::Sub(b.b2, b.b1), d2 = hn::Sub(b.b3, b.b2);
+  // Squares of differences beside what stands for no value would be 0.
+  const VF largest = hn::Max(hn::Max(hn::Abs(b.b0), hn::Abs(b.b1)), hn::Max(hn::Abs(b.b2), hn::Abs(b.b3)));
+  const VF unit = hn::Div(one, hn::Max(largest, hn::Set(f, 1e-37f)));
+  const VF c0 = hn::Mul(unit, hn::Sub(b.b1, b.b0)), d1 = hn::Mul(unit, hn::Sub(b.b2, b.b1)),
+           d2 = hn::Mul(unit, hn::Sub(b.b3, b.b2));
   const VF c1 = hn::Sub(d1, c0), c2 = hn::Sub(hn::Sub(d2, d1), c1);
   const VF discriminant = hn::NegMulAdd(c2, c0, hn::Mul(c1, c1));
   // Citardauq's form: the stable one of the two for each root.
@@ -197,38 +201,20 @@ HWY_INLINE MF TrilinearCells<T>::missing(const Corners& c) const {
   return noLane();
 }
 
-// Bernstein coefficients are the polar form of the trilinear function at the stretch's two ends. Offset and
-// isovalue are subtracted first: differences of like numbers are exact.
+// Offset and isovalue are subtracted first: differences of like numbers are exact.
 template <class T>
 HWY_INLINE Bernstein TrilinearCells<T>::fieldAlong(const RayLanes& ray, const CellLanes& cell,
                                                    const Corners& c, VF tIn, VF tOut) const {
   const F f;
-  const VF px = inCell(ray, 0, cell.x, tIn), py = inCell(ray, 1, cell.y, tIn),
-           pz = inCell(ray, 2, cell.z, tIn);
-  const VF qx = inCell(ray, 0, cell.x, tOut), qy = inCell(ray, 1, cell.y, tOut),
-           qz = inCell(ray, 2, cell.z, tOut);
-  const VF offset = hn::Set(f, view_.offset), isovalue = hn::Set(f, view_.isovalue);
-  const auto less = [&](VF v) {
+  const VF p[3] = {inCell(ray, 0, cell.x, tIn), inCell(ray, 1, cell.y, tIn), inCell(ray, 2, cell.z, tIn)};
+  const VF q[3] = {inCell(ray, 0, cell.x, tOut), inCell(ray, 1, cell.y, tOut), inCell(ray, 2, cell.z, tOut)};
+  const VF offset = hn::Set(f, view_.offset), isovalue = hn::Set(f, view_.isovalue),
+           scale = hn::Set(f, view_.scale);
+  const BernsteinCoefficients b = bernsteinOf(c, p, q, [&](VF v) {
     if constexpr (std::is_same_v<T, float>) v = hn::Sub(v, offset);
-    return hn::Sub(v, isovalue);
-  };
-  const auto lerp = [](VF a, VF difference, VF s) { return hn::MulAdd(s, difference, a); };
-  const VF a00 = less(c.e00.low), a10 = less(c.e10.low), a01 = less(c.e01.low), a11 = less(c.e11.low);
-  const VF x00 = hn::Sub(c.e00.high, c.e00.low), x10 = hn::Sub(c.e10.high, c.e10.low),
-           x01 = hn::Sub(c.e01.high, c.e01.low), x11 = hn::Sub(c.e11.high, c.e11.low);
-  const VF p00 = lerp(a00, x00, px), p10 = lerp(a10, x10, px), p01 = lerp(a01, x01, px),
-           p11 = lerp(a11, x11, px);
-  const VF q00 = lerp(a00, x00, qx), q10 = lerp(a10, x10, qx), q01 = lerp(a01, x01, qx),
-           q11 = lerp(a11, x11, qx);
-  const VF py0 = hn::Sub(p10, p00), py1 = hn::Sub(p11, p01), qy0 = hn::Sub(q10, q00), qy1 = hn::Sub(q11, q01);
-  const VF pp = lerp(p00, py0, py), pq = lerp(p00, py0, qy), qp = lerp(q00, qy0, py), qq = lerp(q00, qy0, qy);
-  const VF ppZ = hn::Sub(lerp(p01, py1, py), pp), pqZ = hn::Sub(lerp(p01, py1, qy), pq);
-  const VF qpZ = hn::Sub(lerp(q01, qy1, py), qp), qqZ = hn::Sub(lerp(q01, qy1, qy), qq);
-  const VF scale = hn::Set(f, view_.scale), third = hn::Set(f, view_.scale / 3.0f);
-  return {hn::Mul(scale, lerp(pp, ppZ, pz)),
-          hn::Mul(third, hn::Add(hn::Add(lerp(qp, qpZ, pz), lerp(pq, pqZ, pz)), lerp(pp, ppZ, qz))),
-          hn::Mul(third, hn::Add(hn::Add(lerp(qq, qqZ, pz), lerp(qp, qpZ, qz)), lerp(pq, pqZ, qz))),
-          hn::Mul(scale, lerp(qq, qqZ, qz))};
+    return hn::Mul(scale, hn::Sub(v, isovalue));
+  });
+  return {b.b0, b.b1, b.b2, b.b3};
 }
 
 #endif

@@ -35,10 +35,6 @@ struct Cubic {
   }
 };
 
-HWY_INLINE VF lerp(VF a, VF difference, VF t) {
-  return hn::MulAdd(t, difference, a);
-}
-
 // Of the cells of lanes `known`, between their t and tOut; of floats, lanes with a missing corner become
 // unknown.
 template <class T>
@@ -74,29 +70,15 @@ HWY_INLINE Cubic cubicOf(const View& view, const T* voxels, const Group& g, VF t
   const VF fromX = hn::Sub(hn::Load(f, g.origin[0]), hn::ConvertTo(f, cx));
   const VF fromY = hn::Sub(hn::Load(f, g.origin[1]), hn::ConvertTo(f, cy));
   const VF fromZ = hn::Sub(hn::Load(f, g.origin[2]), hn::ConvertTo(f, cz));
-  const VF px = within(hn::MulAdd(tIn, dx, fromX)), qx = within(hn::MulAdd(tOut, dx, fromX));
-  const VF py = within(hn::MulAdd(tIn, dy, fromY)), qy = within(hn::MulAdd(tOut, dy, fromY));
-  const VF pz = within(hn::MulAdd(tIn, dz, fromZ)), qz = within(hn::MulAdd(tOut, dz, fromZ));
-  // Bernstein coefficients are the polar form of the trilinear function at the stretch's two ends. The
-  // isovalue is subtracted first: differences of like numbers are exact.
-  const VF iso = hn::Load(f, g.isovalue);
-  const VF a00 = hn::Sub(e00.low, iso), a10 = hn::Sub(e10.low, iso), a01 = hn::Sub(e01.low, iso),
-           a11 = hn::Sub(e11.low, iso);
-  const VF x00 = hn::Sub(e00.high, e00.low), x10 = hn::Sub(e10.high, e10.low),
-           x01 = hn::Sub(e01.high, e01.low), x11 = hn::Sub(e11.high, e11.low);
-  const VF p00 = lerp(a00, x00, px), p10 = lerp(a10, x10, px), p01 = lerp(a01, x01, px),
-           p11 = lerp(a11, x11, px);
-  const VF q00 = lerp(a00, x00, qx), q10 = lerp(a10, x10, qx), q01 = lerp(a01, x01, qx),
-           q11 = lerp(a11, x11, qx);
-  const VF py0 = hn::Sub(p10, p00), py1 = hn::Sub(p11, p01), qy0 = hn::Sub(q10, q00), qy1 = hn::Sub(q11, q01);
-  const VF pp = lerp(p00, py0, py), pq = lerp(p00, py0, qy), qp = lerp(q00, qy0, py), qq = lerp(q00, qy0, qy);
-  const VF ppZ = hn::Sub(lerp(p01, py1, py), pp), pqZ = hn::Sub(lerp(p01, py1, qy), pq);
-  const VF qpZ = hn::Sub(lerp(q01, qy1, py), qp), qqZ = hn::Sub(lerp(q01, qy1, qy), qq);
-  const VF sign = hn::Set(f, view.scale), third = hn::Set(f, view.scale / 3.0f);
-  return {hn::Mul(sign, lerp(pp, ppZ, pz)),
-          hn::Mul(third, hn::Add(hn::Add(lerp(qp, qpZ, pz), lerp(pq, pqZ, pz)), lerp(pp, ppZ, qz))),
-          hn::Mul(third, hn::Add(hn::Add(lerp(qq, qqZ, pz), lerp(qp, qpZ, qz)), lerp(pq, pqZ, qz))),
-          hn::Mul(sign, lerp(qq, qqZ, qz))};
+  const VF p[3] = {within(hn::MulAdd(tIn, dx, fromX)), within(hn::MulAdd(tIn, dy, fromY)),
+                   within(hn::MulAdd(tIn, dz, fromZ))};
+  const VF q[3] = {within(hn::MulAdd(tOut, dx, fromX)), within(hn::MulAdd(tOut, dy, fromY)),
+                   within(hn::MulAdd(tOut, dz, fromZ))};
+  // The isovalue is subtracted first: differences of like numbers are exact.
+  const VF iso = hn::Load(f, g.isovalue), scale = hn::Set(f, view.scale);
+  const BernsteinCoefficients b =
+      bernsteinOf(corners, p, q, [&](VF v) { return hn::Mul(scale, hn::Sub(v, iso)); });
+  return {b.b0, b.b1, b.b2, b.b3};
 }
 
 // The bracket of the first entry from a stretch's beginning, or from where it has left the inside that it

@@ -86,6 +86,37 @@ HWY_INLINE Corners loadCorners(const T* voxels, VI index, std::size_t row, std::
   return loadCorners(voxels, at, row, slice);
 }
 
+// A place in [0, 1] between two values. Of values on one side of 0 never one on the other, however far apart
+// they are.
+struct Between {
+  VF at, rest;
+  explicit HWY_INLINE Between(VF s) : at(s), rest(hn::Sub(hn::Set(F(), 1.0f), s)) {}
+  HWY_INLINE VF operator()(VF a, VF b) const { return hn::MulAdd(at, b, hn::Mul(rest, a)); }
+};
+
+struct BernsteinCoefficients {
+  VF b0, b1, b2, b3;
+};
+
+// Of the trilinear function along the stretch of its cell from p to q: its polar form at the two ends.
+// changed(v): what is interpolated of a corner's value.
+template <class Changed>
+HWY_INLINE BernsteinCoefficients bernsteinOf(const Corners& c, const VF (&p)[3], const VF (&q)[3],
+                                             const Changed& changed) {
+  const Between px(p[0]), py(p[1]), pz(p[2]), qx(q[0]), qy(q[1]), qz(q[2]);
+  const VF a00 = changed(c.e00.low), a10 = changed(c.e10.low), a01 = changed(c.e01.low),
+           a11 = changed(c.e11.low);
+  const VF b00 = changed(c.e00.high), b10 = changed(c.e10.high), b01 = changed(c.e01.high),
+           b11 = changed(c.e11.high);
+  const VF p00 = px(a00, b00), p10 = px(a10, b10), p01 = px(a01, b01), p11 = px(a11, b11);
+  const VF q00 = qx(a00, b00), q10 = qx(a10, b10), q01 = qx(a01, b01), q11 = qx(a11, b11);
+  const VF pp0 = py(p00, p10), pp1 = py(p01, p11), pq0 = qy(p00, p10), pq1 = qy(p01, p11);
+  const VF qp0 = py(q00, q10), qp1 = py(q01, q11), qq0 = qy(q00, q10), qq1 = qy(q01, q11);
+  const VF third = hn::Set(F(), 1.0f / 3.0f);
+  return {pz(pp0, pp1), hn::Mul(third, hn::Add(hn::Add(pz(qp0, qp1), pz(pq0, pq1)), qz(pp0, pp1))),
+          hn::Mul(third, hn::Add(hn::Add(pz(qq0, qq1), qz(qp0, qp1)), qz(pq0, pq1))), qz(qq0, qq1)};
+}
+
 #endif
 }  // namespace HWY_NAMESPACE
 }  // namespace isolux::volume::tracing

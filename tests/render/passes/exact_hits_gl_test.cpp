@@ -1,6 +1,7 @@
 // Exact hits of the GL pipeline against the double-precision intersectors, pixel by pixel over 20 views.
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -163,6 +164,36 @@ TEST_P(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
 }
 
 ISOLUX_ON_BOTH_EXECUTORS(ExactHitsGlTest);
+
+// The cells beside what stands for no value hold no surface, however far away that is.
+TEST_P(ExactHitsGlTest, AFillHoldsNoSurface) {
+  const auto ball = [](double fill) {
+    return prepared(gridOfVoxels(unitGeometry(glm::ivec3(48)), [=](glm::dvec3 p) {
+      const double r = glm::distance(p, glm::dvec3(23.3, 23.9, 23.1));
+      return fill < 0.0 && r > 18.0 ? fill : 15.0 - r;
+    }));
+  };
+  const auto plain = ball(0.0);
+  scene::Scene scene = assigned({"hit.field=trilinear"});
+  scene.isosurface.value = 0.0;
+  for (const double fill : {-1e9, -1e20, -1e30, static_cast<double>(std::numeric_limits<float>::lowest())}) {
+    const auto filled = ball(fill);
+    for (int k = 0; k < 4; ++k) {
+      scene.camera = view(k, *plain).camera;
+      const Images expected = images(plain, scene, kExactHitsSize),
+                   seen = images(filled, scene, kExactHitsSize);
+      int hits = 0, different = 0;
+      for (std::size_t i = 0; i < seen.hit.values.size(); ++i) {
+        const bool hit = expected.hit.values[i] == 1.0f;
+        hits += hit;
+        different += seen.hit.values[i] != expected.hit.values[i] ||
+                     (hit && glm::distance(at(seen.voxel, i), at(expected.voxel, i)) > 1e-2);
+      }
+      EXPECT_GT(hits, 500) << k;
+      EXPECT_LE(different, hits / 500) << fill << ' ' << k;  // rays that graze
+    }
+  }
+}
 
 }  // namespace
 }  // namespace isolux::test

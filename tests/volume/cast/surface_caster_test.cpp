@@ -49,6 +49,39 @@ TEST(SurfaceCaster, GapsHoldNoSurface) {
   expectFirstHits({withHoles(test::phantomGrid("gyroid", 32)), {0.05}}, "holes", 8);
 }
 
+// The cells beside what stands for no value hold no surface, however far away that is, on either side.
+TEST(SurfaceCaster, AFillHoldsNoSurface) {
+  const auto ball = [](double sign, double fill) {
+    return test::gridOfVoxels(test::unitGeometry(glm::ivec3(48)), [=](glm::dvec3 p) {
+      const double r = glm::distance(p, glm::dvec3(23.3, 23.9, 23.1));
+      return sign * (fill < 0.0 && r > 18.0 ? fill : 15.0 - r);
+    });
+  };
+  for (const double sign : {1.0, -1.0})
+    for (const double fill :
+         {-1e9, -1e15, -1e20, -1e30, static_cast<double>(std::numeric_limits<float>::lowest())}) {
+      const scene::Inside inside = sign > 0.0 ? scene::Inside::above : scene::Inside::below;
+      const Prepared filled(ball(sign, fill), {0.0}, scene::Field::trilinear, {}, inside),
+          plain(ball(sign, 0.0), {0.0}, scene::Field::trilinear, {}, inside);
+      for (const TracerTarget target : targets()) {
+        int hits = 0, differing = 0;
+        for (int k = 0; k < 4; ++k) {
+          const PictureRays rays = view(k, glm::ivec3(48));
+          const CrossingImage seen = cast(filled.caster(target), rays),
+                              expected = cast(plain.caster(target), rays);
+          for (std::size_t i = 0; i < seen.points.size(); ++i) {
+            const glm::vec4 a = seen.points[i], b = expected.points[i];
+            hits += b.w >= 0.0f;
+            differing += (a.w < 0.0f) != (b.w < 0.0f) ||
+                         (a.w >= 0.0f && glm::distance(glm::vec3(a), glm::vec3(b)) > 1e-3f);
+          }
+        }
+        EXPECT_GT(hits, 2000);
+        EXPECT_EQ(differing, 0) << sign * fill;
+      }
+    }
+}
+
 TEST(SurfaceCaster, FollowsFourSurfacesAtOnce) {
   expectFirstHits({test::phantomGrid("gyroid", 32), {0.1, -0.4, 0.6, 0.12}}, "four surfaces", 8);
   expectFirstHits({test::phantomGrid("noise", 24), {0.0, 0.3, -0.3}}, "three surfaces of noise", 8);

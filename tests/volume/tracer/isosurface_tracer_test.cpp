@@ -373,6 +373,41 @@ TEST_P(IsosurfaceTracerOn, GrazingRaysAgreeWhereTheyAreDecided) {
   EXPECT_GT(tally.hits, 1000);
 }
 
+// The cells beside what stands for no value hold no surface, however far away that is.
+TEST_P(IsosurfaceTracerOn, AFillHoldsNoSurface) {
+  constexpr int n = 48;
+  const auto ball = [](float sign, float fill) {
+    std::vector<float> values;
+    for (int i = 0; i < n * n * n; ++i) {
+      const glm::dvec3 p(i % n, i / n % n, i / (n * n));
+      const double r = glm::distance(p, glm::dvec3(23.3, 23.9, 23.1));
+      values.push_back(sign * (fill < 0.0f && r > 18.0 ? fill : static_cast<float>(15.0 - r)));
+    }
+    return gridOf(glm::ivec3(n), values);
+  };
+  for (const float sign : {1.0f, -1.0f}) {
+    const Inside inside = sign > 0.0f ? Inside::above : Inside::below;
+    const IsosurfaceTracer plain = tracer(ball(sign, 0.0f), inside);
+    const std::vector<TraceRay> rays = allKindsOfRays(plain.grid(), 20000, {0.0f});
+    const std::vector<float> expected = firstOf(plain, rays);
+    for (const float fill : {-1e9f, -1e20f, -1e30f, std::numeric_limits<float>::lowest()}) {
+      const IsosurfaceTracer filled = tracer(ball(sign, fill), inside);
+      const std::vector<float> found = firstOf(filled, rays);
+      std::vector<std::uint8_t> any(rays.size());
+      filled.anyEntries(rays, any);
+      int hits = 0, wrong = 0;
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        hits += expected[i] < kNoEntry;
+        wrong +=
+            (expected[i] < kNoEntry) != (found[i] < kNoEntry) || any[i] != (expected[i] < kNoEntry) ||
+            voxelsBetween(rays[i], static_cast<double>(found[i]), static_cast<double>(expected[i])) > 1e-3;
+      }
+      EXPECT_GT(hits, 1000);
+      EXPECT_LE(wrong, hits / 1000) << sign * fill;  // rays that graze
+    }
+  }
+}
+
 TEST_P(IsosurfaceTracerOn, MissingVoxelsAreGaps) {
   const GridPointer whole = phantom("noise", {37, 38, 40});
   std::vector<float> values = std::get<std::vector<float>>(whole->voxels());
