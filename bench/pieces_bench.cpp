@@ -82,7 +82,7 @@ void run() {
         medians({[&] { volume::MinMaxBlocks(*subject.grid, 8, progress); }, [&] { at(subject.isovalue); },
                  [&] { at(subject.isovalue + subject.step * (++steps % 5)); },
                  [&] {
-                   volume::hiddenVoxels(pieces, volume::shownPieces(pieces, {1, 0.0, {}, {}}));
+                   volume::hiddenVoxels(pieces, volume::shownPieces(pieces, {1, 0.0, {}, {}}), true);
                  }},
                 5);
     printComparison({"blocks, which every picture needs", "pieces from nothing",

@@ -166,7 +166,12 @@ void SurfaceBlocks::bindHidden(Program& program, int unit) {
   if (hiddenTexture_.size() == glm::ivec3(0)) uploadHidden();
   program.setTexture("uHidden", unit, hiddenTexture_);
   const volume::InsideLevel level = hidden_.surfaces.front().level;
+  const bool hidesStrays =
+      std::any_of(hidden_.surfaces.begin(), hidden_.surfaces.end(), [](const auto& surface) {
+        return surface.hidden && surface.hidden->hidesStrays();  // one choice for all
+      });
   program.set("uInsideHigh", level.high ? 1 : 0);
+  program.set("uHidesStrays", hidesStrays ? 1 : 0);
 }
 
 }  // namespace isolux::render

@@ -1,5 +1,9 @@
 #include "volume/color/second_volume.h"
 
+#include <utility>
+
+#include "base/make_room.h"
+
 namespace isolux::volume {
 
 SecondVolumes::Key SecondVolumes::keyOf(const scene::ColorVolume& color) {
@@ -18,6 +22,19 @@ std::shared_ptr<const SecondVolume> SecondVolumes::make(const scene::ColorVolume
                                                         base::Progress& progress) {
   if (color.volume.empty()) return nullptr;
   if (std::shared_ptr<const SecondVolume> found = find(color)) return found;
+  auto made = base::madeWithRoom([&] { return fresh(color, progress); },
+                                 [this] {
+                                   const std::lock_guard lock(mutex_);
+                                   return std::exchange(kept_, nullptr) != nullptr;
+                                 });
+  const std::lock_guard lock(mutex_);
+  key_ = keyOf(color);
+  kept_ = made;
+  return made;
+}
+
+std::shared_ptr<const SecondVolume> SecondVolumes::fresh(const scene::ColorVolume& color,
+                                                         base::Progress& progress) const {
   auto made = std::make_shared<SecondVolume>();
   scene::ColorVolume plain = color;
   plain.field = scene::Field::trilinear;
@@ -34,9 +51,6 @@ std::shared_ptr<const SecondVolume> SecondVolumes::make(const scene::ColorVolume
   if (color.field == scene::Field::cubic_interpolating)
     made->coefficients =
         std::make_shared<const Coefficients>(interpolatingCoefficients(made->grid(), progress));
-  const std::lock_guard lock(mutex_);
-  key_ = keyOf(color);
-  kept_ = made;
   return made;
 }
 

@@ -40,6 +40,7 @@ class SecondVolumes {
     bool operator==(const Key&) const = default;
   };
   static Key keyOf(const scene::ColorVolume& color);
+  std::shared_ptr<const SecondVolume> fresh(const scene::ColorVolume& color, base::Progress& progress) const;
 
   std::shared_ptr<const Grid> first_;
   mutable std::mutex mutex_;  // held for moments

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/make_room.h"
 #include "scene/rules/needs.h"
 #include "volume/prepared_volume.h"
 
@@ -57,7 +58,9 @@ std::shared_ptr<const CubicField> CubicFields::find(scene::Field field) const {
 std::shared_ptr<const CubicField> CubicFields::make(scene::Field field, base::Progress& progress) {
   if (field == scene::Field::trilinear) return nullptr;
   if (auto there = find(field)) return there;
-  auto fresh = std::make_shared<const CubicField>(made(*grid_, field, progress));
+  auto fresh =
+      base::madeWithRoom([&] { return std::make_shared<const CubicField>(made(*grid_, field, progress)); },
+                         [this] { return forgetOldestScale(); });
   const std::lock_guard lock(mutex_);
   std::shared_ptr<const CubicField>& slot = field == scene::Field::cubic ? cubic_ : interpolating_;
   if (!slot) slot = std::move(fresh);
@@ -89,12 +92,21 @@ std::shared_ptr<const ScaledField> CubicFields::make(scene::Field field, double 
     if (auto there = scaledFound(field, scaleMm)) return there;
     leaveRoom();  // first, so that three never take memory at once
   }
-  auto fresh = std::make_shared<const ScaledField>(scaledField(*grid_, field, scaleMm, progress));
+  auto fresh = base::madeWithRoom(
+      [&] { return std::make_shared<const ScaledField>(scaledField(*grid_, field, scaleMm, progress)); },
+      [this] { return forgetOldestScale(); });
   const std::lock_guard lock(mutex_);
   if (auto there = scaledFound(field, scaleMm)) return there;
   leaveRoom();
   scaled_.push_back(fresh);
   return fresh;
+}
+
+bool CubicFields::forgetOldestScale() {
+  const std::lock_guard lock(mutex_);
+  if (scaled_.empty()) return false;
+  scaled_.erase(scaled_.begin());
+  return true;
 }
 
 bool CubicFields::readyFor(const scene::Scene& scene) const {

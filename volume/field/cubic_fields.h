@@ -47,6 +47,7 @@ class CubicFields {
   void makeFor(const scene::Scene& scene, base::Progress& progress);
 
  private:
+  bool forgetOldestScale();  // false: none is kept
   std::shared_ptr<const ScaledField> scaledFound(scene::Field field, double scaleMm) const;  // while locked
 
   std::shared_ptr<const Grid> grid_;

@@ -27,7 +27,8 @@ FourFloats lengthInside(FourFloats a, FourFloats b) {
 }
 
 std::uint64_t unitsOf(float cells) {
-  return static_cast<std::uint64_t>(static_cast<double>(cells) * kVolumeUnits + 0.5);
+  if (!(cells > 0.0f)) return 0;  // NaN of values whose differences overflow
+  return static_cast<std::uint64_t>(static_cast<double>(std::min(cells, 1.0f)) * kVolumeUnits + 0.5);
 }
 
 glm::ivec3 cornerStep(int corner) {

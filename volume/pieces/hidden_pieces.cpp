@@ -47,6 +47,13 @@ HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, double isovalue
   return {};
 }
 
+HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, const Grid& grid, float storedIsovalue) {
+  for (const HiddenOfSurface& surface : surfaces)
+    if (static_cast<float>(grid.storedOfValue(surface.isovalue)) == storedIsovalue)
+      return {surface.voxels.get(), surface.inside};
+  return {};
+}
+
 std::uint64_t keyOf(std::span<const HiddenOfSurface> surfaces) {
   if (surfaces.empty()) return 0;
   base::Hasher hash;
@@ -54,6 +61,7 @@ std::uint64_t keyOf(std::span<const HiddenOfSurface> surfaces) {
     hash.add(surface.isovalue);
     hash.add(surface.inside);
     hash.add(surface.voxels->key());
+    hash.add(surface.voxels->hidesStrays());
   }
   return hash;
 }

@@ -12,6 +12,7 @@
 
 namespace isolux::volume {
 
+class Grid;
 class PieceSets;
 
 struct HiddenPieces {
@@ -35,6 +36,8 @@ std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const Pie
 bool hiddenIsReady(const scene::Scene& resolved, const PieceSets& pieces);
 
 HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, double isovalue);
+// The same by the stored isovalue that rays compare with.
+HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, const Grid& grid, float storedIsovalue);
 // Equal where the same is hidden; 0 where nothing is.
 std::uint64_t keyOf(std::span<const HiddenOfSurface> surfaces);
 

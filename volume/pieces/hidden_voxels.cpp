@@ -6,8 +6,9 @@
 
 namespace isolux::volume {
 
-HiddenVoxels::HiddenVoxels(glm::ivec3 dims)
+HiddenVoxels::HiddenVoxels(glm::ivec3 dims, bool hidesStrays)
     : dims_(dims),
+      hidesStrays_(hidesStrays),
       wordsPerRow_((dims.x + kVoxelsPerWord - 1) / kVoxelsPerWord),
       words_(static_cast<std::size_t>(wordsPerRow_) * static_cast<std::size_t>(dims.y) *
              static_cast<std::size_t>(dims.z)) {}

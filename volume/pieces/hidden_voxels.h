@@ -18,14 +18,16 @@ class HiddenVoxels {
  public:
   static constexpr int kVoxelsPerWord = 64;
 
-  // Nothing is hidden. One bit a voxel.
-  explicit HiddenVoxels(glm::ivec3 dims);
+  // No voxel is hidden. One bit a voxel. hidesStrays: whether what a spline has of the surface where no voxel
+  // around is inside, which belongs to no piece, is hidden.
+  explicit HiddenVoxels(glm::ivec3 dims, bool hidesStrays = false);
 
   // `voxel` within dims.
   bool at(glm::ivec3 voxel) const { return (words_[word(voxel)] >> (voxel.x % kVoxelsPerWord) & 1u) != 0; }
   // Voxels x from `begin` to before `end` of row (y, z).
   void hide(int begin, int end, int y, int z);
   bool any() const;
+  bool hidesStrays() const { return hidesStrays_; }
 
   glm::ivec3 dims() const { return dims_; }
   // Bit x % 64 of word x / 64 + wordsPerRow (y + dims.y z).
@@ -43,6 +45,7 @@ class HiddenVoxels {
   }
 
   glm::ivec3 dims_;
+  bool hidesStrays_;
   int wordsPerRow_;
   std::vector<std::uint64_t> words_;
 };

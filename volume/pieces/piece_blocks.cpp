@@ -32,11 +32,18 @@ unsigned insideBits(const T* row, int count, InsideLevel level) {
 
 }  // namespace
 
+base::MemoryBudget::Held reserveForPieces(std::size_t bytes) {
+  return base::machineMemory().reserve(bytes, "the pieces of the isosurface",
+                                       "pieces.keep=0 and pieces.smallest=0 need none");
+}
+
 PieceBlocks::PieceBlocks(const Grid& grid, const MinMaxBlocks& blocks, InsideLevel level,
                          base::Progress& progress)
     : level_(level), voxelDims_(grid.dims()), dims_((grid.dims() + kPieceBlock - 1) / kPieceBlock) {
   const auto rows = static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(dims_.z);
-  blocks_.resize(rows * static_cast<std::size_t>(dims_.x));
+  const std::size_t blockCount = rows * static_cast<std::size_t>(dims_.x);
+  held_ = reserveForPieces(blockCount * (sizeof(Block) + 1));
+  blocks_.resize(blockCount);
   crossed_.resize(blocks_.size());
   rows_.resize(rows);
   const bool anyMissing = grid.missingCount() > 0;
@@ -47,8 +54,7 @@ PieceBlocks::PieceBlocks(const Grid& grid, const MinMaxBlocks& blocks, InsideLev
       },
       grid.voxels());
   numberNodes();
-  held_ = base::machineMemory().reserve(bytes(), "the pieces of the isosurface",
-                                        "pieces.keep=0 and pieces.smallest=0 need none");
+  held_.add(reserveForPieces(bytes() - held_.bytes()));
 }
 
 std::size_t PieceBlocks::bytes() const {

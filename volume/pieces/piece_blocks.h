@@ -20,6 +20,9 @@
 
 namespace isolux::volume {
 
+// Of what grows with the pieces. Throws Error{memory}.
+base::MemoryBudget::Held reserveForPieces(std::size_t bytes);
+
 class PieceBlocks {
  public:
   static constexpr std::uint32_t kNoNode = 0xffffffffu;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/make_room.h"
 #include "volume/pieces/shown_pieces.h"
 
 namespace isolux::volume {
@@ -34,10 +35,19 @@ std::shared_ptr<const Pieces> PieceSets::find(double isovalue, scene::Inside ins
 std::shared_ptr<const Pieces> PieceSets::at(double isovalue, scene::Inside inside,
                                             base::Progress& progress) const {
   if (auto found = find(isovalue, inside)) return found;
-  auto pieces = std::make_shared<const Pieces>(grid_, *blocks_, isovalue, inside, progress);
+  auto pieces = base::madeWithRoom(
+      [&] { return std::make_shared<const Pieces>(grid_, *blocks_, isovalue, inside, progress); },
+      [this] { return forgetOldest(); });
   const std::lock_guard lock(mutex_);
   keep(pieces_, std::shared_ptr<const Pieces>(pieces), kMostKept);
   return pieces;
+}
+
+bool PieceSets::forgetOldest() const {
+  const std::lock_guard lock(mutex_);
+  if (pieces_.empty()) return false;
+  pieces_.erase(pieces_.begin());
+  return true;
 }
 
 std::optional<std::shared_ptr<const HiddenVoxels>> PieceSets::findHidden(const scene::Pieces& choice,
@@ -54,8 +64,9 @@ std::shared_ptr<const HiddenVoxels> PieceSets::hidden(const scene::Pieces& choic
                                                       scene::Inside inside, base::Progress& progress) const {
   if (const auto found = findHidden(choice, isovalue, inside)) return *found;
   const auto pieces = at(isovalue, inside, progress);
-  auto voxels = std::make_shared<const HiddenVoxels>(hiddenVoxels(*pieces, shownPieces(*pieces, choice)));
-  if (!voxels->any()) voxels = nullptr;
+  auto voxels = std::make_shared<const HiddenVoxels>(
+      hiddenVoxels(*pieces, shownPieces(*pieces, choice), hidesStrays(choice)));
+  if (!voxels->any() && !voxels->hidesStrays()) voxels = nullptr;
   const std::lock_guard lock(mutex_);
   keep(hidden_, {choice, isovalue, inside, voxels}, kMostKept);
   return voxels;

@@ -1,5 +1,5 @@
 // The pieces of a volume at the isovalues that somebody asked for last, and the voxels that a choice of
-// pieces hides there: made when first asked, kept for a while.
+// pieces hides there: made when first asked, kept for a while, dropped before memory is refused.
 //
 // All members may be called from any thread; nobody waits for another's work.
 #pragma once
@@ -37,6 +37,8 @@ class PieceSets {
                                                                 scene::Inside inside) const;
 
  private:
+  bool forgetOldest() const;  // false: no pieces are kept
+
   // Four isosurfaces, before and after a change.
   static constexpr std::size_t kMostKept = 8;
   struct Hidden {

@@ -19,11 +19,14 @@ Pieces::Pieces(std::shared_ptr<const Grid> grid, const MinMaxBlocks& blocks, dou
       inside_(inside),
       level_(InsideLevel::of(*grid_, isovalue, inside)),
       blocks_(std::make_unique<const PieceBlocks>(*grid_, blocks, level_, progress)) {
+  constexpr std::size_t ofNode = 2 * sizeof(std::uint32_t) + sizeof(NodeVolumes::value_type) + sizeof(Piece);
+  held_ = reserveForPieces(blocks_->nodes() * ofNode);
   ConcurrentSets sets(blocks_->nodes());
   const NodeVolumes volumes = joinBlocks(*grid_, *blocks_, level_, sets, progress);
   const std::size_t count = numberRoots(sets);
   list_ = pieceSizes(*this, count, volumes, progress);
   sortBySize();
+  held_.shrinkTo(bytes() - blocks_->bytes());
 }
 
 // Pieces in the order of their first nodes.

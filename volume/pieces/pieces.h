@@ -67,6 +67,7 @@ class Pieces {
   std::unique_ptr<const PieceBlocks> blocks_;
   std::vector<std::uint32_t> pieceOfNode_;
   std::vector<Piece> list_;
+  base::MemoryBudget::Held held_;  // all but the blocks
 };
 
 }  // namespace isolux::volume

@@ -21,7 +21,7 @@ struct PartlyShown {
 
 // BoxBounds::masks() without the boxes that hold nothing that is seen. cubic: of a field that looks up one
 // voxel more on each side; there, boxes without inside voxels stay where nothing around is hidden, since
-// splines may overshoot. Multithreaded.
+// splines may overshoot; rays decide about strays (ShownCells). Multithreaded.
 void shownBoxes(const Grid& grid, const BoxBounds& boxes, std::span<const PartlyShown> surfaces, bool cubic,
                 const std::vector<std::uint8_t>& flags, std::vector<std::uint64_t>& masks);
 // The same of cellBits(), of the trilinear field; boxMasks: those of shownBoxes().

@@ -76,6 +76,15 @@ bool ShownCells::hides(glm::ivec3 cell) const {
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x)
         if (hidden_->at({x, y, z})) return true;
+  return apron > 0 && hidden_->hidesStrays() && !insideAny(cell, glm::min(cell + 1, grid_.dims() - 1)) &&
+         !insideAny(low, high);
+}
+
+bool ShownCells::insideAny(glm::ivec3 low, glm::ivec3 high) const {
+  for (int z = low.z; z <= high.z; ++z)
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x)
+        if (level_.depth(grid_.stored(x, y, z)) >= 0.0) return true;
   return false;
 }
 
@@ -126,7 +135,7 @@ bool ShownCells::hiddenAt(const glm::dvec3& voxel) const {
 
 bool ShownCells::hiddenNear(glm::ivec3 cell, const glm::dvec3& local) const {
   const std::optional<glm::ivec3> inside = surfaceVoxel(grid_, level_, cell, local);
-  return inside && voxelHidden(*inside);
+  return inside ? voxelHidden(*inside) : hidden_ && hidden_->hidesStrays();
 }
 
 // Between its changes of side a stretch is of one piece, which its middle tells.

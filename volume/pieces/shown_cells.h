@@ -4,7 +4,8 @@
 // In cells whose inside corners are all hidden there is no surface. In those that have both kinds, a stretch
 // of a ray that lies inside belongs to the piece of the corner above it (cornerAbove()). Cubic fields have no
 // pieces of their own: there the same ascent among the cell's samples decides, and where it ends outside, the
-// nearest inside sample of the 4^3 around the cell.
+// nearest inside sample of the 4^3 around the cell. Where there is none the spline overshoots: a stray
+// surface, of no piece (HiddenVoxels::hidesStrays()).
 //
 // Double precision and one ray at a time, for every executor on the processor: few cells have hidden corners
 // and may be crossed.
@@ -74,7 +75,7 @@ class ShownCells {
 
   scene::Inside inside() const { return inside_; }
   // Whether what is seen in the cell is not the field: one of its corners is hidden (cubic: of the samples
-  // that it looks up).
+  // that it looks up, or where strays are hidden, none of them is inside).
   bool hides(glm::ivec3 cell) const;
   // Of the 8^3 cells from `first` on of a cubic field, those that hide or lie beside one that does: what is
   // seen may change within them or at their faces, where the field does not. Bit x + 8 y of word z.
@@ -88,6 +89,7 @@ class ShownCells {
  private:
   ShownCell cellAt(glm::ivec3 cell) const;
   bool hiddenNear(glm::ivec3 cell, const glm::dvec3& local) const;
+  bool insideAny(glm::ivec3 low, glm::ivec3 high) const;
   ShownWay alongCubic(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const;
 
   const Grid& grid_;

@@ -60,8 +60,12 @@ class RowOfHidden {
 
 }  // namespace
 
+bool hidesStrays(const scene::Pieces& choice) {
+  return choice.keep > 0 || choice.smallest > 0.0 || !choice.only.empty();
+}
+
 bool hidesPieces(const scene::Pieces& choice) {
-  return choice.keep > 0 || choice.smallest > 0.0 || !choice.hidden.empty() || !choice.only.empty();
+  return hidesStrays(choice) || !choice.hidden.empty();
 }
 
 std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice) {
@@ -74,8 +78,8 @@ std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice)
   return shown;
 }
 
-HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown) {
-  HiddenVoxels hidden(pieces.grid().dims());
+HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown, bool hidesStrays) {
+  HiddenVoxels hidden(pieces.grid().dims(), hidesStrays);
   if (std::find(shown.begin(), shown.end(), false) == shown.end()) return hidden;
   const glm::ivec3 blocks = pieces.blocks().dims();
   parallelRanges(blocks.y * blocks.z, 1, [&](const Indices<int>& range) {

@@ -17,7 +17,11 @@ bool hidesPieces(const scene::Pieces& choice);
 // among those that the others leave. A point outside of all pieces names none.
 std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice);
 
+// Whether the choice names what is shown, so that what belongs to no piece is hidden; else it names what is
+// hidden.
+bool hidesStrays(const scene::Pieces& choice);
+
 // The voxels of pieces that are not shown. Multithreaded.
-HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown);
+HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown, bool hidesStrays);
 
 }  // namespace isolux::volume

@@ -62,6 +62,8 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
                                    base::Progress& progress, TracerTarget target, TracerReach reach)
     : grid_(std::move(grid)),
       inside_(inside),
+      target_(target),
+      reach_(reach),
       tables_(tracing::TraceTables::of(grid_, progress)),
       view_(std::make_unique<tracing::View>()),
       kernels_(tracing::kernelsOf(target)) {
@@ -101,7 +103,7 @@ void IsosurfaceTracer::hide(std::span<const HiddenOfSurface> surfaces, base::Pro
   std::vector<std::shared_ptr<const tracing::HiddenTable>> tables;
   if (view_->traceable())
     for (const HiddenOfSurface& surface : surfaces)
-      if (surface.voxels)
+      if (surface.voxels && surface.voxels->any())
         tables.push_back(std::make_shared<const tracing::HiddenTable>(grid_, surface, progress));
   takeHidden(std::move(tables));
 }
@@ -125,7 +127,8 @@ std::vector<HiddenOfSurface> IsosurfaceTracer::hidden() const {
 }
 
 std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::otherSide(base::Progress& progress) const {
-  auto other = std::make_shared<IsosurfaceTracer>(grid_, scene::otherSide(inside_), progress);
+  auto other =
+      std::make_shared<IsosurfaceTracer>(grid_, scene::otherSide(inside_), progress, target_, reach_);
   std::vector<std::shared_ptr<const tracing::HiddenTable>> tables;
   for (const HidingView& hiding : hiding_) tables.push_back(hiding.table);
   other->takeHidden(std::move(tables));
@@ -135,7 +138,7 @@ std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::otherSide(base::Progre
 
 std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::withAllPieces() const {
   base::Progress progress;  // the tables are there
-  auto whole = std::make_shared<IsosurfaceTracer>(grid_, inside_, progress);
+  auto whole = std::make_shared<IsosurfaceTracer>(grid_, inside_, progress, target_, reach_);
   whole->cut(cut_);
   return whole;
 }

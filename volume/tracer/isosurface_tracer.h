@@ -104,6 +104,8 @@ class IsosurfaceTracer {
 
   std::shared_ptr<const Grid> grid_;
   scene::Inside inside_;
+  TracerTarget target_;
+  TracerReach reach_;
   std::shared_ptr<const tracing::TraceTables> tables_;
   std::unique_ptr<tracing::View> view_;
   std::vector<HidingView> hiding_;

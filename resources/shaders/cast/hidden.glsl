@@ -4,6 +4,7 @@
 // Part of trace.glsl.
 
 uniform usampler3D uHidden;  // of each 4x4x2 voxels a bit for each that is hidden, x + 4 y + 16 z; a channel a surface
+uniform bool uHidesStrays;   // a spline's surface without an inside voxel around is hidden
 uniform bool uInsideHigh;    // inside are texels from the isovalue up
 
 // A stretch of a ray through a cell in which something is hidden, in the cell's [0, 1]^3.

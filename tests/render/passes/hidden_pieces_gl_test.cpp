@@ -151,5 +151,30 @@ TEST_P(HiddenPiecesGlTest, WhereASplineBridgesAGapAsTheProcessorHasIt) {
   }
 }
 
+// An interpolating spline overshoots between eight voxels just outside: no piece has that surface.
+TEST_P(HiddenPiecesGlTest, StraysOfASplineAreHiddenWhereThePiecesShownAreNamed) {
+  const auto volume = prepared(gridOfVoxels(unitGeometry({40, 20, 20}), [](glm::dvec3 p) {
+    if (glm::distance(p, glm::dvec3(10.0)) < 6.0) return 10.0;
+    const glm::dvec3 apart = glm::abs(p - glm::dvec3(29.5, 9.5, 9.5));
+    return std::max({apart.x, apart.y, apart.z}) < 1.0 ? -0.05 : -10.0;
+  }));
+  for (const char* pieces : {"pieces.keep=0", "pieces.keep=1", "pieces.smallest=20"}) {
+    int ofBall = 0, ofStray = 0;
+    for (int k = 0; k < 3; ++k) {
+      scene::Scene scene = assigned({"hit.field=cubic_interpolating", pieces}, view(k));
+      scene.camera.target = {19.5, 9.5, 9.5};
+      scene.camera.eye = *scene.camera.target + 0.6 * (*scene.camera.eye - glm::dvec3(23.5));
+      const Images seen = images(volume, scene, kHiddenPiecesSize);
+      for (std::size_t i = 0; i < seen.hit.values.size(); ++i)
+        if (seen.hit.values[i] == 1.0f) ++(at(seen.voxel, i).x < 20.0 ? ofBall : ofStray);
+    }
+    EXPECT_GT(ofBall, 300) << pieces;
+    if (pieces == std::string("pieces.keep=0"))
+      EXPECT_GT(ofStray, 20);
+    else
+      EXPECT_EQ(ofStray, 0) << pieces;
+  }
+}
+
 }  // namespace
 }  // namespace isolux::test

@@ -1,4 +1,8 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "tests/support/hidden_balls.h"
 #include "tests/volume/cast/caster_checks.h"
@@ -119,6 +123,35 @@ TEST(HiddenCaster, WhereASplineBridgesAGapTheHiddenPieceIsLeftOut) {
                      {&hidden},
                      sign > 0.0 ? scene::Inside::above : scene::Inside::below},
                     "bridged", 5);
+}
+
+// An interpolating spline overshoots between eight voxels just outside: a stray surface, without an inside
+// voxel around.
+TEST(HiddenCaster, StraysOfASplineAreHiddenWhereThePiecesShownAreNamed) {
+  constexpr glm::ivec3 dims(40, 20, 20);
+  const auto strays = [&](bool hides) {
+    const HiddenVoxels hidden(dims, hides);
+    const Prepared volume(
+        test::gridOfVoxels(test::unitGeometry(dims),
+                           [](glm::dvec3 p) {
+                             if (glm::distance(p, glm::dvec3(10.0)) < 6.0) return 10.0;
+                             const glm::dvec3 apart = glm::abs(p - glm::dvec3(29.5, 9.5, 9.5));
+                             return std::max({apart.x, apart.y, apart.z}) < 1.0 ? -0.05 : -10.0;
+                           }),
+        {0.0}, scene::Field::cubic_interpolating, {&hidden});
+    std::vector<int> counts;
+    for (const TracerTarget target : targets()) {
+      int ofBall = 0, ofStray = 0;
+      for (int k = 0; k < 6; ++k)
+        for (const glm::vec4& p : cast(volume.caster(target), view(k, dims)).points)
+          if (p.w >= 0.0f) ++(p.x < 20.0f ? ofBall : ofStray);
+      EXPECT_GT(ofBall, 500);
+      counts.push_back(ofStray);
+    }
+    return counts;
+  };
+  for (const int count : strays(false)) EXPECT_GT(count, 20);
+  for (const int count : strays(true)) EXPECT_EQ(count, 0);
 }
 
 TEST(HiddenCaster, StoredValuesThatFallWithTheData) {

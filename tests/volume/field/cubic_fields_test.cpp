@@ -1,4 +1,5 @@
 #include "volume/field/cubic_fields.h"
+#include "tests/support/memory_limit.h"
 #include "tests/support/volumes.h"
 
 #include <limits>
@@ -54,6 +55,16 @@ TEST(CubicFields, TheLastTwoScalesAreKept) {
   EXPECT_TRUE(fields.find(field, 2.0));
   EXPECT_EQ(fields.make(field, 0.0, progress), nullptr);
   EXPECT_EQ(fields.make(scene::Field::trilinear, 1.0, progress), nullptr);
+}
+
+TEST(CubicFields, AKeptScaleGoesBeforeAnotherOneIsRefused) {
+  CubicFields fields(ball());
+  base::Progress progress;
+  const std::size_t before = base::machineMemory().held();
+  fields.make(scene::Field::cubic, 0.5, progress);
+  const test::MemoryLimit limit((base::machineMemory().held() - before) / 2);
+  EXPECT_TRUE(fields.make(scene::Field::cubic, 1.0, progress));
+  EXPECT_EQ(fields.find(scene::Field::cubic, 0.5), nullptr);
 }
 
 TEST(CubicFields, ScalesOfASceneAreMadeWhereALookReadsThem) {

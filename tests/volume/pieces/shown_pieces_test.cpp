@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/random.h"
+#include "tests/support/memory_limit.h"
 #include "tests/support/volumes.h"
 #include "volume/pieces/piece_seeds.h"
 #include "volume/pieces/piece_sets.h"
@@ -111,6 +113,37 @@ TEST_F(ShownPieces, AreKeptUntilOthersAreAskedFor) {
             sets.hidden(keep(1), 0.0, scene::Inside::above, progress));
   for (int i = 1; i < 12; ++i) sets.at(0.1 * i, scene::Inside::above, progress);
   EXPECT_EQ(sets.find(0.0, scene::Inside::above), nullptr);
+}
+
+// What is kept of other isovalues goes before pieces are refused.
+TEST(PieceSets, ManyIsovaluesAreAskedForInLittleMemory) {
+  const glm::ivec3 dims(64);
+  std::vector<std::uint8_t> noise(static_cast<std::size_t>(dims.x * dims.y * dims.z));
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    noise[i] = static_cast<std::uint8_t>(base::hash32(static_cast<std::uint32_t>(i)) >> 24);
+  const auto grid = std::make_shared<const Grid>(test::unitGeometry(dims), VoxelArray(std::move(noise)));
+  base::Progress progress;
+  const PieceSets sets(grid, std::make_shared<const MinMaxBlocks>(*grid, kBlockCells, progress));
+  std::size_t one = 0;
+  {
+    const std::size_t before = base::machineMemory().held();
+    const PieceSets first(grid, std::make_shared<const MinMaxBlocks>(*grid, kBlockCells, progress));
+    first.at(100.5, scene::Inside::above, progress);
+    one = base::machineMemory().held() - before;
+  }
+  const test::MemoryLimit limit(3 * one);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_FALSE(sets.at(100.5 + i, scene::Inside::above, progress)->list().empty()) << i;
+  EXPECT_TRUE(sets.find(119.5, scene::Inside::above));
+  const test::MemoryLimit none(0);
+  EXPECT_NO_THROW(sets.at(119.5, scene::Inside::above, progress));
+}
+
+TEST_F(ShownPieces, StraysAreHiddenWhereTheShownOnesAreNamed) {
+  EXPECT_TRUE(hidesStrays(keep(1)));
+  EXPECT_TRUE(hidesStrays({0, 500.0, {}, {}}));
+  EXPECT_TRUE(hidesStrays({0, 0.0, {}, {kCentres[1]}}));
+  EXPECT_FALSE(hidesStrays({0, 0.0, {kCentres[1]}, {}}));
 }
 
 }  // namespace
